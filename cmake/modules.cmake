@@ -1,0 +1,49 @@
+# How every module of the tree is compiled, and the one function that declares a module.
+include_guard()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+set(PERIMPACT_ARCH "native" CACHE STRING "Instruction set the code is built for: the value of -march, or empty for the compiler's own default")
+option(PERIMPACT_SCALAR_PACK "Kernels work on one particle at a time: for the sanitizers and as the oracle of the tests" OFF)
+option(PERIMPACT_CONTRACTS "Check the contracts (EXPECTS) at run time" OFF)
+option(PERIMPACT_WERROR "Treat warnings as errors" OFF)
+
+find_package(OpenMP REQUIRED)
+
+# Results are promised to be bitwise the same for any number of threads, so no flag may let the compiler reorder or contract
+# floating-point operations: kernels name their fused multiply-adds. math-errno and trapping-math change no result.
+add_library(build_flags INTERFACE)
+target_compile_options(build_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -fno-math-errno -fno-trapping-math -ffp-contract=off
+  $<$<BOOL:${PERIMPACT_ARCH}>:-march=${PERIMPACT_ARCH}> $<$<BOOL:${PERIMPACT_WERROR}>:-Werror>)
+target_compile_definitions(build_flags INTERFACE
+  $<$<BOOL:${PERIMPACT_SCALAR_PACK}>:FCCDA_SCALAR_PACK> $<$<BOOL:${PERIMPACT_CONTRACTS}>:FCCDA_CONTRACTS>)
+target_link_libraries(build_flags INTERFACE OpenMP::OpenMP_CXX)
+
+# add_module(fccda/surface DEPENDS fccda/core): the sources of src/fccda/surface (not of its sub-folders) as target fccda_surface.
+function(add_module path)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LINK" ${ARGN})
+  string(REPLACE "/" "_" target ${path})
+  get_filename_component(source_root "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src" ABSOLUTE)
+  file(GLOB sources CONFIGURE_DEPENDS ${source_root}/${path}/*.cpp)
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    set(scope PUBLIC)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${source_root}>)
+  target_link_libraries(${target} ${scope} $<BUILD_INTERFACE:build_flags>)
+  foreach(dependency ${ARG_DEPENDS})
+    string(REPLACE "/" "_" dependency_target ${dependency})
+    target_link_libraries(${target} ${scope} ${dependency_target})
+  endforeach()
+  if(ARG_LINK)
+    target_link_libraries(${target} ${scope} ${ARG_LINK})
+  endif()
+endfunction()

@@ -1,0 +1,28 @@
+/// Loops over threads. Work is cut into the same pieces for any number of threads, and each piece writes only what it owns,
+/// so results do not depend on how many there are.
+#pragma once
+
+#include <omp.h>
+
+#include <cstddef>
+
+namespace fccda {
+
+/// Calls body(i) for i in [0, count), each once, in any order.
+template <class Body>
+void parallel_for(std::ptrdiff_t count, const Body& body) {
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
+}
+
+/// The same, where some pieces take much longer than others.
+template <class Body>
+void parallel_for_uneven(std::ptrdiff_t count, const Body& body) {
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
+}
+
+inline int thread_count() { return omp_get_max_threads(); }
+inline void use_threads(int count) { omp_set_num_threads(count); }
+
+}  // namespace fccda
