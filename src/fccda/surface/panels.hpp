@@ -1,0 +1,20 @@
+/// Panels as read from a file or made by a generator, before anything is checked or mended.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fccda/core/vec3.hpp"
+
+namespace fccda {
+
+/// Triangles and quads over a list of vertices. Files without shared vertices (STL) list three new ones a panel.
+struct Panels {
+  std::vector<Vec3d> vertices;             ///< [m]
+  std::vector<std::array<int, 4>> panels;  ///< vertex numbers in order around the panel; the fourth is -1 in a triangle
+
+  void add_triangle(int a, int b, int c) { panels.push_back({a, b, c, -1}); }
+  void add_quad(int a, int b, int c, int d) { panels.push_back({a, b, c, d}); }
+};
+
+}  // namespace fccda

@@ -1,0 +1,185 @@
+#include "perimpact/simulation/setup.hpp"
+
+namespace perimpact {
+
+using namespace fccda;  // the ranges
+using enum Presence;
+
+std::span<const Field<TimeSetup>> TimeSetup::fields() {
+  static const Field<TimeSetup> all[] = {
+      {"end", &TimeSetup::end, "s", positive(), required, "Time at which the run ends."},
+      {"step", &TimeSetup::step, "s", positive(), optional, "Time step. Where absent, 0.9 times the stable estimate of Silling and Askari over all bodies."}};
+  return all;
+}
+
+std::span<const Field<BoxSolid>> BoxSolid::fields() {
+  static const Field<BoxSolid> all[] = {{"size", &BoxSolid::size, "m", positive(), required, "Edge lengths in x, y and z; whole multiples of the spacing."}};
+  return all;
+}
+
+std::span<const Field<OrdinaryStateSetup>> OrdinaryStateSetup::fields() {
+  using S = OrdinaryStateSetup;
+  static const Field<S> all[] = {{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), required, "Young's modulus E."},
+                                 {"poissons_ratio", &S::poissons_ratio, "1", strictly_between(-1, 0.5), optional,
+                                  "Poisson's ratio ν. An isotropic solid needs -1 < ν < 0.5; ice is usually 0.25 to 0.35, and 0.25 is the fastest."},
+                                 {"density", &S::density, "kg/m3", positive(), required, "Mass density ρ."},
+                                 {"critical_stretch", &S::critical_stretch, "1", positive(), optional,
+                                  "A bond longer than (1 + this) times its first length breaks for ever. Where absent, bonds never break."}};
+  return all;
+}
+
+std::span<const Field<BodySetup>> BodySetup::fields() {
+  using S = BodySetup;
+  static const Field<S> all[] = {
+      {"spacing", &S::spacing, "m", positive(), required, "Distance between neighbouring particles of the lattice."},
+      {"horizon_ratio", &S::horizon_ratio, "1", between(2, 6), optional, "Horizon δ in spacings."},
+      {"position", &S::position, "m", any_number(), optional, "Where the centre of the solid is at t = 0."},
+      {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of all particles at t = 0."},
+      {"family",
+       &S::family,
+       "",
+       {},
+       optional,
+       "Which particles are bonded and with which part of their volume: hu-ha-bobaru (|ξ| < δ + Δ/2) or madenci-oterkus (|ξ| <= δ)."},
+      {"normalisation",
+       &S::normalisation,
+       "",
+       {},
+       optional,
+       "lattice: the bond constants are scaled so that the interior lattice has exactly the given moduli; continuum: used as in the integral."},
+      {"surface_correction",
+       &S::surface_correction,
+       "",
+       {},
+       optional,
+       "What makes up for the missing bonds near a surface: energy (Madenci and Oterkus, interpolated), volume (Le and Bobaru) or none."},
+      {"published",
+       &S::published,
+       "",
+       {},
+       optional,
+       "true: the discretisation of the seed paper, that is family madenci-oterkus, normalisation continuum, surface_correction none; the three may then not "
+       "be given."}};
+  return all;
+}
+
+std::span<const Field<CylinderSurface>> CylinderSurface::fields() {
+  using S = CylinderSurface;
+  static const Field<S> all[] = {{"diameter", &S::diameter, "m", positive(), required, "Diameter."},
+                                 {"height", &S::height, "m", positive(), required, "Length along the axis, centred on the origin."},
+                                 {"axis", &S::axis, "", {}, optional, "Direction of the axis: x, y or z."},
+                                 {"panel", &S::panel, "m", positive(), required, "Largest edge length of the panels."},
+                                 {"panels", &S::panels, "", {}, optional, "triangles or quads."}};
+  return all;
+}
+
+std::span<const Field<SphereSurface>> SphereSurface::fields() {
+  using S = SphereSurface;
+  static const Field<S> all[] = {{"diameter", &S::diameter, "m", positive(), required, "Diameter."},
+                                 {"panel", &S::panel, "m", positive(), required, "Largest edge length of the panels."}};
+  return all;
+}
+
+std::span<const Field<BoxSurface>> BoxSurface::fields() {
+  using S = BoxSurface;
+  static const Field<S> all[] = {{"size", &S::size, "m", positive(), required, "Edge lengths in x, y and z, centred on the origin."},
+                                 {"panel", &S::panel, "m", positive(), required, "Largest edge length of the panels."},
+                                 {"panels", &S::panels, "", {}, optional, "triangles or quads."}};
+  return all;
+}
+
+std::span<const Field<FileSurface>> FileSurface::fields() {
+  using S = FileSurface;
+  static const Field<S> all[] = {
+      {"file", &S::file, "", {}, required, "STL (ascii or binary) or OBJ file; a relative path starts at the deck's folder."},
+      {"scale", &S::scale, "1", positive(), optional, "Multiplies the coordinates, so that they become metres: 0.001 for a file in millimetres."},
+      {"outside",
+       &S::outside,
+       "",
+       {},
+       optional,
+       "Which side of an open surface is outside: normals (the side the panels' normals point to) or reversed. Closed surfaces find it themselves."}};
+  return all;
+}
+
+std::span<const Field<BoxRegionSetup>> BoxRegionSetup::fields() {
+  using S = BoxRegionSetup;
+  static const Field<S> all[] = {{"size", &S::size, "m", positive(), required, "Edge lengths along the surface's own axes."},
+                                 {"centre", &S::centre, "m", any_number(), optional, "Centre, from the surface's origin."}};
+  return all;
+}
+
+std::span<const Field<RegionSetup>> RegionSetup::fields() {
+  static const Field<RegionSetup> all[] = {
+      {"outside", &RegionSetup::outside, "", {}, optional, "What a panel outside the region means: error, or clip (there is no contact beyond the region)."}};
+  return all;
+}
+
+std::span<const Field<ImpactorSetup>> ImpactorSetup::fields() {
+  using S = ImpactorSetup;
+  static const Field<S> all[] = {
+      {"mass", &S::mass, "kg", positive(), required, "Mass."},
+      {"inertia", &S::inertia, "kg m2", positive(), optional,
+       "Moments of inertia about the centre of mass, along the surface's axes. Where absent, those of the closed surface filled evenly with the mass."},
+      {"position", &S::position, "m", any_number(), optional, "Where the surface's origin is at t = 0."},
+      {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."},
+      {"angular_velocity", &S::angular_velocity, "rad/s", any_number(), optional, "Angular velocity at t = 0; degrees of freedom that are not free keep it."},
+      {"free", &S::free, "", {}, optional, "Degrees of freedom that contact may change, of x, y, z, rx, ry, rz. The others keep their given velocity."}};
+  return all;
+}
+
+std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
+  using S = ImpactorContactSetup;
+  static const Field<S> all[] = {
+      {"detector",
+       &S::detector,
+       "",
+       {},
+       optional,
+       "swept (never misses), published (the seed paper's panel test) or analytic (distance to the centre; sphere and cylinder only)."},
+      {"reading", &S::reading, "", {}, optional, "How the published detector reads the paper: repaired, or letter (as printed)."},
+      {"friction", &S::friction, "1", at_least(0), optional, "Coulomb's coefficient of friction between particles and impactors."},
+      {"radius_ratio", &S::radius_ratio, "1", between(0, 1), optional,
+       "Contact radius in spacings: a particle touches at this distance from the surface. 0.5 puts the surface at the material's edge, 0 at the particles' "
+       "centres as in the paper. "
+       "The published detector takes 0 only."}};
+  return all;
+}
+
+std::span<const Field<FragmentContactSetup>> FragmentContactSetup::fields() {
+  static const Field<FragmentContactSetup> all[] = {{"law", &FragmentContactSetup::law, "", {}, optional, "Force between particles without a bond: none."}};
+  return all;
+}
+
+std::span<const Field<ProbeSetup>> ProbeSetup::fields() {
+  static const Field<ProbeSetup> all[] = {
+      {"body", &ProbeSetup::body, "", {}, required, "Name of the body."},
+      {"at", &ProbeSetup::at, "m", any_number(), required,
+       "Point of the undeformed body. Displacements are the mean of the particles nearest to it (up to eight, equally near)."}};
+  return all;
+}
+
+std::span<const Field<LineSetup>> LineSetup::fields() {
+  using S = LineSetup;
+  static const Field<S> all[] = {{"body", &S::body, "", {}, required, "Name of the body."},
+                                 {"from", &S::from, "m", any_number(), required, "One end, in the undeformed body."},
+                                 {"to", &S::to, "m", any_number(), required, "The other end."},
+                                 {"times", &S::times, "s", at_least(0), optional, "When to write the line. Where absent, at the end."}};
+  return all;
+}
+
+std::span<const Field<OutputSetup>> OutputSetup::fields() {
+  using S = OutputSetup;
+  static const Field<S> all[] = {
+      {"folder", &S::folder, "", {}, optional, "Folder of the results, from the working folder; --out overrides it."},
+      {"frames", &S::frames, "1", between(0, 100000), optional, "Number of pictures after the one at t = 0. 0: none."},
+      {"history", &S::history, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."}};
+  return all;
+}
+
+std::span<const Field<Setup>> Setup::fields() {
+  static const Field<Setup> all[] = {{"title", &Setup::title, "", {}, optional, "One line that says what is simulated."}};
+  return all;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,215 @@
+/// Setup: what a deck says, as plain structs, with every default. `io/deck` fills it from YAML; the bindings fill the same structs.
+/// Each struct lists its simple fields in setup.cpp (fccda/core/parameter.hpp); what nests is read by name. SI units throughout.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "fccda/core/parameter.hpp"
+#include "fccda/core/vec3.hpp"
+
+namespace perimpact {
+
+using fccda::Choice;
+using fccda::Field;
+using fccda::Vec3d;
+
+inline constexpr std::string_view surface_correction_words[] = {"energy", "volume", "none"};
+enum class SurfaceCorrection { energy, volume, none };
+
+inline constexpr std::string_view family_words[] = {"hu-ha-bobaru", "madenci-oterkus"};
+enum class FamilyRule { hu_ha_bobaru, madenci_oterkus };
+
+inline constexpr std::string_view normalisation_words[] = {"lattice", "continuum"};
+enum class Normalisation { lattice, continuum };
+
+inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
+enum class PanelKind { triangles, quads };
+
+inline constexpr std::string_view axis_words[] = {"x", "y", "z"};
+
+inline constexpr std::string_view detector_words[] = {"swept", "published", "analytic"};
+enum class DetectorKind { swept, published, analytic };
+
+inline constexpr std::string_view reading_words[] = {"repaired", "letter"};
+enum class Reading { repaired, letter };
+
+inline constexpr std::string_view beyond_region_words[] = {"error", "clip"};
+enum class BeyondRegion { error, clip };
+
+inline constexpr std::string_view open_side_words[] = {"undeclared", "normals", "reversed"};
+enum class OpenSide { undeclared, normals, reversed };
+
+inline constexpr std::string_view fragment_law_words[] = {"none"};
+
+// ---- time ----
+
+struct TimeSetup {
+  double end{};                ///< [s]
+  std::optional<double> step;  ///< [s]; the stable estimate where absent
+  static std::span<const Field<TimeSetup>> fields();
+};
+
+// ---- bodies ----
+
+/// A box of material, centred on the body's position.
+struct BoxSolid {
+  static constexpr std::string_view name = "box";
+  Vec3d size{};  ///< [m]
+  static std::span<const Field<BoxSolid>> fields();
+};
+using Solid = std::variant<BoxSolid>;
+
+/// Ordinary state-based, linear, isotropic (docs/theory/ordinary_state.md).
+struct OrdinaryStateSetup {
+  static constexpr std::string_view name = "ordinary-state";
+  double youngs_modulus{};  ///< [Pa]
+  double poissons_ratio = 0.25;
+  double density{};                        ///< [kg/m³]
+  std::optional<double> critical_stretch;  ///< [-]; bonds never break where absent
+  static std::span<const Field<OrdinaryStateSetup>> fields();
+};
+using MaterialSetup = std::variant<OrdinaryStateSetup>;  // chosen by the key `model`
+
+struct BodySetup {
+  std::string name;
+  Solid shape;
+  double spacing{};  ///< [m]
+  double horizon_ratio = 3.015;
+  Vec3d position{};  ///< [m] of the solid's centre
+  Vec3d velocity{};  ///< [m/s]
+  Choice family{family_words};
+  Choice normalisation{normalisation_words};
+  Choice surface_correction{surface_correction_words};
+  bool published = false;  ///< the seed paper's discretisation: madenci-oterkus, continuum, none
+  MaterialSetup material;
+  static std::span<const Field<BodySetup>> fields();
+};
+
+// ---- impactors ----
+
+struct CylinderSurface {
+  static constexpr std::string_view name = "cylinder";
+  double diameter{};  ///< [m]
+  double height{};    ///< [m]
+  Choice axis{axis_words, 2};
+  double panel{};  ///< [m]
+  Choice panels{panel_words};
+  static std::span<const Field<CylinderSurface>> fields();
+};
+
+struct SphereSurface {
+  static constexpr std::string_view name = "sphere";
+  double diameter{};  ///< [m]
+  double panel{};     ///< [m]
+  static std::span<const Field<SphereSurface>> fields();
+};
+
+struct BoxSurface {
+  static constexpr std::string_view name = "box";
+  Vec3d size{};    ///< [m]
+  double panel{};  ///< [m]
+  Choice panels{panel_words};
+  static std::span<const Field<BoxSurface>> fields();
+};
+
+/// `surface: {file: hull.stl, scale: 0.001}`
+struct FileSurface {
+  static constexpr std::string_view name = "file";
+  std::string file;                 ///< path; a relative one starts at the deck's folder
+  double scale = 1;                 ///< multiplies the file's coordinates, so that they become metres
+  Choice outside{open_side_words};  ///< which side of an open surface is outside
+  static std::span<const Field<FileSurface>> fields();
+};
+using SurfaceSetup = std::variant<CylinderSurface, SphereSurface, BoxSurface, FileSurface>;
+
+/// One box fixed to the impactor: contact is looked for nowhere else (seed paper, section 3.1, example 1).
+struct BoxRegionSetup {
+  static constexpr std::string_view name = "box";
+  Vec3d size{};    ///< [m]
+  Vec3d centre{};  ///< [m] from the surface's origin
+  static std::span<const Field<BoxRegionSetup>> fields();
+};
+
+struct RegionSetup {
+  std::variant<std::monostate, BoxRegionSetup> shape;  ///< none: wherever the surface is
+  Choice outside{beyond_region_words};
+  static std::span<const Field<RegionSetup>> fields();
+};
+
+struct ImpactorSetup {
+  std::string name;
+  SurfaceSetup surface;
+  double mass{};                  ///< [kg]
+  std::optional<Vec3d> inertia;   ///< [kg m²] about the centre of mass, along the surface's axes; from the closed surface where absent
+  Vec3d position{};               ///< [m] of the surface's origin at t = 0
+  Vec3d velocity{};               ///< [m/s]
+  Vec3d angular_velocity{};       ///< [rad/s]
+  std::vector<std::string> free;  ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
+  RegionSetup region;
+  static std::span<const Field<ImpactorSetup>> fields();
+};
+
+// ---- contact ----
+
+struct ImpactorContactSetup {
+  Choice detector{detector_words};
+  Choice reading{reading_words};  ///< of the published detector
+  double friction = 0;
+  double radius_ratio = 0.5;  ///< contact radius in spacings
+  static std::span<const Field<ImpactorContactSetup>> fields();
+};
+
+struct FragmentContactSetup {
+  Choice law{fragment_law_words};
+  static std::span<const Field<FragmentContactSetup>> fields();
+};
+
+struct ContactSetup {
+  ImpactorContactSetup impactors;
+  FragmentContactSetup fragments;
+};
+
+// ---- output ----
+
+/// Follows the particle nearest to a reference point.
+struct ProbeSetup {
+  std::string name;
+  std::string body;
+  Vec3d at{};  ///< [m] in the reference configuration
+  static std::span<const Field<ProbeSetup>> fields();
+};
+
+/// Displacements along a line of particles at chosen times, one CSV a time.
+struct LineSetup {
+  std::string name;
+  std::string body;
+  Vec3d from{}, to{};         ///< [m] in the reference configuration
+  std::vector<double> times;  ///< [s]; the end of the run where empty
+  static std::span<const Field<LineSetup>> fields();
+};
+
+struct OutputSetup {
+  std::string folder = "results";
+  int frames = 40;                ///< number of pictures after the one at t = 0; 0: none at all
+  std::optional<double> history;  ///< [s] between rows; a hundredth of the run where absent
+  std::vector<ProbeSetup> probes;
+  std::vector<LineSetup> lines;
+  static std::span<const Field<OutputSetup>> fields();
+};
+
+struct Setup {
+  std::string title;
+  TimeSetup time;
+  std::vector<BodySetup> bodies;
+  std::vector<ImpactorSetup> impactors;
+  ContactSetup contact;
+  OutputSetup output;
+  static std::span<const Field<Setup>> fields();
+};
+
+}  // namespace perimpact
