@@ -1,0 +1,25 @@
+#include "io/output/xml.hpp"
+
+namespace perimpact::output {
+
+std::string xml_attribute(std::string_view words) {
+  std::string text;
+  for (const char c : words) {
+    switch (c) {
+      case '&':
+        text += "&amp;";
+        break;
+      case '<':
+        text += "&lt;";
+        break;
+      case '"':
+        text += "&quot;";
+        break;
+      default:
+        text += c;
+    }
+  }
+  return text;
+}
+
+}  // namespace perimpact::output
