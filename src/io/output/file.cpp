@@ -41,11 +41,8 @@ std::string_view way_out(int error) {
   throw fccda::RunError(fmt::format("{} cannot be written: {}. {}", path.string(), std::strerror(error), way_out(error)));
 }
 
-int open_empty(const fs::path& path) {
-  const int number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (number < 0) fail(path, errno);
-  return number;
-}
+/// -1 where it fails: errno says why.
+int open_empty(const fs::path& path) { return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666); }
 
 /// 0, or errno. A write may be cut short (by a signal, or where the room ends): the next one continues or gives the reason.
 int write_all(int file, std::span<const std::byte> bytes) {
@@ -69,7 +66,9 @@ int Descriptor::close() {
 
 fs::path part_of(const fs::path& path) { return fs::path(path) += ".part"; }
 
-WholeFile::WholeFile(fs::path path) : path_(std::move(path)), part_(part_of(path_)), file_(open_empty(part_)) {}
+WholeFile::WholeFile(fs::path path) : path_(std::move(path)), part_(part_of(path_)), file_(open_empty(part_)) {
+  if (!file_.is_open()) fail(path_, errno);
+}
 
 WholeFile::~WholeFile() {
   if (file_.is_open()) ::unlink(part_.c_str());
@@ -96,7 +95,17 @@ void write_whole_file(const fs::path& path, std::string_view text) {
   file.finish();
 }
 
-GrowingFile::GrowingFile(fs::path path) : path_(std::move(path)), file_(open_empty(path_)) {}
+std::error_code try_writing(const fs::path& path) {
+  Descriptor file(open_empty(path));
+  int error = file.is_open() ? write_all(file.number(), std::as_bytes(std::span("trial"))) : errno;
+  if (const int late = file.close(); error == 0) error = late;
+  ::unlink(path.c_str());
+  return {error, std::generic_category()};
+}
+
+GrowingFile::GrowingFile(fs::path path) : path_(std::move(path)), file_(open_empty(path_)) {
+  if (!file_.is_open()) fail(path_, errno);
+}
 
 void GrowingFile::append(std::string_view record) {
   if (const int error = write_all(file_.number(), std::as_bytes(std::span(record)))) {

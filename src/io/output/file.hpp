@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <system_error>
 
 namespace perimpact::output {
 
@@ -43,6 +44,9 @@ class WholeFile {
 };
 
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
+
+/// Why a file of that name cannot be written, if so. Leaves no file; one of that name is lost.
+std::error_code try_writing(const std::filesystem::path& path);
 
 /// A file that grows by whole records and can be read meanwhile. A record that does not fit is taken back.
 class GrowingFile {

@@ -61,20 +61,13 @@ void remove(const std::vector<fs::path>& files) {
 }  // namespace
 
 void prepare_folder(const fs::path& folder) {
-  const auto refuse = [&](const std::string& reason) {
-    throw fccda::InputError(fmt::format("results cannot be written to the folder {}: {}. Choose another one with --out, or with output.folder in the deck.",
-                                        folder.string(), reason));
-  };
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) refuse(error.message());
-  const fs::path trial = folder / ".perimpact-trial";
-  try {
-    write_whole_file(trial, "x");
-  } catch (const fccda::RunError& problem) {
-    refuse(problem.what());
+  if (!error) error = try_writing(folder / ".perimpact-trial");
+  if (error) {
+    throw fccda::InputError(fmt::format("results cannot be written to the folder {}: {}. Choose another one with --out, or with output.folder in the deck.",
+                                        folder.string(), error.message()));
   }
-  fs::remove(trial, error);
 }
 
 ResultsFolder::ResultsFolder(fs::path folder) : folder_(std::move(folder)) {

@@ -83,8 +83,10 @@ void write_vtp(const std::filesystem::path& path, const PolyData& data, Compress
   const VtpArray positions[] = {{"points", 3, data.points}};
   const VtpArray topology[] = {{"connectivity", 1, std::span(cells.connectivity)}, {"offsets", 1, std::span(cells.offsets)}};
   Appended appended(compression);
-  std::string pieces = section("PointData", data.point_arrays, appended) + section("CellData", data.cell_arrays, appended) +
-                       section("Points", positions, appended) + section(data.panels.empty() ? "Verts" : "Polys", topology, appended);
+  std::string arrays = section("PointData", data.point_arrays, appended);
+  arrays += section("CellData", data.cell_arrays, appended);
+  arrays += section("Points", positions, appended);
+  arrays += section(data.panels.empty() ? "Verts" : "Polys", topology, appended);
 
   WholeFile file(path);
   file.write(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\"{}>\n  <PolyData>\n",
@@ -98,7 +100,7 @@ void write_vtp(const std::filesystem::path& path, const PolyData& data, Compress
   }
   file.write(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfPolys=\"{}\">\n", points, data.panels.empty() ? cell_count : 0,
                          data.panels.empty() ? 0 : cell_count));
-  file.write(pieces + "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_");
+  file.write(arrays + "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_");
   appended.write_to(file);
   file.write("\n  </AppendedData>\n</VTKFile>\n");
   file.finish();

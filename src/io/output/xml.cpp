@@ -12,6 +12,9 @@ std::string xml_attribute(std::string_view words) {
       case '<':
         text += "&lt;";
         break;
+      case '>':
+        text += "&gt;";
+        break;
       case '"':
         text += "&quot;";
         break;
