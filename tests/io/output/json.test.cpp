@@ -41,6 +41,6 @@ TEST_CASE("json: a number reads back to the same double, and what is no number i
   CHECK(Json(std::numeric_limits<std::int64_t>::min()).text() == "-9223372036854775808\n");
 }
 
-TEST_CASE("json: quotes, backslashes and control characters are escaped; other letters stay") {
+TEST_CASE("json: quotes, backslashes and control characters are escaped, other letters stay") {
   CHECK(Json("C:\\ice \"Δ = 1\"\n\t\x01").text() == "\"C:\\\\ice \\\"Δ = 1\\\"\\n\\u0009\\u0001\"\n");
 }
