@@ -82,7 +82,8 @@ void Json::add_to(std::string& text, int level) const {
                             text += quoted(member.first) + ": ";
                             member.second.add_to(text, level + 1);
                           });
-                        }},
+                        },
+                        [&](const Verbatim& json) { text += json.text; }},
              value_);
 }
 

@@ -38,6 +38,7 @@ class Json {
 
   static Json object() { return Json(Value(Members{})); }
   static Json array() { return Json(Value(Elements{})); }
+  static Json verbatim(std::string json) { return Json(Value(Verbatim{std::move(json)})); }  ///< text that is JSON already
 
   /// The member of that name, added at the end where there is none. Null becomes an object.
   Json& operator[](std::string_view name);
@@ -49,7 +50,10 @@ class Json {
  private:
   using Elements = std::vector<Json>;
   using Members = std::vector<std::pair<std::string, Json>>;
-  using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Elements, Members>;
+  struct Verbatim {
+    std::string text;
+  };
+  using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Elements, Members, Verbatim>;
 
   explicit Json(Value value) : value_(std::move(value)) {}
   void add_to(std::string& text, int level) const;

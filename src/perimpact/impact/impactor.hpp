@@ -36,7 +36,7 @@ class Impactor {
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
-  const fccda::Detector& detector(std::size_t body) const { return detectors_[body]; }
+  const fccda::Effort& effort(std::size_t body) const;  ///< of detection against that body so far
 
   Account& account() { return account_; }
   const Account& account() const { return account_; }

@@ -13,6 +13,7 @@ fccda::PanelKind kind(const Choice& panels) { return panels.as<fccda::PanelKind>
 
 fccda::Panels panels_of(const CylinderSurface& s) { return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.panel, kind(s.panels)}); }
 fccda::Panels panels_of(const SphereSurface& s) { return fccda::make_sphere({s.diameter, s.panel}); }
+fccda::Panels panels_of(const FileSurface&) { return {}; }
 fccda::Panels panels_of(const BoxSurface& s) { return fccda::make_box({s.size, s.panel, kind(s.panels)}); }
 
 }  // namespace
