@@ -21,7 +21,7 @@ std::span<const Field<OrdinaryStateSetup>> OrdinaryStateSetup::fields() {
   using S = OrdinaryStateSetup;
   static const Field<S> all[] = {{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), required, "Young's modulus E."},
                                  {"poissons_ratio", &S::poissons_ratio, "1", strictly_between(-1, 0.5), optional,
-                                  "Poisson's ratio ν. An isotropic solid needs -1 < ν < 0.5; ice is usually 0.25 to 0.35, and 0.25 is the fastest."},
+                                  "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest."},
                                  {"density", &S::density, "kg/m3", positive(), required, "Mass density ρ."},
                                  {"critical_stretch", &S::critical_stretch, "1", positive(), optional,
                                   "A bond longer than (1 + this) times its first length breaks for ever. Where absent, bonds never break."}};
@@ -137,12 +137,12 @@ std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
        {},
        optional,
        "swept (never misses), published (the seed paper's panel test) or analytic (distance to the centre; sphere and cylinder only)."},
-      {"reading", &S::reading, "", {}, optional, "How the published detector reads the paper: repaired, or letter (as printed)."},
-      {"friction", &S::friction, "1", at_least(0), optional, "Coulomb's coefficient of friction between particles and impactors."},
+      {"reading", &S::reading, "", {}, optional, "How the published detector reads the paper: repaired, or letter (as printed). The others do not use it."},
+      {"friction", &S::friction, "1", at_least(0), optional,
+       "Coulomb's coefficient of friction between particles and impactors. The published detector takes 0 only."},
       {"radius_ratio", &S::radius_ratio, "1", between(0, 1), optional,
        "Contact radius in spacings: a particle touches at this distance from the surface. 0.5 puts the surface at the material's edge, 0 at the particles' "
-       "centres as in the paper. "
-       "The published detector takes 0 only."}};
+       "centres as in the paper. The published detector takes 0 only, and has it where this is absent."}};
   return all;
 }
 

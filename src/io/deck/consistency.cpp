@@ -1,0 +1,150 @@
+#include "io/deck/consistency.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "io/deck/did_you_mean.hpp"
+#include "io/deck/node.hpp"
+
+namespace perimpact::deck {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void check_time(const TimeSetup& time, const Places& places) {
+  if (time.step && *time.step > time.end)
+    refuse(places.of("time.step"),
+           fmt::format("step is {} s, which is longer than the whole run of {} s; make step smaller or end later.", *time.step, time.end));
+}
+
+/// bodies, impactors and probes name columns of history.csv beside total.energy and the like
+void check_names(const Setup& setup, const Places& places) {
+  std::set<std::string> taken = {"total"};
+  const auto take = [&](const std::string& path, const std::string& name) {
+    if (!taken.insert(name).second)
+      refuse(places.of(path),
+             fmt::format("the name {} is already taken, but bodies, impactors and probes name columns of history.csv (as does total); choose another.", name));
+  };
+  for (const BodySetup& body : setup.bodies) take("bodies." + body.name, body.name);
+  for (const ImpactorSetup& impactor : setup.impactors) take("impactors." + impactor.name, impactor.name);
+  for (const ProbeSetup& probe : setup.output.probes) take("output.probes." + probe.name, probe.name);
+}
+
+void apply_published(BodySetup& body, const std::string& path, const Places& places) {
+  if (!body.published) return;
+  for (const std::string_view key : set_by_published) {
+    if (places.has(fmt::format("{}.{}", path, key)))
+      refuse(places.of(fmt::format("{}.{}", path, key)), fmt::format("{} is given beside published: true, which sets it; remove one of the two.", key));
+  }
+  body.family.index = static_cast<int>(FamilyRule::madenci_oterkus);
+  body.normalisation.index = static_cast<int>(Normalisation::continuum);
+  body.surface_correction.index = static_cast<int>(SurfaceCorrection::none);
+}
+
+void check_whole_spacings(const BoxSolid& box, double spacing, const std::string& path, const Places& places) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double count = box.size[axis] / spacing;
+    const double nearest = std::round(count);
+    constexpr double tolerance = 1e-6;  // relative: forgives decimal fractions, not a wrong digit
+    if (nearest >= 1 && std::fabs(count - nearest) <= tolerance * nearest) continue;
+    const double fewer = std::floor(count), more = fewer + 1;
+    const std::string nearby = fewer >= 1 ? fmt::format("{:.9g} m or {:.9g} m", fewer * spacing, more * spacing) : fmt::format("{:.9g} m", spacing);
+    refuse(places.of(path + ".shape.box.size"),
+           fmt::format("{} of size is {} m, which is {:.9g} spacings of {} m, but the lattice needs whole ones; take {}, or another spacing.", "xyz"[axis],
+                       box.size[axis], count, spacing, nearby));
+  }
+}
+
+void check_body(BodySetup& body, const Places& places) {
+  const std::string path = "bodies." + body.name;
+  apply_published(body, path, places);
+  if (const auto* box = std::get_if<BoxSolid>(&body.shape)) check_whole_spacings(*box, body.spacing, path, places);
+}
+
+void find_file(FileSurface& surface, const std::string& path, const fs::path& folder, const Places& places) {
+  const fs::path file = fs::absolute(folder / surface.file).lexically_normal();
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored))
+    refuse(places.of(path + ".surface.file"), fmt::format("there is no file {}; relative names start at the deck's folder.", file.string()));
+  surface.file = file.string();
+}
+
+void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Places& places) {
+  const std::string path = "impactors." + impactor.name;
+  if (auto* file = std::get_if<FileSurface>(&impactor.surface)) find_file(*file, path, folder, places);
+  const std::vector<std::string> directions = {"x", "y", "z", "rx", "ry", "rz"};
+  std::set<std::string> seen;
+  for (const std::string& direction : impactor.free) {
+    if (std::find(directions.begin(), directions.end(), direction) == directions.end())
+      refuse(places.of(path + ".free"), fmt::format("free holds \"{}\", which is no degree of freedom; known are {}.", direction, fmt::join(directions, ", ")));
+    if (!seen.insert(direction).second) refuse(places.of(path + ".free"), fmt::format("free holds {} twice; keep one.", direction));
+  }
+}
+
+void check_contact(Setup& setup, const Places& places) {
+  ImpactorContactSetup& contact = setup.contact.impactors;
+  const std::string path = "contact.impactors.";
+  const auto detector = contact.detector.as<DetectorKind>();
+  if (detector == DetectorKind::published) {
+    if (!places.has(path + "radius_ratio")) contact.radius_ratio = 0;
+    if (contact.radius_ratio != 0)
+      refuse(places.of(path + "radius_ratio"),
+             fmt::format("radius_ratio is {}, but the published detector knows particles as points; write radius_ratio: 0, or detector: swept.",
+                         contact.radius_ratio));
+    if (contact.friction != 0)
+      refuse(places.of(path + "friction"),
+             fmt::format(
+                 "friction is {}, but the published detector answers contact as the seed paper does, without friction; write friction: 0, or detector: swept.",
+                 contact.friction));
+  } else if (contact.reading.as<Reading>() != Reading::repaired) {
+    refuse(places.of(path + "reading"),
+           fmt::format("reading is {}, but only the published detector reads the paper, and detector is {}; remove reading, or write detector: published.",
+                       contact.reading.word(), contact.detector.word()));
+  }
+  if (detector != DetectorKind::analytic) return;
+  for (const ImpactorSetup& impactor : setup.impactors) {
+    if (!std::holds_alternative<CylinderSurface>(impactor.surface) && !std::holds_alternative<SphereSurface>(impactor.surface))
+      refuse(
+          places.of(path + "detector"),
+          fmt::format("detector is analytic, which knows cylinders and spheres only, but the surface of {} is another; write detector: swept.", impactor.name));
+  }
+}
+
+void check_body_name(const std::string& name, const Setup& setup, const std::string& path, const Places& places) {
+  std::vector<std::string> names;
+  for (const BodySetup& body : setup.bodies) names.push_back(body.name);
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    refuse(places.of(path + ".body"), fmt::format("body is \"{}\", but there is no such body; {}", name, suggestion(name, names)));
+}
+
+void check_output(const Setup& setup, const Places& places) {
+  for (const ProbeSetup& probe : setup.output.probes) check_body_name(probe.body, setup, "output.probes." + probe.name, places);
+  for (const LineSetup& line : setup.output.lines) {
+    const std::string path = "output.lines." + line.name;
+    check_body_name(line.body, setup, path, places);
+    if (line.from == line.to) refuse(places.of(path + ".to"), fmt::format("to is the same point as from, so {} has no length; move one of them.", line.name));
+    for (const double time : line.times) {
+      if (time > setup.time.end)
+        refuse(places.of(path + ".times"), fmt::format("times holds {} s, but the run ends at {} s; take earlier times or a later end.", time, setup.time.end));
+    }
+  }
+}
+
+}  // namespace
+
+void make_consistent(Setup& setup, const Places& places, const fs::path& folder) {
+  check_time(setup.time, places);
+  check_names(setup, places);
+  for (BodySetup& body : setup.bodies) check_body(body, places);
+  for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
+  check_contact(setup, places);
+  check_output(setup, places);
+}
+
+}  // namespace perimpact::deck

@@ -1,0 +1,41 @@
+#include "io/deck/deck.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "io/deck/consistency.hpp"
+#include "io/deck/overrides.hpp"
+#include "io/deck/reader.hpp"
+
+namespace perimpact::deck {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content_of(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) refuse(file.string(), "this is a folder; name the deck in it, for example " + (file / "deck.yaml").string() + ".");
+  if (!fs::exists(file, ignored)) refuse(file.string(), "there is no such file; check the path of the deck.");
+  std::ifstream stream(file, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) refuse(file.string(), "this file cannot be read; check its permissions.");
+  return content;
+}
+
+}  // namespace
+
+Deck read_deck(const fs::path& file, std::span<const std::string> overrides) {
+  return read_deck_text(content_of(file), file.string(), file.parent_path(), overrides);
+}
+
+Deck read_deck_text(std::string_view text, const std::string& name, const fs::path& folder, std::span<const std::string> overrides) {
+  Node document = parse_document(text, name);
+  for (const std::string& change : overrides) apply_override(document, change);
+  Deck deck{.setup = {}, .places = Places(name)};
+  Reader(document, "", name, deck.places).read(deck.setup);
+  make_consistent(deck.setup, deck.places, folder);
+  return deck;
+}
+
+}  // namespace perimpact::deck

@@ -1,0 +1,27 @@
+/// From a deck (YAML) to the Setup of a simulation.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/deck/places.hpp"
+#include "perimpact/setup/setup.hpp"
+
+namespace perimpact::deck {
+
+struct Deck {
+  Setup setup;
+  Places places;  ///< "bodies.plate.spacing" → "deck.yaml:7:14"
+};
+
+/// Reads a deck with changes of the form "key.path=value", applied in order. Relative file names in it start at the deck's folder.
+/// Throws InputError, one sentence with file, line and column, for all that cannot be used: YAML that cannot be read, unknown,
+/// missing and duplicate keys, wrong types and units, values out of range, and contradictions (consistency.hpp).
+Deck read_deck(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+
+/// The same from text. `name`: how messages call it; `folder`: where relative file names start.
+Deck read_deck_text(std::string_view text, const std::string& name, const std::filesystem::path& folder, std::span<const std::string> overrides = {});
+
+}  // namespace perimpact::deck

@@ -1,0 +1,127 @@
+#include "io/deck/describe.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "io/deck/did_you_mean.hpp"
+#include "io/deck/node.hpp"
+#include "io/deck/reference.hpp"
+
+namespace perimpact::deck {
+
+namespace {
+
+std::vector<std::string_view> parts_of(std::string_view path) {
+  std::vector<std::string_view> parts;
+  for (std::size_t dot; (dot = path.find('.')) != std::string_view::npos; path.remove_prefix(dot + 1)) parts.push_back(path.substr(0, dot));
+  parts.push_back(path);
+  return parts;
+}
+
+using Parts = std::span<const std::string_view>;
+
+/// Names in the path may be any in the query, or missing.
+bool matches(Parts path, Parts query) {
+  if (path.empty()) return query.empty();
+  if (path.front() == any_name) return matches(path.subspan(1), query) || (!query.empty() && matches(path.subspan(1), query.subspan(1)));
+  return !query.empty() && query.front() == path.front() && matches(path.subspan(1), query.subspan(1));
+}
+
+bool ends_in(Parts path, Parts query) {
+  for (std::size_t first = 0; first < path.size(); ++first) {
+    if (path[first] != any_name && matches(path.subspan(first), query)) return true;
+  }
+  return false;
+}
+
+bool is_below(const Entry& entry, const Entry& map) { return entry.path.starts_with(map.path + "."); }
+
+/// What the query names: entries of that whole path, or else those that end in it; not those below another that is named.
+std::vector<const Entry*> named_by(std::string_view key_path) {
+  const std::vector<std::string_view> query = parts_of(key_path);
+  const auto found_by = [&](const auto& is_meant) {
+    std::vector<const Entry*> found;
+    for (const Entry& entry : reference()) {
+      const bool is_shown = !found.empty() && is_below(entry, *found.back());
+      if (!is_shown && is_meant(parts_of(entry.path), query)) found.push_back(&entry);
+    }
+    return found;
+  };
+  const auto whole = found_by(matches);
+  return whole.empty() ? found_by(ends_in) : whole;
+}
+
+std::ptrdiff_t depth(const Entry& entry) { return std::count(entry.path.begin(), entry.path.end(), '.'); }
+
+std::string as_text(std::string_view name, const Entry& entry, std::ptrdiff_t level) {
+  std::vector<std::string> facts = {entry.form};
+  if (!entry.range.empty()) facts.push_back(entry.range);
+  if (entry.key() != any_name) facts.push_back(entry.need);
+  if (!entry.condition.empty()) facts.push_back(entry.condition);
+  const std::string indent(static_cast<std::size_t>(2 * level), ' ');
+  const std::string line = fmt::format("{}{}: {}\n", indent, name, fmt::join(facts, ", "));
+  return entry.sentence.empty() ? line : fmt::format("{}{}    {}\n", line, indent, entry.sentence);
+}
+
+std::string in_table(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '|') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string describe(std::string_view key_path) {
+  std::string out;
+  if (key_path.empty()) {
+    for (const Entry& entry : reference()) out += as_text(entry.key(), entry, depth(entry));
+    return out;
+  }
+  const std::vector<const Entry*> roots = named_by(key_path);
+  if (roots.empty()) {
+    std::vector<std::string> keys;
+    for (const Entry& entry : reference()) keys.emplace_back(entry.key());
+    const std::string_view meant = nearest_word(parts_of(key_path).back(), keys);
+    refuse(key_path, meant.empty() ? "a deck has no such key; perimpact describe lists all." : fmt::format("a deck has no such key; did you mean {}?", meant));
+  }
+  for (const Entry* root : roots) {
+    out += as_text(root->path, *root, 0);
+    for (const Entry& entry : reference()) {
+      if (is_below(entry, *root)) out += as_text(entry.key(), entry, depth(entry) - depth(*root));
+    }
+  }
+  return out;
+}
+
+std::string describe_markdown() {
+  std::string out =
+      "# Deck reference\n\n"
+      "Every key that a deck may have. This page is written by `perimpact describe --markdown` from the tables that read the deck; a test keeps it up to "
+      "date.\n\n"
+      "Plain numbers are in the unit in brackets; text with another unit is converted (`0.5 mm`, `191 GPa`, `3 kn`, `30 rpm`). `<name>` is a name of your "
+      "choice.\n";
+  const auto table_of = [&](std::string_view heading, std::string_view sentence, std::string_view parent) {
+    out += fmt::format("\n## {}\n\n{}{}| key | value | range | | meaning |\n|---|---|---|---|---|\n", heading, sentence, sentence.empty() ? "" : "\n\n");
+    for (const Entry& entry : reference()) {
+      if (entry.parent() != parent) continue;
+      const std::string form = entry.is_map ? fmt::format("map, see `{}`", entry.path) : entry.form;
+      const std::string meaning = entry.condition.empty() ? entry.sentence : fmt::format("({}) {}", entry.condition, entry.sentence);
+      out += fmt::format("| `{}` | {} | {} | {} | {} |\n", entry.key(), form, entry.range, entry.need, in_table(meaning));
+    }
+  };
+  table_of("The deck", "", top_level);
+  for (const Entry& entry : reference()) {
+    const bool holds_names_only = entry.is_map && std::any_of(reference().begin(), reference().end(),
+                                                              [&](const Entry& inner) { return inner.parent() == entry.path && inner.key() == any_name; });
+    if (entry.is_map && !holds_names_only) table_of(fmt::format("`{}`", entry.path), entry.sentence, entry.path);
+  }
+  return out;
+}
+
+}  // namespace perimpact::deck

@@ -1,0 +1,189 @@
+#include "io/deck/node.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <sstream>
+
+#include "fccda/core/error.hpp"
+
+namespace perimpact::deck {
+
+namespace {
+
+/// Line and column from 0, the column in bytes, as yaml-cpp counts → place.
+using PlaceOf = std::function<std::string(int line, int column)>;
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+/// Editors count characters: bytes that do not continue one in UTF-8.
+std::ptrdiff_t characters(std::string_view text) {
+  return std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; });
+}
+
+/// yaml-cpp reports a tab in the indentation as "illegal map value" somewhere behind it.
+void refuse_tabs(std::string_view text, const PlaceOf& place_of) {
+  int number = 0;
+  for (const std::string_view line : lines_of(text)) {
+    const std::size_t first = std::min(line.find_first_not_of(" \t\r"), line.size());
+    const std::size_t tab = line.substr(0, first).find('\t');
+    if (tab != std::string_view::npos && first < line.size() && line[first] != '#')
+      refuse(place_of(number, static_cast<int>(tab)), "this line is indented with a tab, which YAML forbids; use spaces.");
+    ++number;
+  }
+}
+
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  explicit TreeBuilder(const PlaceOf& place_of) : place_of_(place_of) {}
+
+  Node root;
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { attach({.kind = Node::Kind::nothing, .place = place(mark)}); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    refuse(place(mark), "decks do not use the anchors and aliases of YAML (& and *); write the value out.");
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, const std::string& text) override {
+    refuse_tag(mark, tag);
+    attach({.kind = Node::Kind::word, .place = place(mark), .text = text});
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    open(mark, tag, Node::Kind::list);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, YAML::EmitterStyle::value) override { open(mark, tag, Node::Kind::map); }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Level {
+    Node node;
+    std::optional<Node> key;  // read, its value not yet
+  };
+
+  std::string place(const YAML::Mark& mark) const { return place_of_(mark.line, mark.column); }
+
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {  // yaml-cpp says "?" for plain and "!" for quoted text
+    if (tag.size() > 1) refuse(place(mark), "decks do not use the tags of YAML (!…); leave it out.");
+  }
+
+  bool expects_key() const { return !open_.empty() && open_.back().node.kind == Node::Kind::map && !open_.back().key; }
+
+  void open(const YAML::Mark& mark, const std::string& tag, Node::Kind kind) {
+    refuse_tag(mark, tag);
+    if (expects_key()) refuse(place(mark), "a list or map stands where a key is expected; a key is one word, followed by a colon and a space.");
+    open_.push_back({.node = {.kind = kind, .place = place(mark)}, .key = {}});
+  }
+
+  void close() {
+    Node node = std::move(open_.back().node);
+    open_.pop_back();
+    attach(std::move(node));
+  }
+
+  void attach(Node node) {
+    if (open_.empty()) {
+      root = std::move(node);
+      return;
+    }
+    Level& level = open_.back();
+    if (level.node.kind == Node::Kind::list) {
+      level.node.items.push_back(std::move(node));
+    } else if (!level.key) {
+      take_key(level, std::move(node));
+    } else {
+      // of an empty value yaml-cpp tells where the next thing begins
+      if (node.kind == Node::Kind::nothing) node.place = level.key->place;
+      level.node.entries.push_back({.key = level.key->text, .place = level.key->place, .value = std::move(node)});
+      level.key.reset();
+    }
+  }
+
+  void take_key(Level& level, Node key) {
+    if (key.kind != Node::Kind::word) refuse(key.place, "a key is missing before the colon.");
+    if (const Node::Entry* first = level.node.find(key.text))
+      refuse(key.place, fmt::format("{} is given twice in the same map, first at {}; keep one of the two.", key.text, first->place));
+    level.key = std::move(key);
+  }
+
+  const PlaceOf& place_of_;
+  std::vector<Level> open_;
+};
+
+/// Nothing where there is no document.
+Node parse(std::string_view text, const PlaceOf& place_of) {
+  refuse_tabs(text, place_of);
+  std::istringstream stream{std::string(text)};
+  TreeBuilder builder(place_of);
+  try {
+    YAML::Parser parser(stream);
+    if (!parser.HandleNextDocument(builder)) return {.place = place_of(0, 0)};
+    Node root = std::move(builder.root);
+    if (parser.HandleNextDocument(builder)) refuse(builder.root.place, "a second YAML document begins here, but a deck is one; remove the line --- before it.");
+    return root;
+  } catch (const YAML::Exception& error) {
+    refuse(place_of(error.mark.line, error.mark.column),
+           fmt::format("this cannot be read as YAML ({}); look here and just before for indentation, colons, quotes and brackets.", error.msg));
+  }
+}
+
+}  // namespace
+
+const Node::Entry* Node::find(std::string_view key) const {
+  const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
+  return entry == entries.end() ? nullptr : &*entry;
+}
+
+Node::Entry* Node::find(std::string_view key) { return const_cast<Entry*>(std::as_const(*this).find(key)); }
+
+std::string Node::in_words() const {
+  switch (kind) {
+    case Kind::nothing:
+      return "nothing";
+    case Kind::list:
+      return "a list";
+    case Kind::map:
+      return "a map";
+    case Kind::word:
+      break;
+  }
+  const bool is_plain = !text.empty() && text.find_first_of(" ,:;\n") == std::string::npos;
+  return is_plain ? text : '"' + text + '"';
+}
+
+Node parse_document(std::string_view text, const std::string& file) {
+  const std::vector<std::string_view> lines = lines_of(text);
+  const PlaceOf place_of = [&](int line, int column) {
+    const auto row = static_cast<std::size_t>(std::max(line, 0));
+    const std::string_view before = row < lines.size() ? lines[row].substr(0, static_cast<std::size_t>(std::max(column, 0))) : std::string_view{};
+    return fmt::format("{}:{}:{}", file, row + 1, characters(before) + 1);
+  };
+  Node root = parse(text, place_of);
+  if (root.kind == Node::Kind::nothing) refuse(file, "the deck is empty; it needs at least time and bodies (perimpact describe lists all keys).");
+  if (root.kind != Node::Kind::map)
+    refuse(root.place, fmt::format("a deck is a map (title: …, time: …, bodies: …), but this is {}; begin with a key and a colon.", root.in_words()));
+  return root;
+}
+
+Node parse_value(std::string_view text, const std::string& place) {
+  return parse(text, [&](int, int) { return place; });
+}
+
+void refuse(std::string_view place, std::string_view sentence) { throw fccda::InputError(fmt::format("{}: {}", place, sentence)); }
+
+}  // namespace perimpact::deck

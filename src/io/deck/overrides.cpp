@@ -1,0 +1,48 @@
+#include "io/deck/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace perimpact::deck {
+
+namespace {
+
+std::vector<std::string> parts_of(std::string_view path) {
+  std::vector<std::string> parts;
+  for (;;) {
+    const std::size_t dot = path.find('.');
+    parts.emplace_back(path.substr(0, dot));
+    if (dot == std::string_view::npos) return parts;
+    path.remove_prefix(dot + 1);
+  }
+}
+
+}  // namespace
+
+void apply_override(Node& deck, const std::string& override_text) {
+  const std::size_t equals = override_text.find('=');
+  const std::string path = override_text.substr(0, equals);
+  const std::string place = "--set " + path;
+  const std::vector<std::string> parts = parts_of(path);
+  const bool has_empty_part = std::find(parts.begin(), parts.end(), std::string()) != parts.end();
+  if (equals == std::string::npos || has_empty_part)
+    refuse("--set " + override_text, "a key path, = and a value are needed, for example --set output.frames=0.");
+
+  Node* node = &deck;
+  std::string way;
+  for (const std::string& part : parts) {
+    if (node->kind == Node::Kind::nothing) node->kind = Node::Kind::map;
+    if (node->kind != Node::Kind::map)
+      refuse(place, fmt::format("{} is {}, not a map, so nothing in it can be set; set {} itself.", way, node->in_words(), way));
+    Node::Entry* entry = node->find(part);
+    if (!entry) entry = &node->entries.emplace_back(Node::Entry{.key = part, .place = place, .value = {.kind = Node::Kind::nothing, .place = place}});
+    node = &entry->value;
+    way += (way.empty() ? "" : ".") + part;
+    if (way == path) entry->place = place;
+  }
+  *node = parse_value(std::string_view(override_text).substr(equals + 1), place);
+}
+
+}  // namespace perimpact::deck

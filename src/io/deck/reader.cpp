@@ -1,0 +1,88 @@
+#include "io/deck/reader.hpp"
+
+#include "io/deck/reference.hpp"
+#include "io/deck/units.hpp"
+
+namespace perimpact::deck {
+
+namespace {
+
+std::string called(const std::string& path) { return path.empty() ? "the deck" : path; }
+
+/// "; did you mean …", or where else the key belongs, or what is known here.
+std::string way_out(const std::string& key, const std::vector<std::string>& known) {
+  if (key.find(':') != std::string::npos) return "write a space after the colon.";
+  if (nearest_word(key, known).empty()) {
+    for (const Entry& entry : reference())
+      if (entry.key() == key) return fmt::format("it belongs to {}.", entry.parent());
+  }
+  return suggestion(key, known);
+}
+
+}  // namespace
+
+Reader::Reader(const Node& map, std::string path, std::string place, Places& places)
+    : map_(map), path_(std::move(path)), place_(std::move(place)), places_(places) {
+  if (map.kind == Node::Kind::word || map.kind == Node::Kind::list)
+    refuse(map.place, fmt::format("{} is {}, but a map of keys is needed; perimpact describe {} lists them.", called(path_), map.in_words(), path_));
+}
+
+const Node::Entry* Reader::find(std::string_view key, Presence presence, std::string_view sentence, std::string_view unit) {
+  known_.emplace_back(key);
+  const Node::Entry* entry = map_.find(key);
+  if (entry) {
+    places_.add(path_of(key), entry->place);
+  } else if (presence == Presence::required && missing_.empty()) {
+    const bool is_number = !unit.empty();
+    missing_ = is_number ? fmt::format("{} lacks {} [{}], {}; for example {}: {}. {}", called(path_), key, unit, kind_of(unit).what, key, kind_of(unit).example,
+                                       sentence)
+                         : fmt::format("{} lacks {}. {}", called(path_), key, sentence);
+  }
+  return entry;
+}
+
+std::string_view Reader::only_one_of(const std::vector<std::string>& words, Presence presence) {
+  known_.insert(known_.end(), words.begin(), words.end());
+  const Node::Entry* chosen = nullptr;
+  for (const std::string& word : words) {
+    const Node::Entry* entry = map_.find(word);
+    if (entry && chosen) refuse(entry->place, fmt::format("{} is both {} and {}; keep one of the two.", called(path_), chosen->key, word));
+    if (entry) chosen = entry;
+  }
+  if (!chosen && presence == Presence::required) missing_ = fmt::format("{} does not say which it is; give one of {}.", called(path_), fmt::join(words, ", "));
+  if (!chosen) return {};
+  places_.add(path_of(chosen->key), chosen->place);
+  return chosen->key;
+}
+
+std::string Reader::word_of(std::string_view selector, const std::vector<std::string>& words) {
+  const std::string sentence = fmt::format("It is one of {}.", fmt::join(words, ", "));
+  const Node::Entry* entry = find(selector, Presence::required, sentence);
+  if (!entry) refuse(place_, missing_);
+  places_.add(path_of(selector), entry->value.place);
+  std::string word;
+  read_value(entry->value, {selector, {}, {}, sentence}, word);
+  if (std::find(words.begin(), words.end(), word) == words.end())
+    refuse(entry->value.place, fmt::format("{} is {}, which is not known; {}", selector, entry->value.in_words(), suggestion(word, words)));
+  return word;
+}
+
+void Reader::refuse_bad_names(Presence presence) const {
+  if (presence == Presence::required && map_.entries.empty()) refuse(place_, fmt::format("{} is empty; it needs at least one name with its keys.", path_));
+  constexpr std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+  for (const Node::Entry& entry : map_.entries) {
+    if (entry.key.empty() || entry.key.find_first_not_of(allowed) != std::string::npos)
+      refuse(entry.place,
+             fmt::format("\"{}\" cannot be a name in {}, because names become columns and files; use letters, digits, _ and -.", entry.key, path_));
+  }
+}
+
+void Reader::finish() const {
+  for (const Node::Entry& entry : map_.entries) {
+    if (std::find(known_.begin(), known_.end(), entry.key) == known_.end())
+      refuse(entry.place, fmt::format("{} is not a key of {}; {}", entry.key, called(path_), way_out(entry.key, known_)));
+  }
+  if (!missing_.empty()) refuse(place_, missing_);
+}
+
+}  // namespace perimpact::deck

@@ -1,0 +1,96 @@
+/// How the described structs nest in a deck: the keys that are not simple fields. The simple ones are in the structs' own tables
+/// (T::fields()), so that schema and tables together are the only list of keys.
+///
+/// A walker takes part in five forms; reader.hpp fills a Setup, reference.cpp describes it, setup_to_text.cpp writes it:
+///
+///   section("time", s.time, …)           time: {end: …, step: …}
+///   named("bodies", s.bodies, …)         bodies: {plate: {…}, floe: {…}}
+///   one_of("shape", b.shape, …)          shape: {box: {…}}                  which one is said by its key
+///   alternatives(r.shape)                the same without a map around it: region: {box: {…}, outside: clip}
+///   by_word("material", "model", …)      material: {model: ordinary-state, …}
+///
+/// An alternative that has a field of its own name is written without a map of its own: surface: {file: hull.stl, scale: 0.001}.
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <string>
+#include <vector>
+
+#include "perimpact/setup/setup.hpp"
+
+namespace perimpact::deck {
+
+using fccda::Presence;
+
+template <class T>
+concept Described = requires {
+  { T::fields() } -> std::convertible_to<std::span<const Field<T>>>;
+};
+
+/// Most structs nest nothing.
+template <class Walker, class T>
+void sections(Walker&, T&) {}
+
+template <class Walker>
+void sections(Walker& walk, Setup& setup) {
+  walk.section("time", setup.time, Presence::required, "How long the run is and in which steps.");
+  walk.named("bodies", setup.bodies, Presence::required, "The deformable bodies, each under a name of your choice.");
+  walk.named("impactors", setup.impactors, Presence::optional, "The rigid bodies that strike, each under a name of your choice.");
+  walk.section("contact", setup.contact, Presence::optional, "How bodies and impactors touch.");
+  walk.section("output", setup.output, Presence::optional, "What the run leaves behind.");
+}
+
+template <class Walker>
+void sections(Walker& walk, BodySetup& body) {
+  walk.one_of("shape", body.shape, Presence::required, "The solid that is filled with particles.");
+  walk.by_word("material", "model", body.material, "What the body is made of.");
+}
+
+template <class Walker>
+void sections(Walker& walk, ImpactorSetup& impactor) {
+  walk.one_of("surface", impactor.surface, Presence::required, "The surface of panels that particles strike.");
+  walk.section("region", impactor.region, Presence::optional, "Where contact is looked for. Where absent, wherever the surface is.");
+}
+
+template <class Walker>
+void sections(Walker& walk, RegionSetup& region) {
+  walk.alternatives(region.shape);
+}
+
+template <class Walker>
+void sections(Walker& walk, ContactSetup& contact) {
+  walk.section("impactors", contact.impactors, Presence::optional, "Contact between particles and impactors.");
+  walk.section("fragments", contact.fragments, Presence::optional, "Contact between particles that are not bonded.");
+}
+
+template <class Walker>
+void sections(Walker& walk, OutputSetup& output) {
+  walk.named("probes", output.probes, Presence::optional, "Points whose displacements become columns of history.csv, each under a name of your choice.");
+  walk.named("lines", output.lines, Presence::optional, "Lines along which displacements are written at chosen times, each under a name of your choice.");
+}
+
+/// True where an alternative is written without a map of its own.
+template <class T>
+bool is_written_flat() {
+  const auto fields = T::fields();
+  return std::any_of(fields.begin(), fields.end(), [](const auto& field) { return field.name == T::name; });
+}
+
+/// Calls visit(alternative), with a default-constructed value of each described alternative of the variant.
+template <class... Alternatives, class Visit>
+void for_each_alternative(const std::variant<Alternatives...>&, const Visit& visit) {
+  const auto one = [&]<class T>(T alternative) {
+    if constexpr (Described<T>) visit(alternative);
+  };
+  (one(Alternatives{}), ...);
+}
+
+template <class Variant>
+std::vector<std::string> alternative_names(const Variant& variant) {
+  std::vector<std::string> names;
+  for_each_alternative(variant, [&]<class T>(const T&) { names.emplace_back(T::name); });
+  return names;
+}
+
+}  // namespace perimpact::deck

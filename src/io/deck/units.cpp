@@ -1,0 +1,167 @@
+#include "io/deck/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "fccda/core/contract.hpp"
+#include "fccda/core/error.hpp"
+
+namespace perimpact::deck {
+
+namespace {
+
+constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
+                              {"s", "a time", "0.1 us"},
+                              {"kg", "a mass", "1.57 kg"},
+                              {"m/s", "a velocity", "32 m/s"},
+                              {"Pa", "a pressure or stiffness", "9.5 GPa"},
+                              {"kg/m3", "a density", "900 kg/m3"},
+                              {"kg m2", "a moment of inertia", "0.02 kg m2"},
+                              {"rad/s", "an angular velocity", "30 rpm"},
+                              {"rad", "an angle", "45 deg"},
+                              {"Hz", "a frequency", "3 Hz"},
+                              {"N", "a force", "5 kN"},
+                              {"1", "a pure number", "0.25"}};
+
+using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
+using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
+
+/// UDUNITS keeps state of its own: one call at a time.
+std::mutex& udunits_turn() {
+  static std::mutex turn;
+  return turn;
+}
+
+ut_system* load_system() {
+  ut_set_error_message_handler(ut_ignore);
+  ut_system* system = ut_read_xml(nullptr);
+  if (system == nullptr) throw fccda::InputError("The units of UDUNITS-2 cannot be read; install its database (Debian package libudunits2-data).");
+  const auto alias = [&](const char* symbol, const char* definition) {
+    ut_unit* unit = ut_parse(system, definition, UT_UTF8);
+    EXPECTS(unit != nullptr);
+    ut_map_symbol_to_unit(symbol, UT_UTF8, unit);  // a symbol, not a name: names ignore case, so that kN would be a knot
+    ut_free(unit);
+  };
+  alias("kn", "international_knot");
+  alias("deg", "degree");
+  return system;
+}
+
+ut_system* units_of_udunits() {
+  static ut_system* system = load_system();
+  return system;
+}
+
+/// Nothing where `text` is no unit.
+Unit parse_unit(std::string_view text) {
+  constexpr std::size_t longest = 64;  // no unit is longer; the parser of UDUNITS need not see whole files
+  if (text.size() > longest) return {nullptr, ut_free};
+  const std::string terminated(text);
+  return {ut_parse(units_of_udunits(), terminated.c_str(), UT_UTF8), ut_free};
+}
+
+/// How many of `to` one `from` is; nothing where they measure different things.
+std::optional<double> factor(ut_unit* from, ut_unit* to) {
+  const Unit quotient(ut_divide(from, to), ut_free);
+  if (!quotient) return std::nullopt;
+  // What is left after dividing must be a number. In this form UDUNITS writes "rad" too, though to its comparison an angle is
+  // a pure number; a unit with an origin (°C, "s since 2000-01-01") is written with an @.
+  std::array<char, 256> definition;
+  const int length = ut_format(quotient.get(), definition.data(), definition.size(), UT_ASCII | UT_DEFINITION);
+  if (length < 0 || static_cast<std::size_t>(length) >= definition.size()) return std::nullopt;
+  std::string_view left(definition.data(), static_cast<std::size_t>(length));
+  if (left.ends_with(" 1")) left.remove_suffix(2);
+  double ratio{};
+  const auto [end, error] = std::from_chars(left.data(), left.data() + left.size(), ratio);
+  if (error != std::errc{} || end != left.data() + left.size()) return std::nullopt;
+  const Converter converter(ut_get_converter(from, to), cv_free);
+  if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0) return std::nullopt;
+  return cv_convert_double(converter.get(), 1.0);
+}
+
+/// digits · by. A power of ten is put into the exponent, so that 0.1 us and 1e-7 are the same double: 10⁻⁶ is no double, and a
+/// product would be rounded three times.
+double scaled(std::string_view digits, double number, double by) {
+  const double power = std::round(std::log10(by));
+  const bool is_power_of_ten = std::fabs(by / std::pow(10.0, power) - 1) < 4e-16;
+  if (!is_power_of_ten) return number * by;
+  const std::size_t mantissa = std::min(digits.find_first_of("eE"), digits.size());
+  int exponent = 0;
+  if (mantissa < digits.size()) {
+    const std::size_t sign = digits[mantissa + 1] == '+' ? 1 : 0;
+    std::from_chars(digits.data() + mantissa + 1 + sign, digits.data() + digits.size(), exponent);
+  }
+  const std::string shifted = fmt::format("{}e{}", digits.substr(0, mantissa), exponent + static_cast<int>(power));
+  double value{};
+  const auto [end, error] = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
+  return error == std::errc{} ? value : number * by;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+/// "a mass", where a field could have this unit; otherwise "kg2".
+std::string what_it_is(std::string_view unit_text, ut_unit* unit) {
+  for (const UnitKind& kind : kinds)
+    if (factor(unit, parse_unit(kind.unit).get())) return std::string(kind.what);
+  return fmt::format("in {}", unit_text);
+}
+
+std::string wrong_kind(std::string_view unit_text, ut_unit* unit, const UnitKind& wanted) {
+  const bool is_frequency = factor(unit, parse_unit("Hz").get()).has_value();
+  const bool is_angle_rate = factor(unit, parse_unit("rad/s").get()).has_value();
+  if (wanted.unit == "rad/s" && is_frequency)
+    return fmt::format("{} counts cycles, not angle, and is not converted; write {} in rad/s, deg/s or rpm, for example {}", unit_text, wanted.what,
+                       wanted.example);
+  if (wanted.unit == "Hz" && is_angle_rate)
+    return fmt::format("{} counts angle, not cycles, and is not converted; write {} in Hz, for example {}", unit_text, wanted.what, wanted.example);
+  if (wanted.unit == "1") return fmt::format("it is {} and has no unit; write a number, for example {}", wanted.what, wanted.example);
+  return fmt::format("that is {}; write {}, for example {}", what_it_is(unit_text, unit), wanted.what, wanted.example);
+}
+
+}  // namespace
+
+std::span<const UnitKind> unit_kinds() { return kinds; }
+
+const UnitKind& kind_of(std::string_view unit) {
+  const auto kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const UnitKind& k) { return k.unit == unit; });
+  EXPECTS(kind != std::end(kinds));
+  return *kind;
+}
+
+Converted to_si(std::string_view text, std::string_view unit) {
+  const UnitKind& wanted = kind_of(unit);
+  text = trimmed(text);
+  std::string_view digits = text;
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
+  double number{};
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error == std::errc::result_out_of_range) return {.complaint = "no double is that large or that small; write a number between 1e-300 and 1e300"};
+  if (error != std::errc{} || !std::isfinite(number))
+    return {.complaint = fmt::format("that is not a number; write {}, for example {}", wanted.what, wanted.example)};
+
+  const std::string_view unit_text = trimmed(digits.substr(static_cast<std::size_t>(end - digits.data())));
+  if (unit_text.empty()) return {.value = number};
+  const std::lock_guard turn(udunits_turn());
+  const char first = unit_text.front();
+  const bool is_number_again =
+      (first >= '0' && first <= '9') || first == '.' || first == ',' || first == '-' || first == '+';  // "1,5 m", which UDUNITS would multiply
+  const Unit given = is_number_again ? Unit(nullptr, ut_free) : parse_unit(unit_text);
+  if (!given) return {.complaint = fmt::format("{} is not a unit; write {}, for example {}", unit_text, wanted.what, wanted.example)};
+  const std::optional<double> by = factor(given.get(), parse_unit(wanted.unit).get());
+  if (!by) return {.complaint = wrong_kind(unit_text, given.get(), wanted)};
+  return {.value = scaled(digits.substr(0, static_cast<std::size_t>(end - digits.data())), number, *by)};
+}
+
+}  // namespace perimpact::deck

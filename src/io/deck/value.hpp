@@ -1,0 +1,37 @@
+/// One value of a deck, read as the type of the field that takes it. Each function throws InputError at the value's place where
+/// the value has another type, another unit or is out of range.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fccda/core/parameter.hpp"
+#include "io/deck/node.hpp"
+
+namespace perimpact::deck {
+
+/// What a value must obey: a row of the field's table, without the struct it belongs to.
+struct Rule {
+  std::string_view name;
+  std::string_view unit;
+  fccda::Range range;
+  std::string_view sentence;
+};
+
+/// "above 0", "from 2 to 6", "above -1 and below 0.5"; "any number" where all are allowed.
+std::string in_words(const fccda::Range& range);
+
+void read_value(const Node& node, const Rule& rule, double& into);
+void read_value(const Node& node, const Rule& rule, std::optional<double>& into);
+void read_value(const Node& node, const Rule& rule, int& into);
+void read_value(const Node& node, const Rule& rule, bool& into);
+void read_value(const Node& node, const Rule& rule, std::string& into);
+void read_value(const Node& node, const Rule& rule, fccda::Vec3d& into);
+void read_value(const Node& node, const Rule& rule, std::optional<fccda::Vec3d>& into);
+void read_value(const Node& node, const Rule& rule, std::vector<double>& into);
+void read_value(const Node& node, const Rule& rule, std::vector<std::string>& into);
+void read_value(const Node& node, const Rule& rule, fccda::Choice& into);
+
+}  // namespace perimpact::deck
