@@ -1,4 +1,4 @@
-#include "perimpact/simulation/setup.hpp"
+#include "perimpact/setup/setup.hpp"
 
 namespace perimpact {
 
