@@ -8,7 +8,7 @@ namespace perimpact {
 
 int mesh_command(const MeshArguments& arguments) {
   fccda::Panels panels = fccda::read_panels(arguments.file);
-  for (Vec3d& vertex : panels.vertices) vertex *= arguments.scale;
+  for (fccda::Vec3d& vertex : panels.vertices) vertex *= arguments.scale;
   // a report is wanted of open surfaces too, and which side is outside changes nothing in it
   const fccda::Surface surface(panels, {.outside = fccda::OutsideIs::normals, .name = arguments.file.string()});
   fmt::print("{}\n{}", arguments.file.string(), surface_text(surface.report()));

@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
+#include "fccda/core/error.hpp"
 #include "fccda/core/parallel.hpp"
 #include "io/results/results_writer.hpp"
 
@@ -31,7 +32,8 @@ int run_command(const DeckArguments& arguments) {
   return with_places(deck, [&] {
     Simulation simulation(deck.setup);
     ResultsWriter results(simulation, folder);
-    fmt::print("{}\n{} threads, {} steps of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps, simulation.clock().dt, folder.string());
+    fmt::print("{}\n{} threads, {} steps of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
+               simulation.clock().dt, folder.string());
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
 
     std::signal(SIGINT, remember_signal);
@@ -57,11 +59,13 @@ int run_command(const DeckArguments& arguments) {
 
     print_timers(simulation.timers());
     if (stop_signal != 0) {
-      fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). What was computed is in {}.\n", simulation.clock().time(), simulation.clock().step, simulation.clock().steps, folder.string());
+      fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). What was computed is in {}.\n", simulation.clock().time(), simulation.clock().step,
+                 simulation.clock().steps, folder.string());
       return 128 + static_cast<int>(stop_signal);
     }
     fmt::print("\nResults: {}\n", std::filesystem::absolute(folder).lexically_normal().string());
-    fmt::print("  {}  the curves\n  {}  the pictures, for ParaView\n  {}  what was run\n", (folder / "history.csv").string(), (folder / "frames").string(), (folder / "run.json").string());
+    fmt::print("  {}  the curves\n  {}  the pictures, for ParaView\n  {}  what was run\n", (folder / "history.csv").string(), (folder / "frames").string(),
+               (folder / "run.json").string());
     return 0;
   });
 }

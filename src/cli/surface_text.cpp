@@ -10,10 +10,11 @@ std::string surface_text(const fccda::SurfaceReport& report) {
   std::string text;
   const auto row = [&](const char* name, const std::string& value) { text += fmt::format("  {:<18}{}\n", name, value); };
   row("panels", fmt::format("{} ({} triangles, {} vertices)", report.panels, report.triangles, report.vertices));
-  const Vec3d size = report.bounds.size();
+  const fccda::Vec3d size = report.bounds.size();
   row("size", fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z));
   row("edges", fmt::format("{:.4g} to {:.4g} m", report.shortest_edge, report.longest_edge));
-  row("closure", report.rim_edges == 0 ? std::string(word_for(report.closure)) : fmt::format("{}, {} edges on a rim", word_for(report.closure), report.rim_edges));
+  row("closure",
+      report.rim_edges == 0 ? std::string(word_for(report.closure)) : fmt::format("{}, {} edges on a rim", word_for(report.closure), report.rim_edges));
   row("components", fmt::format("{}", report.components));
   row("area", fmt::format("{:.5g} m2", report.area));
   if (report.closure == fccda::Closure::closed) row("volume", fmt::format("{:.5g} m3", report.volume));

@@ -37,7 +37,8 @@ inline Body body(const BodyOptions& options = {}) { return make_body(body_setup(
 inline void shake(Body& body, double amount, unsigned seed = 1) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> move(-amount, amount);
-  for (const std::uint32_t slot : body.particles.slot_of()) body.particles.position.set(slot, body.particles.position.at(slot) + Vec3d{move(random), move(random), move(random)});
+  for (const std::uint32_t slot : body.particles.slot_of())
+    body.particles.position.set(slot, body.particles.position.at(slot) + Vec3d{move(random), move(random), move(random)});
 }
 
 /// Maps every particle from its reference position.

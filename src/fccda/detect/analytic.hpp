@@ -50,6 +50,7 @@ class Analytic {
 
   template <class Visitor>
   void visit_state(Visitor&&) {}
+  Effort effort() const { return {}; }
 
  private:
   double reach_;           // [m] radius + contact radius

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "io/output/csv.hpp"
+#include "io/output/pvd.hpp"
 #include "io/output/results_folder.hpp"
-#include "io/output/series.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
 namespace perimpact {

@@ -41,9 +41,12 @@ Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
 
 std::string_view word_for(Outcome outcome) {
   switch (outcome) {
-    case Outcome::finished: return "finished";
-    case Outcome::interrupted: return "interrupted";
-    case Outcome::failed: return "failed";
+    case Outcome::finished:
+      return "finished";
+    case Outcome::interrupted:
+      return "interrupted";
+    case Outcome::failed:
+      return "failed";
   }
   return "";
 }
@@ -52,9 +55,10 @@ std::string_view word_for(Outcome outcome) {
 
 std::string_view word_for(fccda::Closure closure) {
   switch (closure) {
-    case fccda::Closure::closed: return "closed";
-    case fccda::Closure::open: return "open";
-    case fccda::Closure::non_manifold: return "non-manifold";
+    case fccda::Closure::closed:
+      return "closed";
+    case fccda::Closure::open:
+      return "open";
   }
   return "";
 }

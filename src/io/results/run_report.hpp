@@ -14,7 +14,7 @@ output::Json run_report(Simulation& simulation, Outcome outcome, const std::stri
 /// What construction of a surface found and mended.
 output::Json surface_report(const fccda::SurfaceReport& report);
 
-/// "closed", "open" or "non-manifold"
+/// "closed" or "open"
 std::string_view word_for(fccda::Closure closure);
 
 }  // namespace perimpact

@@ -11,9 +11,9 @@ namespace perimpact {
 /// One bond of the interior family.
 struct StencilBond {
   int di, dj, dk;
-  double length;     ///< [m] |ξ|
-  Vec3d direction;   ///< ξ/|ξ|
-  double volume;     ///< [m³] v V: the part v of the neighbour's volume that lies within the horizon
+  double length;    ///< [m] |ξ|
+  Vec3d direction;  ///< ξ/|ξ|
+  double volume;    ///< [m³] v V: the part v of the neighbour's volume that lies within the horizon
 };
 
 /// What uniform strain makes of the whole stencil; every lattice direction gives the same.

@@ -61,8 +61,10 @@ CorrectionFactors::CorrectionFactors(SurfaceCorrection kind, const LatticeFamily
     double part_volume = 0;
     bool full = true;
     for (std::size_t b = 0; b < bonds.size(); ++b) {
-      if (family.is_intact(slot, b)) part.add(bonds[b]), part_volume += bonds[b].volume;
-      else full = false;
+      if (family.is_intact(slot, b))
+        part.add(bonds[b]), part_volume += bonds[b].volume;
+      else
+        full = false;
     }
     if (full) return;  // factors stay exactly 1
     at_surface[slot] = 1;

@@ -16,11 +16,11 @@ using fccda::Vec3;
 /// One bond of each particle of a pack, as it is now.
 template <class Pack>
 struct BondNow {
-  std::size_t index;       ///< of the bond in the stencil
-  std::ptrdiff_t j;        ///< slot of the first lane's neighbour
-  unsigned intact;         ///< bit l: the bond of lane l exists
-  Vec3<Pack> between;      ///< y_j - y_i [m]
-  Pack squared_length;     ///< [m²]
+  std::size_t index;    ///< of the bond in the stencil
+  std::ptrdiff_t j;     ///< slot of the first lane's neighbour
+  unsigned intact;      ///< bit l: the bond of lane l exists
+  Vec3<Pack> between;   ///< y_j - y_i [m]
+  Pack squared_length;  ///< [m²]
 };
 
 /// Says of no bond that it breaks.
@@ -41,8 +41,8 @@ struct BreakBeyond {
 /// Breaking is done here, where the squared length is at hand: a pass of its own costs 45 % more, this one 10 to 20 %. Both ends of a bond
 /// compute the same squared length to the last bit, so that they break together.
 template <class Pack, class Breaking, class PerBond>
-inline void for_each_bond(const std::array<const double*, 3>& x, std::span<const std::ptrdiff_t> offsets, std::uint8_t* bytes, std::size_t slot, std::size_t first,
-                          const Breaking& breaking, PerBond&& per_bond) {
+inline void for_each_bond(const std::array<const double*, 3>& x, std::span<const std::ptrdiff_t> offsets, std::uint8_t* bytes, std::size_t slot,
+                          std::size_t first, const Breaking& breaking, PerBond&& per_bond) {
   using namespace fccda;
   const Vec3<Pack> xi{load<Pack>(x[0] + slot), load<Pack>(x[1] + slot), load<Pack>(x[2] + slot)};
   const std::size_t count = offsets.size();

@@ -14,9 +14,13 @@ struct PlainBonds {
   template <class Pack>
   struct OfParticle {};
   template <class Pack>
-  OfParticle<Pack> of(std::size_t) const { return {}; }
+  OfParticle<Pack> of(std::size_t) const {
+    return {};
+  }
   template <class Pack>
-  Pack corrected(Pack value, const OfParticle<Pack>&, std::size_t, std::ptrdiff_t) const { return value; }
+  Pack corrected(Pack value, const OfParticle<Pack>&, std::size_t, std::ptrdiff_t) const {
+    return value;
+  }
 };
 
 /// Σ_p n_p² (g_p(i) + g_p(j))/2.
@@ -27,7 +31,9 @@ struct EnergyFactor {
   template <class Pack>
   using OfParticle = Vec3<Pack>;
   template <class Pack>
-  OfParticle<Pack> of(std::size_t slot) const { return {fccda::load<Pack>(g[0] + slot), fccda::load<Pack>(g[1] + slot), fccda::load<Pack>(g[2] + slot)}; }
+  OfParticle<Pack> of(std::size_t slot) const {
+    return {fccda::load<Pack>(g[0] + slot), fccda::load<Pack>(g[1] + slot), fccda::load<Pack>(g[2] + slot)};
+  }
   template <class Pack>
   Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t bond, std::ptrdiff_t j) const {
     const Vec3d& w = half_squares[bond];
@@ -45,9 +51,13 @@ struct VolumeFactor {
   template <class Pack>
   using OfParticle = Pack;
   template <class Pack>
-  OfParticle<Pack> of(std::size_t slot) const { return fccda::load<Pack>(half_volume + slot); }
+  OfParticle<Pack> of(std::size_t slot) const {
+    return fccda::load<Pack>(half_volume + slot);
+  }
   template <class Pack>
-  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t, std::ptrdiff_t j) const { return value / (i + fccda::load<Pack>(half_volume + j)); }
+  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t, std::ptrdiff_t j) const {
+    return value / (i + fccda::load<Pack>(half_volume + j));
+  }
 };
 
 }  // namespace perimpact

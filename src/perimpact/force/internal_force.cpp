@@ -49,7 +49,8 @@ void dilatation_of_pack(const BodyView& body, std::size_t slot, const Breaking& 
 
 /// Force density of the particles of one pack; returns their energy density, summed, if asked to.
 template <class Pack, bool has_dilatation, bool with_energy, class Breaking, class Correction>
-double force_of_pack(const BodyView& body, std::size_t slot, const Breaking& breaking, const Correction& stretch_correction, const Correction& dilatation_correction) {
+double force_of_pack(const BodyView& body, std::size_t slot, const Breaking& breaking, const Correction& stretch_correction,
+                     const Correction& dilatation_correction) {
   const auto stretch_of_i = stretch_correction.template of<Pack>(slot);
   const auto dilatation_of_i = dilatation_correction.template of<Pack>(slot);
   const Pack theta_i = has_dilatation ? load<Pack>(body.theta + slot) : Pack(0.0);
@@ -90,23 +91,28 @@ template <class Pack, class Factor, class PerPack>
 void for_each_pack(const BodyView& body, std::size_t row, const Corrections<Factor>& corrections, const PerPack& per_pack) {
   const std::size_t begin = row * body.lattice.row_slots(), end = begin + body.lattice.row_slots();
   for (std::size_t slot = begin; slot < end; slot += lanes<Pack>) {
-    if (body.correction.is_plain(slot / byte_lanes)) per_pack(slot, Corrections<PlainBonds>{});
-    else per_pack(slot, corrections);
+    if (body.correction.is_plain(slot / byte_lanes))
+      per_pack(slot, Corrections<PlainBonds>{});
+    else
+      per_pack(slot, corrections);
   }
 }
 
 template <class Pack, class Factor, bool has_dilatation, bool breaks, bool with_energy>
 void all_rows(const BodyView& body, const Corrections<Factor>& corrections) {
   const auto breaking_in = [&body](std::size_t row) {
-    if constexpr (breaks) return BreakBeyond{body.squared_limits, body.broken_ends_of_row[row]};
-    else return Unbreakable{};
+    if constexpr (breaks)
+      return BreakBeyond{body.squared_limits, body.broken_ends_of_row[row]};
+    else
+      return Unbreakable{};
   };
   const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(body.lattice.rows());
   if constexpr (has_dilatation) {
     parallel_for(rows, [&](std::ptrdiff_t r) {
       const std::size_t row = static_cast<std::size_t>(r);
       const auto breaking = breaking_in(row);
-      for_each_pack<Pack>(body, row, corrections, [&](std::size_t slot, const auto& factors) { dilatation_of_pack<Pack>(body, slot, breaking, factors.dilatation); });
+      for_each_pack<Pack>(body, row, corrections,
+                          [&](std::size_t slot, const auto& factors) { dilatation_of_pack<Pack>(body, slot, breaking, factors.dilatation); });
     });
   }
   parallel_for(rows, [&](std::ptrdiff_t r) {
@@ -117,8 +123,10 @@ void all_rows(const BodyView& body, const Corrections<Factor>& corrections) {
         energy += force_of_pack<Pack, has_dilatation, with_energy>(body, slot, breaking, factors.stretch, factors.dilatation);
       });
     };
-    if constexpr (has_dilatation) forces(Unbreakable{});  // the dilatation pass has broken what breaks
-    else forces(breaking_in(row));
+    if constexpr (has_dilatation)
+      forces(Unbreakable{});  // the dilatation pass has broken what breaks
+    else
+      forces(breaking_in(row));
     if constexpr (with_energy) body.energy_of_row[row] = energy;
   });
 }
@@ -126,8 +134,10 @@ void all_rows(const BodyView& body, const Corrections<Factor>& corrections) {
 /// Calls f with std::true_type or std::false_type.
 template <class F>
 void with_constant(bool value, const F& f) {
-  if (value) f(std::true_type{});
-  else f(std::false_type{});
+  if (value)
+    f(std::true_type{});
+  else
+    f(std::false_type{});
 }
 
 template <class Pack>
@@ -135,11 +145,16 @@ void run_pass(const BodyView& body, bool breaks, bool with_energy) {
   with_constant(body.material.needs_dilatation(), [&](auto has_dilatation) {
     with_constant(breaks, [&](auto breaking) {
       with_constant(with_energy, [&](auto energy) {
-        const auto run = [&](const auto& corrections) { all_rows<Pack, std::decay_t<decltype(corrections.stretch)>, has_dilatation, breaking, energy>(body, corrections); };
+        const auto run = [&](const auto& corrections) {
+          all_rows<Pack, std::decay_t<decltype(corrections.stretch)>, has_dilatation, breaking, energy>(body, corrections);
+        };
         switch (body.correction.kind()) {
-          case SurfaceCorrection::none: run(Corrections<PlainBonds>{}); break;
+          case SurfaceCorrection::none:
+            run(Corrections<PlainBonds>{});
+            break;
           case SurfaceCorrection::energy:
-            run(Corrections<EnergyFactor>{{body.correction.stretch().pointers(), body.half_squares}, {body.correction.dilatation().pointers(), body.half_squares}});
+            run(Corrections<EnergyFactor>{{body.correction.stretch().pointers(), body.half_squares},
+                                          {body.correction.dilatation().pointers(), body.half_squares}});
             break;
           case SurfaceCorrection::volume: {
             const VolumeFactor factor{body.correction.volume().component(0)};
@@ -168,14 +183,34 @@ InternalForce::InternalForce(OrdinaryState material, const std::optional<Critica
 }
 
 void InternalForce::pass(Particles& particles, LatticeFamily& family, bool with_energy) {
-  const BodyView body{particles.lattice(), particles.position.pointers(), particles.force_density, theta_.component(0), family, correction_, material_, folded_, squared_limits_,
-                      half_squares_, energy_of_row_, broken_ends_of_row_};
+  const BodyView body{particles.lattice(),
+                      particles.position.pointers(),
+                      particles.force_density,
+                      theta_.component(0),
+                      family,
+                      correction_,
+                      material_,
+                      folded_,
+                      squared_limits_,
+                      half_squares_,
+                      energy_of_row_,
+                      broken_ends_of_row_};
   run_pass<NativePack>(body, breaking_, with_energy);
 }
 
 void InternalForce::evaluate_scalar(Particles& particles, LatticeFamily& family) {
-  const BodyView body{particles.lattice(), particles.position.pointers(), particles.force_density, theta_.component(0), family, correction_, material_, folded_, squared_limits_,
-                      half_squares_, energy_of_row_, broken_ends_of_row_};
+  const BodyView body{particles.lattice(),
+                      particles.position.pointers(),
+                      particles.force_density,
+                      theta_.component(0),
+                      family,
+                      correction_,
+                      material_,
+                      folded_,
+                      squared_limits_,
+                      half_squares_,
+                      energy_of_row_,
+                      broken_ends_of_row_};
   run_pass<double>(body, breaking_, false);
 }
 

@@ -13,7 +13,8 @@ namespace perimpact {
 
 class InternalForce {
  public:
-  InternalForce(OrdinaryState material, const std::optional<CriticalStretch>& breaking, CorrectionFactors correction, const LatticeFamily& family, const Particles& particles);
+  InternalForce(OrdinaryState material, const std::optional<CriticalStretch>& breaking, CorrectionFactors correction, const LatticeFamily& family,
+                const Particles& particles);
 
   /// Writes particles.force_density [N/m³], the sum over intact bonds at the current positions, in stencil order for each particle,
   /// so that the result is the same to the last bit for any number of threads. Bonds that are too long break on the way.
@@ -48,11 +49,11 @@ class InternalForce {
   OrdinaryState material_;
   bool breaking_;
   CorrectionFactors correction_;
-  std::vector<OrdinaryState::Folded> folded_;     // of each stencil bond
-  std::vector<double> squared_limits_;            // [m²] of each stencil bond
-  std::vector<Vec3d> half_squares_;               // of each stencil bond
+  std::vector<OrdinaryState::Folded> folded_;  // of each stencil bond
+  std::vector<double> squared_limits_;         // [m²] of each stencil bond
+  std::vector<Vec3d> half_squares_;            // of each stencil bond
   ScalarArray theta_;
-  std::vector<double> energy_of_row_;             // [J/m³] summed over a row
+  std::vector<double> energy_of_row_;  // [J/m³] summed over a row
   std::vector<std::size_t> broken_ends_of_row_;
 };
 

@@ -61,6 +61,10 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, particles->lattice().spacing));
 }
 
+fccda::Effort Impactor::effort(std::size_t body) const {
+  return std::visit([](const auto& detector) { return detector.effort(); }, detectors_[body]);
+}
+
 void Impactor::advance(double dt) {
   motion_ = body_.advance(dt);
   account_.contacts = 0;

@@ -17,9 +17,9 @@ namespace perimpact {
 
 /// What contact did to an impactor since somebody last looked.
 struct Account {
-  Vec3d impulse{};          ///< [N s]
-  Vec3d angular_impulse{};  ///< [N m s] about the centre of mass
-  std::size_t contacts = 0; ///< of the last step
+  Vec3d impulse{};           ///< [N s]
+  Vec3d angular_impulse{};   ///< [N m s] about the centre of mass
+  std::size_t contacts = 0;  ///< of the last step
 };
 
 class Impactor {
@@ -36,19 +36,23 @@ class Impactor {
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
-  const fccda::Effort& effort(std::size_t body) const;  ///< of detection against that body so far
+  fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
 
+  std::optional<fccda::Panels> region_panels() const { return std::nullopt; }
   Account& account() { return account_; }
   const Account& account() const { return account_; }
-  double work_of_holder() const { return work_; }  ///< [J] done so far by what holds the degrees of freedom that are not free
+  double work_of_holder() const { return work_; }    ///< [J] done so far by what holds the degrees of freedom that are not free
   Vec3d impulse_of_holder() const { return held_; }  ///< [N s] given so far by it
 
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     body_.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::string(part), values); });
     for (std::size_t b = 0; b < detectors_.size(); ++b)
-      std::visit([&](auto& detector) { detector.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::to_string(b) + "." + std::string(part), values); }); },
-                 detectors_[b]);
+      std::visit(
+          [&](auto& detector) {
+            detector.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::to_string(b) + "." + std::string(part), values); });
+          },
+          detectors_[b]);
   }
 
  private:
@@ -59,7 +63,7 @@ class Impactor {
   double friction_;
   std::vector<fccda::Detector> detectors_;  // one a body
   fccda::Motion motion_;
-  std::vector<fccda::Contact> contacts_;    // of the latest detection
+  std::vector<fccda::Contact> contacts_;  // of the latest detection
   Account account_;
   double work_ = 0;
   Vec3d held_{};

@@ -47,9 +47,9 @@ class OrdinaryState {
   }
 
   bool needs_dilatation() const { return a_ != 0; }
-  double a() const { return a_; }  ///< [Pa]
-  double b() const { return b_; }  ///< [Pa/m⁵]
-  double d() const { return d_; }  ///< [1/m⁴]
+  double a() const { return a_; }                              ///< [Pa]
+  double b() const { return b_; }                              ///< [Pa/m⁵]
+  double d() const { return d_; }                              ///< [1/m⁴]
   double bond_stiffness() const { return 4 * horizon_ * b_; }  ///< [N/m⁶] of a stretch: c of the bond-based theory
 
   /// The constants of one stencil bond, folded once for all particles.

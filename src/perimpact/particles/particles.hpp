@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "perimpact/particles/slot_array.hpp"
 #include "perimpact/particles/lattice.hpp"
+#include "perimpact/particles/slot_array.hpp"
 
 namespace perimpact {
 
@@ -18,17 +18,17 @@ class Particles {
   Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside);
 
   const Lattice& lattice() const { return lattice_; }
-  std::size_t size() const { return slot_of_.size(); }  ///< number of particles
+  std::size_t size() const { return slot_of_.size(); }                 ///< number of particles
   std::span<const std::uint32_t> slot_of() const { return slot_of_; }  ///< slot of each particle, ascending
   bool is_occupied(std::size_t slot) const { return (occupied_[slot / 8] >> (slot % 8)) & 1u; }
   unsigned occupied_bits(std::size_t eight) const { return occupied_[eight]; }  ///< of slots 8·eight … 8·eight + 7
 
-  double density() const { return density_; }                                                                    ///< [kg/m³]
-  double volume() const { return lattice_.spacing * lattice_.spacing * lattice_.spacing; }                       ///< [m³] of one particle
-  double mass() const { return density_ * volume(); }                                                            ///< [kg] of one particle
-  std::size_t slack() const { return slack_; }                                                                   ///< of fields over these slots
-  Vec3d reference(std::size_t slot) const { return lattice_.centre(slot); }                                      ///< [m] X
-  Vec3d displacement(std::size_t slot) const { return position.at(slot) - reference(slot); }                     ///< [m] u = x - X
+  double density() const { return density_; }                                                 ///< [kg/m³]
+  double volume() const { return lattice_.spacing * lattice_.spacing * lattice_.spacing; }    ///< [m³] of one particle
+  double mass() const { return density_ * volume(); }                                         ///< [kg] of one particle
+  std::size_t slack() const { return slack_; }                                                ///< of fields over these slots
+  Vec3d reference(std::size_t slot) const { return lattice_.centre(slot); }                   ///< [m] X
+  Vec3d displacement(std::size_t slot) const { return position.at(slot) - reference(slot); }  ///< [m] u = x - X
 
   VectorArray position;       ///< [m] x
   VectorArray velocity;       ///< [m/s] v, half a step behind the positions' next change (symplectic Euler)

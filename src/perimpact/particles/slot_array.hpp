@@ -32,15 +32,11 @@ class SlotArray {
     return all;
   }
 
-  Vec3d at(std::size_t slot) const
-    requires(components == 3)
-  {
+  Vec3d at(std::size_t slot) const requires(components == 3) {
     EXPECTS(slot < slots_);
     return {component(0)[slot], component(1)[slot], component(2)[slot]};
   }
-  void set(std::size_t slot, const Vec3d& value)
-    requires(components == 3)
-  {
+  void set(std::size_t slot, const Vec3d& value) requires(components == 3) {
     EXPECTS(slot < slots_);
     for (std::size_t c = 0; c < 3; ++c) component(c)[slot] = value[c];
   }

@@ -4,9 +4,9 @@
 namespace perimpact {
 
 struct Clock {
-  double dt;        ///< [s]
-  long steps;       ///< of the whole run
-  long step = 0;    ///< done
+  double dt;      ///< [s]
+  long steps;     ///< of the whole run
+  long step = 0;  ///< done
 
   double time() const { return static_cast<double>(step) * dt; }  ///< [s]
   bool is_finished() const { return step >= steps; }

@@ -19,8 +19,9 @@ Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, std::
     probes_.push_back({probe.name, static_cast<std::size_t>(body - bodies.begin()), Sample(*body, probe.at)});
     const double away = probes_.back().sample.distance(*body), spacing = body->particles.lattice().spacing;
     if (away > spacing)
-      throw SetupError(key + ".at", fmt::format("probe {} lies {:.3g} m from the nearest particle of body {}, more than its spacing of {:.3g} m; move it into the body.", probe.name, away,
-                                                probe.body, spacing));
+      throw SetupError(key + ".at",
+                       fmt::format("probe {} lies {:.3g} m from the nearest particle of body {}, more than its spacing of {:.3g} m; move it into the body.",
+                                   probe.name, away, probe.body, spacing));
   }
 }
 
@@ -79,17 +80,22 @@ void Monitors::check(std::span<const Body> bodies, const Clock& clock, double en
       for (std::size_t i = 0; i < body.particles.size(); ++i) {
         const std::uint32_t slot = body.particles.slot_of()[i];
         if (!is_finite(body.particles.position.at(slot)) || !is_finite(body.particles.force_density.at(slot)))
-          throw fccda::RunError(fmt::format("At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. The rows written before are sound; try a smaller time step.",
-                                            clock.step, clock.time(), i, body.name));
+          throw fccda::RunError(
+              fmt::format("At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. The rows written before are sound; try a "
+                          "smaller time step.",
+                          clock.step, clock.time(), i, body.name));
       }
-    throw fccda::RunError(fmt::format("At step {} ({:.6g} s) the energy is not a number. The rows written before are sound; try a smaller time step.", clock.step, clock.time()));
+    throw fccda::RunError(
+        fmt::format("At step {} ({:.6g} s) the energy is not a number. The rows written before are sound; try a smaller time step.", clock.step, clock.time()));
   }
   // Contact and breaking only take energy. Interpolated velocities leave a ripple of (ω dt)² on the energy of the shortest waves, which hold little of it.
   const double available = first_energy_ + std::fabs(work);
   if (energy - work - first_energy_ > 0.05 * available)
-    throw fccda::RunError(fmt::format("At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the {:.4g} J there were plus the {:.4g} J put in from outside: the time step of {:.3g} s is "
-                                      "not stable for this run; make it smaller.",
-                                      clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_, work, clock.dt));
+    throw fccda::RunError(
+        fmt::format("At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the {:.4g} J there were plus the {:.4g} J put in from outside: the time "
+                    "step of {:.3g} s is "
+                    "not stable for this run; make it smaller.",
+                    clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_, work, clock.dt));
 }
 
 }  // namespace perimpact

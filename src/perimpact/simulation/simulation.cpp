@@ -31,14 +31,17 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
   const double automatic = safety * stability.estimate;
   stability.step = setup.time.step.value_or(setup.time.end / std::ceil(setup.time.end / automatic));
   if (stability.step > setup.time.end)
-    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; make it shorter, or leave it out.", stability.step, setup.time.end));
+    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; make it shorter, or leave it out.",
+                                              stability.step, setup.time.end));
   if (stability.step >= stability.exact)
-    throw SetupError("time.step",
-                     fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of this lattice ({:.4g} s): the run would blow up. Take at most {:.4g} s, or leave the step out.",
-                                 stability.step, stability.step / stability.exact, stability.exact, automatic));
+    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of this lattice ({:.4g} s): the run would blow "
+                                              "up. Take at most {:.4g} s, or leave the step out.",
+                                              stability.step, stability.step / stability.exact, stability.exact, automatic));
   if (stability.step > automatic * (1 + 1e-9))
-    warnings.push_back(fmt::format("The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times the exact limit of the lattice; near surfaces it may be unstable.",
-                                   stability.step, stability.step / automatic, automatic, stability.step / stability.exact));
+    warnings.push_back(
+        fmt::format("The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times the exact limit of the lattice; near surfaces it "
+                    "may be unstable.",
+                    stability.step, stability.step / automatic, automatic, stability.step / stability.exact));
   return stability;
 }
 
@@ -91,8 +94,10 @@ void Simulation::strike() {
 void Simulation::evaluate_forces() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    if (monitors_.is_due(clock_)) monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family);
-    else body.internal.evaluate(body.particles, body.family);
+    if (monitors_.is_due(clock_))
+      monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family);
+    else
+      body.internal.evaluate(body.particles, body.family);
   }
 }
 

@@ -42,8 +42,8 @@ double largest_eigenvalue(const double (&m)[3][3]) {
   const double p = std::sqrt(off / 6);
   if (p == 0) return mean;
   const auto& d = deviator;
-  const double determinant = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
-                             d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+  const double determinant =
+      d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) + d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
   const double angle = std::acos(std::clamp(determinant / (2 * p * p * p), -1.0, 1.0)) / 3;
   return mean + 2 * p * std::cos(angle);
 }

@@ -24,8 +24,9 @@ TEST_CASE("stable step: the exact limit of the infinite lattice is that of the B
     double nu, exact;
   };
   // Table 2.3 of the physics notes, printed with four digits; its wave vectors are not ours, hence half a per cent
-  for (const Row& row : {Row{FamilyRule::madenci_oterkus, 0.25, 1.826}, Row{FamilyRule::madenci_oterkus, 0.3, 1.856}, Row{FamilyRule::madenci_oterkus, 0.4, 1.856},
-                         Row{FamilyRule::hu_ha_bobaru, 0.25, 1.802}, Row{FamilyRule::hu_ha_bobaru, 0.3, 1.824}, Row{FamilyRule::hu_ha_bobaru, 0.4, 1.805}}) {
+  for (const Row& row :
+       {Row{FamilyRule::madenci_oterkus, 0.25, 1.826}, Row{FamilyRule::madenci_oterkus, 0.3, 1.856}, Row{FamilyRule::madenci_oterkus, 0.4, 1.856},
+        Row{FamilyRule::hu_ha_bobaru, 0.25, 1.802}, Row{FamilyRule::hu_ha_bobaru, 0.3, 1.824}, Row{FamilyRule::hu_ha_bobaru, 0.4, 1.805}}) {
     CAPTURE(row.nu);
     CHECK(in_spacings(exact_stable_step(continuum_body(row.family, row.nu))) == doctest::Approx(row.exact).epsilon(0.005));
   }
@@ -53,6 +54,7 @@ TEST_CASE("stable step: below the exact limit a shaken block keeps its energy, a
     };
     // with velocities interpolated to the end of the step, the energy of an oscillator swings by (ω dt)²/4 < 1/4 at ω dt < 1
     CHECK(energy_after(0.9) == doctest::Approx(1.0).epsilon(0.25));
-    CHECK_FALSE(energy_after(2.6) < 100);  // or not a number by then. Corners, where fewer bonds pull but with larger factors, go first; 2.05 is the interior's limit
+    CHECK_FALSE(energy_after(2.6) <
+                100);  // or not a number by then. Corners, where fewer bonds pull but with larger factors, go first; 2.05 is the interior's limit
   }
 }
