@@ -16,8 +16,11 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "fccda/body/pose.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/detect/points.hpp"
 #include "fccda/region/all_regions.hpp"
 #include "fccda/search/bvh.hpp"
 #include "fccda/surface/surface.hpp"
@@ -77,5 +80,15 @@ class PathTest {
   double radius_;
   double size_;
 };
+
+/// The points that are inside at t0 of the coming step. Touching is not inside: 1e-9 of the surface's size is allowed for, far more than
+/// the rounding of coordinates and far less than what contact would show.
+template <Points P>
+std::vector<std::size_t> starting_inside(const PathTest& test, const P& points, const Pose& pose) {
+  std::vector<std::size_t> inside;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points.occupied(i) && test.is_inside(pose.to_body(points.position_t0(i)), 1e-9 * test.size())) inside.push_back(i);
+  return inside;
+}
 
 }  // namespace fccda

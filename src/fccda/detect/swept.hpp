@@ -58,14 +58,11 @@ class Swept {
   /// Forgets what is known of distances: after points were renumbered. Changes no contact.
   void forget();
 
-  /// The points whose centre is inside the surface, or nearer to it than the contact radius, at the poses of t0; in front of an open
-  /// surface. Touching is not inside: 1e-9 of the surface's size is allowed for.
+  /// The points whose centre is inside the surface, or nearer to it than the contact radius, at t0 of the coming step; in front of an
+  /// open surface. Touching is not inside.
   template <Points P>
   std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
-    std::vector<std::size_t> inside;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (points.occupied(i) && test_.is_inside(pose.to_body(points.position_t0(i)), 1e-9 * test_.size())) inside.push_back(i);
-    return inside;
+    return fccda::starting_inside(test_, points, pose);
   }
 
   /// How many points came to be inside where the surface is not felt (beyond a clipping region, round the rim of an open surface).

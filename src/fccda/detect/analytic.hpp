@@ -1,0 +1,104 @@
+/// Contact with a sphere or an infinite circular cylinder by the distance to its centre or axis (seed paper, section 2.2, eqs. 6 to 8):
+/// the "original" peridynamic contact, and what meshes of those shapes converge to.
+///
+/// A point touches where its path, straight in the frame of the body, comes nearer to the centre or axis than R + r. It is put back at
+/// that distance, straight out from where the path ends; but if the path ends beyond the centre, or has gone right through, where the
+/// point first touched.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "fccda/body/pose.hpp"
+#include "fccda/core/parallel.hpp"
+#include "fccda/detect/contact.hpp"
+#include "fccda/detect/points.hpp"
+#include "fccda/region/all_regions.hpp"
+
+namespace fccda {
+
+/// In the frame of the body.
+struct Sphere {
+  double radius = 0;  ///< [m]
+  Vec3d centre{};     ///< [m]
+  Vec3d from_centre(const Vec3d& point) const { return point - centre; }
+};
+
+struct InfiniteCylinder {
+  double radius = 0;    ///< [m]
+  Vec3d point{};        ///< [m] of the axis
+  Vec3d axis{0, 0, 1};  ///< unit
+  Vec3d from_centre(const Vec3d& place) const {
+    const Vec3d line = place - point;
+    return line - dot(line, axis) * axis;
+  }
+};
+
+using AnalyticShape = std::variant<Sphere, InfiniteCylinder>;
+
+class Analytic {
+ public:
+  static constexpr std::string_view name = "analytic";
+
+  /// `radius`: contact radius [m].
+  Analytic(const AnalyticShape& shape, const Region& region, double radius) : shape_(shape), region_(region), radius_(radius) {}
+
+  /// Adds the contacts of one step to `out`, in point order. Asks every point; the travel of the surface is not needed.
+  template <Points P>
+  void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
+    found_.resize(points.block_count());
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(points.block_count()), [&](std::ptrdiff_t k) {
+      const auto b = static_cast<std::size_t>(k);
+      found_[b] = {};
+      for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i)
+        if (points.occupied(i)) look_at(i, points.position_t0(i), points.position_t1(i), motion, found_[b]);
+    });
+    for (const Found& found : found_) {
+      out.insert(out.end(), found.contacts.begin(), found.contacts.end());
+      effort_ += found.effort;
+    }
+  }
+
+  void moved(std::size_t) {}  ///< nothing is remembered
+  void forget() {}
+
+  /// The points nearer than R + r at the poses of t0. Touching is not inside: 1e-9 R is allowed for.
+  template <Points P>
+  std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
+    std::vector<std::size_t> inside;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points.occupied(i) && is_inside(pose.to_body(points.position_t0(i)))) inside.push_back(i);
+    return inside;
+  }
+
+  const Effort& effort() const { return effort_; }
+  double contact_radius() const { return radius_; }  ///< [m]
+
+  template <class Visitor>
+  void visit_state(Visitor&&) {}
+
+ private:
+  struct Found {
+    std::vector<Contact> contacts;
+    Effort effort;
+  };
+
+  double shape_radius() const {
+    return std::visit([](const auto& shape) { return shape.radius; }, shape_);
+  }
+  Vec3d from_centre(const Vec3d& point) const {
+    return std::visit([&](const auto& shape) { return shape.from_centre(point); }, shape_);
+  }
+  bool is_inside(const Vec3d& point) const;
+  void look_at(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const;
+
+  AnalyticShape shape_;
+  Region region_;
+  double radius_;
+  Effort effort_;
+  std::vector<Found> found_;  // of each block
+};
+
+}  // namespace fccda
