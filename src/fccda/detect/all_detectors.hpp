@@ -1,12 +1,20 @@
-/// The one list of detectors.
+/// The one list of detectors. All are asked alike:
+///
+///   detect(points, motion, surface_travel, out)   adds the contacts of a step, in point order
+///   starting_inside(points, pose)                 points that are inside before the first step
+///   moved(point), forget()                        what a detector remembers of distances does not hold any more
+///   effort()                                      work done so far
+///   visit_state(visitor)                          what the next step depends on
 #pragma once
 
 #include <variant>
 
 #include "fccda/detect/analytic.hpp"
+#include "fccda/detect/published.hpp"
+#include "fccda/detect/swept.hpp"
 
 namespace fccda {
 
-using Detector = std::variant<Analytic>;
+using Detector = std::variant<Swept, Published, Analytic>;
 
 }  // namespace fccda

@@ -1,62 +1,104 @@
-/// Contact with a sphere or an infinite cylinder by the distance to its centre or axis: the "original" peridynamic contact
-/// (seed paper, section 2.2, eq. 7), here with a contact radius.
+/// Contact with a sphere or an infinite circular cylinder by the distance to its centre or axis (seed paper, section 2.2, eqs. 6 to 8):
+/// the "original" peridynamic contact, and what meshes of those shapes converge to.
+///
+/// A point touches where its path, straight in the frame of the body, comes nearer to the centre or axis than R + r. It is put back at
+/// that distance, straight out from where the path ends; but if the path ends beyond the centre, or has gone right through, where the
+/// point first touched.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <optional>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "fccda/body/pose.hpp"
 #include "fccda/core/parallel.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/points.hpp"
+#include "fccda/region/all_regions.hpp"
 
 namespace fccda {
 
+/// In the frame of the body.
+struct Sphere {
+  double radius = 0;  ///< [m]
+  Vec3d centre{};     ///< [m]
+  Vec3d from_centre(const Vec3d& point) const { return point - centre; }
+};
+
+struct InfiniteCylinder {
+  double radius = 0;    ///< [m]
+  Vec3d point{};        ///< [m] of the axis
+  Vec3d axis{0, 0, 1};  ///< unit
+  Vec3d from_centre(const Vec3d& place) const {
+    const Vec3d line = place - point;
+    return line - dot(line, axis) * axis;
+  }
+};
+
+using AnalyticShape = std::variant<Sphere, InfiniteCylinder>;
+
 class Analytic {
  public:
-  /// `axis`: direction of the cylinder's axis through the body's origin, zero for a sphere.
-  Analytic(double radius, const Vec3d& axis, double contact_radius) : reach_(radius + contact_radius), contact_radius_(contact_radius), axis_(axis) {}
+  static constexpr std::string_view name = "analytic";
 
-  /// Appends the contacts of this step, in point order.
+  /// `radius`: contact radius [m].
+  Analytic(const AnalyticShape& shape, const Region& region, double radius) : shape_(shape), region_(region), radius_(radius) {}
+
+  /// Adds the contacts of one step to `out`, in point order. Asks every point; the travel of the surface is not needed.
   template <Points P>
-  void detect(const P& points, const Motion& motion, double surface_travel, std::vector<Contact>& contacts) {
-    clearance_.resize(points.block_count(), 0.0);
-    std::vector<std::vector<Contact>> found(points.block_count());
-    parallel_for(static_cast<std::ptrdiff_t>(points.block_count()), [&](std::ptrdiff_t b) {
-      const std::size_t block = static_cast<std::size_t>(b);
-      clearance_[block] -= surface_travel + points.block_travel(block);
-      if (clearance_[block] > 0) return;
-      double nearest = std::numeric_limits<double>::infinity();
-      for (std::size_t i = points.block_begin(block); i < points.block_end(block); ++i) {
-        if (!points.occupied(i)) continue;
-        const Vec3d end = motion.t1.to_body(points.position_t1(i));
-        const Vec3d arm = end - dot(end, axis_) * axis_;
-        const double distance = norm(arm);
-        nearest = std::min(nearest, std::fabs(distance - reach_));
-        if (!(distance < reach_) || distance == 0) continue;
-        const Vec3d normal = arm / distance;
-        found[block].push_back({.point = i,
-                                .hit = motion.t1.to_world(end + (reach_ - contact_radius_ - distance) * normal),
-                                .normal = motion.t1.turn_to_world(normal),
-                                .relocation = motion.t1.to_world(end + (reach_ - distance) * normal),
-                                .depth = reach_ - distance});
-      }
-      clearance_[block] = found[block].empty() ? nearest : 0.0;
+  void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
+    found_.resize(points.block_count());
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(points.block_count()), [&](std::ptrdiff_t k) {
+      const auto b = static_cast<std::size_t>(k);
+      found_[b] = {};
+      for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i)
+        if (points.occupied(i)) look_at(i, points.position_t0(i), points.position_t1(i), motion, found_[b]);
     });
-    for (const auto& of_block : found) contacts.insert(contacts.end(), of_block.begin(), of_block.end());
+    for (const Found& found : found_) {
+      out.insert(out.end(), found.contacts.begin(), found.contacts.end());
+      effort_ += found.effort;
+    }
   }
+
+  void moved(std::size_t) {}  ///< nothing is remembered
+  void forget() {}
+
+  /// The points nearer than R + r at the poses of t0. Touching is not inside: 1e-9 R is allowed for.
+  template <Points P>
+  std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
+    std::vector<std::size_t> inside;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points.occupied(i) && is_inside(pose.to_body(points.position_t0(i)))) inside.push_back(i);
+    return inside;
+  }
+
+  const Effort& effort() const { return effort_; }
+  double contact_radius() const { return radius_; }  ///< [m]
 
   template <class Visitor>
   void visit_state(Visitor&&) {}
-  Effort effort() const { return {}; }
 
  private:
-  double reach_;           // [m] radius + contact radius
-  double contact_radius_;  // [m]
-  Vec3d axis_;
-  std::vector<double> clearance_;  // [m] what each block may still travel; a cache, not state
+  struct Found {
+    std::vector<Contact> contacts;
+    Effort effort;
+  };
+
+  double shape_radius() const {
+    return std::visit([](const auto& shape) { return shape.radius; }, shape_);
+  }
+  Vec3d from_centre(const Vec3d& point) const {
+    return std::visit([&](const auto& shape) { return shape.from_centre(point); }, shape_);
+  }
+  bool is_inside(const Vec3d& point) const;
+  void look_at(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const;
+
+  AnalyticShape shape_;
+  Region region_;
+  double radius_;
+  Effort effort_;
+  std::vector<Found> found_;  // of each block
 };
 
 }  // namespace fccda

@@ -1,0 +1,51 @@
+#include "fccda/detect/analytic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fccda {
+
+bool Analytic::is_inside(const Vec3d& point) const {
+  const double radius = shape_radius();
+  const Vec3d from = from_centre(point);
+  const double distance = norm(from);
+  const Vec3d on_surface = distance > 0 ? point - (1 - radius / distance) * from : point;
+  return distance < radius + radius_ - 1e-9 * radius && std::visit([&](const auto& region) { return region.contains(on_surface); }, region_);
+}
+
+void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const {
+  const Path path{motion.t0.to_body(position_t0), motion.t1.to_body(position_t1)};
+  const double reach = shape_radius() + radius_;
+  const double offset = 1e-12 * reach;
+  if (!std::visit([&](const auto& region) { return region.may_touch(path, radius_ + offset); }, region_)) return;
+  ++found.effort.points_in_region;
+  ++found.effort.points_asked;
+
+  // |a + f w| <= reach, a and w being the start's and the way's parts off the centre or axis
+  const Vec3d a = from_centre(path.start), z = from_centre(path.end), w = z - a;
+  const double aw = dot(a, w), ww = squared_norm(w), end = norm(z);
+  const double nearest = ww > 0 ? std::clamp(-aw / ww, 0.0, 1.0) : 0.0;
+  const double limit = reach - offset;
+  if (!(norm(a + nearest * w) < limit)) return;
+  const double before = squared_norm(a) - reach * reach;
+  if (before < 0 && end >= limit) return;  // starts inside and leaves
+  const double discriminant = aw * aw - ww * before;
+  const double first = before > 0 && ww > 0 ? std::clamp((-aw - std::sqrt(std::max(0.0, discriminant))) / ww, 0.0, 1.0) : 0.0;
+
+  const Vec3d touching = normalised(a + first * w);
+  const Vec3d hit = path.at(first) - (norm(a + first * w) - shape_radius()) * touching;
+  if (!std::visit([&](const auto& region) { return region.contains(hit); }, region_)) return;
+
+  Vec3d normal = normalised(z), place = path.end + (reach + offset - end) * normal;
+  const bool seen = end < limit && dot(a, z) > 0;
+  if (!seen) normal = touching, place = path.at(first) + offset * touching;
+  found.contacts.push_back({.point = point,
+                            .panel = -1,
+                            .time_fraction = first,
+                            .hit = motion.t1.to_world(hit),
+                            .normal = motion.t1.turn_to_world(normal),
+                            .relocation = motion.t1.to_world(place),
+                            .depth = norm(place - path.end)});
+}
+
+}  // namespace fccda

@@ -1,0 +1,94 @@
+/// The geometry of one point against the surface over one step, in the frame of the body.
+///
+/// A point is a ball of the contact radius r >= 0. Its path is the straight line between its places at the two ends of the step; the
+/// ends are exact and consecutive paths join, so nothing gets through unseen, and the arc of a rotating body bulges out of the chord by
+/// R θ²/8 only. The ball touches where the path comes nearer to the surface than r, or crosses it from the front. It is put back
+///   - at the distance r from the surface's point that is closest to the end of the path, among the triangles that face its start
+///     (the far side of a thin blade does not),
+///   - in concave places, further out until it is r away from everything,
+///   - and if the straight way there is not clear, where it was first touched, which is always a place to be.
+/// An offset of max(1e-12 size, 32 ε max|coordinate|) is added to r there, and taken off where contact is asked for: rest at the
+/// surface, and motion away from it, is no contact.
+///
+/// Sides: a closed surface has an inside, by the pseudonormal of the closest feature (Bærentzen and Aanæs 2005). An open one has a
+/// front; contact comes from there only, and beyond its rim no side is known, so only crossing counts.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "fccda/body/pose.hpp"
+#include "fccda/detect/contact.hpp"
+#include "fccda/detect/points.hpp"
+#include "fccda/region/all_regions.hpp"
+#include "fccda/search/bvh.hpp"
+#include "fccda/surface/surface.hpp"
+
+namespace fccda {
+
+/// A contact in the frame of the body.
+struct Touch {
+  double time_fraction;
+  Vec3d hit;         ///< [m] of the surface, where it is first touched
+  Vec3d normal;      ///< unit, out of the surface, at the place of relocation
+  Vec3d relocation;  ///< [m]
+  int triangle;      ///< of the relocation
+};
+
+struct PathQuestion {
+  Path path;
+  double offset = 0;      ///< [m]
+  double look_ahead = 0;  ///< [m] how far beyond the reach of contact a distance is worth knowing
+  bool entered = false;   ///< the point is known to have come in where the surface is not felt
+};
+
+struct PathAnswer {
+  std::optional<Touch> touch{};
+  double clearance = 0;  ///< [m] the surface is at least this much further than contact reaches, at the end of the path
+  bool enters = false;   ///< came in where the surface is not felt: not struck before it is outside again
+  bool leaves = false;   ///< was such a point, and is outside again
+};
+
+class PathTest {
+ public:
+  PathTest(std::shared_ptr<const Surface> surface, Region region, double radius);
+
+  /// `guess`: a triangle thought to be near, or -1; updated.
+  PathAnswer ask(const PathQuestion& question, int& guess, Effort& effort) const;
+
+  /// Inside the surface, or nearer to it than the contact radius by more than `tolerance` [m]; in front of it where it is open.
+  bool is_inside(const Vec3d& point, double tolerance) const;
+
+  const Surface& surface() const { return *surface_; }
+  const Bvh& bvh() const { return bvh_; }
+  double radius() const { return radius_; }  ///< [m]
+  double size() const { return size_; }      ///< [m] the largest extent of the surface
+
+ private:
+  int side(const ClosestPoint& closest, const Vec3d& point) const;
+  double signed_distance(const ClosestPoint& closest, const Vec3d& point) const { return side(closest, point) * closest.distance; }
+  Vec3d outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const;
+  bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance) const;
+  bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, double radius, double offset, std::size_t& asked) const;
+  Touch first_touch(const Path& path, const ClosestPoint& at_start, double radius, double offset, std::size_t& asked) const;
+  void relocate(Touch& touch, const Path& path, double radius, double offset, std::size_t& asked) const;
+
+  std::shared_ptr<const Surface> surface_;
+  Bvh bvh_;
+  Region region_;
+  double radius_;
+  double size_;
+};
+
+/// The points that are inside at t0 of the coming step. Touching is not inside: 1e-9 of the surface's size is allowed for, far more than
+/// the rounding of coordinates and far less than what contact would show.
+template <Points P>
+std::vector<std::size_t> starting_inside(const PathTest& test, const P& points, const Pose& pose) {
+  std::vector<std::size_t> inside;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points.occupied(i) && test.is_inside(pose.to_body(points.position_t0(i)), 1e-9 * test.size())) inside.push_back(i);
+  return inside;
+}
+
+}  // namespace fccda

@@ -1,0 +1,126 @@
+/// The seed paper's own detector (sections 3.1 to 3.3): for each point in the bounding box, a loop over all panels, each taken as an
+/// infinite plane. It is the reference that others compare with and the baseline of the benchmarks; every crossing it misses is put down
+/// to the equation that rejected it. Quads stay quads, panels are moved to the world frame, the contact radius is 0.
+///
+/// `letter`: the equations as printed, misprints of dimension mended (unit normals in eq. 18; x_pen there read as the point; its sign so
+/// that the point goes to the plane and not away from it). x^t is compared with the plane at t and x^{t+Δt} with the plane at t+Δt, for
+/// otherwise a point at rest is never struck.
+///   eq. 14  the y and z of x^t lie within those of the panel's nodes at t. A panel normal to y or z has no such range.
+///   eq. 15  the projection of x^t on the x–y plane lies within that of the panel, by the sum of areas, to 1e-9 of the panel's area.
+///           For a panel parallel to z that area is 0, and only points exactly on its line pass: of a cylinder with its axis along z
+///           the letter finds no contact at all on the lateral surface.
+///   eq. 17  the point changes sides, in either direction.
+///   eq. 20  A x^t + B y^t + C z^t + D <= 0 where the point is not above the origin of the body, >= 0 where it is. With normals
+///           outward, as the paper has them, this refuses every contact from below.
+/// So the paper's own plate (section 5) cannot run by the letter.
+///
+/// `repaired`: the reading under which it can.
+///   eq. 14  in x, y and z; what the point passes from t to t+Δt and what the panel passes must have a range in common.
+///   eq. 15  at t+Δt, projected along the largest component of the normal: on the plane of the two smaller ones.
+///   eq. 17  from outside to inside only.
+///   eq. 18  clamped to the panel, and 1e-12 of the surface's size off it: of the points put exactly on a plane, rounding has half
+///           inside in the next step, and those would never be struck again.
+///   eq. 20  left out: with outward normals the sign is the same everywhere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "fccda/body/pose.hpp"
+#include "fccda/core/parallel.hpp"
+#include "fccda/detect/contact.hpp"
+#include "fccda/detect/path_test.hpp"
+#include "fccda/detect/points.hpp"
+#include "fccda/region/all_regions.hpp"
+#include "fccda/surface/surface.hpp"
+
+namespace fccda {
+
+/// How many pairs of point and panel each equation turned down; a pair is counted at the first one that does.
+struct Rejections {
+  std::size_t by_eq14 = 0, by_eq15 = 0, by_eq17 = 0, by_eq20 = 0;
+
+  Rejections& operator+=(const Rejections& b) {
+    by_eq14 += b.by_eq14, by_eq15 += b.by_eq15, by_eq17 += b.by_eq17, by_eq20 += b.by_eq20;
+    return *this;
+  }
+};
+
+class Published {
+ public:
+  static constexpr std::string_view name = "published";
+  enum class Reading { repaired, letter };
+
+  Published(std::shared_ptr<const Surface> surface, const Region& region, Reading reading);
+
+  /// Adds the contacts of one step to `out`, in point order. The travel of the surface is not needed.
+  template <Points P>
+  void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
+    place(motion);
+    found_.resize(points.block_count());
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(points.block_count()), [&](std::ptrdiff_t k) {
+      const auto b = static_cast<std::size_t>(k);
+      found_[b] = {};
+      for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i)
+        if (points.occupied(i)) look_at(i, points.position_t0(i), points.position_t1(i), motion, found_[b]);
+    });
+    for (const Found& found : found_) {
+      out.insert(out.end(), found.contacts.begin(), found.contacts.end());
+      effort_ += found.effort;
+      rejections_ += found.rejections;
+    }
+  }
+
+  void moved(std::size_t) {}  ///< nothing is remembered
+  void forget() {}
+
+  /// As Swept answers it, for points without extent.
+  template <Points P>
+  std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
+    return fccda::starting_inside(PathTest(surface_, region_, 0), points, pose);
+  }
+
+  const Effort& effort() const { return effort_; }
+  const Rejections& rejections() const { return rejections_; }  ///< of all detections so far
+
+  template <class Visitor>
+  void visit_state(Visitor&&) {}
+
+ private:
+  /// A panel in the world frame at one time: A x + B y + C z + D = 0 with unit (A, B, C).
+  struct Plane {
+    std::array<Vec3d, 4> node{};
+    std::size_t nodes = 0;  // 3 or 4; 0 for a panel that the surface dropped
+    Vec3d normal{};
+    double d = 0;
+    Box box;
+    double height(const Vec3d& point) const { return dot(normal, point) + d; }
+  };
+
+  struct Found {
+    std::vector<Contact> contacts;
+    Effort effort;
+    Rejections rejections;
+  };
+
+  void place(const Motion& motion);
+  Plane plane(std::size_t panel, const Pose& pose) const;
+  void look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const;
+  bool accepts_by_letter(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Rejections& rejections) const;
+  bool accepts_repaired(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, Rejections& rejections) const;
+  Vec3d relocated(const Plane& plane, const Vec3d& x_t1) const;
+
+  std::shared_ptr<const Surface> surface_;
+  Region region_;
+  Reading reading_;
+  std::vector<int> sign_;             // of each panel's normal as wound: -1 where the surface was turned outward, 0 where it was dropped
+  std::vector<Plane> at_t0_, at_t1_;  // of this step
+  Effort effort_;
+  Rejections rejections_;
+  std::vector<Found> found_;  // of each block
+};
+
+}  // namespace fccda

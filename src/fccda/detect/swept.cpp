@@ -1,0 +1,72 @@
+#include "fccda/detect/swept.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fccda {
+
+// How much nearer to the surface the chord of a point's path in the turning body frame can come, for a travel of m = (point) + (surface)
+// from end to end. The true path comes nearer by at most m. It bulges out of its chord by at most (ρ θ² + 2 θ w)/8, a twice integrated
+// acceleration, where ρ <= R + d is the point's distance from the centre of mass, d that from the surface, and w <= m its way. m holds
+// R θ²/8 already. So nothing can be touched while d > r + m + d θ²/8 + θ m/4, that is while
+//   d - r > κ (1 + θ/4) m + (κ - 1) r,   κ = 1/(1 - θ²/8).
+void Swept::measure(const Motion& motion) {
+  const Vec3d reach = max(max(test_.surface().report().bounds.high, -test_.surface().report().bounds.low), Vec3d{});
+  const double largest = norm(reach) + std::max(largest_magnitude(motion.t0.position()), largest_magnitude(motion.t1.position()));
+  step_.offset = std::max(1e-12 * test_.size(), 32 * std::numeric_limits<double>::epsilon() * largest);
+  const double angle = rotation_angle(motion);
+  constexpr double largest_angle = 1;  // κ is 1.14 there
+  if (!(angle <= largest_angle)) {
+    forget();
+    step_.stretch = 1, step_.allowance = 0;
+    return;
+  }
+  const double kappa = 1 / (1 - angle * angle / 8);
+  step_.stretch = kappa * (1 + angle / 4);
+  step_.allowance = (kappa - 1) * test_.radius();
+}
+
+void Swept::forget() {
+  due_.forget();
+  std::fill(guess_.begin(), guess_.end(), -1);
+}
+
+void Swept::look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, double look_ahead,
+                    Found& found) {
+  const Path path{motion.t0.to_body(position_t0), motion.t1.to_body(position_t1)};
+  const bool entered = std::binary_search(entered_.begin(), entered_.end(), point);
+  const bool fresh = due_.is_new(point);
+  const PathAnswer answer =
+      test_.ask({.path = path, .offset = step_.offset, .look_ahead = fresh ? Bvh::no_cap : look_ahead, .entered = entered}, guess_[point], found.effort);
+  due_.postpone(block, point, answer.clearance);
+  if (answer.enters && !entered) found.entering.push_back(point);
+  if (answer.leaves) found.leaving.push_back(point);
+  if (!answer.touch) return;
+  const Touch& touch = *answer.touch;
+  found.contacts.push_back({.point = point,
+                            .panel = test_.surface().triangles()[static_cast<std::size_t>(touch.triangle)].panel,
+                            .time_fraction = touch.time_fraction,
+                            .hit = motion.t1.to_world(touch.hit),
+                            .normal = motion.t1.turn_to_world(touch.normal),
+                            .relocation = motion.t1.to_world(touch.relocation),
+                            .depth = norm(touch.relocation - path.end)});
+}
+
+void Swept::gather(std::vector<Contact>& out) {
+  std::vector<std::uint64_t> entering, leaving;
+  for (std::size_t k = 0; k < due_blocks_.size(); ++k) {
+    const Found& found = found_[k];
+    out.insert(out.end(), found.contacts.begin(), found.contacts.end());
+    entering.insert(entering.end(), found.entering.begin(), found.entering.end());
+    leaving.insert(leaving.end(), found.leaving.begin(), found.leaving.end());
+    effort_ += found.effort;
+  }
+  if (entering.empty() && leaving.empty()) return;
+  std::erase_if(entered_, [&](std::uint64_t point) { return std::binary_search(leaving.begin(), leaving.end(), point); });
+  entered_.insert(entered_.end(), entering.begin(), entering.end());
+  std::sort(entered_.begin(), entered_.end());
+  entered_count_ += entering.size();
+}
+
+}  // namespace fccda

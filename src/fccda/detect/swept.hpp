@@ -1,0 +1,130 @@
+/// The swept detector: every crossing found, whatever the shape and its orientation, and most points never looked at.
+///
+/// What a contact is and where the point goes is path_test.hpp; which points are looked at is search/due.hpp. Points are dealt with in
+/// blocks, in parallel; contacts come out in point order and do not depend on the number of threads.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fccda/body/pose.hpp"
+#include "fccda/core/parallel.hpp"
+#include "fccda/detect/contact.hpp"
+#include "fccda/detect/path_test.hpp"
+#include "fccda/detect/points.hpp"
+#include "fccda/search/due.hpp"
+
+namespace fccda {
+
+class Swept {
+ public:
+  static constexpr std::string_view name = "swept";
+
+  /// `radius`: contact radius [m], 0 for points without extent.
+  Swept(std::shared_ptr<const Surface> surface, const Region& region, double radius) : test_(std::move(surface), region, radius) {}
+
+  /// Adds the contacts of one step to `out`, in point order. `surface_travel` [m]: no point of the surface moves further in this step,
+  /// arc and chord included (RigidBody::travel_bound).
+  template <Points P>
+  void detect(const P& points, const Motion& motion, double surface_travel, std::vector<Contact>& out) {
+    begin(points, motion);
+    due_blocks_.clear();
+    for (std::size_t b = 0; b < points.block_count(); ++b)
+      if (due_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
+    if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
+      const std::size_t b = due_blocks_[static_cast<std::size_t>(k)];
+      Found& found = found_[static_cast<std::size_t>(k)];
+      found.clear();
+      const double look_ahead = looks_ahead * step_.approach(points.block_travel(b) + surface_travel);
+      for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
+        if (!due_.is_due(b, i)) continue;
+        if (points.occupied(i))
+          look_at(b, i, points.position_t0(i), points.position_t1(i), motion, look_ahead, found);
+        else
+          due_.postpone(b, i, Bvh::no_cap);
+      }
+      due_.settle(b);
+    });
+    gather(out);
+  }
+
+  /// Somebody else displaced point i after the last detection.
+  void moved(std::size_t i) { due_.forget(i); }
+
+  /// Forgets what is known of distances: after points were renumbered. Changes no contact.
+  void forget();
+
+  /// The points whose centre is inside the surface, or nearer to it than the contact radius, at t0 of the coming step; in front of an
+  /// open surface. Touching is not inside.
+  template <Points P>
+  std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
+    return fccda::starting_inside(test_, points, pose);
+  }
+
+  /// How many points came to be inside where the surface is not felt (beyond a clipping region, round the rim of an open surface).
+  /// They were not struck.
+  std::uint64_t entered_inside() const { return entered_count_; }
+
+  const Effort& effort() const { return effort_; }  ///< of all detections so far
+  const Surface& surface() const { return test_.surface(); }
+  double contact_radius() const { return test_.radius(); }  ///< [m]
+
+  /// Calls visit(name, list of numbers) for what the next step depends on; the visitor may write. Distances known are no state.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit(std::string_view("points_inside"), entered_);
+    visit(std::string_view("entered_inside"), entered_count_);
+  }
+
+ private:
+  /// Distances are looked up this many steps ahead: most points met are then not asked again for as long.
+  static constexpr double looks_ahead = 64;
+
+  /// How the motion of this step counts.
+  struct Step {
+    double offset = 0;     // [m] of relocated points
+    double stretch = 1;    // of distances travelled
+    double allowance = 0;  // [m]
+    double approach(double travel) const { return stretch * travel + allowance; }
+  };
+
+  struct Found {
+    std::vector<Contact> contacts;
+    std::vector<std::uint64_t> entering, leaving;
+    Effort effort;
+    void clear() { contacts.clear(), entering.clear(), leaving.clear(), effort = {}; }
+  };
+
+  template <Points P>
+  void begin(const P& points, const Motion& motion) {
+    blocks_.clear();
+    for (std::size_t b = 0; b < points.block_count(); ++b) blocks_.push_back(points.block_begin(b));
+    blocks_.push_back(points.size());
+    if (due_.differs_from(blocks_)) {
+      due_.start(blocks_);
+      guess_.assign(points.size(), -1);
+    }
+    measure(motion);
+  }
+
+  void measure(const Motion& motion);
+  void look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, double look_ahead, Found& found);
+  void gather(std::vector<Contact>& out);
+
+  PathTest test_;
+  Step step_;
+  std::vector<std::uint64_t> entered_;  // points inside where the surface is not felt, in order: state
+  std::uint64_t entered_count_ = 0;     // how many ever were: state
+  Effort effort_;
+
+  Due due_;                 // caches from here on
+  std::vector<int> guess_;  // the triangle last found near each point
+  std::vector<std::size_t> blocks_, due_blocks_;
+  std::vector<Found> found_;  // of each due block
+};
+
+}  // namespace fccda
