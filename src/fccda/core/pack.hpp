@@ -38,8 +38,8 @@ requires std::is_same_v<Pack, double>
 double load(const double* from) { return *from; }
 inline void store(double* to, double a) { *to = a; }
 inline double fused(double a, double b, double c) { return std::fma(a, b, c); }  ///< a·b + c, rounded once
-inline double square_root(double a) { return std::sqrt(a); }
 inline double inverse_square_root(double a) { return 1 / std::sqrt(a); }
+inline double length_of(double squared) { return std::sqrt(squared); }  ///< √a where 1/√a is not needed too
 inline double keep_where(unsigned bits, double a) { return (bits & 1u) ? a : 0.0; }
 inline unsigned bits_where_greater(double a, double b) { return a > b ? 1u : 0u; }
 inline double larger(double a, double b) { return a > b ? a : b; }
@@ -66,7 +66,6 @@ template <class Pack>
 requires std::is_same_v<Pack, Pack8> Pack8 load(const double* from) { return _mm512_loadu_pd(from); }
 inline void store(double* to, Pack8 a) { _mm512_storeu_pd(to, a.v); }
 inline Pack8 fused(Pack8 a, Pack8 b, Pack8 c) { return _mm512_fmadd_pd(a.v, b.v, c.v); }
-inline Pack8 square_root(Pack8 a) { return _mm512_sqrt_pd(a.v); }
 /// 1/√a to about one unit in the last place: the 14-bit estimate y, then y (1 + e/2 + 3e²/8 + 5e³/16) with e = 1 - a y²,
 /// whose remainder is below 2⁻⁵³. Six multiply-adds in place of a root and a division, which share one slow unit.
 inline Pack8 inverse_square_root(Pack8 a) {
@@ -76,6 +75,7 @@ inline Pack8 inverse_square_root(Pack8 a) {
   series = _mm512_fmadd_pd(e, series, _mm512_set1_pd(0.5));
   return _mm512_fmadd_pd(_mm512_mul_pd(y, e), series, y);
 }
+inline Pack8 length_of(Pack8 squared) { return squared * inverse_square_root(squared); }
 inline Pack8 keep_where(unsigned bits, Pack8 a) { return _mm512_maskz_mov_pd(static_cast<__mmask8>(bits), a.v); }
 inline unsigned bits_where_greater(Pack8 a, Pack8 b) { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ); }
 inline Pack8 larger(Pack8 a, Pack8 b) { return _mm512_max_pd(a.v, b.v); }
@@ -102,8 +102,8 @@ template <class Pack>
 requires std::is_same_v<Pack, Pack4> Pack4 load(const double* from) { return _mm256_loadu_pd(from); }
 inline void store(double* to, Pack4 a) { _mm256_storeu_pd(to, a.v); }
 inline Pack4 fused(Pack4 a, Pack4 b, Pack4 c) { return _mm256_fmadd_pd(a.v, b.v, c.v); }
-inline Pack4 square_root(Pack4 a) { return _mm256_sqrt_pd(a.v); }
 inline Pack4 inverse_square_root(Pack4 a) { return _mm256_div_pd(_mm256_set1_pd(1.0), _mm256_sqrt_pd(a.v)); }
+inline Pack4 length_of(Pack4 squared) { return _mm256_sqrt_pd(squared.v); }
 inline Pack4 keep_where(unsigned bits, Pack4 a) {
   const __m256i lane = _mm256_set_epi64x(8, 4, 2, 1);
   const __m256i on = _mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(static_cast<long long>(bits)), lane), lane);

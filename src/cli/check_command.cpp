@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "cli/commands.hpp"
+#include "cli/open_deck.hpp"
+#include "cli/progress.hpp"
+#include "cli/surface_text.hpp"
+#include "fccda/core/parallel.hpp"
+#include "io/output/results_folder.hpp"
+#include "io/output/vtp.hpp"
+#include "io/results/results_writer.hpp"
+#include "perimpact/impact/approach.hpp"
+
+namespace perimpact {
+
+namespace {
+
+std::string bytes_in_words(double bytes) { return bytes < 1e9 ? fmt::format("{:.0f} MB", std::ceil(bytes / 1e6)) : fmt::format("{:.1f} GB", bytes / 1e9); }
+
+void print_body(const Body& body) {
+  const auto& cells = body.particles.lattice().cells;
+  fmt::print("body {}\n", body.name);
+  fmt::print("  {:<18}{} ({} x {} x {} cells of {:.4g} m)\n", "particles", body.particles.size(), cells[0], cells[1], cells[2], body.particles.lattice().spacing);
+  fmt::print("  {:<18}{} ({} an interior particle, horizon {:.4g} m)\n", "bonds", body.family.initial_bonds(), body.family.stencil().size(), body.family.stencil().horizon());
+  fmt::print("  {:<18}{:.5g} kg\n", "mass", body.particles.mass() * static_cast<double>(body.particles.size()));
+  fmt::print("  {:<18}{}\n", "memory", bytes_in_words(body.memory()));
+}
+
+void print_step(const Simulation& simulation) {
+  const Stability& stability = simulation.stability();
+  fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the estimate of Silling and Askari ({:.4g} s), {:.2f} of the lattice's exact limit ({:.4g} s)\n", "step", stability.step,
+             simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / stability.exact, stability.exact);
+}
+
+void print_approach(const Simulation& simulation, const Impactor& impactor) {
+  const double end = static_cast<double>(simulation.clock().steps) * simulation.clock().dt;
+  for (const Body& body : simulation.bodies()) {
+    const double radius = simulation.setup().contact.impactors.radius_ratio * body.particles.lattice().spacing;
+    const Approach found = approach(impactor, body.particles, radius, end);
+    if (found.touch)
+      fmt::print("  {:<18}touches {} at {:.4g} s (step {}), {:.4g} m away at the start\n", "first contact", body.name, *found.touch, std::lround(*found.touch / simulation.clock().dt), found.gap);
+    else
+      fmt::print("  {:<18}does not touch {} before the end: {:.4g} m away at the start. Check position, velocity and units.\n", "first contact", body.name, found.gap);
+  }
+}
+
+/// How long the run will take, from a few of its steps.
+void print_duration(Simulation& simulation) {
+  constexpr int trial_steps = 5;
+  simulation.step();  // warms caches
+  const auto begin = std::chrono::steady_clock::now();
+  const long first = simulation.clock().step;
+  while (simulation.clock().step < first + trial_steps && !simulation.clock().is_finished()) simulation.step();
+  const long done = simulation.clock().step - first;
+  if (done == 0) return;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / static_cast<double>(done) * static_cast<double>(simulation.clock().steps);
+  fmt::print("duration\n  about {} on {} threads, without pictures (from {} steps)\n", duration_in_words(seconds), fccda::thread_count(), done);
+}
+
+void write_pictures(const Simulation& simulation, const std::filesystem::path& folder) {
+  output::prepare_folder(folder);
+  for (const Body& body : simulation.bodies()) write_particles(folder / (body.name + ".vtp"), body, std::nullopt);
+  for (std::size_t i = 0; i < simulation.impactors().size(); ++i) {
+    const Impactor& impactor = simulation.impactors()[i];
+    write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor, std::nullopt);
+    if (const auto region = impactor.region_panels()) {
+      fccda::Panels panels = *region;
+      for (Vec3d& vertex : panels.vertices) vertex = impactor.body().pose().to_world(vertex);
+      output::write_vtp(folder / (impactor.name() + "_region.vtp"), {.points = output::coordinates(panels.vertices), .panels = panels.panels}, output::Compression::zlib);
+    }
+  }
+}
+
+}  // namespace
+
+int check_command(const DeckArguments& arguments) {
+  const deck::Deck deck = open_deck(arguments);
+  return with_places(deck, [&] {
+    Simulation simulation(deck.setup);
+    fmt::print("{}\n", deck.setup.title);
+    for (const Body& body : simulation.bodies()) print_body(body);
+    for (const Impactor& impactor : simulation.impactors()) {
+      fmt::print("impactor {}\n{}", impactor.name(), surface_text(impactor.surface().report()));
+      print_approach(simulation, impactor);
+    }
+    print_step(simulation);
+    for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
+    const std::filesystem::path folder = results_folder(arguments, deck.setup) / "check";
+    write_pictures(simulation, folder);
+    print_duration(simulation);
+    fmt::print("surfaces, regions and bodies are in {} as VTP\n", folder.string());
+    return 0;
+  });
+}
+
+}  // namespace perimpact

@@ -1,0 +1,29 @@
+/// What `perimpact` can do. Each command returns the exit code: 0, or 130 where Ctrl-C ended a run. Errors are thrown (main.cpp turns
+/// InputError into exit code 2 and RunError into 3).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace perimpact {
+
+/// What the commands that read a deck have in common.
+struct DeckArguments {
+  std::filesystem::path deck;
+  std::vector<std::string> set;  ///< key.path=value
+  std::string out;               ///< overrides output.folder unless empty
+  int threads = 0;               ///< 0: all processors
+};
+
+int run_command(const DeckArguments& arguments);
+int check_command(const DeckArguments& arguments);
+int describe_command(const std::string& key);
+
+struct MeshArguments {
+  std::filesystem::path file;
+  double scale = 1;
+};
+int mesh_command(const MeshArguments& arguments);
+
+}  // namespace perimpact

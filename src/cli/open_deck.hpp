@@ -1,0 +1,29 @@
+/// From the arguments of a command to a simulation, with every complaint carrying its place in the deck.
+#pragma once
+
+#include "cli/commands.hpp"
+#include "io/deck/deck.hpp"
+#include "perimpact/simulation/simulation.hpp"
+
+namespace perimpact {
+
+/// Reads the deck with its overrides and sets the number of threads.
+deck::Deck open_deck(const DeckArguments& arguments);
+
+std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup);
+
+/// Throws the exception that is being handled again, a SetupError as an InputError that begins with file, line and column.
+[[noreturn]] void rethrow_with_place(const deck::Deck& deck);
+
+/// Calls f() with its SetupErrors placed so.
+
+template <class F>
+auto with_places(const deck::Deck& deck, const F& f) {
+  try {
+    return f();
+  } catch (...) {
+    rethrow_with_place(deck);
+  }
+}
+
+}  // namespace perimpact

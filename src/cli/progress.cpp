@@ -1,0 +1,45 @@
+#include "cli/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace perimpact {
+
+std::string duration_in_words(double seconds) {
+  const long whole = std::lround(seconds);
+  if (whole >= 3600) return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+  if (whole >= 60) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} s", whole);
+}
+
+Progress::Progress() : is_terminal_(isatty(STDOUT_FILENO) != 0) {}
+
+double Progress::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+
+void Progress::after_step(const Simulation& simulation) {
+  const double now = seconds();
+  if (now - drawn_ >= (is_terminal_ ? 0.25 : 10.0)) draw(simulation, now);
+}
+
+void Progress::finish(const Simulation& simulation) {
+  draw(simulation, seconds());
+  if (is_terminal_) fmt::print("\n");
+}
+
+void Progress::draw(const Simulation& simulation, double now) {
+  const Clock& clock = simulation.clock();
+  const double share = static_cast<double>(clock.step) / static_cast<double>(clock.steps);
+  const double rate = now > 0 ? static_cast<double>(clock.step) / now : 0;
+  const double left = rate > 0 ? static_cast<double>(clock.steps - clock.step) / rate : 0;
+  const std::string line = fmt::format("{:5.1f} %  step {} of {}  t = {:.4g} s  {:.3g} steps/s  {} left  {} contacts", 100 * share, clock.step, clock.steps, clock.time(), rate,
+                                       duration_in_words(left), simulation.contacts());
+  if (is_terminal_) fmt::print("\r\033[K{}", line);
+  else fmt::print("{}\n", line);
+  std::fflush(stdout);
+  drawn_ = now;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,28 @@
+/// One line that says how far a run is: redrawn on a terminal, a line every ten seconds where the output goes into a file.
+#pragma once
+
+#include <chrono>
+
+#include "perimpact/simulation/simulation.hpp"
+
+namespace perimpact {
+
+class Progress {
+ public:
+  Progress();
+  void after_step(const Simulation& simulation);
+  void finish(const Simulation& simulation);  ///< draws a last time and ends the line
+  double seconds() const;                     ///< since construction
+
+ private:
+  void draw(const Simulation& simulation, double now);
+
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  bool is_terminal_;
+  double drawn_ = 0;      // [s] when last
+};
+
+/// "3 h 12 min", "4 min 05 s", "38 s"
+std::string duration_in_words(double seconds);
+
+}  // namespace perimpact

@@ -1,0 +1,12 @@
+/// A surface in words, for `check` and `mesh`.
+#pragma once
+
+#include <string>
+
+#include "fccda/surface/surface.hpp"
+
+namespace perimpact {
+
+std::string surface_text(const fccda::SurfaceReport& report);
+
+}  // namespace perimpact

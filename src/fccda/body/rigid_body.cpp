@@ -1,0 +1,81 @@
+#include "fccda/body/rigid_body.hpp"
+
+#include <string>
+
+#include "fccda/core/error.hpp"
+
+namespace fccda {
+
+namespace {
+
+/// x of a x = b by cofactors; a is symmetric and positive definite.
+Vec3d solve(const Mat3& a, const Vec3d& b) {
+  const Vec3d cofactors[3] = {cross(a.row[1], a.row[2]), cross(a.row[2], a.row[0]), cross(a.row[0], a.row[1])};
+  return (b.x * cofactors[0] + b.y * cofactors[1] + b.z * cofactors[2]) / dot(a.row[0], cofactors[0]);
+}
+
+bool positive_definite(const Mat3& a) {
+  const double first = a.row[0].x, second = a.row[0].x * a.row[1].y - a.row[0].y * a.row[1].x;
+  return first > 0 && second > 0 && dot(a.row[0], cross(a.row[1], a.row[2])) > 0;
+}
+
+}  // namespace
+
+RigidBody::RigidBody(const RigidBodyProperties& properties, const Pose& pose, const Vec3d& velocity, const Vec3d& angular_velocity, const FreeDegrees& degrees)
+    : properties_(properties), degrees_(degrees), com_(pose.to_world(properties.centre_of_mass)), velocity_(velocity), spin_(angular_velocity) {
+  if (!(properties.mass > 0)) throw InputError("rigid body: the mass is " + std::to_string(properties.mass) + " kg, but it must be positive.");
+  if (degrees.any_rotation() && !positive_definite(properties.inertia))
+    throw InputError("rigid body: a rotation is free, but the inertia is not positive definite; give the inertia or hold the rotations.");
+  place(pose.attitude());
+}
+
+Mat3 RigidBody::inertia() const { return pose_.rotation() * properties_.inertia * transpose(pose_.rotation()); }
+
+double RigidBody::kinetic_energy() const { return 0.5 * (properties_.mass * squared_norm(velocity_) + dot(spin_, inertia() * spin_)); }
+
+Vec3d RigidBody::angular_momentum(const Vec3d& point) const { return inertia() * spin_ + cross(com_ - point, momentum()); }
+
+void RigidBody::place(const Quaternion& attitude) {
+  const Pose turned({}, attitude);
+  pose_ = Pose(com_ - turned.turn_to_world(properties_.centre_of_mass), attitude);
+}
+
+Vec3d RigidBody::spin_of(const Vec3d& angular) const {
+  Mat3 reduced = inertia();
+  Vec3d right = angular;
+  for (std::size_t held = 0; held < 3; ++held) {
+    if (degrees_.rotation(held)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      right[axis] -= reduced.row[axis][held] * spin_[held];
+      reduced.row[axis][held] = 0;
+    }
+    reduced.row[held] = {};
+    reduced.row[held][held] = 1;
+    right[held] = spin_[held];
+  }
+  Vec3d spin = solve(reduced, right);
+  for (std::size_t held = 0; held < 3; ++held)
+    if (!degrees_.rotation(held)) spin[held] = spin_[held];  // to the bit: the solution rounds
+  return spin;
+}
+
+Motion RigidBody::advance(double dt) {
+  const Pose before = pose_;
+  com_ += dt * velocity_;
+  if (spin_ == Vec3d{}) {
+    place(pose_.attitude());
+    return {before, pose_, dt};
+  }
+  const Vec3d angular = inertia() * spin_;
+  place((Quaternion::from_rotation(dt * spin_) * pose_.attitude()).normalised());
+  if (degrees_.any_rotation()) spin_ = spin_of(angular);
+  return {before, pose_, dt};
+}
+
+void RigidBody::add_impulse(const Vec3d& linear, const Vec3d& angular) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (degrees_.translation(axis)) velocity_[axis] += linear[axis] / properties_.mass;
+  if (degrees_.any_rotation()) spin_ = spin_of(inertia() * spin_ + angular);
+}
+
+}  // namespace fccda

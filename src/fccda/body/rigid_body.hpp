@@ -1,0 +1,91 @@
+/// A rigid body of six degrees of freedom, each free or held at its velocity.
+///
+/// Free components follow
+///   m dv = J,    I_ff dω_f = (angular impulse)_f,    I = R I_body Rᵀ about the centre of mass,
+/// where f are the free world axes; held components keep their velocity whatever strikes the body. Between impulses the angular
+/// momentum along the free axes is constant: that is the gyroscopic term of Euler's equations in its conserved form.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "fccda/body/pose.hpp"
+
+namespace fccda {
+
+struct RigidBodyProperties {
+  double mass = 0;         ///< [kg]
+  Vec3d centre_of_mass{};  ///< [m] in the body frame
+  Mat3 inertia{};          ///< [kg m²] about the centre of mass, along the axes of the body frame
+};
+
+/// Which degrees of freedom impulses may change: translation along, then rotation about, the world's x, y and z.
+struct FreeDegrees {
+  std::array<bool, 6> free{};
+
+  bool translation(std::size_t axis) const { return free[axis]; }
+  bool rotation(std::size_t axis) const { return free[3 + axis]; }
+  bool any_rotation() const { return free[3] || free[4] || free[5]; }
+};
+
+class RigidBody {
+ public:
+  /// `velocity` [m/s] is that of the centre of mass, `angular_velocity` [rad/s] has world axes. Throws InputError where the mass is
+  /// not positive, or a rotation is free and the inertia cannot resist it.
+  RigidBody(const RigidBodyProperties& properties, const Pose& pose, const Vec3d& velocity, const Vec3d& angular_velocity, const FreeDegrees& degrees);
+
+  /// Moves the body for dt [s] with its current velocities: the centre of mass straight, the attitude by the exponential of ω dt.
+  Motion advance(double dt);
+
+  /// Changes the free velocities; `angular` is about the centre of mass [N s], [N m s].
+  void add_impulse(const Vec3d& linear, const Vec3d& angular);
+
+  const Pose& pose() const { return pose_; }
+  const Vec3d& position_of_com() const { return com_; }    ///< [m]
+  const Vec3d& velocity() const { return velocity_; }      ///< [m/s] of the centre of mass
+  const Vec3d& angular_velocity() const { return spin_; }  ///< [rad/s] about world axes
+  const RigidBodyProperties& properties() const { return properties_; }
+  const FreeDegrees& degrees() const { return degrees_; }
+  double mass() const { return properties_.mass; }                 ///< [kg]
+  Mat3 inertia() const;                                            ///< [kg m²] about the centre of mass, along world axes
+  double kinetic_energy() const;                                   ///< [J]
+  Vec3d momentum() const { return properties_.mass * velocity_; }  ///< [kg m/s]
+  Vec3d angular_momentum(const Vec3d& point) const;                ///< [kg m²/s] about a point of the world
+
+  /// `travel_bound` of pose.hpp for the points within `radius` [m] of the centre of mass.
+  double travel_bound(const Motion& motion, double radius) const { return fccda::travel_bound(motion, properties_.centre_of_mass, radius); }
+
+  /// Calls visit(name, span of doubles) for each array of the state; what the visitor writes there is taken over.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit_vector(visit, "centre_of_mass", com_);
+    visit_vector(visit, "velocity", velocity_);
+    visit_vector(visit, "angular_velocity", spin_);
+    const Quaternion& attitude = pose_.attitude();
+    std::array<double, 4> parts{attitude.w, attitude.x, attitude.y, attitude.z};
+    visit(std::string_view("attitude"), std::span<double>(parts));
+    place({parts[0], parts[1], parts[2], parts[3]});
+  }
+
+ private:
+  template <class Visitor>
+  static void visit_vector(Visitor& visit, std::string_view name, Vec3d& vector) {
+    std::array<double, 3> parts{vector.x, vector.y, vector.z};
+    visit(name, std::span<double>(parts));
+    vector = {parts[0], parts[1], parts[2]};
+  }
+
+  void place(const Quaternion& attitude);
+  /// The angular velocity whose free components give `angular` along the free axes, the held ones staying as they are.
+  Vec3d spin_of(const Vec3d& angular) const;
+
+  RigidBodyProperties properties_;
+  FreeDegrees degrees_;
+  Vec3d com_;  // the state is this, the attitude and the velocities; the pose's position follows
+  Vec3d velocity_;
+  Vec3d spin_;
+  Pose pose_;
+};
+
+}  // namespace fccda

@@ -1,0 +1,26 @@
+/// What detection needs of a code that has points: a solver's own arrays are read in place through this interface, so the library
+/// knows neither particles nor nodes.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+
+#include "fccda/core/vec3.hpp"
+
+namespace fccda {
+
+/// Points come in blocks of consecutive numbers, so that a few fast ones do not make all of them worth a look. The position at t0
+/// of a step is the position at t1 of the step before; whoever breaks that tells the detector (`moved`).
+template <class P>
+concept Points = requires(const P& points, std::size_t i) {
+  { points.size() } -> std::convertible_to<std::size_t>;
+  { points.position_t0(i) } -> std::convertible_to<Vec3d>;        // [m], world frame, at the beginning of the step
+  { points.position_t1(i) } -> std::convertible_to<Vec3d>;        // [m] at its end
+  { points.occupied(i) } -> std::convertible_to<bool>;            // false: there is no point i
+  { points.block_count() } -> std::convertible_to<std::size_t>;   // blocks are in order and cover all points
+  { points.block_begin(i) } -> std::convertible_to<std::size_t>;  // first point of block i
+  { points.block_end(i) } -> std::convertible_to<std::size_t>;    // one past the last
+  { points.block_travel(i) } -> std::convertible_to<double>;      // [m] no point of block i is further from its t0 position at t1
+};
+
+}  // namespace fccda

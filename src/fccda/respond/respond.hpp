@@ -1,0 +1,84 @@
+/// What contact does to the points and to the body they struck (seed paper, section 2.2):
+///
+///   v̄ = (x̄ - x_t0)/dt                     eq. 8, velocity after relocation to x̄
+///   J = -m (v̄ - v)                         eqs. 9 and 10 times dt, impulse on the body [N s]
+///   (x̄ - x_com) × J                        its moment about the centre of mass [N m s]
+///
+/// The points gain what the body loses, so linear momentum is kept to rounding. The arm ends at the relocated point: a sphere
+/// without friction then gets no torque, and angular momentum drifts by a share that halves with dt.
+///
+/// Coulomb friction takes from the tangential velocity relative to the surface, w_t,
+///   v̄ ← v̄ - min(µ J_n/m, |w_t|) w_t/|w_t|,   J_n = m (v̄ - v)·n
+/// and moves x̄ along, so that eq. 8 stays true.
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <span>
+
+#include "fccda/body/rigid_body.hpp"
+#include "fccda/detect/contact.hpp"
+
+namespace fccda {
+
+/// What all contacts of a step did to the body.
+struct Tally {
+  Vec3d impulse{};                    ///< [N s]
+  Vec3d angular_impulse_about_com{};  ///< [N m s]
+  std::size_t contacts = 0;
+};
+
+/// Points that can be struck.
+template <class P>
+concept StruckPoints = requires(P& points, std::size_t i, Vec3d vector) {
+  { points.position_t0(i) } -> std::convertible_to<Vec3d>;
+  { points.velocity(i) } -> std::convertible_to<Vec3d>;  // [m/s] that led from t0 to t1
+  { points.mass(i) } -> std::convertible_to<double>;     // [kg]
+  points.set(i, vector, vector);                         // position at t1 and velocity after contact
+};
+
+/// Position at t1 and velocity of a struck point.
+struct Struck {
+  Vec3d position, velocity;
+};
+
+inline Struck struck(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Motion& motion, double friction) {
+  Struck after{contact.relocation, (contact.relocation - position_t0) / motion.dt};
+  if (friction == 0) return after;
+  const double pushed = std::max(0.0, dot(after.velocity - velocity, contact.normal));  // J_n/m
+  const Vec3d relative = after.velocity - mean_velocity(motion, contact.relocation);
+  const Vec3d sliding = relative - dot(relative, contact.normal) * contact.normal;
+  const double speed = norm(sliding);
+  if (speed == 0) return after;
+  const Vec3d change = (std::min(friction * pushed, speed) / speed) * sliding;
+  after.velocity -= change;
+  after.position -= motion.dt * change;
+  return after;
+}
+
+/// Relocates the points, gives them their new velocities, and the body the impulse of all of them. `report(contact, impulse)` is
+/// called for each contact in order with the impulse on the body [N s]. `motion` is the step the body just made.
+template <StruckPoints P, class Report>
+Tally respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
+  Tally tally;
+  for (const Contact& contact : contacts) {
+    const std::size_t i = contact.point;
+    const Vec3d before = points.velocity(i);
+    const Struck after = struck(contact, points.position_t0(i), before, motion, friction);
+    const Vec3d impulse = -points.mass(i) * (after.velocity - before);
+    points.set(i, after.position, after.velocity);
+    tally.impulse += impulse;
+    tally.angular_impulse_about_com += cross(after.position - body.position_of_com(), impulse);
+    ++tally.contacts;
+    report(contact, impulse);
+  }
+  body.add_impulse(tally.impulse, tally.angular_impulse_about_com);
+  return tally;
+}
+
+template <StruckPoints P>
+Tally respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction) {
+  return respond(points, contacts, motion, body, friction, [](const Contact&, const Vec3d&) {});
+}
+
+}  // namespace fccda

@@ -1,0 +1,207 @@
+#include "fccda/search/bvh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace fccda {
+
+namespace {
+
+// Three siblings wait at each level, and there are at most 116 of them (bvh_build.cpp).
+constexpr std::size_t stack_size = 512;
+
+// A squared distance from a box in floats is less than one part in 2²² off once the box's slack has covered the rounding of
+// positions; lowered by this it is below the true one.
+constexpr float lowered = 1 - 0x1p-20F;
+
+struct Waiting {
+  float squared_distance;
+  std::int32_t child;
+};
+
+}  // namespace
+
+// Squared distance to each triangle of a leaf: from the plane where the point is above all three edges, else from the nearest edge.
+std::array<double, Bvh::width> Bvh::squared_distances(const Leaf& leaf, const Vec3d& point) {
+  std::array<double, width> result;
+#pragma omp simd
+  for (std::size_t l = 0; l < width; ++l) {
+    const double abx = leaf.ab[0][l], aby = leaf.ab[1][l], abz = leaf.ab[2][l];
+    const double acx = leaf.ac[0][l], acy = leaf.ac[1][l], acz = leaf.ac[2][l];
+    const double bcx = acx - abx, bcy = acy - aby, bcz = acz - abz;
+    const double px = point.x - leaf.a[0][l], py = point.y - leaf.a[1][l], pz = point.z - leaf.a[2][l];
+    const double nx = aby * acz - abz * acy, ny = abz * acx - abx * acz, nz = abx * acy - aby * acx;
+
+    const double qx = px - abx, qy = py - aby, qz = pz - abz;  // from b
+    const double s_ab = px * abx + py * aby + pz * abz, s_ac = px * acx + py * acy + pz * acz, s_bc = qx * bcx + qy * bcy + qz * bcz;
+    double t_ab = s_ab * leaf.inverse_ab[l], t_ac = s_ac * leaf.inverse_ca[l], t_bc = s_bc * leaf.inverse_bc[l];
+    t_ab = t_ab < 0 ? 0 : t_ab, t_ab = t_ab > 1 ? 1 : t_ab;
+    t_ac = t_ac < 0 ? 0 : t_ac, t_ac = t_ac > 1 ? 1 : t_ac;
+    t_bc = t_bc < 0 ? 0 : t_bc, t_bc = t_bc > 1 ? 1 : t_bc;
+    const double ux = px - t_ab * abx, uy = py - t_ab * aby, uz = pz - t_ab * abz;
+    const double vx = px - t_ac * acx, vy = py - t_ac * acy, vz = pz - t_ac * acz;
+    const double wx = qx - t_bc * bcx, wy = qy - t_bc * bcy, wz = qz - t_bc * bcz;
+    const double d_ab = ux * ux + uy * uy + uz * uz, d_ac = vx * vx + vy * vy + vz * vz, d_bc = wx * wx + wy * wy + wz * wz;
+    double edge = d_ab < d_ac ? d_ab : d_ac;
+    edge = edge < d_bc ? edge : d_bc;
+
+    const double height = px * nx + py * ny + pz * nz;
+    const double in_ab = (aby * pz - abz * py) * nx + (abz * px - abx * pz) * ny + (abx * py - aby * px) * nz;
+    const double in_ac = (py * acz - pz * acy) * nx + (pz * acx - px * acz) * ny + (px * acy - py * acx) * nz;
+    const double in_bc = (bcy * qz - bcz * qy) * nx + (bcz * qx - bcx * qz) * ny + (bcx * qy - bcy * qx) * nz;
+    double inside = in_ab < in_ac ? in_ab : in_ac;
+    inside = inside < in_bc ? inside : in_bc;
+    const double face = height * height * leaf.inverse_normal[l];
+    result[l] = inside > 0 ? face : edge;
+  }
+  return result;
+}
+
+template <class Accept>
+std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, const Accept& accept) const {
+  const Vec3d p = point - origin_;
+  const std::array<float, 3> q{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  double best = cap * cap;
+  int best_triangle = -1;
+
+  const auto visit_leaf = [&](const Leaf& leaf) {
+    const std::array<double, width> d = squared_distances(leaf, p);
+    asked += static_cast<std::size_t>(leaf.count);
+    for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) {
+      if (!(d[l] <= best)) continue;
+      const int triangle = leaf.triangle[l];
+      if (d[l] == best && best_triangle >= 0) {
+        const auto rank = [&](int t) { return std::pair(surface_->triangles()[static_cast<std::size_t>(t)].panel, t); };
+        if (rank(triangle) >= rank(best_triangle)) continue;
+      }
+      if (accept(triangle)) best = d[l], best_triangle = triangle;
+    }
+  };
+
+  if (guess >= 0) visit_leaf(leaves_[static_cast<std::size_t>(leaf_of_[static_cast<std::size_t>(guess)])]);
+
+  std::array<Waiting, stack_size> stack;
+  std::size_t depth = 0;
+  stack[depth++] = {0, 0};
+  while (depth > 0) {
+    const Waiting next = stack[--depth];
+    if (!(next.squared_distance <= best)) continue;
+    if (next.child < 0) {
+      visit_leaf(leaves_[static_cast<std::size_t>(~next.child)]);
+      continue;
+    }
+    const Node& node = nodes_[static_cast<std::size_t>(next.child)];
+    std::array<float, width> d;
+#pragma omp simd
+    for (std::size_t c = 0; c < width; ++c) {
+      float sum = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float below = node.low[axis][c] - q[axis], above = q[axis] - node.high[axis][c];
+        float gap = below > above ? below : above;
+        gap = gap > 0 ? gap : 0;
+        sum += gap * gap;
+      }
+      d[c] = sum * lowered;
+    }
+    // Far ones first onto the stack, so that the nearest is next.
+    const std::size_t base = depth;
+    for (std::size_t c = 0; c < width; ++c) {
+      if (!(d[c] <= best) || !(d[c] < std::numeric_limits<float>::infinity())) continue;
+      std::size_t at = depth++;
+      for (; at > base && stack[at - 1].squared_distance < d[c]; --at) stack[at] = stack[at - 1];
+      stack[at] = {d[c], node.child[c]};
+    }
+  }
+  if (best_triangle < 0) return std::nullopt;
+  const PointOnTriangle on = closest_on_triangle(point, corners(static_cast<std::size_t>(best_triangle)));
+  return ClosestPoint{best_triangle, on.feature, on.point, norm(point - on.point)};
+}
+
+std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int guess, std::size_t& asked) const {
+  return search_closest(point, cap, guess, asked, [](int) { return true; });
+}
+
+std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap) const {
+  std::size_t asked = 0;
+  return closest(point, cap, -1, asked);
+}
+
+std::optional<ClosestPoint> Bvh::closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const {
+  return search_closest(point, cap, -1, asked, [&](int triangle) {
+    const auto t = static_cast<std::size_t>(triangle);
+    return dot(viewer - surface_->corner(t, 0), surface_->normal(t)) > 0;
+  });
+}
+
+// Calls visit(triangle) for those whose box, grown by `margin`, the first `until` of the segment meets. Both may shrink meanwhile.
+template <class Visit>
+void Bvh::visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const {
+  const Vec3d from = start - origin_, way = end - start;
+  // A direction that is not taken gets a slope so steep that the segment is inside the slab always or never.
+  const auto slope = [](double w) { return std::fabs(w) > 1e-300 ? 1 / w : 1e300; };
+  const Vec3d steep{slope(way.x), slope(way.y), slope(way.z)};
+
+  std::array<std::int32_t, stack_size> stack;
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const std::int32_t next = stack[--depth];
+    if (next < 0) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(~next)];
+      for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) visit(leaf.triangle[l]);
+      continue;
+    }
+    const Node& node = nodes_[static_cast<std::size_t>(next)];
+    std::array<double, width> enter, leave;
+#pragma omp simd
+    for (std::size_t c = 0; c < width; ++c) {
+      double first = 0, last = until;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double a = (static_cast<double>(node.low[axis][c]) - margin - from[axis]) * steep[axis];
+        const double b = (static_cast<double>(node.high[axis][c]) + margin - from[axis]) * steep[axis];
+        const double near = a < b ? a : b, far = a < b ? b : a;
+        first = first > near ? first : near;
+        last = last < far ? last : far;
+      }
+      enter[c] = first, leave[c] = last;
+    }
+    for (std::size_t c = 0; c < width; ++c)
+      if (enter[c] <= leave[c] && node.low[0][c] <= node.high[0][c]) stack[depth++] = node.child[c];
+  }
+}
+
+std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std::size_t& asked) const {
+  std::optional<Crossing> first;
+  if (!is_finite(start) || !is_finite(end)) return first;
+  double until = 1;
+  const double margin = 0;
+  visit_segment(start, end, until, margin, [&](int triangle) {
+    ++asked;
+    const auto t = static_cast<std::size_t>(triangle);
+    const std::optional<double> fraction = front_crossing(start, end, corners(t));
+    if (!fraction) return;
+    const auto rank = [&](int n, double f) { return std::tuple(f, surface_->triangles()[static_cast<std::size_t>(n)].panel, n); };
+    if (first && rank(triangle, *fraction) >= rank(first->triangle, first->fraction)) return;
+    first = Crossing{triangle, *fraction};
+    until = *fraction;
+  });
+  return first;
+}
+
+std::optional<double> Bvh::distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& asked) const {
+  if (!is_finite(start) || !is_finite(end)) return std::nullopt;
+  const double until = 1;
+  double best = cap;
+  bool found = false;
+  visit_segment(start, end, until, best, [&](int triangle) {
+    ++asked;
+    const double distance = std::sqrt(squared_distance_of_segment(start, end, corners(static_cast<std::size_t>(triangle))));
+    if (distance <= best) best = distance, found = true;
+  });
+  if (!found) return std::nullopt;
+  return best;
+}
+
+}  // namespace fccda

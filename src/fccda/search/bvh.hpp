@@ -1,0 +1,89 @@
+/// Bounding volume hierarchy over the triangles of a surface: which of them is closest, and which a path meets first.
+///
+/// Four boxes a node, leaves of four triangles. Boxes are floats, rounded outward by enough to cover every rounding of a query, so
+/// what a query answers is the minimum over all triangles to the bit, whatever way the search took: a guess changes the time, never
+/// the answer. Equal distances go to the lowest panel, then the lowest triangle. Points that are not numbers find nothing.
+///
+/// Nothing changes after construction, so any number of threads may ask at once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "fccda/core/aligned.hpp"
+#include "fccda/search/closest_point.hpp"
+#include "fccda/surface/surface.hpp"
+
+namespace fccda {
+
+struct ClosestPoint {
+  int triangle;
+  Feature feature;
+  Vec3d point;      ///< [m] of the surface
+  double distance;  ///< [m]
+};
+
+struct Crossing {
+  int triangle;
+  double fraction;  ///< of the way from start to end
+};
+
+class Bvh {
+ public:
+  static constexpr double no_cap = std::numeric_limits<double>::infinity();
+
+  /// `surface` must outlive it.
+  explicit Bvh(const Surface& surface);
+
+  /// The closest point of the surface within `cap` [m]. `guess` is a triangle thought to be near, or -1. `asked` counts the triangles
+  /// that were computed.
+  std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, std::size_t& asked) const;
+  std::optional<ClosestPoint> closest(const Vec3d& point, double cap = no_cap) const;
+
+  /// The same among the triangles whose front faces `viewer`.
+  std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const;
+
+  /// The first triangle that the segment goes through from its front.
+  std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, std::size_t& asked) const;
+
+  /// Distance between the segment and the surface where it is at most `cap` [m].
+  std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& asked) const;
+
+ private:
+  static constexpr std::size_t width = 4;
+
+  /// Boxes of the children by coordinate, relative to origin_; an absent child has low > high.
+  struct alignas(64) Node {
+    std::array<std::array<float, width>, 3> low, high;
+    std::array<std::int32_t, width> child;  ///< a node, or ~leaf
+  };
+
+  /// Four triangles by coordinate; in a leaf of fewer the last is repeated, without a number of its own.
+  struct Leaf {
+    std::array<std::array<double, width>, 3> a, ab, ac;
+    std::array<double, width> inverse_ab, inverse_bc, inverse_ca, inverse_normal;  ///< 1/|edge|² and 1/|ab × ac|²
+    std::array<std::int32_t, width> triangle;
+    std::int32_t count;
+  };
+
+  class Builder;
+
+  template <class Accept>
+  std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, const Accept& accept) const;
+  template <class Visit>
+  void visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
+  static std::array<double, width> squared_distances(const Leaf& leaf, const Vec3d& point);
+  Corners corners(std::size_t triangle) const { return {surface_->corner(triangle, 0), surface_->corner(triangle, 1), surface_->corner(triangle, 2)}; }
+
+  const Surface* surface_;
+  Vec3d origin_;  // middle of the surface: floats are finest there
+  AlignedVector<Node> nodes_;
+  AlignedVector<Leaf> leaves_;
+  std::vector<std::int32_t> leaf_of_;  // of each triangle
+};
+
+}  // namespace fccda

@@ -1,0 +1,19 @@
+/// A sphere about the origin as a subdivided icosahedron.
+#pragma once
+
+#include "fccda/surface/panels.hpp"
+
+namespace fccda {
+
+struct SphereShape {
+  double diameter = 0;  ///< [m]
+  double panel = 0;     ///< [m] no edge is longer
+};
+
+/// Triangles, wound outward, vertices shared and on the sphere; symmetric in the three coordinate planes. Each face of the icosahedron
+/// (whose twelve corners lie in those planes) is cut into f² triangles and pushed out to the sphere. That stretches lengths R/d times at
+/// most, d being the distance of the faces from the middle, so f is the smallest number with (edge/d) R/f <= panel.
+/// Throws InputError where there would be too many panels.
+Panels make_sphere(const SphereShape& shape);
+
+}  // namespace fccda

@@ -1,0 +1,107 @@
+#include "fccda/surface/nesting.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace fccda {
+namespace {
+
+/// The crossings of rays along +x with triangles. Edges are met by the half-open rule of the plane (y, z), always from the lower vertex
+/// number to the higher, so both triangles of an edge see the same and no ray slips between them or hits both.
+class RayCrossing {
+ public:
+  RayCrossing(const LinkedTriangles& surface) : surface_(surface) {}
+
+  bool operator()(const Vec3d& from, std::size_t t) const {
+    bool inside = false;
+    for (std::size_t e = 0; e < 3; ++e) inside ^= edge_is_above(from, surface_.triangles[t].vertex[e], surface_.triangles[t].vertex[(e + 1) % 3]);
+    if (!inside) return false;
+    const Vec3d& a = surface_.corner(t, 0);
+    const Vec3d normal = cross(surface_.corner(t, 1) - a, surface_.corner(t, 2) - a);
+    return dot(normal, a - from) * normal.x > 0;
+  }
+
+ private:
+  bool edge_is_above(const Vec3d& p, int one, int other) const {
+    const auto [low, high] = std::minmax(one, other);
+    const Vec3d& a = surface_.vertices[static_cast<std::size_t>(low)];
+    const Vec3d& b = surface_.vertices[static_cast<std::size_t>(high)];
+    if ((a.y > p.y) == (b.y > p.y)) return false;
+    return ((b.z - a.z) * (p.y - a.y) - (p.z - a.z) * (b.y - a.y) > 0) == (b.y > a.y);
+  }
+
+  const LinkedTriangles& surface_;
+};
+
+struct Part {
+  int component = 0;
+  Box bounds;
+  std::vector<std::size_t> triangles;
+  std::vector<Vec3d> middles;  // of triangles spread over the part
+};
+
+std::vector<Part> closed_parts(const LinkedTriangles& surface, const Components& components, const std::vector<bool>& is_closed) {
+  std::vector<Part> parts(components.count);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    Part& part = parts[static_cast<std::size_t>(components.of_triangle[t])];
+    part.component = components.of_triangle[t];
+    part.triangles.push_back(t);
+    for (std::size_t c = 0; c < 3; ++c) part.bounds.include(surface.corner(t, c));
+  }
+  for (Part& part : parts) {
+    const std::size_t stride = std::max<std::size_t>(1, part.triangles.size() / 4000);
+    for (std::size_t k = 0; k < part.triangles.size(); k += stride) {
+      const std::size_t t = part.triangles[k];
+      part.middles.push_back((surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) / 3.0);
+    }
+  }
+  std::erase_if(parts, [&](const Part& part) { return !is_closed[static_cast<std::size_t>(part.component)]; });
+  return parts;
+}
+
+bool holds(const Box& outer, const Box& inner) {
+  return outer.low.x < inner.low.x && outer.low.y < inner.low.y && outer.low.z < inner.low.z && outer.high.x > inner.high.x && outer.high.y > inner.high.y &&
+         outer.high.z > inner.high.z;
+}
+
+/// Sweeps over y and keeps the triangles of `outer` that reach over the present y: some √n of n, and a hollow body of a
+/// million triangles takes half a second. Expects both sorted: middles by y, triangles by their lowest y.
+bool contains(const Part& outer, const Part& inner, const LinkedTriangles& surface) {
+  const RayCrossing crosses(surface);
+  const auto range = [&](std::size_t t) { return std::minmax({surface.corner(t, 0).y, surface.corner(t, 1).y, surface.corner(t, 2).y}); };
+  std::vector<std::size_t> active;
+  std::size_t next = 0;
+  for (const Vec3d& point : inner.middles) {
+    for (; next < outer.triangles.size() && range(outer.triangles[next]).first <= point.y; ++next) active.push_back(outer.triangles[next]);
+    std::erase_if(active, [&](std::size_t t) { return range(t).second < point.y; });
+    bool inside = false;
+    for (const std::size_t t : active) inside ^= crosses(point, t);
+    if (!inside) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<int> nesting_depths(const LinkedTriangles& surface, const Components& components, const std::vector<bool>& component_is_closed) {
+  std::vector<int> depths(components.count, 0);
+  if (components.count < 2) return depths;
+  std::vector<Part> parts = closed_parts(surface, components, component_is_closed);
+  for (Part& part : parts) {
+    const auto lowest = [&](std::size_t t) { return std::min({surface.corner(t, 0).y, surface.corner(t, 1).y, surface.corner(t, 2).y}); };
+    std::sort(part.triangles.begin(), part.triangles.end(), [&](std::size_t a, std::size_t b) { return std::pair(lowest(a), a) < std::pair(lowest(b), b); });
+    std::sort(part.middles.begin(), part.middles.end(), [](const Vec3d& a, const Vec3d& b) { return a.y < b.y; });
+  }
+  // In the order of x only those parts are compared whose ranges of x meet.
+  std::sort(parts.begin(), parts.end(),
+            [](const Part& a, const Part& b) { return std::pair(a.bounds.low.x, a.component) < std::pair(b.bounds.low.x, b.component); });
+  for (std::size_t outer = 0; outer < parts.size(); ++outer) {
+    for (std::size_t inner = outer + 1; inner < parts.size() && parts[inner].bounds.low.x < parts[outer].bounds.high.x; ++inner) {
+      if (!holds(parts[outer].bounds, parts[inner].bounds)) continue;
+      if (contains(parts[outer], parts[inner], surface)) ++depths[static_cast<std::size_t>(parts[inner].component)];
+    }
+  }
+  return depths;
+}
+
+}  // namespace fccda

@@ -1,0 +1,77 @@
+#include "fccda/surface/outward.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "fccda/core/error.hpp"
+#include "fccda/surface/mass_properties.hpp"
+#include "fccda/surface/nesting.hpp"
+
+namespace fccda {
+namespace {
+
+void expect_declared(OutsideIs outside, const LinkedTriangles& surface, const std::string& name) {
+  if (outside != OutsideIs::undeclared) return;
+  std::size_t rim_edges = 0;
+  int panel = -1;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    for (const int beyond : surface.neighbours[t]) {
+      if (beyond >= 0) continue;
+      ++rim_edges;
+      if (panel < 0) panel = surface.triangles[t].panel;
+    }
+  }
+  throw InputError(name + ": the surface is open: " + std::to_string(rim_edges) + (rim_edges == 1 ? " edge belongs" : " edges belong") +
+                   " to one panel only, the first to panel " + std::to_string(panel) +
+                   " (counted from 0); close the holes, or say which side is outside with `outside: normals` (the one that the normals point to) or "
+                   "`outside: reversed`.");
+}
+
+/// A volume that rounding could have made: of a sheet that is folded onto itself.
+bool is_nothing(double volume, const LinkedTriangles& surface, const std::vector<std::size_t>& triangles) {
+  Box bounds;
+  for (const std::size_t t : triangles) {
+    for (std::size_t c = 0; c < 3; ++c) bounds.include(surface.corner(t, c));
+  }
+  double area = 0;
+  for (const std::size_t t : triangles) area += 0.5 * norm(cross(surface.corner(t, 1) - surface.corner(t, 0), surface.corner(t, 2) - surface.corner(t, 0)));
+  return std::fabs(volume) <= 1e-12 * area * norm(bounds.size());
+}
+
+}  // namespace
+
+Outward turn_outward(LinkedTriangles& surface, const Components& components, OutsideIs outside, const std::string& name) {
+  std::vector<std::vector<std::size_t>> members(components.count);
+  std::vector<bool> is_closed(components.count, true);
+  bool all_closed = true;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto component = static_cast<std::size_t>(components.of_triangle[t]);
+    members[component].push_back(t);
+    for (const int beyond : surface.neighbours[t]) {
+      if (beyond < 0) is_closed[component] = all_closed = false;
+    }
+  }
+  if (!all_closed) expect_declared(outside, surface, name);
+
+  const std::vector<int> depths = nesting_depths(surface, components, is_closed);
+  Outward out;
+  for (std::size_t component = 0; component < components.count; ++component) {
+    bool turn = outside == OutsideIs::reversed;
+    if (is_closed[component]) {
+      const double volume = signed_volume(surface, members[component]);
+      if (is_nothing(volume, surface, members[component])) {
+        throw InputError(name + ": the closed part with panel " + std::to_string(surface.triangles[members[component][0]].panel) +
+                         " (counted from 0) encloses no volume, so it has no inside; give it a thickness, or delete one of its two sides.");
+      }
+      const bool is_cavity = depths[component] % 2 == 1;
+      turn = (volume < 0) != is_cavity;
+      out.cavities += is_cavity ? 1 : 0;
+      out.flipped += turn ? 1 : 0;
+    }
+    if (!turn) continue;
+    for (const std::size_t t : members[component]) turn_over(surface.triangles[t], surface.neighbours[t]);
+  }
+  return out;
+}
+
+}  // namespace fccda

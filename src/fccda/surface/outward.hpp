@@ -1,0 +1,26 @@
+/// Which way normals point: out of the material.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "fccda/surface/triangle.hpp"
+#include "fccda/surface/winding.hpp"
+
+namespace fccda {
+
+/// How an open surface says which side is outside.
+enum class OutsideIs : std::uint8_t { undeclared, normals, reversed };
+
+struct Outward {
+  std::size_t flipped = 0;   ///< closed components turned over as a whole
+  std::size_t cavities = 0;  ///< closed components that bound a hollow in another
+};
+
+/// Turns closed components so that their normals point outward by the sign of their volume; one that lies inside an odd number of others
+/// bounds a hollow, and its normals point into that. Open components are turned over where `outside` is `reversed`. Throws InputError
+/// where a closed component encloses no volume, or one is open and its outside undeclared.
+Outward turn_outward(LinkedTriangles& surface, const Components& components, OutsideIs outside, const std::string& name);
+
+}  // namespace fccda

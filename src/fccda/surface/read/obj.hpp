@@ -1,0 +1,16 @@
+/// Wavefront OBJ: vertices `v x y z` and faces `f a b c …`.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "fccda/surface/panels.hpp"
+
+namespace fccda {
+
+/// The faces of an OBJ file's contents, in its units: triangles and quads as they are, larger convex polygons as fans of triangles from
+/// their first vertex. Vertex numbers may be negative (counted back from the last vertex so far) and may carry texture and normal numbers
+/// (`7/2/9`), which are not used; neither are lines, points, groups and materials. Throws InputError that names the file and the line.
+Panels parse_obj(std::string_view contents, const std::string& file);
+
+}  // namespace fccda

@@ -1,0 +1,141 @@
+#include "fccda/surface/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fccda/core/contract.hpp"
+#include "fccda/core/error.hpp"
+#include "fccda/surface/connect.hpp"
+#include "fccda/surface/fans.hpp"
+#include "fccda/surface/mass_properties.hpp"
+#include "fccda/surface/triangulate.hpp"
+#include "fccda/surface/weld.hpp"
+#include "fccda/surface/winding.hpp"
+
+namespace fccda {
+namespace {
+
+/// Refuses what no later step could work with.
+void expect_usable(const Panels& panels, const std::string& name) {
+  if (panels.panels.empty()) throw InputError(name + ": there are no panels, so there is nothing to strike; check that the file or shape is the right one.");
+  // Twice as many triangles, with three sides each, are counted by int.
+  if (panels.panels.size() > std::numeric_limits<int>::max() / 6) {
+    throw InputError(name + ": " + std::to_string(panels.panels.size()) + " panels are too many; use larger ones.");
+  }
+  const auto vertex_count = static_cast<long long>(panels.vertices.size());
+  for (std::size_t p = 0; p < panels.panels.size(); ++p) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      const int vertex = panels.panels[p][c];
+      if ((vertex >= 0 && vertex < vertex_count) || (c == 3 && vertex == -1)) continue;
+      throw InputError(name + ": panel " + std::to_string(p) + " has the vertex " + std::to_string(vertex) + ", but there are only the vertices 0 to " +
+                       std::to_string(vertex_count - 1) + "; mend the numbers.");
+    }
+  }
+  // Inertia needs the fifth power of lengths, which must not overflow.
+  constexpr double largest = 1e50;
+  for (std::size_t v = 0; v < panels.vertices.size(); ++v) {
+    if (is_finite(panels.vertices[v]) && largest_magnitude(panels.vertices[v]) < largest) continue;
+    throw InputError(name + ": vertex " + std::to_string(v) + " (counted from 0) is at (" + std::to_string(panels.vertices[v].x) + ", " +
+                     std::to_string(panels.vertices[v].y) + ", " + std::to_string(panels.vertices[v].z) +
+                     "), which is no place; each coordinate must be a finite number of metres.");
+  }
+}
+
+Box bounds_of_used(const Panels& panels) {
+  Box box;
+  for (const auto& panel : panels.panels) {
+    for (const int vertex : panel) {
+      if (vertex >= 0) box.include(panels.vertices[static_cast<std::size_t>(vertex)]);
+    }
+  }
+  return box;
+}
+
+void measure(const LinkedTriangles& surface, SurfaceReport& report) {
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;  // squared
+  Vec3d centroid{};
+  for (const Vec3d& vertex : surface.vertices) report.bounds.include(vertex);
+  const Vec3d middle = report.bounds.centre();
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Vec3d a = surface.corner(t, 0) - middle, b = surface.corner(t, 1) - middle, c = surface.corner(t, 2) - middle;
+    const double area = 0.5 * norm(cross(b - a, c - a));
+    report.area += area;
+    centroid += area / 3 * (a + b + c);
+    for (const double side : {squared_norm(b - a), squared_norm(c - b), squared_norm(a - c)}) {
+      shortest = std::min(shortest, side);
+      longest = std::max(longest, side);
+    }
+  }
+  report.shortest_edge = std::sqrt(shortest);
+  report.longest_edge = std::sqrt(longest);
+  report.centroid = middle + centroid / report.area;
+  if (report.closure == Closure::open) return;
+  const MassProperties mass = mass_properties(surface);
+  report.volume = mass.volume;
+  report.centroid = mass.centroid;
+  report.inertia_diagonal = mass.inertia_diagonal;
+  report.inertia_products = mass.inertia_products;
+}
+
+}  // namespace
+
+Surface::Surface(const Panels& panels, const Options& options) : panels_(panels) {
+  expect_usable(panels, options.name);
+  const double tolerance = options.weld_tolerance * norm(bounds_of_used(panels).size());
+  report_.panels = panels.panels.size();
+
+  Welded welded = weld(panels, tolerance);
+  report_.welded = welded.merged;
+
+  Triangulation triangulation = triangulate(welded.panels, tolerance);
+  report_.degenerate = triangulation.degenerate;
+  report_.duplicate = triangulation.duplicate;
+  if (triangulation.triangles.empty()) {
+    throw InputError(options.name + ": none of the " + std::to_string(report_.panels) + " panels has an area; check the file's scale and its coordinates.");
+  }
+  linked_ = {std::move(welded.panels.vertices), std::move(triangulation.triangles), {}};
+
+  report_.rim_edges = connect(linked_, options.name);
+  report_.closure = report_.rim_edges > 0 ? Closure::open : Closure::closed;
+
+  const Components components = wind_consistently(linked_, options.name);
+  report_.components = components.count;
+  report_.rewound = components.rewound;
+
+  const Outward outward = turn_outward(linked_, components, options.outside, options.name);
+  report_.flipped = outward.flipped;
+  report_.cavities = outward.cavities;
+
+  rim_vertices_ = separate_fans(linked_);
+  report_.triangles = linked_.triangles.size();
+  report_.vertices = linked_.vertices.size();
+
+  normals_ = pseudonormals(linked_);
+  measure(linked_, report_);
+}
+
+const Vec3d& Surface::pseudonormal(std::size_t triangle, Feature feature) const {
+  EXPECTS(triangle < linked_.triangles.size());
+  const auto f = static_cast<std::size_t>(feature);
+  if (feature == Feature::face) return normals_.faces[triangle];
+  if (feature <= Feature::edge_2) return normals_.edges[triangle][f - 1];
+  return normals_.vertices[static_cast<std::size_t>(linked_.triangles[triangle].vertex[f - 4])];
+}
+
+bool Surface::is_rim(std::size_t triangle, Feature feature) const {
+  EXPECTS(triangle < linked_.triangles.size());
+  const auto f = static_cast<std::size_t>(feature);
+  if (feature == Feature::face) return false;
+  if (feature <= Feature::edge_2) return linked_.neighbours[triangle][f - 1] < 0;
+  return rim_vertices_[static_cast<std::size_t>(linked_.triangles[triangle].vertex[f - 4])];
+}
+
+double Surface::radius_about(const Vec3d& point) const {
+  double squared = 0;
+  for (const Vec3d& vertex : linked_.vertices) squared = std::max(squared, squared_norm(vertex - point));
+  return std::sqrt(squared);
+}
+
+}  // namespace fccda

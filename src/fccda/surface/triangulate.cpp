@@ -1,0 +1,95 @@
+#include "fccda/surface/triangulate.hpp"
+
+#include <algorithm>
+
+namespace fccda {
+namespace {
+
+class Splitter {
+ public:
+  Splitter(const std::vector<Vec3d>& vertices, double flat) : vertices_(vertices), flat_(flat) {}
+
+  bool has_area(const std::array<int, 3>& t) const {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
+    const Vec3d& a = at(t[0]);
+    const Vec3d& b = at(t[1]);
+    const Vec3d& c = at(t[2]);
+    const double longest = std::sqrt(std::max({squared_norm(b - a), squared_norm(c - b), squared_norm(a - c)}));
+    return norm(cross(b - a, c - a)) > flat_ * longest;
+  }
+
+  std::array<std::array<int, 3>, 2> split(const std::array<int, 4>& q) const {
+    using Halves = std::array<std::array<int, 3>, 2>;
+    const Halves from_first{{{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}};
+    const Halves from_second{{{q[1], q[2], q[3]}, {q[1], q[3], q[0]}}};
+    // The diagonals of a rectangle differ by rounding only, which must not choose: neighbouring panels would be split at random.
+    constexpr double rounding = 1e-10;
+    const bool second_is_shorter = squared_norm(at(q[1]) - at(q[3])) < (1 - rounding) * squared_norm(at(q[0]) - at(q[2]));
+    const Halves& shorter = second_is_shorter ? from_second : from_first;
+    const Halves& longer = second_is_shorter ? from_first : from_second;
+    return !agree(shorter) && agree(longer) ? longer : shorter;
+  }
+
+ private:
+  const Vec3d& at(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)]; }
+  Vec3d doubled_area(const std::array<int, 3>& t) const { return cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])); }
+  bool agree(const std::array<std::array<int, 3>, 2>& halves) const {
+    return has_area(halves[0]) && has_area(halves[1]) && dot(doubled_area(halves[0]), doubled_area(halves[1])) > 0;
+  }
+
+  const std::vector<Vec3d>& vertices_;
+  double flat_;
+};
+
+/// Leaves out all but the first of the triangles with the same three vertices. Returns how many went.
+std::size_t drop_duplicates(std::vector<Triangle>& triangles) {
+  struct Key {
+    std::array<int, 3> sorted;
+    int triangle;
+    auto operator<=>(const Key&) const = default;
+  };
+  std::vector<Key> keys(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    keys[t] = {triangles[t].vertex, static_cast<int>(t)};
+    std::sort(keys[t].sorted.begin(), keys[t].sorted.end());
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<bool> repeats(triangles.size(), false);
+  for (std::size_t k = 1; k < keys.size(); ++k) {
+    if (keys[k].sorted == keys[k - 1].sorted) repeats[static_cast<std::size_t>(keys[k].triangle)] = true;
+  }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!repeats[t]) triangles[kept++] = triangles[t];
+  }
+  const std::size_t dropped = triangles.size() - kept;
+  triangles.resize(kept);
+  return dropped;
+}
+
+}  // namespace
+
+Triangulation triangulate(const Panels& panels, double flat) {
+  const Splitter splitter(panels.vertices, flat);
+  Triangulation out;
+  out.triangles.reserve(panels.panels.size());
+  const auto add = [&](const std::array<int, 3>& vertex, std::size_t panel) {
+    if (splitter.has_area(vertex)) {
+      out.triangles.push_back({vertex, static_cast<int>(panel)});
+    } else {
+      ++out.degenerate;
+    }
+  };
+  for (std::size_t p = 0; p < panels.panels.size(); ++p) {
+    const auto& panel = panels.panels[p];
+    if (panel[3] < 0) {
+      add({panel[0], panel[1], panel[2]}, p);
+    } else {
+      for (const auto& half : splitter.split(panel)) add(half, p);
+    }
+  }
+  out.duplicate = drop_duplicates(out.triangles);
+  return out;
+}
+
+}  // namespace fccda

@@ -1,0 +1,23 @@
+/// Panels to triangles: quads are split, panels without area and repeated panels are left out.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fccda/surface/panels.hpp"
+#include "fccda/surface/triangle.hpp"
+
+namespace fccda {
+
+struct Triangulation {
+  std::vector<Triangle> triangles;  ///< in the order of the panels
+  std::size_t degenerate = 0;       ///< left out: without area
+  std::size_t duplicate = 0;        ///< left out: the same three vertices as an earlier one, in any order
+};
+
+/// A quad is split along its shorter diagonal, a rectangle along the one from its first vertex; but along the other where the shorter
+/// one would leave a triangle without area or turned over (a quad with a corner on a straight side, or a re-entrant one).
+/// A triangle has no area where it is at most `flat` [m] high. Expects welded vertices.
+Triangulation triangulate(const Panels& panels, double flat);
+
+}  // namespace fccda

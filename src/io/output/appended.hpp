@@ -1,0 +1,39 @@
+/// The bytes behind the XML of a VTK file: each array with its sizes in front, as 64-bit numbers.
+///
+///   plain   [bytes] data
+///   zlib    [blocks][block size][size of a last, shorter block, or 0][compressed size of each block…] blocks
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/output/vtp.hpp"
+
+namespace perimpact::output {
+
+class WholeFile;
+
+class Appended {
+ public:
+  explicit Appended(Compression compression) : compression_(compression) {}
+
+  /// Where the array will start. Its bytes must stay until they are written.
+  std::uint64_t add(std::span<const std::byte> bytes);
+
+  void write_to(WholeFile& file) const;
+
+ private:
+  struct Array {
+    std::vector<std::uint64_t> sizes;
+    std::vector<std::vector<std::byte>> blocks;  // zlib
+    std::span<const std::byte> bytes;            // plain
+  };
+
+  Compression compression_;
+  std::vector<Array> arrays_;
+  std::uint64_t end_ = 0;  // of all arrays so far
+};
+
+}  // namespace perimpact::output

@@ -1,0 +1,52 @@
+#include "io/output/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "fccda/core/contract.hpp"
+
+namespace perimpact::output {
+
+namespace {
+
+/// Names come from decks: one with a comma or a quote is quoted (RFC 4180).
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + '"';
+}
+
+std::string header_of(std::span<const std::string> columns) {
+  std::string text;
+  for (const std::string& column : columns) text += (text.empty() ? "" : ",") + quoted(column);
+  return text + '\n';
+}
+
+void add_row(fmt::memory_buffer& text, std::span<const double> row) { fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(row, ",")); }
+
+}  // namespace
+
+CsvWriter::CsvWriter(const std::filesystem::path& path, std::span<const std::string> columns) : columns_(columns.size()), file_(path) {
+  file_.append(header_of(columns));
+}
+
+void CsvWriter::append(std::span<const double> row) {
+  EXPECTS(row.size() == columns_);
+  fmt::memory_buffer text;
+  add_row(text, row);
+  file_.append({text.data(), text.size()});
+}
+
+void write_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::span<const double> rows) {
+  EXPECTS(!columns.empty() && rows.size() % columns.size() == 0);
+  fmt::memory_buffer text;
+  for (; !rows.empty(); rows = rows.subspan(columns.size())) add_row(text, rows.first(columns.size()));
+  WholeFile file(path);
+  file.write(header_of(columns));
+  file.write(std::string_view(text.data(), text.size()));
+  file.finish();
+}
+
+}  // namespace perimpact::output

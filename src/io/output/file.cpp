@@ -1,0 +1,119 @@
+#include "io/output/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "fccda/core/error.hpp"
+
+namespace perimpact::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string_view way_out(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      return "Make room and run again; everything written before is intact.";
+    case EFBIG:
+      return "Raise the limit on file sizes (ulimit -f) and run again; everything written before is intact.";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "Choose a folder that you may write to.";
+    case ENOENT:
+    case ENOTDIR:
+      return "Its folder is not there (any more): do not move or delete the results while the run goes on.";
+    default:
+      return "Everything written before is intact.";
+  }
+}
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  throw fccda::RunError(fmt::format("{} cannot be written: {}. {}", path.string(), std::strerror(error), way_out(error)));
+}
+
+/// -1 where it fails: errno says why.
+int open_empty(const fs::path& path) { return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666); }
+
+/// 0, or errno. A write may be cut short (by a signal, or where the room ends): the next one continues or gives the reason.
+int write_all(int file, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+int Descriptor::close() {
+  if (!is_open()) return 0;
+  return ::close(std::exchange(number_, -1)) == 0 ? 0 : errno;
+}
+
+fs::path part_of(const fs::path& path) { return fs::path(path) += ".part"; }
+
+WholeFile::WholeFile(fs::path path) : path_(std::move(path)), part_(part_of(path_)), file_(open_empty(part_)) {
+  if (!file_.is_open()) fail(path_, errno);
+}
+
+WholeFile::~WholeFile() {
+  if (file_.is_open()) ::unlink(part_.c_str());
+}
+
+void WholeFile::write(std::span<const std::byte> bytes) {
+  if (const int error = write_all(file_.number(), bytes)) fail(path_, error);
+}
+
+void WholeFile::finish() {
+  // Without the sync a power cut could leave a renamed but empty file. Not every file system knows it (EINVAL): then there is nothing to wait for.
+  if (::fsync(file_.number()) != 0 && errno != EINVAL) fail(path_, errno);
+  int error = file_.close();
+  if (error == 0 && std::rename(part_.c_str(), path_.c_str()) != 0) error = errno;
+  if (error != 0) {
+    ::unlink(part_.c_str());
+    fail(path_, error);
+  }
+}
+
+void write_whole_file(const fs::path& path, std::string_view text) {
+  WholeFile file(path);
+  file.write(text);
+  file.finish();
+}
+
+std::error_code try_writing(const fs::path& path) {
+  Descriptor file(open_empty(path));
+  int error = file.is_open() ? write_all(file.number(), std::as_bytes(std::span("trial"))) : errno;
+  if (const int late = file.close(); error == 0) error = late;
+  ::unlink(path.c_str());
+  return {error, std::generic_category()};
+}
+
+GrowingFile::GrowingFile(fs::path path) : path_(std::move(path)), file_(open_empty(path_)) {
+  if (!file_.is_open()) fail(path_, errno);
+}
+
+void GrowingFile::append(std::string_view record) {
+  if (const int error = write_all(file_.number(), std::as_bytes(std::span(record)))) {
+    // Where not even this works the file ends in half a record, and the error is reported all the same.
+    [[maybe_unused]] const int not_shortened = ::ftruncate(file_.number(), static_cast<off_t>(size_));
+    fail(path_, error);
+  }
+  size_ += record.size();
+}
+
+}  // namespace perimpact::output

@@ -1,0 +1,90 @@
+#include "io/output/json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace perimpact::output {
+
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+/// RFC 8259, section 7: quotes, backslashes and control characters must be escaped; the rest is UTF-8 as it came.
+std::string quoted(std::string_view words) {
+  std::string text = "\"";
+  for (const char c : words) {
+    if (c == '"' || c == '\\') {
+      text += {'\\', c};
+    } else if (c == '\n') {
+      text += "\\n";
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      text += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      text += c;
+    }
+  }
+  return text + '"';
+}
+
+std::string indent(int level) { return std::string(static_cast<std::size_t>(2 * level), ' '); }
+
+}  // namespace
+
+Json& Json::operator[](std::string_view name) {
+  if (std::holds_alternative<std::monostate>(value_)) value_ = Members{};
+  EXPECTS(std::holds_alternative<Members>(value_));
+  Members& members = std::get<Members>(value_);
+  const auto found = std::find_if(members.begin(), members.end(), [&](const auto& member) { return member.first == name; });
+  return found != members.end() ? found->second : members.emplace_back(name, Json()).second;
+}
+
+void Json::push_back(Json element) {
+  if (std::holds_alternative<std::monostate>(value_)) value_ = Elements{};
+  EXPECTS(std::holds_alternative<Elements>(value_));
+  std::get<Elements>(value_).push_back(std::move(element));
+}
+
+std::string Json::text() const {
+  std::string text;
+  add_to(text, 0);
+  return text + '\n';
+}
+
+void Json::add_to(std::string& text, int level) const {
+  // Numbers and words of an array share a line; arrays and objects within one get their own.
+  const auto is_simple = [](const Json& json) { return !std::holds_alternative<Elements>(json.value_) && !std::holds_alternative<Members>(json.value_); };
+  const auto add_list = [&](const auto& list, char open, char close, bool on_one_line, const auto& add_one) {
+    const std::string gap = on_one_line ? "" : "\n" + indent(level + 1);
+    text += open;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      text += (i == 0 ? "" : on_one_line ? ", " : ",") + gap;
+      add_one(list[i]);
+    }
+    if (!on_one_line) text += "\n" + indent(level);
+    text += close;
+  };
+  std::visit(Overloaded{[&](std::monostate) { text += "null"; }, [&](bool value) { text += value ? "true" : "false"; },
+                        [&](std::int64_t value) { fmt::format_to(std::back_inserter(text), "{}", value); },
+                        [&](double value) { text += std::isfinite(value) ? fmt::format("{}", value) : "null"; },
+                        [&](const std::string& value) { text += quoted(value); },
+                        [&](const Elements& elements) {
+                          const bool on_one_line = std::all_of(elements.begin(), elements.end(), is_simple);
+                          add_list(elements, '[', ']', on_one_line, [&](const Json& element) { element.add_to(text, level + 1); });
+                        },
+                        [&](const Members& members) {
+                          add_list(members, '{', '}', members.empty(), [&](const auto& member) {
+                            text += quoted(member.first) + ": ";
+                            member.second.add_to(text, level + 1);
+                          });
+                        },
+                        [&](const Verbatim& json) { text += json.text; }},
+             value_);
+}
+
+}  // namespace perimpact::output

@@ -1,0 +1,64 @@
+/// JSON for run.json: values in the order they were given, numbers that read back to the very same double, two spaces a level.
+///
+///   Json run = Json::object();
+///   run["title"] = setup.title;
+///   run["timers"]["contact"] = 0.31;      // [s]; objects appear where they are named
+///   write_whole_file(path, run.text());
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "fccda/core/contract.hpp"
+
+namespace perimpact::output {
+
+/// A JSON value. Not-a-number and infinities have no JSON and are written as null.
+class Json {
+ public:
+  Json() = default;  ///< null
+  Json(bool value) : value_(value) {}
+  template <std::integral Integer>
+  Json(Integer value) : value_(static_cast<std::int64_t>(value)) {
+    EXPECTS(std::in_range<std::int64_t>(value));
+  }
+  Json(double value) : value_(value) {}
+  Json(std::string value) : value_(std::move(value)) {}
+  Json(std::string_view value) : value_(std::string(value)) {}
+  Json(const char* value) : value_(std::string(value)) {}
+  template <class T>
+  Json(const std::vector<T>& values) : Json(array()) {
+    for (const T& value : values) push_back(value);
+  }
+
+  static Json object() { return Json(Value(Members{})); }
+  static Json array() { return Json(Value(Elements{})); }
+  static Json verbatim(std::string json) { return Json(Value(Verbatim{std::move(json)})); }  ///< text that is JSON already
+
+  /// The member of that name, added at the end where there is none. Null becomes an object.
+  Json& operator[](std::string_view name);
+
+  void push_back(Json element);  ///< null becomes an array
+
+  std::string text() const;  ///< ends in a new line
+
+ private:
+  using Elements = std::vector<Json>;
+  using Members = std::vector<std::pair<std::string, Json>>;
+  struct Verbatim {
+    std::string text;
+  };
+  using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Elements, Members, Verbatim>;
+
+  explicit Json(Value value) : value_(std::move(value)) {}
+  void add_to(std::string& text, int level) const;
+
+  Value value_;
+};
+
+}  // namespace perimpact::output

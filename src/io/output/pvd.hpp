@@ -1,0 +1,33 @@
+/// A series of pictures over time. ParaView opens `<name>.pvd`, which lists the files `<name>_00000.vtp`, … and their times.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace perimpact::output {
+
+/// Adds frames one by one. The list is rewritten, as a whole, after each frame, so that it can be opened while the run goes on and
+/// never names a file that is not there.
+class Series {
+ public:
+  Series(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
+
+  /// write_frame(path) must write the file; then it is listed with its time [s]. Throws what write_frame throws, and RunError.
+  template <class WriteFrame>
+  void add(double time, const WriteFrame& write_frame) {
+    const std::string file = frame_file();
+    write_frame(folder_ / file);
+    list(time, file);
+  }
+
+ private:
+  std::string frame_file() const;
+  void list(double time, const std::string& file);
+
+  std::filesystem::path folder_;
+  std::string name_;
+  std::string entries_;  // of the list so far
+  int frames_ = 0;
+};
+
+}  // namespace perimpact::output

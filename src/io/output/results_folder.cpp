@@ -1,0 +1,84 @@
+#include "io/output/results_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "fccda/core/error.hpp"
+#include "io/output/file.hpp"
+
+namespace perimpact::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_frame(std::string_view name) {  // <body>_00000.vtp
+  if (!name.ends_with(".vtp")) return false;
+  name.remove_suffix(4);
+  std::size_t digits = 0;
+  for (; !name.empty() && std::isdigit(static_cast<unsigned char>(name.back())); ++digits) name.remove_suffix(1);
+  return digits >= 5 && name.size() > 1 && name.ends_with('_');
+}
+
+bool is_series(const fs::path& folder, std::string_view name) {  // <body>.pvd beside the frames that it lists
+  return name.ends_with(".pvd") && fs::exists(folder / (std::string(name.substr(0, name.size() - 4)) + "_00000.vtp"));
+}
+
+bool is_line(std::string_view name) {  // <line>_t<seconds>.csv
+  if (!name.ends_with(".csv")) return false;
+  name.remove_suffix(4);
+  const std::size_t time = name.rfind("_t");
+  return time != std::string_view::npos && time > 0 && time + 2 < name.size() && name.find_first_not_of("0123456789.e-+", time + 2) == std::string_view::npos;
+}
+
+/// Files of `folder` that are ours, whole or left in part by a run that was killed.
+template <class IsOurs>
+std::vector<fs::path> our_files(const fs::path& folder, const IsOurs& is_ours) {
+  std::vector<fs::path> found;
+  std::error_code missing;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing)) {
+    std::string name = entry.path().filename().string();
+    if (name.ends_with(".part")) name.resize(name.size() - 5);
+    if (!entry.is_directory() && is_ours(name)) found.push_back(entry.path());
+  }
+  return found;
+}
+
+void remove(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    std::error_code error;
+    if (!fs::remove(file, error) && error) {
+      throw fccda::InputError(fmt::format("{} is of an earlier run and cannot be removed: {}. Remove it, or choose another folder with --out or output.folder.",
+                                          file.string(), error.message()));
+    }
+  }
+}
+
+}  // namespace
+
+void prepare_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) error = try_writing(folder / ".perimpact-trial");
+  if (error) {
+    throw fccda::InputError(fmt::format("results cannot be written to the folder {}: {}. Choose another one with --out, or with output.folder in the deck.",
+                                        folder.string(), error.message()));
+  }
+}
+
+ResultsFolder::ResultsFolder(fs::path folder) : folder_(std::move(folder)) {
+  const fs::path lines = folder_ / "lines";
+  for (const fs::path& each : {folder_, frames(), lines}) prepare_folder(each);
+  remove(our_files(folder_, [](std::string_view name) { return name == "run.json" || name == "history.csv"; }));
+  remove(our_files(frames(), [&](std::string_view name) { return is_series(frames(), name); }));
+  remove(our_files(frames(), is_frame));
+  remove(our_files(lines, is_line));
+}
+
+fs::path ResultsFolder::line(std::string_view name, double time) const { return folder_ / "lines" / fmt::format("{}_t{}.csv", name, time); }
+
+}  // namespace perimpact::output

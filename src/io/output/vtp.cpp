@@ -1,0 +1,128 @@
+#include "io/output/vtp.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <limits>
+#include <numeric>
+#include <string_view>
+
+#include "fccda/core/contract.hpp"
+#include "io/output/appended.hpp"
+#include "io/output/file.hpp"
+#include "io/output/xml.hpp"
+
+namespace perimpact::output {
+
+namespace {
+
+template <class Number>
+constexpr std::string_view vtk_type() {
+  if constexpr (std::is_same_v<Number, float>) return "Float32";
+  if constexpr (std::is_same_v<Number, double>) return "Float64";
+  if constexpr (std::is_same_v<Number, std::int32_t>) return "Int32";
+  if constexpr (std::is_same_v<Number, std::uint8_t>) return "UInt8";
+}
+
+std::size_t count_of(const Numbers& numbers) {
+  return std::visit([](auto span) { return span.size(); }, numbers);
+}
+
+/// The XML element of an array, whose bytes go to `appended`.
+std::string element(const VtpArray& array, Appended& appended) {
+  return std::visit(
+      [&]<class Number>(std::span<const Number> span) {
+        return fmt::format("        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n", vtk_type<Number>(),
+                           xml_attribute(array.name), array.components, appended.add(std::as_bytes(span)));
+      },
+      array.numbers);
+}
+
+std::string section(std::string_view name, std::span<const VtpArray> arrays, Appended& appended) {
+  std::string text = fmt::format("      <{}>\n", name);
+  for (const VtpArray& array : arrays) text += element(array, appended);
+  return text + fmt::format("      </{}>\n", name);
+}
+
+/// Which points make up each cell, and where each cell's list ends.
+struct Cells {
+  std::vector<std::int32_t> connectivity, offsets;
+
+  /// One vertex cell a particle, not one for all: ParaView's Threshold keeps or drops whole cells.
+  static Cells particles(std::size_t count) {
+    Cells cells{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
+    std::iota(cells.connectivity.begin(), cells.connectivity.end(), 0);
+    std::iota(cells.offsets.begin(), cells.offsets.end(), 1);
+    return cells;
+  }
+
+  static Cells polygons(std::span<const std::array<int, 4>> panels) {
+    Cells cells;
+    for (const std::array<int, 4>& panel : panels) {
+      cells.connectivity.insert(cells.connectivity.end(), panel.begin(), panel[3] < 0 ? panel.end() - 1 : panel.end());
+      cells.offsets.push_back(static_cast<std::int32_t>(cells.connectivity.size()));
+    }
+    return cells;
+  }
+};
+
+void expect_consistent([[maybe_unused]] const PolyData& data, [[maybe_unused]] std::size_t points, [[maybe_unused]] std::size_t cells) {
+  EXPECTS(count_of(data.points) == 3 * points && points <= std::numeric_limits<std::int32_t>::max());
+  for ([[maybe_unused]] const VtpArray& array : data.point_arrays) EXPECTS(count_of(array.numbers) == points * static_cast<std::size_t>(array.components));
+  for ([[maybe_unused]] const VtpArray& array : data.cell_arrays) EXPECTS(count_of(array.numbers) == cells * static_cast<std::size_t>(array.components));
+}
+
+}  // namespace
+
+void write_vtp(const std::filesystem::path& path, const PolyData& data, Compression compression) {
+  const std::size_t points = count_of(data.points) / 3;
+  const Cells cells = data.panels.empty() ? Cells::particles(points) : Cells::polygons(data.panels);
+  const std::size_t cell_count = cells.offsets.size();
+  expect_consistent(data, points, cell_count);
+
+  const VtpArray positions[] = {{"points", 3, data.points}};
+  const VtpArray topology[] = {{"connectivity", 1, std::span(cells.connectivity)}, {"offsets", 1, std::span(cells.offsets)}};
+  Appended appended(compression);
+  std::string arrays = section("PointData", data.point_arrays, appended);
+  arrays += section("CellData", data.cell_arrays, appended);
+  arrays += section("Points", positions, appended);
+  arrays += section(data.panels.empty() ? "Verts" : "Polys", topology, appended);
+
+  WholeFile file(path);
+  file.write(fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\"{}>\n  <PolyData>\n",
+                         std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
+                         compression == Compression::zlib ? " compressor=\"vtkZLibDataCompressor\"" : ""));
+  if (data.time) {
+    file.write(
+        fmt::format("    <FieldData>\n      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
+                    "    </FieldData>\n",
+                    *data.time));
+  }
+  file.write(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfPolys=\"{}\">\n", points, data.panels.empty() ? cell_count : 0,
+                         data.panels.empty() ? 0 : cell_count));
+  file.write(arrays + "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_");
+  appended.write_to(file);
+  file.write("\n  </AppendedData>\n</VTKFile>\n");
+  file.finish();
+}
+
+Numbers coordinates(std::span<const fccda::Vec3d> vertices) {
+  static_assert(sizeof(fccda::Vec3d) == 3 * sizeof(double));
+  return std::span(vertices.empty() ? nullptr : &vertices.front().x, 3 * vertices.size());
+}
+
+fccda::Panels panels_of(std::span<const fccda::Box> boxes) {
+  fccda::Panels all;
+  for (const fccda::Box& box : boxes) {
+    const int first = static_cast<int>(all.vertices.size());
+    for (int corner = 0; corner < 8; ++corner) {  // bits of the corner: x, y, z high
+      all.vertices.push_back({corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y, corner & 4 ? box.high.z : box.low.z});
+    }
+    for (const auto& [a, b, c, d] : {std::array{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+      all.add_quad(first + a, first + b, first + c, first + d);
+    }
+  }
+  return all;
+}
+
+}  // namespace perimpact::output

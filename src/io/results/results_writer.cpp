@@ -1,0 +1,117 @@
+#include "io/results/results_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/output/file.hpp"
+#include "io/output/vtp.hpp"
+#include "io/results/run_report.hpp"
+#include "perimpact/setup/setup_error.hpp"
+
+namespace perimpact {
+
+namespace {
+
+/// Three numbers a particle, as the float that pictures need.
+template <class Value>
+std::vector<float> of_particles(const Body& body, const Value& value) {
+  std::vector<float> numbers;
+  numbers.reserve(3 * body.particles.size());
+  for (const std::uint32_t slot : body.particles.slot_of()) {
+    const Vec3d v = value(slot);
+    numbers.insert(numbers.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
+  }
+  return numbers;
+}
+
+std::size_t body_named(const Simulation& simulation, const std::string& name, const std::string& key) {
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
+    if (simulation.bodies()[b].name == name) return b;
+  throw SetupError(key, fmt::format("body {} does not exist.", name));
+}
+
+}  // namespace
+
+void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time) {
+  const Particles& particles = body.particles;
+  const auto position = of_particles(body, [&](std::uint32_t slot) { return particles.position.at(slot); });
+  const auto displacement = of_particles(body, [&](std::uint32_t slot) { return particles.displacement(slot); });
+  const auto velocity = of_particles(body, [&](std::uint32_t slot) { return particles.velocity.at(slot); });
+  std::vector<float> damage;
+  for (const std::uint32_t slot : particles.slot_of()) damage.push_back(static_cast<float>(body.family.damage(slot)));
+  output::write_vtp(path,
+                    {.points = std::span<const float>(position),
+                     .point_arrays = {{"displacement", 3, std::span<const float>(displacement)}, {"velocity", 3, std::span<const float>(velocity)}, {"damage", 1, std::span<const float>(damage)}},
+                     .time = time},
+                    output::Compression::zlib);
+}
+
+void write_impactor(const std::filesystem::path& path, const Impactor& impactor, std::optional<double> time) {
+  const fccda::Panels& panels = impactor.surface().panels();
+  std::vector<Vec3d> moved;
+  moved.reserve(panels.vertices.size());
+  for (const Vec3d& vertex : panels.vertices) moved.push_back(impactor.body().pose().to_world(vertex));
+  output::write_vtp(path, {.points = output::coordinates(moved), .panels = panels.panels, .time = time}, output::Compression::zlib);
+}
+
+ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
+    : folder_path_(folder), folder_(folder), history_(folder_.history(), simulation.monitors().columns()), frames_wanted_(simulation.setup().output.frames) {
+  const Clock& clock = simulation.clock();
+  for (const LineSetup& line : simulation.setup().output.lines) {
+    const std::string key = "output.lines." + line.name;
+    const std::size_t b = body_named(simulation, line.body, key + ".body");
+    Line& added = lines_.emplace_back(Line{line.name, b, samples_along(simulation.bodies()[b], line.from, line.to), {}});
+    for (const Sample& sample : added.samples)
+      if (sample.distance(simulation.bodies()[b]) > simulation.bodies()[b].particles.lattice().spacing)
+        throw SetupError(key, fmt::format("line {} runs outside body {} at ({:.4g}, {:.4g}, {:.4g}) m; move its ends into the body.", line.name, line.body, sample.at.x, sample.at.y, sample.at.z));
+    for (const double time : line.times) {
+      const long step = std::lround(time / clock.dt);
+      if (step > clock.steps) throw SetupError(key + ".times", fmt::format("line {} is wanted at {:.4g} s, but the run ends at {:.4g} s.", line.name, time, static_cast<double>(clock.steps) * clock.dt));
+      added.steps.push_back(step);
+    }
+    if (line.times.empty()) added.steps.push_back(clock.steps);
+  }
+  for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name);
+  for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name());
+  after_step(simulation);
+}
+
+long ResultsWriter::step_of_frame(int frame, const Clock& clock) const { return frames_wanted_ == 0 ? -1 : std::lround(static_cast<double>(clock.steps) * frame / frames_wanted_); }
+
+void ResultsWriter::after_step(const Simulation& simulation) {
+  const Clock& clock = simulation.clock();
+  if (simulation.monitors().is_due(clock)) history_.append(simulation.monitors().row());
+  for (const Line& line : lines_)
+    if (std::find(line.steps.begin(), line.steps.end(), clock.step) != line.steps.end()) write_line(simulation, line);
+  if (frames_wanted_ > 0 && next_frame_ <= frames_wanted_ && clock.step == step_of_frame(next_frame_, clock)) write_frame(simulation);
+}
+
+void ResultsWriter::write_frame(const Simulation& simulation) {
+  const double time = simulation.clock().time();
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
+    body_series_[b].add(time, [&](const std::filesystem::path& path) { write_particles(path, simulation.bodies()[b], time); });
+  for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
+    impactor_series_[i].add(time, [&](const std::filesystem::path& path) { write_impactor(path, simulation.impactors()[i], time); });
+  last_frame_step_ = simulation.clock().step;
+  ++next_frame_;
+}
+
+void ResultsWriter::write_line(const Simulation& simulation, const Line& line) const {
+  const Body& body = simulation.bodies()[line.body];
+  static const std::vector<std::string> columns{"position_x [m]", "position_y [m]", "position_z [m]", "displacement_x [m]", "displacement_y [m]", "displacement_z [m]"};
+  std::vector<double> rows;
+  for (const Sample& sample : line.samples) {
+    const Vec3d u = sample.displacement(body);
+    rows.insert(rows.end(), {sample.at.x, sample.at.y, sample.at.z, u.x, u.y, u.z});
+  }
+  output::write_csv(folder_.line(line.name, simulation.clock().time()), columns, rows);
+}
+
+void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds) {
+  if (frames_wanted_ > 0 && last_frame_step_ != simulation.clock().step && outcome != Outcome::failed) write_frame(simulation);
+  output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds).text());
+}
+
+}  // namespace perimpact

@@ -1,0 +1,61 @@
+/// What a run leaves behind, written as it goes: history.csv row by row, frames and lines when their time has come, run.json at the end.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/output/csv.hpp"
+#include "io/output/results_folder.hpp"
+#include "io/output/series.hpp"
+#include "perimpact/simulation/simulation.hpp"
+
+namespace perimpact {
+
+/// How a run ended, for run.json.
+enum class Outcome { finished, interrupted, failed };
+
+class ResultsWriter {
+ public:
+  /// Prepares the folder (InputError where that fails) and writes what is known at t = 0. Throws SetupError where a line lies outside
+  /// its body, RunError where a file cannot be written.
+  ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder);
+
+  /// Call after every step.
+  void after_step(const Simulation& simulation);
+
+  /// Writes a last frame where none is of this time, and run.json. `failure`: the sentence of the error, if one ended the run.
+  void finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds);
+
+  int frames() const { return next_frame_; }
+  const std::filesystem::path& folder() const { return folder_path_; }
+
+ private:
+  struct Line {
+    std::string name;
+    std::size_t body;
+    std::vector<Sample> samples;
+    std::vector<long> steps;  // at which to write it, ascending
+  };
+
+  void write_frame(const Simulation& simulation);
+  void write_line(const Simulation& simulation, const Line& line) const;
+  long step_of_frame(int frame, const Clock& clock) const;
+
+  std::filesystem::path folder_path_;
+  output::ResultsFolder folder_;
+  output::CsvWriter history_;
+  std::vector<output::Series> body_series_, impactor_series_;
+  std::vector<Line> lines_;
+  int frames_wanted_;
+  int next_frame_ = 0;
+  long last_frame_step_ = -1;
+};
+
+/// The particles of a body as ParaView shows them: displacement, velocity, damage.
+void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time);
+
+/// The panels of an impactor where it is now.
+void write_impactor(const std::filesystem::path& path, const Impactor& impactor, std::optional<double> time);
+
+}  // namespace perimpact

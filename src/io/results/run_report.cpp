@@ -1,0 +1,108 @@
+#include "io/results/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include "fccda/core/parallel.hpp"
+#include "io/deck/setup_to_text.hpp"
+
+namespace perimpact {
+
+using output::Json;
+
+namespace {
+
+Json vector(const Vec3d& v) { return std::vector<double>{v.x, v.y, v.z}; }
+
+Json body_report(const Body& body) {
+  Json json = Json::object();
+  json["particles"] = body.particles.size();
+  json["bonds"] = body.family.initial_bonds();
+  json["intact_bonds"] = body.family.intact_bonds();
+  json["interior_family"] = body.family.stencil().size();
+  json["horizon [m]"] = body.family.stencil().horizon();
+  json["memory [byte]"] = body.memory();
+  json["mass [kg]"] = body.particles.mass() * static_cast<double>(body.particles.size());
+  return json;
+}
+
+Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
+  Json json = Json::object();
+  json["surface"] = surface_report(impactor.surface().report());
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+    const fccda::Effort effort = impactor.effort(b);
+    Json& against = json["detection"][simulation.bodies()[b].name];
+    against["points_in_region"] = effort.points_in_region;
+    against["points_asked"] = effort.points_asked;
+    against["panels_asked"] = effort.panels_asked;
+  }
+  json["work_of_holder [J]"] = impactor.work_of_holder();
+  return json;
+}
+
+std::string_view word_for(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::finished: return "finished";
+    case Outcome::interrupted: return "interrupted";
+    case Outcome::failed: return "failed";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string_view word_for(fccda::Closure closure) {
+  switch (closure) {
+    case fccda::Closure::closed: return "closed";
+    case fccda::Closure::open: return "open";
+    case fccda::Closure::non_manifold: return "non-manifold";
+  }
+  return "";
+}
+
+Json surface_report(const fccda::SurfaceReport& report) {
+  Json json = Json::object();
+  json["panels"] = report.panels;
+  json["triangles"] = report.triangles;
+  json["vertices"] = report.vertices;
+  json["welded"] = report.welded;
+  json["degenerate"] = report.degenerate;
+  json["duplicate"] = report.duplicate;
+  json["rewound"] = report.rewound;
+  json["flipped"] = report.flipped;
+  json["components"] = report.components;
+  json["closure"] = word_for(report.closure);
+  json["rim_edges"] = report.rim_edges;
+  json["area [m2]"] = report.area;
+  json["volume [m3]"] = report.volume;
+  json["centroid [m]"] = vector(report.centroid);
+  json["shortest_edge [m]"] = report.shortest_edge;
+  json["longest_edge [m]"] = report.longest_edge;
+  json["low [m]"] = vector(report.bounds.low);
+  json["high [m]"] = vector(report.bounds.high);
+  return json;
+}
+
+Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds) {
+  const Clock& clock = simulation.clock();
+  Json json = Json::object();
+  json["program"] = "perimpact " PERIMPACT_VERSION;
+  json["outcome"] = word_for(outcome);
+  if (!failure.empty()) json["failure"] = failure;
+  json["title"] = simulation.setup().title;
+  json["steps"] = clock.step;
+  json["time [s]"] = clock.time();
+  json["threads"] = fccda::thread_count();
+  json["wall [s]"] = wall_seconds;
+  json["state_hash"] = fmt::format("{:016x}", simulation.state_hash());
+  json["stability"]["step [s]"] = simulation.stability().step;
+  json["stability"]["estimate [s]"] = simulation.stability().estimate;
+  json["stability"]["exact [s]"] = simulation.stability().exact;
+  for (const Body& body : simulation.bodies()) json["bodies"][body.name] = body_report(body);
+  for (const Impactor& impactor : simulation.impactors()) json["impactors"][impactor.name()] = impactor_report(simulation, impactor);
+  for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
+  json["warnings"] = simulation.warnings();
+  json["setup"] = Json::verbatim(deck::setup_to_text(simulation.setup()));
+  return json;
+}
+
+}  // namespace perimpact

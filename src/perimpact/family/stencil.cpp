@@ -1,0 +1,35 @@
+#include "perimpact/family/stencil.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace perimpact {
+
+Stencil::Stencil(FamilyRule rule, double spacing, double horizon_ratio) : spacing_(spacing), horizon_(horizon_ratio * spacing) {
+  // in spacings, so that the choice does not depend on rounding of the unit
+  const double cut = rule == FamilyRule::hu_ha_bobaru ? horizon_ratio + 0.5 : horizon_ratio;
+  const int range = static_cast<int>(std::ceil(cut));
+  for (int dk = -range; dk <= range; ++dk)
+    for (int dj = -range; dj <= range; ++dj)
+      for (int di = -range; di <= range; ++di) {
+        const double distance = std::sqrt(static_cast<double>(di * di + dj * dj + dk * dk));
+        const bool bonded = rule == FamilyRule::hu_ha_bobaru ? distance < cut : distance <= cut;
+        if (distance == 0 || !bonded) continue;
+        const double part = std::min(1.0, horizon_ratio + 0.5 - distance);
+        bonds_.push_back({di, dj, dk, distance * spacing, Vec3d{1.0 * di, 1.0 * dj, 1.0 * dk} / distance, part * spacing * spacing * spacing});
+        reach_ = std::max({reach_, std::abs(di), std::abs(dj), std::abs(dk)});
+      }
+}
+
+StencilSums Stencil::sums() const {
+  StencilSums sums{};
+  for (const StencilBond& bond : bonds_) {
+    const double nx2 = bond.direction.x * bond.direction.x;
+    sums.volume += bond.volume;
+    sums.dilatation += nx2 * bond.volume;
+    sums.energy += nx2 * nx2 * bond.length * bond.volume;
+  }
+  return sums;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,46 @@
+/// The family of an interior particle of a lattice: which cells it is bonded to and with which part of their volume.
+#pragma once
+
+#include <vector>
+
+#include "perimpact/particles/lattice.hpp"
+#include "perimpact/setup/setup.hpp"
+
+namespace perimpact {
+
+/// One bond of the interior family.
+struct StencilBond {
+  int di, dj, dk;
+  double length;     ///< [m] |ξ|
+  Vec3d direction;   ///< ξ/|ξ|
+  double volume;     ///< [m³] v V: the part v of the neighbour's volume that lies within the horizon
+};
+
+/// What uniform strain makes of the whole stencil; every lattice direction gives the same.
+struct StencilSums {
+  double volume;      ///< [m³] Σ v V
+  double dilatation;  ///< [m³] Σ n_x² v V      (Σ s v V for unit strain along x)
+  double energy;      ///< [m⁴] Σ n_x⁴ |ξ| v V  (Σ s² |ξ| v V for unit strain along x)
+};
+
+/// Partial volumes follow the line v = (δ + Δ/2 - |ξ|)/Δ, at most 1. Hu, Ha and Bobaru (Comput. Methods Appl. Mech. Eng. 217 (2012) 247)
+/// let it fall to 0 at |ξ| = δ + Δ/2, Madenci and Oterkus cut it off at |ξ| = δ, where it is still one half (physics notes 1.6).
+/// Bonds are sorted by plane, row and column, so that a sweep reads memory forward.
+class Stencil {
+ public:
+  Stencil(FamilyRule rule, double spacing, double horizon_ratio);
+
+  const std::vector<StencilBond>& bonds() const { return bonds_; }
+  std::size_t size() const { return bonds_.size(); }
+  double horizon() const { return horizon_; }  ///< [m] δ
+  double spacing() const { return spacing_; }  ///< [m] Δ
+  int reach() const { return reach_; }         ///< in cells
+  StencilSums sums() const;
+
+ private:
+  double spacing_, horizon_;
+  int reach_ = 0;
+  std::vector<StencilBond> bonds_;
+};
+
+}  // namespace perimpact

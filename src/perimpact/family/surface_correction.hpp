@@ -1,0 +1,44 @@
+/// Particles near a surface miss bonds, so the body is too soft there. A correction multiplies each bond by a factor made from
+/// numbers of its two particles; nothing is stored per bond. Factors stay as they are when bonds break.
+///
+/// energy  (Madenci and Oterkus 2014, ch. 4.2; default): unit strain along each lattice axis p gives g_p = (what the interior
+///         family sums to)/(what this family sums to), once for the bonds' energy Σ s² |ξ| v V and once for the dilatation Σ s v V.
+///         A bond's factor is Σ_p n_p² (g_p(i) + g_p(j))/2, in place of their ellipsoid 1/√Σ_p (n_p/g_p)², g_p = (g_p(i) + g_p(j))/2:
+///         no root, no division, the same on the axes.
+/// volume  (Le and Bobaru, Comput. Mech. 61 (2018) 499): 2 V₀/(V_i + V_j) with V = Σ v V, V₀ that of the interior lattice.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "perimpact/family/lattice_family.hpp"
+
+namespace perimpact {
+
+class CorrectionFactors {
+ public:
+  /// Factors of the body as cut out: holes are cut before, cracks after this.
+  CorrectionFactors(SurfaceCorrection kind, const LatticeFamily& family, const Particles& particles);
+
+  SurfaceCorrection kind() const { return kind_; }
+  const VectorArray& stretch() const { return stretch_; }        ///< g_p of the bonds' energy [-]
+  const VectorArray& dilatation() const { return dilatation_; }  ///< g_p of the dilatation [-]
+  const ScalarArray& volume() const { return volume_; }          ///< V/(2 V₀) [-]
+
+  /// True where every bond of slots 8·eight … 8·eight + 7 has the factor 1, so that the plain kernel gives the same bits.
+  bool is_plain(std::size_t eight) const { return plain_[eight] != 0; }
+
+  /// The energy factor of one bond, as the kernel computes it, for tests and for the stable step.
+  double stretch_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;
+
+ private:
+  SurfaceCorrection kind_;
+  VectorArray stretch_, dilatation_;
+  ScalarArray volume_;
+  std::vector<std::uint8_t> plain_;
+};
+
+/// n_p²/2 of a bond, rounded so that the sum over p of (1 + 1) n_p²/2, taken in order with fused multiply-adds, is exactly 1.
+Vec3d interpolation_weights(const Vec3d& direction);
+
+}  // namespace perimpact

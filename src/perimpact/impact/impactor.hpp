@@ -1,0 +1,68 @@
+/// A rigid body and what it takes to find out which particles it strikes.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fccda/body/rigid_body.hpp"
+#include "fccda/detect/all_detectors.hpp"
+#include "fccda/respond/respond.hpp"
+#include "fccda/surface/surface.hpp"
+#include "perimpact/impact/struck_particles.hpp"
+#include "perimpact/setup/setup.hpp"
+
+namespace perimpact {
+
+/// What contact did to an impactor since somebody last looked.
+struct Account {
+  Vec3d impulse{};          ///< [N s]
+  Vec3d angular_impulse{};  ///< [N m s] about the centre of mass
+  std::size_t contacts = 0; ///< of the last step
+};
+
+class Impactor {
+ public:
+  /// One detector for each of the bodies, in order. Throws SetupError.
+  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies);
+
+  /// Moves the impactor by its present velocity over dt [s].
+  void advance(double dt);
+
+  /// Detects, relocates, and changes the velocities of particles and impactor (contact.md, "Per step"; seed paper, eqs. 8–10).
+  void strike(std::size_t body, StruckParticles& particles);
+
+  const std::string& name() const { return name_; }
+  const fccda::RigidBody& body() const { return body_; }
+  const fccda::Surface& surface() const { return *surface_; }
+  const fccda::Effort& effort(std::size_t body) const;  ///< of detection against that body so far
+
+  Account& account() { return account_; }
+  const Account& account() const { return account_; }
+  double work_of_holder() const { return work_; }  ///< [J] done so far by what holds the degrees of freedom that are not free
+  Vec3d impulse_of_holder() const { return held_; }  ///< [N s] given so far by it
+
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    body_.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::string(part), values); });
+    for (std::size_t b = 0; b < detectors_.size(); ++b)
+      std::visit([&](auto& detector) { detector.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::to_string(b) + "." + std::string(part), values); }); },
+                 detectors_[b]);
+  }
+
+ private:
+  std::string name_;
+  std::shared_ptr<const fccda::Surface> surface_;
+  fccda::RigidBody body_;
+  double radius_;  // [m] of all vertices about the centre of mass
+  double friction_;
+  std::vector<fccda::Detector> detectors_;  // one a body
+  fccda::Motion motion_;
+  std::vector<fccda::Contact> contacts_;    // of the latest detection
+  Account account_;
+  double work_ = 0;
+  Vec3d held_{};
+};
+
+}  // namespace perimpact

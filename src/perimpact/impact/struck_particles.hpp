@@ -1,0 +1,41 @@
+/// The particles of a body as the contact library sees them: its Points interface, read in place from the body's arrays.
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "perimpact/particles/advance.hpp"
+#include "perimpact/particles/particles.hpp"
+
+namespace perimpact {
+
+/// Point i is slot i of the lattice. Positions are those at the end of the step, the velocities led there.
+class StruckParticles {
+ public:
+  /// `travel`: what advance() wrote for this step.
+  StruckParticles(Particles& particles, std::span<const double> travel, double dt) : particles_(particles), travel_(travel), dt_(dt) {}
+
+  std::size_t size() const { return particles_.lattice().slots(); }
+  bool occupied(std::size_t slot) const { return particles_.is_occupied(slot); }
+  Vec3d position_t1(std::size_t slot) const { return particles_.position.at(slot); }
+  Vec3d position_t0(std::size_t slot) const { return particles_.position.at(slot) - dt_ * particles_.velocity.at(slot); }
+  Vec3d velocity(std::size_t slot) const { return particles_.velocity.at(slot); }
+  double mass(std::size_t) const { return particles_.mass(); }
+
+  std::size_t block_count() const { return travel_.size(); }
+  std::size_t block_begin(std::size_t block) const { return block * travel_block; }
+  std::size_t block_end(std::size_t block) const { return std::min((block + 1) * travel_block, size()); }
+  double block_travel(std::size_t block) const { return travel_[block]; }
+
+  void set(std::size_t slot, const Vec3d& position, const Vec3d& velocity) {
+    particles_.position.set(slot, position);
+    particles_.velocity.set(slot, velocity);
+  }
+
+ private:
+  Particles& particles_;
+  std::span<const double> travel_;
+  double dt_;
+};
+
+}  // namespace perimpact

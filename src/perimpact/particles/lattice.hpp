@@ -1,0 +1,48 @@
+/// A grid of cells, one particle a cell: how solids are discretised.
+///
+/// Cells are stored x fastest, and rows are padded to whole packs of eight, so that a row loads as contiguous SIMD lanes and a
+/// neighbour is a constant offset. The place of a cell in memory is its *slot*; padding cells have slots too, but no particle.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "fccda/core/pack.hpp"
+#include "fccda/core/vec3.hpp"
+
+namespace perimpact {
+
+using fccda::Vec3d;
+
+struct Lattice {
+  std::array<int, 3> cells{};  ///< number of cells in x, y and z
+  double spacing{};            ///< [m]
+  Vec3d origin{};              ///< [m] centre of cell (0, 0, 0)
+
+  std::size_t row_slots() const { return (static_cast<std::size_t>(cells[0]) + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes; }
+  std::size_t rows() const { return static_cast<std::size_t>(cells[1]) * static_cast<std::size_t>(cells[2]); }
+  std::size_t slots() const { return rows() * row_slots(); }
+  std::size_t packs_of_row() const { return row_slots() / fccda::byte_lanes; }
+
+  std::size_t slot(int i, int j, int k) const {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(cells[1]) + static_cast<std::size_t>(j)) * row_slots() + static_cast<std::size_t>(i);
+  }
+  std::array<int, 3> cell(std::size_t slot) const {
+    const std::size_t row = slot / row_slots();
+    const std::size_t ny = static_cast<std::size_t>(cells[1]);
+    return {static_cast<int>(slot % row_slots()), static_cast<int>(row % ny), static_cast<int>(row / ny)};
+  }
+  /// How far apart in memory cells are that differ by (di, dj, dk).
+  std::ptrdiff_t offset(int di, int dj, int dk) const {
+    return (static_cast<std::ptrdiff_t>(dk) * cells[1] + dj) * static_cast<std::ptrdiff_t>(row_slots()) + di;
+  }
+  bool contains(int i, int j, int k) const { return i >= 0 && i < cells[0] && j >= 0 && j < cells[1] && k >= 0 && k < cells[2]; }
+
+  /// Centre of the cell [m].
+  Vec3d centre(std::size_t slot) const {
+    const auto [i, j, k] = cell(slot);
+    return {origin.x + i * spacing, origin.y + j * spacing, origin.z + k * spacing};
+  }
+};
+
+}  // namespace perimpact

@@ -1,0 +1,56 @@
+/// Arrays over the slots of a lattice, with slack at both ends, so that a stencil around any slot reads inside the allocation.
+/// What it reads there, and in cells without a particle, is finite and never used.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "fccda/core/aligned.hpp"
+#include "fccda/core/contract.hpp"
+#include "fccda/core/vec3.hpp"
+
+namespace perimpact {
+
+using fccda::Vec3d;
+
+/// `components` numbers a slot, component by component in one allocation with a constant stride between them.
+template <std::size_t components>
+class SlotArray {
+ public:
+  SlotArray() = default;
+  /// `slack`: how far a stencil reaches, in slots. Every number starts as `value`.
+  SlotArray(std::size_t slots, std::size_t slack, double value = 0)
+      : slots_(slots), slack_((slack + 7) / 8 * 8), stride_((slots + 7) / 8 * 8 + 2 * slack_), numbers_(components * stride_, value) {}
+
+  std::size_t slots() const { return slots_; }
+  double* component(std::size_t c) { return numbers_.data() + c * stride_ + slack_; }
+  const double* component(std::size_t c) const { return numbers_.data() + c * stride_ + slack_; }
+  std::array<const double*, components> pointers() const {
+    std::array<const double*, components> all;
+    for (std::size_t c = 0; c < components; ++c) all[c] = component(c);
+    return all;
+  }
+
+  Vec3d at(std::size_t slot) const
+    requires(components == 3)
+  {
+    EXPECTS(slot < slots_);
+    return {component(0)[slot], component(1)[slot], component(2)[slot]};
+  }
+  void set(std::size_t slot, const Vec3d& value)
+    requires(components == 3)
+  {
+    EXPECTS(slot < slots_);
+    for (std::size_t c = 0; c < 3; ++c) component(c)[slot] = value[c];
+  }
+
+ private:
+  std::size_t slots_ = 0, slack_ = 0, stride_ = 0;
+  fccda::AlignedVector<double> numbers_;
+};
+
+using ScalarArray = SlotArray<1>;
+using VectorArray = SlotArray<3>;
+
+}  // namespace perimpact

@@ -1,0 +1,67 @@
+#include "perimpact/simulation/body.hpp"
+
+#include "perimpact/particles/fill.hpp"
+
+namespace perimpact {
+
+namespace {
+
+Particles fill(const BodySetup& setup, int reach, double density) {
+  const BoxSolid& box = std::get<BoxSolid>(setup.shape);
+  Particles particles(lattice_of_box(box.size, setup.position, setup.spacing), reach, density, [](const Vec3d&) { return true; });
+  for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
+  return particles;
+}
+
+/// Sums f(slot) over the particles, in rows, so that rounding does not grow with their number.
+template <class Value, class F>
+Value sum_over(const Particles& particles, Value total, const F& f) {
+  constexpr std::size_t block = 256;
+  const auto slots = particles.slot_of();
+  for (std::size_t begin = 0; begin < slots.size(); begin += block) {
+    Value part = f(slots[begin]);
+    for (std::size_t i = begin + 1; i < std::min(begin + block, slots.size()); ++i) part += f(slots[i]);
+    total += part;
+  }
+  return total;
+}
+
+}  // namespace
+
+Body make_body(const BodySetup& setup) {
+  const OrdinaryStateSetup& material = std::get<OrdinaryStateSetup>(setup.material);
+  Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing, setup.horizon_ratio);
+  Particles particles = fill(setup, stencil.reach(), material.density);
+
+  std::optional<UnitStrainSums> lattice_sums;
+  if (setup.normalisation.as<Normalisation>() == Normalisation::lattice) lattice_sums = UnitStrainSums{stencil.sums().dilatation, stencil.sums().energy};
+  const OrdinaryState law({material.youngs_modulus, material.poissons_ratio}, stencil.horizon(), lattice_sums);
+
+  std::optional<CriticalStretch> breaking;
+  if (material.critical_stretch) breaking = CriticalStretch(*material.critical_stretch);
+
+  LatticeFamily family(std::move(stencil), particles);
+  CorrectionFactors correction(setup.surface_correction.as<SurfaceCorrection>(), family, particles);
+  InternalForce internal(law, breaking, std::move(correction), family, particles);
+  return {setup.name, std::move(particles), std::move(family), std::move(internal)};
+}
+
+Vec3d Body::momentum() const {
+  return particles.mass() * sum_over(particles, Vec3d{}, [&](std::size_t slot) { return particles.velocity.at(slot); });
+}
+
+double Body::kinetic_energy(double dt) const {
+  const double half_kick = 0.5 * dt / particles.density();
+  return 0.5 * particles.mass() * sum_over(particles, 0.0, [&](std::size_t slot) {
+           return fccda::squared_norm(particles.velocity.at(slot) + half_kick * particles.force_density.at(slot));
+         });
+}
+
+double Body::memory() const {
+  const double slots = static_cast<double>(particles.lattice().slots());
+  const double vectors = 3 + (internal.correction().kind() == SurfaceCorrection::energy ? 2 : 0);
+  const double scalars = 1 + (internal.correction().kind() == SurfaceCorrection::volume ? 1 : 0) + (internal.material().needs_dilatation() ? 1 : 0);
+  return slots * (8 * (3 * vectors + scalars) + static_cast<double>(family.stencil().size()) / 8 + 4);
+}
+
+}  // namespace perimpact

@@ -1,0 +1,36 @@
+/// A deformable body: its particles, their bonds, and what the bonds do.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "perimpact/family/lattice_family.hpp"
+#include "perimpact/force/internal_force.hpp"
+#include "perimpact/particles/particles.hpp"
+#include "perimpact/setup/setup.hpp"
+
+namespace perimpact {
+
+struct Body {
+  std::string name;
+  Particles particles;
+  LatticeFamily family;
+  InternalForce internal;
+
+  /// Momentum [kg m/s] of all particles, summed in blocks, in order.
+  Vec3d momentum() const;
+  /// [J]; velocities are brought from the middle of the step to its end with the present forces: v + f dt/(2ρ).
+  double kinetic_energy(double dt) const;
+  double memory() const;  ///< [bytes] of its arrays
+
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    particles.visit_state(name, visit);
+    family.visit_state(name, visit);
+    internal.visit_state(name, visit);
+  }
+};
+
+Body make_body(const BodySetup& setup);
+
+}  // namespace perimpact

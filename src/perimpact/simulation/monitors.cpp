@@ -1,0 +1,95 @@
+#include "perimpact/simulation/monitors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "perimpact/setup/setup_error.hpp"
+
+namespace perimpact {
+
+Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, const Clock& clock)
+    : interval_(std::max(1L, setup.history ? std::lround(*setup.history / clock.dt) : clock.steps / 100)), elastic_(bodies.size(), 0.0) {
+  static_cast<void>(impactors);
+  for (const ProbeSetup& probe : setup.probes) {
+    const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const Body& candidate) { return candidate.name == probe.body; });
+    const std::string key = "output.probes." + probe.name;
+    if (body == bodies.end()) throw SetupError(key + ".body", fmt::format("probe {} asks for body {}, which does not exist.", probe.name, probe.body));
+    probes_.push_back({probe.name, static_cast<std::size_t>(body - bodies.begin()), Sample(*body, probe.at)});
+    const double away = probes_.back().sample.distance(*body), spacing = body->particles.lattice().spacing;
+    if (away > spacing)
+      throw SetupError(key + ".at", fmt::format("probe {} lies {:.3g} m from the nearest particle of body {}, more than its spacing of {:.3g} m; move it into the body.", probe.name, away,
+                                                probe.body, spacing));
+  }
+}
+
+void Monitors::add(const std::string& column, double value) {
+  if (is_first_) columns_.push_back(column);
+  row_.push_back(value);
+}
+
+void Monitors::add_vector(const std::string& owner, const char* quantity, const char* unit, const Vec3d& value) {
+  constexpr const char* axes = "xyz";
+  for (std::size_t c = 0; c < 3; ++c) add(fmt::format("{}.{}_{} [{}]", owner, quantity, axes[c], unit), value[c]);
+}
+
+void Monitors::record(std::span<const Body> bodies, std::span<Impactor> impactors, const Clock& clock) {
+  row_.clear();
+  add("time [s]", clock.time());
+  const double interval = clock.time() - row_time_;  // forces are means over it; nothing has acted before the first row
+  const double per_second = interval > 0 ? 1 / interval : 0;
+  row_time_ = clock.time();
+
+  Vec3d momentum{};
+  double energy = 0, work = 0;
+  for (Impactor& impactor : impactors) {
+    const fccda::RigidBody& body = impactor.body();
+    Account& account = impactor.account();
+    add_vector(impactor.name(), "position", "m", body.position_of_com());
+    add_vector(impactor.name(), "velocity", "m/s", body.velocity());
+    add_vector(impactor.name(), "angular_velocity", "rad/s", body.angular_velocity());
+    add_vector(impactor.name(), "force", "N", per_second * account.impulse);
+    add_vector(impactor.name(), "moment", "N m", per_second * account.angular_impulse);
+    add(impactor.name() + ".contacts [-]", static_cast<double>(account.contacts));
+    account.impulse = {}, account.angular_impulse = {};
+    momentum += body.momentum();
+    energy += body.kinetic_energy();
+    work += impactor.work_of_holder();
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double kinetic = bodies[b].kinetic_energy(clock.dt);
+    add(bodies[b].name + ".kinetic_energy [J]", kinetic);
+    add(bodies[b].name + ".elastic_energy [J]", elastic_[b]);
+    add(bodies[b].name + ".broken_bonds [-]", static_cast<double>(bodies[b].internal.broken_bonds()));
+    momentum += bodies[b].momentum();
+    energy += kinetic + elastic_[b];
+  }
+  add_vector("total", "momentum", "kg m/s", momentum);
+  add("total.energy [J]", energy);
+  for (const Probe& probe : probes_) add_vector(probe.name, "displacement", "m", probe.sample.displacement(bodies[probe.body]));
+  check(bodies, clock, energy, work);
+  is_first_ = false;
+}
+
+void Monitors::check(std::span<const Body> bodies, const Clock& clock, double energy, double work) {
+  if (is_first_) first_energy_ = energy;
+  if (!std::isfinite(energy)) {
+    for (const Body& body : bodies)
+      for (std::size_t i = 0; i < body.particles.size(); ++i) {
+        const std::uint32_t slot = body.particles.slot_of()[i];
+        if (!is_finite(body.particles.position.at(slot)) || !is_finite(body.particles.force_density.at(slot)))
+          throw fccda::RunError(fmt::format("At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. The rows written before are sound; try a smaller time step.",
+                                            clock.step, clock.time(), i, body.name));
+      }
+    throw fccda::RunError(fmt::format("At step {} ({:.6g} s) the energy is not a number. The rows written before are sound; try a smaller time step.", clock.step, clock.time()));
+  }
+  // Contact and breaking only take energy. Interpolated velocities leave a ripple of (ω dt)² on the energy of the shortest waves, which hold little of it.
+  const double available = first_energy_ + std::fabs(work);
+  if (energy - work - first_energy_ > 0.05 * available)
+    throw fccda::RunError(fmt::format("At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the {:.4g} J there were plus the {:.4g} J put in from outside: the time step of {:.3g} s is "
+                                      "not stable for this run; make it smaller.",
+                                      clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_, work, clock.dt));
+}
+
+}  // namespace perimpact

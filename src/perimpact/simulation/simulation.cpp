@@ -1,0 +1,111 @@
+#include "perimpact/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulation/stable_step.hpp"
+#include "perimpact/simulation/state_hash.hpp"
+
+namespace perimpact {
+
+namespace {
+
+std::vector<Body> make_bodies(const Setup& setup) {
+  std::vector<Body> bodies;
+  for (const BodySetup& body : setup.bodies) bodies.push_back(make_body(body));
+  return bodies;
+}
+
+constexpr double safety = 0.9;  // of the estimate, which errs on the safe side by a factor near two
+
+Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vector<std::string>& warnings) {
+  Stability stability{0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  for (const Body& body : bodies) {
+    stability.estimate = std::min(stability.estimate, silling_askari_step(body));
+    stability.exact = std::min(stability.exact, exact_stable_step(body));
+  }
+  const double automatic = safety * stability.estimate;
+  stability.step = setup.time.step.value_or(setup.time.end / std::ceil(setup.time.end / automatic));
+  if (stability.step > setup.time.end)
+    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; make it shorter, or leave it out.", stability.step, setup.time.end));
+  if (stability.step >= stability.exact)
+    throw SetupError("time.step",
+                     fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of this lattice ({:.4g} s): the run would blow up. Take at most {:.4g} s, or leave the step out.",
+                                 stability.step, stability.step / stability.exact, stability.exact, automatic));
+  if (stability.step > automatic * (1 + 1e-9))
+    warnings.push_back(fmt::format("The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times the exact limit of the lattice; near surfaces it may be unstable.",
+                                   stability.step, stability.step / automatic, automatic, stability.step / stability.exact));
+  return stability;
+}
+
+std::vector<Impactor> make_impactors(const Setup& setup, std::span<Body> bodies) {
+  std::vector<Particles*> particles;
+  for (Body& body : bodies) particles.push_back(&body.particles);
+  std::vector<Impactor> impactors;
+  for (const ImpactorSetup& impactor : setup.impactors) impactors.emplace_back(impactor, setup.contact.impactors, particles);
+  return impactors;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Setup& setup)
+    : setup_(setup),
+      bodies_(make_bodies(setup)),
+      stability_(find_step(setup, bodies_, warnings_)),
+      clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
+      impactors_(make_impactors(setup, bodies_)),
+      monitors_(setup.output, bodies_, impactors_, clock_) {
+  for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles.lattice()), 0.0);
+  evaluate_forces();
+  monitors_.record(bodies_, impactors_, clock_);
+}
+
+void Simulation::step() {
+  ++clock_.step;
+  timers_.timed("predict", [&] { advance_bodies(); });
+  timers_.timed("contact", [&] { strike(); });
+  timers_.timed("forces", [&] { evaluate_forces(); });
+  timers_.timed("monitors", [&] {
+    if (monitors_.is_due(clock_)) monitors_.record(bodies_, impactors_, clock_);
+  });
+}
+
+void Simulation::advance_bodies() {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) advance(bodies_[b].particles, clock_.dt, travel_[b]);
+}
+
+void Simulation::strike() {
+  for (Impactor& impactor : impactors_) {
+    impactor.advance(clock_.dt);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
+      impactor.strike(b, particles);
+    }
+  }
+}
+
+void Simulation::evaluate_forces() {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Body& body = bodies_[b];
+    if (monitors_.is_due(clock_)) monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family);
+    else body.internal.evaluate(body.particles, body.family);
+  }
+}
+
+std::size_t Simulation::contacts() const {
+  std::size_t sum = 0;
+  for (const Impactor& impactor : impactors_) sum += impactor.account().contacts;
+  return sum;
+}
+
+std::uint64_t Simulation::state_hash() {
+  StateHash hash;
+  visit_state(hash);
+  return hash.value();
+}
+
+}  // namespace perimpact

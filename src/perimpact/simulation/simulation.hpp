@@ -1,0 +1,66 @@
+/// A whole simulation: built from a Setup, advanced step by step. It writes nothing; who wants results looks at it between steps
+/// (run.hpp has the loop).
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fccda/core/timers.hpp"
+#include "perimpact/impact/impactor.hpp"
+#include "perimpact/setup/setup.hpp"
+#include "perimpact/simulation/body.hpp"
+#include "perimpact/simulation/clock.hpp"
+#include "perimpact/simulation/monitors.hpp"
+
+namespace perimpact {
+
+/// How the time step was found, over all bodies.
+struct Stability {
+  double step;      ///< [s] taken
+  double estimate;  ///< [s] Silling and Askari
+  double exact;     ///< [s] beyond which the interior lattice is unstable
+};
+
+class Simulation {
+ public:
+  /// Throws SetupError where the Setup cannot be simulated.
+  explicit Simulation(const Setup& setup);
+
+  void step();
+
+  const Setup& setup() const { return setup_; }
+  const Clock& clock() const { return clock_; }
+  const Stability& stability() const { return stability_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  const fccda::Timers& timers() const { return timers_; }
+  std::span<const Body> bodies() const { return bodies_; }
+  std::span<const Impactor> impactors() const { return impactors_; }
+  const Monitors& monitors() const { return monitors_; }
+  std::size_t contacts() const;  ///< of the last step
+
+  /// Calls visit(name, span) for every array of the state.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    for (Body& body : bodies_) body.visit_state(visit);
+    for (Impactor& impactor : impactors_) impactor.visit_state(visit);
+  }
+  std::uint64_t state_hash();
+
+ private:
+  void advance_bodies();
+  void strike();
+  void evaluate_forces();
+
+  Setup setup_;
+  std::vector<std::string> warnings_;
+  std::vector<Body> bodies_;
+  Stability stability_;
+  Clock clock_;
+  std::vector<Impactor> impactors_;
+  std::vector<std::vector<double>> travel_;  // [m] of each body's blocks in this step
+  Monitors monitors_;
+  fccda::Timers timers_;
+};
+
+}  // namespace perimpact

@@ -1,0 +1,79 @@
+#include "perimpact/simulation/stable_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "fccda/core/parallel.hpp"
+
+namespace perimpact {
+
+double silling_askari_step(const Body& body) {
+  const auto& bonds = body.family.stencil().bonds();
+  const double c = body.internal.material().bond_stiffness();
+  std::vector<double> stiffness(body.particles.size());
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(stiffness.size()), [&](std::ptrdiff_t particle) {
+    const std::size_t slot = body.particles.slot_of()[static_cast<std::size_t>(particle)];
+    double sum = 0;
+    for (std::size_t b = 0; b < bonds.size(); ++b) {
+      if (!body.family.is_intact(slot, b)) continue;
+      const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(slot) + body.family.offsets()[b]);
+      sum += c * bonds[b].volume / bonds[b].length * body.internal.correction().stretch_factor(slot, j, body.internal.half_squares()[b]);
+    }
+    stiffness[static_cast<std::size_t>(particle)] = sum;
+  });
+  const double stiffest = *std::max_element(stiffness.begin(), stiffness.end());
+  return stiffest > 0 ? std::sqrt(2 * body.particles.density() / stiffest) : std::numeric_limits<double>::infinity();
+}
+
+namespace {
+
+/// Largest eigenvalue of a symmetric 3×3 matrix (Smith, Commun. ACM 4 (1961) 168).
+double largest_eigenvalue(const double (&m)[3][3]) {
+  const double mean = (m[0][0] + m[1][1] + m[2][2]) / 3;
+  double off = 0, deviator[3][3];
+  for (int r = 0; r < 3; ++r)
+    for (int s = 0; s < 3; ++s) {
+      deviator[r][s] = m[r][s] - (r == s ? mean : 0);
+      off += deviator[r][s] * deviator[r][s];
+    }
+  const double p = std::sqrt(off / 6);
+  if (p == 0) return mean;
+  const auto& d = deviator;
+  const double determinant = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+                             d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+  const double angle = std::acos(std::clamp(determinant / (2 * p * p * p), -1.0, 1.0)) / 3;
+  return mean + 2 * p * std::cos(angle);
+}
+
+}  // namespace
+
+double exact_stable_step(const Body& body) {
+  constexpr int intervals = 24;
+  const OrdinaryState& material = body.internal.material();
+  const Stencil& stencil = body.family.stencil();
+  const double wave = std::numbers::pi / stencil.spacing() / intervals;
+  double stiffest = 0;
+  for (int kx = 0; kx <= intervals; ++kx)  // the lattice's symmetry leaves k_x >= k_y >= k_z >= 0
+    for (int ky = 0; ky <= kx; ++ky)
+      for (int kz = 0; kz <= ky; ++kz) {
+        double m[3][3] = {};
+        Vec3d t{};
+        for (const StencilBond& bond : stencil.bonds()) {
+          const Vec3d n = bond.direction;
+          const double phase = bond.length * wave * (kx * n.x + ky * n.y + kz * n.z);
+          const double stretch = material.bond_stiffness() * bond.volume / bond.length * (1 - std::cos(phase));
+          for (std::size_t r = 0; r < 3; ++r)
+            for (std::size_t s = 0; s < 3; ++s) m[r][s] += stretch * n[r] * n[s];
+          t += (material.d() * stencil.horizon() * bond.volume / bond.length * std::sin(phase)) * n;
+        }
+        for (std::size_t r = 0; r < 3; ++r)
+          for (std::size_t s = 0; s < 3; ++s) m[r][s] += 2 * material.a() * t[r] * t[s];
+        stiffest = std::max(stiffest, largest_eigenvalue(m));
+      }
+  return 2 * std::sqrt(body.particles.density() / stiffest);
+}
+
+}  // namespace perimpact

@@ -1,0 +1,43 @@
+/// A fingerprint of all state: equal states give equal numbers, and any changed bit almost surely another one.
+/// It is compared between runs of one binary (threads, resumed runs), never stored as an expectation.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+
+namespace perimpact {
+
+/// A visitor for visit_state: mixes names and the bytes of the arrays, eight at a time.
+class StateHash {
+ public:
+  template <class T>
+  void operator()(const std::string& name, std::span<T> values) {
+    mix_bytes(name.data(), name.size());
+    mix_bytes(values.data(), values.size_bytes());
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  void mix_bytes(const void* from, std::size_t count) {
+    const auto* bytes = static_cast<const unsigned char*>(from);
+    for (; count >= 8; bytes += 8, count -= 8) {
+      std::uint64_t word;
+      std::memcpy(&word, bytes, 8);
+      mix(word);
+    }
+    std::uint64_t rest = count;
+    for (; count > 0; --count) rest = rest << 8 | *bytes++;
+    mix(rest);
+  }
+  // multiply and fold: each step is a bijection of the hash for a given word, so that no difference is lost at once
+  void mix(std::uint64_t word) {
+    hash_ = (hash_ ^ word) * 0x9e3779b97f4a7c15u;
+    hash_ ^= std::rotr(hash_, 29);
+  }
+  std::uint64_t hash_ = 0x6a09e667f3bcc908u;
+};
+
+}  // namespace perimpact

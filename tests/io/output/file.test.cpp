@@ -1,0 +1,137 @@
+#include "io/output/file.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <string>
+
+#include "fccda/core/error.hpp"
+#include "fixtures/file_size_limit.hpp"
+#include "fixtures/temporary_folder.hpp"
+#include "io/output/csv.hpp"
+
+using namespace perimpact::output;
+using fixtures::FileSizeLimit;
+using fixtures::TemporaryFolder;
+using fixtures::text_of;
+
+namespace {
+
+/// What the action complains about.
+template <class Action>
+std::string complaint(const Action& action) {
+  try {
+    action();
+  } catch (const fccda::RunError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+}  // namespace
+
+TEST_CASE("file: until it is finished, the earlier file of its name stays") {
+  const TemporaryFolder folder;
+  write_whole_file(folder / "run.json", "old");
+  {
+    WholeFile file(folder / "run.json");
+    file.write("new");
+    CHECK(text_of(folder / "run.json") == "old");
+    file.finish();
+    CHECK(text_of(folder / "run.json") == "new");
+  }
+  WholeFile(folder / "run.json").write("never finished");
+  CHECK(text_of(folder / "run.json") == "new");
+  CHECK(fixtures::files_in(folder.path()) == std::set<std::string>{"run.json"});
+}
+
+TEST_CASE("file: a process killed while it writes leaves the earlier file whole") {
+  const TemporaryFolder folder;
+  write_whole_file(folder / "frame.vtp", "old");
+  const pid_t child = fork();
+  if (child == 0) {
+    WholeFile file(folder / "frame.vtp");
+    file.write("ne");
+    raise(SIGKILL);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  REQUIRE(WIFSIGNALED(status));
+  CHECK(text_of(folder / "frame.vtp") == "old");
+  CHECK(text_of(folder / "frame.vtp.part") == "ne");
+}
+
+TEST_CASE("file: where the room ends, the earlier file stays, nothing else is left, and the message says why") {
+  const TemporaryFolder folder;
+  write_whole_file(folder / "frame.vtp", "old");
+  std::string message;
+  {
+    const FileSizeLimit limit(5000);
+    message = complaint([&] { write_whole_file(folder / "frame.vtp", std::string(5001, 'x')); });
+    CHECK(complaint([&] { write_whole_file(folder / "other.vtp", std::string(5000, 'x')); }) == "nothing");
+  }
+  CHECK(message == (folder / "frame.vtp").string() +
+                       " cannot be written: File too large. Raise the limit on file sizes (ulimit -f) and run again; everything written before is intact.");
+  CHECK(text_of(folder / "frame.vtp") == "old");
+  CHECK(fixtures::files_in(folder.path()) == std::set<std::string>{"frame.vtp", "other.vtp"});
+}
+
+TEST_CASE("file: a full disk is reported as such") {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder / "run.json.part");  // what is written to it meets a full disk
+  CHECK(complaint([&] { write_whole_file(folder / "run.json", "{}"); }) ==
+        (folder / "run.json").string() + " cannot be written: No space left on device. Make room and run again; everything written before is intact.");
+  CHECK(fixtures::files_in(folder.path()).empty());
+  CHECK(complaint([&] { GrowingFile("/dev/full").append("1,2\n"); }) ==
+        "/dev/full cannot be written: No space left on device. Make room and run again; everything written before is intact.");
+}
+
+TEST_CASE("file: a folder that is gone is reported as such") {
+  const TemporaryFolder folder;
+  CHECK(complaint([&] { write_whole_file(folder / "gone/run.json", "{}"); }) ==
+        (folder / "gone/run.json").string() +
+            " cannot be written: No such file or directory. Its folder is not there (any more): do not move or delete the results while the run goes on.");
+}
+
+TEST_CASE("csv: a row that does not fit is taken back, and the rows before it stay") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> columns = {"time [s]", "total.energy [J]"};
+  const std::string whole = "time [s],total.energy [J]\n0.5,1.25\n";
+  {
+    CsvWriter table(folder / "history.csv", columns);
+    table.append(std::vector{0.5, 1.25});
+    const FileSizeLimit limit(whole.size() + 3);  // the next row is cut after three bytes
+    CHECK(complaint([&] { table.append(std::vector{0.75, 1.25}); }) != "nothing");
+    CHECK(text_of(folder / "history.csv") == whole);
+  }
+  CHECK(text_of(folder / "history.csv") == whole);
+}
+
+TEST_CASE("csv: a killed run keeps every row, and each number reads back to the same double") {
+  const TemporaryFolder folder;
+  const std::vector<double> row = {1.0 / 3, -4.815162342e-300, 1e22, 200e-6};
+  const pid_t child = fork();
+  if (child == 0) {
+    CsvWriter table(folder / "history.csv", std::vector<std::string>{"a", "b", "c", "d"});
+    table.append(row);
+    raise(SIGKILL);
+  }
+  waitpid(child, nullptr, 0);
+  std::istringstream lines(text_of(folder / "history.csv"));
+  std::string header, cell;
+  std::getline(lines, header);
+  CHECK(header == "a,b,c,d");
+  for (const double value : row) {
+    std::getline(lines, cell, value == row.back() ? '\n' : ',');
+    CHECK(std::stod(cell) == value);
+  }
+  CHECK(lines.peek() == std::char_traits<char>::eof());
+}
+
+TEST_CASE("csv: names with commas and quotes stay one column") {
+  const TemporaryFolder folder;
+  write_csv(folder / "line.csv", std::vector<std::string>{"at 0,0 \"centre\" [m]", "b"}, std::vector{1.0, 2.0, 3.0, 4.5});
+  CHECK(text_of(folder / "line.csv") == "\"at 0,0 \"\"centre\"\" [m]\",b\n1,2\n3,4.5\n");
+}
