@@ -39,19 +39,29 @@ bool ends_in(Parts path, Parts query) {
 
 bool is_below(const Entry& entry, const Entry& map) { return entry.path.starts_with(map.path + "."); }
 
-/// What the query names: entries of that whole path, or else those that end in it; not those below another that is named.
+std::string suggested_key(std::string_view key) {
+  std::vector<std::string> keys;
+  for (const Entry& entry : reference()) keys.emplace_back(entry.key());
+  return std::string(nearest_word(key, keys));
+}
+
+/// What the query names: entries of that whole path, or else those that end in it, or else the map of a name ("bodies.plate");
+/// not those below another that is named.
 std::vector<const Entry*> named_by(std::string_view key_path) {
   const std::vector<std::string_view> query = parts_of(key_path);
   const auto found_by = [&](const auto& is_meant) {
     std::vector<const Entry*> found;
     for (const Entry& entry : reference()) {
       const bool is_shown = !found.empty() && is_below(entry, *found.back());
-      if (!is_shown && is_meant(parts_of(entry.path), query)) found.push_back(&entry);
+      if (!is_shown && is_meant(parts_of(entry.path))) found.push_back(&entry);
     }
     return found;
   };
-  const auto whole = found_by(matches);
-  return whole.empty() ? found_by(ends_in) : whole;
+  const auto is_key = [&](Parts path) { return path.back() == query.back(); };
+  auto found = found_by([&](Parts path) { return is_key(path) && matches(path, query); });
+  if (found.empty()) found = found_by([&](Parts path) { return is_key(path) && ends_in(path, query); });
+  if (found.empty() && suggested_key(query.back()).empty()) found = found_by([&](Parts path) { return path.back() == any_name && matches(path, query); });
+  return found;
 }
 
 std::ptrdiff_t depth(const Entry& entry) { return std::count(entry.path.begin(), entry.path.end(), '.'); }
@@ -85,9 +95,7 @@ std::string describe(std::string_view key_path) {
   }
   const std::vector<const Entry*> roots = named_by(key_path);
   if (roots.empty()) {
-    std::vector<std::string> keys;
-    for (const Entry& entry : reference()) keys.emplace_back(entry.key());
-    const std::string_view meant = nearest_word(parts_of(key_path).back(), keys);
+    const std::string meant = suggested_key(parts_of(key_path).back());
     refuse(key_path, meant.empty() ? "a deck has no such key; perimpact describe lists all." : fmt::format("a deck has no such key; did you mean {}?", meant));
   }
   for (const Entry* root : roots) {

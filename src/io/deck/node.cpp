@@ -29,9 +29,12 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Editors count characters: bytes that do not continue one in UTF-8.
+/// A byte that continues a character in UTF-8.
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
+
+/// Editors count characters, yaml-cpp counts bytes.
 std::ptrdiff_t characters(std::string_view text) {
-  return std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; });
+  return std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); });
 }
 
 /// yaml-cpp reports a tab in the indentation as "illegal map value" somewhere behind it.
@@ -86,7 +89,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void open(const YAML::Mark& mark, const std::string& tag, Node::Kind kind) {
     refuse_tag(mark, tag);
-    if (expects_key()) refuse(place(mark), "a list or map stands where a key is expected; a key is one word, followed by a colon and a space.");
+    if (expects_key()) refuse(place(mark), "a list or map stands where a key is expected; keys are single words, and every bracket must be closed.");
     open_.push_back({.node = {.kind = kind, .place = place(mark)}, .key = {}});
   }
 
@@ -128,7 +131,8 @@ class TreeBuilder : public YAML::EventHandler {
 /// Nothing where there is no document.
 Node parse(std::string_view text, const PlaceOf& place_of) {
   refuse_tabs(text, place_of);
-  std::istringstream stream{std::string(text)};
+  // With the mark of a document's end, yaml-cpp does not take an open bracket for a key nor close an open quote by itself.
+  std::istringstream stream(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
   TreeBuilder builder(place_of);
   try {
     YAML::Parser parser(stream);
@@ -137,8 +141,9 @@ Node parse(std::string_view text, const PlaceOf& place_of) {
     if (parser.HandleNextDocument(builder)) refuse(builder.root.place, "a second YAML document begins here, but a deck is one; remove the line --- before it.");
     return root;
   } catch (const YAML::Exception& error) {
-    refuse(place_of(error.mark.line, error.mark.column),
-           fmt::format("this cannot be read as YAML ({}); look here and just before for indentation, colons, quotes and brackets.", error.msg));
+    const std::string place = place_of(error.mark.line, error.mark.column);
+    if (error.msg == YAML::ErrorMsg::DOC_IN_SCALAR) refuse(place, "a quote that was opened before is not closed up to here; close it.");
+    refuse(place, fmt::format("this cannot be read as YAML ({}); look here and just before for indentation, colons, quotes and brackets.", error.msg));
   }
 }
 
@@ -162,8 +167,12 @@ std::string Node::in_words() const {
     case Kind::word:
       break;
   }
-  const bool is_plain = !text.empty() && text.find_first_of(" ,:;\n") == std::string::npos;
-  return is_plain ? text : '"' + text + '"';
+  constexpr std::size_t longest = 60;
+  std::size_t length = std::min(text.size(), longest);
+  while (length < text.size() && is_continuation(text[length])) --length;
+  const std::string start = length < text.size() ? text.substr(0, length) + "…" : text;
+  const bool is_plain = !start.empty() && start.find_first_of(" ,:;\n") == std::string::npos;
+  return is_plain ? start : '"' + start + '"';
 }
 
 Node parse_document(std::string_view text, const std::string& file) {
@@ -173,6 +182,7 @@ Node parse_document(std::string_view text, const std::string& file) {
     const std::string_view before = row < lines.size() ? lines[row].substr(0, static_cast<std::size_t>(std::max(column, 0))) : std::string_view{};
     return fmt::format("{}:{}:{}", file, row + 1, characters(before) + 1);
   };
+  if (text.find('\0') != std::string_view::npos) refuse(file, "this is not a text file; name a deck, which is YAML.");
   Node root = parse(text, place_of);
   if (root.kind == Node::Kind::nothing) refuse(file, "the deck is empty; it needs at least time and bodies (perimpact describe lists all keys).");
   if (root.kind != Node::Kind::map)
@@ -184,6 +194,11 @@ Node parse_value(std::string_view text, const std::string& place) {
   return parse(text, [&](int, int) { return place; });
 }
 
-void refuse(std::string_view place, std::string_view sentence) { throw fccda::InputError(fmt::format("{}: {}", place, sentence)); }
+void refuse(std::string_view place, std::string_view sentence) {
+  std::string line = fmt::format("{}: {}", place, sentence);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  throw fccda::InputError(line);
+}
 
 }  // namespace perimpact::deck

@@ -21,7 +21,7 @@ struct Node {
 
   Entry* find(std::string_view key);
   const Entry* find(std::string_view key) const;
-  /// How messages call it: "0.6", a list, a map, nothing.
+  /// How messages call it: 0.6, "5 kg", a list, a map, nothing. Long text is cut.
   std::string in_words() const;
 };
 
@@ -38,7 +38,7 @@ Node parse_document(std::string_view text, const std::string& file);
 /// One value in YAML, all of which is said to stand at `place`.
 Node parse_value(std::string_view text, const std::string& place);
 
-/// Throws InputError with "place: sentence".
+/// Throws InputError with "place: sentence", on one line whatever the deck held.
 [[noreturn]] void refuse(std::string_view place, std::string_view sentence);
 
 }  // namespace perimpact::deck

@@ -58,13 +58,21 @@ std::string_view Reader::only_one_of(const std::vector<std::string>& words, Pres
 std::string Reader::word_of(std::string_view selector, const std::vector<std::string>& words) {
   const std::string sentence = fmt::format("It is one of {}.", fmt::join(words, ", "));
   const Node::Entry* entry = find(selector, Presence::required, sentence);
-  if (!entry) refuse(place_, missing_);
+  if (!entry) refuse_without(selector);
   places_.add(path_of(selector), entry->value.place);
   std::string word;
   read_value(entry->value, {selector, {}, {}, sentence}, word);
   if (std::find(words.begin(), words.end(), word) == words.end())
     refuse(entry->value.place, fmt::format("{} is {}, which is not known; {}", selector, entry->value.in_words(), suggestion(word, words)));
   return word;
+}
+
+void Reader::refuse_without(std::string_view selector) const {
+  std::vector<std::string> keys;
+  for (const Node::Entry& entry : map_.entries) keys.push_back(entry.key);
+  if (const std::string_view misspelt = nearest_word(selector, keys); !misspelt.empty())
+    refuse(map_.find(misspelt)->place, fmt::format("{} is not a key of {}; did you mean {}?", misspelt, called(path_), selector));
+  refuse(place_, missing_);
 }
 
 void Reader::refuse_bad_names(Presence presence) const {
@@ -77,12 +85,20 @@ void Reader::refuse_bad_names(Presence presence) const {
   }
 }
 
+std::string Reader::other_names(const std::string& name) const {
+  std::vector<std::string> others;
+  for (const Node::Entry& entry : map_.entries) {
+    if (entry.key != name) others.push_back(entry.key);
+  }
+  return others.empty() ? "" : fmt::format("the deck has no {}; {}", path_of(name), suggestion(name, others));
+}
+
 void Reader::finish() const {
   for (const Node::Entry& entry : map_.entries) {
     if (std::find(known_.begin(), known_.end(), entry.key) == known_.end())
       refuse(entry.place, fmt::format("{} is not a key of {}; {}", entry.key, called(path_), way_out(entry.key, known_)));
   }
-  if (!missing_.empty()) refuse(place_, missing_);
+  if (!missing_.empty()) refuse(place_, may_be_misnamed_.empty() ? missing_ : may_be_misnamed_);
 }
 
 }  // namespace perimpact::deck

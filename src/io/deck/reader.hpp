@@ -44,7 +44,9 @@ class Reader {
       T& element = into.emplace_back();
       element.name = item.key;
       names.places_.add(names.path_of(item.key), item.place);
-      names.inner(item).read(element);
+      Reader contents = names.inner(item);
+      contents.may_be_misnamed_ = item.place.starts_with("--set ") ? names.other_names(item.key) : std::string();
+      contents.read(element);
     }
   }
 
@@ -105,7 +107,10 @@ class Reader {
   std::string path_of(std::string_view key) const { return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key); }
   std::string_view only_one_of(const std::vector<std::string>& words, Presence presence);
   std::string word_of(std::string_view selector, const std::vector<std::string>& words);
+  [[noreturn]] void refuse_without(std::string_view selector) const;
   void refuse_bad_names(Presence presence) const;
+  /// "the deck has no bodies.plat; did you mean plate?"
+  std::string other_names(const std::string& name) const;
   void finish() const;
 
   const Node& map_;
@@ -113,7 +118,8 @@ class Reader {
   std::string place_;
   Places& places_;
   std::vector<std::string> known_;
-  std::string missing_;  // the sentence about the first
+  std::string missing_;          // the sentence about the first
+  std::string may_be_misnamed_;  // said instead of what is missing: a name that only --set gave was hardly meant to be new
 };
 
 }  // namespace perimpact::deck

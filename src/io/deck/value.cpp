@@ -21,8 +21,6 @@ namespace {
   refuse(node.place, fmt::format("{} is {}, but {}", rule.name, node.in_words(), but));
 }
 
-std::string unit_suffix(const Rule& rule) { return rule.unit == "1" ? "" : fmt::format(" {}", rule.unit); }
-
 /// A number with its unit, not yet held against the range.
 double number(const Node& node, const Rule& rule) {
   const UnitKind& kind = kind_of(rule.unit);
@@ -82,9 +80,7 @@ void read_value(const Node& node, const Rule& rule, bool& into) {
 void read_value(const Node& node, const Rule& rule, std::string& into) { into = word(node, rule, "text"); }
 
 void read_value(const Node& node, const Rule& rule, Vec3d& into) {
-  const std::string example = fmt::format("[x, y, z]{}", unit_suffix(rule));
-  if (node.kind != Node::Kind::list)
-    refuse_value(node, rule, fmt::format("three numbers in brackets are needed: {} = [x, y, z]. {}", rule.name, rule.sentence));
+  if (node.kind != Node::Kind::list) refuse_value(node, rule, fmt::format("three numbers are needed: [x, y, z]. {}", rule.sentence));
   if (node.items.size() != 3)
     refuse(node.place, fmt::format("{} has {} numbers, but three are needed: [x, y, z]. {}", rule.name, node.items.size(), rule.sentence));
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,0 +1,74 @@
+#include "io/deck/describe.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "fccda/core/error.hpp"
+#include "io/deck/reference.hpp"
+
+using perimpact::deck::describe;
+
+namespace {
+constexpr std::string_view poissons_ratio =
+    "bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25, with model: ordinary-state\n"
+    "    Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest.\n";
+
+std::string complaint(std::string_view path) {
+  try {
+    describe(path);
+    return "";
+  } catch (const fccda::InputError& error) {
+    return error.what();
+  }
+}
+}  // namespace
+
+TEST_CASE("describe: a key is found by its whole path, with any name or none, and by its end") {
+  for (const char* path : {"bodies.<name>.material.poissons_ratio", "bodies.material.poissons_ratio", "bodies.plate.material.poissons_ratio",
+                           "material.poissons_ratio", "poissons_ratio"})
+    CHECK_MESSAGE(describe(path) == poissons_ratio, path);
+}
+
+TEST_CASE("describe: a map is told with all below it") {
+  CHECK(describe("time") ==
+        "time: map, required\n"
+        "    How long the run is and in which steps.\n"
+        "  end: number [s], above 0, required\n"
+        "      Time at which the run ends.\n"
+        "  step: number [s], above 0, optional\n"
+        "      Time step. Where absent, 0.9 times the stable estimate of Silling and Askari over all bodies.\n");
+  CHECK(describe("impactors").starts_with("impactors: map, optional\n  <name>: map\n"));  // not contact.impactors
+  CHECK(describe("bodies.plate") == describe("bodies.<name>"));
+  CHECK(describe("bodies.spacing").starts_with("bodies.<name>.spacing: number [m]"));  // a key, not a body of that name
+  CHECK(describe("surface").find("one of cylinder, sphere, box, file") != std::string::npos);
+}
+
+TEST_CASE("describe: a key that stands in several places is told for each") {
+  const std::string text = describe("diameter");
+  CHECK(text.find("impactors.<name>.surface.cylinder.diameter: ") != std::string::npos);
+  CHECK(text.find("impactors.<name>.surface.sphere.diameter: ") != std::string::npos);
+}
+
+TEST_CASE("describe: nothing asked is everything told") {
+  const std::string all = describe("");
+  for (const auto& entry : perimpact::deck::reference()) CHECK_MESSAGE(all.find(std::string(entry.key()) + ": ") != std::string::npos, entry.path);
+}
+
+TEST_CASE("describe: an unknown key gets a suggestion") {
+  CHECK(complaint("bodies.poisson_ratio") == "bodies.poisson_ratio: a deck has no such key; did you mean poissons_ratio?");
+  CHECK(complaint("colour") == "colour: a deck has no such key; perimpact describe lists all.");
+  CHECK(complaint("..") != "");
+}
+
+TEST_CASE("describe: the deck reference of the guide is up to date (perimpact describe --markdown writes it)") {
+  std::ifstream file(PROJECT_FOLDER "/docs/guide/deck_reference.md", std::ios::binary);
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const bool is_up_to_date = page == perimpact::deck::describe_markdown();
+  CHECK(is_up_to_date);
+}
+
+TEST_CASE("reference: every key has a sentence, but for maps whose name says all") {
+  for (const auto& entry : perimpact::deck::reference()) CHECK_MESSAGE((entry.is_map || !entry.sentence.empty()), entry.path);
+}

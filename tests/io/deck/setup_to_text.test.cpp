@@ -1,0 +1,162 @@
+#include "io/deck/setup_to_text.hpp"
+
+#include <random>
+
+#include "io/deck/fixtures.hpp"
+#include "io/deck/schema.hpp"
+
+using namespace perimpact;
+using fixtures::read;
+
+namespace {
+
+using Random = std::mt19937_64;
+
+// Any value that the range allows, with all the digits of a double.
+double some_number(Random& random, const fccda::Range& range) {
+  const double low = std::max(range.low, -1e6), high = std::min(range.high, 1e6);
+  return std::uniform_real_distribution<double>(std::nextafter(low, high), high)(random);
+}
+void fill(Random& random, const fccda::Range& range, double& value) { value = some_number(random, range); }
+void fill(Random& random, const fccda::Range& range, int& value) { value = static_cast<int>(some_number(random, range)); }
+void fill(Random& random, const fccda::Range&, bool& value) { value = random() % 2; }
+void fill(Random& random, const fccda::Range&, Choice& value) { value.index = static_cast<int>(random() % value.words.size()); }
+void fill(Random& random, const fccda::Range& range, Vec3d& value) {
+  for (std::size_t axis = 0; axis < 3; ++axis) fill(random, range, value[axis]);
+}
+void fill(Random& random, const fccda::Range&, std::string& value) {
+  constexpr std::string_view letters[] = {"a", "Z", " ", "\"", "\\",   "\n", "\t", "\x01", ": ", "# ", "{",   "]",
+                                          "é", "∛", "'", "~",  "null", "-",  "&",  "*",    "!",  "%",  "\x7f"};
+  value.clear();
+  for (std::size_t i = random() % 12; i > 0; --i) value += letters[random() % std::size(letters)];
+}
+template <class T>
+void fill(Random& random, const fccda::Range& range, std::optional<T>& value) {
+  if (random() % 2) fill(random, range, value.emplace());
+}
+template <class T>
+void fill(Random& random, const fccda::Range& range, std::vector<T>& values) {
+  values.resize(random() % 3);
+  for (T& value : values) fill(random, range, value);
+}
+template <class T>
+void fill_fields(Random& random, T& into) {
+  for (const Field<T>& field : T::fields()) std::visit([&](auto member) { fill(random, field.range, into.*member); }, field.member);
+}
+
+bool same(const Choice& a, const Choice& b) { return a.index == b.index; }
+template <class T>
+bool same(const T& a, const T& b) {
+  return a == b;
+}
+template <class T>
+void check_fields(const T& a, const T& b) {
+  for (const Field<T>& field : T::fields()) CHECK_MESSAGE(std::visit([&](auto member) { return same(a.*member, b.*member); }, field.member), field.name);
+}
+template <class... T>
+void check_alternative(const std::variant<T...>& a, const std::variant<T...>& b) {
+  REQUIRE(a.index() == b.index());
+  std::visit(
+      [&]<class Chosen>(const Chosen& chosen) {
+        if constexpr (deck::Described<Chosen>) check_fields(chosen, std::get<Chosen>(b));
+      },
+      a);
+}
+
+void check_same(const Setup& a, const Setup& b) {
+  check_fields(a, b);
+  check_fields(a.time, b.time);
+  REQUIRE(a.bodies.size() == b.bodies.size());
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+    CHECK(a.bodies[i].name == b.bodies[i].name);
+    check_fields(a.bodies[i], b.bodies[i]);
+    check_alternative(a.bodies[i].shape, b.bodies[i].shape);
+    check_alternative(a.bodies[i].material, b.bodies[i].material);
+  }
+  REQUIRE(a.impactors.size() == b.impactors.size());
+  for (std::size_t i = 0; i < a.impactors.size(); ++i) {
+    CHECK(a.impactors[i].name == b.impactors[i].name);
+    check_fields(a.impactors[i], b.impactors[i]);
+    check_alternative(a.impactors[i].surface, b.impactors[i].surface);
+    check_fields(a.impactors[i].region, b.impactors[i].region);
+    check_alternative(a.impactors[i].region.shape, b.impactors[i].region.shape);
+  }
+  check_fields(a.contact.impactors, b.contact.impactors);
+  check_fields(a.contact.fragments, b.contact.fragments);
+  check_fields(a.output, b.output);
+  REQUIRE(a.output.probes.size() == b.output.probes.size());
+  for (std::size_t i = 0; i < a.output.probes.size(); ++i) check_fields(a.output.probes[i], b.output.probes[i]);
+  REQUIRE(a.output.lines.size() == b.output.lines.size());
+  for (std::size_t i = 0; i < a.output.lines.size(); ++i) check_fields(a.output.lines[i], b.output.lines[i]);
+}
+
+/// A Setup with values everywhere that a deck could have given.
+Setup some_setup(Random& random) {
+  Setup setup;
+  fill_fields(random, setup);
+  fill_fields(random, setup.time);
+  if (setup.time.step) setup.time.step = std::min(*setup.time.step, setup.time.end);
+  for (const char* name : {"plate", "floe-2"}) {
+    BodySetup& body = setup.bodies.emplace_back();
+    fill_fields(random, body);
+    body.name = name;
+    if (body.published) body.family.index = 1, body.normalisation.index = 1, body.surface_correction.index = 2;
+    std::get<BoxSolid>(body.shape).size = Vec3d{3, 20, 1} * body.spacing;
+    fill_fields(random, std::get<OrdinaryStateSetup>(body.material));
+  }
+  const SurfaceSetup surfaces[] = {CylinderSurface{}, SphereSurface{}, BoxSurface{}, FileSurface{}};
+  for (const SurfaceSetup& surface : surfaces) {
+    ImpactorSetup& impactor = setup.impactors.emplace_back();
+    fill_fields(random, impactor);
+    impactor.name = "impactor_" + std::to_string(setup.impactors.size());
+    impactor.surface = surface;
+    std::visit([&](auto& chosen) { fill_fields(random, chosen); }, impactor.surface);
+    if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = PROJECT_FOLDER "/LICENSE";  // exists
+    impactor.free.resize(random() % 4);
+    for (std::size_t i = 0; i < impactor.free.size(); ++i) impactor.free[i] = std::array{"rz", "x", "ry"}[i];
+    fill_fields(random, impactor.region);
+    if (random() % 2) fill_fields(random, impactor.region.shape.emplace<BoxRegionSetup>());
+  }
+  ImpactorContactSetup& contact = setup.contact.impactors;
+  fill_fields(random, contact);
+  if (contact.detector.as<DetectorKind>() == DetectorKind::published)
+    contact.radius_ratio = contact.friction = 0;
+  else
+    contact.detector = contact.reading = {detector_words}, contact.reading = Choice{reading_words};
+  fill_fields(random, setup.output);
+  ProbeSetup& probe = setup.output.probes.emplace_back();
+  fill_fields(random, probe);
+  probe.name = "centre", probe.body = "floe-2";
+  LineSetup& line = setup.output.lines.emplace_back();
+  fill_fields(random, line);
+  line.name = "edge", line.body = "plate";
+  for (double& time : line.times) time = std::min(time, setup.time.end);
+  return setup;
+}
+
+}  // namespace
+
+TEST_CASE("setup to text: the plate reads back from its own run.json") {
+  const Setup setup = read(fixtures::plate).setup;
+  check_same(setup, read(deck::setup_to_text(setup)).setup);
+}
+
+TEST_CASE("setup to text: any setup reads back to the same bits") {
+  Random random(1);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Setup setup = some_setup(random);
+    const std::string text = deck::setup_to_text(setup);
+    INFO(text);
+    check_same(setup, read(text).setup);
+  }
+}
+
+TEST_CASE("setup to text: text is escaped as JSON demands, and absent values are left out") {
+  Setup setup = read(fixtures::plate).setup;
+  setup.title = "a \"b\" \\ \n é";
+  setup.time.step.reset();
+  const std::string text = deck::setup_to_text(setup);
+  CHECK(text.find(R"("title": "a \"b\" \\ \u000a é")") != std::string::npos);
+  CHECK(text.find("\"step\"") == std::string::npos);
+  CHECK(text.find("\"time\": {\n    \"end\": 0.0002\n  }") != std::string::npos);
+}
