@@ -1,36 +1,35 @@
-"""The picture of this case: the struck plate, its particles coloured by how far they moved, at four instants."""
+"""The picture of this case: the struck plate, its particles coloured by their speed, while the waves cross it."""
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from render import Scene
 
-INSTANTS = 50e-6, 100e-6, 150e-6, 200e-6  # [s]
-COLOURS = LinearSegmentedColormap.from_list("struck", ["#e9eef2", "#b7d3e0", "#6fb0c4", "#2f87a5", "#1d5d86", "#2b2f6b", "#581845", "#b3294e", "#f26b4e"])
+INSTANTS = 10e-6, 20e-6, 30e-6, 60e-6  # [s]: the wave spreads, reaches the far edge, is reflected, and the plate begins to fly off
+FASTEST = 32.0  # [m/s] of the colour bar: the speed of the cylinder at first
+COLOURS = LinearSegmentedColormap.from_list("struck", ["#262f47", "#3f3570", "#83307c", "#c93f68", "#f37651", "#fdbb6c", "#fff3c9"])
 
 
 def draw_hero(runs, path):
-    """The struck plate at four instants, coloured by displacement."""
-    run = min(runs, key=lambda run: abs((run.panel or 1e9) - 1))  # panels of about 1 mm show best
-    frames = [(run.frame("plate", time), run.frame("cylinder", time)) for time in INSTANTS]
-    farthest = max(np.linalg.norm(plate.point["displacement"], axis=1).max() for plate, _ in frames)
-    scale = Normalize(0, 1e3 * farthest)
-    figure, axes = plt.subplots(2, 2, figsize=(10, 7.4))
-    for axis, time, (plate, cylinder) in zip(axes.flat, INSTANTS, frames):
-        axis.imshow(picture(plate, cylinder, scale))
-        axis.text(0.04, 0.93, f"{1e6 * time:.0f} µs", transform=axis.transAxes, fontsize=14, weight="bold")
+    """The struck plate at four instants, coloured by the speed of its particles."""
+    run = max(runs, key=lambda run: run.panel or 0)  # large panels can be seen
+    scale = Normalize(0, FASTEST)
+    figure, axes = plt.subplots(2, 2, figsize=(11, 7.6))
+    for axis, time in zip(axes.flat, INSTANTS):
+        axis.imshow(picture(run.frame("plate", time), run.frame("cylinder", time), scale), interpolation="none")
+        axis.text(0.03, 0.88, f"{1e6 * time:.0f} µs", transform=axis.transAxes, fontsize=13)
         axis.axis("off")
-    bar = figure.colorbar(plt.cm.ScalarMappable(scale, COLOURS), ax=axes, orientation="horizontal", shrink=0.42, aspect=45, pad=0.01)
-    bar.set_label("displacement [mm]", fontsize=11)
+    bar = figure.colorbar(plt.cm.ScalarMappable(scale, COLOURS), ax=axes, orientation="horizontal", shrink=0.4, aspect=50, pad=0.015)
+    bar.set_label("speed of the particles [m/s]", fontsize=10)
     bar.outline.set_visible(False)
-    figure.savefig(path, dpi=160)
+    figure.savefig(path, dpi=180)
 
 
-def picture(plate, cylinder, scale, fold=2):
-    """One instant, seen from above the struck edge."""
-    scene = Scene(direction=(-0.42, -0.95, 1.15), up=(0, 0.55, 1), pixels_per_metre=3600 * fold, width=800 * fold, height=560 * fold, centre=(0, 0.016, 0))
-    moved = 1e3 * np.linalg.norm(plate.point["displacement"], axis=1)
+def picture(plate, cylinder, scale, fold=3):
+    """One instant, seen from above the free edge."""
+    scene = Scene(direction=(-0.16, -0.8, 1.15), up=(0, 0, 1), pixels_per_metre=4150 * fold, width=960 * fold, height=640 * fold, centre=(0.001, 0.017, 0))
+    speed = np.linalg.norm(plate.point["velocity"], axis=1)
     spacing = np.cbrt(np.prod(np.ptp(plate.points, axis=0)) / len(plate.points))
-    scene.add_panels(cylinder.points, cylinder.panels, colour=(0.80, 0.82, 0.85), edge_colour=(0.52, 0.55, 0.60), edge_width=0)
-    scene.add_balls(plate.points, 0.56 * spacing, COLOURS(scale(moved))[:, :3])
+    scene.add_panels(cylinder.points, cylinder.panels, colour=(0.83, 0.85, 0.88), edge_colour=(0.60, 0.63, 0.68), edge_width=1.2e-4)
+    scene.add_balls(plate.points, 0.58 * spacing, COLOURS(scale(speed))[:, :3])
     return scene.picture(fold)

@@ -17,6 +17,7 @@ class Scene:
         self.scale, self.size, self.centre = pixels_per_metre, (height, width), np.asarray(centre, float)
         self.colour = np.zeros((height, width, 4))
         self.depth = np.full(height * width, -np.inf)
+        self.nearest = np.empty_like(self.depth)  # scratch of _dots
 
     def _dots(self, page, depth, colour):
         """Puts coloured dots, given far to near, where nothing nearer stands."""
@@ -24,9 +25,8 @@ class Scene:
         column, row = np.floor(page[:, 0]).astype(int), np.floor(page[:, 1]).astype(int)
         seen = (column >= 0) & (column < width) & (row >= 0) & (row < height)
         pixel, depth, colour = (row * width + column)[seen], depth[seen], colour[seen]
-        nearest = np.full(self.depth.shape, -np.inf)
-        nearest[pixel] = depth  # of several on a pixel the last, that is the nearest
-        nearer = depth >= np.maximum(nearest, self.depth)[pixel]
+        self.nearest[pixel] = depth  # of several on a pixel the last, that is the nearest
+        nearer = depth >= np.maximum(self.nearest[pixel], self.depth[pixel])
         self.depth[pixel[nearer]] = depth[nearer]
         self.colour.reshape(-1, 4)[pixel[nearer]] = np.column_stack([colour[nearer], np.ones(nearer.sum())])
 
