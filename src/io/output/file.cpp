@@ -41,6 +41,8 @@ std::string_view way_out(int error) {
   throw fccda::RunError(fmt::format("{} cannot be written: {}. {}", path.string(), std::strerror(error), way_out(error)));
 }
 
+fs::path part_of(const fs::path& path) { return fs::path(path) += ".part"; }
+
 /// -1 where it fails: errno says why.
 int open_empty(const fs::path& path) { return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666); }
 
@@ -63,8 +65,6 @@ int Descriptor::close() {
   if (!is_open()) return 0;
   return ::close(std::exchange(number_, -1)) == 0 ? 0 : errno;
 }
-
-fs::path part_of(const fs::path& path) { return fs::path(path) += ".part"; }
 
 WholeFile::WholeFile(fs::path path) : path_(std::move(path)), part_(part_of(path_)), file_(open_empty(part_)) {
   if (!file_.is_open()) fail(path_, errno);

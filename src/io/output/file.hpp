@@ -61,7 +61,4 @@ class GrowingFile {
   std::size_t size_ = 0;  // of all whole records [byte]
 };
 
-/// The name of the file that `path` is written to before it is whole.
-std::filesystem::path part_of(const std::filesystem::path& path);
-
 }  // namespace perimpact::output

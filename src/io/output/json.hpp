@@ -41,6 +41,7 @@ class Json {
   static Json verbatim(std::string json) { return Json(Value(Verbatim{std::move(json)})); }  ///< text that is JSON already
 
   /// The member of that name, added at the end where there is none. Null becomes an object.
+  /// The reference holds until the next member is added.
   Json& operator[](std::string_view name);
 
   void push_back(Json element);  ///< null becomes an array

@@ -50,7 +50,7 @@ TEST_CASE("results: a folder that cannot be used is the user's error, before any
                         ": Not a directory. Choose another one with --out, or with output.folder in the deck.")
                            .c_str(),
                        fccda::InputError);
-  CHECK_THROWS_AS(ResultsFolder("/proc"), fccda::InputError);           // exists, and not even an administrator may write there
+  CHECK_THROWS_AS(prepare_folder("/proc"), fccda::InputError);          // exists, and not even an administrator may write there
   CHECK_THROWS_AS(ResultsFolder("/proc/self/run"), fccda::InputError);  // cannot be created
 }
 

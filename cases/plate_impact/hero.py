@@ -1,0 +1,35 @@
+"""The picture of this case: the struck plate, its particles coloured by their speed, while the waves cross it."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+from render import Scene
+
+INSTANTS = 10e-6, 20e-6, 30e-6, 60e-6  # [s]: the wave spreads, reaches the far edge, is reflected, and the plate begins to fly off
+FASTEST = 32.0  # [m/s] of the colour bar: the speed of the cylinder at first
+COLOURS = LinearSegmentedColormap.from_list("struck", ["#262f47", "#3f3570", "#83307c", "#c93f68", "#f37651", "#fdbb6c", "#fff3c9"])
+
+
+def draw_hero(runs, path):
+    """The struck plate at four instants, coloured by the speed of its particles."""
+    run = max(runs, key=lambda run: run.panel or 0)  # large panels can be seen
+    scale = Normalize(0, FASTEST)
+    figure, axes = plt.subplots(2, 2, figsize=(11, 7.6))
+    for axis, time in zip(axes.flat, INSTANTS):
+        axis.imshow(picture(run.frame("plate", time), run.frame("cylinder", time), scale), interpolation="none")
+        axis.text(0.03, 0.88, f"{1e6 * time:.0f} µs", transform=axis.transAxes, fontsize=13)
+        axis.axis("off")
+    bar = figure.colorbar(plt.cm.ScalarMappable(scale, COLOURS), ax=axes, orientation="horizontal", shrink=0.4, aspect=50, pad=0.015)
+    bar.set_label("speed of the particles [m/s]", fontsize=10)
+    bar.outline.set_visible(False)
+    figure.savefig(path, dpi=180)
+
+
+def picture(plate, cylinder, scale, fold=3):
+    """One instant, seen from above the free edge."""
+    scene = Scene(direction=(-0.16, -0.8, 1.15), up=(0, 0, 1), pixels_per_metre=4150 * fold, width=960 * fold, height=640 * fold, centre=(0.001, 0.017, 0))
+    speed = np.linalg.norm(plate.point["velocity"], axis=1)
+    spacing = np.cbrt(np.prod(np.ptp(plate.points, axis=0)) / len(plate.points))
+    scene.add_panels(cylinder.points, cylinder.panels, colour=(0.83, 0.85, 0.88), edge_colour=(0.60, 0.63, 0.68), edge_width=1.2e-4)
+    scene.add_balls(plate.points, 0.58 * spacing, COLOURS(scale(speed))[:, :3])
+    return scene.picture(fold)

@@ -1,0 +1,60 @@
+"""What a run left behind: reads a results folder with numpy alone."""
+
+import csv
+import re
+import xml.etree.ElementTree as xml
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from vtp_reader import read_vtp
+
+
+def read_table(path):
+    """Columns of a CSV by their names in the header."""
+    with open(path, newline="") as file:
+        names, *rows = csv.reader(file)
+    return dict(zip(names, np.array(rows, dtype=float).reshape(-1, len(names)).T))
+
+
+class Results:
+    """A results folder. Panel sizes stand in the folder's name: panel_0.5mm; analytic is the original method without panels."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        size = re.fullmatch(r"panel_([0-9.]+)mm", self.folder.name)
+        self.panel = float(size[1]) if size else None  # [mm]
+        self.is_original = self.folder.name == "analytic"
+        self.label = f"$\\Delta_m$ = {size[1]} mm" if size else "original method" if self.is_original else self.folder.name
+
+    @cached_property
+    def history(self):
+        return read_table(self.folder / "history.csv")
+
+    def line(self, name, time):
+        """The profile written nearest to that time [s]."""
+        files = {float(file.stem.rsplit("_t", 1)[1]): file for file in (self.folder / "lines").glob(f"{name}_t*.csv")}
+        if not files:
+            raise FileNotFoundError(f"{self.folder}/lines/{name}_t*.csv: no such profile")
+        return read_table(files[min(files, key=lambda t: abs(t - time))])
+
+    def frame(self, name, time):
+        """The frame nearest to that time [s]."""
+        frames = xml.parse(self.folder / "frames" / f"{name}.pvd").findall("./Collection/DataSet")
+        nearest = min(frames, key=lambda frame: abs(float(frame.get("timestep")) - time))
+        return read_vtp(self.folder / "frames" / nearest.get("file"))
+
+    def checked(self, name):
+        """A picture of the set-up, written by `perimpact check`."""
+        return read_vtp(self.folder / "check" / f"{name}.vtp")
+
+
+def middle_layer(picture):
+    """Positions, displacements [m] of the lattice's middle layer in z as arrays (y, x, component)."""
+    displacement = picture.point["displacement"].astype(float)
+    reference = np.round(picture.points - displacement, 7)  # to a ten-thousandth of a spacing, beyond the rounding of float
+    heights = np.unique(reference[:, 2])
+    layer = np.flatnonzero(reference[:, 2] == heights[len(heights) // 2])
+    layer = layer[np.lexsort((reference[layer, 0], reference[layer, 1]))]
+    shape = (len(np.unique(reference[layer, 1])), len(np.unique(reference[layer, 0])), 3)
+    return picture.points[layer].reshape(shape), displacement[layer].reshape(shape)
