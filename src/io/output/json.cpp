@@ -14,6 +14,8 @@ template <class... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
 };
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;  // clang before 17 needs it said
 
 /// RFC 8259, section 7: quotes, backslashes and control characters must be escaped; the rest is UTF-8 as it came.
 std::string quoted(std::string_view words) {
