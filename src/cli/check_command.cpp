@@ -22,16 +22,19 @@ std::string bytes_in_words(double bytes) { return bytes < 1e9 ? fmt::format("{:.
 void print_body(const Body& body) {
   const auto& cells = body.particles.lattice().cells;
   fmt::print("body {}\n", body.name);
-  fmt::print("  {:<18}{} ({} x {} x {} cells of {:.4g} m)\n", "particles", body.particles.size(), cells[0], cells[1], cells[2], body.particles.lattice().spacing);
-  fmt::print("  {:<18}{} ({} an interior particle, horizon {:.4g} m)\n", "bonds", body.family.initial_bonds(), body.family.stencil().size(), body.family.stencil().horizon());
+  fmt::print("  {:<18}{} ({} x {} x {} cells of {:.4g} m)\n", "particles", body.particles.size(), cells[0], cells[1], cells[2],
+             body.particles.lattice().spacing);
+  fmt::print("  {:<18}{} ({} an interior particle, horizon {:.4g} m)\n", "bonds", body.family.initial_bonds(), body.family.stencil().size(),
+             body.family.stencil().horizon());
   fmt::print("  {:<18}{:.5g} kg\n", "mass", body.particles.mass() * static_cast<double>(body.particles.size()));
   fmt::print("  {:<18}{}\n", "memory", bytes_in_words(body.memory()));
 }
 
 void print_step(const Simulation& simulation) {
   const Stability& stability = simulation.stability();
-  fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the estimate of Silling and Askari ({:.4g} s), {:.2f} of the lattice's exact limit ({:.4g} s)\n", "step", stability.step,
-             simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / stability.exact, stability.exact);
+  fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the estimate of Silling and Askari ({:.4g} s), {:.2f} of the lattice's exact limit ({:.4g} s)\n",
+             "step", stability.step, simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / stability.exact,
+             stability.exact);
 }
 
 void print_approach(const Simulation& simulation, const Impactor& impactor) {
@@ -40,9 +43,11 @@ void print_approach(const Simulation& simulation, const Impactor& impactor) {
     const double radius = simulation.setup().contact.impactors.radius_ratio * body.particles.lattice().spacing;
     const Approach found = approach(impactor, body.particles, radius, end);
     if (found.touch)
-      fmt::print("  {:<18}touches {} at {:.4g} s (step {}), {:.4g} m away at the start\n", "first contact", body.name, *found.touch, std::lround(*found.touch / simulation.clock().dt), found.gap);
+      fmt::print("  {:<18}touches {} at {:.4g} s (step {}), {:.4g} m away at the start\n", "first contact", body.name, *found.touch,
+                 std::lround(*found.touch / simulation.clock().dt), found.gap);
     else
-      fmt::print("  {:<18}does not touch {} before the end: {:.4g} m away at the start. Check position, velocity and units.\n", "first contact", body.name, found.gap);
+      fmt::print("  {:<18}does not touch {} before the end: {:.4g} m away at the start. Check position, velocity and units.\n", "first contact", body.name,
+                 found.gap);
   }
 }
 
@@ -55,7 +60,8 @@ void print_duration(Simulation& simulation) {
   while (simulation.clock().step < first + trial_steps && !simulation.clock().is_finished()) simulation.step();
   const long done = simulation.clock().step - first;
   if (done == 0) return;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / static_cast<double>(done) * static_cast<double>(simulation.clock().steps);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / static_cast<double>(done) *
+                         static_cast<double>(simulation.clock().steps);
   fmt::print("duration\n  about {} on {} threads, without pictures (from {} steps)\n", duration_in_words(seconds), fccda::thread_count(), done);
 }
 
@@ -65,10 +71,14 @@ void write_pictures(const Simulation& simulation, const std::filesystem::path& f
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i) {
     const Impactor& impactor = simulation.impactors()[i];
     write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor, std::nullopt);
-    if (const auto region = impactor.region_panels()) {
-      fccda::Panels panels = *region;
+    if (const auto* box = std::get_if<BoxRegionSetup>(&simulation.setup().impactors[i].region.shape)) {
+      fccda::Box region;
+      region.include(box->centre - 0.5 * box->size);
+      region.include(box->centre + 0.5 * box->size);
+      fccda::Panels panels = output::panels_of(std::span(&region, 1));
       for (Vec3d& vertex : panels.vertices) vertex = impactor.body().pose().to_world(vertex);
-      output::write_vtp(folder / (impactor.name() + "_region.vtp"), {.points = output::coordinates(panels.vertices), .panels = panels.panels}, output::Compression::zlib);
+      output::write_vtp(folder / (impactor.name() + "_region.vtp"), {.points = output::coordinates(panels.vertices), .panels = panels.panels},
+                        output::Compression::zlib);
     }
   }
 }

@@ -34,6 +34,7 @@ Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
     against["points_in_region"] = effort.points_in_region;
     against["points_asked"] = effort.points_asked;
     against["panels_asked"] = effort.panels_asked;
+    against["entered_inside"] = impactor.entered_inside(b);
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
   return json;

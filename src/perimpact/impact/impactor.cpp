@@ -33,13 +33,39 @@ FreeDegrees degrees_of(const ImpactorSetup& setup) {
   return degrees;
 }
 
-Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, double spacing) {
-  const double contact_radius = contact.radius_ratio * spacing;
-  if (const auto* sphere = std::get_if<SphereSurface>(&setup.surface)) return Analytic(sphere->diameter / 2, {}, contact_radius);
-  const auto& cylinder = std::get<CylinderSurface>(setup.surface);
+Region make_region(const ImpactorSetup& setup, const Surface& surface) {
+  const auto* box = std::get_if<BoxRegionSetup>(&setup.region.shape);
+  if (!box) return Unbounded();
+  try {
+    return BoxRegion({box->size, box->centre}, surface, setup.region.outside.as<Beyond>());
+  } catch (const InputError& error) {
+    throw SetupError("impactors." + setup.name + ".region", error.what());
+  }
+}
+
+AnalyticShape shape_of(const ImpactorSetup& setup) {
+  if (const auto* sphere = std::get_if<SphereSurface>(&setup.surface)) return Sphere{.radius = sphere->diameter / 2};
+  const auto* cylinder = std::get_if<CylinderSurface>(&setup.surface);
+  if (!cylinder)
+    throw SetupError("impactors." + setup.name + ".surface",
+                     "the analytic detector knows cylinders and spheres only; take the detector swept for any other surface.");
   Vec3d axis{};
-  axis[static_cast<std::size_t>(cylinder.axis.index)] = 1;
-  return Analytic(cylinder.diameter / 2, axis, contact_radius);
+  axis[static_cast<std::size_t>(cylinder->axis.index)] = 1;
+  return InfiniteCylinder{.radius = cylinder->diameter / 2, .axis = axis};
+}
+
+Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::shared_ptr<const Surface> surface, double spacing) {
+  const Region region = make_region(setup, *surface);
+  const double radius = contact.radius_ratio * spacing;
+  switch (contact.detector.as<DetectorKind>()) {
+    case DetectorKind::analytic:
+      return Analytic(shape_of(setup), region, radius);
+    case DetectorKind::published:
+      return Published(std::move(surface), region, contact.reading.as<Published::Reading>());
+    case DetectorKind::swept:
+      break;
+  }
+  return Swept(std::move(surface), region, radius);
 }
 
 RigidBody make_body(const ImpactorSetup& setup, const Surface& surface) {
@@ -58,7 +84,16 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       body_(make_body(setup, *surface_)),
       radius_(surface_->radius_about(body_.properties().centre_of_mass)),
       friction_(contact.friction) {
-  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, particles->lattice().spacing));
+  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, particles->lattice().spacing));
+}
+
+std::size_t Impactor::particles_inside(std::size_t body, const StruckParticles& particles) const {
+  return std::visit([&](const auto& detector) { return detector.starting_inside(particles, body_.pose()).size(); }, detectors_[body]);
+}
+
+std::uint64_t Impactor::entered_inside(std::size_t body) const {
+  const auto* swept = std::get_if<Swept>(&detectors_[body]);
+  return swept ? swept->entered_inside() : 0;
 }
 
 fccda::Effort Impactor::effort(std::size_t body) const {

@@ -38,7 +38,12 @@ class Impactor {
   const fccda::Surface& surface() const { return *surface_; }
   fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
 
-  std::optional<fccda::Panels> region_panels() const { return std::nullopt; }
+  /// Particles of that body that are inside the surface, or nearer to it than the contact radius. Touching is not inside.
+  std::size_t particles_inside(std::size_t body, const StruckParticles& particles) const;
+
+  /// How many particles came to be inside where the region clips the surface; they were not struck.
+  std::uint64_t entered_inside(std::size_t body) const;
+
   Account& account() { return account_; }
   const Account& account() const { return account_; }
   double work_of_holder() const { return work_; }    ///< [J] done so far by what holds the degrees of freedom that are not free

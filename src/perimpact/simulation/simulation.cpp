@@ -63,8 +63,21 @@ Simulation::Simulation(const Setup& setup)
       impactors_(make_impactors(setup, bodies_)),
       monitors_(setup.output, bodies_, impactors_, clock_) {
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles.lattice()), 0.0);
+  expect_outside();
   evaluate_forces();
   monitors_.record(bodies_, impactors_, clock_);
+}
+
+void Simulation::expect_outside() {
+  for (Impactor& impactor : impactors_)
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
+      if (const std::size_t inside = impactor.particles_inside(b, particles))
+        throw SetupError("impactors." + impactor.name() + ".position",
+                         fmt::format("impactor {} starts inside body {}: {} particles are inside its surface, or nearer to it than the contact radius. Move it "
+                                     "away, or check the units of its surface.",
+                                     impactor.name(), bodies_[b].name, inside));
+    }
 }
 
 void Simulation::step() {

@@ -48,6 +48,7 @@ class Simulation {
   std::uint64_t state_hash();
 
  private:
+  void expect_outside();
   void advance_bodies();
   void strike();
   void evaluate_forces();

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace perimpact {
 
@@ -18,6 +19,11 @@ class StateHash {
     mix_bytes(name.data(), name.size());
     mix_bytes(values.data(), values.size_bytes());
   }
+  template <class T>
+  void operator()(const std::string& name, const std::vector<T>& values) {
+    (*this)(name, std::span<const T>(values));
+  }
+  void operator()(const std::string& name, std::uint64_t value) { (*this)(name, std::span<const std::uint64_t>(&value, 1)); }
   std::uint64_t value() const { return hash_; }
 
  private:
