@@ -65,6 +65,7 @@ std::array<double, Bvh::width> Bvh::squared_distances(const Leaf& leaf, const Ve
 
 template <class Accept>
 std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, const Accept& accept) const {
+  if (!(cap >= 0)) return std::nullopt;
   const Vec3d p = point - origin_;
   const std::array<float, 3> q{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
   double best = cap * cap;
