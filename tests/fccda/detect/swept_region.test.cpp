@@ -184,7 +184,7 @@ TEST_CASE("swept: which points start inside is what the winding number and the d
     for (const double r : {0.0, 0.03}) {
       fixtures::TestPoints points;
       std::vector<std::size_t> truth;
-      while (points.x0.size() < 1000) {
+      while (points.x0.size() < 300) {
         const Vec3d point = fixtures::random_in_box(random, {-0.6, -0.6, -0.3}, {0.6, 0.6, 0.3});
         const bool inside = soup.inside(point);
         const double distance = soup.distance(point);

@@ -105,7 +105,7 @@ TEST_CASE("bvh: the distance to a segment is the least to any triangle, and 0 wh
     const fixtures::Soup soup(surface);
     const Box& bounds = surface.report().bounds;
     std::mt19937_64 random(9);
-    for (int trial = 0; trial < 100; ++trial) {
+    for (int trial = 0; trial < 50; ++trial) {
       const Vec3d start = fixtures::random_in_box(random, bounds.low, bounds.high) + 0.1 * fixtures::random_direction(random);
       const Path path{start, start + (trial % 2 == 0 ? 0.05 : 0.5) * fixtures::random_direction(random)};
       std::size_t asked = 0;
