@@ -10,6 +10,7 @@
 #include "fccda/core/parallel.hpp"
 #include "io/output/results_folder.hpp"
 #include "io/output/vtp.hpp"
+#include "io/results/lines.hpp"
 #include "io/results/results_writer.hpp"
 #include "perimpact/impact/approach.hpp"
 
@@ -44,11 +45,17 @@ void print_approach(const Simulation& simulation, const Impactor& impactor) {
     const Approach found = approach(impactor, body.particles, radius, end);
     if (found.touch)
       fmt::print("  {:<18}touches {} at {:.4g} s (step {}), {:.4g} m away at the start\n", "first contact", body.name, *found.touch,
-                 std::lround(*found.touch / simulation.clock().dt), found.gap);
+                 std::lround(std::ceil(*found.touch / simulation.clock().dt)), found.gap);
     else
       fmt::print("  {:<18}does not touch {} before the end: {:.4g} m away at the start. Check position, velocity and units.\n", "first contact", body.name,
                  found.gap);
   }
+}
+
+void print_lines(const std::vector<Line>& lines, const Simulation& simulation) {
+  for (const Line& line : lines)
+    fmt::print("line {}\n  {:<18}{} points of {}, written after step {}\n", line.name, "samples", line.samples.size(), simulation.bodies()[line.body].name,
+               fmt::join(line.steps, ", "));
 }
 
 /// How long the run will take, from a few of its steps.
@@ -89,6 +96,7 @@ int check_command(const DeckArguments& arguments) {
   const deck::Deck deck = open_deck(arguments);
   return with_places(deck, [&] {
     Simulation simulation(deck.setup);
+    const std::vector<Line> lines = lines_of(simulation);
     fmt::print("{}\n", deck.setup.title);
     for (const Body& body : simulation.bodies()) print_body(body);
     for (const Impactor& impactor : simulation.impactors()) {
@@ -96,6 +104,7 @@ int check_command(const DeckArguments& arguments) {
       print_approach(simulation, impactor);
     }
     print_step(simulation);
+    print_lines(lines, simulation);
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
     const std::filesystem::path folder = results_folder(arguments, deck.setup) / "check";
     write_pictures(simulation, folder);

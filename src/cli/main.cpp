@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
-#include <exception>
+#include <cstring>
 #include <new>
+#include <system_error>
 
 #include "cli/commands.hpp"
 #include "fccda/core/error.hpp"
@@ -20,9 +23,26 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
   command.add_option("--threads", arguments.threads, "Number of threads; all processors where absent")->check(CLI::Range(1, 1024));
 }
 
+void complain(const std::string& sentence) { std::fprintf(stderr, "error: %s\n", sentence.c_str()); }
+
+/// What CLI11 found wrong, as one sentence that says where to read on.
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const auto commands = app.get_subcommands();
+  if (!commands.empty()) return fmt::format("{}; perimpact {} --help says more.", error.what(), commands.front()->get_name());
+  const auto rest = app.remaining();
+  return rest.empty() ? "a command is needed; perimpact --help lists them." : fmt::format("{} is not a command; perimpact --help lists them.", rest.front());
+}
+
+/// What was printed can still get lost, where the output goes to a file on a full disk.
+void expect_printed() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw fccda::RunError(fmt::format("the output cannot be printed: {}. Make room, or print elsewhere.", std::strerror(errno)));
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"perimpact: peridynamic bodies struck by rigid bodies of any shape"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", "perimpact " PERIMPACT_VERSION);
   int code = 0;
 
   DeckArguments deck;
@@ -37,12 +57,14 @@ int run(int argc, char** argv) {
   std::string key;
   CLI::App* describe = app.add_subcommand("describe", "The deck reference, whole or of one key");
   describe->add_option("key", key, "Key, like poissons_ratio or bodies.material");
-  describe->callback([&] { code = describe_command(key); });
+  bool markdown = false;
+  describe->add_flag("--markdown", markdown, "The whole reference as a page (docs/guide/deck_reference.md)");
+  describe->callback([&] { code = describe_command(key, markdown); });
 
   MeshArguments mesh;
   CLI::App* mesh_app = app.add_subcommand("mesh", "Report on a surface file (STL, OBJ)");
   mesh_app->add_option("file", mesh.file, "Surface file")->required();
-  mesh_app->add_option("--scale", mesh.scale, "Multiplies the coordinates, so that they become metres")->check(CLI::PositiveNumber);
+  mesh_app->add_option("--scale", mesh.scale, "Multiplies the coordinates, so that they become metres");
   mesh_app->callback([&] { code = mesh_command(mesh); });
 
   CLI::App* version = app.add_subcommand("version", "Print the version");
@@ -51,8 +73,9 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int shown = app.exit(error);
-    return shown == 0 ? 0 : 2;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    complain(usage_error(app, error));
+    return 2;
   }
   return code;
 }
@@ -60,16 +83,22 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows to `ulimit -f` is then an error of writing like a full disk, not the end of the program
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    expect_printed();
+    return code;
   } catch (const fccda::InputError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    complain(error.what());
     return 2;
   } catch (const fccda::RunError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    complain(error.what());
+    return 3;
+  } catch (const std::system_error& error) {  // from fmt, where it cannot print
+    complain(fmt::format("the output cannot be printed: {}. Make room, or print elsewhere.", error.code().message()));
     return 3;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: there is not enough memory for this set-up; take a larger spacing (perimpact check says how much it needs).\n");
+    complain("there is not enough memory for this set-up; take a larger spacing or fewer panels.");
     return 3;
   }
 }

@@ -26,7 +26,7 @@ void Progress::after_step(const Simulation& simulation) {
 
 void Progress::finish(const Simulation& simulation) {
   draw(simulation, seconds());
-  if (is_terminal_) fmt::print("\n");
+  if (is_terminal_) std::fputs("\n", stdout);
 }
 
 void Progress::draw(const Simulation& simulation, double now) {
@@ -34,10 +34,10 @@ void Progress::draw(const Simulation& simulation, double now) {
   const double share = static_cast<double>(clock.step) / static_cast<double>(clock.steps);
   const double rate = now > 0 ? static_cast<double>(clock.step) / now : 0;
   const double left = rate > 0 ? static_cast<double>(clock.steps - clock.step) / rate : 0;
-  const std::string line = fmt::format("{:5.1f} %  step {} of {}  t = {:.4g} s  {:.3g} steps/s  {} left  {} contacts", 100 * share, clock.step, clock.steps, clock.time(), rate,
-                                       duration_in_words(left), simulation.contacts());
-  if (is_terminal_) fmt::print("\r\033[K{}", line);
-  else fmt::print("{}\n", line);
+  const std::string line = fmt::format("{:5.1f} %  step {} of {}  t = {:.4g} s  {:.3g} steps/s  {} left  {} contacts", 100 * share, clock.step, clock.steps,
+                                       clock.time(), rate, duration_in_words(left), simulation.contacts());
+  // unlike fmt::print, fputs throws nothing where the output is lost, which must not end a run
+  std::fputs((is_terminal_ ? "\r\033[K" + line : line + "\n").c_str(), stdout);
   std::fflush(stdout);
   drawn_ = now;
 }

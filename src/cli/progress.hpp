@@ -19,7 +19,7 @@ class Progress {
 
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   bool is_terminal_;
-  double drawn_ = 0;      // [s] when last
+  double drawn_ = 0;  // [s] when last
 };
 
 /// "3 h 12 min", "4 min 05 s", "38 s"

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstdio>
 
 #include "cli/commands.hpp"
 #include "cli/open_deck.hpp"
@@ -31,13 +32,13 @@ int run_command(const DeckArguments& arguments) {
 
   return with_places(deck, [&] {
     Simulation simulation(deck.setup);
+    std::signal(SIGINT, remember_signal);
+    std::signal(SIGTERM, remember_signal);
     ResultsWriter results(simulation, folder);
     fmt::print("{}\n{} threads, {} steps of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
                simulation.clock().dt, folder.string());
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
 
-    std::signal(SIGINT, remember_signal);
-    std::signal(SIGTERM, remember_signal);
     Progress progress;
     try {
       while (!simulation.clock().is_finished() && stop_signal == 0) {
@@ -48,7 +49,7 @@ int run_command(const DeckArguments& arguments) {
       progress.finish(simulation);
       results.finish(simulation, stop_signal == 0 ? Outcome::finished : Outcome::interrupted, "", progress.seconds());
     } catch (const fccda::RunError& error) {
-      fmt::print("\n");
+      std::fputs("\n", stdout);
       try {
         results.finish(simulation, Outcome::failed, error.what(), progress.seconds());
       } catch (const fccda::RunError&) {

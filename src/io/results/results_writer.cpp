@@ -8,7 +8,6 @@
 #include "io/output/file.hpp"
 #include "io/output/vtp.hpp"
 #include "io/results/run_report.hpp"
-#include "perimpact/setup/setup_error.hpp"
 
 namespace perimpact {
 
@@ -26,12 +25,6 @@ std::vector<float> of_particles(const Body& body, const Value& value) {
   return numbers;
 }
 
-std::size_t body_named(const Simulation& simulation, const std::string& name, const std::string& key) {
-  for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
-    if (simulation.bodies()[b].name == name) return b;
-  throw SetupError(key, fmt::format("body {} does not exist.", name));
-}
-
 }  // namespace
 
 void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time) {
@@ -43,7 +36,9 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
   for (const std::uint32_t slot : particles.slot_of()) damage.push_back(static_cast<float>(body.family.damage(slot)));
   output::write_vtp(path,
                     {.points = std::span<const float>(position),
-                     .point_arrays = {{"displacement", 3, std::span<const float>(displacement)}, {"velocity", 3, std::span<const float>(velocity)}, {"damage", 1, std::span<const float>(damage)}},
+                     .point_arrays = {{"displacement", 3, std::span<const float>(displacement)},
+                                      {"velocity", 3, std::span<const float>(velocity)},
+                                      {"damage", 1, std::span<const float>(damage)}},
                      .time = time},
                     output::Compression::zlib);
 }
@@ -57,28 +52,18 @@ void write_impactor(const std::filesystem::path& path, const Impactor& impactor,
 }
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
-    : folder_path_(folder), folder_(folder), history_(folder_.history(), simulation.monitors().columns()), frames_wanted_(simulation.setup().output.frames) {
-  const Clock& clock = simulation.clock();
-  for (const LineSetup& line : simulation.setup().output.lines) {
-    const std::string key = "output.lines." + line.name;
-    const std::size_t b = body_named(simulation, line.body, key + ".body");
-    Line& added = lines_.emplace_back(Line{line.name, b, samples_along(simulation.bodies()[b], line.from, line.to), {}});
-    for (const Sample& sample : added.samples)
-      if (sample.distance(simulation.bodies()[b]) > simulation.bodies()[b].particles.lattice().spacing)
-        throw SetupError(key, fmt::format("line {} runs outside body {} at ({:.4g}, {:.4g}, {:.4g}) m; move its ends into the body.", line.name, line.body, sample.at.x, sample.at.y, sample.at.z));
-    for (const double time : line.times) {
-      const long step = std::lround(time / clock.dt);
-      if (step > clock.steps) throw SetupError(key + ".times", fmt::format("line {} is wanted at {:.4g} s, but the run ends at {:.4g} s.", line.name, time, static_cast<double>(clock.steps) * clock.dt));
-      added.steps.push_back(step);
-    }
-    if (line.times.empty()) added.steps.push_back(clock.steps);
-  }
+    : lines_(lines_of(simulation)),  // before the folder loses the results of an earlier run
+      folder_(folder),
+      history_(folder_.history(), simulation.monitors().columns()),
+      frames_wanted_(simulation.setup().output.frames) {
   for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name);
   for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name());
   after_step(simulation);
 }
 
-long ResultsWriter::step_of_frame(int frame, const Clock& clock) const { return frames_wanted_ == 0 ? -1 : std::lround(static_cast<double>(clock.steps) * frame / frames_wanted_); }
+long ResultsWriter::step_of_frame(int frame, const Clock& clock) const {
+  return frames_wanted_ == 0 ? -1 : std::lround(static_cast<double>(clock.steps) * frame / frames_wanted_);
+}
 
 void ResultsWriter::after_step(const Simulation& simulation) {
   const Clock& clock = simulation.clock();
@@ -95,12 +80,14 @@ void ResultsWriter::write_frame(const Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
     impactor_series_[i].add(time, [&](const std::filesystem::path& path) { write_impactor(path, simulation.impactors()[i], time); });
   last_frame_step_ = simulation.clock().step;
-  ++next_frame_;
+  // where more frames are wanted than there are steps, one of this step stands for several
+  while (next_frame_ <= frames_wanted_ && step_of_frame(next_frame_, simulation.clock()) <= last_frame_step_) ++next_frame_;
 }
 
 void ResultsWriter::write_line(const Simulation& simulation, const Line& line) const {
   const Body& body = simulation.bodies()[line.body];
-  static const std::vector<std::string> columns{"position_x [m]", "position_y [m]", "position_z [m]", "displacement_x [m]", "displacement_y [m]", "displacement_z [m]"};
+  static const std::vector<std::string> columns{"position_x [m]",     "position_y [m]",     "position_z [m]",
+                                                "displacement_x [m]", "displacement_y [m]", "displacement_z [m]"};
   std::vector<double> rows;
   for (const Sample& sample : line.samples) {
     const Vec3d u = sample.displacement(body);

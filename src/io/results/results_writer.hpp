@@ -8,6 +8,7 @@
 #include "io/output/csv.hpp"
 #include "io/output/pvd.hpp"
 #include "io/output/results_folder.hpp"
+#include "io/results/lines.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
 namespace perimpact {
@@ -17,8 +18,8 @@ enum class Outcome { finished, interrupted, failed };
 
 class ResultsWriter {
  public:
-  /// Prepares the folder (InputError where that fails) and writes what is known at t = 0. Throws SetupError where a line lies outside
-  /// its body, RunError where a file cannot be written.
+  /// Prepares the folder (InputError where that fails) and writes what is known at t = 0. Throws what lines_of throws, before any
+  /// file of an earlier run is gone, and RunError where a file cannot be written.
   ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder);
 
   /// Call after every step.
@@ -27,26 +28,15 @@ class ResultsWriter {
   /// Writes a last frame where none is of this time, and run.json. `failure`: the sentence of the error, if one ended the run.
   void finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds);
 
-  int frames() const { return next_frame_; }
-  const std::filesystem::path& folder() const { return folder_path_; }
-
  private:
-  struct Line {
-    std::string name;
-    std::size_t body;
-    std::vector<Sample> samples;
-    std::vector<long> steps;  // at which to write it, ascending
-  };
-
   void write_frame(const Simulation& simulation);
   void write_line(const Simulation& simulation, const Line& line) const;
   long step_of_frame(int frame, const Clock& clock) const;
 
-  std::filesystem::path folder_path_;
+  std::vector<Line> lines_;
   output::ResultsFolder folder_;
   output::CsvWriter history_;
   std::vector<output::Series> body_series_, impactor_series_;
-  std::vector<Line> lines_;
   int frames_wanted_;
   int next_frame_ = 0;
   long last_frame_step_ = -1;

@@ -1,0 +1,69 @@
+"""perimpact check: what would run, before it runs."""
+
+import re
+import xml.etree.ElementTree as xml
+
+from claims import claim, main
+
+
+def rows_of(text):
+    """The last value of each named row; names take the first 20 columns."""
+    return {line[2:20].strip(): line[20:].strip() for line in text.splitlines() if line.startswith("  ")}
+
+
+@claim("check: prints particles, bonds, memory, surface, first contact, step and duration, and agrees with the run")
+def _(t):
+    rows = rows_of(t.expect_success("check", t.deck(), "--out", "r").out)
+    t.expect_success("run", t.deck(), "--out", "r")
+    report = t.report("r")
+    t.assertEqual(rows["particles"], "960 (20 x 12 x 4 cells of 0.005 m)")
+    t.assertEqual(rows["bonds"].split()[0], str(report["bodies"]["plate"]["bonds"]))
+    t.assertRegex(rows["memory"], r"^\d+ MB$")
+    surface = report["impactors"]["cylinder"]["surface"]
+    t.assertEqual(rows["panels"], f"{surface['panels']} ({surface['triangles']} triangles, {surface['vertices']} vertices)")
+    t.assertEqual((rows["closure"], rows["size"], rows["components"]), ("closed", "0.04 x 0.04 x 0.04 m", "1"))
+    step, steps = re.match(r"(\S+) s, (\d+) of them", rows["step"]).groups()
+    t.assertEqual(rows["samples"], f"12 points of plate, written after step {steps}")
+    t.assertEqual((step, int(steps)), (f"{report['stability']['step [s]']:.4g}", report["steps"]))
+
+
+@claim("check: the first contact is foretold to the step")
+def _(t):
+    # In this little time the plate does not answer yet. A row a step, so that the first row with contacts is the step.
+    t.expect_success("run", t.deck(("20 us}", "20 us, step: 0.5 us}")), "--out", "r", "--set", "output.history=0.5 us")
+    out = t.expect_success("check", "deck.yaml", "--out", "r").out
+    time, step = re.search(r"touches plate at (\S+) s \(step (\d+)\)", out).groups()
+    contacts = t.history("r")["cylinder.contacts [-]"]
+    first = next(k for k, count in enumerate(contacts) if count > 0)
+    t.assertEqual(int(step), first)
+    t.assertTrue((first - 1) * 0.5e-6 < float(time) <= first * 0.5e-6, (time, first))
+
+
+@claim("check: an impactor that never arrives is named with its distance")
+def _(t):
+    out = t.expect_success("check", t.deck(("-32 m/s", "32 m/s")), "--out", "r").out
+    t.assertRegex(out, r"does not touch plate before the end: \S+ m away at the start\. Check position, velocity and units\.")
+
+
+@claim("check: writes body, surface and region as VTP, the region at its place, and touches no results")
+def _(t):
+    t.expect_success("run", t.deck(("free: [y]", "free: [y]\n    region: {box: {size: [50 mm, 50 mm, 30 mm], centre: [0, 1 mm, 0]}, outside: clip}")), "--out", "r")
+    before = {name: (t.folder / "r" / name).read_bytes() for name in t.files("r")}
+    t.expect_success("check", "deck.yaml", "--out", "r")
+    t.assertEqual(t.files("r/check"), ["cylinder_region.vtp", "cylinder_surface.vtp", "plate.vtp"])
+    t.assertEqual({name: (t.folder / "r" / name).read_bytes() for name in t.files("r") if not name.startswith("check/")}, before)
+    for name, points in ("plate", 960), ("cylinder_region", 8):
+        content = (t.folder / f"r/check/{name}.vtp").read_bytes()
+        head = xml.fromstring(content[: content.index(b"<AppendedData")] + b"</VTKFile>")
+        t.assertEqual(head.find(".//Piece").get("NumberOfPoints"), str(points))
+
+
+@claim("check: refuses what run refuses, with the same sentence")
+def _(t):
+    for change in [("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
+        deck = t.deck(change)
+        checked, run = (t.run_program(command, deck, "--out", "r") for command in ("check", "run"))
+        t.assertEqual((checked.code, checked.err), (run.code, run.err))
+
+
+main()

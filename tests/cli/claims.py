@@ -1,0 +1,154 @@
+"""What the tests of the command line share. A claim is a function with a sentence; ctest runs it by that sentence:
+
+    python3 results.test.py BINARY ["the sentence"]
+"""
+
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from typing import NamedTuple
+
+SKIPPED = 77
+CLAIMS = {}
+
+# 960 particles, struck after 7 microseconds by a meshed cylinder that hits a meshed face; runs in a few hundredths of a second
+DECK = """\
+title: Small plate
+time: {end: 20 us}
+bodies:
+  plate:
+    shape: {box: {size: [100 mm, 60 mm, 20 mm]}}
+    spacing: 5 mm
+    material: {model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000 kg/m3}
+impactors:
+  cylinder:
+    surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}
+    mass: 1 kg
+    position: [0, 50 mm, 0]
+    velocity: [0, -32 m/s, 0]
+    free: [y]
+contact:
+  impactors: {detector: swept}
+output:
+  folder: results
+  frames: 4
+  history: 2 us
+  probes:
+    centre: {body: plate, at: [0, 0, 0]}
+  lines:
+    along_y: {body: plate, from: [0, -30 mm, 0], to: [0, 30 mm, 0]}
+"""
+
+
+def claim(sentence):
+    def add(function):
+        assert sentence not in CLAIMS, f"two claims say: {sentence}"
+        CLAIMS[sentence] = function
+        return function
+
+    return add
+
+
+def changed(text, *changes):
+    """The text with each (old, new) replaced; each old must stand there once."""
+    for old, new in changes:
+        assert text.count(old) == 1, f"the deck holds {old!r} {text.count(old)} times"
+        text = text.replace(old, new)
+    return text
+
+
+def place_of(text, needle):
+    """"line:column" where the needle begins, counted here by hand; it must stand there once."""
+    assert text.count(needle) == 1, f"the deck holds {needle!r} {text.count(needle)} times"
+    before = text[: text.index(needle)]
+    return f"{before.count(chr(10)) + 1}:{len(before) - before.rfind(chr(10))}"
+
+
+class Done(NamedTuple):
+    code: int
+    out: str
+    err: str
+
+
+class Scene(unittest.TestCase):
+    """A folder of its own, the program, and unittest's comparisons."""
+
+    maxDiff = None
+    longMessage = True
+
+    def __init__(self, program, folder):
+        super().__init__()
+        self.program, self.folder = program, folder
+        # threads that wait must not keep the processors busy: tests run side by side
+        self.environment = {**os.environ, "LC_ALL": "C.UTF-8", "OMP_WAIT_POLICY": "passive"}
+
+    def deck(self, *changes, name="deck.yaml"):
+        """Writes the deck with the changes; its name, from the folder."""
+        (self.folder / name).write_text(changed(DECK, *changes))
+        return name
+
+    def start(self, *arguments, **options):
+        options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
+        return subprocess.Popen([self.program, *map(str, arguments)], cwd=self.folder, env=self.environment, text=True, stdin=subprocess.DEVNULL, **options)
+
+    def run_program(self, *arguments, limits={}, **options):
+        """`limits`: of the program's resources, by the names of setrlimit."""
+
+        def limit():
+            for which, value in limits.items():
+                resource.setrlimit(which, (value, value))
+
+        process = self.start(*arguments, preexec_fn=limit, **options)
+        out, err = process.communicate(timeout=300)
+        return Done(process.returncode, out, err)
+
+    def expect_success(self, *arguments, **options):
+        done = self.run_program(*arguments, **options)
+        self.assertEqual((done.code, done.err), (0, ""), done)
+        return done
+
+    def expect_complaint(self, done, code, begins, *words):
+        """One line on stderr: error: <begins> … with each of the words, and a way out behind a full stop or a question mark."""
+        self.assertEqual(done.code, code, done)
+        lines = done.err.splitlines()
+        self.assertEqual(len(lines), 1, done.err)
+        self.assertTrue(lines[0].startswith(f"error: {begins}"), f"\n{lines[0]}\ndoes not begin with\nerror: {begins}")
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertIn(lines[0][-1], ".?")
+
+    def report(self, folder):
+        """run.json"""
+        return json.loads((self.folder / folder / "run.json").read_text())
+
+    def history(self, folder):
+        """Columns of history.csv by name; every row must be whole."""
+        return table(self.folder / folder / "history.csv")
+
+    def files(self, folder):
+        root = self.folder / folder
+        return sorted(str(path.relative_to(root)) for path in root.rglob("*") if path.is_file())
+
+
+def table(path):
+    text = path.read_text()
+    assert text.endswith("\n"), f"{path} ends in the middle of a row"
+    names, *rows = (line.split(",") for line in text.splitlines())
+    assert all(len(row) == len(names) for row in rows), f"{path} has rows of different lengths"
+    return {name: [float(row[i]) for row in rows] for i, name in enumerate(names)}
+
+
+def main():
+    program = str(Path(sys.argv[1]).resolve())
+    for sentence in sys.argv[2:] or CLAIMS:
+        with tempfile.TemporaryDirectory(prefix="perimpact-") as folder:
+            try:
+                CLAIMS[sentence](Scene(program, Path(folder)))
+            except unittest.SkipTest as reason:
+                print(f"skipped: {reason}")
+                sys.exit(SKIPPED)

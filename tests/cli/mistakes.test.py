@@ -1,0 +1,111 @@
+"""What a user can do wrong ends in one sentence that begins with error:, with the place in the deck where there is one, and in exit code 2.
+Every mistake of the deck's own is in tests/io/deck; here are those that only the whole program can make or find."""
+
+import resource
+
+from claims import DECK, changed, claim, main, place_of
+
+CYLINDER = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+
+
+def refused(t, change, at, *words):
+    """The changed deck is refused at the place where `at` stands, the same by run and by check."""
+    deck = t.deck(change)
+    begins = f"deck.yaml:{place_of(changed(DECK, change), at)}: "
+    for command in ("run", "check"):
+        done = t.run_program(command, deck, "--out", "r")
+        t.expect_complaint(done, 2, begins, *words)
+        t.assertEqual(done.out, "")
+
+
+def refused_surface(t, surface, at, *words):
+    refused(t, (CYLINDER, surface), at, *words)
+
+
+@claim("mistakes: in the deck are refused at their line and column")
+def _(t):
+    refused(t, ("poissons_ratio", "poisson_ratio"), "poisson_ratio", "did you mean poissons_ratio?")
+    refused(t, ("mass: 1 kg", "mass: 1 kg\n    mass: 2 kg"), "mass: 2 kg", "mass is given twice", "deck.yaml:11:5")
+    refused(t, ("spacing: 5 mm", "spacing: 5 kg"), "5 kg", "that is a mass", "9 mm")
+    refused(t, ("0.25", "0.6"), "0.6", "poissons_ratio is 0.6", "below 0.5")
+    refused(t, ("end: 20 us", "end: 20 us, step: 30 us"), "30 us", "longer than the whole run")
+
+
+@claim("mistakes: found only when the simulation is built carry their line and column too")
+def _(t):
+    refused(t, ("end: 20 us", "end: 20 us, step: 3 us"), "3 us", "longest stable one", "leave the step out")
+    refused(t, ("0, 50 mm, 0", "0, 40 mm, 0"), "[0, 40 mm, 0]", "cylinder starts inside body plate", "56 particles")
+    region = "free: [y]\n    region: {box: {size: [50 mm, 50 mm, 10 mm]%s}}"
+    refused(t, ("free: [y]", region % ""), "region:", "stick out of the box by up to 0.015 m", "outside: clip")
+    refused(t, ("free: [y]", region % ", centre: [1, 0, 0]"), "region:", "no panel of the surface reaches into the box")
+    refused(t, ("at: [0, 0, 0]", "at: [0, 1 m, 0]"), "[0, 1 m, 0]", "probe centre lies 0.973 m from the nearest particle")
+    refused(t, ("to: [0, 30 mm, 0]", "to: [0, 300 mm, 0]"), "along_y:", "runs outside body plate", "move its ends")
+
+
+@claim("mistakes: a surface file that is missing, broken or no surface is refused with what is wrong and where")
+def _(t):
+    (t.folder / "cut.stl").write_text("solid rock\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n")
+    (t.folder / "noise.stl").write_bytes(bytes(range(256)))
+    (t.folder / "sheet.obj").write_text("v 0 0 0\nv 0.1 0 0\nv 0 0 0.1\nf 1 2 3\n")
+    (t.folder / "fin.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n")
+    refused_surface(t, "{file: none.stl}", "none.stl", "there is no file", "deck's folder")
+    refused_surface(t, "{file: cut.stl}", "surface:", "cut.stl:6: the file ends in triangle 1")
+    refused_surface(t, "{file: noise.stl}", "surface:", "noise.stl")
+    refused_surface(t, "{file: sheet.obj}", "surface:", "cylinder: the surface is open", "outside: normals")
+    refused_surface(t, "{file: fin.obj}", "surface:", "cylinder: ")
+    for name in ("none.stl", "cut.stl", "noise.stl"):
+        t.expect_complaint(t.run_program("mesh", name), 2, name)
+
+
+@claim("mistakes: a deck that is missing, a folder, or not to be read is named")
+def _(t):
+    t.expect_complaint(t.run_program("run", "none.yaml"), 2, "none.yaml: there is no such file")
+    t.expect_complaint(t.run_program("run", "."), 2, ".: this is a folder", "deck.yaml")
+    t.expect_complaint(t.run_program("run", "/dev/null"), 2, "/dev/null: the deck is empty")
+
+
+@claim("mistakes: results that cannot be written are noticed before anything is computed")
+def _(t):
+    deck = t.deck()
+    for command in ("run", "check"):
+        t.expect_complaint(t.run_program(command, deck, "--out", "deck.yaml/below"), 2, "results cannot be written to the folder deck.yaml/below", "--out")
+        t.expect_complaint(t.run_program(command, deck, "--out", "/proc/results"), 2, "results cannot be written to the folder /proc/results", "--out")
+
+
+@claim("mistakes: in --set name the key")
+def _(t):
+    deck = t.deck()
+    t.expect_complaint(t.run_program("run", deck, "--set", "time.end"), 2, "--set time.end: ", "output.frames=0")
+    t.expect_complaint(t.run_program("run", deck, "--set", "time.endd=3"), 2, "--set time.endd: endd is not a key of time; did you mean end?")
+    t.expect_complaint(t.run_program("run", deck, "--set", "time.end=3 kg"), 2, "--set time.end: ", "that is a mass")
+    t.expect_complaint(t.run_program("run", deck, "--set", "time.step=3 us"), 2, "--set time.step: ", "longest stable one")
+
+
+@claim("mistakes: on the command line are one sentence with a way out")
+def _(t):
+    deck = t.deck()
+    for arguments, *words in [
+        ([], "command", "--help"),
+        (["fly"], "fly", "--help"),
+        (["run"], "deck", "--help"),
+        (["run", deck, "--bogus"], "--bogus", "perimpact run --help"),
+        (["run", deck, "more"], "more", "--help"),
+        (["run", deck, "--threads", "0"], "--threads", "1 to 1024"),
+        (["run", deck, "--threads", "two"], "--threads", "two"),
+        (["run", deck, "--set"], "--set", "--help"),
+        (["mesh"], "file", "--help"),
+        (["mesh", "a.stl", "--scale", "0"], "--scale", "above 0"),
+    ]:
+        done = t.run_program(*arguments)
+        t.expect_complaint(done, 2, "", *words)
+        t.assertEqual(done.out, "")
+        t.assertLess(len(done.err), 200, done.err)
+
+
+@claim("mistakes: a set-up that does not fit in memory is refused, not aborted")
+def _(t):
+    done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=10 um", limits={resource.RLIMIT_AS: 2**31})
+    t.expect_complaint(done, 3, "there is not enough memory", "spacing")
+
+
+main()
