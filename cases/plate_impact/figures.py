@@ -110,7 +110,7 @@ def fig15(runs, path):
         for axis, run, (x, _), value in zip(column, runs, layers, values):
             image = axis.pcolormesh(1e3 * x[..., 0], 1e3 * x[..., 1], value, shading="gouraud", cmap=colours, vmin=low, vmax=high, rasterized=True)
             axis.set_aspect("equal")
-            axis.set_title(f"{run.label}:  ${name}$ from {value.min():.3f} to {value.max():.3f} mm")
+            axis.set_title(f"{run.label}:  ${name}$ from {value.min():.3f} to {value.max():.3f} mm".replace("-", "−"))
         figure.colorbar(image, ax=column, orientation="horizontal", label=f"${name}$ at 200 µs [mm]", shrink=0.7, aspect=40, pad=0.01)
     for axis in axes[:, 0]:
         axis.set_ylabel("y [mm]")

@@ -22,12 +22,12 @@ def draw_hero(runs, path):
     bar = figure.colorbar(plt.cm.ScalarMappable(scale, COLOURS), ax=axes, orientation="horizontal", shrink=0.4, aspect=50, pad=0.015)
     bar.set_label("speed of the particles [m/s]", fontsize=10)
     bar.outline.set_visible(False)
-    figure.savefig(path, dpi=180)
+    figure.savefig(path, dpi=132)  # a pixel of the pictures is one of the file, so that the grid of particles makes no pattern
 
 
-def picture(plate, cylinder, scale, fold=3):
+def picture(plate, cylinder, scale, fold=4):
     """One instant, seen from above the free edge."""
-    scene = Scene(direction=(-0.16, -0.8, 1.15), up=(0, 0, 1), pixels_per_metre=4150 * fold, width=960 * fold, height=640 * fold, centre=(0.001, 0.017, 0))
+    scene = Scene(direction=(-0.16, -0.8, 1.15), up=(0, 0, 1), pixels_per_metre=3050 * fold, width=706 * fold, height=470 * fold, centre=(0.001, 0.017, 0))
     speed = np.linalg.norm(plate.point["velocity"], axis=1)
     spacing = np.cbrt(np.prod(np.ptp(plate.points, axis=0)) / len(plate.points))
     scene.add_panels(cylinder.points, cylinder.panels, colour=(0.83, 0.85, 0.88), edge_colour=(0.60, 0.63, 0.68), edge_width=1.2e-4)

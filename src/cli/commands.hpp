@@ -18,7 +18,7 @@ struct DeckArguments {
 
 int run_command(const DeckArguments& arguments);
 int check_command(const DeckArguments& arguments);
-int describe_command(const std::string& key);
+int describe_command(const std::string& key, bool markdown);
 
 struct MeshArguments {
   std::filesystem::path file;

@@ -5,8 +5,8 @@
 
 namespace perimpact {
 
-int describe_command(const std::string& key) {
-  fmt::print("{}", deck::describe(key));
+int describe_command(const std::string& key, bool markdown) {
+  fmt::print("{}", markdown ? deck::describe_markdown() : deck::describe(key));
   return 0;
 }
 

@@ -57,7 +57,9 @@ int run(int argc, char** argv) {
   std::string key;
   CLI::App* describe = app.add_subcommand("describe", "The deck reference, whole or of one key");
   describe->add_option("key", key, "Key, like poissons_ratio or bodies.material");
-  describe->callback([&] { code = describe_command(key); });
+  bool markdown = false;
+  describe->add_flag("--markdown", markdown, "The whole reference as a page (docs/guide/deck_reference.md)");
+  describe->callback([&] { code = describe_command(key, markdown); });
 
   MeshArguments mesh;
   CLI::App* mesh_app = app.add_subcommand("mesh", "Report on a surface file (STL, OBJ)");

@@ -26,9 +26,10 @@ void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d&
   const double aw = dot(a, w), ww = squared_norm(w), end = norm(z);
   const double nearest = ww > 0 ? std::clamp(-aw / ww, 0.0, 1.0) : 0.0;
   const double limit = reach - offset;
-  if (!(norm(a + nearest * w) < limit)) return;
+  const bool through = end >= limit && dot(a, z) < 0;
+  if (!(end < limit || (through && norm(a + nearest * w) < limit))) return;
   const double before = squared_norm(a) - reach * reach;
-  if (before < 0 && end >= limit) return;  // starts inside and leaves
+  if (before < 0 && through) return;  // starts inside and leaves
   const double discriminant = aw * aw - ww * before;
   const double first = before > 0 && ww > 0 ? std::clamp((-aw - std::sqrt(std::max(0.0, discriminant))) / ww, 0.0, 1.0) : 0.0;
 
@@ -37,8 +38,7 @@ void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d&
   if (!std::visit([&](const auto& region) { return region.contains(hit); }, region_)) return;
 
   Vec3d normal = normalised(z), place = path.end + (reach + offset - end) * normal;
-  const bool seen = end < limit && dot(a, z) > 0;
-  if (!seen) normal = touching, place = path.at(first) + offset * touching;
+  if (dot(a, z) <= 0) normal = touching, place = path.at(first) + offset * touching;
   found.contacts.push_back({.point = point,
                             .panel = -1,
                             .time_fraction = first,

@@ -1,9 +1,11 @@
 /// Contact with a sphere or an infinite circular cylinder by the distance to its centre or axis (seed paper, section 2.2, eqs. 6 to 8):
 /// the "original" peridynamic contact, and what meshes of those shapes converge to.
 ///
-/// A point touches where its path, straight in the frame of the body, comes nearer to the centre or axis than R + r. It is put back at
-/// that distance, straight out from where the path ends; but if the path ends beyond the centre, or has gone right through, where the
-/// point first touched.
+/// A point touches where it ends nearer to the centre or axis than R + r, and is put back at that distance, straight out from where it
+/// ended. Two mends for long steps: where the path, straight in the frame of the body, ends beyond the centre, inside or right through,
+/// the point is put where it first touched. A path that only grazes and ends outside on its own side is no contact.
+///
+/// A region bounds where the surface is felt. Nothing is remembered: a point that comes into the region inside the shape is struck.
 #pragma once
 
 #include <optional>

@@ -73,9 +73,9 @@ Touch PathTest::first_touch(const Path& path, const ClosestPoint& at_start, doub
   }
   // Conservative advancement: no step is longer than the distance that is left, so it never goes past the first touch. Grazing paths
   // would take for ever; what they stop at is a place outside too.
-  constexpr int most_steps = 24;
+  constexpr int most_steps = 32;
   const double length = path.length();
-  const double enough = std::max(offset, 1e-3 * length);
+  const double enough = std::max(offset, 1e-6 * length);
   ClosestPoint closest = at_start;
   for (int step = 0; step < most_steps; ++step) {
     const double gap = closest.distance - radius;
@@ -91,12 +91,20 @@ Touch PathTest::first_touch(const Path& path, const ClosestPoint& at_start, doub
   return touch;
 }
 
-void PathTest::relocate(Touch& touch, const Path& path, double radius, double offset, std::size_t& asked) const {
-  const double cap = norm(path.end - touch.hit) + radius + offset;
-  std::optional<ClosestPoint> closest = bvh_.closest_facing(path.end, path.start, cap, asked);
-  if (!closest) return;
-  Vec3d direction = outward(*closest, path.end, offset);
-  Vec3d place = closest->point + (radius + offset) * direction;
+void PathTest::relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Vec3d& viewer, double radius, double offset,
+                        std::size_t& asked) const {
+  Vec3d direction = touch.normal, place = path.end;
+  std::optional<ClosestPoint> closest = at_end;
+  if (side(at_end, path.end) > 0 && at_end.distance >= radius) {
+    // The path ends outside, past an edge or right through a blade. It loses what it went against the normal after first touch: to put
+    // it on the surface would pull it back, or round to the far side.
+    place -= std::min(0.0, dot(path.end - touch.relocation, direction)) * direction;
+  } else {
+    closest = bvh_.closest_facing(path.end, viewer, norm(path.end - touch.hit) + radius + offset, asked);
+    if (!closest) return;
+    direction = outward(*closest, path.end, offset);
+    place = closest->point + (radius + offset) * direction;
+  }
 
   // A face's own distance from the place may be too small where another rises beside it. One projection settles a right angle; a wedge
   // of 10° needs about ten, and sharper ones the fallback.
@@ -178,7 +186,8 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
     answer.enters = surface_->is_closed() && too_near(*at_end, path.end, radius_ - offset);
     return answer;
   }
-  relocate(touch, path, radius, offset, effort.panels_asked);
+  const Vec3d viewer = path.start + offset * outward(at_start, path.start, offset);  // a start on the surface sees its own panel
+  relocate(touch, path, *at_end, viewer, radius, offset, effort.panels_asked);
   answer.touch = touch;
   return answer;
 }

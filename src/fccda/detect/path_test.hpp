@@ -5,6 +5,8 @@
 /// R θ²/8 only. The ball touches where the path comes nearer to the surface than r, or crosses it from the front. It is put back
 ///   - at the distance r from the surface's point that is closest to the end of the path, among the triangles that face its start
 ///     (the far side of a thin blade does not),
+///   - or, where the path ends outside again, past an edge or right through a blade, there, less what it went against the normal after
+///     first touch,
 ///   - in concave places, further out until it is r away from everything,
 ///   - and if the straight way there is not clear, where it was first touched, which is always a place to be.
 /// An offset of max(1e-12 size, 32 ε max|coordinate|) is added to r there, and taken off where contact is asked for: rest at the
@@ -72,7 +74,7 @@ class PathTest {
   bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance) const;
   bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, double radius, double offset, std::size_t& asked) const;
   Touch first_touch(const Path& path, const ClosestPoint& at_start, double radius, double offset, std::size_t& asked) const;
-  void relocate(Touch& touch, const Path& path, double radius, double offset, std::size_t& asked) const;
+  void relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Vec3d& viewer, double radius, double offset, std::size_t& asked) const;
 
   std::shared_ptr<const Surface> surface_;
   Bvh bvh_;

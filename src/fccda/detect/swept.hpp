@@ -35,20 +35,11 @@ class Swept {
     for (std::size_t b = 0; b < points.block_count(); ++b)
       if (due_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
-      const std::size_t b = due_blocks_[static_cast<std::size_t>(k)];
-      Found& found = found_[static_cast<std::size_t>(k)];
-      found.clear();
-      const double look_ahead = looks_ahead * step_.approach(points.block_travel(b) + surface_travel);
-      for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
-        if (!due_.is_due(b, i)) continue;
-        if (points.occupied(i))
-          look_at(b, i, points.position_t0(i), points.position_t1(i), motion, look_ahead, found);
-        else
-          due_.postpone(b, i, Bvh::no_cap);
-      }
-      due_.settle(b);
-    });
+    const auto look = [&](std::ptrdiff_t k) { look_at_block(points, motion, surface_travel, static_cast<std::size_t>(k)); };
+    if (due_blocks_.size() == 1)
+      look(0);  // not worth waking the other threads
+    else
+      parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), look);
     gather(out);
   }
 
@@ -109,6 +100,22 @@ class Swept {
       guess_.assign(points.size(), -1);
     }
     measure(motion);
+  }
+
+  template <Points P>
+  void look_at_block(const P& points, const Motion& motion, double surface_travel, std::size_t k) {
+    const std::size_t b = due_blocks_[k];
+    Found& found = found_[k];
+    found.clear();
+    const double look_ahead = looks_ahead * step_.approach(points.block_travel(b) + surface_travel);
+    for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
+      if (!due_.is_due(b, i)) continue;
+      if (points.occupied(i))
+        look_at(b, i, points.position_t0(i), points.position_t1(i), motion, look_ahead, found);
+      else
+        due_.postpone(b, i, Bvh::no_cap);
+    }
+    due_.settle(b);
   }
 
   void measure(const Motion& motion);

@@ -1,6 +1,7 @@
 #include "fccda/search/bvh.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -15,6 +16,9 @@ constexpr std::size_t stack_size = 512;
 // A squared distance from a box in floats is less than one part in 2²² off once the box's slack has covered the rounding of
 // positions; lowered by this it is below the true one.
 constexpr float lowered = 1 - 0x1p-20F;
+
+/// A float not below the double, and finite, so that absent children are beyond it.
+float as_bound(double best) { return static_cast<float>(std::min(best * (1 + 0x1p-20), 1e38)); }
 
 struct Waiting {
   float squared_distance;
@@ -61,6 +65,7 @@ std::array<double, Bvh::width> Bvh::squared_distances(const Leaf& leaf, const Ve
 
 template <class Accept>
 std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, const Accept& accept) const {
+  if (!(cap >= 0)) return std::nullopt;
   const Vec3d p = point - origin_;
   const std::array<float, 3> q{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
   double best = cap * cap;
@@ -94,7 +99,9 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
     }
     const Node& node = nodes_[static_cast<std::size_t>(next.child)];
     std::array<float, width> d;
-#pragma omp simd
+    const float bound = as_bound(best);
+    unsigned near = 0;
+#pragma omp simd reduction(| : near)
     for (std::size_t c = 0; c < width; ++c) {
       float sum = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -104,11 +111,12 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
         sum += gap * gap;
       }
       d[c] = sum * lowered;
+      near |= (d[c] <= bound ? 1u : 0u) << c;
     }
     // Far ones first onto the stack, so that the nearest is next.
     const std::size_t base = depth;
-    for (std::size_t c = 0; c < width; ++c) {
-      if (!(d[c] <= best) || !(d[c] < std::numeric_limits<float>::infinity())) continue;
+    for (; near != 0; near &= near - 1) {
+      const auto c = static_cast<std::size_t>(std::countr_zero(near));
       std::size_t at = depth++;
       for (; at > base && stack[at - 1].squared_distance < d[c]; --at) stack[at] = stack[at - 1];
       stack[at] = {d[c], node.child[c]};

@@ -2,21 +2,14 @@
 
 #include <algorithm>
 
+#include "fccda/surface/slivers.hpp"
+
 namespace fccda {
 namespace {
 
 class Splitter {
  public:
   Splitter(const std::vector<Vec3d>& vertices, double flat) : vertices_(vertices), flat_(flat) {}
-
-  bool has_area(const std::array<int, 3>& t) const {
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
-    const Vec3d& a = at(t[0]);
-    const Vec3d& b = at(t[1]);
-    const Vec3d& c = at(t[2]);
-    const double longest = std::sqrt(std::max({squared_norm(b - a), squared_norm(c - b), squared_norm(a - c)}));
-    return norm(cross(b - a, c - a)) > flat_ * longest;
-  }
 
   std::array<std::array<int, 3>, 2> split(const std::array<int, 4>& q) const {
     using Halves = std::array<std::array<int, 3>, 2>;
@@ -34,7 +27,7 @@ class Splitter {
   const Vec3d& at(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)]; }
   Vec3d doubled_area(const std::array<int, 3>& t) const { return cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])); }
   bool agree(const std::array<std::array<int, 3>, 2>& halves) const {
-    return has_area(halves[0]) && has_area(halves[1]) && dot(doubled_area(halves[0]), doubled_area(halves[1])) > 0;
+    return has_area(vertices_, halves[0], flat_) && has_area(vertices_, halves[1], flat_) && dot(doubled_area(halves[0]), doubled_area(halves[1])) > 0;
   }
 
   const std::vector<Vec3d>& vertices_;
@@ -74,10 +67,10 @@ Triangulation triangulate(const Panels& panels, double flat) {
   Triangulation out;
   out.triangles.reserve(panels.panels.size());
   const auto add = [&](const std::array<int, 3>& vertex, std::size_t panel) {
-    if (splitter.has_area(vertex)) {
-      out.triangles.push_back({vertex, static_cast<int>(panel)});
-    } else {
+    if (vertex[0] == vertex[1] || vertex[1] == vertex[2] || vertex[2] == vertex[0]) {
       ++out.degenerate;
+    } else {
+      out.triangles.push_back({vertex, static_cast<int>(panel)});
     }
   };
   for (std::size_t p = 0; p < panels.panels.size(); ++p) {
@@ -89,6 +82,7 @@ Triangulation triangulate(const Panels& panels, double flat) {
     }
   }
   out.duplicate = drop_duplicates(out.triangles);
+  out.degenerate += absorb_slivers(out.triangles, panels.vertices, flat);
   return out;
 }
 

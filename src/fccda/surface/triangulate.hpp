@@ -1,4 +1,4 @@
-/// Panels to triangles: quads are split, panels without area and repeated panels are left out.
+/// Panels to triangles: quads are split, those without area and repeated ones are left out.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 namespace fccda {
 
 struct Triangulation {
-  std::vector<Triangle> triangles;  ///< in the order of the panels
-  std::size_t degenerate = 0;       ///< left out: without area
-  std::size_t duplicate = 0;        ///< left out: the same three vertices as an earlier one, in any order
+  std::vector<Triangle> triangles;
+  std::size_t degenerate = 0;  ///< left out: with a repeated corner, or slivers (slivers.hpp)
+  std::size_t duplicate = 0;   ///< left out: the same three vertices as an earlier one, in any order
 };
 
 /// A quad is split along its shorter diagonal, a rectangle along the one from its first vertex; but along the other where the shorter
 /// one would leave a triangle without area or turned over (a quad with a corner on a straight side, or a re-entrant one).
-/// A triangle has no area where it is at most `flat` [m] high. Expects welded vertices.
+/// A triangle that is at most `flat` [m] high has no area. Expects welded vertices.
 Triangulation triangulate(const Panels& panels, double flat);
 
 }  // namespace fccda

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/deck/did_you_mean.hpp"
-#include "io/deck/node.hpp"
+#include "io/deck/yaml_node.hpp"
 
 namespace perimpact::deck {
 

@@ -30,7 +30,7 @@ Deck read_deck(const fs::path& file, std::span<const std::string> overrides) {
 }
 
 Deck read_deck_text(std::string_view text, const std::string& name, const fs::path& folder, std::span<const std::string> overrides) {
-  Node document = parse_document(text, name);
+  YamlNode document = parse_document(text, name);
   for (const std::string& change : overrides) apply_override(document, change);
   Deck deck{.setup = {}, .places = Places(name)};
   Reader(document, "", name, deck.places).read(deck.setup);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "io/deck/did_you_mean.hpp"
-#include "io/deck/node.hpp"
 #include "io/deck/reference.hpp"
+#include "io/deck/yaml_node.hpp"
 
 namespace perimpact::deck {
 

@@ -21,7 +21,7 @@ std::vector<std::string> parts_of(std::string_view path) {
 
 }  // namespace
 
-void apply_override(Node& deck, const std::string& override_text) {
+void apply_override(YamlNode& deck, const std::string& override_text) {
   const std::size_t equals = override_text.find('=');
   const std::string path = override_text.substr(0, equals);
   const std::string place = "--set " + path;
@@ -30,14 +30,14 @@ void apply_override(Node& deck, const std::string& override_text) {
   if (equals == std::string::npos || has_empty_part)
     refuse("--set " + override_text, "a key path, = and a value are needed, for example --set output.frames=0.");
 
-  Node* node = &deck;
+  YamlNode* node = &deck;
   std::string way;
   for (const std::string& part : parts) {
-    if (node->kind == Node::Kind::nothing) node->kind = Node::Kind::map;
-    if (node->kind != Node::Kind::map)
+    if (node->kind == YamlNode::Kind::nothing) node->kind = YamlNode::Kind::map;
+    if (node->kind != YamlNode::Kind::map)
       refuse(place, fmt::format("{} is {}, not a map, so nothing in it can be set; set {} itself.", way, node->in_words(), way));
-    Node::Entry* entry = node->find(part);
-    if (!entry) entry = &node->entries.emplace_back(Node::Entry{.key = part, .place = place, .value = {.kind = Node::Kind::nothing, .place = place}});
+    YamlNode::Entry* entry = node->find(part);
+    if (!entry) entry = &node->entries.emplace_back(YamlNode::Entry{.key = part, .place = place, .value = {.kind = YamlNode::Kind::nothing, .place = place}});
     node = &entry->value;
     way += (way.empty() ? "" : ".") + part;
     if (way == path) entry->place = place;

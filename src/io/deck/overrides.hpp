@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "io/deck/node.hpp"
+#include "io/deck/yaml_node.hpp"
 
 namespace perimpact::deck {
 
 /// Puts the value of "key.path=value" (in YAML) into the tree, in place of what stands there; maps on the way are made where they
 /// are absent. Whether the path exists is checked with the whole deck when it is read: there the place is "--set key.path".
 /// Throws InputError for another form, and where the path leads into something that is no map.
-void apply_override(Node& deck, const std::string& override_text);
+void apply_override(YamlNode& deck, const std::string& override_text);
 
 }  // namespace perimpact::deck

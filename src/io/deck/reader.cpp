@@ -21,15 +21,15 @@ std::string way_out(const std::string& key, const std::vector<std::string>& know
 
 }  // namespace
 
-Reader::Reader(const Node& map, std::string path, std::string place, Places& places)
+Reader::Reader(const YamlNode& map, std::string path, std::string place, Places& places)
     : map_(map), path_(std::move(path)), place_(std::move(place)), places_(places) {
-  if (map.kind == Node::Kind::word || map.kind == Node::Kind::list)
+  if (map.kind == YamlNode::Kind::word || map.kind == YamlNode::Kind::list)
     refuse(map.place, fmt::format("{} is {}, but a map of keys is needed; perimpact describe {} lists them.", called(path_), map.in_words(), path_));
 }
 
-const Node::Entry* Reader::find(std::string_view key, Presence presence, std::string_view sentence, std::string_view unit) {
+const YamlNode::Entry* Reader::find(std::string_view key, Presence presence, std::string_view sentence, std::string_view unit) {
   known_.emplace_back(key);
-  const Node::Entry* entry = map_.find(key);
+  const YamlNode::Entry* entry = map_.find(key);
   if (entry) {
     places_.add(path_of(key), entry->place);
   } else if (presence == Presence::required && missing_.empty()) {
@@ -43,9 +43,9 @@ const Node::Entry* Reader::find(std::string_view key, Presence presence, std::st
 
 std::string_view Reader::only_one_of(const std::vector<std::string>& words, Presence presence) {
   known_.insert(known_.end(), words.begin(), words.end());
-  const Node::Entry* chosen = nullptr;
+  const YamlNode::Entry* chosen = nullptr;
   for (const std::string& word : words) {
-    const Node::Entry* entry = map_.find(word);
+    const YamlNode::Entry* entry = map_.find(word);
     if (entry && chosen) refuse(entry->place, fmt::format("{} is both {} and {}; keep one of the two.", called(path_), chosen->key, word));
     if (entry) chosen = entry;
   }
@@ -57,7 +57,7 @@ std::string_view Reader::only_one_of(const std::vector<std::string>& words, Pres
 
 std::string Reader::word_of(std::string_view selector, const std::vector<std::string>& words) {
   const std::string sentence = fmt::format("It is one of {}.", fmt::join(words, ", "));
-  const Node::Entry* entry = find(selector, Presence::required, sentence);
+  const YamlNode::Entry* entry = find(selector, Presence::required, sentence);
   if (!entry) refuse_without(selector);
   places_.add(path_of(selector), entry->value.place);
   std::string word;
@@ -69,7 +69,7 @@ std::string Reader::word_of(std::string_view selector, const std::vector<std::st
 
 void Reader::refuse_without(std::string_view selector) const {
   std::vector<std::string> keys;
-  for (const Node::Entry& entry : map_.entries) keys.push_back(entry.key);
+  for (const YamlNode::Entry& entry : map_.entries) keys.push_back(entry.key);
   if (const std::string_view misspelt = nearest_word(selector, keys); !misspelt.empty())
     refuse(map_.find(misspelt)->place, fmt::format("{} is not a key of {}; did you mean {}?", misspelt, called(path_), selector));
   refuse(place_, missing_);
@@ -78,7 +78,7 @@ void Reader::refuse_without(std::string_view selector) const {
 void Reader::refuse_bad_names(Presence presence) const {
   if (presence == Presence::required && map_.entries.empty()) refuse(place_, fmt::format("{} is empty; it needs at least one name with its keys.", path_));
   constexpr std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
-  for (const Node::Entry& entry : map_.entries) {
+  for (const YamlNode::Entry& entry : map_.entries) {
     if (entry.key.empty() || entry.key.find_first_not_of(allowed) != std::string::npos)
       refuse(entry.place,
              fmt::format("\"{}\" cannot be a name in {}, because names become columns and files; use letters, digits, _ and -.", entry.key, path_));
@@ -87,14 +87,14 @@ void Reader::refuse_bad_names(Presence presence) const {
 
 std::string Reader::other_names(const std::string& name) const {
   std::vector<std::string> others;
-  for (const Node::Entry& entry : map_.entries) {
+  for (const YamlNode::Entry& entry : map_.entries) {
     if (entry.key != name) others.push_back(entry.key);
   }
   return others.empty() ? "" : fmt::format("the deck has no {}; {}", path_of(name), suggestion(name, others));
 }
 
 void Reader::finish() const {
-  for (const Node::Entry& entry : map_.entries) {
+  for (const YamlNode::Entry& entry : map_.entries) {
     if (std::find(known_.begin(), known_.end(), entry.key) == known_.end())
       refuse(entry.place, fmt::format("{} is not a key of {}; {}", entry.key, called(path_), way_out(entry.key, known_)));
   }

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "io/deck/did_you_mean.hpp"
-#include "io/deck/node.hpp"
 #include "io/deck/places.hpp"
 #include "io/deck/schema.hpp"
 #include "io/deck/value.hpp"
+#include "io/deck/yaml_node.hpp"
 
 namespace perimpact::deck {
 
 class Reader {
  public:
   /// `path`: of the map, empty for the whole deck; `place`: where its key stands. Keeps references to the map and the places.
-  Reader(const Node& map, std::string path, std::string place, Places& places);
+  Reader(const YamlNode& map, std::string path, std::string place, Places& places);
 
   /// The whole struct, and the check that nothing else stands in the map.
   template <class T>
@@ -31,16 +31,16 @@ class Reader {
   // what the schema calls
   template <class T>
   void section(std::string_view key, T& into, Presence presence, std::string_view sentence) {
-    if (const Node::Entry* entry = find(key, presence, sentence)) inner(*entry).read(into);
+    if (const YamlNode::Entry* entry = find(key, presence, sentence)) inner(*entry).read(into);
   }
 
   template <class T>
   void named(std::string_view key, std::vector<T>& into, Presence presence, std::string_view sentence) {
-    const Node::Entry* entry = find(key, presence, sentence);
+    const YamlNode::Entry* entry = find(key, presence, sentence);
     if (!entry) return;
     Reader names = inner(*entry);
     names.refuse_bad_names(presence);
-    for (const Node::Entry& item : names.map_.entries) {
+    for (const YamlNode::Entry& item : names.map_.entries) {
       T& element = into.emplace_back();
       element.name = item.key;
       names.places_.add(names.path_of(item.key), item.place);
@@ -52,7 +52,7 @@ class Reader {
 
   template <class Variant>
   void one_of(std::string_view key, Variant& into, Presence presence, std::string_view sentence) {
-    const Node::Entry* entry = find(key, presence, sentence);
+    const YamlNode::Entry* entry = find(key, presence, sentence);
     if (!entry) return;
     Reader choice = inner(*entry);
     choice.alternatives(into);
@@ -73,7 +73,7 @@ class Reader {
 
   template <class Variant>
   void by_word(std::string_view key, std::string_view selector, Variant& into, std::string_view sentence) {
-    if (const Node::Entry* entry = find(key, Presence::required, sentence)) inner(*entry).read_by_word(selector, into);
+    if (const YamlNode::Entry* entry = find(key, Presence::required, sentence)) inner(*entry).read_by_word(selector, into);
   }
 
  private:
@@ -81,7 +81,7 @@ class Reader {
   void read_contents(T& into) {
     if constexpr (Described<T>) {
       for (const Field<T>& field : T::fields()) {
-        const Node::Entry* entry = find(field.name, field.presence, field.sentence, field.unit);
+        const YamlNode::Entry* entry = find(field.name, field.presence, field.sentence, field.unit);
         if (!entry) continue;
         places_.add(path_of(field.name), entry->value.place);
         std::visit([&](auto member) { read_value(entry->value, {field.name, field.unit, field.range, field.sentence}, into.*member); }, field.member);
@@ -101,9 +101,9 @@ class Reader {
 
   /// The entry of a known key, whose place is remembered. Nothing where it is absent; what is missing is told by finish(), after
   /// the unknown keys, because a misspelt key is also a missing one.
-  const Node::Entry* find(std::string_view key, Presence presence, std::string_view sentence, std::string_view unit = {});
+  const YamlNode::Entry* find(std::string_view key, Presence presence, std::string_view sentence, std::string_view unit = {});
 
-  Reader inner(const Node::Entry& entry) const { return {entry.value, path_of(entry.key), entry.place, places_}; }
+  Reader inner(const YamlNode::Entry& entry) const { return {entry.value, path_of(entry.key), entry.place, places_}; }
   std::string path_of(std::string_view key) const { return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key); }
   std::string_view only_one_of(const std::vector<std::string>& words, Presence presence);
   std::string word_of(std::string_view selector, const std::vector<std::string>& words);
@@ -113,7 +113,7 @@ class Reader {
   std::string other_names(const std::string& name) const;
   void finish() const;
 
-  const Node& map_;
+  const YamlNode& map_;
   std::string path_;
   std::string place_;
   Places& places_;

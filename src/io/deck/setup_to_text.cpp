@@ -33,6 +33,7 @@ std::string json(const Vec3d& value) { return fmt::format("[{}, {}, {}]", value.
 template <class T>
 std::string json(const std::vector<T>& values) {
   std::vector<std::string> items;
+  items.reserve(values.size());
   for (const T& value : values) items.push_back(json(value));
   return fmt::format("[{}]", fmt::join(items, ", "));
 }

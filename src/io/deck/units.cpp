@@ -62,8 +62,6 @@ ut_system* units_of_udunits() {
 
 /// Nothing where `text` is no unit.
 Unit parse_unit(std::string_view text) {
-  constexpr std::size_t longest = 64;  // no unit is longer; the parser of UDUNITS need not see whole files
-  if (text.size() > longest) return {nullptr, ut_free};
   const std::string terminated(text);
   return {ut_parse(units_of_udunits(), terminated.c_str(), UT_UTF8), ut_free};
 }

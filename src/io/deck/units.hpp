@@ -26,7 +26,7 @@ const UnitKind& kind_of(std::string_view unit);
 
 struct Converted {
   double value = 0;
-  std::string complaint{};  ///< why `value` means nothing and what to write: "that is a mass; write a length, for example 9 mm"
+  std::string complaint;  ///< why `value` means nothing and what to write: "that is a mass; write a length, for example 9 mm"
 };
 
 /// "9 mm" → 0.009 for the unit m; a plain number is in SI already. Powers of ten are exact: "9 mm" is the same double as 0.009.

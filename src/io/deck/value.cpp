@@ -16,32 +16,32 @@ using fccda::Vec3d;
 
 namespace {
 
-[[noreturn]] void refuse_value(const Node& node, const Rule& rule, std::string_view but) {
-  if (node.kind == Node::Kind::nothing) refuse(node.place, fmt::format("{} has no value; write one, or leave the key out. {}", rule.name, rule.sentence));
+[[noreturn]] void refuse_value(const YamlNode& node, const Rule& rule, std::string_view but) {
+  if (node.kind == YamlNode::Kind::nothing) refuse(node.place, fmt::format("{} has no value; write one, or leave the key out. {}", rule.name, rule.sentence));
   refuse(node.place, fmt::format("{} is {}, but {}", rule.name, node.in_words(), but));
 }
 
 /// A number with its unit, not yet held against the range.
-double number(const Node& node, const Rule& rule) {
+double number(const YamlNode& node, const Rule& rule) {
   const UnitKind& kind = kind_of(rule.unit);
-  if (node.kind != Node::Kind::word) refuse_value(node, rule, fmt::format("{} is needed, for example {}.", kind.what, kind.example));
+  if (node.kind != YamlNode::Kind::word) refuse_value(node, rule, fmt::format("{} is needed, for example {}.", kind.what, kind.example));
   const Converted converted = to_si(node.text, rule.unit);
   if (!converted.complaint.empty()) refuse_value(node, rule, converted.complaint + ".");
   return converted.value;
 }
 
-void refuse_unless_in_range(const Node& node, const Rule& rule, double value) {
+void refuse_unless_in_range(const YamlNode& node, const Rule& rule, double value) {
   if (rule.range.contains(value)) return;
   refuse_value(node, rule, fmt::format("it must be {}. {}", in_words(rule.range), rule.sentence));
 }
 
-const std::string& word(const Node& node, const Rule& rule, std::string_view expected) {
-  if (node.kind != Node::Kind::word) refuse_value(node, rule, fmt::format("{} is needed. {}", expected, rule.sentence));
+const std::string& word(const YamlNode& node, const Rule& rule, std::string_view expected) {
+  if (node.kind != YamlNode::Kind::word) refuse_value(node, rule, fmt::format("{} is needed. {}", expected, rule.sentence));
   return node.text;
 }
 
-std::span<const Node> list(const Node& node, const Rule& rule, std::string_view example) {
-  if (node.kind != Node::Kind::list) refuse_value(node, rule, fmt::format("a list is needed, such as {}. {}", example, rule.sentence));
+std::span<const YamlNode> list(const YamlNode& node, const Rule& rule, std::string_view example) {
+  if (node.kind != YamlNode::Kind::list) refuse_value(node, rule, fmt::format("a list is needed, such as {}. {}", example, rule.sentence));
   return node.items;
 }
 
@@ -56,14 +56,14 @@ std::string in_words(const Range& range) {
   return has_low && has_high ? low + " and " + high : has_low ? low : high;
 }
 
-void read_value(const Node& node, const Rule& rule, double& into) {
+void read_value(const YamlNode& node, const Rule& rule, double& into) {
   into = number(node, rule);
   refuse_unless_in_range(node, rule, into);
 }
 
-void read_value(const Node& node, const Rule& rule, std::optional<double>& into) { read_value(node, rule, into.emplace()); }
+void read_value(const YamlNode& node, const Rule& rule, std::optional<double>& into) { read_value(node, rule, into.emplace()); }
 
-void read_value(const Node& node, const Rule& rule, int& into) {
+void read_value(const YamlNode& node, const Rule& rule, int& into) {
   const double value = number(node, rule);
   if (value != std::floor(value) || std::fabs(value) > std::numeric_limits<int>::max())
     refuse_value(node, rule, fmt::format("a whole number is needed. {}", rule.sentence));
@@ -71,16 +71,16 @@ void read_value(const Node& node, const Rule& rule, int& into) {
   into = static_cast<int>(value);
 }
 
-void read_value(const Node& node, const Rule& rule, bool& into) {
+void read_value(const YamlNode& node, const Rule& rule, bool& into) {
   const std::string& text = word(node, rule, "true or false");
   if (text != "true" && text != "false") refuse_value(node, rule, fmt::format("true or false is needed. {}", rule.sentence));
   into = text == "true";
 }
 
-void read_value(const Node& node, const Rule& rule, std::string& into) { into = word(node, rule, "text"); }
+void read_value(const YamlNode& node, const Rule& rule, std::string& into) { into = word(node, rule, "text"); }
 
-void read_value(const Node& node, const Rule& rule, Vec3d& into) {
-  if (node.kind != Node::Kind::list) refuse_value(node, rule, fmt::format("three numbers are needed: [x, y, z]. {}", rule.sentence));
+void read_value(const YamlNode& node, const Rule& rule, Vec3d& into) {
+  if (node.kind != YamlNode::Kind::list) refuse_value(node, rule, fmt::format("three numbers are needed: [x, y, z]. {}", rule.sentence));
   if (node.items.size() != 3)
     refuse(node.place, fmt::format("{} has {} numbers, but three are needed: [x, y, z]. {}", rule.name, node.items.size(), rule.sentence));
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -89,19 +89,19 @@ void read_value(const Node& node, const Rule& rule, Vec3d& into) {
   }
 }
 
-void read_value(const Node& node, const Rule& rule, std::optional<Vec3d>& into) { read_value(node, rule, into.emplace()); }
+void read_value(const YamlNode& node, const Rule& rule, std::optional<Vec3d>& into) { read_value(node, rule, into.emplace()); }
 
-void read_value(const Node& node, const Rule& rule, std::vector<double>& into) {
+void read_value(const YamlNode& node, const Rule& rule, std::vector<double>& into) {
   into.clear();
-  for (const Node& item : list(node, rule, fmt::format("[{0}, {0}]", kind_of(rule.unit).example))) read_value(item, rule, into.emplace_back());
+  for (const YamlNode& item : list(node, rule, fmt::format("[{0}, {0}]", kind_of(rule.unit).example))) read_value(item, rule, into.emplace_back());
 }
 
-void read_value(const Node& node, const Rule& rule, std::vector<std::string>& into) {
+void read_value(const YamlNode& node, const Rule& rule, std::vector<std::string>& into) {
   into.clear();
-  for (const Node& item : list(node, rule, "[a, b]")) read_value(item, rule, into.emplace_back());
+  for (const YamlNode& item : list(node, rule, "[a, b]")) read_value(item, rule, into.emplace_back());
 }
 
-void read_value(const Node& node, const Rule& rule, Choice& into) {
+void read_value(const YamlNode& node, const Rule& rule, Choice& into) {
   const std::vector<std::string> words(into.words.begin(), into.words.end());
   const std::string& text = word(node, rule, fmt::format("one of {}", fmt::join(words, ", ")));
   for (std::size_t index = 0; index < words.size(); ++index) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fccda/core/parameter.hpp"
-#include "io/deck/node.hpp"
+#include "io/deck/yaml_node.hpp"
 
 namespace perimpact::deck {
 
@@ -23,15 +23,15 @@ struct Rule {
 /// "above 0", "from 2 to 6", "above -1 and below 0.5"; "any number" where all are allowed.
 std::string in_words(const fccda::Range& range);
 
-void read_value(const Node& node, const Rule& rule, double& into);
-void read_value(const Node& node, const Rule& rule, std::optional<double>& into);
-void read_value(const Node& node, const Rule& rule, int& into);
-void read_value(const Node& node, const Rule& rule, bool& into);
-void read_value(const Node& node, const Rule& rule, std::string& into);
-void read_value(const Node& node, const Rule& rule, fccda::Vec3d& into);
-void read_value(const Node& node, const Rule& rule, std::optional<fccda::Vec3d>& into);
-void read_value(const Node& node, const Rule& rule, std::vector<double>& into);
-void read_value(const Node& node, const Rule& rule, std::vector<std::string>& into);
-void read_value(const Node& node, const Rule& rule, fccda::Choice& into);
+void read_value(const YamlNode& node, const Rule& rule, double& into);
+void read_value(const YamlNode& node, const Rule& rule, std::optional<double>& into);
+void read_value(const YamlNode& node, const Rule& rule, int& into);
+void read_value(const YamlNode& node, const Rule& rule, bool& into);
+void read_value(const YamlNode& node, const Rule& rule, std::string& into);
+void read_value(const YamlNode& node, const Rule& rule, fccda::Vec3d& into);
+void read_value(const YamlNode& node, const Rule& rule, std::optional<fccda::Vec3d>& into);
+void read_value(const YamlNode& node, const Rule& rule, std::vector<double>& into);
+void read_value(const YamlNode& node, const Rule& rule, std::vector<std::string>& into);
+void read_value(const YamlNode& node, const Rule& rule, fccda::Choice& into);
 
 }  // namespace perimpact::deck

@@ -21,13 +21,13 @@ Stencil::Stencil(FamilyRule rule, double spacing, double horizon_ratio) : spacin
       }
 }
 
-StencilSums Stencil::sums() const {
+StencilSums Stencil::sums(double poissons_ratio) const {
   StencilSums sums{};
   for (const StencilBond& bond : bonds_) {
-    const double nx2 = bond.direction.x * bond.direction.x;
+    const double stretch = stretch_of_unit_pull(bond, 0, poissons_ratio);
     sums.volume += bond.volume;
-    sums.dilatation += nx2 * bond.volume;
-    sums.energy += nx2 * nx2 * bond.length * bond.volume;
+    sums.dilatation += bond.direction.x * bond.direction.x * bond.volume;
+    sums.energy += stretch * stretch * bond.length * bond.volume;
   }
   return sums;
 }

@@ -16,11 +16,18 @@ struct StencilBond {
   double volume;    ///< [m³] v V: the part v of the neighbour's volume that lies within the horizon
 };
 
-/// What uniform strain makes of the whole stencil; every lattice direction gives the same.
+/// What a bond stretches, to first order, when the body is pulled along the lattice axis p to unit strain and free to contract by ν across:
+/// s = n_p² - ν (1 - n_p²).
+inline double stretch_of_unit_pull(const StencilBond& bond, std::size_t p, double poissons_ratio) {
+  const double np2 = bond.direction[p] * bond.direction[p];
+  return np2 - poissons_ratio * (1 - np2);
+}
+
+/// What uniform strain makes of the whole stencil; every lattice axis gives the same.
 struct StencilSums {
   double volume;      ///< [m³] Σ v V
-  double dilatation;  ///< [m³] Σ n_x² v V      (Σ s v V for unit strain along x)
-  double energy;      ///< [m⁴] Σ n_x⁴ |ξ| v V  (Σ s² |ξ| v V for unit strain along x)
+  double dilatation;  ///< [m³] Σ s v V for unit strain along one axis and none across: Σ n_x² v V
+  double energy;      ///< [m⁴] Σ s² |ξ| v V for a unit pull along one axis (stretch_of_unit_pull)
 };
 
 /// Partial volumes follow the line v = (δ + Δ/2 - |ξ|)/Δ, at most 1. Hu, Ha and Bobaru (Comput. Methods Appl. Mech. Eng. 217 (2012) 247)
@@ -35,7 +42,7 @@ class Stencil {
   double horizon() const { return horizon_; }  ///< [m] δ
   double spacing() const { return spacing_; }  ///< [m] Δ
   int reach() const { return reach_; }         ///< in cells
-  StencilSums sums() const;
+  StencilSums sums(double poissons_ratio) const;
 
  private:
   double spacing_, horizon_;

@@ -1,10 +1,14 @@
 /// Particles near a surface miss bonds, so the body is too soft there. A correction multiplies each bond by a factor made from
 /// numbers of its two particles; nothing is stored per bond. Factors stay as they are when bonds break.
 ///
-/// energy  (Madenci and Oterkus 2014, ch. 4.2; default): unit strain along each lattice axis p gives g_p = (what the interior
-///         family sums to)/(what this family sums to), once for the bonds' energy Σ s² |ξ| v V and once for the dilatation Σ s v V.
-///         A bond's factor is Σ_p n_p² (g_p(i) + g_p(j))/2, in place of their ellipsoid 1/√Σ_p (n_p/g_p)², g_p = (g_p(i) + g_p(j))/2:
-///         no root, no division, the same on the axes.
+/// energy  (after Madenci and Oterkus 2014, ch. 4.2; default): a pull along each lattice axis p, and a unit strain along it, give numbers
+///         g_p = (what the interior family sums to)/(what this family sums to), once for the bonds' energy Σ s² |ξ| v V and once for the
+///         dilatation Σ s v V. A bond's factor is Σ_p n_p² (g_p(i) + g_p(j))/2: no root, no division in the kernel, where they take the
+///         ellipsoid 1/√Σ_p (n_p/g_p)². Theirs is the smaller of the two means, and both leave thin bodies too stiff, because bonds between
+///         a particle at the surface and one deeper inside count for both: a bar of 10 × 10 particles by 7 % (theirs 6 %). So the g_p of
+///         all particles that have such bonds are then improved `sweeps` times by the ratio that is left: under 1 % on that bar after
+///         four. More of them take from the bending stiffness (six layers: 0.94 of the classical without, 0.91 after four, 0.90 after
+///         eight), and the factors begin to alternate from particle to particle.
 /// volume  (Le and Bobaru, Comput. Mech. 61 (2018) 499): 2 V₀/(V_i + V_j) with V = Σ v V, V₀ that of the interior lattice.
 #pragma once
 
@@ -18,7 +22,9 @@ namespace perimpact {
 class CorrectionFactors {
  public:
   /// Factors of the body as cut out: holes are cut before, cracks after this.
-  CorrectionFactors(SurfaceCorrection kind, const LatticeFamily& family, const Particles& particles);
+  CorrectionFactors(SurfaceCorrection kind, double poissons_ratio, const LatticeFamily& family, const Particles& particles);
+
+  static constexpr int sweeps = 4;  ///< of the energy correction
 
   SurfaceCorrection kind() const { return kind_; }
   const VectorArray& stretch() const { return stretch_; }        ///< g_p of the bonds' energy [-]
@@ -32,6 +38,9 @@ class CorrectionFactors {
   double stretch_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;
 
  private:
+  void balance_energy(double poissons_ratio, const LatticeFamily& family, const Particles& particles, const std::vector<std::uint8_t>& changed);
+  void weigh_volume(const LatticeFamily& family, const Particles& particles);
+
   SurfaceCorrection kind_;
   VectorArray stretch_, dilatation_;
   ScalarArray volume_;

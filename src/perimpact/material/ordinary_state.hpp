@@ -6,8 +6,10 @@
 ///   with        a = (κ - 5µ/3)/2,  b = 15µ/(2πδ⁵),  d = 9/(4πδ⁴),  s = (|η + ξ| - |ξ|)/|ξ|,  n = (η + ξ)/|η + ξ|
 ///
 /// Madenci & Oterkus, Peridynamic Theory and Its Applications (2014), ch. 4; seed paper, eq. 3. Their Λ = n·ξ/|ξ| is taken as 1: with it
-/// a turned fragment would lose its stiffness. On a lattice the sums are not the integrals; given the sums of the stencil, d and b are
-/// scaled so that a uniform strain along a lattice axis has exactly its dilatation and its energy.
+/// a turned fragment would lose its stiffness. On a lattice the sums are not the integrals; given the sums of the stencil, d is
+/// scaled so that uniform strain has exactly its dilatation, and b so that a pull along a lattice axis meets exactly Young's modulus.
+/// (Normalised on uniaxial strain instead, a bar along an axis of this lattice is 0.7 % too stiff; so, the lattice's modulus of plane
+/// waves is 0.7 % too soft.)
 ///
 /// The material sees one bond and one family sum. Where a surface correction is on, s v V carries the factors G (energy) and
 /// G_θ (dilatation) of the bond.
@@ -23,10 +25,10 @@
 
 namespace perimpact {
 
-/// What unit strain along a lattice axis sums to over the interior family: Σ s v V [m³] and Σ s² |ξ| v V [m⁴].
-struct UnitStrainSums {
-  double dilatation;
-  double energy;
+/// What uniform strain sums to over the interior family of a lattice.
+struct LatticeSums {
+  double dilatation;  ///< [m³] Σ s v V for unit strain along a lattice axis
+  double energy;      ///< [m⁴] Σ s² |ξ| v V for a pull along a lattice axis to unit strain, with the contraction ν across
 };
 
 class OrdinaryState {
@@ -34,15 +36,16 @@ class OrdinaryState {
   static constexpr std::string_view name = "ordinary-state";
 
   /// `horizon` δ [m]. With `lattice` the constants are normalised on the lattice, without it they are those of the continuum.
-  OrdinaryState(const IsotropicElastic& elastic, double horizon, const std::optional<UnitStrainSums>& lattice) : horizon_(horizon) {
+  OrdinaryState(const IsotropicElastic& elastic, double horizon, const std::optional<LatticeSums>& lattice) : horizon_(horizon) {
     const double mu = elastic.shear_modulus(), kappa = elastic.bulk_modulus();
     a_ = (kappa - 5 * mu / 3) / 2;
     if (std::fabs(a_) < 1e-12 * kappa) a_ = 0;  // ν = 1/4, but for rounding
     b_ = 15 * mu / (2 * std::numbers::pi * std::pow(horizon, 5));
     d_ = 9 / (4 * std::numbers::pi * std::pow(horizon, 4));
     if (lattice) {
+      const double theta = 1 - 2 * elastic.poissons_ratio;  // of the pull
       d_ = 1 / (horizon * lattice->dilatation);
-      b_ = (elastic.p_wave_modulus() / 2 - a_) / (horizon * lattice->energy);
+      b_ = (elastic.youngs_modulus / 2 - a_ * theta * theta) / (horizon * lattice->energy);
     }
   }
 

@@ -33,15 +33,18 @@ Body make_body(const BodySetup& setup) {
   Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing, setup.horizon_ratio);
   Particles particles = fill(setup, stencil.reach(), material.density);
 
-  std::optional<UnitStrainSums> lattice_sums;
-  if (setup.normalisation.as<Normalisation>() == Normalisation::lattice) lattice_sums = UnitStrainSums{stencil.sums().dilatation, stencil.sums().energy};
-  const OrdinaryState law({material.youngs_modulus, material.poissons_ratio}, stencil.horizon(), lattice_sums);
+  std::optional<LatticeSums> lattice;
+  if (setup.normalisation.as<Normalisation>() == Normalisation::lattice) {
+    const StencilSums sums = stencil.sums(material.poissons_ratio);
+    lattice = LatticeSums{sums.dilatation, sums.energy};
+  }
+  const OrdinaryState law({material.youngs_modulus, material.poissons_ratio}, stencil.horizon(), lattice);
 
   std::optional<CriticalStretch> breaking;
   if (material.critical_stretch) breaking = CriticalStretch(*material.critical_stretch);
 
   LatticeFamily family(std::move(stencil), particles);
-  CorrectionFactors correction(setup.surface_correction.as<SurfaceCorrection>(), family, particles);
+  CorrectionFactors correction(setup.surface_correction.as<SurfaceCorrection>(), material.poissons_ratio, family, particles);
   InternalForce internal(law, breaking, std::move(correction), family, particles);
   return {setup.name, std::move(particles), std::move(family), std::move(internal)};
 }

@@ -54,4 +54,6 @@ TEST_CASE("overrides: places name the --set, and only for what it set") {
   CHECK(places.of("time.step") == "--set time.step");
   CHECK(places.of("time.end") == fixtures::place_of(plate, "200 us"));
   CHECK(places.of("time") == fixtures::place_of(plate, "time:"));
+  CHECK(read(plate, {"impactors.cylinder.surface={sphere: {diameter: 1, panel: 1}}"}).places.of("impactors.cylinder.surface") ==
+        "--set impactors.cylinder.surface");
 }

@@ -212,14 +212,14 @@ TEST_CASE("internal force: compression breaks no bond, and without a critical st
 }
 
 TEST_CASE("internal force: where the factors of all bonds are 1, the corrected kernel gives the same bits as the plain one") {
-  Body corrected = body({.size = {0.03, 0.016, 0.016}}), uncorrected = body({.size = {0.03, 0.016, 0.016}, .correction = SurfaceCorrection::none});
+  Body corrected = body({.size = {0.034, 0.021, 0.021}}), uncorrected = body({.size = {0.034, 0.021, 0.021}, .correction = SurfaceCorrection::none});
   fixtures::shake(corrected, 1e-6), fixtures::shake(uncorrected, 1e-6);
   corrected.internal.evaluate(corrected.particles, corrected.family);
   uncorrected.internal.evaluate(uncorrected.particles, uncorrected.family);
   const Lattice& lattice = corrected.particles.lattice();
-  const std::size_t inner = lattice.slot(7, 8, 8);  // shares its pack with particles at the surface, so that the corrected kernel runs
+  const std::size_t inner = lattice.slot(9, 10, 10);  // shares its pack with particles at the surface, so that the corrected kernel runs
   CHECK(!corrected.internal.correction().is_plain(inner / 8));
   CHECK(corrected.particles.force_density.at(inner) == uncorrected.particles.force_density.at(inner));
-  const std::size_t edge = lattice.slot(0, 8, 8);
+  const std::size_t edge = lattice.slot(0, 10, 10);
   CHECK(corrected.particles.force_density.at(edge) != uncorrected.particles.force_density.at(edge));
 }

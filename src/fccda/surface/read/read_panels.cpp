@@ -40,7 +40,7 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
 [[noreturn]] void refuse_format(const std::string& file, const std::string& extension) {
   std::string sentence = file + ": " + (extension.empty() ? "a file without extension" : shown(extension)) + " is no format of surfaces that can be read";
   for (const Format& format : formats) {
-    constexpr std::size_t slip = 2;
+    constexpr std::size_t slip = 1;
     if (!extension.empty() && letters_apart(extension, format.extension) <= slip) sentence += "; did you mean `" + std::string(format.extension) + "`?";
   }
   sentence += sentence.ends_with('?') ? " The formats are" : "; the formats are";

@@ -36,10 +36,10 @@ std::uint64_t binary_count(std::string_view contents) { return little_endian<std
 
 bool has_binary_length(std::string_view contents) { return contents.size() >= start && contents.size() == start + triangle_bytes * binary_count(contents); }
 
-/// Text holds no zero bytes; binary triangles always do, in their attributes if nowhere else.
+/// Text holds no zero bytes; the count of a binary file does, below 16 million triangles.
 bool looks_like_text(std::string_view contents) {
   Words words(contents, "");
-  return is_word(words.next(), "solid") && contents.find('\0') == std::string_view::npos;
+  return is_word(words.next(), "solid") && contents.substr(0, start).find('\0') == std::string_view::npos;
 }
 
 Panels parse_binary(std::string_view contents, const std::string& file) {

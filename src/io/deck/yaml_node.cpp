@@ -1,4 +1,4 @@
-#include "io/deck/node.hpp"
+#include "io/deck/yaml_node.hpp"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -53,30 +53,30 @@ class TreeBuilder : public YAML::EventHandler {
  public:
   explicit TreeBuilder(const PlaceOf& place_of) : place_of_(place_of) {}
 
-  Node root;
+  YamlNode root;
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
 
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { attach({.kind = Node::Kind::nothing, .place = place(mark)}); }
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { attach({.kind = YamlNode::Kind::nothing, .place = place(mark)}); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
     refuse(place(mark), "decks do not use the anchors and aliases of YAML (& and *); write the value out.");
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, const std::string& text) override {
     refuse_tag(mark, tag);
-    attach({.kind = Node::Kind::word, .place = place(mark), .text = text});
+    attach({.kind = YamlNode::Kind::word, .place = place(mark), .text = text});
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, YAML::EmitterStyle::value) override {
-    open(mark, tag, Node::Kind::list);
+    open(mark, tag, YamlNode::Kind::list);
   }
   void OnSequenceEnd() override { close(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, YAML::EmitterStyle::value) override { open(mark, tag, Node::Kind::map); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, YAML::EmitterStyle::value) override { open(mark, tag, YamlNode::Kind::map); }
   void OnMapEnd() override { close(); }
 
  private:
   struct Level {
-    Node node;
-    std::optional<Node> key;  // read, its value not yet
+    YamlNode node;
+    std::optional<YamlNode> key;  // read, its value not yet
   };
 
   std::string place(const YAML::Mark& mark) const { return place_of_(mark.line, mark.column); }
@@ -85,41 +85,41 @@ class TreeBuilder : public YAML::EventHandler {
     if (tag.size() > 1) refuse(place(mark), "decks do not use the tags of YAML (!…); leave it out.");
   }
 
-  bool expects_key() const { return !open_.empty() && open_.back().node.kind == Node::Kind::map && !open_.back().key; }
+  bool expects_key() const { return !open_.empty() && open_.back().node.kind == YamlNode::Kind::map && !open_.back().key; }
 
-  void open(const YAML::Mark& mark, const std::string& tag, Node::Kind kind) {
+  void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind) {
     refuse_tag(mark, tag);
     if (expects_key()) refuse(place(mark), "a list or map stands where a key is expected; keys are single words, and every bracket must be closed.");
     open_.push_back({.node = {.kind = kind, .place = place(mark)}, .key = {}});
   }
 
   void close() {
-    Node node = std::move(open_.back().node);
+    YamlNode node = std::move(open_.back().node);
     open_.pop_back();
     attach(std::move(node));
   }
 
-  void attach(Node node) {
+  void attach(YamlNode node) {
     if (open_.empty()) {
       root = std::move(node);
       return;
     }
     Level& level = open_.back();
-    if (level.node.kind == Node::Kind::list) {
+    if (level.node.kind == YamlNode::Kind::list) {
       level.node.items.push_back(std::move(node));
     } else if (!level.key) {
       take_key(level, std::move(node));
     } else {
       // of an empty value yaml-cpp tells where the next thing begins
-      if (node.kind == Node::Kind::nothing) node.place = level.key->place;
+      if (node.kind == YamlNode::Kind::nothing) node.place = level.key->place;
       level.node.entries.push_back({.key = level.key->text, .place = level.key->place, .value = std::move(node)});
       level.key.reset();
     }
   }
 
-  void take_key(Level& level, Node key) {
-    if (key.kind != Node::Kind::word) refuse(key.place, "a key is missing before the colon.");
-    if (const Node::Entry* first = level.node.find(key.text))
+  void take_key(Level& level, YamlNode key) {
+    if (key.kind != YamlNode::Kind::word) refuse(key.place, "a key is missing before the colon.");
+    if (const YamlNode::Entry* first = level.node.find(key.text))
       refuse(key.place, fmt::format("{} is given twice in the same map, first at {}; keep one of the two.", key.text, first->place));
     level.key = std::move(key);
   }
@@ -129,7 +129,7 @@ class TreeBuilder : public YAML::EventHandler {
 };
 
 /// Nothing where there is no document.
-Node parse(std::string_view text, const PlaceOf& place_of) {
+YamlNode parse(std::string_view text, const PlaceOf& place_of) {
   refuse_tabs(text, place_of);
   // With the mark of a document's end, yaml-cpp does not take an open bracket for a key nor close an open quote by itself.
   std::istringstream stream(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
@@ -137,7 +137,7 @@ Node parse(std::string_view text, const PlaceOf& place_of) {
   try {
     YAML::Parser parser(stream);
     if (!parser.HandleNextDocument(builder)) return {.place = place_of(0, 0)};
-    Node root = std::move(builder.root);
+    YamlNode root = std::move(builder.root);
     if (parser.HandleNextDocument(builder)) refuse(builder.root.place, "a second YAML document begins here, but a deck is one; remove the line --- before it.");
     return root;
   } catch (const YAML::Exception& error) {
@@ -149,14 +149,14 @@ Node parse(std::string_view text, const PlaceOf& place_of) {
 
 }  // namespace
 
-const Node::Entry* Node::find(std::string_view key) const {
+const YamlNode::Entry* YamlNode::find(std::string_view key) const {
   const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
   return entry == entries.end() ? nullptr : &*entry;
 }
 
-Node::Entry* Node::find(std::string_view key) { return const_cast<Entry*>(std::as_const(*this).find(key)); }
+YamlNode::Entry* YamlNode::find(std::string_view key) { return const_cast<Entry*>(std::as_const(*this).find(key)); }
 
-std::string Node::in_words() const {
+std::string YamlNode::in_words() const {
   switch (kind) {
     case Kind::nothing:
       return "nothing";
@@ -175,7 +175,7 @@ std::string Node::in_words() const {
   return is_plain ? start : '"' + start + '"';
 }
 
-Node parse_document(std::string_view text, const std::string& file) {
+YamlNode parse_document(std::string_view text, const std::string& file) {
   const std::vector<std::string_view> lines = lines_of(text);
   const PlaceOf place_of = [&](int line, int column) {
     const auto row = static_cast<std::size_t>(std::max(line, 0));
@@ -183,14 +183,14 @@ Node parse_document(std::string_view text, const std::string& file) {
     return fmt::format("{}:{}:{}", file, row + 1, characters(before) + 1);
   };
   if (text.find('\0') != std::string_view::npos) refuse(file, "this is not a text file; name a deck, which is YAML.");
-  Node root = parse(text, place_of);
-  if (root.kind == Node::Kind::nothing) refuse(file, "the deck is empty; it needs at least time and bodies (perimpact describe lists all keys).");
-  if (root.kind != Node::Kind::map)
+  YamlNode root = parse(text, place_of);
+  if (root.kind == YamlNode::Kind::nothing) refuse(file, "the deck is empty; it needs at least time and bodies (perimpact describe lists all keys).");
+  if (root.kind != YamlNode::Kind::map)
     refuse(root.place, fmt::format("a deck is a map (title: …, time: …, bodies: …), but this is {}; begin with a key and a colon.", root.in_words()));
   return root;
 }
 
-Node parse_value(std::string_view text, const std::string& place) {
+YamlNode parse_value(std::string_view text, const std::string& place) {
   return parse(text, [&](int, int) { return place; });
 }
 

@@ -1,0 +1,102 @@
+"""One timed run of the plate by one program: what it printed, as a dict of numbers."""
+
+import csv
+import os
+import re
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent
+DECK = FOLDER.parents[1] / "cases" / "plate_impact" / "deck.yaml"
+INPUT = FOLDER / "lammps_plate.in"
+
+
+class CannotRun(Exception):
+    """Says what is missing or went wrong, and what to do."""
+
+
+@dataclass(frozen=True)
+class Variant:
+    """The plate as perimpact is asked to compute it."""
+
+    family: int  # bonds of an interior particle: 122 or 178
+    nu: float
+    correction: str
+    threads: int = 1
+    build: Path = Path()
+
+    @property
+    def overrides(self):
+        rule = {122: "madenci-oterkus", 178: "hu-ha-bobaru"}[self.family]
+        plate = {
+            "family": rule,
+            "surface_correction": self.correction,
+            "material.poissons_ratio": self.nu,
+            "material.critical_stretch": 0.5,  # armed, never reached
+        }
+        return [word for key, value in plate.items() for word in ("--set", f"bodies.plate.{key}={value}")]
+
+
+def run(command, cores, environment=None):
+    """Standard output of a command on the given cores alone."""
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(
+                command, cwd=folder, env={**os.environ, **(environment or {})}, capture_output=True, text=True, check=False,
+                preexec_fn=lambda: os.sched_setaffinity(0, cores),
+            )  # fmt: skip
+    except FileNotFoundError as error:
+        raise CannotRun(f"{command[0]} is not installed.") from error
+    if done.returncode:
+        raise CannotRun(f"`{' '.join(map(str, command))}` ended with code {done.returncode}:\n{done.stdout[-1000:]}{done.stderr[-1000:]}")
+    return done.stdout
+
+
+def perimpact(variant, steps, cores):
+    program = variant.build / "step_benchmark"
+    if not program.exists():
+        raise CannotRun(f"{program} is not there; README.md says how to build it.")
+    command = [program, DECK, *variant.overrides, "--threads", str(variant.threads), "--warm-up", str(steps), "--steps", str(steps)]
+    (row,) = csv.DictReader(run(command, cores).splitlines())
+    if float(row["contacts/step"]) == 0 or float(row["broken_bonds"]) != 0:
+        raise CannotRun(f"The plate is not as it should be (contacts {row['contacts/step']}, broken bonds {row['broken_bonds']}): {variant}")
+    return row
+
+
+def lammps(style, steps, core):
+    """LAMMPS PERI: style pmb or lps. Raises CannotRun where it is not installed."""
+    environment = {
+        "OMP_NUM_THREADS": "1",
+        "OMPI_ALLOW_RUN_AS_ROOT": "1",  # Open MPI refuses root, also for one process
+        "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    }
+    try:
+        log = run(["lmp", "-in", INPUT, "-log", "none", "-var", "style", style, "-var", "steps", str(steps)], {core}, environment)
+    except CannotRun as error:
+        raise CannotRun(f"{error} LAMMPS with PERI is the Debian package lammps.") if "not installed" in str(error) else error
+
+    def last(pattern):
+        return re.findall(pattern, log)[-1]
+
+    seconds, done_steps, particles = last(r"Loop time of (\S+) on 1 procs for (\d+) steps with (\d+) atoms")
+    bonds, speed = last(r"total # of bonds = (\d+)"), int(done_steps) / float(seconds)
+    return {
+        "particles": particles,
+        "steps": done_steps,
+        "steps/s": str(speed),
+        "directed_bonds/step": bonds,
+        "directed_bonds/s": str(int(bonds) * speed),
+        "cpu_use": str(float(last(r"([\d.]+)% CPU use")) / 100),
+        "compiler": "version " + re.search(r"LAMMPS \((.*)\)", log)[1],
+    }
+
+
+def machine():
+    """The processor, without the name of the host."""
+    text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    field = {key: re.search(rf"^{key}\s*: (.*)$", text, re.MULTILINE) for key in ("model name", "cpu family", "model")}
+    if not all(field.values()):
+        return os.uname().machine
+    return f"{field['model name'][1]} (family {field['cpu family'][1]}, model {field['model'][1]})"

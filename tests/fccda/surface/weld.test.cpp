@@ -1,0 +1,81 @@
+#include "fccda/surface/weld.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "fixtures/surfaces.hpp"
+
+using namespace fccda;
+
+namespace {
+
+std::size_t merged(const Vec3d& a, const Vec3d& b, double tolerance) { return weld({{a, b}, {{0, 1, 0, -1}}}, tolerance).merged; }
+
+/// Every vertex of a panel of its own, so that all are used.
+Panels cloud(const std::vector<Vec3d>& points) {
+  Panels out{points, {}};
+  for (int v = 0; v < int(points.size()); ++v) out.add_triangle(v, v, v);
+  return out;
+}
+
+/// What the header says, by comparing all with all.
+std::vector<Vec3d> kept_by_hand(const std::vector<Vec3d>& points, double tolerance) {
+  std::vector<Vec3d> kept;
+  for (const Vec3d& p : points) {
+    if (std::none_of(kept.begin(), kept.end(), [&](const Vec3d& k) { return k == p || squared_norm(k - p) < tolerance * tolerance; })) kept.push_back(p);
+  }
+  return kept;
+}
+
+}  // namespace
+
+TEST_CASE("weld: two vertices become one exactly where nearer than the tolerance, on whatever side of the cells' boundaries they lie") {
+  std::mt19937_64 random(1);
+  constexpr double tolerance = 1e-3;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    // about the corners of cells of eight tolerances, where up to eight meet, and anywhere
+    Vec3d p = fixtures::random_in_box(random, {-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1});
+    if (trial % 2 == 0) {
+      for (std::size_t axis = 0; axis < 3; ++axis) p[axis] = 8 * tolerance * std::round(p[axis] / (8 * tolerance));
+      p += fixtures::random_in_box(random, {-tolerance, -tolerance, -tolerance}, {tolerance, tolerance, tolerance});
+    }
+    const Vec3d direction = fixtures::random_direction(random);
+    CHECK(merged(p, p + 0.999 * tolerance * direction, tolerance) == 1);
+    CHECK(merged(p, p + 1.001 * tolerance * direction, tolerance) == 0);
+  }
+}
+
+TEST_CASE("weld: a crowded cloud keeps the vertices that comparing all with all keeps") {
+  std::mt19937_64 random(2);
+  for (const double tolerance : {0.0, 1e-9, 0.01, 0.05, 0.3, 3.0}) {
+    std::vector<Vec3d> points;
+    for (int k = 0; k < 1500; ++k) {
+      points.push_back(fixtures::random_in_box(random, {-1, -1, -1}, {1, 1, 1}));
+      if (k % 3 == 0) points.push_back(points[std::size_t(k) / 2]);
+    }
+    const Welded welded = weld(cloud(points), tolerance);
+    CHECK(welded.panels.vertices == kept_by_hand(points, tolerance));
+    CHECK(welded.merged + welded.panels.vertices.size() == points.size());
+  }
+}
+
+TEST_CASE("weld: each vertex goes to the nearest that is kept") {
+  const Welded welded = weld(cloud({{0, 0, 0}, {1, 0, 0}, {0.6, 0, 0}}), 0.9);
+  CHECK(welded.panels.panels[2] == std::array{1, 1, 1, -1});
+}
+
+TEST_CASE("weld: zero is one place whatever its sign, and far from the origin the same place is still found") {
+  CHECK(merged({0.0, 0, 0}, {-0.0, 0, 0}, 0) == 1);
+  CHECK(merged({1e40, -1e40, 1e30}, {1e40, -1e40, 1e30}, 1e-9) == 1);
+  CHECK(merged({1e40, -1e40, 1e30}, {1e40, -1e40, 1.1e30}, 1e-9) == 0);
+}
+
+TEST_CASE("weld: the seams of a body that was written triangle by triangle close, with noise below the tolerance too") {
+  std::mt19937_64 random(3);
+  const Panels torus = fixtures::torus(2, 0.5, 60, 30);
+  const Panels noisy = fixtures::moved(fixtures::exploded(torus), [&](const Vec3d& v) { return v + 1e-10 * fixtures::random_direction(random); });
+  const Welded welded = weld(noisy, 1e-9);
+  CHECK(welded.panels.vertices.size() == torus.vertices.size());
+  CHECK(fixtures::is_watertight(welded.panels));
+}
