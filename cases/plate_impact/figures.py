@@ -77,8 +77,8 @@ def fig13(runs, path):
 
 
 def fig14(runs, path):
-    """The panel meshes over the particles; below, the place where they touch."""
-    runs = sorted((run for run in runs if run.panel), key=lambda run: -run.panel)
+    """The panel meshes over the particles, without the finest as in the paper; below, the place where they touch."""
+    runs = sorted((run for run in runs if (run.panel or 0) >= 0.5), key=lambda run: -run.panel)
     figure, axes = plt.subplots(2, len(runs), figsize=(2.2 * len(runs), 4.9), squeeze=False)
     for run, (whole, near) in zip(runs, axes.T):
         plate, cylinder = run.checked("plate"), run.checked("cylinder_surface")
@@ -86,8 +86,7 @@ def fig14(runs, path):
         for axis, dot in ((whole, 1.2), (near, 34)):
             draw_particles(axis, plate, [0, 1], s=dot, color="#4b7ba6")
             shown = faces if axis is whole else [face for face in faces if np.abs(face[:, 0]).max() < 9 and face[:, 1].min() < 58]
-            edges = INK if axis is near or run.panel > 0.1 else QUIET
-            axis.add_collection(PolyCollection(shown, facecolor="#e6e9ed", edgecolor=edges, lw=min(0.35, 0.2 * run.panel + (axis is near) * 0.1), rasterized=True))
+            axis.add_collection(PolyCollection(shown, facecolor="#e6e9ed", edgecolor=INK, lw=min(0.35, 0.2 * run.panel + (axis is near) * 0.1), rasterized=True))
             axis.set(aspect="equal", xticks=[], yticks=[])
             axis.spines[:].set_visible(True)
         whole.set(xlim=(-29, 29), ylim=(32, 102), title=f"{run.label}\n" + f"{len(cylinder.panels):,} panels".replace(",", " "))
@@ -133,6 +132,15 @@ def draw_reference(axis, x, y, every):
     axis.plot(x[::every], y[::every], "o", ms=4.2, mfc="white", mec="#c8102e", mew=1.0, label="finite elements", zorder=5)
 
 
+def draw_share(axis, level, percent):
+    """A bar that long as a share of the values, where the axis shows only a narrow range of them."""
+    at, top = 0.5, axis.get_ylim()[1]
+    height = abs(level) * percent / 100
+    ends = {"arrowstyle": "|-|,widthA=0.3,widthB=0.3", "color": QUIET, "shrinkA": 0, "shrinkB": 0}
+    axis.annotate("", (at, top), (at, top - height), xycoords=("axes fraction", "data"), arrowprops=ends)
+    axis.text(at + 0.02, top - height / 2, f"{percent} %", transform=axis.get_yaxis_transform(), va="center", color=QUIET)
+
+
 def curve(path, runs, xlabel, ylabel, of_run, reference, every):
     figure, axis = plt.subplots(figsize=(5.2, 3.5))
     for run, style in zip(runs, curve_styles(runs)):
@@ -141,6 +149,9 @@ def curve(path, runs, xlabel, ylabel, of_run, reference, every):
     axis.set(xlabel=xlabel, ylabel=ylabel)
     axis.grid(color="#e4e8ec", lw=0.6)
     axis.set_axisbelow(True)
+    low, high = np.sort(np.abs(axis.get_ylim()))
+    if high < 1.1 * low:
+        draw_share(axis, (low + high) / 2, 0.5)
     axis.legend(fontsize=8)
     figure.savefig(path)
 
