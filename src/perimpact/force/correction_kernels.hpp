@@ -29,7 +29,7 @@ struct EnergyFactor {
   std::span<const Vec3d> half_squares;  ///< n_p²/2 of each stencil bond
 
   template <class Pack>
-  using OfParticle = Vec3<Pack>;
+  using OfParticle = fccda::Vec3<Pack>;
   template <class Pack>
   OfParticle<Pack> of(std::size_t slot) const {
     return {fccda::load<Pack>(g[0] + slot), fccda::load<Pack>(g[1] + slot), fccda::load<Pack>(g[2] + slot)};

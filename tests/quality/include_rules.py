@@ -1,0 +1,127 @@
+"""Who includes whom in src/. Two claims:
+
+ 1. what the sources include is what their module DEPENDS on (or LINKs, of other libraries), by the add_module lines of
+    src/*/CMakeLists.txt, directly or through what that depends on: so the build and the includes never disagree;
+ 2. those lines keep to the layers below, whatever becomes of them.
+
+    include_rules.py SRC
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# The layers: module or folder → what it may depend on, at most. A folder stands for all modules in it.
+LAYERS = {
+    "fccda": ["fccda"],
+    "fccda/core": [],
+    "fccda/surface": ["fccda/core"],
+    "fccda/shapes": ["fccda/core", "fccda/surface"],
+    "fccda/search": ["fccda/core", "fccda/surface"],
+    "fccda/region": ["fccda/core", "fccda/surface"],
+    "fccda/body": ["fccda/core", "fccda/surface"],
+    "fccda/detect": ["fccda/core", "fccda/surface", "fccda/search", "fccda/region", "fccda/body"],
+    "perimpact": ["fccda", "perimpact"],
+    "perimpact/material": ["fccda/core"],  # one bond and one family sum, never arrays
+    "perimpact/damage": ["fccda/core"],
+    "perimpact/setup": ["fccda/core"],
+    "perimpact/particles": ["fccda/core"],
+    "perimpact/family": ["fccda/core", "perimpact/setup", "perimpact/particles"],
+    "perimpact/force": ["fccda/core", "perimpact/setup", "perimpact/particles", "perimpact/family", "perimpact/material", "perimpact/damage"],
+    "perimpact/impact": ["fccda", "perimpact/setup", "perimpact/particles"],
+    "io": ["fccda", "perimpact", "io"],
+    "io/deck": ["fccda/core", "perimpact/setup"],
+    "io/output": ["fccda/core", "fccda/surface"],
+}
+
+# Headers of other libraries → what a module that includes them must LINK
+LIBRARIES = {"fmt/": "fmt::fmt", "yaml-cpp/": "yaml-cpp", "udunits2.h": "${UDUNITS2_LIBRARY}", "zlib.h": "ZLIB::ZLIB", "CLI/": "CLI11::CLI11"}
+ONLY_IN = {"omp.h": "fccda/core/parallel.hpp", "CLI/": "cli/main.cpp"}  # the one home of loops over threads, and a header that is slow to compile
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
+
+
+def read_modules(src):
+    """Modules as CMake knows them: path → (DEPENDS, LINK)."""
+    modules = {}
+    for file in sorted(src.glob("*/CMakeLists.txt")):
+        for path, arguments in re.findall(r"^add_module\(([\w/]+)([^)]*)\)", file.read_text(), re.MULTILINE):
+            parts = re.split(r"\b(DEPENDS|LINK)\b", arguments)
+            named = {key: words.split() for key, words in zip(parts[1::2], parts[2::2])}
+            modules[path] = (named.get("DEPENDS", []), named.get("LINK", []))
+    commands = re.search(r"target_link_libraries\(perimpact PRIVATE ([^)]*)\)", (src / "cli/CMakeLists.txt").read_text())[1].split()
+    targets = {path.replace("/", "_"): path for path in modules}
+    modules["cli"] = ([targets[word] for word in commands if word in targets], [word for word in commands if word not in targets])
+    return modules
+
+
+def reachable(modules, path):
+    """What the module depends on, directly or not."""
+    found, todo = set(), list(modules[path][0])
+    while todo:
+        dependency = todo.pop()
+        if dependency not in found:
+            found.add(dependency)
+            todo += modules[dependency][0]
+    return found
+
+
+def module_of(path, modules):
+    """The module that owns src/<path>: the longest that is a folder above it."""
+    owners = [module for module in modules if path.startswith(module + "/")]
+    return max(owners, key=len, default=None)
+
+
+def is_in(module, layer):
+    return module == layer or module.startswith(layer + "/")
+
+
+def layer_faults(modules):
+    for module in modules:
+        below = reachable(modules, module)
+        if module in below:
+            yield f"{module} depends on itself through others"
+        for layer, allowed in LAYERS.items():
+            if is_in(module, layer):
+                for dependency in sorted(below):
+                    if not any(is_in(dependency, each) for each in [layer, *allowed]):
+                        yield f"{module} depends on {dependency}, but {layer} may depend on {', '.join(allowed) or 'nothing'} only"
+        if module != "cli" and "cli" in below:
+            yield f"{module} depends on cli, which is the program and no library"
+
+
+def include_faults(src, modules):
+    files = sorted(path for path in src.rglob("*") if path.suffix in (".hpp", ".cpp"))
+    assert len(files) > 50, f"there are hardly any sources in {src}"
+    for file in files:
+        name = file.relative_to(src).as_posix()
+        module = module_of(name, modules)
+        if module is None:
+            yield f"{name} belongs to no module: its folder has no add_module line"
+            continue
+        below = reachable(modules, module)
+        links = set(modules[module][1]).union(*(modules[each][1] for each in below))
+        for mark, include in INCLUDE.findall(file.read_text()):
+            if (src / include).exists():
+                owner = module_of(include, modules)
+                if owner != module and owner not in below:
+                    yield f"{name} includes {include}, but {module} does not depend on {owner}"
+            elif mark == '"':
+                yield f'{name} includes "{include}", which is no path from src/'
+            for prefix, library in LIBRARIES.items():
+                if include.startswith(prefix) and library not in links:
+                    yield f"{name} includes {include}, but {module} does not link {library}"
+            for prefix, home in ONLY_IN.items():
+                if include.startswith(prefix) and name != home:
+                    yield f"{name} includes {include}, which only {home} may"
+
+
+def main():
+    src = Path(sys.argv[1])
+    modules = read_modules(src)
+    faults = [*layer_faults(modules), *include_faults(src, modules)]
+    print("\n".join(faults))
+    sys.exit(1 if faults else 0)
+
+
+main()
