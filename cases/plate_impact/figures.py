@@ -92,7 +92,7 @@ def fig14(runs, path):
         whole.set(xlim=(-29, 29), ylim=(32, 102), title=f"{run.label}\n" + f"{len(cylinder.panels):,} panels".replace(",", " "))
         near.set(xlim=(-6, 6), ylim=(44, 56))
         whole.add_patch(plt.Rectangle((-6, 44), 12, 12, fill=False, ec="#c8102e", lw=0.8, zorder=3))
-    figure.savefig(path)
+    figure.savefig(path, dpi=120)
 
 
 # ---- the plate ----
@@ -100,7 +100,7 @@ def fig14(runs, path):
 def fig15(runs, path):
     """Displacement fields of the plate's middle layer at the end, one row a run."""
     layers = [middle_layer(run.frame("plate", END)) for run in runs]
-    figure, axes = plt.subplots(len(runs), 2, figsize=(8.2, 2.05 * len(runs) + 0.5), sharex=True, sharey=True, squeeze=False)
+    figure, axes = plt.subplots(len(runs), 2, figsize=(8.2, 2.2 * len(runs) + 0.5), sharex=True, sharey=True, squeeze=False)
     for component, (column, name, colours) in enumerate(zip(axes.T, ("u_x", "u_y"), ("RdBu_r", "viridis"))):
         values = [1e3 * u[..., component] for _, u in layers]
         low, high = min(v.min() for v in values), max(v.max() for v in values)
@@ -115,7 +115,7 @@ def fig15(runs, path):
         axis.set_ylabel("y [mm]")
     for axis in axes[-1]:
         axis.set_xlabel("x [mm]")
-    figure.savefig(path)
+    figure.savefig(path, dpi=100)
 
 
 # ---- curves ----
@@ -132,16 +132,16 @@ def draw_reference(axis, x, y, every):
     axis.plot(x[::every], y[::every], "o", ms=4.2, mfc="white", mec="#c8102e", mew=1.0, label="finite elements", zorder=5)
 
 
-def draw_share(axis, level, percent):
+def draw_share(axis, percent):
     """A bar that long as a share of the values, where the axis shows only a narrow range of them."""
-    at, top = 0.5, axis.get_ylim()[1]
-    height = abs(level) * percent / 100
+    bottom = axis.get_ylim()[0] + 0.05 * np.ptp(axis.get_ylim())
+    height = np.abs(np.mean(axis.get_ylim())) * percent / 100
     ends = {"arrowstyle": "|-|,widthA=0.3,widthB=0.3", "color": QUIET, "shrinkA": 0, "shrinkB": 0}
-    axis.annotate("", (at, top), (at, top - height), xycoords=("axes fraction", "data"), arrowprops=ends)
-    axis.text(at + 0.02, top - height / 2, f"{percent} %", transform=axis.get_yaxis_transform(), va="center", color=QUIET)
+    axis.annotate("", (0.86, bottom), (0.86, bottom + height), xycoords=("axes fraction", "data"), arrowprops=ends)
+    axis.text(0.88, bottom + height / 2, f"{percent} %", transform=axis.get_yaxis_transform(), va="center", color=QUIET)
 
 
-def curve(path, runs, xlabel, ylabel, of_run, reference, every):
+def curve(path, runs, xlabel, ylabel, of_run, reference, every, share=None):
     figure, axis = plt.subplots(figsize=(5.2, 3.5))
     for run, style in zip(runs, curve_styles(runs)):
         axis.plot(*of_run(run), **style)
@@ -149,9 +149,8 @@ def curve(path, runs, xlabel, ylabel, of_run, reference, every):
     axis.set(xlabel=xlabel, ylabel=ylabel)
     axis.grid(color="#e4e8ec", lw=0.6)
     axis.set_axisbelow(True)
-    low, high = np.sort(np.abs(axis.get_ylim()))
-    if high < 1.1 * low:
-        draw_share(axis, (low + high) / 2, 0.5)
+    if share:
+        draw_share(axis, share)
     axis.legend(fontsize=8)
     figure.savefig(path)
 
@@ -168,13 +167,13 @@ def history_curve(name, ylabel, of_column, column):
     return draw
 
 
-def line_curve(name, line, coordinate):
+def line_curve(name, line, coordinate, every, share=None):
     def draw(runs, path):
         def points(table):
             return 1e3 * table[f"position_{coordinate} [m]"], 1e3 * table["displacement_y [m]"]
 
         reference = points(read_table(HERE / f"reference_fem_line_{coordinate}.csv"))
-        curve(path, runs, f"{coordinate} [mm]", "$u_y$ at 200 µs [mm]", lambda run: points(run.line(line, END)), reference, 10 if coordinate == "x" else 5)
+        curve(path, runs, f"{coordinate} [mm]", "$u_y$ at 200 µs [mm]", lambda run: points(run.line(line, END)), reference, every, share)
 
     draw.__doc__ = name
     return draw
@@ -185,8 +184,8 @@ FIGURES = {
     "fig14": fig14,
     "fig15": fig15,
     "fig16a": history_curve("Displacement of the plate's centre against time.", "$u_y$ of the centre [mm]", lambda u: 1e3 * u, "centre.displacement_y [m]"),
-    "fig16b": line_curve("Displacement along the central line in x.", "along_x", "x"),
-    "fig16c": line_curve("Displacement along the central line in y.", "along_y", "y"),
+    "fig16b": line_curve("Displacement along the central line in x.", "along_x", "x", every=10),
+    "fig16c": line_curve("Displacement along the central line in y.", "along_y", "y", every=5, share=0.25),
     "fig17a": history_curve("Position of the cylinder.", "y of the cylinder [mm]", lambda y: 1e3 * y, "cylinder.position_y [m]"),
     "fig17b": history_curve("Displacement of the cylinder.", "$u_y$ of the cylinder [mm]", lambda y: 1e3 * (y - y[0]), "cylinder.position_y [m]"),
     "fig17c": history_curve("Velocity of the cylinder.", "$v_y$ of the cylinder [m/s]", lambda v: v, "cylinder.velocity_y [m/s]"),
