@@ -328,7 +328,7 @@ TEST_CASE("swept: of overlapping closed parts only the outside of all is surface
   // a bar sunk in a box
   const Panels bar = fixtures::moved(make_box({.size = {0.1, 0.1, 1}, .panel = 0.1}), [](const Vec3d& p) { return p + Vec3d{0, 0, 0.5}; });
   const auto surface = fixtures::surface_of(fixtures::joined(fixtures::box(), bar));
-  const fixtures::Soup box(Surface(fixtures::box())), rod{Surface(bar)};
+  const fixtures::Soup box{Surface(fixtures::box())}, rod{Surface(bar)};
   std::mt19937_64 random(14);
   std::vector<Path> paths;
   std::size_t inward = 0;
