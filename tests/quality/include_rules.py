@@ -85,7 +85,7 @@ def layer_faults(modules):
             if is_in(module, layer):
                 for dependency in sorted(below):
                     if not any(is_in(dependency, each) for each in [layer, *allowed]):
-                        yield f"{module} depends on {dependency}, but {layer} may depend on {', '.join(allowed) or 'nothing'} only"
+                        yield f"{module} depends on {dependency}, but below {layer} there is only: {', '.join(allowed) or 'nothing'}"
         if module != "cli" and "cli" in below:
             yield f"{module} depends on cli, which is the program and no library"
 
@@ -102,7 +102,7 @@ def include_faults(src, modules):
         below = reachable(modules, module)
         links = set(modules[module][1]).union(*(modules[each][1] for each in below))
         for mark, include in INCLUDE.findall(file.read_text()):
-            if (src / include).exists():
+            if (src / include).is_file():
                 owner = module_of(include, modules)
                 if owner != module and owner not in below:
                     yield f"{name} includes {include}, but {module} does not depend on {owner}"

@@ -1,6 +1,6 @@
 """A run of the plate against expected.csv, row by row.
 
-    check_expected.py FOLDER EXPECTED     # the folder of the results
+    check_expected.py EXPECTED FOLDER     # of the results
 """
 
 import csv
@@ -35,8 +35,8 @@ def values_of(history, quantity):
 
 
 def main():
-    history = History(sys.argv[1])
-    with open(sys.argv[2], newline="") as file:
+    history = History(sys.argv[2])
+    with open(sys.argv[1], newline="") as file:
         expected = list(csv.DictReader(file))
     assert expected, "expected.csv holds nothing"
     wrong = 0
