@@ -104,7 +104,7 @@ def _(t):
 
 @claim("mistakes: a set-up that does not fit in memory is refused, not aborted")
 def _(t):
-    done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=10 um", limits={resource.RLIMIT_AS: 2**31})
+    done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=100 um", limits={resource.RLIMIT_AS: 2**31})
     t.expect_complaint(done, 3, "there is not enough memory", "spacing")
 
 
