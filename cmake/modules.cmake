@@ -17,7 +17,7 @@ find_package(OpenMP REQUIRED)
 # floating-point operations: kernels name their fused multiply-adds. math-errno and trapping-math change no result.
 add_library(build_flags INTERFACE)
 target_compile_options(build_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-missing-field-initializers -Wno-restrict -fno-math-errno -fno-trapping-math -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -fno-math-errno -fno-trapping-math -ffp-contract=off
   $<$<BOOL:${PERIMPACT_ARCH}>:-march=${PERIMPACT_ARCH}> $<$<BOOL:${PERIMPACT_WERROR}>:-Werror>)
 target_compile_definitions(build_flags INTERFACE
   $<$<BOOL:${PERIMPACT_SCALAR_PACK}>:FCCDA_SCALAR_PACK> $<$<BOOL:${PERIMPACT_CONTRACTS}>:FCCDA_CONTRACTS>)

@@ -77,8 +77,8 @@ def fig13(runs, path):
 
 
 def fig14(runs, path):
-    """The panel meshes over the particles; below, the place where they touch."""
-    runs = sorted((run for run in runs if run.panel), key=lambda run: -run.panel)
+    """The panel meshes over the particles, without the finest as in the paper; below, the place where they touch."""
+    runs = sorted((run for run in runs if (run.panel or 0) >= 0.5), key=lambda run: -run.panel)
     figure, axes = plt.subplots(2, len(runs), figsize=(2.2 * len(runs), 4.9), squeeze=False)
     for run, (whole, near) in zip(runs, axes.T):
         plate, cylinder = run.checked("plate"), run.checked("cylinder_surface")
@@ -86,14 +86,13 @@ def fig14(runs, path):
         for axis, dot in ((whole, 1.2), (near, 34)):
             draw_particles(axis, plate, [0, 1], s=dot, color="#4b7ba6")
             shown = faces if axis is whole else [face for face in faces if np.abs(face[:, 0]).max() < 9 and face[:, 1].min() < 58]
-            edges = INK if axis is near or run.panel > 0.1 else QUIET
-            axis.add_collection(PolyCollection(shown, facecolor="#e6e9ed", edgecolor=edges, lw=min(0.35, 0.2 * run.panel + (axis is near) * 0.1), rasterized=True))
+            axis.add_collection(PolyCollection(shown, facecolor="#e6e9ed", edgecolor=INK, lw=min(0.35, 0.2 * run.panel + (axis is near) * 0.1), rasterized=True))
             axis.set(aspect="equal", xticks=[], yticks=[])
             axis.spines[:].set_visible(True)
         whole.set(xlim=(-29, 29), ylim=(32, 102), title=f"{run.label}\n" + f"{len(cylinder.panels):,} panels".replace(",", " "))
         near.set(xlim=(-6, 6), ylim=(44, 56))
         whole.add_patch(plt.Rectangle((-6, 44), 12, 12, fill=False, ec="#c8102e", lw=0.8, zorder=3))
-    figure.savefig(path)
+    figure.savefig(path, dpi=120)
 
 
 # ---- the plate ----
@@ -101,7 +100,7 @@ def fig14(runs, path):
 def fig15(runs, path):
     """Displacement fields of the plate's middle layer at the end, one row a run."""
     layers = [middle_layer(run.frame("plate", END)) for run in runs]
-    figure, axes = plt.subplots(len(runs), 2, figsize=(8.2, 2.05 * len(runs) + 0.5), sharex=True, sharey=True, squeeze=False)
+    figure, axes = plt.subplots(len(runs), 2, figsize=(8.2, 2.2 * len(runs) + 0.5), sharex=True, sharey=True, squeeze=False)
     for component, (column, name, colours) in enumerate(zip(axes.T, ("u_x", "u_y"), ("RdBu_r", "viridis"))):
         values = [1e3 * u[..., component] for _, u in layers]
         low, high = min(v.min() for v in values), max(v.max() for v in values)
@@ -116,7 +115,7 @@ def fig15(runs, path):
         axis.set_ylabel("y [mm]")
     for axis in axes[-1]:
         axis.set_xlabel("x [mm]")
-    figure.savefig(path)
+    figure.savefig(path, dpi=100)
 
 
 # ---- curves ----
@@ -133,7 +132,16 @@ def draw_reference(axis, x, y, every):
     axis.plot(x[::every], y[::every], "o", ms=4.2, mfc="white", mec="#c8102e", mew=1.0, label="finite elements", zorder=5)
 
 
-def curve(path, runs, xlabel, ylabel, of_run, reference, every):
+def draw_share(axis, percent):
+    """A bar that long as a share of the values, where the axis shows only a narrow range of them."""
+    bottom = axis.get_ylim()[0] + 0.05 * np.ptp(axis.get_ylim())
+    height = np.abs(np.mean(axis.get_ylim())) * percent / 100
+    ends = {"arrowstyle": "|-|,widthA=0.3,widthB=0.3", "color": QUIET, "shrinkA": 0, "shrinkB": 0}
+    axis.annotate("", (0.86, bottom), (0.86, bottom + height), xycoords=("axes fraction", "data"), arrowprops=ends)
+    axis.text(0.88, bottom + height / 2, f"{percent} %", transform=axis.get_yaxis_transform(), va="center", color=QUIET)
+
+
+def curve(path, runs, xlabel, ylabel, of_run, reference, every, share=None):
     figure, axis = plt.subplots(figsize=(5.2, 3.5))
     for run, style in zip(runs, curve_styles(runs)):
         axis.plot(*of_run(run), **style)
@@ -141,6 +149,8 @@ def curve(path, runs, xlabel, ylabel, of_run, reference, every):
     axis.set(xlabel=xlabel, ylabel=ylabel)
     axis.grid(color="#e4e8ec", lw=0.6)
     axis.set_axisbelow(True)
+    if share:
+        draw_share(axis, share)
     axis.legend(fontsize=8)
     figure.savefig(path)
 
@@ -157,13 +167,13 @@ def history_curve(name, ylabel, of_column, column):
     return draw
 
 
-def line_curve(name, line, coordinate):
+def line_curve(name, line, coordinate, every, share=None):
     def draw(runs, path):
         def points(table):
             return 1e3 * table[f"position_{coordinate} [m]"], 1e3 * table["displacement_y [m]"]
 
         reference = points(read_table(HERE / f"reference_fem_line_{coordinate}.csv"))
-        curve(path, runs, f"{coordinate} [mm]", "$u_y$ at 200 µs [mm]", lambda run: points(run.line(line, END)), reference, 10 if coordinate == "x" else 5)
+        curve(path, runs, f"{coordinate} [mm]", "$u_y$ at 200 µs [mm]", lambda run: points(run.line(line, END)), reference, every, share)
 
     draw.__doc__ = name
     return draw
@@ -174,8 +184,8 @@ FIGURES = {
     "fig14": fig14,
     "fig15": fig15,
     "fig16a": history_curve("Displacement of the plate's centre against time.", "$u_y$ of the centre [mm]", lambda u: 1e3 * u, "centre.displacement_y [m]"),
-    "fig16b": line_curve("Displacement along the central line in x.", "along_x", "x"),
-    "fig16c": line_curve("Displacement along the central line in y.", "along_y", "y"),
+    "fig16b": line_curve("Displacement along the central line in x.", "along_x", "x", every=10),
+    "fig16c": line_curve("Displacement along the central line in y.", "along_y", "y", every=5, share=0.25),
     "fig17a": history_curve("Position of the cylinder.", "y of the cylinder [mm]", lambda y: 1e3 * y, "cylinder.position_y [m]"),
     "fig17b": history_curve("Displacement of the cylinder.", "$u_y$ of the cylinder [mm]", lambda y: 1e3 * (y - y[0]), "cylinder.position_y [m]"),
     "fig17c": history_curve("Velocity of the cylinder.", "$v_y$ of the cylinder [m/s]", lambda v: v, "cylinder.velocity_y [m/s]"),

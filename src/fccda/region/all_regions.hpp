@@ -1,9 +1,20 @@
-/// The one list of bounding regions. A new region is its file, and its name here.
+/// The one list of bounding regions (seed paper, section 3.1): where contact can happen, in the body frame. Points that do not come near
+/// are rejected without a look at the surface.
+///
+/// Promises of every region (tests/fccda/region/region_contract.test.cpp):
+///  1. a path that can come within `margin` of a panel inside the region is never called untouchable;
+///  2. nothing changes after construction, so any number of threads may ask at once.
+///
+///   clips()                    some of the surface lies outside the region, where it is not felt
+///   contains(point)            a place where contact counts
+///   may_touch(path, margin)    false: the path surely stays further than margin [m] away
+///   distance_at_least(point)   [m] from the region
 #pragma once
 
 #include <variant>
 
 #include "fccda/region/box.hpp"
+#include "fccda/region/unbounded.hpp"
 
 namespace fccda {
 

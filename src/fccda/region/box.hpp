@@ -1,39 +1,15 @@
-/// Bounding regions in the body frame (seed paper, section 3.1): where contact can happen. Particles that do not come near are
-/// rejected without a look at the surface.
-///
-/// Promises of every region (tests/fccda/region/region_contract.test.cpp):
-///  1. a path that can come within `margin` of a panel inside the region is never called untouchable;
-///  2. nothing changes after construction, so any number of threads may ask at once.
+/// One box along the axes of the body frame (seed paper, section 3.1, example 1). It promises what every region does (all_regions.hpp).
 #pragma once
 
-#include <cstddef>
-
 #include "fccda/core/vec3.hpp"
+#include "fccda/region/path.hpp"
 #include "fccda/surface/surface.hpp"
 
 namespace fccda {
 
-/// The straight way of a point in the body frame during a step.
-struct Path {
-  Vec3d start, end;  ///< [m]
-
-  double length() const { return norm(end - start); }
-  Vec3d at(double fraction) const { return start + fraction * (end - start); }
-};
-
 /// What to do where the surface sticks out of its region.
 enum class Beyond { error, clip };
 
-/// No bound: contact wherever the surface is.
-class Unbounded {
- public:
-  static constexpr bool clips() { return false; }
-  static constexpr bool contains(const Vec3d&) { return true; }
-  static constexpr bool may_touch(const Path&, double) { return true; }
-  static constexpr double distance_at_least(const Vec3d&) { return 0; }
-};
-
-/// One box along the axes of the body frame (example 1 of the paper).
 class BoxRegion {
  public:
   struct Shape {

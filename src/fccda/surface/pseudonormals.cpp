@@ -13,9 +13,7 @@ double angle_between(const Vec3d& a, const Vec3d& b) { return std::atan2(norm(cr
 Vec3d edge_normal(const LinkedTriangles& surface, const std::vector<Vec3d>& faces, std::size_t t, std::size_t e) {
   const int beyond = surface.neighbours[t][e];
   if (beyond < 0) return faces[t];
-  // in the order of the triangles, so that both sides of the edge hold the same bits
-  const auto u = static_cast<std::size_t>(beyond);
-  const Vec3d sum = t < u ? faces[t] + faces[u] : faces[u] + faces[t];
+  const Vec3d sum = faces[t] + faces[static_cast<std::size_t>(beyond)];
   if (norm(sum) > cancelled) return normalised(sum);
   return normalised(cross(surface.corner(t, (e + 1) % 3) - surface.corner(t, e), faces[t]));
 }
@@ -30,10 +28,7 @@ Pseudonormals pseudonormals(const LinkedTriangles& surface) {
   out.vertices.resize(surface.vertices.size());
 
   for (std::size_t t = 0; t < count; ++t) {
-    // scaled by the longest side, so that the square of a tiny area is no underflow
-    const Vec3d along = surface.corner(t, 1) - surface.corner(t, 0), across = surface.corner(t, 2) - surface.corner(t, 0);
-    const double scale = std::fmax(largest_magnitude(along), largest_magnitude(across));
-    out.faces[t] = normalised(cross(along / scale, across / scale));
+    out.faces[t] = normalised(cross(surface.corner(t, 1) - surface.corner(t, 0), surface.corner(t, 2) - surface.corner(t, 0)));
   }
   for (std::size_t t = 0; t < count; ++t) {
     for (std::size_t e = 0; e < 3; ++e) out.edges[t][e] = edge_normal(surface, out.faces, t, e);

@@ -29,7 +29,6 @@ class InternalForce {
   /// The same as evaluate(), one particle at a time: the oracle of the tests.
   void evaluate_scalar(Particles& particles, LatticeFamily& family);
 
-  bool breaks_bonds() const { return breaking_; }
   std::size_t broken_bonds() const;  ///< since construction, each counted once
 
   const OrdinaryState& material() const { return material_; }

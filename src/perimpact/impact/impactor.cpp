@@ -114,7 +114,7 @@ void Impactor::strike(std::size_t body, StruckParticles& particles) {
   account_.angular_impulse += tally.angular_impulse_about_com;
   account_.contacts += tally.contacts;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!body_.degrees().translation(axis)) work_ -= tally.impulse[axis] * body_.velocity()[axis], held_[axis] -= tally.impulse[axis];
+    if (!body_.degrees().translation(axis)) work_ -= tally.impulse[axis] * body_.velocity()[axis];
     if (!body_.degrees().rotation(axis)) work_ -= tally.angular_impulse_about_com[axis] * body_.angular_velocity()[axis];
   }
 }

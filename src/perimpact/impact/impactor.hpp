@@ -47,7 +47,6 @@ class Impactor {
   Account& account() { return account_; }
   const Account& account() const { return account_; }
   double work_of_holder() const { return work_; }    ///< [J] done so far by what holds the degrees of freedom that are not free
-  Vec3d impulse_of_holder() const { return held_; }  ///< [N s] given so far by it
 
   template <class Visitor>
   void visit_state(Visitor&& visit) {
@@ -71,7 +70,6 @@ class Impactor {
   std::vector<fccda::Contact> contacts_;  // of the latest detection
   Account account_;
   double work_ = 0;
-  Vec3d held_{};
 };
 
 }  // namespace perimpact

@@ -22,7 +22,6 @@ struct Lattice {
   std::size_t row_slots() const { return (static_cast<std::size_t>(cells[0]) + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes; }
   std::size_t rows() const { return static_cast<std::size_t>(cells[1]) * static_cast<std::size_t>(cells[2]); }
   std::size_t slots() const { return rows() * row_slots(); }
-  std::size_t packs_of_row() const { return row_slots() / fccda::byte_lanes; }
 
   std::size_t slot(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * static_cast<std::size_t>(cells[1]) + static_cast<std::size_t>(j)) * row_slots() + static_cast<std::size_t>(i);

@@ -21,7 +21,6 @@ class Particles {
   std::size_t size() const { return slot_of_.size(); }                 ///< number of particles
   std::span<const std::uint32_t> slot_of() const { return slot_of_; }  ///< slot of each particle, ascending
   bool is_occupied(std::size_t slot) const { return (occupied_[slot / 8] >> (slot % 8)) & 1u; }
-  unsigned occupied_bits(std::size_t eight) const { return occupied_[eight]; }  ///< of slots 8·eight … 8·eight + 7
 
   double density() const { return density_; }                                                 ///< [kg/m³]
   double volume() const { return lattice_.spacing * lattice_.spacing * lattice_.spacing; }    ///< [m³] of one particle

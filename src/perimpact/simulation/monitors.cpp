@@ -9,9 +9,8 @@
 
 namespace perimpact {
 
-Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, const Clock& clock)
+Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock)
     : interval_(std::max(1L, setup.history ? std::lround(*setup.history / clock.dt) : clock.steps / 100)), elastic_(bodies.size(), 0.0) {
-  static_cast<void>(impactors);
   for (const ProbeSetup& probe : setup.probes) {
     const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const Body& candidate) { return candidate.name == probe.body; });
     const std::string key = "output.probes." + probe.name;

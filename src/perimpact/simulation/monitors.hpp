@@ -15,7 +15,7 @@ namespace perimpact {
 class Monitors {
  public:
   /// Throws SetupError where a probe lies outside its body.
-  Monitors(const OutputSetup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, const Clock& clock);
+  Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock);
 
   /// True where a row ends with this step, so that forces() must also say the elastic energy.
   bool is_due(const Clock& clock) const { return clock.step % interval_ == 0 || clock.is_finished(); }

@@ -61,7 +61,7 @@ Simulation::Simulation(const Setup& setup)
       stability_(find_step(setup, bodies_, warnings_)),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
       impactors_(make_impactors(setup, bodies_)),
-      monitors_(setup.output, bodies_, impactors_, clock_) {
+      monitors_(setup.output, bodies_, clock_) {
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles.lattice()), 0.0);
   expect_outside();
   evaluate_forces();

@@ -28,6 +28,18 @@ std::shared_ptr<const Surface> open_square() {
   return std::make_shared<const Surface>(square, Surface::Options{.outside = OutsideIs::normals});
 }
 
+struct ListReader {
+  std::vector<std::uint64_t> list;
+  void operator()(std::string_view, std::vector<std::uint64_t>& values) { list = values; }
+  void operator()(std::string_view, std::uint64_t&) {}
+};
+
+std::vector<std::uint64_t> points_inside(Swept& detector) {
+  ListReader reader;
+  detector.visit_state(reader);
+  return reader.list;
+}
+
 }  // namespace
 
 TEST_CASE("swept, region: a box exactly as wide as the cylinder, contact radius half a spacing: points that come in from the side give no spike") {
@@ -78,10 +90,26 @@ TEST_CASE("swept, region: a point that comes into a clipped region inside the su
     CHECK(detector.entered_inside() == 1);
     CHECK(go({1e-4, 0, 0}, 60) == 0);  // outward through the surface
     CHECK(points.x1[0].x > R + r);
+    CHECK(points_inside(detector).empty());
     CHECK(go({-1e-4, 0, 0}, 60) > 0);  // and back: struck
     CHECK(points.x1[0].x > R - 1e-4);
     CHECK(detector.entered_inside() == 1);
   }
+}
+
+TEST_CASE("swept, region: inside counts where the point comes in, even if the nearest panel is one that is felt") {
+  // A diamond with an edge at x = -√½; the region begins at x = -0.3. A point inside at x = -0.28, 0.1 below the upper panels there, has its
+  // nearest place at x = -0.35, which is in the region.
+  const double quarter = std::numbers::pi / 4;
+  const auto surface = fixtures::surface_of(fixtures::moved(make_box({.size = {1, 1, 1}, .panel = 0.25}), [&](const Vec3d& p) {
+    return Vec3d{std::cos(quarter) * p.x + std::sin(quarter) * p.z, p.y, -std::sin(quarter) * p.x + std::cos(quarter) * p.z};
+  }));
+  const Vec3d start = Vec3d{-0.35, 0.01, std::sqrt(0.5) - 0.35} - 0.1 * Vec3d{-std::sqrt(0.5), 0, std::sqrt(0.5)};
+  REQUIRE(start.x > -0.3);
+  REQUIRE(fixtures::Soup(*surface).distance(start) == doctest::Approx(0.1));
+  Swept detector(surface, BoxRegion({.size = {0.7, 2, 3}, .centre = {-0.65, 0, 0}}, *surface, Beyond::clip), 0);
+  CHECK(detect(detector, fixtures::points_on({{start, start + Vec3d{-0.04, 0, 0}}})).empty());
+  CHECK(detector.entered_inside() == 1);
 }
 
 TEST_CASE("swept, region: contact beyond the region is none, and what went in there is not struck inside the region") {
@@ -110,17 +138,9 @@ TEST_CASE("swept, region: the list of points inside is state: read back, it cont
   points.x0 = {{R - 0.004, 0, 0.0051}};
   points.x1 = {{R - 0.004, 0, 0.0049}};
   CHECK(detect(first, points).empty());
-  std::vector<std::uint64_t> list;
-  std::uint64_t count = 0;
-  struct Reader {
-    std::vector<std::uint64_t>& list;
-    std::uint64_t& count;
-    void operator()(std::string_view, std::vector<std::uint64_t>& values) { list = values; }
-    void operator()(std::string_view, std::uint64_t& value) { count = value; }
-  } reader{list, count};
-  first.visit_state(reader);
+  std::vector<std::uint64_t> list = points_inside(first);
   CHECK(list == std::vector<std::uint64_t>{0});
-  CHECK(count == 1);
+  CHECK(first.entered_inside() == 1);
   struct Writer {
     std::vector<std::uint64_t>& list;
     void operator()(std::string_view, std::vector<std::uint64_t>& values) { values = list; }

@@ -69,12 +69,16 @@ TEST_CASE("bvh: a guess changes no bit of the answer, however wrong it is") {
   }
 }
 
-TEST_CASE("bvh: of equal distances the lowest panel counts") {
+TEST_CASE("bvh: of equal distances the lowest panel counts, wherever the search begins") {
   const Surface cube(fixtures::unit_cube());
   const Bvh bvh(cube);
-  const std::optional<ClosestPoint> closest = bvh.closest({0.5, 0.5, 0.5});  // half from each of the six
-  REQUIRE(closest);
-  CHECK(cube.triangles()[static_cast<std::size_t>(closest->triangle)].panel == 0);
+  for (int guess = -1; guess < 12; ++guess) {
+    std::size_t asked = 0;
+    const std::optional<ClosestPoint> closest = bvh.closest({0.5, 0.5, 0.5}, Bvh::no_cap, guess, asked);  // half from each of the six
+    REQUIRE(closest);
+    CHECK(closest->triangle == 0);
+    CHECK(cube.triangles()[0].panel == 0);
+  }
 }
 
 TEST_CASE("bvh: among the triangles that face a viewer, the closest one is found") {

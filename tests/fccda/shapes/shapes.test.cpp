@@ -87,6 +87,7 @@ TEST_CASE("shapes: no edge is longer than the panel, diagonals not longer than â
 TEST_CASE("shapes: a whole number of panels is taken as such") {
   CHECK(divisions(0.025, 0.0001) == 250);
   CHECK(divisions(0.05, 0.001) == 50);
+  CHECK(divisions(3 * 0.1, 0.1) == 3);  // 3.0000000000000004 as doubles
   CHECK(divisions(0.0501, 0.001) == 51);
   CHECK(divisions(0.1, 0.5) == 1);
   CHECK(circle_divisions(1, sqrt2) == 4);          // the square in the circle

@@ -79,6 +79,7 @@ TEST_CASE("surface: an open one must say which side is outside, and is told how"
   const Surface as_given = named(box, OutsideIs::normals), turned = named(box, OutsideIs::reversed);
   CHECK_FALSE(as_given.is_closed());
   CHECK(as_given.report().rim_edges == 4);
+  CHECK(as_given.report().vertices == 8);
   CHECK(as_given.report().volume == 0);
   CHECK(as_given.report().centroid.z == doctest::Approx(0.4));  // four walls of ½ and a floor of 0, by hand
   for (std::size_t t = 0; t < as_given.triangles().size(); ++t) {

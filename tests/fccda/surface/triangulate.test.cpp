@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "fccda/core/quaternion.hpp"
 #include "fccda/surface/surface.hpp"
 #include "fixtures/surfaces.hpp"
 
@@ -47,8 +48,8 @@ TEST_CASE("triangulate: a quad is cut along its shorter diagonal") {
 
 TEST_CASE("triangulate: rounding does not choose the diagonal of a rectangle") {
   for (int k = 0; k < 100; ++k) {
-    const double x = 0.1 * k, w = 0.1 + 1e-3 * k, h = 0.3;
-    CHECK(shares(cut({{x, 0, 0}, {x + w, 0, 0}, {x + w, h, 0}, {x, h, 0}}, {{0, 1, 2, 3}}), 0, 2));
+    const Mat3 turn = Quaternion::from_rotation({0.1 * k, 0.3, -0.02 * k}).matrix();
+    CHECK(shares(cut({turn * Vec3d{0, 0, 0}, turn * Vec3d{0.1, 0, 0}, turn * Vec3d{0.1, 0.3, 0}, turn * Vec3d{0, 0.3, 0}}, {{0, 1, 2, 3}}), 0, 2));
   }
 }
 
@@ -106,6 +107,22 @@ TEST_CASE("slivers: two that share their longest side are absorbed as well") {
   CHECK(surface.is_closed());
   CHECK(surface.report().degenerate == 2);
   CHECK(surface.report().volume == doctest::Approx(1).epsilon(1e-14));
+}
+
+TEST_CASE("slivers: a triangle with one on each side takes them one after the other") {
+  // a tetrahedron whose base ends on straight edges with a vertex in the middle of each, which the other faces use
+  const std::vector<Vec3d> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}};
+  Panels body{vertices, {{0, 2, 1, -1}}};
+  constexpr int sides[3][3] = {{0, 4, 1}, {1, 5, 2}, {2, 6, 0}};
+  for (const auto& [from, middle, to] : sides) {
+    body.add_triangle(from, middle, 3);
+    body.add_triangle(middle, to, 3);
+    body.add_triangle(from, to, middle);
+  }
+  const Surface surface(body);
+  CHECK(surface.is_closed());
+  CHECK(surface.report().degenerate == 3);
+  CHECK(surface.report().volume == doctest::Approx(1 / 6.0).epsilon(1e-14));  // rounding of ten terms
 }
 
 TEST_CASE("slivers: one at a rim is left out") {

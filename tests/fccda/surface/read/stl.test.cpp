@@ -88,6 +88,8 @@ TEST_CASE("stl: a binary file cut short anywhere is never read, and names the tr
   check_refused(whole.substr(0, 84 + 50 + 20), "hull.stl: the file ends in triangle 2 of 4; it was cut short or is no STL file; write it again.");
   check_refused(whole.substr(0, 70),
                 "hull.stl: 70 bytes are too few for an STL file, which begins with `solid` or has 84 bytes before its first triangle; write it again.");
+  check_refused(fixtures::stl_binary(fixtures::tetrahedron(), "solid too").substr(0, 84 + 50 + 20),
+                "hull.stl: the file ends in triangle 2 of 4; it was cut short or is no STL file; write it again.");
   check_refused(whole + "abc", "hull.stl: 3 bytes follow the last of 4 triangles; the count or the file is damaged; write it again.");
 }
 

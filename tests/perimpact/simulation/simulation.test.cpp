@@ -1,0 +1,173 @@
+#include "perimpact/simulation/simulation.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fccda/core/error.hpp"
+#include "fccda/core/parallel.hpp"
+#include "perimpact/bodies.hpp"
+#include "perimpact/setup/setup_error.hpp"
+
+using namespace perimpact;
+
+namespace {
+
+/// A small plate struck on its edge by a cylinder that touches it at t = 0.
+Setup struck_plate(double nu = 0.25) {
+  Setup setup;
+  setup.time = {.end = 40e-6, .step = 2e-7};
+  BodySetup plate = fixtures::body_setup({.size = {0.04, 0.02, 0.008}, .spacing = 0.002, .poissons_ratio = nu});
+  plate.name = "plate";
+  setup.bodies = {plate};
+  ImpactorSetup cylinder;
+  cylinder.name = "cylinder";
+  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.02, .panel = 0.001};
+  cylinder.mass = 0.1;
+  cylinder.position = {0.003, 0.02, 0};
+  cylinder.velocity = {0, -32, 0};
+  cylinder.free = {"x", "y", "z", "rx", "ry", "rz"};
+  setup.impactors = {cylinder};
+  setup.output.history = 2e-6;
+  setup.output.probes = {{"centre", "plate", {0, 0, 0}}};
+  return setup;
+}
+
+double value(const Simulation& simulation, const std::string& column) {
+  const auto& columns = simulation.monitors().columns();
+  const auto found = std::find(columns.begin(), columns.end(), column);
+  REQUIRE(found != columns.end());
+  return simulation.monitors().row()[static_cast<std::size_t>(found - columns.begin())];
+}
+
+void run(Simulation& simulation) {
+  while (!simulation.clock().is_finished()) simulation.step();
+}
+
+std::string complaint(const Setup& setup, std::string& key) {
+  try {
+    Simulation simulation(setup);
+  } catch (const SetupError& error) {
+    key = error.key();
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("simulation: plate and cylinder together keep their linear momentum to 1e-10, struck off-centre and free to turn") {
+  for (const double friction : {0.0, 0.2}) {
+    Setup setup = struck_plate();
+    setup.contact.impactors.friction = friction;
+    Simulation simulation(setup);
+    const double before = value(simulation, "total.momentum_y [kg m/s]");
+    run(simulation);
+    CHECK(before == doctest::Approx(-3.2).epsilon(1e-12));  // 0.1 kg at 32 m/s
+    CHECK(std::fabs(value(simulation, "total.momentum_y [kg m/s]") / before - 1) <= 1e-10);
+    CHECK(std::fabs(value(simulation, "total.momentum_x [kg m/s]")) <= 1e-10 * 3.2);
+    CHECK(std::fabs(value(simulation, "cylinder.velocity_y [m/s]")) < 30);  // it did strike
+  }
+}
+
+TEST_CASE("simulation: one, two and four threads end in the same state to the last bit, with a dilatation, breaking bonds and a turning impactor") {
+  const int before = fccda::thread_count();
+  Setup setup = struck_plate(0.3);
+  std::get<OrdinaryStateSetup>(setup.bodies[0].material).critical_stretch = 2e-3;
+  setup.impactors[0].angular_velocity = {0, 0, 100};
+  setup.contact.impactors.friction = 0.1;
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2, 4}) {
+    fccda::use_threads(threads);
+    Simulation simulation(setup);
+    const std::uint64_t at_start = simulation.state_hash();
+    run(simulation);
+    hashes.push_back(simulation.state_hash());
+    CHECK(hashes.back() != at_start);
+    CHECK(value(simulation, "plate.broken_bonds [-]") > 0);
+  }
+  fccda::use_threads(before);
+  CHECK(hashes[0] == hashes[1]);
+  CHECK(hashes[0] == hashes[2]);
+}
+
+TEST_CASE("simulation: the hash sees a single changed bit of the state") {
+  Simulation simulation(struck_plate());
+  const std::uint64_t hash = simulation.state_hash();
+  simulation.visit_state([](const std::string& name, auto&& values) {
+    if constexpr (requires { values.size(); values[0] = values[0]; })
+      if (name == "plate.velocity_z" && values.size() > 17) values[17] = 5e-324;
+  });
+  CHECK(simulation.state_hash() != hash);
+}
+
+TEST_CASE("simulation: a fine mesh and the analytic cylinder do the same within three times the facet error") {
+  Setup meshed = struck_plate(), analytic = struck_plate();
+  for (Setup* setup : {&meshed, &analytic}) setup->impactors[0].position.x = 0, setup->impactors[0].free = {"y"};
+  analytic.contact.impactors.detector.index = static_cast<int>(DetectorKind::analytic);
+  Simulation a(meshed), b(analytic);
+  run(a), run(b);
+  const double facet = 0.001 * 0.001 / (8 * 0.01);  // Δm²/(8R)
+  CHECK(std::fabs(value(a, "centre.displacement_y [m]") - value(b, "centre.displacement_y [m]")) <= 3 * facet);
+  CHECK(std::fabs(value(a, "cylinder.position_y [m]") - value(b, "cylinder.position_y [m]")) <= 3 * facet);
+  CHECK(std::fabs(value(a, "centre.displacement_y [m]")) > 10 * facet);
+}
+
+TEST_CASE("simulation: a region exactly as wide as the cylinder changes no force") {
+  Setup without = struck_plate(), with = struck_plate();
+  with.impactors[0].region = {BoxRegionSetup{.size = {0.02, 0.02, 0.01}}, Choice{beyond_region_words, 1}};
+  Simulation a(without), b(with);
+  while (!a.clock().is_finished()) {
+    a.step(), b.step();
+    // the plate is thinner than the region, so nothing that touches is cut off: the same contacts, to the bit
+    REQUIRE(a.monitors().row().size() == b.monitors().row().size());
+    REQUIRE(value(a, "cylinder.force_y [N]") == value(b, "cylinder.force_y [N]"));
+  }
+  CHECK(a.state_hash() != 0);
+}
+
+TEST_CASE("simulation: what cannot run is refused with its key: a step beyond the stable one, an impactor that starts inside") {
+  std::string key;
+  Setup too_long = struck_plate();
+  too_long.time.step = 2e-6;
+  CHECK(complaint(too_long, key).find("times the longest stable one") != std::string::npos);
+  CHECK(key == "time.step");
+  Setup inside = struck_plate();
+  inside.impactors[0].position.y = 0.018;
+  CHECK(complaint(inside, key).find("starts inside body plate") != std::string::npos);
+  CHECK(key == "impactors.cylinder.position");
+}
+
+TEST_CASE("simulation: held degrees of freedom keep their velocity, and the holder's work balances the energy") {
+  Setup setup = struck_plate();
+  setup.impactors[0].free = {};
+  setup.impactors[0].position.x = 0;
+  Simulation simulation(setup);
+  run(simulation);
+  CHECK(value(simulation, "cylinder.velocity_y [m/s]") == -32);
+  const double work = simulation.impactors()[0].work_of_holder();
+  CHECK(work > 0);
+  // relocation is plastic, so a little of the work is lost at first touch; none may appear
+  const double gained = value(simulation, "total.energy [J]") - 0.5 * 0.1 * 32 * 32;
+  CHECK(gained <= 1.01 * work);
+  CHECK(gained >= 0.8 * work);
+}
+
+TEST_CASE("simulation: energy that appears from nowhere ends the run with a sentence") {
+  Setup setup = struck_plate();
+  setup.time.step = std::nullopt;
+  Simulation probe(setup);
+  setup.time.step = 0.98 * probe.stability().exact;  // the interior just holds, the stiffer edges do not
+  setup.time.end = 400 * *setup.time.step;
+  Simulation simulation(setup);
+  CHECK(!simulation.warnings().empty());
+  std::string sentence;
+  try {
+    run(simulation);
+  } catch (const fccda::RunError& error) {
+    sentence = error.what();
+  }
+  CHECK(sentence.find("make it smaller") != std::string::npos);
+}
