@@ -94,7 +94,7 @@ def parse():
     parser.add_argument("--also", type=Path, action="append", default=[], help="a further build folder, for another instruction set")
     parser.add_argument("--rounds", type=int, default=3, help="how often each is run (default 3)")
     parser.add_argument("--steps", type=int, default=50, help="steps timed of ours, after as many to warm up (default 50)")
-    parser.add_argument("--lammps-steps", type=int, default=20, help="steps timed of LAMMPS (default 20)")
+    parser.add_argument("--lammps-steps", type=int, default=12, help="steps timed of LAMMPS (default 12)")
     parser.add_argument("--tables", action="store_true", help="write the tables of README.md from the CSV files, measure nothing")
     return parser.parse_args()
 
