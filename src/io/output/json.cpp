@@ -85,7 +85,9 @@ void Json::add_to(std::string& text, int level) const {
                             member.second.add_to(text, level + 1);
                           });
                         },
-                        [&](const Verbatim& json) { text += json.text; }},
+                        [&](const Verbatim& json) {
+                          for (const char c : json.text) text += c == '\n' ? "\n" + indent(level) : std::string(1, c);
+                        }},
              value_);
 }
 

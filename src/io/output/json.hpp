@@ -38,7 +38,11 @@ class Json {
 
   static Json object() { return Json(Value(Members{})); }
   static Json array() { return Json(Value(Elements{})); }
-  static Json verbatim(std::string json) { return Json(Value(Verbatim{std::move(json)})); }  ///< text that is JSON already
+  /// Text that is JSON already; its lines are indented along.
+  static Json verbatim(std::string json) {
+    while (json.ends_with('\n')) json.pop_back();
+    return Json(Value(Verbatim{std::move(json)}));
+  }
 
   /// The member of that name, added at the end where there is none. Null becomes an object.
   /// The reference holds until the next member is added.

@@ -34,6 +34,13 @@ Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
     against["points_in_region"] = effort.points_in_region;
     against["points_asked"] = effort.points_asked;
     against["panels_asked"] = effort.panels_asked;
+    if (const fccda::Published* published = impactor.published(b)) {
+      const fccda::Rejections& rejections = published->rejections();
+      against["rejected_by"]["eq. 14"] = rejections.by_eq14;
+      against["rejected_by"]["eq. 15"] = rejections.by_eq15;
+      against["rejected_by"]["eq. 17"] = rejections.by_eq17;
+      against["rejected_by"]["eq. 20"] = rejections.by_eq20;
+    }
     against["entered_inside"] = impactor.entered_inside(b);
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
@@ -75,6 +82,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["rewound"] = report.rewound;
   json["flipped"] = report.flipped;
   json["components"] = report.components;
+  json["cavities"] = report.cavities;
   json["closure"] = word_for(report.closure);
   json["rim_edges"] = report.rim_edges;
   json["area [m2]"] = report.area;

@@ -7,7 +7,7 @@
 ///         ellipsoid 1/√Σ_p (n_p/g_p)². Theirs is the smaller of the two means, and both leave thin bodies too stiff, because bonds between
 ///         a particle at the surface and one deeper inside count for both: a bar of 10 × 10 particles by 7 % (theirs 6 %). So the g_p of
 ///         all particles that have such bonds are then improved `sweeps` times by the ratio that is left: under 1 % on that bar after
-///         four. More of them take from the bending stiffness (six layers: 0.94 of the classical without, 0.91 after four, 0.90 after
+///         four. More of them take from the bending stiffness (six layers: 0.92 of the classical without, 0.91 after four, 0.90 after
 ///         eight), and the factors begin to alternate from particle to particle.
 /// volume  (Le and Bobaru, Comput. Mech. 61 (2018) 499): 2 V₀/(V_i + V_j) with V = Σ v V, V₀ that of the interior lattice.
 #pragma once

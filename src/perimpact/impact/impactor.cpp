@@ -105,7 +105,7 @@ void Impactor::advance(double dt) {
   account_.contacts = 0;
 }
 
-void Impactor::strike(std::size_t body, StruckParticles& particles) {
+std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& particles) {
   contacts_.clear();
   const double travel = body_.travel_bound(motion_, radius_);
   std::visit([&](auto& detector) { detector.detect(particles, motion_, travel, contacts_); }, detectors_[body]);
@@ -117,6 +117,11 @@ void Impactor::strike(std::size_t body, StruckParticles& particles) {
     if (!body_.degrees().translation(axis)) work_ -= tally.impulse[axis] * body_.velocity()[axis];
     if (!body_.degrees().rotation(axis)) work_ -= tally.angular_impulse_about_com[axis] * body_.angular_velocity()[axis];
   }
+  return contacts_;
+}
+
+void Impactor::moved(std::size_t body, std::size_t particle) {
+  std::visit([&](auto& detector) { detector.moved(particle); }, detectors_[body]);
 }
 
 }  // namespace perimpact

@@ -31,11 +31,16 @@ class Impactor {
   void advance(double dt);
 
   /// Detects, relocates, and changes the velocities of particles and impactor (contact.md, "Per step"; seed paper, eqs. 8–10).
-  void strike(std::size_t body, StruckParticles& particles);
+  /// Returns what it found, until the next call.
+  std::span<const fccda::Contact> strike(std::size_t body, StruckParticles& particles);
+
+  /// Another impactor displaced that particle of a body.
+  void moved(std::size_t body, std::size_t particle);
 
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
+  const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
   fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
 
   /// Particles of that body that are inside the surface, or nearer to it than the contact radius. Touching is not inside.
@@ -46,7 +51,7 @@ class Impactor {
 
   Account& account() { return account_; }
   const Account& account() const { return account_; }
-  double work_of_holder() const { return work_; }    ///< [J] done so far by what holds the degrees of freedom that are not free
+  double work_of_holder() const { return work_; }  ///< [J] done so far by what holds the degrees of freedom that are not free
 
   template <class Visitor>
   void visit_state(Visitor&& visit) {

@@ -68,7 +68,8 @@ std::span<const Field<CylinderSurface>> CylinderSurface::fields() {
   static const Field<S> all[] = {{"diameter", &S::diameter, "m", positive(), required, "Diameter."},
                                  {"height", &S::height, "m", positive(), required, "Length along the axis, centred on the origin."},
                                  {"axis", &S::axis, "", {}, optional, "Direction of the axis: x, y or z."},
-                                 {"panel", &S::panel, "m", positive(), required, "Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles reach 1.41 times it."},
+                                 {"panel", &S::panel, "m", positive(), required,
+                                  "Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles reach 1.41 times it."},
                                  {"panels", &S::panels, "", {}, optional, "triangles or quads."}};
   return all;
 }
@@ -82,9 +83,10 @@ std::span<const Field<SphereSurface>> SphereSurface::fields() {
 
 std::span<const Field<BoxSurface>> BoxSurface::fields() {
   using S = BoxSurface;
-  static const Field<S> all[] = {{"size", &S::size, "m", positive(), required, "Edge lengths in x, y and z, centred on the origin."},
-                                 {"panel", &S::panel, "m", positive(), required, "Largest edge of the panels along x, y and z. Diagonals of triangles reach 1.41 times it."},
-                                 {"panels", &S::panels, "", {}, optional, "triangles or quads."}};
+  static const Field<S> all[] = {
+      {"size", &S::size, "m", positive(), required, "Edge lengths in x, y and z, centred on the origin."},
+      {"panel", &S::panel, "m", positive(), required, "Largest edge of the panels along x, y and z. Diagonals of triangles reach 1.41 times it."},
+      {"panels", &S::panels, "", {}, optional, "triangles or quads."}};
   return all;
 }
 

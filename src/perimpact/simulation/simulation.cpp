@@ -45,6 +45,19 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
   return stability;
 }
 
+/// A bond reaches three particles: thinner bodies are all surface, and no correction makes up for that.
+void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>& warnings) {
+  constexpr int enough = 4;
+  for (const Body& body : bodies) {
+    const auto& cells = body.particles.lattice().cells;
+    const int thinnest = *std::min_element(cells.begin(), cells.end());
+    if (thinnest < enough)
+      warnings.push_back(
+          fmt::format("Body {} is only {} particles thick: its stiffness is far off, above all in bending. Take a spacing that gives at least {}, better 6.",
+                      body.name, thinnest, enough));
+  }
+}
+
 std::vector<Impactor> make_impactors(const Setup& setup, std::span<Body> bodies) {
   std::vector<Particles*> particles;
   for (Body& body : bodies) particles.push_back(&body.particles);
@@ -62,6 +75,7 @@ Simulation::Simulation(const Setup& setup)
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
       impactors_(make_impactors(setup, bodies_)),
       monitors_(setup.output, bodies_, clock_) {
+  warn_of_thin_bodies(bodies_, warnings_);
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles.lattice()), 0.0);
   expect_outside();
   evaluate_forces();
@@ -99,7 +113,9 @@ void Simulation::strike() {
     impactor.advance(clock_.dt);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
-      impactor.strike(b, particles);
+      for (const fccda::Contact& contact : impactor.strike(b, particles))
+        for (Impactor& other : impactors_)
+          if (&other != &impactor) other.moved(b, contact.point);
     }
   }
 }

@@ -91,7 +91,9 @@ TEST_CASE("mistakes: a value out of range, with the range in words") {
                    "The published detector takes 0 only."});
   check_complaint(
       {"0.1, 0.009", "0, 0.009", "0, 0.009", "y of size is 0, but it must be above 0. Edge lengths in x, y and z; whole multiples of the spacing."});
-  check_complaint({"panel: 0.001", "panel: 0", "0}}   #", "panel is 0, but it must be above 0. Largest edge length of the panels."});
+  check_complaint({"panel: 0.001", "panel: 0", "0}}   #",
+                   "panel is 0, but it must be above 0. Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles "
+                   "reach 1.41 times it."});
   check_complaint(
       {"[0.05, 0.05, 0.01]", "[0.05, 0.05, -0.01]", "-0.01", "z of size is -0.01, but it must be above 0. Edge lengths along the surface's own axes."});
   check_complaint({"frames: 40", "frames: -1", "-1", "frames is -1, but it must be from 0 to 100000. Number of pictures after the one at t = 0. 0: none."});

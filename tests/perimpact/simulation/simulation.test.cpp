@@ -97,7 +97,10 @@ TEST_CASE("simulation: the hash sees a single changed bit of the state") {
   Simulation simulation(struck_plate());
   const std::uint64_t hash = simulation.state_hash();
   simulation.visit_state([](const std::string& name, auto&& values) {
-    if constexpr (requires { values.size(); values[0] = values[0]; })
+    if constexpr (requires {
+                    values.size();
+                    values[0] = values[0];
+                  })
       if (name == "plate.velocity_z" && values.size() > 17) values[17] = 5e-324;
   });
   CHECK(simulation.state_hash() != hash);
