@@ -62,6 +62,7 @@ def _(t):
     t.expect_complaint(t.run_program("run", "none.yaml"), 2, "none.yaml: there is no such file")
     t.expect_complaint(t.run_program("run", "."), 2, ".: this is a folder", "deck.yaml")
     t.expect_complaint(t.run_program("run", "/dev/null"), 2, "/dev/null: the deck is empty")
+    t.expect_complaint(t.run_program("run", "/proc/self/mem"), 2, "/proc/self/mem: this file cannot be read")  # reading fails, opening does not
 
 
 @claim("mistakes: results that cannot be written are noticed before anything is computed")
