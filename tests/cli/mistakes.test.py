@@ -40,6 +40,17 @@ def _(t):
     refused(t, ("free: [y]", region % ", centre: [1, 0, 0]"), "region:", "no panel of the surface reaches into the box")
     refused(t, ("at: [0, 0, 0]", "at: [0, 1 m, 0]"), "[0, 1 m, 0]", "probe centre lies 0.973 m from the nearest particle")
     refused(t, ("to: [0, 30 mm, 0]", "to: [0, 300 mm, 0]"), "along_y:", "runs outside body plate", "move its ends")
+    refused(t, ("20 us", "1e30 s"), "1e30 s", "the run would take 1.4", "e+36 steps")
+    refused(t, ("end: 20 us", "end: 20 us, step: 1e-30"), "20 us,", "the run would take 2e+25 steps of 1e-30 s")
+    for spacing in ("5 nm", "1e-300 m"):
+        refused(t, ("spacing: 5 mm", f"spacing: {spacing}"), spacing, "to fill body plate", "make it larger")
+
+
+@claim("mistakes: a body of one particle needs a time step")
+def _(t):
+    alone = ["--set", "bodies.plate.shape.box.size=[5 mm, 5 mm, 5 mm]", "--set", "output.lines={}"]
+    t.expect_complaint(t.run_program("run", t.deck(), *alone), 2, f"deck.yaml:{place_of(DECK, 'time:')}: ", "no body has a bond", "time.step")
+    t.expect_success("run", t.deck(), *alone, "--set", "time.step=0.5 us")
 
 
 @claim("mistakes: a surface file that is missing, broken or no surface is refused with what is wrong and where")
@@ -62,6 +73,7 @@ def _(t):
     t.expect_complaint(t.run_program("run", "none.yaml"), 2, "none.yaml: there is no such file")
     t.expect_complaint(t.run_program("run", "."), 2, ".: this is a folder", "deck.yaml")
     t.expect_complaint(t.run_program("run", "/dev/null"), 2, "/dev/null: the deck is empty")
+    t.expect_complaint(t.run_program("run", "/proc/self/mem"), 2, "/proc/self/mem: this file cannot be read")  # reading fails, opening does not
 
 
 @claim("mistakes: results that cannot be written are noticed before anything is computed")

@@ -182,6 +182,14 @@ def _(t):
         t.assertEqual({name: (t.folder / "r" / name).read_bytes() for name in t.files("r")}, before, change)
 
 
+@claim("results: a body that nothing touches stays at rest, and that is no error")
+def _(t):
+    impactors = DECK[DECK.index("impactors:\n") : DECK.index("contact:")]
+    for settings in [], ["--set", "bodies.plate.position=[1 km, 0, 0]", "--set", "output.lines={}", "--set", "output.probes={}"]:
+        t.expect_success("run", t.deck((impactors, "")), "--out", "r", *settings)
+        t.assertLess(max(t.history("r")["total.energy [J]"]), 1e-12)  # a nanogram dropped from a nanometre; rounding at 1 km gives 1e-15
+
+
 @claim("results: a run that blows up ends with 3, says at which step, and run.json keeps the sentence")
 def _(t):
     # 0.98 of the interior lattice's limit: beyond the one at surfaces, where corrected bonds are stiffer

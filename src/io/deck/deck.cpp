@@ -18,9 +18,12 @@ std::string content_of(const fs::path& file) {
   if (fs::is_directory(file, ignored)) refuse(file.string(), "this is a folder; name the deck in it, for example " + (file / "deck.yaml").string() + ".");
   if (!fs::exists(file, ignored)) refuse(file.string(), "there is no such file; check the path of the deck.");
   std::ifstream stream(file, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) refuse(file.string(), "this file cannot be read; check its permissions.");
-  return content;
+  try {
+    if (stream) return {std::istreambuf_iterator<char>(stream), {}};
+  } catch (const std::ios_base::failure&) {
+    // opening went well, reading did not: a bad disk, or no file at all but a device
+  }
+  refuse(file.string(), "this file cannot be read; check its permissions.");
 }
 
 }  // namespace

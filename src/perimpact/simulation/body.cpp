@@ -1,6 +1,13 @@
 #include "perimpact/simulation/body.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 #include "perimpact/particles/fill.hpp"
+#include "perimpact/setup/setup_error.hpp"
 
 namespace perimpact {
 
@@ -8,6 +15,13 @@ namespace {
 
 Particles fill(const BodySetup& setup, int reach, double density) {
   const BoxSolid& box = std::get<BoxSolid>(setup.shape);
+  const double slots =
+      std::ceil(box.size.x / setup.spacing / fccda::byte_lanes) * fccda::byte_lanes * (box.size.y / setup.spacing) * (box.size.z / setup.spacing);
+  constexpr double most = std::numeric_limits<std::uint32_t>::max();
+  if (!(slots < most))
+    throw SetupError("bodies." + setup.name + ".spacing",
+                     fmt::format("a spacing of {} m takes {:.3g} cells to fill body {}, more than the {:.2g} that can be numbered; make it larger.",
+                                 setup.spacing, slots, setup.name, most));
   Particles particles(lattice_of_box(box.size, setup.position, setup.spacing), reach, density, [](const Vec3d&) { return true; });
   for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
   return particles;

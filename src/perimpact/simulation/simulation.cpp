@@ -29,6 +29,8 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
     stability.exact = std::min(stability.exact, exact_stable_step(body));
   }
   const double automatic = safety * stability.estimate;
+  if (!setup.time.step && !std::isfinite(automatic))
+    throw SetupError("time", "no body has a bond, so nothing tells how long a stable time step is; give time.step, or take smaller spacings.");
   stability.step = setup.time.step.value_or(setup.time.end / std::ceil(setup.time.end / automatic));
   if (stability.step > setup.time.end)
     throw SetupError("time.step", fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; make it shorter, or leave it out.",
@@ -37,6 +39,10 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
     throw SetupError("time.step", fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of this lattice ({:.4g} s): the run would blow "
                                               "up. Take at most {:.4g} s, or leave the step out.",
                                               stability.step, stability.step / stability.exact, stability.exact, automatic));
+  constexpr double most_steps = 1e15;  // are counted without rounding, and would take thirty years at a million a second
+  if (!(setup.time.end / stability.step <= most_steps))
+    throw SetupError("time.end", fmt::format("the run would take {:.3g} steps of {:.3g} s; end it earlier, or make the step longer.",
+                                             setup.time.end / stability.step, stability.step));
   if (stability.step > automatic * (1 + 1e-9))
     warnings.push_back(
         fmt::format("The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times the exact limit of the lattice; near surfaces it "
