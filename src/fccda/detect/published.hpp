@@ -30,8 +30,8 @@
 #include <vector>
 
 #include "fccda/body/pose.hpp"
-#include "fccda/core/parallel.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/detect/every_point.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "fccda/detect/points.hpp"
 #include "fccda/region/all_regions.hpp"
@@ -60,13 +60,7 @@ class Published {
   template <Points P>
   void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
     place(motion);
-    found_.resize(points.block_count());
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(points.block_count()), [&](std::ptrdiff_t k) {
-      const auto b = static_cast<std::size_t>(k);
-      found_[b] = {};
-      for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i)
-        if (points.occupied(i)) look_at(i, points.position_t0(i), points.position_t1(i), motion, found_[b]);
-    });
+    look_at_every_point(points, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
     for (const Found& found : found_) {
       out.insert(out.end(), found.contacts.begin(), found.contacts.end());
       effort_ += found.effort;

@@ -182,6 +182,7 @@ InternalForce::InternalForce(OrdinaryState material, const std::optional<Critica
   broken_ends_of_row_.assign(particles.lattice().rows(), 0);
 }
 
+template <class Pack>
 void InternalForce::pass(Particles& particles, LatticeFamily& family, bool with_energy) {
   const BodyView body{particles.lattice(),
                       particles.position.pointers(),
@@ -195,24 +196,17 @@ void InternalForce::pass(Particles& particles, LatticeFamily& family, bool with_
                       half_squares_,
                       energy_of_row_,
                       broken_ends_of_row_};
-  run_pass<NativePack>(body, breaking_, with_energy);
+  run_pass<Pack>(body, breaking_, with_energy);
 }
 
-void InternalForce::evaluate_scalar(Particles& particles, LatticeFamily& family) {
-  const BodyView body{particles.lattice(),
-                      particles.position.pointers(),
-                      particles.force_density,
-                      theta_.component(0),
-                      family,
-                      correction_,
-                      material_,
-                      folded_,
-                      squared_limits_,
-                      half_squares_,
-                      energy_of_row_,
-                      broken_ends_of_row_};
-  run_pass<double>(body, breaking_, false);
+void InternalForce::evaluate(Particles& particles, LatticeFamily& family) { pass<NativePack>(particles, family, false); }
+
+double InternalForce::evaluate_with_energy(Particles& particles, LatticeFamily& family) {
+  pass<NativePack>(particles, family, true);
+  return sum_of_rows(particles);
 }
+
+void InternalForce::evaluate_scalar(Particles& particles, LatticeFamily& family) { pass<double>(particles, family, false); }
 
 double InternalForce::sum_of_rows(const Particles& particles) const {
   double sum = 0;

@@ -18,13 +18,10 @@ class InternalForce {
 
   /// Writes particles.force_density [N/m³], the sum over intact bonds at the current positions, in stencil order for each particle,
   /// so that the result is the same to the last bit for any number of threads. Bonds that are too long break on the way.
-  void evaluate(Particles& particles, LatticeFamily& family) { pass(particles, family, false); }
+  void evaluate(Particles& particles, LatticeFamily& family);
 
   /// The same, and returns the elastic energy at these positions [J].
-  double evaluate_with_energy(Particles& particles, LatticeFamily& family) {
-    pass(particles, family, true);
-    return sum_of_rows(particles);
-  }
+  double evaluate_with_energy(Particles& particles, LatticeFamily& family);
 
   /// The same as evaluate(), one particle at a time: the oracle of the tests.
   void evaluate_scalar(Particles& particles, LatticeFamily& family);
@@ -42,6 +39,7 @@ class InternalForce {
   }
 
  private:
+  template <class Pack>
   void pass(Particles& particles, LatticeFamily& family, bool with_energy);
   double sum_of_rows(const Particles& particles) const;
 

@@ -1,0 +1,25 @@
+/// The loop of the detectors that ask every point in every step.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fccda/core/parallel.hpp"
+#include "fccda/detect/points.hpp"
+
+namespace fccda {
+
+/// Calls look_at(point, found of its block) for each point. Blocks are dealt with in parallel, each with a Found of its own, in
+/// `found`, so that what is gathered from them in order does not depend on the number of threads.
+template <Points P, class Found, class LookAt>
+void look_at_every_point(const P& points, std::vector<Found>& found, const LookAt& look_at) {
+  found.resize(points.block_count());
+  parallel_for_uneven(static_cast<std::ptrdiff_t>(points.block_count()), [&](std::ptrdiff_t k) {
+    const auto b = static_cast<std::size_t>(k);
+    found[b] = {};
+    for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i)
+      if (points.occupied(i)) look_at(i, found[b]);
+  });
+}
+
+}  // namespace fccda
