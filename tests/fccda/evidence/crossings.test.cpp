@@ -48,3 +48,14 @@ TEST_CASE("evidence: swept finds every true crossing and no other, leaves nothin
     }
   }
 }
+
+TEST_CASE("evidence: a point that rests on an edge of a box leaves over it, close past the plane of the face beyond, without contact") {
+  const auto box = fixtures::surface_of(fixtures::box());  // edge along y at x = 0.5, z = 0.2
+  for (const double height : {1e-13, 1e-12, 1e-11, 1e-10}) {
+    CAPTURE(height);
+    Swept detector(box, Unbounded{}, 0);
+    const Vec3d start{0.5 + height, 0.05, 0.2 + height};
+    CHECK(fixtures::detect(detector, fixtures::points_on({{start, start + Vec3d{0.1, 0, -0.1}}, {start, start + Vec3d{-0.1, 0, 0.1}}})).empty());
+    CHECK(fixtures::detect(detector, fixtures::points_on({{start, start + Vec3d{-0.1, 0, -0.01}}})).size() == 1);
+  }
+}

@@ -38,6 +38,7 @@ struct Frame {
   Vec3d place;
   Vec3d axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   Vec3d seen(const Vec3d& point) const { return {dot(axis[0], point - place), dot(axis[1], point - place), dot(axis[2], point - place)}; }
+  Vec3d there(const Vec3d& point) const { return place + point.x * axis[0] + point.y * axis[1] + point.z * axis[2]; }
 };
 
 enum class Answer { contact, none, undecided };
@@ -66,8 +67,11 @@ struct Striker {
   Answer judge(const Vec3d& x_t0, const Vec3d& x_t1) const {
     constexpr double blur = 1e-9;
     const Path path{before.seen(x_t0), now.seen(x_t1)};
+    if (norm(path.start) > reach + r + path.length() + blur) return Answer::none;
     const double resting = r > 0 ? r - 0.5 * offset : 0;
-    const double start = signed_distance(path.start), end = signed_distance(path.end);
+    const double start = signed_distance(path.start);
+    if (start > r + path.length() + blur) return Answer::none;
+    const double end = signed_distance(path.end);
     if (start < resting) return start < r - blur && end < r - blur ? Answer::contact : Answer::undecided;
     if (end < r - blur) return Answer::contact;
     if (end < resting) return Answer::undecided;
@@ -90,7 +94,7 @@ struct Striker {
 
 struct Count {
   std::size_t judged = 0, contacts = 0, wrong = 0, undecided = 0;
-  std::size_t relocated_inside = 0, too_far = 0, asked = 0, pairs = 0;
+  std::size_t relocated_inside = 0, too_far = 0, asked = 0;
   std::uint64_t first_wrong_seed = 0;
 };
 
@@ -109,10 +113,14 @@ void play(std::uint64_t seed, Count& count) {
   fixtures::TestPoints points;
   points.block = 8;
   while (points.x1.size() < 48) {
-    const Vec3d place = fixtures::random_in_box(random, {-1.5, -1.5, -1.5}, {1.5 + 1.5 * static_cast<double>(bodies), 1.5, 1.5});
+    // near one of the bodies, going about anywhere with a liking for the body
+    const Striker& aim = strikers[random() % bodies];
+    const auto& t = aim.truth.soup().triangles[random() % aim.truth.soup().triangles.size()];
+    const Vec3d place = aim.now.there(t[random() % 3] + 0.5 * unit(random) * fixtures::random_direction(random));
     if (std::any_of(strikers.begin(), strikers.end(), [&](const Striker& s) { return s.signed_distance(s.now.seen(place)) < r + 1e-6; })) continue;
     points.x1.push_back(place);
-    points.v.push_back((random() % 100 == 0 ? 0.8 : 0.08) * unit(random) * fixtures::random_direction(random));
+    const Vec3d heading = fixtures::random_direction(random) + 0.5 * normalised(aim.now.place - place);
+    points.v.push_back((random() % 100 == 0 ? 0.8 : 0.08) * unit(random) * heading);
   }
   for (int step = 0; step < 6; ++step) {
     points.x0 = points.x1;
@@ -159,11 +167,11 @@ void play(std::uint64_t seed, Count& count) {
 TEST_CASE("evidence: in 1000 random scenes the contacts are those of brute force over all panels and points") {
   Count count;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) play(seed, count);
-  MESSAGE(count.judged, " judged, ", count.contacts, " contacts, ", count.undecided, " undecided, ", count.asked, " asked, too far ", count.too_far);
   CHECK(count.contacts > 10'000);
   CAPTURE(count.first_wrong_seed);
   CHECK(count.wrong == 0);
   CHECK(count.relocated_inside == 0);
+  CHECK(count.too_far == 0);
   CHECK(count.undecided < count.judged / 1000);
   CHECK(count.asked < count.judged / 2);  // so what is remembered of distances was put to the test
 }
