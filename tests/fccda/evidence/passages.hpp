@@ -102,8 +102,9 @@ inline std::vector<Flight> flights(const Truth& truth, const Wish& wish, const s
       const Pose seen({}, (poses[g].attitude() * back).normalised());
       flight.motion.t1 = Pose(poses[g].position() - seen.turn_to_world(shift), seen.attitude());
     }
-    // Half of what a point at 0.7 from the origin bulges out of its chord, R θ²/8, is what chords do not tell.
-    const double blur = 1e-4 * wish.step + 0.7 * dot(turn, turn) / 8;
+    // Seen from a turning body a path bulges out of its chord by (ρ θ² + 2 θ w)/8 at most, for a point ρ from its middle (0.7 is beyond
+    // all shapes) and a way w. What is nearer to the limit than that is left to the detectors.
+    const double blur = 1e-4 * wish.step + (0.7 * dot(turn, turn) + 2 * norm(turn) * norm(shift)) / 8;
     std::size_t contacts = share(wish.contacts, g), past = share(wish.past, g);
     while (contacts > 0 || past > 0) {
       Path path;

@@ -53,6 +53,7 @@ struct Striker {
   /// Moves by `shift` and turns by `rotation` in a step.
   void advance(const Vec3d& shift, const Vec3d& rotation) {
     before = now;
+    angle = norm(rotation);
     now.place += shift;
     for (Vec3d& axis : now.axis) axis = turned(axis, rotation);
     motion.t0 = motion.t1;
@@ -62,32 +63,42 @@ struct Striker {
 
   double signed_distance(const Vec3d& seen) const { return truth.inside(seen) ? -truth.distance(seen) : truth.distance(seen); }
 
+  /// How far the bent way of a point leaves its chord at most: (ρ θ² + 2 θ w)/8 for its distance ρ from the middle and its way w, which
+  /// is no longer than its chord and what the turn adds.
+  double bulge_of(const Path& chord) const {
+    const double furthest = std::max(norm(chord.start), norm(chord.end));
+    return angle * (angle * furthest + 2 * (chord.length() + angle * furthest)) / 8;
+  }
+
   /// Whether the way of a point is contact. Undecided within 1e-9 of it, but not where points rest, at r + offset: half the offset is far
-  /// more than the rounding of a few coordinates of order one.
+  /// more than the rounding of a few coordinates of order one. Seen from a turning body the way is bent; undecided is then, in between
+  /// the ends, what lies within the bulge.
   Answer judge(const Vec3d& x_t0, const Vec3d& x_t1) const {
     constexpr double blur = 1e-9;
     const Path path{before.seen(x_t0), now.seen(x_t1)};
-    if (norm(path.start) > reach + r + path.length() + blur) return Answer::none;
+    const double bent = bulge_of(path);
+    if (norm(path.start) > reach + r + path.length() + bent + blur) return Answer::none;
     const double resting = r > 0 ? r - 0.5 * offset : 0;
     const double start = signed_distance(path.start);
-    if (start > r + path.length() + blur) return Answer::none;
+    if (start > r + path.length() + bent + blur) return Answer::none;
     const double end = signed_distance(path.end);
     if (start < resting) return start < r - blur && end < r - blur ? Answer::contact : Answer::undecided;
     if (end < r - blur) return Answer::contact;
     if (end < resting) return Answer::undecided;
-    if (r == 0) {
-      const auto crossing = truth.first_crossing(path);
-      if (crossing) return crossing->margin > 1e-6 ? Answer::contact : Answer::undecided;
-      return start > blur && end > blur && truth.distance(path) < blur ? Answer::undecided : Answer::none;
+    const auto crossing = truth.first_crossing(path);
+    if (bent > 0 || r > 0) {
+      const double least = crossing ? 0 : truth.distance(path);
+      if (least < r - bent - blur) return Answer::contact;
+      return bent > 0 ? (least > r + bent + blur ? Answer::none : Answer::undecided) : least < resting ? Answer::undecided : Answer::none;
     }
-    const double least = truth.distance(path);
-    return least < r - blur ? Answer::contact : least < resting ? Answer::undecided : Answer::none;
+    if (crossing) return crossing->margin > 1e-6 ? Answer::contact : Answer::undecided;
+    return start > blur && end > blur && truth.distance(path) < blur ? Answer::undecided : Answer::none;
   }
 
   std::shared_ptr<const Surface> surface;
   Truth truth;
   Swept detector;
-  double r, offset, reach;
+  double r, offset, reach, angle = 0;
   Motion motion;
   Frame before, now;
 };
@@ -104,6 +115,7 @@ void play(std::uint64_t seed, Count& count) {
   const double r = random() % 2 == 0 ? 0 : 0.05 * unit(random);
   std::vector<Striker> strikers;
   const std::size_t bodies = 1 + random() % 3;
+  const double turns = random() % 2 == 0 ? 0 : 0.1;  // [rad] a step at most
   for (std::size_t b = 0; b < bodies; ++b) {
     const double scale = 0.4 + 1.2 * unit(random);
     const Vec3d off = 0.5 * fixtures::random_direction(random);
@@ -128,7 +140,7 @@ void play(std::uint64_t seed, Count& count) {
     const double pace = unit(random);  // bodies hurry and slow down
     for (std::size_t b = 0; b < bodies; ++b) {
       Striker& striker = strikers[b];
-      striker.advance(0.08 * pace * fixtures::random_direction(random), 0.1 * pace * fixtures::random_direction(random));
+      striker.advance(0.08 * pace * fixtures::random_direction(random), turns * pace * fixtures::random_direction(random));
       std::vector<Answer> truth;
       for (std::size_t i = 0; i < points.size(); ++i) truth.push_back(striker.judge(points.x0[i], points.x1[i]));
       const std::vector<Contact> contacts = fixtures::detect(striker.detector, points, striker.motion, travel_bound(striker.motion, {}, striker.reach));
@@ -172,6 +184,6 @@ TEST_CASE("evidence: in 1000 random scenes the contacts are those of brute force
   CHECK(count.wrong == 0);
   CHECK(count.relocated_inside == 0);
   CHECK(count.too_far == 0);
-  CHECK(count.undecided < count.judged / 1000);
-  CHECK(count.asked < count.judged / 2);  // so what is remembered of distances was put to the test
+  CHECK(count.undecided < count.judged / 50);  // points at rest on turning bodies, most of them
+  CHECK(count.asked < count.judged / 2);       // so what is remembered of distances was put to the test
 }
