@@ -28,6 +28,12 @@ Json body_report(const Body& body) {
 Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
   Json json = Json::object();
   json["surface"] = surface_report(impactor.surface().report());
+  const fccda::RigidBodyProperties& properties = impactor.body().properties();
+  const fccda::Mat3& inertia = properties.inertia;
+  json["mass [kg]"] = properties.mass;
+  json["centre_of_mass [m]"] = vector(properties.centre_of_mass);
+  json["inertia [kg m2]"] = vector({inertia.row[0].x, inertia.row[1].y, inertia.row[2].z});
+  json["products_of_inertia [kg m2]"] = vector(fccda::products_of_inertia(properties));
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];
@@ -44,6 +50,7 @@ Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
     against["entered_inside"] = impactor.entered_inside(b);
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
+  json["work_of_loads [J]"] = impactor.work_of_loads();
   return json;
 }
 
@@ -83,6 +90,13 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["flipped"] = report.flipped;
   json["components"] = report.components;
   json["cavities"] = report.cavities;
+  json["may_overlap"] = report.may_overlap;
+  for (const fccda::PartReport& part : report.parts) {
+    if (report.parts.size() == 1 && part.name.empty()) break;  // nothing is named
+    Json& entry = json["parts"][part.name];
+    entry["panels"] = part.panels;
+    entry["area [m2]"] = part.area;
+  }
   json["closure"] = word_for(report.closure);
   json["rim_edges"] = report.rim_edges;
   json["area [m2]"] = report.area;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/impact/surface_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
@@ -10,28 +11,6 @@ namespace perimpact {
 using namespace fccda;
 
 namespace {
-
-RigidBodyProperties properties_of(const ImpactorSetup& setup, const Surface& surface) {
-  const SurfaceReport& report = surface.report();
-  RigidBodyProperties properties{.mass = setup.mass, .centre_of_mass = report.centroid};
-  if (setup.inertia) {
-    properties.inertia = Mat3::diagonal(*setup.inertia);
-  } else if (surface.is_closed() && report.volume > 0) {
-    const double density = setup.mass / report.volume;
-    const Vec3d d = density * report.inertia_diagonal, p = density * report.inertia_products;
-    properties.inertia = {{{d.x, -p.z, -p.y}, {-p.z, d.y, -p.x}, {-p.y, -p.x, d.z}}};
-  }
-  return properties;
-}
-
-FreeDegrees degrees_of(const ImpactorSetup& setup) {
-  constexpr std::string_view names[] = {"x", "y", "z", "rx", "ry", "rz"};
-  FreeDegrees degrees;
-  for (const std::string& word : setup.free)
-    for (std::size_t d = 0; d < 6; ++d)
-      if (word == names[d]) degrees.free[d] = true;
-  return degrees;
-}
 
 Region make_region(const ImpactorSetup& setup, const Surface& surface) {
   const auto* box = std::get_if<BoxRegionSetup>(&setup.region.shape);
@@ -68,22 +47,17 @@ Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& c
   return Swept(std::move(surface), region, radius);
 }
 
-RigidBody make_body(const ImpactorSetup& setup, const Surface& surface) {
-  try {
-    return RigidBody(properties_of(setup, surface), Pose(setup.position), setup.velocity, setup.angular_velocity, degrees_of(setup));
-  } catch (const InputError& error) {
-    throw SetupError("impactors." + setup.name, fmt::format("impactor {}: {}", setup.name, error.what()));
-  }
-}
-
 }  // namespace
 
 Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies)
     : name_(setup.name),
       surface_(std::make_shared<const Surface>(surface_of(setup.surface, setup.name))),
-      body_(make_body(setup, *surface_)),
+      prescribed_(motion_of(setup)),
+      loads_(loads_of(setup)),
+      body_(rigid_body_of(setup, *surface_, prescribed_)),
       radius_(surface_->radius_about(body_.properties().centre_of_mass)),
-      friction_(contact.friction) {
+      friction_(contact.friction),
+      gauges_(gauges_of(setup, *surface_, body_)) {
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, particles->lattice().spacing));
 }
 
@@ -100,8 +74,10 @@ fccda::Effort Impactor::effort(std::size_t body) const {
   return std::visit([](const auto& detector) { return detector.effort(); }, detectors_[body]);
 }
 
-void Impactor::advance(double dt) {
-  motion_ = body_.advance(dt);
+void Impactor::advance(const Step& step) {
+  prescribed_.impose(body_, step);
+  work_of_loads_ += apply(loads_, body_, step);
+  motion_ = body_.advance(step.dt);
   account_.contacts = 0;
 }
 
@@ -109,14 +85,12 @@ std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& par
   contacts_.clear();
   const double travel = body_.travel_bound(motion_, radius_);
   std::visit([&](auto& detector) { detector.detect(particles, motion_, travel, contacts_); }, detectors_[body]);
-  const Tally tally = respond(particles, contacts_, motion_, body_, friction_);
+  const Tally tally = respond(particles, contacts_, motion_, body_, friction_, [&](const Contact& contact, const Vec3d& impulse) {
+    for (NamedGauge& named : gauges_) named.gauge.add(contact, particles.position_t1(contact.point), impulse, motion_);
+  });
   account_.impulse += tally.impulse;
   account_.angular_impulse += tally.angular_impulse_about_com;
   account_.contacts += tally.contacts;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!body_.degrees().translation(axis)) work_ -= tally.impulse[axis] * body_.velocity()[axis];
-    if (!body_.degrees().rotation(axis)) work_ -= tally.angular_impulse_about_com[axis] * body_.angular_velocity()[axis];
-  }
   return contacts_;
 }
 

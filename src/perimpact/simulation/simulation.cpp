@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
@@ -64,6 +65,17 @@ void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>&
   }
 }
 
+void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < impactors.size(); ++i) {
+    const std::size_t count = impactors[i].surface().report().may_overlap;
+    if (count > 0 && is_weighed_by_volume(setup.impactors[i]))
+      warnings.push_back(
+          fmt::format("The surface of {} has {} components whose bounding boxes meet: where they overlap, what they share counts twice in mass, centre of mass "
+                      "and inertia. If they do overlap, give mass and inertia.",
+                      impactors[i].name(), count));
+  }
+}
+
 std::vector<Impactor> make_impactors(const Setup& setup, std::span<Body> bodies) {
   std::vector<Particles*> particles;
   for (Body& body : bodies) particles.push_back(&body.particles);
@@ -82,6 +94,7 @@ Simulation::Simulation(const Setup& setup)
       impactors_(make_impactors(setup, bodies_)),
       monitors_(setup.output, bodies_, clock_) {
   warn_of_thin_bodies(bodies_, warnings_);
+  warn_of_overlaps(setup, impactors_, warnings_);
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles.lattice()), 0.0);
   expect_outside();
   evaluate_forces();
@@ -116,7 +129,7 @@ void Simulation::advance_bodies() {
 
 void Simulation::strike() {
   for (Impactor& impactor : impactors_) {
-    impactor.advance(clock_.dt);
+    impactor.advance(clock_.latest());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
       for (const fccda::Contact& contact : impactor.strike(b, particles))
