@@ -76,6 +76,12 @@ RigidBody make_body(const ImpactorSetup& setup, const Surface& surface) {
   }
 }
 
+std::vector<double> spacings_of(std::span<Particles* const> bodies) {
+  std::vector<double> spacings;
+  for (const Particles* particles : bodies) spacings.push_back(particles->lattice().spacing);
+  return spacings;
+}
+
 }  // namespace
 
 Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies)
@@ -83,7 +89,8 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       surface_(std::make_shared<const Surface>(surface_of(setup.surface, setup.name))),
       body_(make_body(setup, *surface_)),
       radius_(surface_->radius_about(body_.properties().centre_of_mass)),
-      friction_(contact.friction) {
+      friction_(contact.friction),
+      record_(*surface_, spacings_of(bodies)) {
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, particles->lattice().spacing));
 }
 
@@ -103,13 +110,15 @@ fccda::Effort Impactor::effort(std::size_t body) const {
 void Impactor::advance(double dt) {
   motion_ = body_.advance(dt);
   account_.contacts = 0;
+  record_.begin_step();
 }
 
 std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& particles) {
   contacts_.clear();
   const double travel = body_.travel_bound(motion_, radius_);
   std::visit([&](auto& detector) { detector.detect(particles, motion_, travel, contacts_); }, detectors_[body]);
-  const Tally tally = respond(particles, contacts_, motion_, body_, friction_);
+  const Tally tally =
+      respond(particles, contacts_, motion_, body_, friction_, [&](const Contact& contact, const Vec3d& impulse) { record_.add(body, contact, impulse); });
   account_.impulse += tally.impulse;
   account_.angular_impulse += tally.angular_impulse_about_com;
   account_.contacts += tally.contacts;

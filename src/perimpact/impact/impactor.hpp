@@ -10,6 +10,7 @@
 #include "fccda/detect/all_detectors.hpp"
 #include "fccda/respond/respond.hpp"
 #include "fccda/surface/surface.hpp"
+#include "perimpact/impact/contact_record.hpp"
 #include "perimpact/impact/struck_particles.hpp"
 #include "perimpact/setup/setup.hpp"
 
@@ -41,6 +42,8 @@ class Impactor {
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
+  /// False where contacts name no panel: with the analytic detector.
+  bool names_panels() const { return detectors_.empty() || !std::holds_alternative<fccda::Analytic>(detectors_.front()); }
   fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
 
   /// Particles of that body that are inside the surface, or nearer to it than the contact radius. Touching is not inside.
@@ -51,6 +54,8 @@ class Impactor {
 
   Account& account() { return account_; }
   const Account& account() const { return account_; }
+  ContactRecord& record() { return record_; }
+  const ContactRecord& record() const { return record_; }
   double work_of_holder() const { return work_; }  ///< [J] done so far by what holds the degrees of freedom that are not free
 
   template <class Visitor>
@@ -74,6 +79,7 @@ class Impactor {
   fccda::Motion motion_;
   std::vector<fccda::Contact> contacts_;  // of the latest detection
   Account account_;
+  ContactRecord record_;
   double work_ = 0;
 };
 

@@ -70,6 +70,7 @@ void Monitors::record(std::span<const Body> bodies, std::span<Impactor> impactor
     add_vector(impactor.name(), "moment", "N m", per_second * account.angular_impulse);
     add(impactor.name() + ".contacts [-]", static_cast<double>(account.contacts));
     account.impulse = {}, account.angular_impulse = {};
+    impactor.record().end_interval(clock.time(), interval);
     momentum += body.momentum();
     energy += body.kinetic_energy();
     work += impactor.work_of_holder();
