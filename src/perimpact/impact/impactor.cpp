@@ -94,8 +94,12 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, particles->lattice().spacing));
 }
 
-std::size_t Impactor::particles_inside(std::size_t body, const StruckParticles& particles) const {
-  return std::visit([&](const auto& detector) { return detector.starting_inside(particles, body_.pose()).size(); }, detectors_[body]);
+std::vector<std::size_t> Impactor::starting_inside(std::size_t body, const StruckParticles& particles) const {
+  return std::visit([&](const auto& detector) { return detector.starting_inside(particles, body_.pose()); }, detectors_[body]);
+}
+
+std::vector<std::optional<Vec3d>> Impactor::nearest_outside(std::size_t body, std::span<const Vec3d> places) const {
+  return std::visit([&](const auto& detector) { return detector.nearest_outside(places, body_.pose()); }, detectors_[body]);
 }
 
 std::uint64_t Impactor::entered_inside(std::size_t body) const {

@@ -46,8 +46,11 @@ class Impactor {
   bool names_panels() const { return detectors_.empty() || !std::holds_alternative<fccda::Analytic>(detectors_.front()); }
   fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
 
-  /// Particles of that body that are inside the surface, or nearer to it than the contact radius. Touching is not inside.
-  std::size_t particles_inside(std::size_t body, const StruckParticles& particles) const;
+  /// Slots of that body whose particles are inside the surface, or nearer to it than the contact radius. Touching is not inside.
+  std::vector<std::size_t> starting_inside(std::size_t body, const StruckParticles& particles) const;
+
+  /// Where particles of that body at such places belong; nothing where no place is clear of the surface.
+  std::vector<std::optional<Vec3d>> nearest_outside(std::size_t body, std::span<const Vec3d> places) const;
 
   /// How many particles came to be inside where the region clips the surface; they were not struck.
   std::uint64_t entered_inside(std::size_t body) const;
