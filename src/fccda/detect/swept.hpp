@@ -13,6 +13,7 @@
 #include "fccda/body/pose.hpp"
 #include "fccda/core/parallel.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/detect/nearest_outside.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "fccda/detect/points.hpp"
 #include "fccda/search/due.hpp"
@@ -54,6 +55,11 @@ class Swept {
   template <Points P>
   std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
     return fccda::starting_inside(test_, points, pose);
+  }
+
+  /// Where such points belong [m], in the world; nothing where no place is clear of the surface.
+  std::vector<std::optional<Vec3d>> nearest_outside(std::span<const Vec3d> points, const Pose& pose) const {
+    return fccda::nearest_outside(test_, points, pose);
   }
 
   /// How many points came to be inside where the surface is not felt (beyond a clipping region, round the rim of an open surface).
