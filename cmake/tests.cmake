@@ -1,0 +1,16 @@
+# Test programs: one a library, of the *.test.cpp in tests/<name>. Tests are found by their titles.
+include_guard()
+find_package(doctest REQUIRED)
+include(doctest)
+
+# add_tests(fccda LINK fccda)
+function(add_tests name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  get_filename_component(root "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.." ABSOLUTE)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/tests/${name}/*.test.cpp)
+  add_executable(${name}_tests ${sources} ${root}/tests/main.cpp)
+  target_include_directories(${name}_tests PRIVATE ${root}/tests)
+  target_compile_definitions(${name}_tests PRIVATE PROJECT_FOLDER="${root}")
+  target_link_libraries(${name}_tests PRIVATE doctest::doctest ${ARG_LINK})
+  doctest_discover_tests(${name}_tests TEST_PREFIX "${name}: ")
+endfunction()
