@@ -164,6 +164,33 @@ TEST_CASE("swept, overlapping parts: what is deep in the hub, beside a buried bl
   CHECK(norm(contacts[0].normal - Vec3d{0, 0, 1}) < 1e-9);
 }
 
+TEST_CASE("swept, overlapping parts: a point that goes into the hub through a thin blade stays on the side of the blade it came from") {
+  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .panel = 0.1}), placed(make_box({.size = {0.02, 1, 1}, .panel = 0.1}), {0, 0, 0.5}, {})});
+  Swept detector(assembly.surface, Unbounded{}, 0);
+  // ends nearer to the far face of the blade, at x = -0.01
+  const std::vector<Contact> contacts = detect(detector, fixtures::points_on({{{0.03, 0, 0.21}, {-0.005, 0.1, 0.15}}}));
+  REQUIRE(contacts.size() == 1);
+  CHECK(norm(contacts[0].relocation - Vec3d{0.01, 0.1, 0.2}) < 3e-12);  // the offset is 1.2e-12
+}
+
+TEST_CASE("swept, overlapping parts: inside is inside any of them, however deep in the others") {
+  std::size_t seed = 50;
+  for (const Assembly& assembly : assemblies()) {
+    std::mt19937_64 random(++seed);
+    CAPTURE(seed);
+    fixtures::TestPoints points;
+    std::vector<std::size_t> expected;
+    while (points.size() < 1500) {
+      const Vec3d place = near_surface(assembly, 0.05, random);
+      if (assembly.distance(place) < 1e-8) continue;  // touching is not inside
+      if (assembly.inside(place)) expected.push_back(points.size());
+      points.x0.push_back(place);
+    }
+    CHECK(Swept(assembly.surface, Unbounded{}, 0).starting_inside(points, Pose()) == expected);
+    CHECK(expected.size() > 300);
+  }
+}
+
 TEST_CASE("swept, overlapping parts: a point that slides along a fillet keeps sliding") {
   const Assembly assembly({make_box({.size = {1, 1, 0.4}, .panel = 0.1}), placed(make_box({.size = {0.1, 1, 1}, .panel = 0.1}), {0, 0.2, 0.5}, {})});
   for (const double r : {0.0, 0.02}) {
