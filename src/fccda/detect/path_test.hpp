@@ -58,6 +58,12 @@ struct PathAnswer {
 
 class PathTest {
  public:
+  /// What a point must keep away from: the closest point of the surface or, among solids that overlap, of the one it is deepest in.
+  struct Nearest {
+    ClosestPoint closest;
+    double distance;  ///< [m] negative inside a closed surface
+  };
+
   PathTest(std::shared_ptr<const Surface> surface, Region region, double radius);
 
   /// `guess`: a triangle thought to be near, or -1; updated.
@@ -65,6 +71,9 @@ class PathTest {
 
   /// Inside the surface, or nearer to it than the contact radius by more than `tolerance` [m]; in front of it where it is open.
   bool is_inside(const Vec3d& point, double tolerance) const;
+
+  /// `guess`: a triangle thought to be near, or -1. Nothing for a point that is no number.
+  std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& asked) const;
 
   const Surface& surface() const { return *surface_; }
   const Solids& solids() const { return solids_; }
@@ -85,16 +94,9 @@ class PathTest {
     double begin, share;  // of the step: when it begins, how much of it it is
   };
 
-  /// What a point must keep away from: the closest point of the surface or, among solids that overlap, of the one it is deepest in.
-  struct Nearest {
-    ClosestPoint closest;
-    double distance;  // [m] negative inside a closed surface
-  };
-
   int side(const ClosestPoint& closest, const Vec3d& point, std::size_t& asked) const;
   Vec3d outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const;
   bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& asked) const;
-  std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& asked) const;
   std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest, std::size_t& asked) const;
   bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& asked) const;
   std::optional<Leg> first_leg(const BentPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
