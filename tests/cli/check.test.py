@@ -39,6 +39,47 @@ def _(t):
     t.assertTrue((first - 1) * 0.5e-6 < float(time) <= first * 0.5e-6, (time, first))
 
 
+@claim("check: lists the parts of a surface, and mass, centre of mass and inertia of the impactor")
+def _(t):
+    deck = t.deck(("mass: 1 kg", "density: 8000 kg/m3"))
+    out = t.expect_success("check", deck, "--out", "r").out
+    rows = rows_of(out)
+    t.expect_success("run", deck, "--out", "r")
+    report = t.report("r")["impactors"]["cylinder"]
+    volume = report["surface"]["volume [m3]"]
+    t.assertAlmostEqual(report["mass [kg]"], 8000 * volume, delta=1e-15)  # one product
+    t.assertEqual(rows["mass"], f"{report['mass [kg]']:.5g} kg")
+    t.assertTrue(rows["inertia"].startswith(f"xx {report['inertia [kg m2]'][0]:.5g}, yy "), rows["inertia"])
+    # of the round cylinder, which the panels lie within by up to a hundredth
+    t.assertAlmostEqual(report["inertia [kg m2]"][2] / (0.5 * report["mass [kg]"] * 0.02**2), 1, delta=0.02)
+    parts = report["surface"]["parts"]
+    t.assertEqual(list(parts), ["bottom", "side", "top"])
+    t.assertEqual(sum(part["panels"] for part in parts.values()), report["surface"]["panels"])
+    t.assertEqual(rows["parts"], f"bottom: {parts['bottom']['panels']} panels, {parts['bottom']['area [m2]']:.5g} m2")
+    t.assertIn(f"  {'':<18}top: {parts['top']['panels']} panels", out)
+
+
+@claim("check: a density warns where parts of the surface may overlap, because what they share counts twice")
+def _(t):
+    def cube(low):
+        corners = [[low + (v >> axis & 1) * 0.02 for axis in range(3)] for v in range(8)]
+        return [[corners[v] for v in quad] for quad in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))]
+
+    cylinder = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+    for second, warns in (0.01, True), (0.03, False):
+        quads = cube(0) + cube(second)
+        lines = [f"v {x} {y} {z}" for quad in quads for x, y, z in quad] + [f"f {4 * k + 1} {4 * k + 2} {4 * k + 3} {4 * k + 4}" for k in range(len(quads))]
+        (t.folder / "cubes.obj").write_text("\n".join(lines))
+        out = t.expect_success("check", t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000")), "--out", "r").out
+        t.assertEqual("warning: The surface of cylinder has 2 components whose bounding boxes meet" in out, warns, out)
+
+
+@claim("check: the first contact of an impactor that tables or loads move is not foretold")
+def _(t):
+    out = t.expect_success("check", t.deck(("free: [y]", "free: [y]\n    loads: {tow: {force: [0, -1 kN, 0]}}")), "--out", "r").out
+    t.assertIn("not foretold for plate: tables or loads change the velocity", out)
+
+
 @claim("check: an impactor that never arrives is named with its distance")
 def _(t):
     out = t.expect_success("check", t.deck(("-32 m/s", "32 m/s")), "--out", "r").out
