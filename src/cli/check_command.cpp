@@ -94,7 +94,7 @@ void write_pictures(const Simulation& simulation, const std::filesystem::path& f
   for (const Body& body : simulation.bodies()) write_particles(folder / (body.name + ".vtp"), body, std::nullopt);
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i) {
     const Impactor& impactor = simulation.impactors()[i];
-    write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor, std::nullopt);
+    write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor);
     if (const auto* box = std::get_if<BoxRegionSetup>(&simulation.setup().impactors[i].region.shape)) {
       fccda::Box region;
       region.include(box->centre - 0.5 * box->size);

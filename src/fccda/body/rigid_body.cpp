@@ -65,13 +65,13 @@ Motion RigidBody::advance(double dt) {
   com_ += dt * velocity_;
   if (spin_ == Vec3d{}) {
     place(pose_.attitude());
-    return {before, pose_, dt};
+    return {before, pose_, dt, properties_.centre_of_mass};
   }
   const Vec3d angular = inertia() * spin_;
   place((Quaternion::from_rotation(dt * spin_) * pose_.attitude()).normalised());
   if (degrees_.any_rotation()) spin_ = spin_of(angular);
   count_work_on_rotations(angular, {});
-  return {before, pose_, dt};
+  return {before, pose_, dt, properties_.centre_of_mass};
 }
 
 void RigidBody::add_impulse(const Vec3d& linear, const Vec3d& angular) {

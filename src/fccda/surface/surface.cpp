@@ -121,6 +121,11 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
   report_.flipped = outward.flipped;
   report_.cavities = outward.cavities;
   report_.may_overlap = components_that_may_overlap(linked_, components);
+  std::vector<int> number(components.count, -1);  // of the solids, in the order of their components
+  for (std::size_t c = 0; c < components.count; ++c)
+    if (outward.solid_of_component[c] == static_cast<int>(c)) number[c] = static_cast<int>(report_.solids++);
+  for (const int component : components.of_triangle)
+    solid_of_.push_back(number[static_cast<std::size_t>(outward.solid_of_component[static_cast<std::size_t>(component)])]);
 
   rim_vertices_ = separate_fans(linked_);
   report_.triangles = linked_.triangles.size();

@@ -37,6 +37,7 @@ struct SurfaceReport {
   std::size_t flipped = 0;      ///< closed components whose normals pointed inward and that were turned as a whole
   std::size_t components = 0;   ///< parts that hang together over edges
   std::size_t cavities = 0;     ///< closed components that lie inside another and bound a hollow in it
+  std::size_t solids = 0;       ///< components that are no cavities
   std::size_t may_overlap = 0;  ///< closed components, but for cavities, whose bounding box meets that of another: they may overlap
   std::size_t rim_edges = 0;    ///< edges with one triangle
   Closure closure = Closure::closed;
@@ -84,6 +85,10 @@ class Surface {
   /// (point - closest point)·pseudonormal says on which side a point is (Bærentzen and Aanæs, IEEE TVCG 11 (2005) 243).
   const Vec3d& pseudonormal(std::size_t triangle, Feature feature) const;
 
+  /// Bodies of material that the surface bounds: outer components with their cavities. They may overlap, as blades do in their hub.
+  std::size_t solids() const { return report_.solids; }
+  int solid_of(std::size_t triangle) const { return solid_of_[triangle]; }  ///< counted from 0
+
   /// The triangle beyond edge e, or -1 on a rim.
   int neighbour(std::size_t triangle, std::size_t e) const { return linked_.neighbours[triangle][e]; }
 
@@ -101,6 +106,7 @@ class Surface {
   LinkedTriangles linked_;
   Pseudonormals normals_;
   std::vector<bool> rim_vertices_;
+  std::vector<int> solid_of_;  // of each triangle
   SurfaceReport report_;
 };
 

@@ -25,7 +25,14 @@ Json body_report(const Body& body) {
   return json;
 }
 
-Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
+std::size_t particles_inside_at_start(const Simulation& simulation, std::size_t impactor, std::size_t body) {
+  for (const InsideAtStart& inside : simulation.inside_at_start())
+    if (inside.impactor == impactor && inside.body == body) return inside.slots.size();
+  return 0;
+}
+
+Json impactor_report(const Simulation& simulation, std::size_t number) {
+  const Impactor& impactor = simulation.impactors()[number];
   Json json = Json::object();
   json["surface"] = surface_report(impactor.surface().report());
   const fccda::RigidBodyProperties& properties = impactor.body().properties();
@@ -47,6 +54,7 @@ Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
       against["rejected_by"]["eq. 17"] = rejections.by_eq17;
       against["rejected_by"]["eq. 20"] = rejections.by_eq20;
     }
+    against["starting_inside"] = particles_inside_at_start(simulation, number, b);
     against["entered_inside"] = impactor.entered_inside(b);
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
@@ -125,7 +133,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   json["stability"]["estimate [s]"] = simulation.stability().estimate;
   json["stability"]["exact [s]"] = simulation.stability().exact;
   for (const Body& body : simulation.bodies()) json["bodies"][body.name] = body_report(body);
-  for (const Impactor& impactor : simulation.impactors()) json["impactors"][impactor.name()] = impactor_report(simulation, impactor);
+  for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json["impactors"][simulation.impactors()[i].name()] = impactor_report(simulation, i);
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
   json["warnings"] = simulation.warnings();
   json["setup"] = Json::verbatim(deck::setup_to_text(simulation.setup()));

@@ -47,6 +47,12 @@ Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& c
   return Swept(std::move(surface), region, radius);
 }
 
+std::vector<double> spacings_of(std::span<Particles* const> bodies) {
+  std::vector<double> spacings;
+  for (const Particles* particles : bodies) spacings.push_back(particles->lattice().spacing);
+  return spacings;
+}
+
 }  // namespace
 
 Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies)
@@ -57,12 +63,17 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       body_(rigid_body_of(setup, *surface_, prescribed_)),
       radius_(surface_->radius_about(body_.properties().centre_of_mass)),
       friction_(contact.friction),
-      gauges_(gauges_of(setup, *surface_, body_)) {
+      gauges_(gauges_of(setup, *surface_, body_)),
+      record_(*surface_, spacings_of(bodies)) {
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, particles->lattice().spacing));
 }
 
-std::size_t Impactor::particles_inside(std::size_t body, const StruckParticles& particles) const {
-  return std::visit([&](const auto& detector) { return detector.starting_inside(particles, body_.pose()).size(); }, detectors_[body]);
+std::vector<std::size_t> Impactor::starting_inside(std::size_t body, const StruckParticles& particles) const {
+  return std::visit([&](const auto& detector) { return detector.starting_inside(particles, body_.pose()); }, detectors_[body]);
+}
+
+std::vector<std::optional<Vec3d>> Impactor::nearest_outside(std::size_t body, std::span<const Vec3d> places) const {
+  return std::visit([&](const auto& detector) { return detector.nearest_outside(places, body_.pose()); }, detectors_[body]);
 }
 
 std::uint64_t Impactor::entered_inside(std::size_t body) const {
@@ -79,6 +90,7 @@ void Impactor::advance(const Step& step) {
   work_of_loads_ += apply(loads_, body_, step);
   motion_ = body_.advance(step.dt);
   account_.contacts = 0;
+  record_.begin_step();
 }
 
 std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& particles) {
@@ -87,6 +99,7 @@ std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& par
   std::visit([&](auto& detector) { detector.detect(particles, motion_, travel, contacts_); }, detectors_[body]);
   const Tally tally = respond(particles, contacts_, motion_, body_, friction_, [&](const Contact& contact, const Vec3d& impulse) {
     for (NamedGauge& named : gauges_) named.gauge.add(contact, particles.position_t1(contact.point), impulse, motion_);
+    record_.add(body, contact, impulse);
   });
   account_.impulse += tally.impulse;
   account_.angular_impulse += tally.angular_impulse_about_com;

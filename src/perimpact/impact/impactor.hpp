@@ -12,6 +12,7 @@
 #include "fccda/detect/all_detectors.hpp"
 #include "fccda/respond/respond.hpp"
 #include "fccda/surface/surface.hpp"
+#include "perimpact/impact/contact_record.hpp"
 #include "perimpact/impact/gauges_of.hpp"
 #include "perimpact/impact/struck_particles.hpp"
 #include "perimpact/setup/setup.hpp"
@@ -44,10 +45,15 @@ class Impactor {
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
+  /// False where contacts name no panel: with the analytic detector.
+  bool names_panels() const { return detectors_.empty() || !std::holds_alternative<fccda::Analytic>(detectors_.front()); }
   fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
 
-  /// Particles of that body that are inside the surface, or nearer to it than the contact radius. Touching is not inside.
-  std::size_t particles_inside(std::size_t body, const StruckParticles& particles) const;
+  /// Slots of that body whose particles are inside the surface, or nearer to it than the contact radius. Touching is not inside.
+  std::vector<std::size_t> starting_inside(std::size_t body, const StruckParticles& particles) const;
+
+  /// Where particles of that body at such places belong; nothing where no place is clear of the surface.
+  std::vector<std::optional<Vec3d>> nearest_outside(std::size_t body, std::span<const Vec3d> places) const;
 
   /// How many particles came to be inside where the region clips the surface; they were not struck.
   std::uint64_t entered_inside(std::size_t body) const;
@@ -60,6 +66,9 @@ class Impactor {
   bool coasts() const { return prescribed_.is_empty() && loads_.empty(); }
   double work_of_holder() const { return body_.work_of_holder(); }  ///< [J] done so far by what holds and drives the degrees of freedom that are not free
   double work_of_loads() const { return work_of_loads_; }           ///< [J] done so far by the applied loads
+
+  ContactRecord& record() { return record_; }
+  const ContactRecord& record() const { return record_; }
 
   template <class Visitor>
   void visit_state(Visitor&& visit) {
@@ -87,6 +96,7 @@ class Impactor {
   Account account_;
   std::vector<NamedGauge> gauges_;
   double work_of_loads_ = 0;  // [J]
+  ContactRecord record_;
 };
 
 }  // namespace perimpact

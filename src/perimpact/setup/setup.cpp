@@ -223,7 +223,14 @@ std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
        "Coulomb's coefficient of friction between particles and impactors. The published detector takes 0 only."},
       {"radius_ratio", &S::radius_ratio, "1", between(0, 1), optional,
        "Contact radius in spacings: a particle touches at this distance from the surface. 0.5 puts the surface at the material's edge, 0 at the particles' "
-       "centres as in the paper. The published detector takes 0 only, and has it where this is absent."}};
+       "centres as in the paper. The published detector takes 0 only, and has it where this is absent."},
+      {"starting_inside",
+       &S::starting_inside,
+       "",
+       {},
+       optional,
+       "What becomes of particles that are inside an impactor at t = 0, or nearer to it than the contact radius: error; remove (they do not exist, "
+       "the body has a hole there); project (they are put on the surface, and bonds start strained)."}};
   return all;
 }
 

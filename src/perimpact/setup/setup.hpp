@@ -38,6 +38,9 @@ enum class DetectorKind { swept, published, analytic };
 inline constexpr std::string_view reading_words[] = {"repaired", "letter"};
 enum class Reading { repaired, letter };
 
+inline constexpr std::string_view starting_inside_words[] = {"error", "remove", "project"};
+enum class StartingInside { error, remove, project };
+
 inline constexpr std::string_view beyond_region_words[] = {"error", "clip"};
 enum class BeyondRegion { error, clip };
 
@@ -210,6 +213,7 @@ struct ImpactorContactSetup {
   Choice reading{reading_words};  ///< of the published detector
   double friction = 0;
   double radius_ratio = 0.5;  ///< contact radius in spacings
+  Choice starting_inside{starting_inside_words};
   static std::span<const Field<ImpactorContactSetup>> fields();
 };
 

@@ -77,6 +77,7 @@ void Monitors::record(std::span<const Body> bodies, std::span<Impactor> impactor
       if (named.gauge.has_axis()) add(named.name + ".torque [N m]", per_second * reading.about_axis);
       named.gauge.reset();
     }
+    impactor.record().end_interval(clock.time(), interval);
     momentum += body.momentum();
     energy += body.kinetic_energy();
     work += impactor.work_of_holder() + impactor.work_of_loads();
