@@ -38,10 +38,27 @@ void print_step(const Simulation& simulation) {
              stability.exact);
 }
 
+void print_rigid_body(const Impactor& impactor) {
+  const fccda::RigidBodyProperties& body = impactor.body().properties();
+  const Vec3d com = body.centre_of_mass, products = fccda::products_of_inertia(body);
+  const fccda::Mat3& inertia = body.inertia;
+  fmt::print("  {:<18}{:.5g} kg\n", "mass", body.mass);
+  fmt::print("  {:<18}({:.4g}, {:.4g}, {:.4g}) m from the surface's origin\n", "centre of mass", com.x, com.y, com.z);
+  if (inertia.row[0] == Vec3d{})
+    fmt::print("  {:<18}none given, and an open surface tells none\n", "inertia");
+  else
+    fmt::print("  {:<18}xx {:.5g}, yy {:.5g}, zz {:.5g}, yz {:.3g}, zx {:.3g}, xy {:.3g} kg m2\n", "inertia", inertia.row[0].x, inertia.row[1].y,
+               inertia.row[2].z, products.x, products.y, products.z);
+}
+
 void print_approach(const Simulation& simulation, const Impactor& impactor) {
   const double end = static_cast<double>(simulation.clock().steps) * simulation.clock().dt;
   for (const Body& body : simulation.bodies()) {
     const double radius = simulation.setup().contact.impactors.radius_ratio * body.particles.lattice().spacing;
+    if (!impactor.coasts()) {
+      fmt::print("  {:<18}not foretold for {}: tables or loads change the velocity\n", "first contact", body.name);
+      continue;
+    }
     const Approach found = approach(impactor, body.particles, radius, end);
     if (found.touch)
       fmt::print("  {:<18}touches {} at {:.4g} s (step {}), {:.4g} m away at the start\n", "first contact", body.name, *found.touch,
@@ -77,7 +94,7 @@ void write_pictures(const Simulation& simulation, const std::filesystem::path& f
   for (const Body& body : simulation.bodies()) write_particles(folder / (body.name + ".vtp"), body, std::nullopt);
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i) {
     const Impactor& impactor = simulation.impactors()[i];
-    write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor, std::nullopt);
+    write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor);
     if (const auto* box = std::get_if<BoxRegionSetup>(&simulation.setup().impactors[i].region.shape)) {
       fccda::Box region;
       region.include(box->centre - 0.5 * box->size);
@@ -101,6 +118,7 @@ int check_command(const DeckArguments& arguments) {
     for (const Body& body : simulation.bodies()) print_body(body);
     for (const Impactor& impactor : simulation.impactors()) {
       fmt::print("impactor {}\n{}", impactor.name(), surface_text(impactor.surface().report()));
+      print_rigid_body(impactor);
       print_approach(simulation, impactor);
     }
     print_step(simulation);

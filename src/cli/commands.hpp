@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,9 @@ namespace perimpact {
 /// What the commands that read a deck have in common.
 struct DeckArguments {
   std::filesystem::path deck;
-  std::vector<std::string> set;  ///< key.path=value
-  std::string out;               ///< overrides output.folder unless empty
-  int threads = 0;               ///< 0: all processors
+  std::vector<std::string> set;    ///< key.path=value
+  std::optional<std::string> out;  ///< overrides output.folder
+  int threads = 0;                 ///< 0: all processors
 };
 
 int run_command(const DeckArguments& arguments);

@@ -10,6 +10,7 @@ namespace perimpact {
 /// Reads the deck with its overrides and sets the number of threads.
 deck::Deck open_deck(const DeckArguments& arguments);
 
+/// --out, or output.folder of the deck. Throws InputError where --out is empty.
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup);
 
 /// Throws the exception that is being handled again, a SetupError as an InputError that begins with file, line and column.

@@ -114,9 +114,23 @@ def _(t):
         t.assertLess(len(done.err), 200, done.err)
 
 
-@claim("mistakes: a set-up that does not fit in memory is refused, not aborted")
+@claim("mistakes: a set-up larger than the machine's memory is refused before it is built, with the spacing that would fit")
 def _(t):
-    done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=100 um", limits={resource.RLIMIT_AS: 2**31})
+    for command in "check", "run":
+        done = t.run_program(command, t.deck(), "--set", "bodies.plate.spacing=2 um")
+        t.expect_complaint(done, 2, "--set bodies.plate.spacing: with a spacing of 2e-06 m for body plate the run needs ", "but this machine has", "at least")
+
+
+@claim("mistakes: an empty --out is refused")
+def _(t):
+    for command in "check", "run":
+        t.expect_complaint(t.run_program(command, t.deck(), "--out", ""), 2, "--out is empty, which names no folder")
+    t.assertEqual(t.files("."), ["deck.yaml"])
+
+
+@claim("mistakes: a set-up that does not get its memory is refused, not aborted")
+def _(t):
+    done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=200 um", limits={resource.RLIMIT_AS: 2**31})
     t.expect_complaint(done, 3, "there is not enough memory", "spacing")
 
 

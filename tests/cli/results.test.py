@@ -38,10 +38,10 @@ def head_of_vtp(path):
     return xml.fromstring(content[:mark] + b"</VTKFile>")
 
 
-@claim("results: a run leaves run.json, history, lines and frames, nothing else, and ends with 0")
+@claim("results: a run leaves run.json, history, lines, frames and pressure-area curves, nothing else, and ends with 0")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r")
-    wanted = ["history.csv", "lines/along_y_t2e-05.csv", "run.json"]
+    wanted = ["history.csv", "lines/along_y_t2e-05.csv", "pressure_area/cylinder.csv", "pressure_area/cylinder_at_peak.csv", "run.json"]
     for name in ("plate", "cylinder"):
         wanted += [f"frames/{name}.pvd"] + [f"frames/{name}_{frame:05}.vtp" for frame in range(5)]
     t.assertEqual(t.files("r"), sorted(wanted))

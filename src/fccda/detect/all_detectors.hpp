@@ -2,6 +2,7 @@
 ///
 ///   detect(points, motion, surface_travel, out)   adds the contacts of a step, in point order
 ///   starting_inside(points, pose)                 points that are inside before the first step
+///   nearest_outside(places, pose)                 where those belong, if they are to be put outside
 ///   moved(point), forget()                        what a detector remembers of distances does not hold any more
 ///   effort()                                      work done so far
 ///   visit_state(visitor)                          what the next step depends on

@@ -13,6 +13,17 @@ bool Analytic::is_inside(const Vec3d& point) const {
   return distance < radius + radius_ - 1e-9 * radius && std::visit([&](const auto& region) { return region.contains(on_surface); }, region_);
 }
 
+std::vector<std::optional<Vec3d>> Analytic::nearest_outside(std::span<const Vec3d> points, const Pose& pose) const {
+  const double reach = (shape_radius() + radius_) * (1 + 1e-12);
+  std::vector<std::optional<Vec3d>> places;
+  for (const Vec3d& point : points) {
+    const Vec3d place = pose.to_body(point), from = from_centre(place);
+    const double distance = norm(from);
+    places.push_back(distance > 0 ? std::optional(pose.to_world(place + (reach / distance - 1) * from)) : std::nullopt);
+  }
+  return places;
+}
+
 void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const {
   const Path path{motion.t0.to_body(position_t0), motion.t1.to_body(position_t1)};
   const double reach = shape_radius() + radius_;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -68,6 +69,9 @@ class Analytic {
       if (points.occupied(i) && is_inside(pose.to_body(points.position_t0(i)))) inside.push_back(i);
     return inside;
   }
+
+  /// Where such points belong [m], in the world: straight out from the centre or axis; nothing for one that is exactly there.
+  std::vector<std::optional<Vec3d>> nearest_outside(std::span<const Vec3d> points, const Pose& pose) const;
 
   const Effort& effort() const { return effort_; }
   double contact_radius() const { return radius_; }  ///< [m]

@@ -32,6 +32,7 @@
 #include "fccda/body/pose.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/every_point.hpp"
+#include "fccda/detect/nearest_outside.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "fccda/detect/points.hpp"
 #include "fccda/region/all_regions.hpp"
@@ -75,6 +76,11 @@ class Published {
   template <Points P>
   std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
     return fccda::starting_inside(PathTest(surface_, region_, 0), points, pose);
+  }
+
+  /// As Swept answers it, for points without extent.
+  std::vector<std::optional<Vec3d>> nearest_outside(std::span<const Vec3d> points, const Pose& pose) const {
+    return fccda::nearest_outside(PathTest(surface_, region_, 0), points, pose);
   }
 
   const Effort& effort() const { return effort_; }

@@ -93,7 +93,8 @@ std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors 
   if (!std::ranges::all_of(travel_, [](double travel) { return std::isfinite(travel); })) complain_of_way(x_t0, x_t1);
 
   std::vector<Contact> contacts;
-  swept_.detect(ArrayPoints(x_t0, x_t1, travel_), motion, travel_bound(motion, centre_, reach_), contacts);
+  const double reach = norm(motion.centre - centre_) + reach_;  // of the surface from the centre of its turn
+  swept_.detect(ArrayPoints(x_t0, x_t1, travel_), motion, travel_bound(motion, motion.centre, reach), contacts);
   return contacts;
 }
 

@@ -83,25 +83,32 @@ bool contains(const Part& outer, const Part& inner, const LinkedTriangles& surfa
 
 }  // namespace
 
-std::vector<int> nesting_depths(const LinkedTriangles& surface, const Components& components, const std::vector<bool>& component_is_closed) {
-  std::vector<int> depths(components.count, 0);
-  if (components.count < 2) return depths;
+Nesting find_nesting(const LinkedTriangles& surface, const Components& components, const std::vector<bool>& component_is_closed) {
+  Nesting nesting{std::vector<int>(components.count, 0), std::vector<int>(components.count, -1)};
+  if (components.count < 2) return nesting;
   std::vector<Part> parts = closed_parts(surface, components, component_is_closed);
   for (Part& part : parts) {
     const auto lowest = [&](std::size_t t) { return std::min({surface.corner(t, 0).y, surface.corner(t, 1).y, surface.corner(t, 2).y}); };
     std::sort(part.triangles.begin(), part.triangles.end(), [&](std::size_t a, std::size_t b) { return std::pair(lowest(a), a) < std::pair(lowest(b), b); });
     std::sort(part.middles.begin(), part.middles.end(), [](const Vec3d& a, const Vec3d& b) { return a.y < b.y; });
   }
+  std::vector<std::pair<int, int>> held;  // component, and one that contains it
   // In the order of x only those parts are compared whose ranges of x meet.
   std::sort(parts.begin(), parts.end(),
             [](const Part& a, const Part& b) { return std::pair(a.bounds.low.x, a.component) < std::pair(b.bounds.low.x, b.component); });
   for (std::size_t outer = 0; outer < parts.size(); ++outer) {
     for (std::size_t inner = outer + 1; inner < parts.size() && parts[inner].bounds.low.x < parts[outer].bounds.high.x; ++inner) {
       if (!holds(parts[outer].bounds, parts[inner].bounds)) continue;
-      if (contains(parts[outer], parts[inner], surface)) ++depths[static_cast<std::size_t>(parts[inner].component)];
+      if (contains(parts[outer], parts[inner], surface)) held.emplace_back(parts[inner].component, parts[outer].component);
     }
   }
-  return depths;
+  for (const auto& [inner, outer] : held) ++nesting.depth[static_cast<std::size_t>(inner)];
+  for (const auto& [inner, outer] : held) {
+    int& container = nesting.container[static_cast<std::size_t>(inner)];
+    const auto rank = [&](int component) { return std::pair(-nesting.depth[static_cast<std::size_t>(component)], component); };
+    if (container < 0 || rank(outer) < rank(container)) container = outer;
+  }
+  return nesting;
 }
 
 }  // namespace fccda

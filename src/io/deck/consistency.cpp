@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/deck/consistency_impactor.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/yaml_node.hpp"
 
@@ -143,6 +144,7 @@ void make_consistent(Setup& setup, const Places& places, const fs::path& folder)
   check_names(setup, places);
   for (BodySetup& body : setup.bodies) check_body(body, places);
   for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
+  for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);
   check_contact(setup, places);
   check_output(setup, places);
 }

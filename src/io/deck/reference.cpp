@@ -56,6 +56,12 @@ class Lister {
   }
 
   template <class T>
+  void section(std::string_view key, std::optional<T>&, Presence presence, std::string_view sentence) {
+    static T defaults;  // static: see alternatives()
+    section(key, defaults, presence, sentence);
+  }
+
+  template <class T>
   void named(std::string_view key, std::vector<T>&, Presence presence, std::string_view sentence) {
     add_map(key, presence, "");
     T defaults;

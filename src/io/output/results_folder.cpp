@@ -72,11 +72,12 @@ void prepare_folder(const fs::path& folder) {
 
 ResultsFolder::ResultsFolder(fs::path folder) : folder_(std::move(folder)) {
   const fs::path lines = folder_ / "lines";
-  for (const fs::path& each : {folder_, frames(), lines}) prepare_folder(each);
+  for (const fs::path& each : {folder_, frames(), lines, pressure_area()}) prepare_folder(each);
   remove(our_files(folder_, [](std::string_view name) { return name == "run.json" || name == "history.csv"; }));
   remove(our_files(frames(), [&](std::string_view name) { return is_series(frames(), name); }));
   remove(our_files(frames(), is_frame));
   remove(our_files(lines, is_line));
+  remove(our_files(pressure_area(), [](std::string_view name) { return name.ends_with(".csv"); }));
 }
 
 fs::path ResultsFolder::line(std::string_view name, double time) const { return folder_ / "lines" / fmt::format("{}_t{}.csv", name, time); }

@@ -1,6 +1,7 @@
 /// The folder that a run leaves behind, and the one place that knows its names:
 ///
 ///   run.json   history.csv   lines/<line>_t<seconds>.csv   frames/<body>_00000.vtp, …   frames/<body>.pvd
+///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv
 ///
 /// `check` writes into check/, which runs leave alone.
 #pragma once
@@ -22,7 +23,8 @@ class ResultsFolder {
   std::filesystem::path run() const { return folder_ / "run.json"; }
   std::filesystem::path history() const { return folder_ / "history.csv"; }
   std::filesystem::path frames() const { return folder_ / "frames"; }
-  std::filesystem::path line(std::string_view name, double time) const;  ///< time in [s]
+  std::filesystem::path pressure_area() const { return folder_ / "pressure_area"; }
+  std::filesystem::path line(std::string_view name, double time) const;              ///< time in [s]
 
  private:
   std::filesystem::path folder_;

@@ -43,18 +43,12 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
                     output::Compression::zlib);
 }
 
-void write_impactor(const std::filesystem::path& path, const Impactor& impactor, std::optional<double> time) {
-  const fccda::Panels& panels = impactor.surface().panels();
-  std::vector<Vec3d> moved;
-  moved.reserve(panels.vertices.size());
-  for (const Vec3d& vertex : panels.vertices) moved.push_back(impactor.body().pose().to_world(vertex));
-  output::write_vtp(path, {.points = output::coordinates(moved), .panels = panels.panels, .time = time}, output::Compression::zlib);
-}
-
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
     : lines_(lines_of(simulation)),  // before the folder loses the results of an earlier run
       folder_(folder),
       history_(folder_.history(), simulation.monitors().columns()),
+      panel_pictures_(simulation.impactors().size()),
+      pressure_area_(simulation.impactors().size()),
       frames_wanted_(simulation.setup().output.frames) {
   for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name);
   for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name());
@@ -67,7 +61,10 @@ long ResultsWriter::step_of_frame(int frame, const Clock& clock) const {
 
 void ResultsWriter::after_step(const Simulation& simulation) {
   const Clock& clock = simulation.clock();
-  if (simulation.monitors().is_due(clock)) history_.append(simulation.monitors().row());
+  if (simulation.monitors().is_due(clock)) {
+    history_.append(simulation.monitors().row());
+    for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].after_interval(folder_, simulation.impactors()[i]);
+  }
   for (const Line& line : lines_)
     if (std::find(line.steps.begin(), line.steps.end(), clock.step) != line.steps.end()) write_line(simulation, line);
   if (frames_wanted_ > 0 && next_frame_ <= frames_wanted_ && clock.step == step_of_frame(next_frame_, clock)) write_frame(simulation);
@@ -78,7 +75,7 @@ void ResultsWriter::write_frame(const Simulation& simulation) {
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
     body_series_[b].add(time, [&](const std::filesystem::path& path) { write_particles(path, simulation.bodies()[b], time); });
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
-    impactor_series_[i].add(time, [&](const std::filesystem::path& path) { write_impactor(path, simulation.impactors()[i], time); });
+    impactor_series_[i].add(time, [&](const std::filesystem::path& path) { panel_pictures_[i].write(path, simulation.impactors()[i], time); });
   last_frame_step_ = simulation.clock().step;
   // where more frames are wanted than there are steps, one of this step stands for several
   while (next_frame_ <= frames_wanted_ && step_of_frame(next_frame_, simulation.clock()) <= last_frame_step_) ++next_frame_;
@@ -98,6 +95,7 @@ void ResultsWriter::write_line(const Simulation& simulation, const Line& line) c
 
 void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds) {
   if (frames_wanted_ > 0 && last_frame_step_ != simulation.clock().step && outcome != Outcome::failed) write_frame(simulation);
+  for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].finish(folder_, simulation.impactors()[i]);
   output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds).text());
 }
 

@@ -9,6 +9,8 @@
 #include "io/output/pvd.hpp"
 #include "io/output/results_folder.hpp"
 #include "io/results/lines.hpp"
+#include "io/results/panel_pictures.hpp"
+#include "io/results/pressure_area.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
 namespace perimpact {
@@ -37,6 +39,8 @@ class ResultsWriter {
   output::ResultsFolder folder_;
   output::CsvWriter history_;
   std::vector<output::Series> body_series_, impactor_series_;
+  std::vector<PanelPictures> panel_pictures_;  // of each impactor
+  std::vector<PressureArea> pressure_area_;    // of each impactor
   int frames_wanted_;
   int next_frame_ = 0;
   long last_frame_step_ = -1;
@@ -44,8 +48,5 @@ class ResultsWriter {
 
 /// The particles of a body as ParaView shows them: displacement, velocity, damage.
 void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time);
-
-/// The panels of an impactor where it is now.
-void write_impactor(const std::filesystem::path& path, const Impactor& impactor, std::optional<double> time);
 
 }  // namespace perimpact

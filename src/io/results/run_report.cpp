@@ -25,9 +25,22 @@ Json body_report(const Body& body) {
   return json;
 }
 
-Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
+std::size_t particles_inside_at_start(const Simulation& simulation, std::size_t impactor, std::size_t body) {
+  for (const InsideAtStart& inside : simulation.inside_at_start())
+    if (inside.impactor == impactor && inside.body == body) return inside.slots.size();
+  return 0;
+}
+
+Json impactor_report(const Simulation& simulation, std::size_t number) {
+  const Impactor& impactor = simulation.impactors()[number];
   Json json = Json::object();
   json["surface"] = surface_report(impactor.surface().report());
+  const fccda::RigidBodyProperties& properties = impactor.body().properties();
+  const fccda::Mat3& inertia = properties.inertia;
+  json["mass [kg]"] = properties.mass;
+  json["centre_of_mass [m]"] = vector(properties.centre_of_mass);
+  json["inertia [kg m2]"] = vector({inertia.row[0].x, inertia.row[1].y, inertia.row[2].z});
+  json["products_of_inertia [kg m2]"] = vector(fccda::products_of_inertia(properties));
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];
@@ -41,9 +54,11 @@ Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
       against["rejected_by"]["eq. 17"] = rejections.by_eq17;
       against["rejected_by"]["eq. 20"] = rejections.by_eq20;
     }
+    against["starting_inside"] = particles_inside_at_start(simulation, number, b);
     against["entered_inside"] = impactor.entered_inside(b);
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
+  json["work_of_loads [J]"] = impactor.work_of_loads();
   return json;
 }
 
@@ -83,6 +98,13 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["flipped"] = report.flipped;
   json["components"] = report.components;
   json["cavities"] = report.cavities;
+  json["may_overlap"] = report.may_overlap;
+  for (const fccda::PartReport& part : report.parts) {
+    if (report.parts.size() == 1 && part.name.empty()) break;  // nothing is named
+    Json& entry = json["parts"][part.name];
+    entry["panels"] = part.panels;
+    entry["area [m2]"] = part.area;
+  }
   json["closure"] = word_for(report.closure);
   json["rim_edges"] = report.rim_edges;
   json["area [m2]"] = report.area;
@@ -111,7 +133,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   json["stability"]["estimate [s]"] = simulation.stability().estimate;
   json["stability"]["exact [s]"] = simulation.stability().exact;
   for (const Body& body : simulation.bodies()) json["bodies"][body.name] = body_report(body);
-  for (const Impactor& impactor : simulation.impactors()) json["impactors"][impactor.name()] = impactor_report(simulation, impactor);
+  for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json["impactors"][simulation.impactors()[i].name()] = impactor_report(simulation, i);
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
   json["warnings"] = simulation.warnings();
   json["setup"] = Json::verbatim(deck::setup_to_text(simulation.setup()));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/impact/surface_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
@@ -10,28 +11,6 @@ namespace perimpact {
 using namespace fccda;
 
 namespace {
-
-RigidBodyProperties properties_of(const ImpactorSetup& setup, const Surface& surface) {
-  const SurfaceReport& report = surface.report();
-  RigidBodyProperties properties{.mass = setup.mass, .centre_of_mass = report.centroid};
-  if (setup.inertia) {
-    properties.inertia = Mat3::diagonal(*setup.inertia);
-  } else if (surface.is_closed() && report.volume > 0) {
-    const double density = setup.mass / report.volume;
-    const Vec3d d = density * report.inertia_diagonal, p = density * report.inertia_products;
-    properties.inertia = {{{d.x, -p.z, -p.y}, {-p.z, d.y, -p.x}, {-p.y, -p.x, d.z}}};
-  }
-  return properties;
-}
-
-FreeDegrees degrees_of(const ImpactorSetup& setup) {
-  constexpr std::string_view names[] = {"x", "y", "z", "rx", "ry", "rz"};
-  FreeDegrees degrees;
-  for (const std::string& word : setup.free)
-    for (std::size_t d = 0; d < 6; ++d)
-      if (word == names[d]) degrees.free[d] = true;
-  return degrees;
-}
 
 Region make_region(const ImpactorSetup& setup, const Surface& surface) {
   const auto* box = std::get_if<BoxRegionSetup>(&setup.region.shape);
@@ -68,12 +47,10 @@ Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& c
   return Swept(std::move(surface), region, radius);
 }
 
-RigidBody make_body(const ImpactorSetup& setup, const Surface& surface) {
-  try {
-    return RigidBody(properties_of(setup, surface), Pose(setup.position), setup.velocity, setup.angular_velocity, degrees_of(setup));
-  } catch (const InputError& error) {
-    throw SetupError("impactors." + setup.name, fmt::format("impactor {}: {}", setup.name, error.what()));
-  }
+std::vector<double> spacings_of(std::span<Particles* const> bodies) {
+  std::vector<double> spacings;
+  for (const Particles* particles : bodies) spacings.push_back(particles->lattice().spacing);
+  return spacings;
 }
 
 }  // namespace
@@ -81,14 +58,22 @@ RigidBody make_body(const ImpactorSetup& setup, const Surface& surface) {
 Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies)
     : name_(setup.name),
       surface_(std::make_shared<const Surface>(surface_of(setup.surface, setup.name))),
-      body_(make_body(setup, *surface_)),
+      prescribed_(motion_of(setup)),
+      loads_(loads_of(setup)),
+      body_(rigid_body_of(setup, *surface_, prescribed_)),
       radius_(surface_->radius_about(body_.properties().centre_of_mass)),
-      friction_(contact.friction) {
+      friction_(contact.friction),
+      gauges_(gauges_of(setup, *surface_, body_)),
+      record_(*surface_, spacings_of(bodies)) {
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, particles->lattice().spacing));
 }
 
-std::size_t Impactor::particles_inside(std::size_t body, const StruckParticles& particles) const {
-  return std::visit([&](const auto& detector) { return detector.starting_inside(particles, body_.pose()).size(); }, detectors_[body]);
+std::vector<std::size_t> Impactor::starting_inside(std::size_t body, const StruckParticles& particles) const {
+  return std::visit([&](const auto& detector) { return detector.starting_inside(particles, body_.pose()); }, detectors_[body]);
+}
+
+std::vector<std::optional<Vec3d>> Impactor::nearest_outside(std::size_t body, std::span<const Vec3d> places) const {
+  return std::visit([&](const auto& detector) { return detector.nearest_outside(places, body_.pose()); }, detectors_[body]);
 }
 
 std::uint64_t Impactor::entered_inside(std::size_t body) const {
@@ -100,23 +85,25 @@ fccda::Effort Impactor::effort(std::size_t body) const {
   return std::visit([](const auto& detector) { return detector.effort(); }, detectors_[body]);
 }
 
-void Impactor::advance(double dt) {
-  motion_ = body_.advance(dt);
+void Impactor::advance(const Step& step) {
+  prescribed_.impose(body_, step);
+  work_of_loads_ += apply(loads_, body_, step);
+  motion_ = body_.advance(step.dt);
   account_.contacts = 0;
+  record_.begin_step();
 }
 
 std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& particles) {
   contacts_.clear();
   const double travel = body_.travel_bound(motion_, radius_);
   std::visit([&](auto& detector) { detector.detect(particles, motion_, travel, contacts_); }, detectors_[body]);
-  const Tally tally = respond(particles, contacts_, motion_, body_, friction_);
+  const Tally tally = respond(particles, contacts_, motion_, body_, friction_, [&](const Contact& contact, const Vec3d& impulse) {
+    for (NamedGauge& named : gauges_) named.gauge.add(contact, particles.position_t1(contact.point), impulse, motion_);
+    record_.add(body, contact, impulse);
+  });
   account_.impulse += tally.impulse;
   account_.angular_impulse += tally.angular_impulse_about_com;
   account_.contacts += tally.contacts;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!body_.degrees().translation(axis)) work_ -= tally.impulse[axis] * body_.velocity()[axis];
-    if (!body_.degrees().rotation(axis)) work_ -= tally.angular_impulse_about_com[axis] * body_.angular_velocity()[axis];
-  }
   return contacts_;
 }
 

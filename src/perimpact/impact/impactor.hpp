@@ -6,10 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "fccda/body/applied_load.hpp"
+#include "fccda/body/prescribed_motion.hpp"
 #include "fccda/body/rigid_body.hpp"
 #include "fccda/detect/all_detectors.hpp"
 #include "fccda/respond/respond.hpp"
 #include "fccda/surface/surface.hpp"
+#include "perimpact/impact/contact_record.hpp"
+#include "perimpact/impact/gauges_of.hpp"
 #include "perimpact/impact/struck_particles.hpp"
 #include "perimpact/setup/setup.hpp"
 
@@ -27,8 +31,8 @@ class Impactor {
   /// One detector for each of the bodies, in order. Throws SetupError.
   Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies);
 
-  /// Moves the impactor by its present velocity over dt [s].
-  void advance(double dt);
+  /// Takes up what motion tables and loads say for the step, and moves the impactor.
+  void advance(const fccda::Step& step);
 
   /// Detects, relocates, and changes the velocities of particles and impactor (contact.md, "Per step"; seed paper, eqs. 8–10).
   /// Returns what it found, until the next call.
@@ -41,21 +45,35 @@ class Impactor {
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
+  /// False where contacts name no panel: with the analytic detector.
+  bool names_panels() const { return detectors_.empty() || !std::holds_alternative<fccda::Analytic>(detectors_.front()); }
   fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
 
-  /// Particles of that body that are inside the surface, or nearer to it than the contact radius. Touching is not inside.
-  std::size_t particles_inside(std::size_t body, const StruckParticles& particles) const;
+  /// Slots of that body whose particles are inside the surface, or nearer to it than the contact radius. Touching is not inside.
+  std::vector<std::size_t> starting_inside(std::size_t body, const StruckParticles& particles) const;
+
+  /// Where particles of that body at such places belong; nothing where no place is clear of the surface.
+  std::vector<std::optional<Vec3d>> nearest_outside(std::size_t body, std::span<const Vec3d> places) const;
 
   /// How many particles came to be inside where the region clips the surface; they were not struck.
   std::uint64_t entered_inside(std::size_t body) const;
 
   Account& account() { return account_; }
   const Account& account() const { return account_; }
-  double work_of_holder() const { return work_; }  ///< [J] done so far by what holds the degrees of freedom that are not free
+  std::span<NamedGauge> gauges() { return gauges_; }  ///< what they summed since somebody last reset them
+
+  /// False where a table or a load changes the velocity without any contact.
+  bool coasts() const { return prescribed_.is_empty() && loads_.empty(); }
+  double work_of_holder() const { return body_.work_of_holder(); }  ///< [J] done so far by what holds and drives the degrees of freedom that are not free
+  double work_of_loads() const { return work_of_loads_; }           ///< [J] done so far by the applied loads
+
+  ContactRecord& record() { return record_; }
+  const ContactRecord& record() const { return record_; }
 
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     body_.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::string(part), values); });
+    visit(name_ + ".work_of_loads", std::span<double>(&work_of_loads_, 1));
     for (std::size_t b = 0; b < detectors_.size(); ++b)
       std::visit(
           [&](auto& detector) {
@@ -67,6 +85,8 @@ class Impactor {
  private:
   std::string name_;
   std::shared_ptr<const fccda::Surface> surface_;
+  fccda::PrescribedMotion prescribed_;
+  std::vector<fccda::AppliedLoad> loads_;
   fccda::RigidBody body_;
   double radius_;  // [m] of all vertices about the centre of mass
   double friction_;
@@ -74,7 +94,9 @@ class Impactor {
   fccda::Motion motion_;
   std::vector<fccda::Contact> contacts_;  // of the latest detection
   Account account_;
-  double work_ = 0;
+  std::vector<NamedGauge> gauges_;
+  double work_of_loads_ = 0;  // [J]
+  ContactRecord record_;
 };
 
 }  // namespace perimpact

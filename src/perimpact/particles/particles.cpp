@@ -1,5 +1,7 @@
 #include "perimpact/particles/particles.hpp"
 
+#include <algorithm>
+
 namespace perimpact {
 
 Particles::Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside)
@@ -16,6 +18,14 @@ Particles::Particles(const Lattice& lattice, int reach, double density, const st
     occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] | (1u << (slot % 8)));
     slot_of_.push_back(static_cast<std::uint32_t>(slot));
   }
+}
+
+void Particles::remove(std::span<const std::size_t> slots) {
+  for (const std::size_t slot : slots) {
+    occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] & ~(1u << (slot % 8)));
+    velocity.set(slot, {});  // what slots without a particle hold
+  }
+  std::erase_if(slot_of_, [&](std::uint32_t slot) { return std::binary_search(slots.begin(), slots.end(), std::size_t{slot}); });
 }
 
 }  // namespace perimpact

@@ -17,6 +17,10 @@ class Particles {
   /// One particle in each cell whose centre is `inside`. `reach`: how many cells the stencil will reach in each direction.
   Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside);
 
+  /// Takes particles out of the body, as if their cells had not been inside the solid. `slots` ascending. Families made before do not
+  /// know of it.
+  void remove(std::span<const std::size_t> slots);
+
   const Lattice& lattice() const { return lattice_; }
   std::size_t size() const { return slot_of_.size(); }                 ///< number of particles
   std::span<const std::uint32_t> slot_of() const { return slot_of_; }  ///< slot of each particle, ascending

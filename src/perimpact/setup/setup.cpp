@@ -1,5 +1,7 @@
 #include "perimpact/setup/setup.hpp"
 
+#include <utility>
+
 namespace perimpact {
 
 using namespace fccda;  // the ranges
@@ -117,16 +119,93 @@ std::span<const Field<RegionSetup>> RegionSetup::fields() {
   return all;
 }
 
+std::span<const Field<GaugeSetup>> GaugeSetup::fields() {
+  using S = GaugeSetup;
+  static const Field<S> all[] = {
+      {"parts", &S::parts, "", {}, optional, "Names of parts of the surface (perimpact mesh lists them). Where absent, the whole surface."},
+      {"point", &S::point, "m", any_number(), optional,
+       "Point of the moments, from the surface's origin and along its axes; it moves with the impactor. Where absent, the centre of mass."},
+      {"axis", &S::axis, "1", any_number(), optional,
+       "Direction, along the surface's axes and turning with them, about which the torque is told too. Its length does not matter."}};
+  return all;
+}
+
+std::span<const Field<TranslationTable>> TranslationTable::fields() {
+  using S = TranslationTable;
+  static const Field<S> all[] = {
+      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing. Values between them follow a straight line."},
+      {"velocities", &S::velocities, "m/s", any_number(), optional,
+       "Velocity at each time. Before the first time the first one holds, after the last time the last one."},
+      {"displacements", &S::displacements, "m", any_number(), optional,
+       "In place of velocities: displacement at each time. Only differences matter: at t = 0 the impactor is at its position. It rests before the first "
+       "time and after the last one."},
+      {"file",
+       &S::file,
+       "",
+       {},
+       optional,
+       "In place of the lists: a CSV file with two columns and a first line that names them with units, \"time [s], velocity [m/s]\" or \"time [s], "
+       "displacement [m]\"; a relative path starts at the deck's folder."}};
+  return all;
+}
+
+std::span<const Field<RotationTable>> RotationTable::fields() {
+  using S = RotationTable;
+  static const Field<S> all[] = {
+      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing. Values between them follow a straight line."},
+      {"velocities", &S::velocities, "rad/s", any_number(), optional,
+       "Angular velocity at each time. Before the first time the first one holds, after the last time the last one."},
+      {"displacements", &S::displacements, "rad", any_number(), optional,
+       "In place of velocities: angle at each time, for the only axis that the impactor turns about. Only differences matter. It rests before the first time "
+       "and after the last one."},
+      {"file",
+       &S::file,
+       "",
+       {},
+       optional,
+       "In place of the lists: a CSV file with two columns and a first line that names them with units, \"time [s], velocity [rad/s]\" or \"time [s], "
+       "displacement [rad]\"; a relative path starts at the deck's folder."}};
+  return all;
+}
+
+const MotionTable* MotionSetup::of(std::size_t degree) const {
+  const auto table = [](const auto& one) -> const MotionTable* { return one ? &*one : nullptr; };
+  const MotionTable* const tables[] = {table(x), table(y), table(z), table(rx), table(ry), table(rz)};
+  return tables[degree];
+}
+
+MotionTable* MotionSetup::of(std::size_t degree) { return const_cast<MotionTable*>(std::as_const(*this).of(degree)); }
+
+std::span<const Field<LoadSetup>> LoadSetup::fields() {
+  using S = LoadSetup;
+  static const Field<S> all[] = {
+      {"force", &S::force, "N", any_number(), optional, "Force along the axes of the world."},
+      {"moment", &S::moment, "N m", any_number(), optional, "Moment about the axes of the world, beside that of the force."},
+      {"point", &S::point, "m", any_number(), optional,
+       "Where the force acts, from the surface's origin and along its axes; it moves with the impactor. Where absent, the centre of mass."},
+      {"times", &S::times, "s", any_number(), optional, "Times of the factors, increasing."},
+      {"factors", &S::factors, "1", any_number(), optional,
+       "What force and moment are multiplied by at each time, on straight lines between; the first holds before, the last after. Where absent, 1."}};
+  return all;
+}
+
 std::span<const Field<ImpactorSetup>> ImpactorSetup::fields() {
   using S = ImpactorSetup;
   static const Field<S> all[] = {
-      {"mass", &S::mass, "kg", positive(), required, "Mass."},
+      {"mass", &S::mass, "kg", positive(), optional, "Mass; or give the density."},
+      {"density", &S::density, "kg/m3", positive(), optional,
+       "In place of the mass: density of a body that fills the closed surface evenly. Overlapping parts of a surface count twice."},
       {"inertia", &S::inertia, "kg m2", positive(), optional,
-       "Moments of inertia about the centre of mass, along the surface's axes. Where absent, those of the closed surface filled evenly with the mass."},
+       "Moments of inertia about the centre of mass, along the surface's axes. Where absent, those of the closed surface filled evenly."},
       {"position", &S::position, "m", any_number(), optional, "Where the surface's origin is at t = 0."},
       {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."},
       {"angular_velocity", &S::angular_velocity, "rad/s", any_number(), optional, "Angular velocity at t = 0; degrees of freedom that are not free keep it."},
-      {"free", &S::free, "", {}, optional, "Degrees of freedom that contact may change, of x, y, z, rx, ry, rz. The others keep their given velocity."}};
+      {"free",
+       &S::free,
+       "",
+       {},
+       optional,
+       "Degrees of freedom that contact and loads may change, of x, y, z, rx, ry, rz. The others keep their given velocity, or follow motion."}};
   return all;
 }
 
@@ -144,7 +223,14 @@ std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
        "Coulomb's coefficient of friction between particles and impactors. The published detector takes 0 only."},
       {"radius_ratio", &S::radius_ratio, "1", between(0, 1), optional,
        "Contact radius in spacings: a particle touches at this distance from the surface. 0.5 puts the surface at the material's edge, 0 at the particles' "
-       "centres as in the paper. The published detector takes 0 only, and has it where this is absent."}};
+       "centres as in the paper. The published detector takes 0 only, and has it where this is absent."},
+      {"starting_inside",
+       &S::starting_inside,
+       "",
+       {},
+       optional,
+       "What becomes of particles that are inside an impactor at t = 0, or nearer to it than the contact radius: error; remove (they do not exist, "
+       "the body has a hole there); project (they are put on the surface, and bonds start strained)."}};
   return all;
 }
 

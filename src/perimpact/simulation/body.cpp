@@ -8,24 +8,13 @@
 
 #include "perimpact/particles/fill.hpp"
 #include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulation/memory.hpp"
 
 namespace perimpact {
 
 namespace {
 
-Particles fill(const BodySetup& setup, int reach, double density) {
-  const BoxSolid& box = std::get<BoxSolid>(setup.shape);
-  const double slots =
-      std::ceil(box.size.x / setup.spacing / fccda::byte_lanes) * fccda::byte_lanes * (box.size.y / setup.spacing) * (box.size.z / setup.spacing);
-  constexpr double most = std::numeric_limits<std::uint32_t>::max();
-  if (!(slots < most))
-    throw SetupError("bodies." + setup.name + ".spacing",
-                     fmt::format("a spacing of {} m takes {:.3g} cells to fill body {}, more than the {:.2g} that can be numbered; make it larger.",
-                                 setup.spacing, slots, setup.name, most));
-  Particles particles(lattice_of_box(box.size, setup.position, setup.spacing), reach, density, [](const Vec3d&) { return true; });
-  for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
-  return particles;
-}
+Stencil stencil_of(const BodySetup& setup) { return Stencil(setup.family.as<FamilyRule>(), setup.spacing, setup.horizon_ratio); }
 
 /// Sums f(slot) over the particles, in rows, so that rounding does not grow with their number.
 template <class Value, class F>
@@ -42,10 +31,25 @@ Value sum_over(const Particles& particles, Value total, const F& f) {
 
 }  // namespace
 
-Body make_body(const BodySetup& setup) {
+Particles make_particles(const BodySetup& setup) {
+  const int reach = stencil_of(setup).reach();
+  const double density = std::get<OrdinaryStateSetup>(setup.material).density;
+  const BoxSolid& box = std::get<BoxSolid>(setup.shape);
+  const double slots =
+      std::ceil(box.size.x / setup.spacing / fccda::byte_lanes) * fccda::byte_lanes * (box.size.y / setup.spacing) * (box.size.z / setup.spacing);
+  constexpr double most = std::numeric_limits<std::uint32_t>::max();
+  if (!(slots < most))
+    throw SetupError("bodies." + setup.name + ".spacing",
+                     fmt::format("a spacing of {} m takes {:.3g} cells to fill body {}, more than the {:.2g} that can be numbered; make it larger.",
+                                 setup.spacing, slots, setup.name, most));
+  Particles particles(lattice_of_box(box.size, setup.position, setup.spacing), reach, density, [](const Vec3d&) { return true; });
+  for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
+  return particles;
+}
+
+Body make_body(const BodySetup& setup, Particles particles) {
   const OrdinaryStateSetup& material = std::get<OrdinaryStateSetup>(setup.material);
-  Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing, setup.horizon_ratio);
-  Particles particles = fill(setup, stencil.reach(), material.density);
+  Stencil stencil = stencil_of(setup);
 
   std::optional<LatticeSums> lattice;
   if (setup.normalisation.as<Normalisation>() == Normalisation::lattice) {
@@ -75,10 +79,9 @@ double Body::kinetic_energy(double dt) const {
 }
 
 double Body::memory() const {
-  const double slots = static_cast<double>(particles.lattice().slots());
-  const double vectors = 3 + (internal.correction().kind() == SurfaceCorrection::energy ? 2 : 0);
-  const double scalars = 1 + (internal.correction().kind() == SurfaceCorrection::volume ? 1 : 0) + (internal.material().needs_dilatation() ? 1 : 0);
-  return slots * (8 * (3 * vectors + scalars) + static_cast<double>(family.stencil().size()) / 8 + 4);
+  return BodyArrays{static_cast<double>(particles.lattice().slots()), static_cast<double>(family.stencil().size()), internal.correction().kind(),
+                    internal.material().needs_dilatation()}
+      .bytes();
 }
 
 }  // namespace perimpact

@@ -31,6 +31,11 @@ struct Body {
   }
 };
 
-Body make_body(const BodySetup& setup);
+/// The particles that fill the solid, with their first velocities. Throws SetupError where there are too many to be numbered.
+Particles make_particles(const BodySetup& setup);
+
+/// The body of these particles: its bonds and surface corrections are those of the particles that are there.
+Body make_body(const BodySetup& setup, Particles particles);
+inline Body make_body(const BodySetup& setup) { return make_body(setup, make_particles(setup)); }
 
 }  // namespace perimpact

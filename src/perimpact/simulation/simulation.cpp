@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
@@ -14,9 +15,9 @@ namespace perimpact {
 
 namespace {
 
-std::vector<Body> make_bodies(const Setup& setup) {
+std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particles) {
   std::vector<Body> bodies;
-  for (const BodySetup& body : setup.bodies) bodies.push_back(make_body(body));
+  for (std::size_t b = 0; b < setup.bodies.size(); ++b) bodies.push_back(make_body(setup.bodies[b], std::move(particles[b])));
   return bodies;
 }
 
@@ -64,40 +65,35 @@ void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>&
   }
 }
 
-std::vector<Impactor> make_impactors(const Setup& setup, std::span<Body> bodies) {
-  std::vector<Particles*> particles;
-  for (Body& body : bodies) particles.push_back(&body.particles);
-  std::vector<Impactor> impactors;
-  for (const ImpactorSetup& impactor : setup.impactors) impactors.emplace_back(impactor, setup.contact.impactors, particles);
-  return impactors;
+void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < impactors.size(); ++i) {
+    const std::size_t count = impactors[i].surface().report().may_overlap;
+    if (count > 0 && is_weighed_by_volume(setup.impactors[i]))
+      warnings.push_back(
+          fmt::format("The surface of {} has {} components whose bounding boxes meet: where they overlap, what they share counts twice in mass, centre of mass "
+                      "and inertia. If they do overlap, give mass and inertia.",
+                      impactors[i].name(), count));
+  }
 }
 
 }  // namespace
 
-Simulation::Simulation(const Setup& setup)
+Simulation::Simulation(const Setup& setup) : Simulation(setup, Start(setup)) {}
+
+Simulation::Simulation(const Setup& setup, Start start)
     : setup_(setup),
-      bodies_(make_bodies(setup)),
+      inside_at_start_(std::move(start.inside)),
+      bodies_(make_bodies(setup, std::move(start.particles))),
       stability_(find_step(setup, bodies_, warnings_)),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
-      impactors_(make_impactors(setup, bodies_)),
+      impactors_(std::move(start.impactors)),
       monitors_(setup.output, bodies_, clock_) {
   warn_of_thin_bodies(bodies_, warnings_);
+  warn_of_overlaps(setup, impactors_, warnings_);
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles.lattice()), 0.0);
-  expect_outside();
+  for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));
   evaluate_forces();
   monitors_.record(bodies_, impactors_, clock_);
-}
-
-void Simulation::expect_outside() {
-  for (Impactor& impactor : impactors_)
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
-      if (const std::size_t inside = impactor.particles_inside(b, particles))
-        throw SetupError("impactors." + impactor.name() + ".position",
-                         fmt::format("impactor {} starts inside body {}: {} particles are inside its surface, or nearer to it than the contact radius. Move it "
-                                     "away, or check the units of its surface.",
-                                     impactor.name(), bodies_[b].name, inside));
-    }
 }
 
 void Simulation::step() {
@@ -116,7 +112,7 @@ void Simulation::advance_bodies() {
 
 void Simulation::strike() {
   for (Impactor& impactor : impactors_) {
-    impactor.advance(clock_.dt);
+    impactor.advance(clock_.latest());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
       for (const fccda::Contact& contact : impactor.strike(b, particles))

@@ -12,6 +12,7 @@
 #include "perimpact/simulation/body.hpp"
 #include "perimpact/simulation/clock.hpp"
 #include "perimpact/simulation/monitors.hpp"
+#include "perimpact/simulation/start.hpp"
 
 namespace perimpact {
 
@@ -34,6 +35,7 @@ class Simulation {
   const Stability& stability() const { return stability_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   const fccda::Timers& timers() const { return timers_; }
+  std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
   std::span<const Body> bodies() const { return bodies_; }
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
@@ -48,13 +50,14 @@ class Simulation {
   std::uint64_t state_hash();
 
  private:
-  void expect_outside();
+  Simulation(const Setup& setup, Start start);
   void advance_bodies();
   void strike();
   void evaluate_forces();
 
   Setup setup_;
   std::vector<std::string> warnings_;
+  std::vector<InsideAtStart> inside_at_start_;
   std::vector<Body> bodies_;
   Stability stability_;
   Clock clock_;

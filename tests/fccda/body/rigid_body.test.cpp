@@ -118,7 +118,7 @@ TEST_CASE("rigid body: a state written out and read back continues to the bit") 
   for (int step = 0; step < 100; ++step) body.advance(1e-3);
   std::vector<double> stored;
   body.visit_state([&](std::string_view, std::span<double> values) { stored.insert(stored.end(), values.begin(), values.end()); });
-  CHECK(stored.size() == 13);
+  CHECK(stored.size() == 14);
   std::size_t next = 0;
   twin.visit_state([&](std::string_view, std::span<double> values) {
     for (double& value : values) value = stored[next++];

@@ -1,0 +1,53 @@
+#include "perimpact/impact/contact_record.hpp"
+
+#include <algorithm>
+
+namespace perimpact {
+
+namespace {
+
+std::vector<double> squares(std::span<const double> spacings) {
+  std::vector<double> faces;
+  for (const double spacing : spacings) faces.push_back(spacing * spacing);
+  return faces;
+}
+
+}  // namespace
+
+ContactRecord::ContactRecord(const fccda::Surface& surface, std::span<const double> spacings) : panels_(surface, squares(spacings)) {
+  for (const double spacing : spacings) struck_.push_back({.face = spacing * spacing});
+}
+
+bool ContactRecord::touched() const {
+  return std::any_of(struck_.begin(), struck_.end(), [](const Struck& body) { return body.ever; });
+}
+
+void ContactRecord::add(std::size_t body, const fccda::Contact& contact, const fccda::Vec3d& impulse) {
+  panels_.add(body, contact, impulse);
+  normal_impulse_ -= dot(impulse, contact.normal);
+  Struck& struck = struck_[body];
+  struck.ever = true;
+  ++struck.contacts;
+  if (contact.point >= struck.last.size()) struck.last.resize(std::max(contact.point + 1, 2 * struck.last.size()), 0);
+  if (struck.last[contact.point] != number_) ++struck.particles;
+  struck.last[contact.point] = number_;
+}
+
+void ContactRecord::end_interval(double time, double duration) {
+  panels_.end_interval(duration);
+  interval_ = {.time = time, .normal_force = duration > 0 ? normal_impulse_ / duration : 0};
+  for (Struck& body : struck_) {
+    interval_.contact_area += static_cast<double>(body.particles) * body.face;
+    if (steps_ > 0) interval_.mean_contact_area += static_cast<double>(body.contacts) * body.face / static_cast<double>(steps_);
+    body.contacts = body.particles = 0;
+  }
+  if (interval_.normal_force > peak_.normal_force) {
+    const auto pressure = panels_.interval_pressure();
+    peak_ = {time, interval_.normal_force, {pressure.begin(), pressure.end()}};
+  }
+  ++number_;
+  steps_ = 0;
+  normal_impulse_ = 0;
+}
+
+}  // namespace perimpact

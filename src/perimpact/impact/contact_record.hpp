@@ -1,0 +1,64 @@
+/// What contact did to one impactor, kept beyond the step: loads of its panels, the process pressure-area curve, and which bodies it has
+/// touched. An interval is the time between two rows of the history.
+///
+/// The process curve is the mean pressure over the whole contact while that grows (C. Daley, PERD/CHC Report 7-108, 2004, section 2):
+///   p = F_n/A,   F_n = Σ J_n/T,   A = Σ Δ² over the particles that touched in the interval, each counted once
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fccda/respond/panel_loads.hpp"
+
+namespace perimpact {
+
+class ContactRecord {
+ public:
+  struct Interval {
+    double time = 0;               ///< [s] its end
+    double contact_area = 0;       ///< [m²] faces of the particles that touched in it
+    double mean_contact_area = 0;  ///< [m²] faces of the contacts of one step, mean over the steps
+    double normal_force = 0;       ///< [N] into the surface, mean
+    double mean_pressure() const { return contact_area > 0 ? normal_force / contact_area : 0; }  ///< [Pa]
+  };
+
+  /// The interval of the largest normal force.
+  struct Peak {
+    double time = 0;                     ///< [s] its end
+    double normal_force = 0;             ///< [N]
+    std::vector<double> panel_pressure;  ///< [Pa]
+  };
+
+  /// `spacings` [m] of the bodies, in order.
+  ContactRecord(const fccda::Surface& surface, std::span<const double> spacings);
+
+  void begin_step() { ++steps_; }
+  void add(std::size_t body, const fccda::Contact& contact, const fccda::Vec3d& impulse);
+  /// Closes the interval that began `duration` [s] before `time` [s].
+  void end_interval(double time, double duration);
+
+  const fccda::PanelLoads& panels() const { return panels_; }
+  const Interval& interval() const { return interval_; }               ///< that ended last
+  const Peak& peak() const { return peak_; }                           ///< without pressures where no normal force was positive
+  bool touched(std::size_t body) const { return struck_[body].ever; }  ///< ever
+  bool touched() const;                                                ///< ever, any body
+
+ private:
+  struct Struck {  // of one body
+    double face;   // Δ² of a particle [m²]
+    bool ever = false;
+    std::size_t contacts = 0, particles = 0;  // in the open interval; each particle counted once
+    std::vector<std::uint32_t> last = {};     // the interval that each particle touched in last
+  };
+
+  fccda::PanelLoads panels_;
+  std::vector<Struck> struck_;  // of each body
+  std::uint32_t number_ = 1;    // of the open interval
+  long steps_ = 0;              // that it has so far
+  double normal_impulse_ = 0;   // [N s] that it has so far
+  Interval interval_;
+  Peak peak_;
+};
+
+}  // namespace perimpact

@@ -1,0 +1,140 @@
+#include "perimpact/simulation/start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulation/memory.hpp"
+
+namespace perimpact {
+
+namespace {
+
+std::vector<Particles> fill(const Setup& setup) {
+  expect_to_fit(setup, physical_memory());
+  std::vector<Particles> particles;
+  for (const BodySetup& body : setup.bodies) particles.push_back(make_particles(body));
+  return particles;
+}
+
+std::vector<Impactor> place(const Setup& setup, std::span<Particles> particles) {
+  std::vector<Particles*> bodies;
+  for (Particles& body : particles) bodies.push_back(&body);
+  std::vector<Impactor> impactors;
+  for (const ImpactorSetup& impactor : setup.impactors) impactors.emplace_back(impactor, setup.contact.impactors, bodies);
+  return impactors;
+}
+
+/// Slots of that body inside that impactor where they are now: nothing moves in a step of no duration.
+std::vector<std::size_t> inside_now(const Impactor& impactor, std::size_t body, Particles& particles) {
+  return impactor.starting_inside(body, StruckParticles(particles, {}, 0));
+}
+
+template <class Visit>
+void for_each_inside(Start& start, const Visit& visit) {
+  for (std::size_t i = 0; i < start.impactors.size(); ++i)
+    for (std::size_t b = 0; b < start.particles.size(); ++b)
+      if (std::vector<std::size_t> slots = inside_now(start.impactors[i], b, start.particles[b]); !slots.empty()) visit(i, b, std::move(slots));
+}
+
+void refuse(Start& start, const Setup& setup) {
+  for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
+    const std::string& impactor = setup.impactors[i].name;
+    throw SetupError("impactors." + impactor + ".position",
+                     fmt::format("impactor {} starts inside body {}: {} particles are inside its surface, or nearer to it than the contact radius. Move it "
+                                 "away, or check the units of its surface; or say what becomes of them with contact.impactors.starting_inside: remove or "
+                                 "project.",
+                                 impactor, setup.bodies[b].name, slots.size()));
+  });
+}
+
+void remove(Start& start, const Setup& setup) {
+  for_each_inside(start, [&](std::size_t i, std::size_t b, std::vector<std::size_t> slots) {
+    if (slots.size() == start.particles[b].size())
+      throw SetupError("impactors." + setup.impactors[i].name + ".position",
+                       fmt::format("every particle that body {} has left is inside impactor {}, so starting_inside: remove leaves nothing of it. Move the "
+                                   "impactor away, or check the units of its surface.",
+                                   setup.bodies[b].name, setup.impactors[i].name));
+    start.particles[b].remove(slots);
+    start.inside.push_back({i, b, std::move(slots)});
+  });
+}
+
+/// Out of one impactor a particle may be in another, so it takes rounds. A particle is counted for every impactor it was put on.
+void project(Start& start, const Setup& setup) {
+  constexpr int most_rounds = 4;
+  for (int round = 0; round < most_rounds; ++round)
+    for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
+      Particles& particles = start.particles[b];
+      std::vector<Vec3d> places;
+      for (const std::size_t slot : slots) places.push_back(particles.position.at(slot));
+      const std::vector<std::optional<Vec3d>> outside = start.impactors[i].nearest_outside(b, places);
+      auto entry = std::find_if(start.inside.begin(), start.inside.end(), [&](const InsideAtStart& known) { return known.impactor == i && known.body == b; });
+      if (entry == start.inside.end()) entry = start.inside.insert(entry, {i, b, {}});
+      for (std::size_t k = 0; k < slots.size(); ++k) {
+        if (!outside[k]) continue;
+        particles.position.set(slots[k], *outside[k]);
+        entry->slots.push_back(slots[k]);
+        entry->furthest = std::max(entry->furthest, norm(particles.displacement(slots[k])));
+      }
+      std::sort(entry->slots.begin(), entry->slots.end());
+      entry->slots.erase(std::unique(entry->slots.begin(), entry->slots.end()), entry->slots.end());
+    });
+  for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
+    throw SetupError(
+        "impactors." + setup.impactors[i].name + ".position",
+        fmt::format("{} particles of body {} that start inside impactor {} cannot be put on its surface: no place near them is clear of all impactors. "
+                    "Write starting_inside: remove, or move the impactor away.",
+                    slots.size(), setup.bodies[b].name, setup.impactors[i].name));
+  });
+}
+
+}  // namespace
+
+Start::Start(const Setup& setup) : particles(fill(setup)), impactors(place(setup, particles)) {
+  switch (setup.contact.impactors.starting_inside.as<StartingInside>()) {
+    case StartingInside::error:
+      refuse(*this, setup);
+      break;
+    case StartingInside::remove:
+      remove(*this, setup);
+      break;
+    case StartingInside::project:
+      project(*this, setup);
+      break;
+  }
+}
+
+double largest_stretch(const Body& body, std::span<const std::size_t> slots) {
+  double largest = 0;
+  const auto& bonds = body.family.stencil().bonds();
+  for (const std::size_t slot : slots)
+    for (std::size_t b = 0; b < bonds.size(); ++b) {
+      if (!body.family.is_intact(slot, b)) continue;
+      const auto neighbour = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(slot) + body.family.offsets()[b]);
+      const double length = norm(body.particles.position.at(neighbour) - body.particles.position.at(slot));
+      largest = std::max(largest, std::fabs(length / bonds[b].length - 1));
+    }
+  return largest;
+}
+
+std::vector<std::string> warnings_of(std::span<const InsideAtStart> inside, const Setup& setup, std::span<const Body> bodies) {
+  std::vector<std::string> warnings;
+  for (const InsideAtStart& entry : inside) {
+    const std::string where =
+        fmt::format("Impactor {} starts inside body {}: {} particles that were inside its surface, or nearer to it than the contact radius,",
+                    setup.impactors[entry.impactor].name, bodies[entry.body].name, entry.slots.size());
+    if (setup.contact.impactors.starting_inside.as<StartingInside>() == StartingInside::remove)
+      warnings.push_back(fmt::format("{} were removed. The body has a hole there.", where));
+    else
+      warnings.push_back(fmt::format(
+          "{} were put on it, the furthest moved by {:.3g} m. Bonds start with stretches up to {:.2g}, so the body is not at rest. Move the impactor "
+          "away if that is too much.",
+          where, entry.furthest, largest_stretch(bodies[entry.body], entry.slots)));
+  }
+  return warnings;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,42 @@
+"""What contact did to the impactor: its pressure-area curves."""
+
+from claims import claim, main, table
+
+
+@claim("loads: the process curve holds the normal force of history.csv and the faces of the particles, from the first contact on")
+def _(t):
+    t.expect_success("run", t.deck(("end: 20 us", "end: 40 us")), "--out", "r")
+    history, curve = t.history("r"), table(t.folder / "r/pressure_area/cylinder.csv")
+    first = next(k for k, force in enumerate(history["cylinder.force_y [N]"]) if force != 0)
+    t.assertEqual(curve["time [s]"], history["time [s]"][first:])
+    for k, force in enumerate(curve["normal_force [N]"]):
+        # the cylinder is struck along its lowest line and a little beside it: there the normal leans, and its share along y is less
+        t.assertGreaterEqual(force, history["cylinder.force_y [N]"][first + k] * (1 - 1e-12))
+        t.assertLess(force, history["cylinder.force_y [N]"][first + k] * 1.05 + 1e-9)
+        faces = curve["contact_area [m2]"][k] / 0.005**2
+        t.assertAlmostEqual(faces, round(faces), delta=1e-9)  # products of decimal fractions
+        t.assertGreaterEqual(curve["contact_area [m2]"][k], curve["mean_contact_area [m2]"][k] * (1 - 1e-12))
+        t.assertAlmostEqual(curve["mean_pressure [Pa]"][k] * curve["contact_area [m2]"][k], force, delta=1e-12 * force + 1e-9)
+
+
+@claim("loads: the spatial curve falls, and ends at the whole force of the peak")
+def _(t):
+    t.expect_success("run", t.deck(("end: 20 us", "end: 40 us")), "--out", "r")
+    curve, peak = table(t.folder / "r/pressure_area/cylinder.csv"), table(t.folder / "r/pressure_area/cylinder_at_peak.csv")
+    area, pressure = peak["area [m2]"], peak["mean_pressure [Pa]"]
+    t.assertTrue(5 <= len(area) <= 20, area)
+    t.assertEqual(area, sorted(area))
+    t.assertGreater(pressure[0], pressure[-1])
+    t.assertAlmostEqual(area[-1] * pressure[-1] / max(curve["normal_force [N]"]), 1, delta=1e-9)  # sums over the loaded panels
+
+
+@claim("loads: where nothing touches there is no curve, and none of an earlier run stays")
+def _(t):
+    deck = t.deck()
+    t.expect_success("run", deck, "--out", "r")
+    t.assertIn("pressure_area/cylinder.csv", t.files("r"))
+    t.expect_success("run", deck, "--out", "r", "--set", "impactors.cylinder.velocity=[0, 32, 0]")
+    t.assertFalse([name for name in t.files("r") if name.startswith("pressure_area")])
+
+
+main()

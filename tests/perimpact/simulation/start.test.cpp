@@ -1,0 +1,167 @@
+#include "perimpact/simulation/start.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "perimpact/bodies.hpp"
+#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulation/simulation.hpp"
+
+using namespace perimpact;
+
+namespace {
+
+/// A block with a ball sunk into its upper face; the ball rests unless it is given a velocity.
+Setup sunk_ball(StartingInside choice) {
+  Setup setup;
+  setup.time = {.end = 10e-6, .step = 2e-7};
+  BodySetup block = fixtures::body_setup({.size = {0.032, 0.02, 0.02}, .spacing = 0.002});
+  block.name = "block";
+  setup.bodies = {block};
+  ImpactorSetup ball;
+  ball.name = "ball";
+  ball.surface = SphereSurface{.diameter = 0.012, .panel = 0.001};
+  ball.mass = 0.01;
+  ball.position = {0.001, 0.012, 0};
+  ball.free = {"x", "y", "z"};
+  setup.impactors = {ball};
+  setup.contact.impactors.starting_inside.index = static_cast<int>(choice);
+  setup.output.history = 2e-6;
+  return setup;
+}
+
+/// Particles that a ball of that radius about the ball's centre holds, from the coordinates alone.
+std::size_t particles_within(double radius) {
+  std::size_t count = 0;
+  for (double x = -0.015; x < 0.016; x += 0.002)
+    for (double y = -0.009; y < 0.01; y += 0.002)
+      for (double z = -0.009; z < 0.01; z += 0.002)
+        if (norm(Vec3d{x - 0.001, y - 0.012, z}) < radius) ++count;
+  return count;
+}
+
+double value(const Simulation& simulation, const std::string& column) {
+  const auto& columns = simulation.monitors().columns();
+  const auto found = std::find(columns.begin(), columns.end(), column);
+  REQUIRE(found != columns.end());
+  return simulation.monitors().row()[static_cast<std::size_t>(found - columns.begin())];
+}
+
+bool warns_of(const Simulation& simulation, const std::string& words) {
+  return std::any_of(simulation.warnings().begin(), simulation.warnings().end(), [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+std::string complaint(const Setup& setup) {
+  try {
+    Simulation simulation(setup);
+  } catch (const SetupError& error) {
+    return error.key() + ": " + error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("start: particles inside are an error by default, which names the two ways out") {
+  const std::string sentence = complaint(sunk_ball(StartingInside::error));
+  CHECK(sentence.find("impactors.ball.position: impactor ball starts inside body block: ") == 0);
+  CHECK(sentence.find("contact.impactors.starting_inside: remove or project.") != std::string::npos);
+}
+
+TEST_CASE("start: removed particles do not exist, so the body is at rest with a hole, its bonds, mass and corrections those of what is left") {
+  Simulation simulation(sunk_ball(StartingInside::remove));
+  REQUIRE(simulation.inside_at_start().size() == 1);
+  const std::size_t removed = simulation.inside_at_start()[0].slots.size();
+  // within R + Δ/2 of the centre; the faceted ball lies up to Δm²/(8R) < 0.03 mm inside the round one
+  CHECK(removed >= particles_within(0.007 - 3e-5));
+  CHECK(removed <= particles_within(0.007));
+  const Body& block = simulation.bodies()[0];
+  CHECK(block.particles.size() == 16 * 10 * 10 - removed);
+  CHECK(block.family.initial_bonds() < make_body(sunk_ball(StartingInside::remove).bodies[0]).family.initial_bonds());
+  CHECK(warns_of(simulation, std::to_string(removed) + " particles that were inside its surface, or nearer to it than the contact radius, were removed"));
+
+  // every particle beside the hole is stiffened as one at a surface is: a particle that keeps all its neighbours has the factor 1
+  const Body hole_free = make_body(sunk_ball(StartingInside::remove).bodies[0]);
+  std::size_t stiffened = 0;
+  for (const std::uint32_t slot : block.particles.slot_of())
+    if (norm(block.internal.correction().stretch().at(slot) - hole_free.internal.correction().stretch().at(slot)) > 0.01) ++stiffened;
+  CHECK(stiffened > 20);
+
+  while (!simulation.clock().is_finished()) {
+    CHECK(value(simulation, "ball.force_y [N]") == 0);
+    simulation.step();
+  }
+  CHECK(value(simulation, "total.energy [J]") < 1e-12);  // rounding of coordinates, far below a nanometre of strain
+}
+
+TEST_CASE("start: projected particles begin on the surface with their velocity, no force counted, and the strain of their bonds is warned of") {
+  Setup setup = sunk_ball(StartingInside::project);
+  setup.bodies[0].velocity = {0, 1, 0};
+  Simulation simulation(setup);
+  REQUIRE(simulation.inside_at_start().size() == 1);
+  const InsideAtStart& inside = simulation.inside_at_start()[0];
+  const Body& block = simulation.bodies()[0];
+  CHECK(block.particles.size() == 16 * 10 * 10);
+  CHECK(block.family.initial_bonds() == make_body(setup.bodies[0]).family.initial_bonds());
+  double furthest = 0;
+  for (const std::size_t slot : inside.slots) {
+    // at R + Δ/2 from the centre; facets lie up to 0.03 mm below the sphere
+    CHECK(norm(block.particles.position.at(slot) - Vec3d{0.001, 0.012, 0}) == doctest::Approx(0.007).epsilon(0.005));
+    CHECK(block.particles.velocity.at(slot) == Vec3d{0, 1, 0});
+    furthest = std::max(furthest, norm(block.particles.displacement(slot)));
+  }
+  CHECK(inside.furthest == furthest);
+  CHECK(furthest > 0.001);
+  CHECK(value(simulation, "ball.force_y [N]") == 0);
+  CHECK(value(simulation, "ball.velocity_y [m/s]") == 0);
+  CHECK(value(simulation, "total.momentum_y [kg m/s]") == doctest::Approx(block.particles.mass() * 1600).epsilon(1e-12));
+  CHECK(value(simulation, "block.elastic_energy [J]") > 0);
+  CHECK(simulation.contacts() == 0);
+  CHECK(warns_of(simulation, "were put on it, the furthest moved by "));
+
+  double stretch = 0;  // over all pairs, from positions alone
+  const auto& slots = block.particles.slot_of();
+  for (const std::uint32_t i : slots)
+    for (const std::uint32_t j : slots) {
+      const double length = norm(block.particles.reference(i) - block.particles.reference(j));
+      if (i == j || length > 3.515 * 0.002) continue;  // hu-ha-bobaru: |ξ| < δ + Δ/2
+      stretch = std::max(stretch, std::fabs(norm(block.particles.position.at(i) - block.particles.position.at(j)) / length - 1));
+    }
+  CHECK(largest_stretch(block, inside.slots) == doctest::Approx(stretch).epsilon(1e-12));
+}
+
+TEST_CASE("start: projected out of two balls that overlap, no particle is inside either") {
+  Setup setup = sunk_ball(StartingInside::project);
+  setup.impactors.push_back(setup.impactors[0]);
+  setup.impactors[1].name = "second";
+  setup.impactors[1].position = {0.006, 0.012, 0};
+  const Start start(setup);
+  for (const InsideAtStart& inside : start.inside) CHECK(inside.slots.size() > 10);
+  CHECK(start.inside.size() == 2);
+  Start again = start;
+  for (const Impactor& impactor : again.impactors) CHECK(impactor.starting_inside(0, StruckParticles(again.particles[0], {}, 0)).empty());
+}
+
+TEST_CASE("start: an impactor that holds the whole body leaves nothing to remove, and particles between two faces have no place") {
+  Setup setup = sunk_ball(StartingInside::remove);
+  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.1, 0.1}, .panel = 0.1};
+  CHECK(complaint(setup).find("leaves nothing of it") != std::string::npos);
+
+  setup = sunk_ball(StartingInside::project);
+  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.02, 0.1}, .panel = 0.1};
+  setup.impactors[0].position = {0, 0.0101, 0};  // upper half of the block
+  setup.impactors.push_back(setup.impactors[0]);
+  setup.impactors[1].name = "second";
+  setup.impactors[1].position = {0, -0.0099, 0};  // lower half, half a millimetre further in than there is room
+  CHECK(complaint(setup).find("no place near them is clear of all impactors") != std::string::npos);
+}
+
+TEST_CASE("start: a moving body is looked at where it is at t = 0, not a step before") {
+  Setup setup = sunk_ball(StartingInside::error);
+  setup.impactors[0].position = {0.001, 0.0161, 0};  // 0.1 mm clear of contact
+  setup.bodies[0].velocity = {0, -2000, 0};          // 0.4 mm a step
+  CHECK(complaint(setup).empty());
+}
