@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "fccda/body/pose.hpp"
+#include "fccda/core/contract.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/every_point.hpp"
 #include "fccda/detect/nearest_outside.hpp"
@@ -40,10 +41,14 @@
 
 namespace fccda {
 
+/// What the equations say of a point's step and a panel: accepted, or the first equation that turned it down.
+enum class Verdict { accepted, eq14, eq15, eq17, eq20 };
+
 /// How many pairs of point and panel each equation turned down; a pair is counted at the first one that does.
 struct Rejections {
   std::size_t by_eq14 = 0, by_eq15 = 0, by_eq17 = 0, by_eq20 = 0;
 
+  void count(Verdict verdict);
   Rejections& operator+=(const Rejections& b) {
     by_eq14 += b.by_eq14, by_eq15 += b.by_eq15, by_eq17 += b.by_eq17, by_eq20 += b.by_eq20;
     return *this;
@@ -86,6 +91,13 @@ class Published {
   const Effort& effort() const { return effort_; }
   const Rejections& rejections() const { return rejections_; }  ///< of all detections so far
 
+  /// Why the step from x_t0 to x_t1 [m] was or was not taken for contact with a panel of the surface, numbered as in the file: for the
+  /// panel that was truly crossed, the reason of a miss.
+  Verdict verdict(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) const {
+    EXPECTS(panel < sign_.size() && sign_[panel] != 0);
+    return judge({plane(panel, motion.t0), plane(panel, motion.t1)}, x_t0, x_t1, motion);
+  }
+
   template <class Visitor>
   void visit_state(Visitor&&) {}
 
@@ -100,6 +112,11 @@ class Published {
     double height(const Vec3d& point) const { return dot(normal, point) + d; }
   };
 
+  /// The same panel at the two ends of the step.
+  struct Planes {
+    const Plane &before, &after;
+  };
+
   struct Found {
     std::vector<Contact> contacts;
     Effort effort;
@@ -109,8 +126,11 @@ class Published {
   void place(const Motion& motion);
   Plane plane(std::size_t panel, const Pose& pose) const;
   void look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const;
-  bool accepts_by_letter(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Rejections& rejections) const;
-  bool accepts_repaired(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, Rejections& rejections) const;
+  Verdict judge(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) const {
+    return reading_ == Reading::letter ? judge_by_letter(panel, x_t0, x_t1, motion) : judge_repaired(panel, x_t0, x_t1);
+  }
+  static Verdict judge_by_letter(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion);
+  static Verdict judge_repaired(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1);
   Vec3d relocated(const Plane& plane, const Vec3d& x_t1) const;
 
   std::shared_ptr<const Surface> surface_;
