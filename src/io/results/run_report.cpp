@@ -136,6 +136,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json["impactors"][simulation.impactors()[i].name()] = impactor_report(simulation, i);
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
   json["warnings"] = simulation.warnings();
+  for (std::string& warning : simulation.closing_warnings()) json["warnings"].push_back(std::move(warning));
   json["setup"] = Json::verbatim(deck::setup_to_text(simulation.setup()));
   return json;
 }
