@@ -4,6 +4,7 @@
 
 #include "fccda/core/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
+#include "io/results/region_report.hpp"
 
 namespace perimpact {
 
@@ -28,6 +29,7 @@ Json body_report(const Body& body) {
 Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
   Json json = Json::object();
   json["surface"] = surface_report(impactor.surface().report());
+  json["region"] = region_report(impactor);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];

@@ -10,6 +10,7 @@
 #include "fccda/detect/all_detectors.hpp"
 #include "fccda/respond/respond.hpp"
 #include "fccda/surface/surface.hpp"
+#include "perimpact/impact/region_of.hpp"
 #include "perimpact/impact/struck_particles.hpp"
 #include "perimpact/setup/setup.hpp"
 
@@ -40,6 +41,7 @@ class Impactor {
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
+  const ImpactorRegion& region() const { return region_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
   fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
 
@@ -67,6 +69,7 @@ class Impactor {
  private:
   std::string name_;
   std::shared_ptr<const fccda::Surface> surface_;
+  ImpactorRegion region_;
   fccda::RigidBody body_;
   double radius_;  // [m] of all vertices about the centre of mass
   double friction_;

@@ -80,6 +80,14 @@ void check_same(const Setup& a, const Setup& b) {
     check_alternative(a.impactors[i].surface, b.impactors[i].surface);
     check_fields(a.impactors[i].region, b.impactors[i].region);
     check_alternative(a.impactors[i].region.shape, b.impactors[i].region.shape);
+    if (const auto* boxes = std::get_if<BoxUnionRegionSetup>(&a.impactors[i].region.shape)) {
+      const auto& others = std::get<BoxUnionRegionSetup>(b.impactors[i].region.shape).boxes;
+      REQUIRE(boxes->boxes.size() == others.size());
+      for (std::size_t k = 0; k < others.size(); ++k) {
+        CHECK(boxes->boxes[k].name == others[k].name);
+        check_fields(boxes->boxes[k], others[k]);
+      }
+    }
   }
   check_fields(a.contact.impactors, b.contact.impactors);
   check_fields(a.contact.fragments, b.contact.fragments);
@@ -88,6 +96,37 @@ void check_same(const Setup& a, const Setup& b) {
   for (std::size_t i = 0; i < a.output.probes.size(); ++i) check_fields(a.output.probes[i], b.output.probes[i]);
   REQUIRE(a.output.lines.size() == b.output.lines.size());
   for (std::size_t i = 0; i < a.output.lines.size(); ++i) check_fields(a.output.lines[i], b.output.lines[i]);
+}
+
+void fill_region(Random& random, RegionSetup& region) {
+  switch (random() % 6) {
+    case 1:
+      fill_fields(random, region.shape.emplace<BoxRegionSetup>());
+      break;
+    case 2:
+      fill_fields(random, region.shape.emplace<BoxUnionRegionSetup>());
+      break;
+    case 3:
+      for (const char* name : {"bow", "stern"}) {
+        if (!std::holds_alternative<BoxUnionRegionSetup>(region.shape)) region.shape.emplace<BoxUnionRegionSetup>();
+        RegionBoxSetup& box = std::get<BoxUnionRegionSetup>(region.shape).boxes.emplace_back();
+        fill_fields(random, box);
+        box.name = name;
+      }
+      break;
+    case 4: {
+      auto& sectors = region.shape.emplace<CylinderSectorsRegionSetup>();
+      fill_fields(random, sectors);
+      if (!sectors.sector_angle) sectors.start_angle.reset();
+      if (sectors.radius && sectors.hub_radius) sectors.hub_radius = std::min(*sectors.hub_radius, *sectors.radius);
+      break;
+    }
+    case 5:
+      region.shape.emplace<AutoRegionSetup>();
+      break;
+    default:
+      break;
+  }
 }
 
 /// A Setup with values everywhere that a deck could have given.
@@ -115,7 +154,7 @@ Setup some_setup(Random& random) {
     impactor.free.resize(random() % 4);
     for (std::size_t i = 0; i < impactor.free.size(); ++i) impactor.free[i] = std::array{"rz", "x", "ry"}[i];
     fill_fields(random, impactor.region);
-    if (random() % 2) fill_fields(random, impactor.region.shape.emplace<BoxRegionSetup>());
+    fill_region(random, impactor.region);
   }
   ImpactorContactSetup& contact = setup.contact.impactors;
   fill_fields(random, contact);
