@@ -99,9 +99,47 @@ def _(t):
         t.assertEqual(head.find(".//Piece").get("NumberOfPoints"), str(points))
 
 
+@claim("check: every kind of region is told, drawn and in run.json alike")
+def _(t):
+    cylinder = "{cylinder_sectors: {axis: [0, 0, 1], radius: 21 mm, length: 40 mm, hub_radius: 21 mm, point: [0, 0, 0], blades: 1, sector_angle: 90 deg, start_angle: 0}}"
+    halves = "{box_union: {boxes: {left: {size: [20 mm, 40 mm, 40 mm], centre: [-10 mm, 0, 0]}, right: {size: [20 mm, 40 mm, 40 mm], centre: [10 mm, 0, 0]}}}}"
+    for region, kind, share, fitted in [
+        (None, "none", None, None),
+        ("{box: {size: [40 mm, 40 mm, 40 mm]}}", "box", 1, None),
+        (halves, "box_union", 1, None),
+        ("{box_union: {count: 4, gain: 0}}", "box_union", None, "boxes fitted to the surface"),
+        (cylinder, "cylinder_sectors", 3.14159 * 21 * 21 / 1600, None),
+        ("{cylinder_sectors: {}}", "cylinder_sectors", 3.14159 / 4, "axis, point, radius, length, hub_radius, blades, sector_angle, start_angle fitted to the surface; "
+         "between its blades there is no gap in angle worth having, so the fan is the whole cylinder"),
+        ("{auto: {}}", "cylinder_sectors", 3.14159 / 4, "taken: the cylinder with sectors"),
+    ]:
+        deck = t.deck(("free: [y]", f"free: [y]\n    region: {region}")) if region else t.deck()
+        out = t.expect_success("check", deck, "--out", "r").out
+        rows = rows_of(out)
+        t.expect_success("run", deck, "--out", "r")
+        report = t.report("r")["impactors"]["cylinder"]["region"]
+        t.assertEqual(report["kind"], kind)
+        t.assertEqual("cylinder_region.vtp" in " ".join(t.files("r/check")), region is not None)
+        if region is None:
+            t.assertEqual(rows["region"], "none: contact wherever the surface is")
+            continue
+        t.assertEqual(rows["region"], kind)
+        t.assertIs(report["clips"], False)
+        # boxes are widened by 1e-8 of the coordinates
+        t.assertAlmostEqual(report["volume [m3]"] / (0.04**3), report["share_of_bounding_box"], 4)
+        if share:
+            t.assertAlmostEqual(report["share_of_bounding_box"], share, 4)
+        words = f"saves {100 * (1 - report['share_of_bounding_box']):.0f} %" if report["share_of_bounding_box"] <= 1 else " m3, "
+        t.assertIn(words, rows["region volume"])
+        t.assertEqual(report.get("fitted"), rows.get("region fitted"))
+        t.assertTrue((fitted or "None") in str(report.get("fitted")), report)
+        for file in (t.folder / "r").rglob("*_region.vtp"):
+            file.unlink()
+
+
 @claim("check: refuses what run refuses, with the same sentence")
 def _(t):
-    for change in [("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
+    for change in [("free: [y]", "free: [y]\n    region: {box_union: {boxes: {a: {size: [40 mm, 40 mm, 30 mm]}}}}"), ("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
         deck = t.deck(change)
         checked, run = (t.run_program(command, deck, "--out", "r") for command in ("check", "run"))
         t.assertEqual((checked.code, checked.err), (run.code, run.err))

@@ -4,6 +4,7 @@
 
 #include "fccda/core/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
+#include "io/results/region_report.hpp"
 
 namespace perimpact {
 
@@ -41,6 +42,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   json["centre_of_mass [m]"] = vector(properties.centre_of_mass);
   json["inertia [kg m2]"] = vector({inertia.row[0].x, inertia.row[1].y, inertia.row[2].z});
   json["products_of_inertia [kg m2]"] = vector(fccda::products_of_inertia(properties));
+  json["region"] = region_report(impactor);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];

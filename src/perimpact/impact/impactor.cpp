@@ -12,16 +12,6 @@ using namespace fccda;
 
 namespace {
 
-Region make_region(const ImpactorSetup& setup, const Surface& surface) {
-  const auto* box = std::get_if<BoxRegionSetup>(&setup.region.shape);
-  if (!box) return Unbounded();
-  try {
-    return BoxRegion({box->size, box->centre}, surface, setup.region.outside.as<Beyond>());
-  } catch (const InputError& error) {
-    throw SetupError("impactors." + setup.name + ".region", error.what());
-  }
-}
-
 AnalyticShape shape_of(const ImpactorSetup& setup) {
   if (const auto* sphere = std::get_if<SphereSurface>(&setup.surface)) return Sphere{.radius = sphere->diameter / 2};
   const auto* cylinder = std::get_if<CylinderSurface>(&setup.surface);
@@ -33,8 +23,8 @@ AnalyticShape shape_of(const ImpactorSetup& setup) {
   return InfiniteCylinder{.radius = cylinder->diameter / 2, .axis = axis};
 }
 
-Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::shared_ptr<const Surface> surface, double spacing) {
-  const Region region = make_region(setup, *surface);
+Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::shared_ptr<const Surface> surface, const Region& region,
+                       double spacing) {
   const double radius = contact.radius_ratio * spacing;
   switch (contact.detector.as<DetectorKind>()) {
     case DetectorKind::analytic:
@@ -58,6 +48,7 @@ std::vector<double> spacings_of(std::span<Particles* const> bodies) {
 Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies)
     : name_(setup.name),
       surface_(std::make_shared<const Surface>(surface_of(setup.surface, setup.name))),
+      region_(region_of(setup.region, *surface_, setup.name)),
       prescribed_(motion_of(setup)),
       loads_(loads_of(setup)),
       body_(rigid_body_of(setup, *surface_, prescribed_)),
@@ -65,7 +56,7 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       friction_(contact.friction),
       gauges_(gauges_of(setup, *surface_, body_)),
       record_(*surface_, spacings_of(bodies)) {
-  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, particles->lattice().spacing));
+  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, region_.region, particles->lattice().spacing));
 }
 
 std::vector<std::size_t> Impactor::starting_inside(std::size_t body, const StruckParticles& particles) const {

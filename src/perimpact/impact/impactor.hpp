@@ -14,6 +14,7 @@
 #include "fccda/surface/surface.hpp"
 #include "perimpact/impact/contact_record.hpp"
 #include "perimpact/impact/gauges_of.hpp"
+#include "perimpact/impact/region_of.hpp"
 #include "perimpact/impact/struck_particles.hpp"
 #include "perimpact/setup/setup.hpp"
 
@@ -44,6 +45,7 @@ class Impactor {
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
+  const ImpactorRegion& region() const { return region_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
   /// False where contacts name no panel: with the analytic detector.
   bool names_panels() const { return detectors_.empty() || !std::holds_alternative<fccda::Analytic>(detectors_.front()); }
@@ -85,6 +87,7 @@ class Impactor {
  private:
   std::string name_;
   std::shared_ptr<const fccda::Surface> surface_;
+  ImpactorRegion region_;
   fccda::PrescribedMotion prescribed_;
   std::vector<fccda::AppliedLoad> loads_;
   fccda::RigidBody body_;
