@@ -42,6 +42,7 @@ Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
       against["rejected_by"]["eq. 20"] = rejections.by_eq20;
     }
     against["entered_inside"] = impactor.entered_inside(b);
+    against["pinched"] = impactor.pinched(b).count;
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
   return json;
@@ -83,6 +84,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["flipped"] = report.flipped;
   json["components"] = report.components;
   json["cavities"] = report.cavities;
+  json["solids"] = report.solids;
   json["closure"] = word_for(report.closure);
   json["rim_edges"] = report.rim_edges;
   json["area [m2]"] = report.area;
@@ -113,7 +115,9 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   for (const Body& body : simulation.bodies()) json["bodies"][body.name] = body_report(body);
   for (const Impactor& impactor : simulation.impactors()) json["impactors"][impactor.name()] = impactor_report(simulation, impactor);
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
-  json["warnings"] = simulation.warnings();
+  std::vector<std::string> warnings = simulation.warnings();
+  for (std::string& warning : simulation.closing_warnings()) warnings.push_back(std::move(warning));
+  json["warnings"] = warnings;
   json["setup"] = Json::verbatim(deck::setup_to_text(simulation.setup()));
   return json;
 }

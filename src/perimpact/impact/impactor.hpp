@@ -1,6 +1,7 @@
 /// A rigid body and what it takes to find out which particles it strikes.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,7 +20,13 @@ namespace perimpact {
 struct Account {
   Vec3d impulse{};           ///< [N s]
   Vec3d angular_impulse{};   ///< [N m s] about the centre of mass
-  std::size_t contacts = 0;  ///< of the last step
+  std::size_t contacts = 0;  ///< particles struck in the last step
+};
+
+/// Particles of a body that found no place outside of all impactors.
+struct Pinched {
+  std::uint64_t count = 0;  ///< summed over steps
+  double first = 0;         ///< [s] time when one was first, where any was
 };
 
 class Impactor {
@@ -34,6 +41,15 @@ class Impactor {
   /// Returns what it found, until the next call.
   std::span<const fccda::Contact> strike(std::size_t body, StruckParticles& particles);
 
+  /// The same for particles, in rising order, that other impactors displaced after `strike` in this step.
+  std::span<const fccda::Contact> strike_again(std::size_t body, StruckParticles& particles, std::span<const std::size_t> which);
+
+  /// Those of the particles that are inside the surface at the end of the step, or nearer to it than the contact radius.
+  std::vector<std::size_t> still_inside(std::size_t body, const StruckParticles& particles, std::span<const std::size_t> which);
+
+  /// So many particles of that body were left inside at `time` [s], between this impactor and others.
+  void note_pinched(std::size_t body, std::size_t particles, double time);
+
   /// Another impactor displaced that particle of a body.
   void moved(std::size_t body, std::size_t particle);
 
@@ -45,6 +61,8 @@ class Impactor {
 
   /// Particles of that body that are inside the surface, or nearer to it than the contact radius. Touching is not inside.
   std::size_t particles_inside(std::size_t body, const StruckParticles& particles) const;
+
+  const Pinched& pinched(std::size_t body) const { return pinched_[body]; }
 
   /// How many particles came to be inside where the region clips the surface; they were not struck.
   std::uint64_t entered_inside(std::size_t body) const;
@@ -62,9 +80,16 @@ class Impactor {
             detector.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::to_string(b) + "." + std::string(part), values); });
           },
           detectors_[b]);
+    for (std::size_t b = 0; b < pinched_.size(); ++b) {
+      visit(name_ + "." + std::to_string(b) + ".pinched", pinched_[b].count);
+      visit(name_ + "." + std::to_string(b) + ".first_pinched", std::span<double>(&pinched_[b].first, 1));
+    }
   }
 
  private:
+  std::span<const fccda::Contact> respond_to_contacts(StruckParticles& particles);
+  std::size_t add_struck();
+
   std::string name_;
   std::shared_ptr<const fccda::Surface> surface_;
   fccda::RigidBody body_;
@@ -73,6 +98,8 @@ class Impactor {
   std::vector<fccda::Detector> detectors_;  // one a body
   fccda::Motion motion_;
   std::vector<fccda::Contact> contacts_;  // of the latest detection
+  std::vector<Pinched> pinched_;          // by body
+  std::vector<std::size_t> struck_;       // particles of the body struck last, in rising order
   Account account_;
   double work_ = 0;
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "fccda/respond/together.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
@@ -72,6 +73,21 @@ std::vector<Impactor> make_impactors(const Setup& setup, std::span<Body> bodies)
   return impactors;
 }
 
+/// An impactor against one of the bodies, as strike_together sees it.
+struct ImpactorOnBody {
+  Impactor& impactor;
+  std::size_t body;
+
+  std::span<const fccda::Contact> strike(StruckParticles& particles) { return impactor.strike(body, particles); }
+  std::span<const fccda::Contact> strike_again(StruckParticles& particles, std::span<const std::size_t> which) {
+    return impactor.strike_again(body, particles, which);
+  }
+  std::vector<std::size_t> still_inside(const StruckParticles& particles, std::span<const std::size_t> which) {
+    return impactor.still_inside(body, particles, which);
+  }
+  void moved(std::size_t particle) { impactor.moved(body, particle); }
+};
+
 }  // namespace
 
 Simulation::Simulation(const Setup& setup)
@@ -115,15 +131,28 @@ void Simulation::advance_bodies() {
 }
 
 void Simulation::strike() {
-  for (Impactor& impactor : impactors_) {
-    impactor.advance(clock_.dt);
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
-      for (const fccda::Contact& contact : impactor.strike(b, particles))
-        for (Impactor& other : impactors_)
-          if (&other != &impactor) other.moved(b, contact.point);
-    }
+  for (Impactor& impactor : impactors_) impactor.advance(clock_.dt);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
+    std::vector<ImpactorOnBody> strikers;
+    for (Impactor& impactor : impactors_) strikers.push_back({impactor, b});
+    const auto pinched = fccda::strike_together(std::span(strikers), particles);
+    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[i].size(), clock_.time());
   }
+}
+
+std::vector<std::string> Simulation::closing_warnings() const {
+  std::vector<std::string> warnings;
+  for (const Impactor& impactor : impactors_)
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      if (const Pinched& pinched = impactor.pinched(b); pinched.count > 0)
+        warnings.push_back(fmt::format(
+            "Particles of body {} were pinched between impactor {} and others, first at t = {:.4g} s: summed over steps, {} were left inside it, since no "
+            "place "
+            "outside of all was found. Forces on the impactors are not to be trusted where they close in on a body by more than it can give way; check their "
+            "courses, or leave them apart by two spacings at least.",
+            bodies_[b].name, impactor.name(), pinched.first, pinched.count));
+  return warnings;
 }
 
 void Simulation::evaluate_forces() {

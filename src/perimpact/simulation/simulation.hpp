@@ -33,6 +33,7 @@ class Simulation {
   const Clock& clock() const { return clock_; }
   const Stability& stability() const { return stability_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  std::vector<std::string> closing_warnings() const;  ///< what only the course of the run can tell
   const fccda::Timers& timers() const { return timers_; }
   std::span<const Body> bodies() const { return bodies_; }
   std::span<const Impactor> impactors() const { return impactors_; }
