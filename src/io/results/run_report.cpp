@@ -58,6 +58,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
     }
     against["starting_inside"] = particles_inside_at_start(simulation, number, b);
     against["entered_inside"] = impactor.entered_inside(b);
+    against["pinched"] = impactor.pinched(b).count;
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
   json["work_of_loads [J]"] = impactor.work_of_loads();
@@ -100,6 +101,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["flipped"] = report.flipped;
   json["components"] = report.components;
   json["cavities"] = report.cavities;
+  json["solids"] = report.solids;
   json["may_overlap"] = report.may_overlap;
   for (const fccda::PartReport& part : report.parts) {
     if (report.parts.size() == 1 && part.name.empty()) break;  // nothing is named

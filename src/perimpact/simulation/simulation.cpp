@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "fccda/respond/together.hpp"
 #include "perimpact/impact/diagnosis.hpp"
 #include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
@@ -89,6 +90,21 @@ void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::sp
   }
 }
 
+/// An impactor against one of the bodies, as strike_together sees it.
+struct ImpactorOnBody {
+  Impactor& impactor;
+  std::size_t body;
+
+  std::span<const fccda::Contact> strike(StruckParticles& particles) { return impactor.strike(body, particles); }
+  std::span<const fccda::Contact> strike_again(StruckParticles& particles, std::span<const std::size_t> which) {
+    return impactor.strike_again(body, particles, which);
+  }
+  std::vector<std::size_t> still_inside(const StruckParticles& particles, std::span<const std::size_t> which) {
+    return impactor.still_inside(body, particles, which);
+  }
+  void moved(std::size_t particle) { impactor.moved(body, particle); }
+};
+
 }  // namespace
 
 Simulation::Simulation(const Setup& setup) : Simulation(setup, Start(setup)) {}
@@ -125,14 +141,13 @@ void Simulation::advance_bodies() {
 }
 
 void Simulation::strike() {
-  for (Impactor& impactor : impactors_) {
-    impactor.advance(clock_.latest());
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
-      for (const fccda::Contact& contact : impactor.strike(b, particles))
-        for (Impactor& other : impactors_)
-          if (&other != &impactor) other.moved(b, contact.point);
-    }
+  for (Impactor& impactor : impactors_) impactor.advance(clock_.latest());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
+    std::vector<ImpactorOnBody> strikers;
+    for (Impactor& impactor : impactors_) strikers.push_back({impactor, b});
+    const auto pinched = fccda::strike_together(std::span(strikers), particles);
+    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[i].size(), clock_.time());
   }
 }
 
