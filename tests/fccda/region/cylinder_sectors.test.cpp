@@ -59,6 +59,9 @@ TEST_CASE("cylinder sectors: the distance is exact beside a sector, outside the 
   check(about_z(5, 10, 2), std::sqrt(2.0));
   check(about_z(1.2, 90, 0), 0.2);  // nearer to the hub than to a sector
   check(about_z(3, 10, 0.5), 0);
+  // behind the tip of a single sector without a hub
+  const CylinderSectors sector = region_of({.radius = 4, .length = 2, .blades = 1, .sector_angle = pi / 3, .start_angle = 0});
+  CHECK(sector.distance_at_least(about_z(3, 200, 0)) >= 3 - slack);
 }
 
 TEST_CASE("cylinder sectors: angles turn about the axis from x to y, from y to z and from z to x") {
@@ -124,4 +127,19 @@ TEST_CASE("cylinder sectors: a region in the middle of a large panel is reached 
   const CylinderSectors::Shape small{.point = {13, 17, 0}, .radius = 1, .length = 1, .hub_radius = 0.2, .blades = 3, .sector_angle = 0.4};
   CHECK(CylinderSectors(small, wall, Beyond::clip).clips());
   CHECK(complaint({.point = {13, 17, 2}, .radius = 1, .length = 1, .hub_radius = 1}, wall, Beyond::clip).starts_with("region: no panel"));
+}
+
+TEST_CASE("cylinder sectors: a piece shorter than the slack may cut the corner between hub and sector, and is felt there") {
+  // From the hub, just below the sector that begins at the angle 0, to the sector just outside the hub.
+  Panels piece;
+  piece.vertices = {{0.9995, -0.0017, 0}, {1.0015, 0, 0}, {0.9995, -0.0017, 0.001}};
+  piece.add_triangle(0, 1, 2);
+  const Surface surface(piece, {.outside = OutsideIs::normals});
+  const CylinderSectors fan({.radius = 4, .length = 2, .hub_radius = 1, .blades = 3, .sector_angle = 1, .start_angle = 0}, surface, Beyond::error);
+  const Vec3d middle = 0.5 * (piece.vertices[0] + piece.vertices[1]);
+  REQUIRE(std::hypot(middle.x, middle.y) > 1.0004);  // outside the hub, and below the sector
+  CHECK_FALSE(fan.clips());
+  CHECK(fan.contains(middle));
+  CHECK(fan.distance_at_least(middle) == 0);
+  CHECK(fan.may_touch({middle, middle}, 0));
 }

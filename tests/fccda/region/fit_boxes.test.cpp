@@ -39,12 +39,17 @@ TEST_CASE("fit boxes: one box is the bounding box, and more never take more room
 }
 
 TEST_CASE("fit boxes: a step is two boxes exactly, a cube one, and no splitting helps them") {
-  const Surface step(fixtures::step_body()), cube(fixtures::unit_cube());
-  REQUIRE(step.is_closed());
-  REQUIRE(step.report().volume == doctest::Approx(3));
-  const std::vector<Box> two = fit_boxes(step, {.most = 30, .gain = 0});
-  CHECK(two.size() == 2);
-  CHECK(volume_of(two) == doctest::Approx(3).epsilon(1e-6));  // widened by 1e-8 of the coordinates
+  // The face of the step lies in the splitting plane and goes with the higher part, whichever side that is on.
+  const Panels rising = fixtures::step_body(), falling = fixtures::moved(rising, [](const Vec3d&p) { return Vec3d{2 - p.x, 1 - p.y, p.z}; });
+  const Surface cube(fixtures::unit_cube());
+  for (const Panels& panels : {rising, falling}) {
+    const Surface step(panels);
+    REQUIRE(step.is_closed());
+    REQUIRE(step.report().volume == doctest::Approx(3));
+    const std::vector<Box> two = fit_boxes(step, {.most = 30, .gain = 0});
+    CHECK(two.size() == 2);
+    CHECK(volume_of(two) == doctest::Approx(3).epsilon(1e-6));  // widened by 1e-8 of the coordinates
+  }
   CHECK(fit_boxes(cube, {.most = 30, .gain = 0}).size() == 1);
 }
 
