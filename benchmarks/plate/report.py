@@ -71,7 +71,7 @@ def section(path):
     """The results of one machine in Markdown."""
     rows = read(path)
     made = ", ".join(dict.fromkeys(f"{row['program'].split()[0]}: {row['compiler']}" for row in rows))
-    lines = [f"### {rows[0]['machine']}", "", f"`results/{path.name}`; {rows[0]['rounds']} rounds; {made}.", ""]
+    lines = [f"#### {rows[0]['machine']}", "", f"`results/{path.name}`; {rows[0]['rounds']} rounds; {made}.", ""]
     lines += ["| claim | wanted | measured | met |", "|---|---|---|---|"]
     lines += [f"| {what} | {wanted} | {shown} | {'yes' if met else '**no**'} |" for what, wanted, shown, met in claims(rows)]
     heads = "program, bonds, ν, correction, isa, threads, steps/s, bonds/s [10⁹], of the core, predict, contact, forces, monitors, against, ratio".split(", ")

@@ -6,8 +6,10 @@
 #include "cli/commands.hpp"
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
+#include "cli/region_text.hpp"
 #include "cli/surface_text.hpp"
 #include "fccda/core/parallel.hpp"
+#include "fccda/region/region_panels.hpp"
 #include "io/output/results_folder.hpp"
 #include "io/output/vtp.hpp"
 #include "io/results/lines.hpp"
@@ -38,10 +40,27 @@ void print_step(const Simulation& simulation) {
              stability.exact);
 }
 
+void print_rigid_body(const Impactor& impactor) {
+  const fccda::RigidBodyProperties& body = impactor.body().properties();
+  const Vec3d com = body.centre_of_mass, products = fccda::products_of_inertia(body);
+  const fccda::Mat3& inertia = body.inertia;
+  fmt::print("  {:<18}{:.5g} kg\n", "mass", body.mass);
+  fmt::print("  {:<18}({:.4g}, {:.4g}, {:.4g}) m from the surface's origin\n", "centre of mass", com.x, com.y, com.z);
+  if (inertia.row[0] == Vec3d{})
+    fmt::print("  {:<18}none given, and an open surface tells none\n", "inertia");
+  else
+    fmt::print("  {:<18}xx {:.5g}, yy {:.5g}, zz {:.5g}, yz {:.3g}, zx {:.3g}, xy {:.3g} kg m2\n", "inertia", inertia.row[0].x, inertia.row[1].y,
+               inertia.row[2].z, products.x, products.y, products.z);
+}
+
 void print_approach(const Simulation& simulation, const Impactor& impactor) {
   const double end = static_cast<double>(simulation.clock().steps) * simulation.clock().dt;
   for (const Body& body : simulation.bodies()) {
     const double radius = simulation.setup().contact.impactors.radius_ratio * body.particles.lattice().spacing;
+    if (!impactor.coasts()) {
+      fmt::print("  {:<18}not foretold for {}: tables or loads change the velocity\n", "first contact", body.name);
+      continue;
+    }
     const Approach found = approach(impactor, body.particles, radius, end);
     if (found.touch)
       fmt::print("  {:<18}touches {} at {:.4g} s (step {}), {:.4g} m away at the start\n", "first contact", body.name, *found.touch,
@@ -75,18 +94,13 @@ void print_duration(Simulation& simulation) {
 void write_pictures(const Simulation& simulation, const std::filesystem::path& folder) {
   output::prepare_folder(folder);
   for (const Body& body : simulation.bodies()) write_particles(folder / (body.name + ".vtp"), body, std::nullopt);
-  for (std::size_t i = 0; i < simulation.impactors().size(); ++i) {
-    const Impactor& impactor = simulation.impactors()[i];
+  for (const Impactor& impactor : simulation.impactors()) {
     write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor);
-    if (const auto* box = std::get_if<BoxRegionSetup>(&simulation.setup().impactors[i].region.shape)) {
-      fccda::Box region;
-      region.include(box->centre - 0.5 * box->size);
-      region.include(box->centre + 0.5 * box->size);
-      fccda::Panels panels = output::panels_of(std::span(&region, 1));
-      for (Vec3d& vertex : panels.vertices) vertex = impactor.body().pose().to_world(vertex);
-      output::write_vtp(folder / (impactor.name() + "_region.vtp"), {.points = output::coordinates(panels.vertices), .panels = panels.panels},
-                        output::Compression::zlib);
-    }
+    fccda::Panels region = fccda::region_panels(impactor.region().region);
+    if (region.panels.empty()) continue;
+    for (Vec3d& vertex : region.vertices) vertex = impactor.body().pose().to_world(vertex);
+    output::write_vtp(folder / (impactor.name() + "_region.vtp"), {.points = output::coordinates(region.vertices), .panels = region.panels},
+                      output::Compression::zlib);
   }
 }
 
@@ -101,6 +115,8 @@ int check_command(const DeckArguments& arguments) {
     for (const Body& body : simulation.bodies()) print_body(body);
     for (const Impactor& impactor : simulation.impactors()) {
       fmt::print("impactor {}\n{}", impactor.name(), surface_text(impactor.surface().report()));
+      print_rigid_body(impactor);
+      fmt::print("{}", region_text(impactor));
       print_approach(simulation, impactor);
     }
     print_step(simulation);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/results/run_report.hpp"
 
 namespace perimpact {
@@ -19,6 +21,13 @@ std::string surface_text(const fccda::SurfaceReport& report) {
   row("area", fmt::format("{:.5g} m2", report.area));
   if (report.closure == fccda::Closure::closed) row("volume", fmt::format("{:.5g} m3", report.volume));
   row("centroid", fmt::format("({:.4g}, {:.4g}, {:.4g}) m", report.centroid.x, report.centroid.y, report.centroid.z));
+  constexpr std::size_t most = 40;  // parts that a terminal can show
+  const bool has_names = report.parts.size() > 1 || !report.parts[0].name.empty();
+  for (std::size_t k = 0; has_names && k < std::min(most, report.parts.size()); ++k) {
+    const fccda::PartReport& part = report.parts[k];
+    row(k == 0 ? "parts" : "", fmt::format("{}: {} panels, {:.5g} m2", part.name.empty() ? "(no name)" : part.name, part.panels, part.area));
+  }
+  if (report.parts.size() > most) row("", fmt::format("and {} more", report.parts.size() - most));
   const auto mended = [&](std::size_t count, const char* what) {
     if (count > 0) row("mended", fmt::format("{} {}", count, what));
   };

@@ -32,17 +32,31 @@ class Pose {
   Mat3 to_body_ = Mat3::identity();
 };
 
-/// A body's motion over one step: at t0 it has one pose, at t1 = t0 + dt the other.
+/// A body's motion over one step: at t0 it has one pose, at t1 = t0 + dt the other. In between it turns evenly about its centre, the
+/// shorter way round, and the centre moves straight.
 struct Motion {
   Pose t0, t1;
-  double dt = 0;  ///< [s]
+  double dt = 0;   ///< [s]
+  Vec3d centre{};  ///< [m] in the body frame; of a rigid body its centre of mass
 };
 
-/// Angle between the two attitudes [rad], from 0 to π.
-inline double rotation_angle(const Motion& motion) {
+/// The turn from t0 to t1 as a vector along its axis (world), as long as its angle [rad], which is at most π.
+inline Vec3d rotation_vector(const Motion& motion) {
   const Quaternion& a = motion.t0.attitude();
   const Quaternion turn = motion.t1.attitude() * Quaternion{a.w, -a.x, -a.y, -a.z};
-  return 2 * std::atan2(norm(Vec3d{turn.x, turn.y, turn.z}), std::fabs(turn.w));
+  const Vec3d axis = turn.w < 0 ? Vec3d{-turn.x, -turn.y, -turn.z} : Vec3d{turn.x, turn.y, turn.z};
+  const double sine = norm(axis);
+  return sine > 0 ? (2 * std::atan2(sine, std::fabs(turn.w)) / sine) * axis : Vec3d{};
+}
+
+/// Angle between the two attitudes [rad], from 0 to π.
+inline double rotation_angle(const Motion& motion) { return norm(rotation_vector(motion)); }
+
+/// Where the body is at t0 + fraction · dt.
+inline Pose pose_at(const Motion& motion, double fraction) {
+  const Quaternion attitude = (Quaternion::from_rotation(fraction * rotation_vector(motion)) * motion.t0.attitude()).normalised();
+  const Vec3d start = motion.t0.to_world(motion.centre), end = motion.t1.to_world(motion.centre);
+  return Pose(start + fraction * (end - start) - Pose({}, attitude).turn_to_world(motion.centre), attitude);
 }
 
 /// What no point within `radius` of `centre` (body frame) exceeds: its displacement from end to end, plus the sagitta R θ²/8 by

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "fccda/core/contract.hpp"
 #include "fccda/core/error.hpp"
 
 namespace fccda {
@@ -64,18 +65,43 @@ Motion RigidBody::advance(double dt) {
   com_ += dt * velocity_;
   if (spin_ == Vec3d{}) {
     place(pose_.attitude());
-    return {before, pose_, dt};
+    return {before, pose_, dt, properties_.centre_of_mass};
   }
   const Vec3d angular = inertia() * spin_;
   place((Quaternion::from_rotation(dt * spin_) * pose_.attitude()).normalised());
   if (degrees_.any_rotation()) spin_ = spin_of(angular);
-  return {before, pose_, dt};
+  count_work_on_rotations(angular, {});
+  return {before, pose_, dt, properties_.centre_of_mass};
 }
 
 void RigidBody::add_impulse(const Vec3d& linear, const Vec3d& angular) {
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (degrees_.translation(axis)) velocity_[axis] += linear[axis] / properties_.mass;
-  if (degrees_.any_rotation()) spin_ = spin_of(inertia() * spin_ + angular);
+    if (degrees_.translation(axis))
+      velocity_[axis] += linear[axis] / properties_.mass;
+    else
+      work_of_holder_ -= linear[axis] * velocity_[axis];
+  const Vec3d before = inertia() * spin_;
+  if (degrees_.any_rotation()) spin_ = spin_of(before + angular);
+  count_work_on_rotations(before, angular);
+}
+
+void RigidBody::count_work_on_rotations(const Vec3d& before, const Vec3d& angular) {
+  const Vec3d taken = inertia() * spin_ - before - angular;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!degrees_.rotation(axis)) work_of_holder_ += spin_[axis] * taken[axis];
+}
+
+void RigidBody::drive(std::size_t degree, double velocity) {
+  EXPECTS(degree < 6 && !degrees_.free[degree]);
+  const double before = kinetic_energy();
+  if (degree < 3) {
+    velocity_[degree] = velocity;
+  } else {
+    const Vec3d angular = inertia() * spin_;
+    spin_[degree - 3] = velocity;
+    if (degrees_.any_rotation()) spin_ = spin_of(angular);
+  }
+  work_of_holder_ += kinetic_energy() - before;
 }
 
 }  // namespace fccda

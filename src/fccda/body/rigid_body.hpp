@@ -1,9 +1,12 @@
-/// A rigid body of six degrees of freedom, each free or held at its velocity.
+/// A rigid body of six degrees of freedom, each free, or held at a velocity that stays or is driven.
 ///
 /// Free components follow
 ///   m dv = J,    I_ff dω_f = (angular impulse)_f,    I = R I_body Rᵀ about the centre of mass,
 /// where f are the free world axes; held components keep their velocity whatever strikes the body. Between impulses the angular
 /// momentum along the free axes is constant: that is the gyroscopic term of Euler's equations in its conserved form.
+///
+/// What holds a component takes the impulse that would change it. Its work, v·(change of momentum - impulse from outside) and likewise
+/// for rotations, balances the energy.
 #pragma once
 
 #include <array>
@@ -19,6 +22,11 @@ struct RigidBodyProperties {
   Vec3d centre_of_mass{};  ///< [m] in the body frame
   Mat3 inertia{};          ///< [kg m²] about the centre of mass, along the axes of the body frame
 };
+
+/// ∫yz dm, ∫zx dm, ∫xy dm about the centre of mass [kg m²].
+inline Vec3d products_of_inertia(const RigidBodyProperties& properties) {
+  return -Vec3d{properties.inertia.row[1].z, properties.inertia.row[2].x, properties.inertia.row[0].y};
+}
 
 /// Which degrees of freedom impulses may change: translation along, then rotation about, the world's x, y and z.
 struct FreeDegrees {
@@ -41,6 +49,9 @@ class RigidBody {
   /// Changes the free velocities; `angular` is about the centre of mass [N s], [N m s].
   void add_impulse(const Vec3d& linear, const Vec3d& angular);
 
+  /// Gives a held degree of freedom (counted as in FreeDegrees) another velocity [m/s], [rad/s]. The free ones keep their momentum.
+  void drive(std::size_t degree, double velocity);
+
   const Pose& pose() const { return pose_; }
   const Vec3d& position_of_com() const { return com_; }    ///< [m]
   const Vec3d& velocity() const { return velocity_; }      ///< [m/s] of the centre of mass
@@ -50,6 +61,7 @@ class RigidBody {
   double mass() const { return properties_.mass; }                 ///< [kg]
   Mat3 inertia() const;                                            ///< [kg m²] about the centre of mass, along world axes
   double kinetic_energy() const;                                   ///< [J]
+  double work_of_holder() const { return work_of_holder_; }        ///< [J] so far, of what holds and drives the degrees that are not free
   Vec3d momentum() const { return properties_.mass * velocity_; }  ///< [kg m/s]
   Vec3d angular_momentum(const Vec3d& point) const;                ///< [kg m²/s] about a point of the world
 
@@ -66,6 +78,7 @@ class RigidBody {
     std::array<double, 4> parts{attitude.w, attitude.x, attitude.y, attitude.z};
     visit(std::string_view("attitude"), std::span<double>(parts));
     place({parts[0], parts[1], parts[2], parts[3]});
+    visit(std::string_view("work_of_holder"), std::span<double>(&work_of_holder_, 1));
   }
 
  private:
@@ -79,6 +92,8 @@ class RigidBody {
   void place(const Quaternion& attitude);
   /// The angular velocity whose free components give `angular` along the free axes, the held ones staying as they are.
   Vec3d spin_of(const Vec3d& angular) const;
+  /// What holds the rotations took the angular momentum from `before` to what it is now, but for `angular`, which came from outside.
+  void count_work_on_rotations(const Vec3d& before, const Vec3d& angular);
 
   RigidBodyProperties properties_;
   FreeDegrees degrees_;
@@ -86,6 +101,7 @@ class RigidBody {
   Vec3d velocity_;
   Vec3d spin_;
   Pose pose_;
+  double work_of_holder_ = 0;
 };
 
 }  // namespace fccda

@@ -78,6 +78,7 @@ struct Box {
   bool is_empty() const { return low.x > high.x; }
   Vec3d size() const { return high - low; }
   Vec3d centre() const { return 0.5 * (low + high); }
+  double distance(const Vec3d& point) const { return norm(max(max(low - point, point - high), Vec3d{})); }  ///< 0 inside
 };
 
 /// A 3×3 matrix by rows.

@@ -12,15 +12,17 @@ std::optional<Vec3d> nearest_outside(const PathTest& test, const Vec3d& point) {
   constexpr int most_projections = 10;
   Vec3d place = point;
   for (int projection = 0; projection < most_projections; ++projection) {
-    const std::optional<ClosestPoint> closest = test.bvh().closest(place);
-    if (!closest) return std::nullopt;
-    const Vec3d& normal = surface.pseudonormal(static_cast<std::size_t>(closest->triangle), closest->feature);
+    std::size_t asked = 0;
+    const std::optional<PathTest::Nearest> nearest = test.nearest(place, -1, asked);
+    if (!nearest) return std::nullopt;
+    const ClosestPoint& closest = nearest->closest;
+    const Vec3d& normal = surface.pseudonormal(static_cast<std::size_t>(closest.triangle), closest.feature);
     Vec3d direction = normal;
-    if (closest->distance > offset) {
-      direction = (place - closest->point) / closest->distance;
+    if (closest.distance > offset) {
+      direction = (place - closest.point) / closest.distance;
       if (dot(direction, normal) < 0) direction = -direction;
     }
-    place = closest->point + (test.radius() + offset) * direction;
+    place = closest.point + (test.radius() + offset) * direction;
     if (!test.is_inside(place, offset)) return place;
   }
   return std::nullopt;

@@ -1,8 +1,8 @@
 /// The geometry of one point against the surface over one step, in the frame of the body.
 ///
-/// A point is a ball of the contact radius r >= 0. Its path is the straight line between its places at the two ends of the step; the
-/// ends are exact and consecutive paths join, so nothing gets through unseen, and the arc of a rotating body bulges out of the chord by
-/// R θ²/8 only. The ball touches where the path comes nearer to the surface than r, or crosses it from the front. It is put back
+/// A point is a ball of the contact radius r >= 0. Its path is the straight line between its places at the two ends of the step or, where
+/// the body turns by much, a polyline (bent_path.hpp); the ends are exact and consecutive paths join, so nothing gets through unseen. The
+/// ball touches where the path comes nearer to the surface than r, or crosses it from the front. It is put back
 ///   - at the distance r from the surface's point that is closest to the end of the path, among the triangles that face its start
 ///     (the far side of a thin blade does not),
 ///   - or, where the path ends outside again, past an edge or right through a blade, there, less what it went against the normal after
@@ -12,19 +12,23 @@
 /// An offset of max(1e-12 size, 32 ε max|coordinate|) is added to r there, and taken off where contact is asked for: rest at the
 /// surface, and motion away from it, is no contact.
 ///
-/// Sides: a closed surface has an inside, by the pseudonormal of the closest feature (Bærentzen and Aanæs 2005). An open one has a
-/// front; contact comes from there only, and beyond its rim no side is known, so only crossing counts.
+/// Sides: a closed surface has an inside, by the pseudonormal of the closest feature (Bærentzen and Aanæs 2005), and where parts of it
+/// overlap that of their union (search/solids.hpp). An open one has a front; contact comes from there only, and beyond its rim no side is known, so only
+/// crossing counts.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "fccda/body/pose.hpp"
+#include "fccda/detect/bent_path.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/points.hpp"
 #include "fccda/region/all_regions.hpp"
 #include "fccda/search/bvh.hpp"
+#include "fccda/search/solids.hpp"
 #include "fccda/surface/surface.hpp"
 
 namespace fccda {
@@ -39,7 +43,7 @@ struct Touch {
 };
 
 struct PathQuestion {
-  Path path;
+  BentPath path;
   double offset = 0;      ///< [m]
   double look_ahead = 0;  ///< [m] how far beyond the reach of contact a distance is worth knowing
   bool entered = false;   ///< the point is known to have come in where the surface is not felt
@@ -54,6 +58,12 @@ struct PathAnswer {
 
 class PathTest {
  public:
+  /// What a point must keep away from: the closest point of the surface or, among solids that overlap, of the one it is deepest in.
+  struct Nearest {
+    ClosestPoint closest;
+    double distance;  ///< [m] negative inside a closed surface
+  };
+
   PathTest(std::shared_ptr<const Surface> surface, Region region, double radius);
 
   /// `guess`: a triangle thought to be near, or -1; updated.
@@ -62,22 +72,41 @@ class PathTest {
   /// Inside the surface, or nearer to it than the contact radius by more than `tolerance` [m]; in front of it where it is open.
   bool is_inside(const Vec3d& point, double tolerance) const;
 
+  /// `guess`: a triangle thought to be near, or -1. Nothing for a point that is no number.
+  std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& asked) const;
+
   const Surface& surface() const { return *surface_; }
-  const Bvh& bvh() const { return bvh_; }
+  const Solids& solids() const { return solids_; }
   double radius() const { return radius_; }  ///< [m]
   double size() const { return size_; }      ///< [m] the largest extent of the surface
 
  private:
-  int side(const ClosestPoint& closest, const Vec3d& point) const;
-  double signed_distance(const ClosestPoint& closest, const Vec3d& point) const { return side(closest, point) * closest.distance; }
+  /// What counts as touching in this question.
+  struct Ball {
+    double radius;  // [m]
+    double offset;  // [m]
+  };
+
+  /// The first straight part of the path that leads to contact.
+  struct Leg {
+    Path path;
+    ClosestPoint at_start;
+    double begin, share;  // of the step: when it begins, how much of it it is
+  };
+
+  int side(const ClosestPoint& closest, const Vec3d& point, std::size_t& asked) const;
   Vec3d outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const;
-  bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance) const;
-  bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, double radius, double offset, std::size_t& asked) const;
-  Touch first_touch(const Path& path, const ClosestPoint& at_start, double radius, double offset, std::size_t& asked) const;
-  void relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Vec3d& viewer, double radius, double offset, std::size_t& asked) const;
+  bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& asked) const;
+  std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest, std::size_t& asked) const;
+  bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& asked) const;
+  std::optional<Leg> first_leg(const BentPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
+                               std::size_t& asked) const;
+  Touch first_touch(const Leg& leg, const Ball& ball, std::size_t& asked) const;
+  void relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Vec3d& viewer, const Ball& ball, std::size_t& asked) const;
 
   std::shared_ptr<const Surface> surface_;
   Bvh bvh_;
+  Solids solids_;
   Region region_;
   double radius_;
   double size_;
@@ -90,6 +119,16 @@ std::vector<std::size_t> starting_inside(const PathTest& test, const P& points, 
   std::vector<std::size_t> inside;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points.occupied(i) && test.is_inside(pose.to_body(points.position_t0(i)), 1e-9 * test.size())) inside.push_back(i);
+  return inside;
+}
+
+/// Those of the points that are inside at t1, by as much, less those that `is_excused`.
+template <Points P, class IsExcused>
+std::vector<std::size_t> still_inside(const PathTest& test, const P& points, const Pose& pose, std::span<const std::size_t> which,
+                                      const IsExcused& is_excused) {
+  std::vector<std::size_t> inside;
+  for (const std::size_t i : which)
+    if (test.is_inside(pose.to_body(points.position_t1(i)), 1e-9 * test.size()) && !is_excused(i)) inside.push_back(i);
   return inside;
 }
 

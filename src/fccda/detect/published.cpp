@@ -30,6 +30,13 @@ bool within(double value, double low, double high) { return value >= low && valu
 
 }  // namespace
 
+void Rejections::count(Verdict verdict) {
+  by_eq14 += verdict == Verdict::eq14;
+  by_eq15 += verdict == Verdict::eq15;
+  by_eq17 += verdict == Verdict::eq17;
+  by_eq20 += verdict == Verdict::eq20;
+}
+
 Published::Published(std::shared_ptr<const Surface> surface, const Region& region, Reading reading)
     : surface_(std::move(surface)), region_(region), reading_(reading), sign_(surface_->panels().panels.size(), 1) {
   // Panels may be wound either way in the file; the surface knows which side is outside, and which panels it dropped.
@@ -67,29 +74,29 @@ void Published::place(const Motion& motion) {
   });
 }
 
-bool Published::accepts_by_letter(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Rejections& rejections) const {
-  const Plane& before = at_t0_[panel];
-  if (!within(x_t0.y, before.box.low.y, before.box.high.y) || !within(x_t0.z, before.box.low.z, before.box.high.z)) return ++rejections.by_eq14, false;
-  if (!areas_agree(before.node, before.nodes, x_t0, 2)) return ++rejections.by_eq15, false;
-  const double height_t0 = before.height(x_t0), height_t1 = at_t1_[panel].height(x_t1);
-  if (!(height_t0 <= 0 && height_t1 > 0) && !(height_t0 >= 0 && height_t1 < 0)) return ++rejections.by_eq17, false;
+Verdict Published::judge_by_letter(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) {
+  const auto& [before, after] = panel;
+  if (!within(x_t0.y, before.box.low.y, before.box.high.y) || !within(x_t0.z, before.box.low.z, before.box.high.z)) return Verdict::eq14;
+  if (!areas_agree(before.node, before.nodes, x_t0, 2)) return Verdict::eq15;
+  const double height_t0 = before.height(x_t0), height_t1 = after.height(x_t1);
+  if (!(height_t0 <= 0 && height_t1 > 0) && !(height_t0 >= 0 && height_t1 < 0)) return Verdict::eq17;
   const bool above = x_t0.y > motion.t0.position().y;
-  if (above ? !(height_t0 >= 0) : !(height_t0 <= 0)) return ++rejections.by_eq20, false;
-  return true;
+  if (above ? !(height_t0 >= 0) : !(height_t0 <= 0)) return Verdict::eq20;
+  return Verdict::accepted;
 }
 
-bool Published::accepts_repaired(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, Rejections& rejections) const {
-  const Plane &before = at_t0_[panel], &after = at_t1_[panel];
+Verdict Published::judge_repaired(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1) {
+  const auto& [before, after] = panel;
   const Vec3d low = min(x_t0, x_t1), high = max(x_t0, x_t1);
   const Vec3d panel_low = min(before.box.low, after.box.low), panel_high = max(before.box.high, after.box.high);
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (low[axis] > panel_high[axis] || high[axis] < panel_low[axis]) return ++rejections.by_eq14, false;
+    if (low[axis] > panel_high[axis] || high[axis] < panel_low[axis]) return Verdict::eq14;
   const Vec3d n = after.normal;
   const double largest = largest_magnitude(n);
   const std::size_t along = std::fabs(n.x) == largest ? 0 : std::fabs(n.y) == largest ? 1 : 2;
-  if (!areas_agree(after.node, after.nodes, x_t1, along)) return ++rejections.by_eq15, false;
-  if (!(before.height(x_t0) >= 0 && after.height(x_t1) < 0)) return ++rejections.by_eq17, false;
-  return true;
+  if (!areas_agree(after.node, after.nodes, x_t1, along)) return Verdict::eq15;
+  if (!(before.height(x_t0) >= 0 && after.height(x_t1) < 0)) return Verdict::eq17;
+  return Verdict::accepted;
 }
 
 // Eqs. 18 and 19.
@@ -116,9 +123,9 @@ void Published::look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1,
   for (std::size_t panel = 0; panel < sign_.size(); ++panel) {
     if (sign_[panel] == 0) continue;
     ++found.effort.panels_asked;
-    const bool accepted =
-        reading_ == Reading::letter ? accepts_by_letter(panel, x_t0, x_t1, motion, found.rejections) : accepts_repaired(panel, x_t0, x_t1, found.rejections);
-    if (!accepted) continue;
+    const Verdict verdict = judge({at_t0_[panel], at_t1_[panel]}, x_t0, x_t1, motion);
+    found.rejections.count(verdict);
+    if (verdict != Verdict::accepted) continue;
     const Plane& plane = at_t1_[panel];
     const double before = at_t0_[panel].height(x_t0), after = plane.height(x_t1);
     const double fraction = before / (before - after);

@@ -26,10 +26,12 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "fccda/body/pose.hpp"
+#include "fccda/core/contract.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/every_point.hpp"
 #include "fccda/detect/nearest_outside.hpp"
@@ -40,10 +42,14 @@
 
 namespace fccda {
 
+/// What the equations say of a point's step and a panel: accepted, or the first equation that turned it down.
+enum class Verdict { accepted, eq14, eq15, eq17, eq20 };
+
 /// How many pairs of point and panel each equation turned down; a pair is counted at the first one that does.
 struct Rejections {
   std::size_t by_eq14 = 0, by_eq15 = 0, by_eq17 = 0, by_eq20 = 0;
 
+  void count(Verdict verdict);
   Rejections& operator+=(const Rejections& b) {
     by_eq14 += b.by_eq14, by_eq15 += b.by_eq15, by_eq17 += b.by_eq17, by_eq20 += b.by_eq20;
     return *this;
@@ -62,11 +68,21 @@ class Published {
   void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
     place(motion);
     look_at_every_point(points, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
-    for (const Found& found : found_) {
-      out.insert(out.end(), found.contacts.begin(), found.contacts.end());
-      effort_ += found.effort;
-      rejections_ += found.rejections;
-    }
+    gather(out);
+  }
+
+  /// The same for chosen points, in rising order, that somebody else displaced after `detect` in this step.
+  template <Points P>
+  void detect_again(const P& points, const Motion& motion, double, std::span<const std::size_t> which, std::vector<Contact>& out) {
+    look_at_points(which, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
+    gather(out);
+  }
+
+  /// As Swept answers it, for points without extent.
+  template <Points P>
+  std::vector<std::size_t> still_inside(const P& points, const Motion& motion, std::span<const std::size_t> which) {
+    if (!sides_) sides_ = std::make_shared<const PathTest>(surface_, region_, 0);
+    return fccda::still_inside(*sides_, points, motion.t1, which, [](std::size_t) { return false; });
   }
 
   void moved(std::size_t) {}  ///< nothing is remembered
@@ -86,6 +102,13 @@ class Published {
   const Effort& effort() const { return effort_; }
   const Rejections& rejections() const { return rejections_; }  ///< of all detections so far
 
+  /// Why the step from x_t0 to x_t1 [m] was or was not taken for contact with a panel of the surface, numbered as in the file: for the
+  /// panel that was truly crossed, the reason of a miss.
+  Verdict verdict(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) const {
+    EXPECTS(panel < sign_.size() && sign_[panel] != 0);
+    return judge({plane(panel, motion.t0), plane(panel, motion.t1)}, x_t0, x_t1, motion);
+  }
+
   template <class Visitor>
   void visit_state(Visitor&&) {}
 
@@ -100,17 +123,32 @@ class Published {
     double height(const Vec3d& point) const { return dot(normal, point) + d; }
   };
 
+  /// The same panel at the two ends of the step.
+  struct Planes {
+    const Plane &before, &after;
+  };
+
   struct Found {
     std::vector<Contact> contacts;
     Effort effort;
     Rejections rejections;
   };
 
+  void gather(std::vector<Contact>& out) {
+    for (const Found& found : found_) {
+      out.insert(out.end(), found.contacts.begin(), found.contacts.end());
+      effort_ += found.effort;
+      rejections_ += found.rejections;
+    }
+  }
   void place(const Motion& motion);
   Plane plane(std::size_t panel, const Pose& pose) const;
   void look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const;
-  bool accepts_by_letter(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Rejections& rejections) const;
-  bool accepts_repaired(std::size_t panel, const Vec3d& x_t0, const Vec3d& x_t1, Rejections& rejections) const;
+  Verdict judge(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) const {
+    return reading_ == Reading::letter ? judge_by_letter(panel, x_t0, x_t1, motion) : judge_repaired(panel, x_t0, x_t1);
+  }
+  static Verdict judge_by_letter(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion);
+  static Verdict judge_repaired(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1);
   Vec3d relocated(const Plane& plane, const Vec3d& x_t1) const;
 
   std::shared_ptr<const Surface> surface_;
@@ -120,7 +158,8 @@ class Published {
   std::vector<Plane> at_t0_, at_t1_;  // of this step
   Effort effort_;
   Rejections rejections_;
-  std::vector<Found> found_;  // of each block
+  std::vector<Found> found_;               // of each block
+  std::shared_ptr<const PathTest> sides_;  // made when first asked who is inside
 };
 
 }  // namespace fccda

@@ -32,17 +32,18 @@ void Swept::forget() {
   std::fill(guess_.begin(), guess_.end(), -1);
 }
 
-void Swept::look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, double look_ahead,
+void Swept::look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view, double look_ahead,
                     Found& found) {
-  const Path path{motion.t0.to_body(position_t0), motion.t1.to_body(position_t1)};
-  const bool entered = std::binary_search(entered_.begin(), entered_.end(), point);
+  const BentPath path = view.path(position_t0, position_t1);
+  const bool entered = has_entered(point);
   const bool fresh = due_.is_new(point);
   const PathAnswer answer =
       test_.ask({.path = path, .offset = step_.offset, .look_ahead = fresh ? Bvh::no_cap : look_ahead, .entered = entered}, guess_[point], found.effort);
   due_.postpone(block, point, answer.clearance);
-  if (answer.enters && !entered) found.entering.push_back(point);
   if (answer.leaves) found.leaving.push_back(point);
+  if (answer.enters && (!entered || answer.leaves)) found.entering.push_back(point);
   if (!answer.touch) return;
+  const Motion& motion = view.motion();
   const Touch& touch = *answer.touch;
   found.contacts.push_back({.point = point,
                             .panel = test_.surface().triangles()[static_cast<std::size_t>(touch.triangle)].panel,
@@ -50,12 +51,12 @@ void Swept::look_at(std::size_t block, std::size_t point, const Vec3d& position_
                             .hit = motion.t1.to_world(touch.hit),
                             .normal = motion.t1.turn_to_world(touch.normal),
                             .relocation = motion.t1.to_world(touch.relocation),
-                            .depth = norm(touch.relocation - path.end)});
+                            .depth = norm(touch.relocation - path.chord().end)});
 }
 
-void Swept::gather(std::vector<Contact>& out) {
+void Swept::gather(std::size_t shares, std::vector<Contact>& out) {
   std::vector<std::uint64_t> entering, leaving;
-  for (std::size_t k = 0; k < due_blocks_.size(); ++k) {
+  for (std::size_t k = 0; k < shares; ++k) {
     const Found& found = found_[k];
     out.insert(out.end(), found.contacts.begin(), found.contacts.end());
     entering.insert(entering.end(), found.entering.begin(), found.entering.end());
@@ -63,10 +64,11 @@ void Swept::gather(std::vector<Contact>& out) {
     effort_ += found.effort;
   }
   if (entering.empty() && leaving.empty()) return;
+  // One that goes out and comes in again within a step has not come in anew.
+  entered_count_ += static_cast<std::size_t>(std::count_if(entering.begin(), entering.end(), [&](std::uint64_t point) { return !has_entered(point); }));
   std::erase_if(entered_, [&](std::uint64_t point) { return std::binary_search(leaving.begin(), leaving.end(), point); });
   entered_.insert(entered_.end(), entering.begin(), entering.end());
   std::sort(entered_.begin(), entered_.end());
-  entered_count_ += entering.size();
 }
 
 }  // namespace fccda

@@ -4,6 +4,7 @@
 /// blocks, in parallel; contacts come out in point order and do not depend on the number of threads.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,6 +13,7 @@
 
 #include "fccda/body/pose.hpp"
 #include "fccda/core/parallel.hpp"
+#include "fccda/detect/bent_path.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/nearest_outside.hpp"
 #include "fccda/detect/path_test.hpp"
@@ -32,16 +34,44 @@ class Swept {
   template <Points P>
   void detect(const P& points, const Motion& motion, double surface_travel, std::vector<Contact>& out) {
     begin(points, motion);
+    const BodyView view(motion, test_.size());
     due_blocks_.clear();
     for (std::size_t b = 0; b < points.block_count(); ++b)
       if (due_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
-    const auto look = [&](std::ptrdiff_t k) { look_at_block(points, motion, surface_travel, static_cast<std::size_t>(k)); };
+    const auto look = [&](std::ptrdiff_t k) { look_at_block(points, view, surface_travel, static_cast<std::size_t>(k)); };
     if (due_blocks_.size() == 1)
       look(0);  // not worth waking the other threads
     else
       parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), look);
-    gather(out);
+    gather(due_blocks_.size(), out);
+  }
+
+  /// The same for chosen points, in rising order, that somebody else displaced after `detect` looked in this step: their paths lead from
+  /// where they were at t0 to where they are now.
+  template <Points P>
+  void detect_again(const P& points, const Motion& motion, double surface_travel, std::span<const std::size_t> which, std::vector<Contact>& out) {
+    const BodyView view(motion, test_.size());
+    const std::size_t share = 64, shares = (which.size() + share - 1) / share;
+    if (found_.size() < shares) found_.resize(shares);
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(shares), [&](std::ptrdiff_t k) {
+      const std::size_t first = static_cast<std::size_t>(k) * share;
+      Found& found = found_[static_cast<std::size_t>(k)];
+      found.clear();
+      for (const std::size_t i : which.subspan(first, std::min(share, which.size() - first))) {
+        const std::size_t block = due_.block_of(i);
+        look_at(block, i, points.position_t0(i), points.position_t1(i), view, look_ahead(points.block_travel(block) + surface_travel), found);
+      }
+    });
+    for (const std::size_t i : which) due_.settle_point(i);
+    gather(shares, out);
+  }
+
+  /// Those of the points, in rising order, that are inside at t1 for all that was done, or nearer than the contact radius. Points that
+  /// came in where the surface is not felt do not count.
+  template <Points P>
+  std::vector<std::size_t> still_inside(const P& points, const Motion& motion, std::span<const std::size_t> which) const {
+    return fccda::still_inside(test_, points, motion.t1, which, [&](std::size_t i) { return has_entered(i); });
   }
 
   /// Somebody else displaced point i after the last detection.
@@ -66,7 +96,8 @@ class Swept {
   /// They were not struck.
   std::uint64_t entered_inside() const { return entered_count_; }
 
-  const Effort& effort() const { return effort_; }  ///< of all detections so far
+  const Effort& effort() const { return effort_; }                                ///< of all detections so far
+  std::size_t buried_triangles() const { return test_.solids().buried_count(); }  ///< that may lie in another closed part, wholly or in part
   const Surface& surface() const { return test_.surface(); }
   double contact_radius() const { return test_.radius(); }  ///< [m]
 
@@ -109,24 +140,26 @@ class Swept {
   }
 
   template <Points P>
-  void look_at_block(const P& points, const Motion& motion, double surface_travel, std::size_t k) {
+  void look_at_block(const P& points, const BodyView& view, double surface_travel, std::size_t k) {
     const std::size_t b = due_blocks_[k];
     Found& found = found_[k];
     found.clear();
-    const double look_ahead = looks_ahead * step_.approach(points.block_travel(b) + surface_travel);
+    const double ahead = look_ahead(points.block_travel(b) + surface_travel);
     for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
       if (!due_.is_due(b, i)) continue;
       if (points.occupied(i))
-        look_at(b, i, points.position_t0(i), points.position_t1(i), motion, look_ahead, found);
+        look_at(b, i, points.position_t0(i), points.position_t1(i), view, ahead, found);
       else
         due_.postpone(b, i, Bvh::no_cap);
     }
     due_.settle(b);
   }
 
+  bool has_entered(std::size_t point) const { return std::binary_search(entered_.begin(), entered_.end(), point); }
+  double look_ahead(double travel) const { return looks_ahead * step_.approach(travel); }
   void measure(const Motion& motion);
-  void look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, double look_ahead, Found& found);
-  void gather(std::vector<Contact>& out);
+  void look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view, double look_ahead, Found& found);
+  void gather(std::size_t shares, std::vector<Contact>& out);
 
   PathTest test_;
   Step step_;
@@ -137,7 +170,7 @@ class Swept {
   Due due_;                 // caches from here on
   std::vector<int> guess_;  // the triangle last found near each point
   std::vector<std::size_t> blocks_, due_blocks_;
-  std::vector<Found> found_;  // of each due block
+  std::vector<Found> found_;  // of each due block or, again, of each 64 points
 };
 
 }  // namespace fccda

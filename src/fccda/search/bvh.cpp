@@ -85,7 +85,7 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
     }
   };
 
-  if (guess >= 0) visit_leaf(leaves_[static_cast<std::size_t>(leaf_of_[static_cast<std::size_t>(guess)])]);
+  if (guess >= 0 && !leaf_of_.empty()) visit_leaf(leaves_[static_cast<std::size_t>(leaf_of_[static_cast<std::size_t>(guess)])]);
 
   std::array<Waiting, stack_size> stack;
   std::size_t depth = 0;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "fccda/core/aligned.hpp"
@@ -38,6 +39,9 @@ class Bvh {
 
   /// `surface` must outlive it.
   explicit Bvh(const Surface& surface);
+
+  /// Of some triangles only, in rising order. Guesses are not made use of.
+  Bvh(const Surface& surface, std::span<const std::int32_t> triangles);
 
   /// The closest point of the surface within `cap` [m]. `guess` is a triangle thought to be near, or -1. `asked` counts the triangles
   /// that were computed.
@@ -83,7 +87,7 @@ class Bvh {
   Vec3d origin_;  // middle of the surface: floats are finest there
   AlignedVector<Node> nodes_;
   AlignedVector<Leaf> leaves_;
-  std::vector<std::int32_t> leaf_of_;  // of each triangle
+  std::vector<std::int32_t> leaf_of_;  // of each triangle; empty where it has some of them only
 };
 
 }  // namespace fccda

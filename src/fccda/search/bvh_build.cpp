@@ -28,11 +28,12 @@ double leaves_for(std::size_t triangles) { return static_cast<double>((triangles
 
 class Bvh::Builder {
  public:
-  Builder(Bvh& bvh, const Surface& surface) : bvh_(bvh), surface_(surface), order_(surface.triangles().size()), boxes_(order_.size()) {
+  Builder(Bvh& bvh, const Surface& surface, std::span<const std::int32_t> triangles)
+      : bvh_(bvh), surface_(surface), triangles_(triangles), order_(triangles.size()), boxes_(triangles.size()) {
     std::iota(order_.begin(), order_.end(), 0);
     Box all;
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      for (std::size_t c = 0; c < 3; ++c) boxes_[i].include(surface.corner(i, c) - bvh.origin_);
+      for (std::size_t c = 0; c < 3; ++c) boxes_[i].include(surface.corner(static_cast<std::size_t>(triangles[i]), c) - bvh.origin_);
       include(all, boxes_[i]);
     }
     slack_ = 0x1p-20 * std::fmax(largest_magnitude(all.low), largest_magnitude(all.high));
@@ -43,7 +44,7 @@ class Bvh::Builder {
   using Range = std::span<std::int32_t>;
   static constexpr int deepest_uneven = 100;  // halves from there on: at most 16 levels more, so that a query's stack is bounded
 
-  const Box& box(std::int32_t triangle) const { return boxes_[static_cast<std::size_t>(triangle)]; }
+  const Box& box(std::int32_t i) const { return boxes_[static_cast<std::size_t>(i)]; }
 
   Box bounds(Range range) const {
     Box all;
@@ -136,7 +137,7 @@ class Bvh::Builder {
     Leaf leaf{};
     leaf.count = static_cast<std::int32_t>(range.size());
     for (std::size_t l = 0; l < width; ++l) {
-      const std::int32_t triangle = range[std::min(l, range.size() - 1)];
+      const std::int32_t triangle = triangles_[static_cast<std::size_t>(range[std::min(l, range.size() - 1)])];
       const Corners t = bvh_.corners(static_cast<std::size_t>(triangle));
       const Vec3d a = t.a - bvh_.origin_, ab = t.b - t.a, ac = t.c - t.a;
       for (std::size_t axis = 0; axis < 3; ++axis) leaf.a[axis][l] = a[axis], leaf.ab[axis][l] = ab[axis], leaf.ac[axis][l] = ac[axis];
@@ -145,7 +146,7 @@ class Bvh::Builder {
       leaf.inverse_ca[l] = 1 / squared_norm(ac);
       leaf.inverse_normal[l] = 1 / squared_norm(cross(ab, ac));
       leaf.triangle[l] = triangle;
-      bvh_.leaf_of_[static_cast<std::size_t>(triangle)] = index;
+      if (!bvh_.leaf_of_.empty()) bvh_.leaf_of_[static_cast<std::size_t>(triangle)] = index;
     }
     bvh_.leaves_.push_back(leaf);
     return index;
@@ -153,14 +154,22 @@ class Bvh::Builder {
 
   Bvh& bvh_;
   const Surface& surface_;
-  std::vector<std::int32_t> order_;
+  std::span<const std::int32_t> triangles_;
+  std::vector<std::int32_t> order_;  // of the triangles' places in the list
   std::vector<Box> boxes_;
   double slack_ = 0;
 };
 
 Bvh::Bvh(const Surface& surface) : surface_(&surface), origin_(surface.report().bounds.centre()), leaf_of_(surface.triangles().size()) {
   EXPECTS(!surface.triangles().empty());
-  Builder(*this, surface);
+  std::vector<std::int32_t> all(surface.triangles().size());
+  std::iota(all.begin(), all.end(), 0);
+  Builder(*this, surface, all);
+}
+
+Bvh::Bvh(const Surface& surface, std::span<const std::int32_t> triangles) : surface_(&surface), origin_(surface.report().bounds.centre()) {
+  EXPECTS(!triangles.empty() && std::is_sorted(triangles.begin(), triangles.end()));
+  Builder(*this, surface, triangles);
 }
 
 }  // namespace fccda

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "fccda/core/vec3.hpp"
@@ -47,16 +48,17 @@ inline PointOnTriangle closest_on_triangle(const Vec3d& point, const Corners& t)
 /// A start on the plane counts as in front; an end on it has not gone through.
 ///
 /// The three edge terms are computed so that two triangles of one edge find exactly opposite values (products and their
-/// differences round alike), so a path cannot slip between them; the tolerance, relative to the barycentric coordinates, covers
-/// vertices. Without it about 1 % of the shots at vertices are lost.
+/// differences round alike), so a path cannot slip between them; the tolerance covers vertices, where without it about 1 % of the shots
+/// are lost. It is what the terms may be off by rounding and no more: a point put back on an edge lies 1e-12 off it, and leaves over it
+/// without meeting the plane beyond.
 inline std::optional<double> front_crossing(const Vec3d& start, const Vec3d& end, const Corners& t) {
-  constexpr double tolerance = 1e-9;
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   const Vec3d normal = cross(t.b - t.a, t.c - t.a);
   const double before = dot(start - t.a, normal), after = dot(end - t.a, normal);
   if (!(before >= 0 && after < 0)) return std::nullopt;
   const Vec3d way = start - end, a = t.a - start, b = t.b - start, c = t.c - start;  // backwards, so that the terms are positive inside
   const double u = dot(way, cross(b, c)), v = dot(way, cross(c, a)), w = dot(way, cross(a, b));
-  const double least = -tolerance * (std::fabs(u) + std::fabs(v) + std::fabs(w));
+  const double least = -rounding * norm(way) * std::max({squared_norm(a), squared_norm(b), squared_norm(c)});
   if (!(u >= least && v >= least && w >= least)) return std::nullopt;
   return before / (before - after);
 }

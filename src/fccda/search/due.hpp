@@ -53,11 +53,18 @@ class Due {
     next_[b] = next;
   }
 
+  /// After a point of any block has been looked at.
+  void settle_point(std::size_t point) {
+    double& next = next_[block_of(point)];
+    next = std::min(next, due_at_[point]);
+  }
+
+  std::size_t block_of(std::size_t point) const { return static_cast<std::size_t>(std::upper_bound(begin_.begin(), begin_.end(), point) - begin_.begin()) - 1; }
+
   /// What was known of the point's distance does not hold any more.
   void forget(std::size_t point) {
     if (point >= due_at_.size()) return;  // nothing known yet
-    const auto block = std::upper_bound(begin_.begin(), begin_.end(), point) - begin_.begin() - 1;
-    due_at_[point] = next_[static_cast<std::size_t>(block)] = at_once;
+    due_at_[point] = next_[block_of(point)] = at_once;
   }
 
   /// Makes everything due.

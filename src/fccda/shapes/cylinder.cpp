@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fccda/core/contract.hpp"
+#include "fccda/surface/part_naming.hpp"
 
 namespace fccda {
 namespace {
@@ -88,8 +89,11 @@ Panels make_cylinder(const CylinderShape& shape) {
   expect_affordable(2 * columns * (rows + divisions(radius, shape.panel)), shape.panel, "cylinder");
 
   Panels out;
+  PartNaming parts(out);
+  parts.begin("bottom");
   Ring below = add_ring(out, static_cast<int>(columns), radius, -0.5 * shape.height);
   add_cap(out, below, radius, -0.5 * shape.height, shape.panel, false);
+  parts.begin("side");
   const int row_count = static_cast<int>(rows);
   for (int row = 1; row <= row_count; ++row) {
     // from the middle, so that rows are mirror images too
@@ -105,7 +109,9 @@ Panels make_cylinder(const CylinderShape& shape) {
     }
     below = above;
   }
+  parts.begin("top");
   add_cap(out, below, radius, 0.5 * shape.height, shape.panel, true);
+  parts.finish();
 
   // cyclic exchange of the axes keeps the winding
   for (Vec3d& v : out.vertices) {

@@ -53,7 +53,7 @@ Outward turn_outward(LinkedTriangles& surface, const Components& components, Out
   }
   if (!all_closed) expect_declared(outside, surface, name);
 
-  const std::vector<int> depths = nesting_depths(surface, components, is_closed);
+  const Nesting nesting = find_nesting(surface, components, is_closed);
   Outward out;
   for (std::size_t component = 0; component < components.count; ++component) {
     bool turn = outside == OutsideIs::reversed;
@@ -63,11 +63,14 @@ Outward turn_outward(LinkedTriangles& surface, const Components& components, Out
         throw InputError(name + ": the closed part with panel " + std::to_string(surface.triangles[members[component][0]].panel) +
                          " (counted from 0) encloses no volume, so it has no inside; give it a thickness, or delete one of its two sides.");
       }
-      const bool is_cavity = depths[component] % 2 == 1;
+      const bool is_cavity = nesting.depth[component] % 2 == 1;
       turn = (volume < 0) != is_cavity;
       out.cavities += is_cavity ? 1 : 0;
       out.flipped += turn ? 1 : 0;
     }
+    std::size_t solid = component;
+    while (nesting.depth[solid] % 2 == 1) solid = static_cast<std::size_t>(nesting.container[solid]);
+    out.solid_of_component.push_back(static_cast<int>(solid));
     if (!turn) continue;
     for (const std::size_t t : members[component]) turn_over(surface.triangles[t], surface.neighbours[t]);
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "fccda/surface/triangle.hpp"
 #include "fccda/surface/winding.hpp"
@@ -14,8 +15,9 @@ namespace fccda {
 enum class OutsideIs : std::uint8_t { undeclared, normals, reversed };
 
 struct Outward {
-  std::size_t flipped = 0;   ///< closed components turned over as a whole
-  std::size_t cavities = 0;  ///< closed components that bound a hollow in another
+  std::size_t flipped = 0;                ///< closed components turned over as a whole
+  std::size_t cavities = 0;               ///< closed components that bound a hollow in another
+  std::vector<int> solid_of_component{};  ///< the component that bounds the material from outside: its own number, or a cavity's container
 };
 
 /// Turns closed components so that their normals point outward by the sign of their volume; one that lies inside an odd number of others

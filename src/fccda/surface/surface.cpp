@@ -10,6 +10,7 @@
 #include "fccda/surface/connect.hpp"
 #include "fccda/surface/fans.hpp"
 #include "fccda/surface/mass_properties.hpp"
+#include "fccda/surface/overlaps.hpp"
 #include "fccda/surface/triangulate.hpp"
 #include "fccda/surface/weld.hpp"
 #include "fccda/surface/winding.hpp"
@@ -32,6 +33,17 @@ void expect_usable(const Panels& panels, const std::string& name) {
       throw InputError(name + ": panel " + std::to_string(p) + " has the vertex " + std::to_string(vertex) + ", but there are only the vertices 0 to " +
                        std::to_string(vertex_count - 1) + "; mend the numbers.");
     }
+  }
+  const bool has_parts = !panels.part.empty() || !panels.part_names.empty();
+  if (has_parts && panels.part.size() != panels.panels.size()) {
+    throw InputError(name + ": " + std::to_string(panels.part.size()) + " of the " + std::to_string(panels.panels.size()) +
+                     " panels have a part; give one to each, or to none.");
+  }
+  const auto part_count = static_cast<long long>(panels.part_names.size());
+  for (std::size_t p = 0; p < panels.part.size(); ++p) {
+    if (panels.part[p] >= 0 && panels.part[p] < part_count) continue;
+    throw InputError(name + ": panel " + std::to_string(p) + " belongs to part " + std::to_string(panels.part[p]) + ", but there are names of " +
+                     std::to_string(part_count) + " parts only; mend the numbers.");
   }
   // Inertia needs the fifth power of lengths, which must not overflow.
   constexpr double largest = 1e50;
@@ -81,10 +93,11 @@ void measure(const LinkedTriangles& surface, SurfaceReport& report) {
 
 }  // namespace
 
-Surface::Surface(const Panels& panels, const Options& options) : panels_(panels) {
+Surface::Surface(const Panels& panels, const Options& options) : panels_(panels), part_names_(panels.part_names) {
   expect_usable(panels, options.name);
   const double tolerance = options.weld_tolerance * norm(bounds_of_used(panels).size());
   report_.panels = panels.panels.size();
+  if (part_names_.empty()) part_names_.emplace_back();
 
   Welded welded = weld(panels, tolerance);
   report_.welded = welded.merged;
@@ -107,6 +120,12 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
   const Outward outward = turn_outward(linked_, components, options.outside, options.name);
   report_.flipped = outward.flipped;
   report_.cavities = outward.cavities;
+  report_.may_overlap = components_that_may_overlap(linked_, components);
+  std::vector<int> number(components.count, -1);  // of the solids, in the order of their components
+  for (std::size_t c = 0; c < components.count; ++c)
+    if (outward.solid_of_component[c] == static_cast<int>(c)) number[c] = static_cast<int>(report_.solids++);
+  for (const int component : components.of_triangle)
+    solid_of_.push_back(number[static_cast<std::size_t>(outward.solid_of_component[static_cast<std::size_t>(component)])]);
 
   rim_vertices_ = separate_fans(linked_);
   report_.triangles = linked_.triangles.size();
@@ -114,6 +133,17 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
 
   normals_ = pseudonormals(linked_);
   measure(linked_, report_);
+  measure_parts();
+}
+
+void Surface::measure_parts() {
+  for (const std::string& part : part_names_) report_.parts.push_back({.name = part});
+  const auto of_panel = [&](std::size_t panel) -> PartReport& { return report_.parts[static_cast<std::size_t>(part_of_panel(static_cast<int>(panel)))]; };
+  for (std::size_t p = 0; p < panels_.panels.size(); ++p) ++of_panel(p).panels;
+  for (std::size_t t = 0; t < linked_.triangles.size(); ++t) {
+    const Vec3d& a = corner(t, 0);
+    of_panel(static_cast<std::size_t>(linked_.triangles[t].panel)).area += 0.5 * norm(cross(corner(t, 1) - a, corner(t, 2) - a));
+  }
 }
 
 const Vec3d& Surface::pseudonormal(std::size_t triangle, Feature feature) const {

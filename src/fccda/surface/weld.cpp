@@ -102,6 +102,8 @@ Welded weld(const Panels& panels, double tolerance) {
   }
 
   out.panels.panels = panels.panels;
+  out.panels.part = panels.part;
+  out.panels.part_names = panels.part_names;
   for (auto& panel : out.panels.panels) {
     for (int& vertex : panel) vertex = vertex >= 0 ? new_number[static_cast<std::size_t>(vertex)] : vertex;
   }

@@ -13,8 +13,8 @@ namespace perimpact::deck {
 /// Keys of a body that `published: true` sets, and that may therefore not stand beside it.
 inline constexpr std::array<std::string_view, 3> set_by_published = {"family", "normalisation", "surface_correction"};
 
-/// Fills in: the discretisation of published bodies; radius_ratio 0 with the published detector; the full paths of surface files,
-/// of which relative ones start at `folder`. Throws InputError at the place of what contradicts something else.
+/// Fills in: the discretisation of published bodies; radius_ratio 0 with the published detector; the full paths of surface files
+/// and the numbers of motion files, of which relative paths start at `folder`. Throws InputError at the place of what contradicts something else.
 void make_consistent(Setup& setup, const Places& places, const std::filesystem::path& folder);
 
 }  // namespace perimpact::deck

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,11 @@ class Reader {
   template <class T>
   void section(std::string_view key, T& into, Presence presence, std::string_view sentence) {
     if (const YamlNode::Entry* entry = find(key, presence, sentence)) inner(*entry).read(into);
+  }
+
+  template <class T>
+  void section(std::string_view key, std::optional<T>& into, Presence presence, std::string_view sentence) {
+    if (const YamlNode::Entry* entry = find(key, presence, sentence)) inner(*entry).read(into.emplace());
   }
 
   template <class T>

@@ -43,7 +43,8 @@ class Lister {
 
   template <class T>
   void contents(T& defaults) {
-    if constexpr (Described<T>) {
+    // Where there is nothing to read, GCC 12 warns of what a field would read.
+    if constexpr (Described<T> && !std::is_empty_v<T>) {
       for (const Field<T>& field : T::fields()) list(field, defaults);
     }
     sections(*this, defaults);
@@ -53,6 +54,12 @@ class Lister {
   void section(std::string_view key, T& defaults, Presence presence, std::string_view sentence) {
     add_map(key, presence, sentence);
     inside(key, [&](Lister& inner) { inner.contents(defaults); });
+  }
+
+  template <class T>
+  void section(std::string_view key, std::optional<T>&, Presence presence, std::string_view sentence) {
+    static T defaults;  // static: see alternatives()
+    section(key, defaults, presence, sentence);
   }
 
   template <class T>

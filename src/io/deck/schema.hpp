@@ -3,7 +3,7 @@
 ///
 /// A walker takes part in five forms; reader.hpp fills a Setup, reference.cpp describes it, setup_to_text.cpp writes it:
 ///
-///   section("time", s.time, …)           time: {end: …, step: …}
+///   section("time", s.time, …)           time: {end: …, step: …}        an optional struct is there only where its key is
 ///   named("bodies", s.bodies, …)         bodies: {plate: {…}, floe: {…}}
 ///   one_of("shape", b.shape, …)          shape: {box: {…}}                  which one is said by its key
 ///   alternatives(r.shape)                the same without a map around it: region: {box: {…}, outside: clip}
@@ -51,11 +51,30 @@ template <class Walker>
 void sections(Walker& walk, ImpactorSetup& impactor) {
   walk.one_of("surface", impactor.surface, Presence::required, "The surface of panels that particles strike.");
   walk.section("region", impactor.region, Presence::optional, "Where contact is looked for. Where absent, wherever the surface is.");
+  walk.section("motion", impactor.motion, Presence::optional, "Motion against time of degrees of freedom that are not free.");
+  walk.named("loads", impactor.loads, Presence::optional, "A force or moment on the impactor besides contact, under a name of your choice.");
+  walk.named("gauges", impactor.gauges, Presence::optional,
+             "A gauge, under a name of your choice: force and moment of contact on parts of the surface become columns of history.csv.");
+}
+
+template <class Walker>
+void sections(Walker& walk, MotionSetup& motion) {
+  walk.section("x", motion.x, Presence::optional, "Translation of the centre of mass along x.");
+  walk.section("y", motion.y, Presence::optional, "Translation of the centre of mass along y.");
+  walk.section("z", motion.z, Presence::optional, "Translation of the centre of mass along z.");
+  walk.section("rx", motion.rx, Presence::optional, "Rotation about the world's x, through the centre of mass.");
+  walk.section("ry", motion.ry, Presence::optional, "Rotation about the world's y, through the centre of mass.");
+  walk.section("rz", motion.rz, Presence::optional, "Rotation about the world's z, through the centre of mass.");
 }
 
 template <class Walker>
 void sections(Walker& walk, RegionSetup& region) {
   walk.alternatives(region.shape);
+}
+
+template <class Walker>
+void sections(Walker& walk, BoxUnionRegionSetup& region) {
+  walk.named("boxes", region.boxes, Presence::optional, "Boxes as given, each under a name of your choice; instead of count and gain.");
 }
 
 template <class Walker>

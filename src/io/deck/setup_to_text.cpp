@@ -62,6 +62,11 @@ class Writer {
   }
 
   template <class T>
+  void section(std::string_view key, std::optional<T>& from, Presence presence, std::string_view sentence) {
+    if (from) section(key, *from, presence, sentence);
+  }
+
+  template <class T>
   void named(std::string_view key, std::vector<T>& from, Presence, std::string_view) {
     map(key, [&](Writer& names) {
       for (T& element : from) names.map(element.name, [&](Writer& inner) { inner.contents(element); });

@@ -29,6 +29,7 @@ constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
                               {"rad", "an angle", "45 deg"},
                               {"Hz", "a frequency", "3 Hz"},
                               {"N", "a force", "5 kN"},
+                              {"N m", "a moment", "3 kN m"},
                               {"1", "a pure number", "0.25"}};
 
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;

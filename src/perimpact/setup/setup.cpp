@@ -1,5 +1,8 @@
 #include "perimpact/setup/setup.hpp"
 
+#include <numbers>
+#include <utility>
+
 namespace perimpact {
 
 using namespace fccda;  // the ranges
@@ -111,22 +114,131 @@ std::span<const Field<BoxRegionSetup>> BoxRegionSetup::fields() {
   return all;
 }
 
+std::span<const Field<RegionBoxSetup>> RegionBoxSetup::fields() {
+  using S = RegionBoxSetup;
+  static const Field<S> all[] = {{"size", &S::size, "m", positive(), required, "Edge lengths along the surface's own axes."},
+                                 {"centre", &S::centre, "m", any_number(), optional, "Centre, from the surface's origin."}};
+  return all;
+}
+
+std::span<const Field<BoxUnionRegionSetup>> BoxUnionRegionSetup::fields() {
+  using S = BoxUnionRegionSetup;
+  static const Field<S> all[] = {{"count", &S::count, "1", between(1, 1000), optional, "Fits at most so many boxes to the surface. Where absent, 32 at most."},
+                                 {"gain", &S::gain, "1", between(0, 1), optional,
+                                  "Fits boxes to the surface as long as a further one saves at least this share of the bounding box. Where absent, 0.003."}};
+  return all;
+}
+
+std::span<const Field<CylinderSectorsRegionSetup>> CylinderSectorsRegionSetup::fields() {
+  using S = CylinderSectorsRegionSetup;
+  static const Field<S> all[] = {
+      {"axis", &S::axis, "1", any_number(), optional, "Direction of the axis in the surface's own axes. Fitted where absent, as everything here."},
+      {"point", &S::point, "m", any_number(), optional, "Middle of the cylinder, from the surface's origin."},
+      {"radius", &S::radius, "m", positive(), optional, "Radius of the cylinder."},
+      {"length", &S::length, "m", positive(), optional, "Length of the cylinder."},
+      {"hub_radius", &S::hub_radius, "m", at_least(0), optional, "Within this radius there are no gaps."},
+      {"blades", &S::blades, "1", between(1, 1000), optional, "Number of sectors, at equal angles."},
+      {"sector_angle", &S::sector_angle, "rad", between(0, 2 * std::numbers::pi), optional, "Width of each sector. Half a turn and more: no gaps."},
+      {"start_angle", &S::start_angle, "rad", any_number(), optional,
+       "Where the first sector begins: about the axis z from x towards y, about x from y towards z, about y from z towards x. Needs sector_angle."}};
+  return all;
+}
+
+std::span<const Field<AutoRegionSetup>> AutoRegionSetup::fields() { return {}; }
+
 std::span<const Field<RegionSetup>> RegionSetup::fields() {
   static const Field<RegionSetup> all[] = {
       {"outside", &RegionSetup::outside, "", {}, optional, "What a panel outside the region means: error, or clip (there is no contact beyond the region)."}};
   return all;
 }
 
+std::span<const Field<GaugeSetup>> GaugeSetup::fields() {
+  using S = GaugeSetup;
+  static const Field<S> all[] = {
+      {"parts", &S::parts, "", {}, optional, "Names of parts of the surface (perimpact mesh lists them). Where absent, the whole surface."},
+      {"point", &S::point, "m", any_number(), optional,
+       "Point of the moments, from the surface's origin and along its axes; it moves with the impactor. Where absent, the centre of mass."},
+      {"axis", &S::axis, "1", any_number(), optional,
+       "Direction, along the surface's axes and turning with them, about which the torque is told too. Its length does not matter."}};
+  return all;
+}
+
+std::span<const Field<TranslationTable>> TranslationTable::fields() {
+  using S = TranslationTable;
+  static const Field<S> all[] = {
+      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing. Values between them follow a straight line."},
+      {"velocities", &S::velocities, "m/s", any_number(), optional,
+       "Velocity at each time. Before the first time the first one holds, after the last time the last one."},
+      {"displacements", &S::displacements, "m", any_number(), optional,
+       "In place of velocities: displacement at each time. Only differences matter: at t = 0 the impactor is at its position. It rests before the first "
+       "time and after the last one."},
+      {"file",
+       &S::file,
+       "",
+       {},
+       optional,
+       "In place of the lists: a CSV file with two columns and a first line that names them with units, \"time [s], velocity [m/s]\" or \"time [s], "
+       "displacement [m]\"; a relative path starts at the deck's folder."}};
+  return all;
+}
+
+std::span<const Field<RotationTable>> RotationTable::fields() {
+  using S = RotationTable;
+  static const Field<S> all[] = {
+      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing. Values between them follow a straight line."},
+      {"velocities", &S::velocities, "rad/s", any_number(), optional,
+       "Angular velocity at each time. Before the first time the first one holds, after the last time the last one."},
+      {"displacements", &S::displacements, "rad", any_number(), optional,
+       "In place of velocities: angle at each time, for the only axis that the impactor turns about. Only differences matter. It rests before the first time "
+       "and after the last one."},
+      {"file",
+       &S::file,
+       "",
+       {},
+       optional,
+       "In place of the lists: a CSV file with two columns and a first line that names them with units, \"time [s], velocity [rad/s]\" or \"time [s], "
+       "displacement [rad]\"; a relative path starts at the deck's folder."}};
+  return all;
+}
+
+const MotionTable* MotionSetup::of(std::size_t degree) const {
+  const auto table = [](const auto& one) -> const MotionTable* { return one ? &*one : nullptr; };
+  const MotionTable* const tables[] = {table(x), table(y), table(z), table(rx), table(ry), table(rz)};
+  return tables[degree];
+}
+
+MotionTable* MotionSetup::of(std::size_t degree) { return const_cast<MotionTable*>(std::as_const(*this).of(degree)); }
+
+std::span<const Field<LoadSetup>> LoadSetup::fields() {
+  using S = LoadSetup;
+  static const Field<S> all[] = {
+      {"force", &S::force, "N", any_number(), optional, "Force along the axes of the world."},
+      {"moment", &S::moment, "N m", any_number(), optional, "Moment about the axes of the world, beside that of the force."},
+      {"point", &S::point, "m", any_number(), optional,
+       "Where the force acts, from the surface's origin and along its axes; it moves with the impactor. Where absent, the centre of mass."},
+      {"times", &S::times, "s", any_number(), optional, "Times of the factors, increasing."},
+      {"factors", &S::factors, "1", any_number(), optional,
+       "What force and moment are multiplied by at each time, on straight lines between; the first holds before, the last after. Where absent, 1."}};
+  return all;
+}
+
 std::span<const Field<ImpactorSetup>> ImpactorSetup::fields() {
   using S = ImpactorSetup;
   static const Field<S> all[] = {
-      {"mass", &S::mass, "kg", positive(), required, "Mass."},
+      {"mass", &S::mass, "kg", positive(), optional, "Mass; or give the density."},
+      {"density", &S::density, "kg/m3", positive(), optional,
+       "In place of the mass: density of a body that fills the closed surface evenly. Overlapping parts of a surface count twice."},
       {"inertia", &S::inertia, "kg m2", positive(), optional,
-       "Moments of inertia about the centre of mass, along the surface's axes. Where absent, those of the closed surface filled evenly with the mass."},
+       "Moments of inertia about the centre of mass, along the surface's axes. Where absent, those of the closed surface filled evenly."},
       {"position", &S::position, "m", any_number(), optional, "Where the surface's origin is at t = 0."},
       {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."},
       {"angular_velocity", &S::angular_velocity, "rad/s", any_number(), optional, "Angular velocity at t = 0; degrees of freedom that are not free keep it."},
-      {"free", &S::free, "", {}, optional, "Degrees of freedom that contact may change, of x, y, z, rx, ry, rz. The others keep their given velocity."}};
+      {"free",
+       &S::free,
+       "",
+       {},
+       optional,
+       "Degrees of freedom that contact and loads may change, of x, y, z, rx, ry, rz. The others keep their given velocity, or follow motion."}};
   return all;
 }
 

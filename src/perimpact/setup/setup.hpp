@@ -138,22 +138,106 @@ struct BoxRegionSetup {
   static std::span<const Field<BoxRegionSetup>> fields();
 };
 
+/// One of several boxes.
+struct RegionBoxSetup {
+  std::string name;
+  Vec3d size{};    ///< [m]
+  Vec3d centre{};  ///< [m] from the surface's origin
+  static std::span<const Field<RegionBoxSetup>> fields();
+};
+
+/// Several boxes together (example 2): given by name, or fitted to the surface.
+struct BoxUnionRegionSetup {
+  static constexpr std::string_view name = "box_union";
+  std::optional<int> count;    ///< fit at most so many
+  std::optional<double> gain;  ///< [-] fit; a further box must save this share of the bounding box
+  std::vector<RegionBoxSetup> boxes;
+  static std::span<const Field<BoxUnionRegionSetup>> fields();
+};
+
+/// A cylinder and a fan of sectors in it, which turn with the impactor (example 3). What is absent is fitted to the surface.
+struct CylinderSectorsRegionSetup {
+  static constexpr std::string_view name = "cylinder_sectors";
+  std::optional<Vec3d> axis;
+  std::optional<Vec3d> point;                        ///< [m] from the surface's origin
+  std::optional<double> radius, length, hub_radius;  ///< [m]
+  std::optional<int> blades;
+  std::optional<double> sector_angle, start_angle;  ///< [rad]
+  static std::span<const Field<CylinderSectorsRegionSetup>> fields();
+};
+
+/// Whichever suits the surface best.
+struct AutoRegionSetup {
+  static constexpr std::string_view name = "auto";
+  static std::span<const Field<AutoRegionSetup>> fields();
+};
+
 struct RegionSetup {
-  std::variant<std::monostate, BoxRegionSetup> shape;  ///< none: wherever the surface is
+  /// none: wherever the surface is
+  std::variant<std::monostate, BoxRegionSetup, BoxUnionRegionSetup, CylinderSectorsRegionSetup, AutoRegionSetup> shape;
   Choice outside{beyond_region_words};
   static std::span<const Field<RegionSetup>> fields();
+};
+
+/// Sums contact on some parts of the surface, as a load cell would.
+struct GaugeSetup {
+  std::string name;
+  std::vector<std::string> parts;  ///< of the surface; all where empty
+  std::optional<Vec3d> point;      ///< [m] of the moments, from the surface's origin, moving along; the centre of mass where absent
+  std::optional<Vec3d> axis;       ///< direction of the torque, along the surface's axes, turning along
+  static std::span<const Field<GaugeSetup>> fields();
+};
+
+/// Motion of one degree of freedom against time: `times` with either `velocities` or `displacements`. A deck may name a file instead,
+/// whose numbers are put here when it is read.
+struct MotionTable {
+  std::vector<double> times;                      ///< [s]
+  std::vector<double> velocities, displacements;  ///< [m/s] and [m], or [rad/s] and [rad]
+  std::string file;
+};
+struct TranslationTable : MotionTable {
+  static std::span<const Field<TranslationTable>> fields();
+};
+struct RotationTable : MotionTable {
+  static std::span<const Field<RotationTable>> fields();
+};
+
+inline constexpr std::string_view degree_words[] = {"x", "y", "z", "rx", "ry", "rz"};
+
+struct MotionSetup {
+  std::optional<TranslationTable> x, y, z;
+  std::optional<RotationTable> rx, ry, rz;
+
+  /// The table of a degree of freedom, counted as in degree_words; null where it has none.
+  const MotionTable* of(std::size_t degree) const;
+  MotionTable* of(std::size_t degree);
+};
+
+/// A force and a moment on the impactor, along the world's axes.
+struct LoadSetup {
+  std::string name;
+  Vec3d force{};               ///< [N]
+  Vec3d moment{};              ///< [N m]
+  std::optional<Vec3d> point;  ///< [m] where the force acts, from the surface's origin, moving along; the centre of mass where absent
+  std::vector<double> times;   ///< [s] of `factors`; constant where empty
+  std::vector<double> factors;
+  static std::span<const Field<LoadSetup>> fields();
 };
 
 struct ImpactorSetup {
   std::string name;
   SurfaceSetup surface;
-  double mass{};                  ///< [kg]
+  std::optional<double> mass;     ///< [kg]; this or the density
+  std::optional<double> density;  ///< [kg/m³] of what fills the closed surface
   std::optional<Vec3d> inertia;   ///< [kg m²] about the centre of mass, along the surface's axes; from the closed surface where absent
   Vec3d position{};               ///< [m] of the surface's origin at t = 0
   Vec3d velocity{};               ///< [m/s]
   Vec3d angular_velocity{};       ///< [rad/s]
   std::vector<std::string> free;  ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
   RegionSetup region;
+  MotionSetup motion;
+  std::vector<LoadSetup> loads;
+  std::vector<GaugeSetup> gauges;
   static std::span<const Field<ImpactorSetup>> fields();
 };
 

@@ -1,6 +1,8 @@
 /// Time of a run, counted in whole steps so that it never drifts.
 #pragma once
 
+#include "fccda/body/step.hpp"
+
 namespace perimpact {
 
 struct Clock {
@@ -9,6 +11,8 @@ struct Clock {
   long step = 0;  ///< done
 
   double time() const { return static_cast<double>(step) * dt; }  ///< [s]
+  /// The step that led to now; there must have been one.
+  fccda::Step latest() const { return {static_cast<double>(step - 1) * dt, time(), dt}; }
   bool is_finished() const { return step >= steps; }
 };
 

@@ -71,6 +71,13 @@ std::vector<std::string> Encounters::warnings(std::span<const Body> bodies, std:
                         impactors[i].surface().is_closed()
                             ? fmt::format("Enlarge impactors.{}.region.", impactor)
                             : fmt::format("They came round the rim of its open surface, or past impactors.{}.region; let it reach further.", impactor)));
+      if (const Pinched& pinched = impactors[i].pinched(b); pinched.count > 0)
+        warnings.push_back(fmt::format(
+            "Particles of body {} were pinched between impactor {} and others, first at t = {:.4g} s: summed over steps, {} were left inside it, since no "
+            "place "
+            "outside of all was found. Forces on the impactors are not to be trusted where they close in on a body by more than it can give way; check their "
+            "courses, or leave them apart by two spacings at least.",
+            body, impactor, pinched.first, pinched.count));
     }
   return warnings;
 }

@@ -70,10 +70,17 @@ void Monitors::record(std::span<const Body> bodies, std::span<Impactor> impactor
     add_vector(impactor.name(), "moment", "N m", per_second * account.angular_impulse);
     add(impactor.name() + ".contacts [-]", static_cast<double>(account.contacts));
     account.impulse = {}, account.angular_impulse = {};
+    for (NamedGauge& named : impactor.gauges()) {
+      const fccda::Gauge::Reading& reading = named.gauge.reading();
+      add_vector(named.name, "force", "N", per_second * reading.impulse);
+      add_vector(named.name, "moment", "N m", per_second * reading.angular_impulse);
+      if (named.gauge.has_axis()) add(named.name + ".torque [N m]", per_second * reading.about_axis);
+      named.gauge.reset();
+    }
     impactor.record().end_interval(clock.time(), interval);
     momentum += body.momentum();
     energy += body.kinetic_energy();
-    work += impactor.work_of_holder();
+    work += impactor.work_of_holder() + impactor.work_of_loads();
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double kinetic = bodies[b].kinetic_energy(clock.dt);

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "fccda/respond/together.hpp"
 #include "perimpact/impact/diagnosis.hpp"
+#include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
@@ -65,6 +67,17 @@ void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>&
   }
 }
 
+void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < impactors.size(); ++i) {
+    const std::size_t count = impactors[i].surface().report().may_overlap;
+    if (count > 0 && is_weighed_by_volume(setup.impactors[i]))
+      warnings.push_back(
+          fmt::format("The surface of {} has {} components whose bounding boxes meet: where they overlap, what they share counts twice in mass, centre of mass "
+                      "and inertia. If they do overlap, give mass and inertia.",
+                      impactors[i].name(), count));
+  }
+}
+
 void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt, std::vector<std::string>& warnings) {
   for (const Impactor& impactor : impactors) {
     if (Diagnosis flipped = inside_out(impactor)) warnings.push_back(std::move(*flipped));
@@ -76,6 +89,21 @@ void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::sp
     }
   }
 }
+
+/// An impactor against one of the bodies, as strike_together sees it.
+struct ImpactorOnBody {
+  Impactor& impactor;
+  std::size_t body;
+
+  std::span<const fccda::Contact> strike(StruckParticles& particles) { return impactor.strike(body, particles); }
+  std::span<const fccda::Contact> strike_again(StruckParticles& particles, std::span<const std::size_t> which) {
+    return impactor.strike_again(body, particles, which);
+  }
+  std::vector<std::size_t> still_inside(const StruckParticles& particles, std::span<const std::size_t> which) {
+    return impactor.still_inside(body, particles, which);
+  }
+  void moved(std::size_t particle) { impactor.moved(body, particle); }
+};
 
 }  // namespace
 
@@ -90,6 +118,7 @@ Simulation::Simulation(const Setup& setup, Start start)
       impactors_(std::move(start.impactors)),
       monitors_(setup.output, bodies_, clock_) {
   warn_of_thin_bodies(bodies_, warnings_);
+  warn_of_overlaps(setup, impactors_, warnings_);
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles.lattice()), 0.0);
   for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));
   warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
@@ -112,14 +141,13 @@ void Simulation::advance_bodies() {
 }
 
 void Simulation::strike() {
-  for (Impactor& impactor : impactors_) {
-    impactor.advance(clock_.dt);
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
-      for (const fccda::Contact& contact : impactor.strike(b, particles))
-        for (Impactor& other : impactors_)
-          if (&other != &impactor) other.moved(b, contact.point);
-    }
+  for (Impactor& impactor : impactors_) impactor.advance(clock_.latest());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
+    std::vector<ImpactorOnBody> strikers;
+    for (Impactor& impactor : impactors_) strikers.push_back({impactor, b});
+    const auto pinched = fccda::strike_together(std::span(strikers), particles);
+    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[i].size(), clock_.time());
   }
 }
 

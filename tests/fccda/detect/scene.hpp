@@ -24,12 +24,12 @@ using fccda::Pose;
 using fccda::Quaternion;
 using fccda::Surface;
 
-/// Points in blocks of 64; all exist.
+/// Points in blocks of equal size; all exist.
 struct TestPoints {
   std::vector<Vec3d> x0, x1;
   std::vector<Vec3d> v;
   std::vector<double> m;
-  static constexpr std::size_t block = 64;
+  std::size_t block = 64;
 
   std::size_t size() const { return x0.size(); }
   Vec3d position_t0(std::size_t i) const { return x0[i]; }

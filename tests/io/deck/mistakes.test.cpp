@@ -64,8 +64,8 @@ TEST_CASE("mistakes: a value of another type") {
        "velocity is -32, but three numbers are needed: [x, y, z]. Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."});
   check_complaint({"[0, -32, 0]", "[0, fast, 0]", "fast", "y of velocity is fast, but that is not a number; write a velocity, for example 32 m/s."});
   check_complaint({"free: [y]", "free: y", "y  ",
-                   "free is y, but a list is needed, such as [a, b]. Degrees of freedom that contact may change, of x, y, z, rx, ry, rz. "
-                   "The others keep their given velocity."});
+                   "free is y, but a list is needed, such as [a, b]. Degrees of freedom that contact and loads may change, of x, y, z, rx, ry, rz. "
+                   "The others keep their given velocity, or follow motion."});
   check_complaint(
       {"time: {end: 200 us, step: 0.1 us}", "time: 200 us", "200 us", "time is \"200 us\", but a map of keys is needed; perimpact describe time lists them."});
   check_complaint({"title: Rigid", "title: [a]\n#", "[a]", "title is a list, but text is needed. One line that says what is simulated."});
@@ -84,7 +84,7 @@ TEST_CASE("mistakes: a value with the wrong unit") {
 }
 
 TEST_CASE("mistakes: a value out of range, with the range in words") {
-  check_complaint({"mass: 1.57", "mass: -2 t", "-2 t", "mass is \"-2 t\", but it must be above 0. Mass."});
+  check_complaint({"mass: 1.57", "mass: -2 t", "-2 t", "mass is \"-2 t\", but it must be above 0. Mass; or give the density."});
   check_complaint({"3.015", "1.5", "1.5", "horizon_ratio is 1.5, but it must be from 2 to 6. Horizon δ in spacings."});
   check_complaint({"friction: 0", "friction: -0.1", "-0.1",
                    "friction is -0.1, but it must be at least 0. Coulomb's coefficient of friction between particles and impactors. "

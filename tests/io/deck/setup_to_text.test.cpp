@@ -80,6 +80,23 @@ void check_same(const Setup& a, const Setup& b) {
     check_alternative(a.impactors[i].surface, b.impactors[i].surface);
     check_fields(a.impactors[i].region, b.impactors[i].region);
     check_alternative(a.impactors[i].region.shape, b.impactors[i].region.shape);
+    for (std::size_t degree = 0; degree < 6; ++degree) {
+      const MotionTable *one = a.impactors[i].motion.of(degree), *other = b.impactors[i].motion.of(degree);
+      REQUIRE((one == nullptr) == (other == nullptr));
+      if (one) CHECK((one->times == other->times && one->velocities == other->velocities && one->displacements == other->displacements));
+    }
+    REQUIRE(a.impactors[i].loads.size() == b.impactors[i].loads.size());
+    for (std::size_t k = 0; k < a.impactors[i].loads.size(); ++k) check_fields(a.impactors[i].loads[k], b.impactors[i].loads[k]);
+    REQUIRE(a.impactors[i].gauges.size() == b.impactors[i].gauges.size());
+    for (std::size_t k = 0; k < a.impactors[i].gauges.size(); ++k) check_fields(a.impactors[i].gauges[k], b.impactors[i].gauges[k]);
+    if (const auto* boxes = std::get_if<BoxUnionRegionSetup>(&a.impactors[i].region.shape)) {
+      const auto& others = std::get<BoxUnionRegionSetup>(b.impactors[i].region.shape).boxes;
+      REQUIRE(boxes->boxes.size() == others.size());
+      for (std::size_t k = 0; k < others.size(); ++k) {
+        CHECK(boxes->boxes[k].name == others[k].name);
+        check_fields(boxes->boxes[k], others[k]);
+      }
+    }
   }
   check_fields(a.contact.impactors, b.contact.impactors);
   check_fields(a.contact.fragments, b.contact.fragments);
@@ -88,6 +105,63 @@ void check_same(const Setup& a, const Setup& b) {
   for (std::size_t i = 0; i < a.output.probes.size(); ++i) check_fields(a.output.probes[i], b.output.probes[i]);
   REQUIRE(a.output.lines.size() == b.output.lines.size());
   for (std::size_t i = 0; i < a.output.lines.size(); ++i) check_fields(a.output.lines[i], b.output.lines[i]);
+}
+
+/// Increasing times with a value each.
+void fill_table(Random& random, std::vector<double>& times, std::vector<double>& values) {
+  double time = 0;
+  for (std::size_t k = 1 + random() % 4; k > 0; --k) {
+    times.push_back(time += 1e-3 * static_cast<double>(1 + random() % 7));
+    values.push_back(some_number(random, {}));
+  }
+}
+
+void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
+  // of y and ry, which are held here
+  TranslationTable& heave = impactor.motion.y.emplace();
+  fill_table(random, heave.times, random() % 2 ? heave.velocities : heave.displacements);
+  RotationTable& turn = impactor.motion.ry.emplace();
+  fill_table(random, turn.times, turn.velocities);
+  std::erase(impactor.free, "ry");
+  impactor.velocity.y = impactor.angular_velocity.y = 0;
+  LoadSetup& load = impactor.loads.emplace_back();
+  fill_fields(random, load);
+  load.name = "thrust", load.times.clear(), load.factors.clear();
+  if (random() % 2) fill_table(random, load.times, load.factors);
+  GaugeSetup& gauge = impactor.gauges.emplace_back();
+  fill_fields(random, gauge);
+  gauge.name = "root", gauge.parts.clear();
+}
+
+void fill_region(Random& random, RegionSetup& region) {
+  switch (random() % 6) {
+    case 1:
+      fill_fields(random, region.shape.emplace<BoxRegionSetup>());
+      break;
+    case 2:
+      fill_fields(random, region.shape.emplace<BoxUnionRegionSetup>());
+      break;
+    case 3:
+      for (const char* name : {"bow", "stern"}) {
+        if (!std::holds_alternative<BoxUnionRegionSetup>(region.shape)) region.shape.emplace<BoxUnionRegionSetup>();
+        RegionBoxSetup& box = std::get<BoxUnionRegionSetup>(region.shape).boxes.emplace_back();
+        fill_fields(random, box);
+        box.name = name;
+      }
+      break;
+    case 4: {
+      auto& sectors = region.shape.emplace<CylinderSectorsRegionSetup>();
+      fill_fields(random, sectors);
+      if (!sectors.sector_angle) sectors.start_angle.reset();
+      if (sectors.radius && sectors.hub_radius) sectors.hub_radius = std::min(*sectors.hub_radius, *sectors.radius);
+      break;
+    }
+    case 5:
+      region.shape.emplace<AutoRegionSetup>();
+      break;
+    default:
+      break;
+  }
 }
 
 /// A Setup with values everywhere that a deck could have given.
@@ -116,6 +190,12 @@ Setup some_setup(Random& random) {
     for (std::size_t i = 0; i < impactor.free.size(); ++i) impactor.free[i] = std::array{"rz", "x", "ry"}[i];
     fill_fields(random, impactor.region);
     if (random() % 2) fill_fields(random, impactor.region.shape.emplace<BoxRegionSetup>());
+    if (random() % 2)
+      impactor.mass.reset(), impactor.density = 900 + 0.1 * static_cast<double>(random() % 1000);
+    else
+      impactor.mass = 1 + 0.1 * static_cast<double>(random() % 1000), impactor.density.reset();
+    if (random() % 2) add_motion_loads_and_gauges(random, impactor);
+    fill_region(random, impactor.region);
   }
   ImpactorContactSetup& contact = setup.contact.impactors;
   fill_fields(random, contact);

@@ -7,14 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "fccda/surface/part_naming.hpp"
 #include "fccda/surface/read/words.hpp"
 
 namespace fccda {
 namespace {
 
 /// Statements that add nothing to the faces.
-constexpr std::string_view without_faces[] = {"vn", "vt",  "vp",     "g",      "o",     "s",        "usemtl",   "mtllib",     "l",
-                                              "p",  "lod", "maplib", "usemap", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+constexpr std::string_view without_faces[] = {"vn",  "vt",     "vp",     "s",     "usemtl",   "mtllib",   "l",          "p",
+                                              "lod", "maplib", "usemap", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
 class Obj {
  public:
@@ -27,10 +28,13 @@ class Obj {
         parse_vertex();
       } else if (statement == "f") {
         parse_face();
+      } else if (statement == "g" || statement == "o") {
+        parts_.begin(words_.rest_of_line());
       } else if (!statement.starts_with('#') && std::find(std::begin(without_faces), std::end(without_faces), statement) == std::end(without_faces)) {
         words_.fail(shown(statement) + " is no statement that can be read: surfaces need `v` and `f`; export the file as a mesh of polygons.");
       }
     }
+    parts_.finish();
     return std::move(out_);
   }
 
@@ -96,6 +100,7 @@ class Obj {
 
   Words words_;
   Panels out_;
+  PartNaming parts_{out_};
   std::vector<int> face_;
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fccda/core/error.hpp"
+#include "fccda/surface/part_naming.hpp"
 #include "fccda/surface/read/words.hpp"
 
 namespace fccda {
@@ -86,7 +87,8 @@ class TextStl {
   Panels parse() {
     while (!words_.at_end()) {
       expect("solid");
-      words_.skip_line();  // its name
+      parts_.begin(words_.rest_of_line());
+      words_.skip_line();
       for (;;) {
         const std::string_view word = words_.next();
         if (is_word(word, "endsolid")) break;
@@ -98,6 +100,7 @@ class TextStl {
       }
       words_.skip_line();
     }
+    parts_.finish();
     return std::move(out_);
   }
 
@@ -131,6 +134,7 @@ class TextStl {
 
   Words words_;
   Panels out_;
+  PartNaming parts_{out_};
 };
 
 }  // namespace

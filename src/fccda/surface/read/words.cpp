@@ -63,6 +63,17 @@ std::string_view Words::next_in_line() {
   return {};
 }
 
+std::string Words::rest_of_line() {
+  while (!at_line_end() && is_blank(text_[at_])) ++at_;
+  const std::size_t begin = at_;
+  while (!at_line_end()) ++at_;
+  std::string rest(text_.substr(begin, at_ - begin));
+  while (!rest.empty() && is_blank(rest.back())) rest.pop_back();
+  std::replace_if(
+      rest.begin(), rest.end(), [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; }, '?');
+  return rest;
+}
+
 void Words::skip_line() {
   while (!at_line_end()) ++at_;
   pass_line_end();

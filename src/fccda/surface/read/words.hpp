@@ -14,6 +14,7 @@ class Words {
 
   std::string_view next();          ///< empty at the end of the file
   std::string_view next_in_line();  ///< empty at the end of the line, which it does not pass; a backslash before it joins two lines
+  std::string rest_of_line();       ///< without white space at its ends and with ? for bytes that no terminal shows; does not pass the line's end
   void skip_line();                 ///< goes to the start of the next line
   bool at_end();                    ///< after white space
 

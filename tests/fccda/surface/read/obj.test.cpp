@@ -55,6 +55,13 @@ TEST_CASE("obj: comments, groups, materials, colours, weights, joined lines and 
   CHECK(panels.panels == std::vector{std::array{0, 1, 2, 3}, std::array{0, 1, 2, -1}});
 }
 
+TEST_CASE("obj: groups and objects are parts, of whatever came last, and every triangle of a fan belongs to its own") {
+  const Panels panels = parse(square + "v 2 0.5 0\nf 1 2 3\no hull\ng\ng bow plating\nf 1 2 3\nf 1 2 5 3 4\no deck\nf 1 2 3 4\ng bow plating\nf 1 2 3");
+  CHECK(panels.part_names == std::vector<std::string>{"", "bow plating", "deck"});
+  CHECK(panels.part == std::vector{0, 1, 1, 1, 1, 2, 1});
+  CHECK(parse(square + "f 1 2 3").part.empty());
+}
+
 TEST_CASE("obj: a convex polygon becomes a fan of its area") {
   for (const int sides : {5, 6, 17}) {
     std::string text, face = "f";

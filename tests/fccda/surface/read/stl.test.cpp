@@ -74,6 +74,17 @@ TEST_CASE("stl: text may have capitals, any white space, plus signs, several sol
   CHECK(panels.vertices[2] == Vec3d{4, 5, 6});
 }
 
+TEST_CASE("stl: each solid of a text is a part, solids of one name are one, and a binary file has no parts") {
+  const std::string facet = "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 1 vertex 0 1 0 endloop endfacet\n";
+  const Panels panels = parse("solid blade 1 \t\r\n" + facet + facet + "endsolid blade 1\nsolid hub\n" + facet + "endsolid\nsolid blade 1\n" + facet +
+                              "endsolid\nsolid\n" + facet + "endsolid\nsolid nothing in it\nendsolid");
+  CHECK(panels.part_names == std::vector<std::string>{"blade 1", "hub", ""});
+  CHECK(panels.part == std::vector{0, 0, 1, 0, 2});
+  CHECK(parse("solid\n" + facet + "endsolid").part.empty());
+  CHECK(parse("solid a\x1b[31m\n" + facet + "endsolid").part_names == std::vector<std::string>{"a?[31m"});  // would colour a terminal
+  CHECK(parse(fixtures::stl_binary(fixtures::unit_cube())).part.empty());
+}
+
 TEST_CASE("stl: text cut short anywhere is never read as a smaller surface") {
   const std::string whole = fixtures::stl_text(fixtures::tetrahedron());
   for (std::size_t length = 0; length < whole.rfind("endsolid") + 8; ++length) CHECK_THROWS_AS(parse(whole.substr(0, length)), InputError);

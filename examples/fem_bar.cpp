@@ -1,0 +1,247 @@
+// An elastic bar strikes a rigid wall, then a rigid wedge:  fem_bar [cells along the bar: 30, 50, 70, ...]
+//
+// Explicit finite elements: cubes of trilinear shape functions with eight Gauss points, lumped masses, large deformation, symplectic
+// Euler. Nodes are the points that fccda is asked about; faces between nodes are not looked at, so a body sharper than the cells can
+// cut into them between two nodes. Pictures for ParaView: bar_on_wall_0.vtk and so on; the force on the wall: bar_on_wall.csv.
+//
+// Material: neo-Hooke with ν = 0, first Piola-Kirchhoff stress P = µ (F - F⁻ᵀ), Young's modulus E = 2µ, so that slow bars follow the
+// one-dimensional wave equation exactly. A bar of length L and speed v that meets a wall: the stress there is ρ c v, contact lasts 2L/c,
+// and the bar leaves with -v (Graff, Wave Motion in Elastic Solids (1975), section 2.3); c = √(E/ρ).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fccda/fccda.hpp>
+#include <string>
+#include <vector>
+
+#include "vtk.hpp"
+
+using namespace fccda;
+
+namespace {
+
+constexpr double length = 0.2, width = 0.02;  // [m]
+constexpr double rho = 1000, youngs = 10e6;   // [kg/m³], [Pa] like rubber
+constexpr double shear = youngs / 2;          // [Pa]
+constexpr double start_gap = 1e-4;            // [m]
+
+Mat3 operator-(const Mat3& a, const Mat3& b) { return {{a.row[0] - b.row[0], a.row[1] - b.row[1], a.row[2] - b.row[2]}}; }
+
+/// The transposed inverse by cofactors, and the determinant.
+struct Inverse {
+  Mat3 transposed;
+  double determinant;
+  explicit Inverse(const Mat3& f) {
+    const Vec3d a = cross(f.row[1], f.row[2]), b = cross(f.row[2], f.row[0]), c = cross(f.row[0], f.row[1]);
+    determinant = dot(f.row[0], a);
+    transposed = {{a / determinant, b / determinant, c / determinant}};
+  }
+};
+
+/// An upright bar of equal cubes, its lower end at z = start_gap.
+struct Bar {
+  double cell;                       // [m]
+  std::vector<Vec3d> x, v, force;    // of the nodes [m], [m/s], [N]
+  std::vector<double> mass, stress;  // [kg], [Pa] axial, mean of the cells about a node
+  std::vector<std::array<std::size_t, 8>> cells;
+  std::array<std::array<Vec3d, 8>, 8> slope;  // ∂N_a/∂X at Gauss point g [1/m]: the same in all cells
+  double elastic_energy = 0;                  // [J]
+
+  Bar(int along, double speed) : cell(length / along) {
+    const int n = std::max(1, static_cast<int>(std::lround(width / cell)));
+    const auto node = [&](int i, int j, int k) { return std::size_t((k * (n + 1) + j) * (n + 1) + i); };
+    for (int k = 0; k <= along; ++k)
+      for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) x.push_back({cell * (i - 0.5 * n), cell * (j - 0.5 * n), cell * k + start_gap});
+    for (int k = 0; k < along; ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+          cells.push_back({node(i, j, k), node(i + 1, j, k), node(i, j + 1, k), node(i + 1, j + 1, k), node(i, j, k + 1), node(i + 1, j, k + 1),
+                           node(i, j + 1, k + 1), node(i + 1, j + 1, k + 1)});
+    v.assign(x.size(), {0, 0, -speed});
+    force.resize(x.size()), stress.resize(x.size()), mass.resize(x.size());
+    for (const auto& each : cells)
+      for (const std::size_t a : each) mass[a] += rho * cell * cell * cell / 8;
+
+    const double gauss = 1 / std::sqrt(3.0);
+    for (unsigned g = 0; g < 8; ++g)
+      for (unsigned a = 0; a < 8; ++a) {
+        const auto sign = [](unsigned of, unsigned axis) { return of >> axis & 1u ? 1.0 : -1.0; };
+        for (unsigned axis = 0; axis < 3; ++axis) {
+          double product = sign(a, axis) / 4 / cell;
+          for (unsigned other = 0; other < 3; ++other)
+            if (other != axis) product *= 1 + sign(a, other) * sign(g, other) * gauss;
+          slope[g][a][axis] = product;
+        }
+      }
+  }
+
+  double section() const { return width * width; }
+  double momentum() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += mass[i] * v[i].z;
+    return sum;
+  }
+  double kinetic_energy() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += 0.5 * mass[i] * squared_norm(v[i]);
+    return sum;
+  }
+
+  void compute_forces() {
+    std::ranges::fill(force, Vec3d{});
+    std::ranges::fill(stress, 0.0);
+    elastic_energy = 0;
+    const double weight = cell * cell * cell / 8;  // of a Gauss point [m³]
+    for (const auto& each : cells)
+      for (const auto& gradients : slope) {
+        Mat3 f;  // deformation gradient
+        for (std::size_t a = 0; a < 8; ++a)
+          for (std::size_t axis = 0; axis < 3; ++axis) f.row[axis] += x[each[a]][axis] * gradients[a];
+        const Inverse inverse(f);
+        if (!(inverse.determinant > 0)) throw RunError("fem_bar: a cell is turned inside out; take more cells.");
+        const Mat3 p = f - inverse.transposed;  // stress by µ
+        double squares = -3;
+        for (const Vec3d& row : f.row) squares += squared_norm(row);
+        elastic_energy += weight * shear * (0.5 * squares - std::log(inverse.determinant));
+        for (std::size_t a = 0; a < 8; ++a) {
+          force[each[a]] -= weight * shear * (p * gradients[a]);
+          stress[each[a]] += shear * p.row[2].z * weight * rho / 8 / mass[each[a]];
+        }
+      }
+  }
+};
+
+struct Outcome {
+  double first_touch = -1, last_touch = 0;  // [s]
+  double impulse = 0;                       // [N s] on the body, downwards
+  double lost = 0;                          // [J] by nodes that stop where they touch
+  std::vector<double> time, force;          // [s], [N] of each step
+};
+
+/// Lets the bar and the body go their way for `time` seconds. Five pictures are written: name_0.vtk to name_4.vtk, and
+/// name_body_0.vtk to name_body_4.vtk of the body.
+Outcome strike(Bar& bar, RigidBody& body, const Panels& panels, double speed, double time, const std::string& name) {
+  ContactDetector detector{Surface(panels)};  // nodes have no extent
+  const double sound = std::sqrt(youngs / rho);
+  const int quarter = static_cast<int>(std::ceil(time * (sound + 4 * speed) / (0.4 * bar.cell) / 4));  // Courant number 0.4; pressed cells are stiffer
+  const double dt = time / (4 * quarter);
+  const auto picture = [&](int frame) {
+    Panels moved = panels;
+    for (Vec3d& vertex : moved.vertices) vertex = body.pose().to_world(vertex);
+    write_vtk(name + "_" + std::to_string(frame) + ".vtk", bar.x, {{"axial_stress", bar.stress}});
+    write_vtk(name + "_body_" + std::to_string(frame) + ".vtk", moved);
+  };
+  Outcome outcome;
+  bar.compute_forces();
+  for (int step = 0; step < 4 * quarter; ++step) {
+    if (step % quarter == 0) picture(step / quarter);
+    const std::vector<Vec3d> x_t0 = bar.x, v_t0 = bar.v;
+    for (std::size_t i = 0; i < bar.x.size(); ++i) {
+      bar.v[i] += dt / bar.mass[i] * bar.force[i];
+      bar.x[i] += dt * bar.v[i];
+    }
+    const std::vector<Vec3d> v_pushed = bar.v;
+    const double energy_of_body = body.kinetic_energy();
+
+    const Motion motion = body.advance(dt);
+    const std::vector<Contact> contacts = detector.detect(motion, x_t0, bar.x);
+    const Tally tally = respond(contacts, motion, body, {.x_t0 = x_t0, .x_t1 = bar.x, .velocity = bar.v, .mass = bar.mass});
+
+    // The work of an impulse J is J·(v before + v after)/2, before and after the whole step: a node that rests on the wall, pushed there by
+    // its cell and back by the wall, gains and loses nothing.
+    outcome.lost += energy_of_body - body.kinetic_energy();
+    for (const Contact& contact : contacts) {
+      const std::size_t i = contact.point;
+      outcome.lost -= bar.mass[i] * dot(bar.v[i] - v_pushed[i], 0.5 * (bar.v[i] + v_t0[i]));
+    }
+    outcome.impulse -= tally.impulse.z;
+    outcome.time.push_back((step + 1) * dt);
+    outcome.force.push_back(-tally.impulse.z / dt);
+    if (!contacts.empty()) {
+      if (outcome.first_touch < 0) outcome.first_touch = step * dt;
+      outcome.last_touch = (step + 1) * dt;
+    }
+    bar.compute_forces();
+  }
+  picture(4);
+  return outcome;
+}
+
+double percent(double value, double of) { return 100 * (value / of - 1); }
+
+void strike_wall(int cells) {
+  const double speed = 0.1, sound = std::sqrt(youngs / rho);  // a thousandth of the sound's: linear
+  Bar bar(cells, speed);
+  RigidBody wall({.mass = 1}, Pose({0, 0, -0.01}), {}, {}, {});  // held, its upper face at z = 0
+  const double arrival = start_gap / speed, contact = 2 * length / sound;
+  const double before = bar.momentum(), energy = bar.kinetic_energy();
+  const Outcome outcome = strike(bar, wall, make_box({.size = {0.1, 0.1, 0.02}, .panel = 0.05}), speed, arrival + 1.5 * contact, "bar_on_wall");
+
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < outcome.time.size(); ++i)
+    if (outcome.time[i] > arrival + 0.1 * contact && outcome.time[i] < arrival + 0.9 * contact) sum += outcome.force[i], ++count;
+  const double stress = sum / count / bar.section(), theory = rho * sound * speed;
+  std::printf("wall, %zu nodes, %.0f cells along\n", bar.x.size(), length / bar.cell);
+  std::printf("  contact stress   %.1f Pa, rho c v = %.1f Pa (%+.2f %%)\n", stress, theory, percent(stress, theory));
+  const double lasted = outcome.last_touch - outcome.first_touch;
+  std::printf("  contact lasts    %.4f ms, 2 L/c = %.4f ms (%+.2f %%)\n", 1e3 * lasted, 1e3 * contact, percent(lasted, contact));
+  std::printf("  impulse          %.6f N s, 2 m v = %.6f N s (%+.2f %%)\n", outcome.impulse, -2 * before, percent(outcome.impulse, -2 * before));
+  std::printf("  momentum balance %.1e of the impulse\n", std::fabs(bar.momentum() - before - outcome.impulse) / outcome.impulse);
+  const double left = bar.kinetic_energy() + bar.elastic_energy;
+  std::printf("  energy balance   %+.3f %%: left %.2f %%, lost where nodes stop %.2f %%\n", 100 * ((left + outcome.lost) / energy - 1), 100 * left / energy,
+              100 * outcome.lost / energy);
+  if (std::FILE* file = std::fopen("bar_on_wall.csv", "w")) {
+    std::fprintf(file, "time [s],force [N],theory [N]\n");
+    for (std::size_t i = 0; i < outcome.time.size(); ++i) {
+      const bool touches = outcome.time[i] > arrival && outcome.time[i] < arrival + contact;
+      std::fprintf(file, "%.9g,%.9g,%.9g\n", outcome.time[i], outcome.force[i], touches ? theory * bar.section() : 0.0);
+    }
+    std::fclose(file);
+  }
+}
+
+/// Its edge along y at the origin, pointing up; as wide as it is deep on both sides.
+Panels wedge_panels() {
+  Panels wedge;
+  const double w = 0.03, d = 0.03;
+  wedge.vertices = {{0, -w, 0}, {0, w, 0}, {-w, -w, -d}, {-w, w, -d}, {w, -w, -d}, {w, w, -d}};
+  wedge.add_quad(0, 1, 3, 2), wedge.add_quad(0, 4, 5, 1), wedge.add_quad(2, 3, 5, 4);
+  wedge.add_triangle(0, 2, 4), wedge.add_triangle(1, 5, 3);
+  return wedge;
+}
+
+void strike_wedge(int cells) {
+  const double speed = 4, sound = std::sqrt(youngs / rho);
+  Bar bar(cells, speed);
+  RigidBody wedge({.mass = rho * length * bar.section()}, Pose(), {}, {}, {{false, false, true, false, false, false}});  // as heavy as the bar, free along z
+  const double before = bar.momentum(), energy = bar.kinetic_energy();
+  const Outcome outcome = strike(bar, wedge, wedge_panels(), speed, start_gap / speed + 3 * length / sound, "bar_on_wedge");
+  const double left = bar.kinetic_energy() + bar.elastic_energy + wedge.kinetic_energy();
+  std::size_t inside = 0;
+  for (const Vec3d& x : bar.x) inside += x.z < wedge.pose().position().z - std::fabs(x.x) && std::fabs(x.x) < 0.03;
+  std::printf("wedge, %zu nodes, %.0f cells along\n", bar.x.size(), length / bar.cell);
+  std::printf("  wedge leaves at  %.4f m/s, the bar on average at %.4f m/s\n", wedge.velocity().z, bar.momentum() / wedge.mass());
+  std::printf("  nodes inside     %zu\n", inside);
+  std::printf("  momentum balance %.1e of the impulse\n", std::fabs(bar.momentum() + wedge.momentum().z - before) / outcome.impulse);
+  std::printf("  energy balance   %+.3f %%: left %.2f %%, lost where nodes stop %.2f %%\n", 100 * ((left + outcome.lost) / energy - 1), 100 * left / energy,
+              100 * outcome.lost / energy);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const int cells = argc > 1 ? std::atoi(argv[1]) : 50;
+  if (cells < 30 || cells % 20 != 10)  // cubes, and an odd number of them across: a node over the edge of the wedge would have to choose a side
+    throw InputError("fem_bar: the number of cells along the bar is 30, 50, 70 and so on; give one of these.");
+  strike_wall(cells);
+  strike_wedge(cells);
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "error: %s\n", error.what());
+  return 2;
+}

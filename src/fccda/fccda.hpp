@@ -1,0 +1,14 @@
+/// All that a program needs to find and answer contact of its points with a moving rigid surface.
+#pragma once
+
+#include "fccda/body/rigid_body.hpp"         // RigidBody, Motion, Pose
+#include "fccda/core/error.hpp"              // InputError, RunError
+#include "fccda/detect/points.hpp"           // Points: the interface for solvers that have blocks and bounds of their own
+#include "fccda/detect/swept.hpp"            // Swept: the detector behind it
+#include "fccda/plain/contact_detector.hpp"  // ContactDetector::detect: positions in, contacts out
+#include "fccda/plain/respond_arrays.hpp"    // respond: relocation, velocities, impulse
+#include "fccda/shapes/box.hpp"              // make_box, make_cylinder, make_sphere
+#include "fccda/shapes/cylinder.hpp"
+#include "fccda/shapes/sphere.hpp"
+#include "fccda/surface/read/read_panels.hpp"  // read_panels: STL, OBJ
+#include "fccda/surface/surface.hpp"           // Surface

@@ -1,0 +1,59 @@
+/// Detection as a plain call: positions before and after a step in, contacts out. It is the swept detector (detect/swept.hpp) over
+/// arrays; a solver with blocks and bounds of its own calls that one through the Points interface (detect/points.hpp) instead.
+///
+///   ContactDetector detector{Surface(read_panels("hull.stl")), {.radius = 0.01}};
+///   while (...) {
+///     const Motion motion = hull.advance(dt);                                     // RigidBody, or any two poses
+///     ...                                                                         // x_t1 of the solver
+///     const std::vector<Contact> contacts = detector.detect(motion, x_t0, x_t1);
+///     respond(contacts, motion, hull, {x_t0, x_t1, velocity, mass});              // plain/respond_arrays.hpp
+///   }
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "fccda/detect/swept.hpp"
+#include "fccda/plain/vectors.hpp"
+
+namespace fccda {
+
+/// One detector follows one set of points: it remembers how far each was from the surface, so that most are not looked at.
+class ContactDetector {
+ public:
+  struct Options {
+    double radius = 0;            ///< [m] contact radius: points are balls; 0 for points without extent
+    Region region = Unbounded();  ///< where contact is looked for, in the body frame
+  };
+
+  /// Throws InputError where the radius is negative or no number.
+  ContactDetector(Surface surface, const Options& options);
+  explicit ContactDetector(Surface surface) : ContactDetector(std::move(surface), Options{}) {}
+
+  /// The contacts of one step, in point order, the same for any number of threads. x_t0 and x_t1: positions in the world frame at the
+  /// two ends of the step [m]. x_t0 must be x_t1 of the step before, as relocated; for points of which that is not true see below.
+  /// Points may be appended or taken off the end at any time. Throws InputError where there are not as many x_t1 as x_t0, RunError
+  /// where a position is no number.
+  std::vector<Contact> detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1);
+
+  /// Somebody else displaced the point since the last step (a periodic boundary, another wall).
+  void moved(std::size_t point) { swept_.moved(point); }
+
+  /// Points were renumbered, or many displaced: all are looked at again in the next step.
+  void points_changed() { swept_.forget(); }
+
+  /// The points that are inside the surface, or nearer than the contact radius: to be asked before the first step. Touching is not inside.
+  std::vector<std::size_t> points_inside(const Pose& pose, ConstVectors x) const;
+
+  /// What is behind it: surface, contact radius, work done so far, points that came in where the surface is not felt.
+  const Swept& swept() const { return swept_; }
+
+ private:
+  Swept swept_;
+  Vec3d centre_;                // [m] of the surface's bounds, in the body frame
+  double reach_;                // [m] no point of the surface is further from there
+  std::vector<double> travel_;  // [m] of each block in the present step
+};
+
+}  // namespace fccda

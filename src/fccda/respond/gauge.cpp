@@ -1,0 +1,45 @@
+#include "fccda/respond/gauge.hpp"
+
+#include <algorithm>
+
+#include "fccda/core/error.hpp"
+#include "fccda/core/nearest_word.hpp"
+
+namespace fccda {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& part, std::span<const std::string> known) {
+  std::string sentence = "the surface has no part \"" + part + "\"";
+  if (const std::string_view meant = nearest_word(part, known); !meant.empty()) sentence += "; did you mean " + std::string(meant) + "?";
+  if (known.size() == 1 && known[0].empty()) throw InputError(sentence + "; its panels have no names, so leave the parts out, or name them in its file.");
+  sentence += sentence.ends_with('?') ? " Its parts are " : "; its parts are ";
+  constexpr std::size_t most = 20;  // so that an assembly of thousands stays a sentence
+  for (std::size_t k = 0; k < std::min(known.size(), most); ++k) sentence += (k > 0 ? ", " : "") + (known[k].empty() ? "one without a name" : known[k]);
+  throw InputError(sentence + (known.size() > most ? " and " + std::to_string(known.size() - most) + " more." : "."));
+}
+
+}  // namespace
+
+Gauge::Gauge(const Mounting& mounting, const Surface& surface) : point_(mounting.point), axis_(mounting.axis) {
+  if (mounting.parts.empty()) return;
+  const auto known = surface.part_names();
+  std::vector<bool> feels_part(known.size(), false);
+  for (const std::string& part : mounting.parts) {
+    if (std::find(known.begin(), known.end(), part) == known.end()) refuse(part, known);
+    for (std::size_t k = 0; k < known.size(); ++k)
+      if (known[k] == part) feels_part[k] = true;
+  }
+  for (std::size_t p = 0; p < surface.panels().panels.size(); ++p)
+    feels_panel_.push_back(feels_part[static_cast<std::size_t>(surface.part_of_panel(static_cast<int>(p)))]);
+}
+
+void Gauge::add(const Contact& contact, const Vec3d& position, const Vec3d& impulse, const Motion& motion) {
+  if (!feels(contact.panel)) return;
+  const Vec3d moment = cross(position - motion.t1.to_world(point_), impulse);
+  reading_.impulse += impulse;
+  reading_.angular_impulse += moment;
+  if (axis_) reading_.about_axis += dot(motion.t1.turn_to_world(*axis_), moment);
+}
+
+}  // namespace fccda

@@ -1,0 +1,123 @@
+#include "io/deck/consistency_impactor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "io/deck/time_series.hpp"
+#include "io/deck/yaml_node.hpp"
+
+namespace perimpact::deck {
+
+namespace {
+
+void check_mass(const ImpactorSetup& impactor, const std::string& path, const Places& places) {
+  if (impactor.mass && impactor.density)
+    refuse(places.of(path + ".density"), "density is given beside mass, but one of them sets the other; keep one of the two.");
+  if (!impactor.mass && !impactor.density)
+    refuse(places.of(path), fmt::format("{} lacks mass [kg], or in its place density [kg/m3]; for example mass: 1.57 kg.", path));
+}
+
+void check_increasing(const std::vector<double>& times, const std::string& place) {
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (times[k] <= times[k - 1]) refuse(place, fmt::format("times holds {} s after {} s, but times must increase.", times[k], times[k - 1]));
+}
+
+void check_as_many(std::size_t values, std::size_t times, std::string_view name, const std::string& place) {
+  if (values != times) refuse(place, fmt::format("{} has {} values for {} times; give one for each time.", name, values, times));
+}
+
+/// One of the lists, or a file, and nothing twice.
+void check_table(const MotionTable& table, const std::string& path, const Places& places) {
+  if (!table.file.empty()) {
+    for (const std::string_view list : {"times", "velocities", "displacements"})
+      if (places.has(fmt::format("{}.{}", path, list)))
+        refuse(places.of(fmt::format("{}.{}", path, list)), fmt::format("{} is given beside file, which holds times and values; keep one of the two.", list));
+    return;
+  }
+  if (!table.velocities.empty() && !table.displacements.empty())
+    refuse(places.of(path + ".displacements"), "displacements is given beside velocities, but one of them sets the other; keep one of the two.");
+  const bool has_velocities = !table.velocities.empty();
+  const std::vector<double>& values = has_velocities ? table.velocities : table.displacements;
+  if (table.times.empty() || values.empty()) refuse(places.of(path), fmt::format("{} needs times with velocities or displacements, or a file.", path));
+  const std::string list = has_velocities ? "velocities" : "displacements";
+  check_as_many(values.size(), table.times.size(), list, places.of(path + "." + list));
+  check_increasing(table.times, places.of(path + ".times"));
+}
+
+bool is_rotation(std::size_t degree) { return degree >= 3; }
+
+void read_table(MotionTable& table, std::size_t degree, const std::string& path, const std::filesystem::path& folder, const Places& places) {
+  if (table.file.empty()) return;
+  TimeSeries series = read_time_series(folder / table.file, is_rotation(degree), places.of(path + ".file"));
+  table.times = std::move(series.times);
+  (series.is_displacement ? table.displacements : table.velocities) = std::move(series.values);
+  table.file.clear();
+}
+
+bool is_free(const ImpactorSetup& impactor, std::size_t degree) {
+  return std::find(impactor.free.begin(), impactor.free.end(), degree_words[degree]) != impactor.free.end();
+}
+
+/// An angle about one axis says where the impactor is only while it turns about no other.
+void check_only_turning_axis(const ImpactorSetup& impactor, std::size_t degree, const std::string& path, const Places& places) {
+  for (std::size_t other = 3; other < std::size(degree_words); ++other) {
+    if (other == degree) continue;
+    const std::string_view word = degree_words[other];
+    const std::string turns = is_free(impactor, other)                    ? fmt::format("{} is free", word)
+                              : impactor.motion.of(other)                 ? fmt::format("motion.{} turns it about another axis", word)
+                              : impactor.angular_velocity[other - 3] != 0 ? fmt::format("angular_velocity turns it about {} too", word.substr(1))
+                                                                          : "";
+    if (!turns.empty())
+      refuse(places.of(path + ".displacements"), fmt::format("displacements of {} say where the impactor is only while it turns about no other axis, because "
+                                                             "rotations do not commute, but {}; hold the other rotations, or give velocities.",
+                                                             degree_words[degree], turns));
+  }
+}
+
+void check_motion(ImpactorSetup& impactor, const std::string& path, const std::filesystem::path& folder, const Places& places) {
+  for (std::size_t degree = 0; degree < std::size(degree_words); ++degree) {
+    MotionTable* table = impactor.motion.of(degree);
+    if (!table) continue;
+    const std::string_view word = degree_words[degree];
+    const std::string key = fmt::format("{}.motion.{}", path, word);
+    check_table(*table, key, places);
+    read_table(*table, degree, key, folder, places);
+    if (is_free(impactor, degree))
+      refuse(places.of(key), fmt::format("{0} is free, so contact and loads move it, and no table can; take {0} out of free, or remove its motion.", word));
+    const std::string given = is_rotation(degree) ? "angular_velocity" : "velocity";
+    const std::size_t axis = degree % 3;
+    if ((is_rotation(degree) ? impactor.angular_velocity : impactor.velocity)[axis] != 0)
+      refuse(places.of(path + "." + given),
+             fmt::format("{} of {} is not 0, but motion.{} says how it moves; write 0, or remove that motion.", "xyz"[axis], given, word));
+    if (is_rotation(degree) && !table->displacements.empty()) check_only_turning_axis(impactor, degree, key, places);
+  }
+}
+
+void check_load(const LoadSetup& load, const std::string& path, const Places& places) {
+  if (load.force == Vec3d{} && load.moment == Vec3d{})
+    refuse(places.of(path), fmt::format("{} has neither a force [N] nor a moment [N m]; give one, or remove the load.", path));
+  check_as_many(load.factors.size(), load.times.size(), "factors", places.of(path + (load.factors.empty() ? ".times" : ".factors")));
+  check_increasing(load.times, places.of(path + ".times"));
+}
+
+void check_gauge(const GaugeSetup& gauge, DetectorKind detector, const std::string& path, const Places& places) {
+  if (gauge.axis && *gauge.axis == Vec3d{}) refuse(places.of(path + ".axis"), "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
+  if (!gauge.parts.empty() && detector == DetectorKind::analytic)
+    refuse(places.of(path + ".parts"), "parts is given, but the analytic detector knows no panels; remove parts, or write detector: swept.");
+}
+
+}  // namespace
+
+void make_impactor_consistent(ImpactorSetup& impactor, DetectorKind detector, const std::filesystem::path& folder, const Places& places) {
+  const std::string path = "impactors." + impactor.name;
+  check_mass(impactor, path, places);
+  check_motion(impactor, path, folder, places);
+  for (const LoadSetup& load : impactor.loads) check_load(load, path + ".loads." + load.name, places);
+  for (const GaugeSetup& gauge : impactor.gauges) check_gauge(gauge, detector, path + ".gauges." + gauge.name, places);
+}
+
+}  // namespace perimpact::deck

@@ -1,0 +1,24 @@
+/// The rigid body that a Setup asks for, and what moves it besides contact.
+#pragma once
+
+#include <vector>
+
+#include "fccda/body/applied_load.hpp"
+#include "fccda/body/prescribed_motion.hpp"
+#include "fccda/body/rigid_body.hpp"
+#include "fccda/surface/surface.hpp"
+#include "perimpact/setup/setup.hpp"
+
+namespace perimpact {
+
+/// Throws SetupError where mass and inertia cannot be had or do not suffice. Where a motion is prescribed, the body starts with its velocity.
+fccda::RigidBody rigid_body_of(const ImpactorSetup& setup, const fccda::Surface& surface, const fccda::PrescribedMotion& motion);
+
+/// Throw SetupError where a table cannot be used.
+fccda::PrescribedMotion motion_of(const ImpactorSetup& setup);
+std::vector<fccda::AppliedLoad> loads_of(const ImpactorSetup& setup);
+
+/// True where the mass, or the inertia that a free rotation needs, comes from the volume inside the surface.
+bool is_weighed_by_volume(const ImpactorSetup& setup);
+
+}  // namespace perimpact

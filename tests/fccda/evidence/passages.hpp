@@ -1,0 +1,124 @@
+/// Paths whose truth is known before any detector is asked, each with the motions under which a body sees a point go along it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fccda/core/parallel.hpp"
+#include "truth.hpp"
+
+namespace evidence {
+
+/// What makes the path: points fly, resting points are met by a body that moves, or by one that turns as well.
+enum class Way { points_move, body_moves, body_turns };
+
+/// A way through the surface grown by the contact radius r:
+///   into     begins outside, ends inside
+///   through  begins and ends outside, but comes nearer than r (r = 0: crosses) in between
+///   past     stays outside
+/// Those that cannot be told apart by more than `blur` are not made.
+enum class Fate { into, through, past };
+
+struct Passage {
+  Path path;  ///< in the body frame
+  Fate fate;
+  bool is_contact() const { return fate != Fate::past; }
+};
+
+/// Passages that a body meets in one step from one pose.
+struct Flight {
+  Motion motion;
+  std::vector<Passage> passages;
+
+  /// Where the points are in the world at the ends of the step.
+  fixtures::TestPoints points(Way way) const {
+    fixtures::TestPoints points;
+    for (const Passage& passage : passages) {
+      points.x0.push_back(motion.t0.to_world(passage.path.start));
+      points.x1.push_back(way == Way::points_move ? motion.t1.to_world(passage.path.end) : points.x0.back());
+    }
+    return points;
+  }
+};
+
+struct Wish {
+  double radius = 0;  ///< r [m]
+  double step = 0;    ///< [m] about as long as the paths are
+  Way way = Way::points_move;
+  std::size_t contacts = 0, past = 0;  ///< how many of each
+  std::uint64_t seed = 0;
+};
+
+namespace detail {
+
+/// Somewhere outside, at most a step further than r from the surface.
+inline Vec3d place_outside(const Truth& truth, const Wish& wish, double blur, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (;;) {
+    const auto& t = truth.soup().triangles[random() % truth.soup().triangles.size()];
+    const double u = unit(random), v = unit(random) * (1 - u), target = wish.radius + wish.step * unit(random);
+    const Vec3d foot = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
+    Vec3d direction = fixtures::random_direction(random);
+    if (dot(direction, cross(t[1] - t[0], t[2] - t[0])) < 0) direction = -direction;
+    // along a slanted line the distance grows slower than the way: a few secants
+    Vec3d place = foot + target * direction;
+    double distance = truth.distance(place);
+    for (int k = 0; k < 4 && wish.radius > 0 && !(distance > wish.radius + blur); ++k) {
+      place += (target - distance + 0.1 * wish.step) * direction;
+      distance = truth.distance(place);
+    }
+    if (distance > wish.radius + blur && distance < wish.radius + 1.1 * wish.step && !truth.inside(place)) return place;
+  }
+}
+
+inline std::optional<Fate> fate_of(const Truth& truth, const Path& path, double radius, double blur) {
+  const double at_end = truth.distance(path.end);
+  const bool inside = truth.inside(path.end);
+  if (inside ? at_end > blur : at_end < radius - blur) return Fate::into;
+  if (inside || !(at_end > radius + blur)) return {};
+  if (const auto crossing = truth.first_crossing(path)) return crossing->margin > 1e-6 ? std::optional(Fate::through) : std::nullopt;
+  const double least = truth.distance(path);
+  if (least > radius + blur) return Fate::past;
+  if (least < radius - blur) return Fate::through;
+  return {};
+}
+
+}  // namespace detail
+
+/// One flight for each of the poses, which share the wish evenly. All random numbers follow from the seed, for any number of threads.
+inline std::vector<Flight> flights(const Truth& truth, const Wish& wish, const std::vector<Pose>& poses = fixtures::orientations()) {
+  std::vector<Flight> all(poses.size());
+  const auto share = [&](std::size_t count, std::size_t g) { return count * (g + 1) / poses.size() - count * g / poses.size(); };
+  parallel_for_uneven(static_cast<std::ptrdiff_t>(poses.size()), [&](std::ptrdiff_t k) {
+    const auto g = static_cast<std::size_t>(k);
+    std::mt19937_64 random(wish.seed * 1000 + g);
+    Flight& flight = all[g];
+    flight.motion = {poses[g], poses[g], 1};
+    // What a point at rest does, seen from the body: turn by `turn` about the origin, then shift.
+    const Vec3d shift = wish.way == Way::body_turns ? 0.5 * wish.step * fixtures::random_direction(random) : wish.step * fixtures::random_direction(random);
+    const Vec3d turn = wish.way == Way::body_turns ? 1.5 * wish.step * fixtures::random_direction(random) : Vec3d{};
+    if (wish.way != Way::points_move) {
+      const Quaternion back = Quaternion::from_rotation(-turn);
+      const Pose seen({}, (poses[g].attitude() * back).normalised());
+      flight.motion.t1 = Pose(poses[g].position() - seen.turn_to_world(shift), seen.attitude());
+    }
+    // Seen from a turning body a path bulges out of its chord by (ρ θ² + 2 θ w)/8 at most, for a point ρ from its middle (0.7 is beyond
+    // all shapes) and a way w. What is nearer to the limit than that is left to the detectors.
+    const double blur = 1e-4 * wish.step + (0.7 * dot(turn, turn) + 2 * norm(turn) * norm(shift)) / 8;
+    std::size_t contacts = share(wish.contacts, g), past = share(wish.past, g);
+    while (contacts > 0 || past > 0) {
+      Path path;
+      path.start = detail::place_outside(truth, wish, blur, random);
+      path.end = wish.way == Way::points_move ? path.start + wish.step * fixtures::random_direction(random) : turned(path.start, turn) + shift;
+      const std::optional<Fate> fate = detail::fate_of(truth, path, wish.radius, blur);
+      if (!fate) continue;
+      std::size_t& wanted = *fate == Fate::past ? past : contacts;
+      if (wanted == 0) continue;
+      --wanted;
+      flight.passages.push_back({path, *fate});
+    }
+  });
+  return all;
+}
+
+}  // namespace evidence

@@ -1,0 +1,60 @@
+/// What a detector made of passages whose truth is known.
+#pragma once
+
+#include "passages.hpp"
+
+namespace evidence {
+
+struct Score {
+  std::size_t contacts = 0;  ///< true ones
+  std::size_t found = 0;     ///< of them
+  std::size_t past = 0;      ///< paths that stay outside
+  std::size_t invented = 0;  ///< of them, reported as contacts
+  // of the contacts found:
+  std::size_t inside = 0;  ///< put back inside, or nearer than the contact radius
+  std::size_t thrown = 0;  ///< put back outside, where the straight way from the start goes through the surface
+  double deepest = 0;      ///< [m] how much nearer than the contact radius any was put back
+
+  Score& operator+=(const Score& b) {
+    contacts += b.contacts, found += b.found, past += b.past, invented += b.invented, inside += b.inside, thrown += b.thrown;
+    deepest = std::max(deepest, b.deepest);
+    return *this;
+  }
+};
+
+/// `missed(passage, number)` is called for each true contact that was not found.
+template <class Detector, class Missed>
+Score score(Detector& detector, const Truth& truth, const Flight& flight, Way way, double radius, const Missed& missed) {
+  // Relocated points are off by the offset, 1e-12 of the size, which is there to cover the rounding of two poses; ten times that is lost.
+  constexpr double rounding = 1e-11;
+  const fixtures::TestPoints points = flight.points(way);
+  detector.forget();
+  const std::vector<Contact> contacts = fixtures::detect(detector, points, flight.motion, travel_bound(flight.motion, {}, 1));
+  std::vector<const Contact*> of(points.size(), nullptr);
+  for (const Contact& contact : contacts) of[contact.point] = &contact;
+  Score total;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Passage& passage = flight.passages[i];
+    (passage.is_contact() ? total.contacts : total.past) += 1;
+    if (!of[i]) {
+      if (passage.is_contact()) missed(passage, i);
+      continue;
+    }
+    if (!passage.is_contact()) {
+      ++total.invented;
+      continue;
+    }
+    ++total.found;
+    const Vec3d place = flight.motion.t1.to_body(of[i]->relocation);
+    const double distance = truth.distance(place);
+    const double depth = truth.inside(place) ? radius + distance : radius - distance;
+    total.deepest = std::max(total.deepest, depth);
+    if (depth > rounding)
+      ++total.inside;
+    else if (truth.first_crossing({passage.path.start, Path{passage.path.start, place}.at(1 - 1e-6)}))  // short of where it rests
+      ++total.thrown;
+  }
+  return total;
+}
+
+}  // namespace evidence

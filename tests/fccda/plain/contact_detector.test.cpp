@@ -1,0 +1,173 @@
+#include "fccda/plain/contact_detector.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "../detect/scene.hpp"
+#include "fccda/core/error.hpp"
+#include "fccda/core/parallel.hpp"
+#include "fccda/plain/respond_arrays.hpp"
+
+using namespace fccda;
+
+namespace {
+
+constexpr double ball = 0.01;  // [m]
+
+bool same(const Contact& a, const Contact& b) {
+  return a.point == b.point && a.panel == b.panel && a.time_fraction == b.time_fraction && a.hit == b.hit && a.normal == b.normal &&
+         a.relocation == b.relocation && a.depth == b.depth;
+}
+
+bool same(const std::vector<Contact>& a, const std::vector<Contact>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Contact& p, const Contact& q) { return same(p, q); });
+}
+
+RigidBody turning_hull() {
+  const FreeDegrees all{{true, true, true, true, true, true}};
+  return RigidBody({.mass = 30, .centre_of_mass = {0.3, 0.1, 0}, .inertia = Mat3::diagonal({2, 4, 5})}, Pose(), {0.3, 0.1, 0.5}, {0.5, -0.3, 1}, all);
+}
+
+/// A cloud that falls on a hull which turns and drives into it.
+struct Scene {
+  std::shared_ptr<const Surface> surface = fixtures::surface_of(fixtures::hull());
+  RigidBody hull = turning_hull();
+  std::vector<Vec3d> x_t0, x_t1, velocity;
+  std::vector<double> mass;
+  static constexpr double dt = 2e-3;  // [s]
+
+  explicit Scene(std::size_t points) {
+    std::mt19937_64 random(5);
+    for (std::size_t i = 0; i < points; ++i) {
+      const Vec3d direction = fixtures::random_direction(random);
+      x_t1.push_back((0.8 + 0.3 * std::fabs(fixtures::random_direction(random).x)) * direction);
+      velocity.push_back(fixtures::random_direction(random) - 2.0 * direction);
+      mass.push_back(0.01 + 1e-5 * double(i));
+    }
+  }
+
+  Motion advance() {
+    x_t0 = x_t1;
+    for (std::size_t i = 0; i < x_t1.size(); ++i) x_t1[i] += dt * velocity[i];
+    return hull.advance(dt);
+  }
+
+  Vec3d momentum() const {
+    Vec3d sum = hull.momentum();
+    for (std::size_t i = 0; i < mass.size(); ++i) sum += mass[i] * velocity[i];
+    return sum;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("plain call: finds bit for bit what the swept detector finds that asks every point, with a turning hull, for any number of threads") {
+  const int threads = thread_count();
+  std::size_t contacts_found = 0;
+  for (const int count : {1, 3}) {
+    use_threads(count);
+    Scene scene(1000);
+    ContactDetector detector(*scene.surface, {.radius = ball});
+    for (int step = 0; step < 150; ++step) {
+      const Motion motion = scene.advance();
+      const std::vector<Contact> contacts = detector.detect(motion, scene.x_t0, scene.x_t1);
+      Swept fresh(scene.surface, Unbounded{}, ball);  // remembers nothing, so it asks every point
+      std::vector<Contact> expected;
+      fresh.detect(fixtures::TestPoints{scene.x_t0, scene.x_t1, {}, {}}, motion, 0, expected);
+      REQUIRE(same(contacts, expected));
+      contacts_found += contacts.size();
+      respond(contacts, motion, scene.hull, {scene.x_t0, scene.x_t1, scene.velocity, scene.mass});
+    }
+    CHECK(detector.swept().effort().points_asked < 1000 * 150 / 4);  // and most points were never looked at
+  }
+  use_threads(threads);
+  CHECK(contacts_found > 1000);
+}
+
+TEST_CASE("plain call: no point is ever inside, by the winding number, and points and hull keep their momentum") {
+  Scene scene(300);
+  ContactDetector detector(*scene.surface, {.radius = ball});
+  const Vec3d before = scene.momentum();
+  double exchanged = 0;
+  for (int step = 0; step < 150; ++step) {
+    const Motion motion = scene.advance();
+    const Tally tally = respond(detector.detect(motion, scene.x_t0, scene.x_t1), motion, scene.hull, {scene.x_t0, scene.x_t1, scene.velocity, scene.mass}, 0.3);
+    exchanged += norm(tally.impulse);
+  }
+  REQUIRE(exchanged > 1);
+  CHECK(norm(scene.momentum() - before) < 1e-12 * exchanged);  // rounding of 300 points over 150 steps
+  const fixtures::Soup soup(*scene.surface);
+  for (const Vec3d& x : scene.x_t1) CHECK_FALSE(soup.inside(scene.hull.pose().to_body(x)));
+}
+
+TEST_CASE("plain call: points may be appended, taken off the end and renumbered between steps") {
+  Scene scene(200);
+  ContactDetector detector(*scene.surface, {.radius = ball});
+  std::size_t found = 0;
+  const auto step_is_exact = [&] {
+    const Motion motion = scene.advance();
+    const std::vector<Contact> contacts = detector.detect(motion, scene.x_t0, scene.x_t1);
+    const std::vector<Contact> expected = ContactDetector(*scene.surface, {.radius = ball}).detect(motion, scene.x_t0, scene.x_t1);
+    found += contacts.size();
+    respond(contacts, motion, scene.hull, {scene.x_t0, scene.x_t1, scene.velocity, scene.mass});
+    return same(contacts, expected);
+  };
+  const Scene more(320);  // the same seed: its first 200 points are where those of the scene began
+  for (int step = 0; step < 240; ++step) {
+    if (step == 60) {
+      scene.x_t1.insert(scene.x_t1.end(), more.x_t1.begin() + 200, more.x_t1.end());
+      scene.velocity.insert(scene.velocity.end(), more.velocity.begin() + 200, more.velocity.end());
+      scene.mass = more.mass;
+    }
+    if (step == 120) scene.x_t1.resize(150), scene.velocity.resize(150), scene.mass.resize(150);
+    if (step == 180) {
+      std::ranges::reverse(scene.x_t1), std::ranges::reverse(scene.velocity), std::ranges::reverse(scene.mass);
+      detector.points_changed();
+    }
+    REQUIRE(step_is_exact());
+  }
+  CHECK(found > 100);
+}
+
+TEST_CASE("plain call: a point that somebody else put before the surface is struck there") {
+  const Surface surface(make_box({.size = {1, 1, 1}, .panel = 1}));
+  ContactDetector detector(surface, {.radius = ball});
+  const Motion rest = fixtures::at_rest();
+  CHECK(detector.detect(rest, std::vector<double>{0, 0, 50}, std::vector<double>{0, 0, 49}).empty());
+  detector.moved(0);
+  CHECK(detector.detect(rest, std::vector<double>{0, 0, 0.6}, std::vector<double>{0, 0, 0.4}).size() == 1);
+}
+
+TEST_CASE("plain call: points that begin inside are named, touching ones are not") {
+  ContactDetector detector{Surface(make_box({.size = {1, 1, 1}, .panel = 1})), {.radius = ball}};
+  const std::vector<Vec3d> x{{0, 0, 0}, {0, 0, 0.5 + ball}, {0, 0, 0.5 + 0.5 * ball}, {0, 0, 2}};
+  CHECK(detector.points_inside(Pose(), x) == std::vector<std::size_t>{0, 2});
+  CHECK(detector.points_inside(Pose({0, 0, 2}), x) == std::vector<std::size_t>{3});
+}
+
+TEST_CASE("plain call: no points are no contacts") {
+  ContactDetector detector{Surface(fixtures::tetrahedron())};
+  CHECK(detector.detect(fixtures::at_rest(), {}, {}).empty());
+}
+
+TEST_CASE("plain call: what cannot be meant is refused in a sentence") {
+  const Surface surface(fixtures::tetrahedron());
+  CHECK_THROWS_WITH_AS(ContactDetector(surface, {.radius = -1}),
+                       "contact: the contact radius is -1 m, but it must be a number of at least 0; 0 is for points without extent.", InputError);
+  ContactDetector detector(surface, {});
+  const std::vector<Vec3d> three(3), two(2);
+  CHECK_THROWS_WITH_AS(detector.detect(fixtures::at_rest(), three, two),
+                       "contact: there are 3 points at the beginning of the step and 2 at its end; give both positions of every point.", InputError);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
+    std::vector<Vec3d> astray(100, {2, 2, 2}), before = astray;
+    astray[70].y = bad;
+    CHECK_THROWS_AS(detector.detect(fixtures::at_rest(), before, astray), RunError);
+    CHECK_THROWS_AS(detector.detect(fixtures::at_rest(), astray, before), RunError);
+  }
+  std::vector<Vec3d> astray(100, {2, 2, 2}), before = astray;
+  astray[70].y = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_WITH(
+      detector.detect(fixtures::at_rest(), before, astray),
+      "contact: point 70 goes from (2, 2, 2) to (2, inf, 2) in one step, which is no way to go; the solver has become unstable, try a shorter step.");
+}

@@ -1,0 +1,29 @@
+"""Installs fccda from a build, moves it, and builds the examples against it.
+
+    install.py PLACES.json      {"build", "source", "folder", "compiler"}: folder gets fccda/ and examples/
+"""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+# a user's flags: warnings in the library's headers are errors, no -march, and contraction of products and sums as g++ has it
+FLAGS = "-O2 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
+
+
+def main():
+    places = json.loads(Path(sys.argv[1]).read_text())
+    folder = Path(places["folder"])
+    shutil.rmtree(folder, ignore_errors=True)
+    subprocess.run(["cmake", "--install", places["build"], "--component", "fccda", "--prefix", folder / "first"], check=True, stdout=subprocess.DEVNULL)
+    (folder / "first").rename(folder / "fccda")
+    configure = ["cmake", "-S", f"{places['source']}/examples", "-B", folder / "examples", f"-DCMAKE_PREFIX_PATH={folder / 'fccda'}"]
+    configure += [f"-DCMAKE_CXX_COMPILER={places['compiler']}", "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_FLAGS={FLAGS}"]
+    configure += ["-DCMAKE_NO_SYSTEM_FROM_IMPORTED=ON"]  # or the compiler does not warn of headers that are installed
+    subprocess.run(configure, check=True)
+    subprocess.run(["cmake", "--build", folder / "examples", "--parallel", "2"], check=True)
+
+
+main()

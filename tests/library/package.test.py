@@ -1,0 +1,58 @@
+"""What is installed, and fccda on its own. The first argument is places.json (install.py)."""
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from claims import claim, main  # noqa: E402
+
+
+def places(scene):
+    return {name: Path(place) for name, place in json.loads(Path(scene.program).read_text()).items()}
+
+
+@claim("every header of fccda is installed, and nothing that is not its")
+def headers(scene):
+    at = places(scene)
+    ours = {path.relative_to(at["source"] / "src") for path in (at["source"] / "src/fccda").rglob("*.hpp")}
+    installed = {path.relative_to(at["folder"] / "fccda/include") for path in (at["folder"] / "fccda/include").rglob("*") if path.is_file()}
+    scene.assertGreater(len(ours), 40)
+    scene.assertEqual(installed, ours)
+
+
+@claim("the package passes on C++20, OpenMP and the folder of its headers, and nothing of the machine it was built on")
+def package(scene):
+    at = places(scene)
+    files = sorted((at["folder"] / "fccda").rglob("*.cmake"))
+    text = "\n".join(path.read_text() for path in files)
+    interface = dict(re.findall(r'^  INTERFACE_(\w+) "(.*)"$', text, re.MULTILINE))
+    scene.assertEqual(
+        interface,
+        {"COMPILE_FEATURES": "cxx_std_20", "INCLUDE_DIRECTORIES": "${_IMPORT_PREFIX}/include", "LINK_LIBRARIES": "OpenMP::OpenMP_CXX"},
+    )
+    scene.assertEqual(re.findall(r"find_dependency\((\w+)", text), ["OpenMP"])
+    for place in (at["build"], at["source"]):
+        scene.assertNotIn(str(place), text)
+    scene.assertIsNone(re.search(r"-march|-mtune|-ffp|-fno-", text))
+
+
+@claim("fccda configures by itself, with its tests, and needs no more of the tree than its own folder and cmake/ and tests/")
+def alone(scene):
+    at = places(scene)
+    build = scene.folder / "build"
+    configure = ["cmake", "-S", at["source"] / "src/fccda", "-B", build, f"-DCMAKE_CXX_COMPILER={at['compiler']}", "-DFCCDA_TESTS=ON"]
+    done = subprocess.run(configure, capture_output=True, text=True)
+    scene.assertEqual(done.returncode, 0, done.stderr)
+    targets = subprocess.run(["cmake", "--build", build, "--target", "help"], capture_output=True, text=True, check=True).stdout
+    for target in ("fccda_library", "fccda_tests", "install"):
+        scene.assertRegex(targets, rf"\b{target}\b")
+    scene.assertNotRegex(targets, "perimpact|io_deck")
+    cache = (build / "CMakeCache.txt").read_text()
+    for library in ("yaml-cpp", "fmt_DIR", "UDUNITS", "ZLIB"):
+        scene.assertNotIn(library, cache)
+
+
+main()
