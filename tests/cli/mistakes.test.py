@@ -130,7 +130,7 @@ def _(t):
 
 @claim("mistakes: a set-up that does not get its memory is refused, not aborted")
 def _(t):
-    done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=200 um", limits={resource.RLIMIT_AS: 2**31})
+    done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=200 um", limits={resource.RLIMIT_AS: 2**30})
     t.expect_complaint(done, 3, "there is not enough memory", "spacing")
 
 
