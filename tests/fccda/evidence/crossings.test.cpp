@@ -9,7 +9,7 @@ using namespace evidence;
 
 TEST_CASE("evidence: rays and solid angles agree on which side of every shape a point is") {
   for (const fixtures::Body& shape : shapes()) {
-    CAPTURE(shape.name);
+    CAPTURE(std::string(shape.name));
     const Truth truth{Surface(shape.panels)};
     std::mt19937_64 random(51);
     std::size_t inside = 0;
@@ -24,7 +24,7 @@ TEST_CASE("evidence: rays and solid angles agree on which side of every shape a 
 
 TEST_CASE("evidence: swept finds every true crossing and no other, leaves nothing inside and throws nothing through") {
   for (const fixtures::Body& shape : shapes()) {
-    CAPTURE(shape.name);
+    CAPTURE(std::string(shape.name));
     const auto surface = fixtures::surface_of(shape.panels);
     const Truth truth(*surface);
     for (const double radius : {0.0, 0.005}) {

@@ -70,7 +70,7 @@ TEST_CASE("evidence: moved and turned as a whole, however cut into panels, a sce
   std::vector<Pose> afar;
   for (const Pose& pose : fixtures::orientations()) afar.push_back(Pose(pose.position() + Vec3d{-700, 300, 500}, pose.attitude()));
   for (const fixtures::Body& body : fixtures::bodies()) {
-    CAPTURE(body.name);
+    CAPTURE(std::string(body.name));
     const Truth truth{Surface(body.panels)};
     for (const double radius : {0.0, 0.02}) {
       CAPTURE(radius);
@@ -96,7 +96,7 @@ TEST_CASE("evidence: meshed spheres and cylinders converge to the analytic ones 
   for (const Twin& twin : {Twin{"sphere", Sphere{.radius = 0.5}, [](double panel) { return make_sphere({.diameter = 1, .panel = panel}); }},
                            Twin{"cylinder", InfiniteCylinder{.radius = 0.5},
                                 [](double panel) { return make_cylinder({.diameter = 1, .height = 1, .axis = Axis::z, .panel = panel}); }}}) {
-    CAPTURE(twin.name);
+    CAPTURE(std::string(twin.name));
     const auto from_centre = [&](const Vec3d& place) { return std::visit([&](const auto& shape) { return norm(shape.from_centre(place)); }, twin.shape); };
     std::mt19937_64 random(93);
     std::uniform_real_distribution<double> height(-0.2, 0.2), off(0.53, 0.55);

@@ -72,7 +72,7 @@ TEST_CASE("evidence: a point pushed along for 100 000 steps by a turning, flying
   });
   for (std::size_t k = 0; k < pushes.size(); ++k) {
     const double radius = radii[k % 2];
-    CAPTURE(bodies[k / 2].name);
+    CAPTURE(std::string(bodies[k / 2].name));
     CAPTURE(radius);
     const Push& at = pushes[k];
     CHECK(at.contacts > 95'000);  // all but the way there and what slid over edges

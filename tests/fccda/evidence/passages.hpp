@@ -16,7 +16,7 @@ enum class Way { points_move, body_moves, body_turns };
 ///   into     begins outside, ends inside
 ///   through  begins and ends outside, but comes nearer than r (r = 0: crosses) in between
 ///   past     stays outside
-/// Those that cannot be told apart by more than `blur` are not made.
+/// Those that cannot be told apart clearly are not made.
 enum class Fate { into, through, past };
 
 struct Passage {
@@ -71,16 +71,26 @@ inline Vec3d place_outside(const Truth& truth, const Wish& wish, double blur, st
   }
 }
 
-inline std::optional<Fate> fate_of(const Truth& truth, const Path& path, double radius, double blur) {
+/// How deep inside a path gets, at 16 places along it.
+inline double depth(const Truth& truth, const Path& path) {
+  double most = 0;
+  for (int k = 1; k < 16; ++k)
+    if (const Vec3d place = path.at(k / 16.0); truth.inside(place)) most = std::max(most, truth.distance(place));
+  return most;
+}
+
+/// `bulge` [m]: the true path is no further than that from this one, its chord.
+inline std::optional<Fate> fate_of(const Truth& truth, const Path& path, double radius, double blur, double bulge) {
   const double at_end = truth.distance(path.end);
   const bool inside = truth.inside(path.end);
   if (inside ? at_end > blur : at_end < radius - blur) return Fate::into;
   if (inside || !(at_end > radius + blur)) return {};
-  if (const auto crossing = truth.first_crossing(path)) return crossing->margin > 1e-6 ? std::optional(Fate::through) : std::nullopt;
-  const double least = truth.distance(path);
-  if (least > radius + blur) return Fate::past;
-  if (least < radius - blur) return Fate::through;
-  return {};
+  const auto crossing = truth.first_crossing(path);
+  const double least = crossing ? 0 : truth.distance(path);
+  if (least > radius + blur + bulge) return Fate::past;
+  if (least < radius - blur - bulge) return Fate::through;
+  const bool clearly = crossing && radius == 0 && crossing->margin > 1e-6 && (bulge == 0 || depth(truth, path) > bulge);
+  return clearly ? std::optional(Fate::through) : std::nullopt;
 }
 
 }  // namespace detail
@@ -104,13 +114,13 @@ inline std::vector<Flight> flights(const Truth& truth, const Wish& wish, const s
     }
     // Seen from a turning body a path bulges out of its chord by (ρ θ² + 2 θ w)/8 at most, for a point ρ from its middle (0.7 is beyond
     // all shapes) and a way w. What is nearer to the limit than that is left to the detectors.
-    const double blur = 1e-4 * wish.step + (0.7 * dot(turn, turn) + 2 * norm(turn) * norm(shift)) / 8;
+    const double bulge = (0.7 * dot(turn, turn) + 2 * norm(turn) * norm(shift)) / 8, blur = 1e-4 * wish.step;
     std::size_t contacts = share(wish.contacts, g), past = share(wish.past, g);
     while (contacts > 0 || past > 0) {
       Path path;
       path.start = detail::place_outside(truth, wish, blur, random);
       path.end = wish.way == Way::points_move ? path.start + wish.step * fixtures::random_direction(random) : turned(path.start, turn) + shift;
-      const std::optional<Fate> fate = detail::fate_of(truth, path, wish.radius, blur);
+      const std::optional<Fate> fate = detail::fate_of(truth, path, wish.radius, blur, bulge);
       if (!fate) continue;
       std::size_t& wanted = *fate == Fate::past ? past : contacts;
       if (wanted == 0) continue;
