@@ -28,6 +28,7 @@ Json body_report(const Body& body) {
 Json impactor_report(const Simulation& simulation, const Impactor& impactor) {
   Json json = Json::object();
   json["surface"] = surface_report(impactor.surface().report());
+  json["surface"]["buried_triangles"] = impactor.buried_triangles();
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];

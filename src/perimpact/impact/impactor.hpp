@@ -62,6 +62,7 @@ class Impactor {
   /// Particles of that body that are inside the surface, or nearer to it than the contact radius. Touching is not inside.
   std::size_t particles_inside(std::size_t body, const StruckParticles& particles) const;
 
+  std::size_t buried_triangles() const;  ///< of the surface, that may lie in another of its closed parts; 0 where the detector does not ask
   const Pinched& pinched(std::size_t body) const { return pinched_[body]; }
 
   /// How many particles came to be inside where the region clips the surface; they were not struck.
