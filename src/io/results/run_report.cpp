@@ -36,6 +36,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   const Impactor& impactor = simulation.impactors()[number];
   Json json = Json::object();
   json["surface"] = surface_report(impactor.surface().report());
+  json["surface"]["buried_triangles"] = impactor.buried_triangles();
   const fccda::RigidBodyProperties& properties = impactor.body().properties();
   const fccda::Mat3& inertia = properties.inertia;
   json["mass [kg]"] = properties.mass;

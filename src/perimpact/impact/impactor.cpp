@@ -76,6 +76,11 @@ std::uint64_t Impactor::entered_inside(std::size_t body) const {
   return swept ? swept->entered_inside() : 0;
 }
 
+std::size_t Impactor::buried_triangles() const {
+  const auto* swept = detectors_.empty() ? nullptr : std::get_if<Swept>(&detectors_.front());
+  return swept ? swept->buried_triangles() : 0;
+}
+
 fccda::Effort Impactor::effort(std::size_t body) const {
   return std::visit([](const auto& detector) { return detector.effort(); }, detectors_[body]);
 }

@@ -73,6 +73,7 @@ class Impactor {
   /// Where particles of that body at such places belong; nothing where no place is clear of the surface.
   std::vector<std::optional<Vec3d>> nearest_outside(std::size_t body, std::span<const Vec3d> places) const;
 
+  std::size_t buried_triangles() const;  ///< of the surface, that may lie in another of its closed parts; 0 where the detector does not ask
   const Pinched& pinched(std::size_t body) const { return pinched_[body]; }
 
   /// How many particles came to be inside where the region clips the surface; they were not struck.

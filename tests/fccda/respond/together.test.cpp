@@ -216,7 +216,7 @@ Closing closing_spheres(bool forget) {
 
 TEST_CASE("together: after three spheres closed in on a cloud each point is outside of all, or named as pinched, and momentum is kept") {
   const Closing closing = closing_spheres(false);
-  CHECK(closing.contacts > 300);
+  CHECK(closing.contacts > 100);
   CHECK(closing.all_outside);
   CHECK(closing.pinched_are_inside);
   CHECK(closing.momentum_error < 1e-13);  // rounding of some thousand impulses
