@@ -19,7 +19,7 @@ endforeach()
 
 add_library(fccda_library ${objects})  # static, or shared by BUILD_SHARED_LIBS
 add_library(fccda::fccda ALIAS fccda_library)
-set_target_properties(fccda_library PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME fccda EXPORT_NAME fccda VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION})
+set_target_properties(fccda_library PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME fccda EXPORT_NAME fccda VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 target_compile_features(fccda_library PUBLIC cxx_std_20)
 target_include_directories(fccda_library INTERFACE $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/..>)
 target_link_libraries(fccda_library PUBLIC OpenMP::OpenMP_CXX)

@@ -1,8 +1,8 @@
-// An elastic bar strikes a rigid wall, then a rigid wedge:  fem_bar [cells along the bar, a multiple of 10]
+// An elastic bar strikes a rigid wall, then a rigid wedge:  fem_bar [cells along the bar: 30, 50, 70, ...]
 //
 // Explicit finite elements: cubes of trilinear shape functions with eight Gauss points, lumped masses, large deformation, symplectic
 // Euler. Nodes are the points that fccda is asked about; faces between nodes are not looked at, so a body sharper than the cells can
-// cut into them between two nodes.
+// cut into them between two nodes. Pictures for ParaView: bar_on_wall_0.vtk and so on; the force on the wall: bar_on_wall.csv.
 //
 // Material: neo-Hooke with ν = 0, first Piola-Kirchhoff stress P = µ (F - F⁻ᵀ), Young's modulus E = 2µ, so that slow bars follow the
 // one-dimensional wave equation exactly. A bar of length L and speed v that meets a wall: the stress there is ρ c v, contact lasts 2L/c,
@@ -122,13 +122,19 @@ struct Outcome {
   std::vector<double> time, force;          // [s], [N] of each step
 };
 
-/// Lets the bar and the body go their way for `time` seconds. Five pictures are written: name_0.vtk to name_4.vtk.
+/// Lets the bar and the body go their way for `time` seconds. Five pictures are written: name_0.vtk to name_4.vtk, and
+/// name_body_0.vtk to name_body_4.vtk of the body.
 Outcome strike(Bar& bar, RigidBody& body, const Panels& panels, double speed, double time, const std::string& name) {
   ContactDetector detector{Surface(panels)};  // nodes have no extent
   const double sound = std::sqrt(youngs / rho);
   const int quarter = static_cast<int>(std::ceil(time * (sound + 4 * speed) / (0.4 * bar.cell) / 4));  // Courant number 0.4; pressed cells are stiffer
   const double dt = time / (4 * quarter);
-  const auto picture = [&](int frame) { write_vtk(name + "_" + std::to_string(frame) + ".vtk", bar.x, {{"axial_stress", bar.stress}}); };
+  const auto picture = [&](int frame) {
+    Panels moved = panels;
+    for (Vec3d& vertex : moved.vertices) vertex = body.pose().to_world(vertex);
+    write_vtk(name + "_" + std::to_string(frame) + ".vtk", bar.x, {{"axial_stress", bar.stress}});
+    write_vtk(name + "_body_" + std::to_string(frame) + ".vtk", moved);
+  };
   Outcome outcome;
   bar.compute_forces();
   for (int step = 0; step < 4 * quarter; ++step) {
@@ -214,7 +220,6 @@ void strike_wedge(int cells) {
   Bar bar(cells, speed);
   RigidBody wedge({.mass = rho * length * bar.section()}, Pose(), {}, {}, {{false, false, true, false, false, false}});  // as heavy as the bar, free along z
   const double before = bar.momentum(), energy = bar.kinetic_energy();
-  write_vtk("wedge.vtk", wedge_panels());
   const Outcome outcome = strike(bar, wedge, wedge_panels(), speed, start_gap / speed + 3 * length / sound, "bar_on_wedge");
   const double left = bar.kinetic_energy() + bar.elastic_energy + wedge.kinetic_energy();
   std::size_t inside = 0;
@@ -230,8 +235,9 @@ void strike_wedge(int cells) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const int cells = argc > 1 ? std::atoi(argv[1]) : 40;
-  if (cells < 10 || cells % 10 != 0) throw InputError("fem_bar: the number of cells along the bar is a multiple of 10, so that they are cubes.");
+  const int cells = argc > 1 ? std::atoi(argv[1]) : 50;
+  if (cells < 30 || cells % 20 != 10)  // cubes, and an odd number of them across: a node over the edge of the wedge would have to choose a side
+    throw InputError("fem_bar: the number of cells along the bar is 30, 50, 70 and so on; give one of these.");
   strike_wall(cells);
   strike_wedge(cells);
   return 0;

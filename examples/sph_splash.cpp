@@ -151,14 +151,15 @@ int main(int argc, char** argv) try {
   RigidBody hull({.mass = 1}, Pose(), {}, {}, {});  // held
   write_vtk("splash_hull.vtk", hull_panels());
 
-  const int steps = static_cast<int>(std::ceil(end_time * (sound + 5) / (0.3 * water.h)));  // Courant number 0.3
+  const int per_frame = static_cast<int>(std::ceil(end_time * (sound + 5) / (0.3 * water.h) / frames));  // Courant number 0.3
+  const int steps = frames * per_frame;
   const double dt = end_time / steps;
   const double momentum_before = water.momentum_z(), weight = gravity * water.mass * double(water.x.size());
   double impulse = 0, largest_force = 0, largest_error = 0;
   std::size_t contacts_found = 0, ever_inside = 0;
   std::vector<Vec3d> before;
   for (int step = 0; step < steps; ++step) {
-    if (step % std::max(1, steps / frames) == 0) write_frame(water, step / std::max(1, steps / frames));
+    if (step % per_frame == 0) write_frame(water, step / per_frame);
     water.compute_rates();
     before = water.x;
     for (std::size_t i = 0; i < water.x.size(); ++i) {
@@ -176,6 +177,7 @@ int main(int argc, char** argv) try {
     largest_error = std::max(largest_error, std::fabs(water.momentum_z() + impulse - momentum_before + weight * dt * (step + 1)));
     ever_inside += static_cast<std::size_t>(std::ranges::count_if(water.x, is_in_hull));
   }
+  write_frame(water, frames);
 
   std::printf("%zu particles, %d steps, %zu contacts; asked of the hull: %.1f particles a step\n", water.x.size(), steps, contacts_found,
               double(detector.swept().effort().points_asked) / steps);

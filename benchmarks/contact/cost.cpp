@@ -46,7 +46,7 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 
 Region bounding_box(const Surface& surface) {
   const Box& bounds = surface.report().bounds;
-  return BoxRegion({bounds.size(), bounds.centre()}, surface, Beyond::error);
+  return BoxUnion({bounds.size(), bounds.centre()}, surface, Beyond::error);
 }
 
 /// Runs the scene with the swept detector from its beginning, so that contact is under way; times the last `steps`.
@@ -84,8 +84,9 @@ Cost box_then_bvh(Sheet& sheet, const std::shared_ptr<const Surface>& surface, l
     contacts.clear();
     const Motion motion = benchmark::motion(sheet, k);
     const double begin = seconds();
+    const BodyView view(motion, test.size());
     for (std::size_t i = 0; i < sheet.size(); ++i) {
-      const Path path{motion.t0.to_body(sheet.position_t0(i)), motion.t1.to_body(sheet.position_t1(i))};
+      const BentPath path = view.path(sheet.position_t0(i), sheet.position_t1(i));
       const PathAnswer answer = test.ask({.path = path, .offset = 1e-12}, guess[i], effort);
       if (answer.touch) contacts.push_back({.point = i, .relocation = motion.t1.to_world(answer.touch->relocation)});
     }

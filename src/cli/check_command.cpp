@@ -6,8 +6,10 @@
 #include "cli/commands.hpp"
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
+#include "cli/region_text.hpp"
 #include "cli/surface_text.hpp"
 #include "fccda/core/parallel.hpp"
+#include "fccda/region/region_panels.hpp"
 #include "io/output/results_folder.hpp"
 #include "io/output/vtp.hpp"
 #include "io/results/lines.hpp"
@@ -92,18 +94,13 @@ void print_duration(Simulation& simulation) {
 void write_pictures(const Simulation& simulation, const std::filesystem::path& folder) {
   output::prepare_folder(folder);
   for (const Body& body : simulation.bodies()) write_particles(folder / (body.name + ".vtp"), body, std::nullopt);
-  for (std::size_t i = 0; i < simulation.impactors().size(); ++i) {
-    const Impactor& impactor = simulation.impactors()[i];
+  for (const Impactor& impactor : simulation.impactors()) {
     write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor);
-    if (const auto* box = std::get_if<BoxRegionSetup>(&simulation.setup().impactors[i].region.shape)) {
-      fccda::Box region;
-      region.include(box->centre - 0.5 * box->size);
-      region.include(box->centre + 0.5 * box->size);
-      fccda::Panels panels = output::panels_of(std::span(&region, 1));
-      for (Vec3d& vertex : panels.vertices) vertex = impactor.body().pose().to_world(vertex);
-      output::write_vtp(folder / (impactor.name() + "_region.vtp"), {.points = output::coordinates(panels.vertices), .panels = panels.panels},
-                        output::Compression::zlib);
-    }
+    fccda::Panels region = fccda::region_panels(impactor.region().region);
+    if (region.panels.empty()) continue;
+    for (Vec3d& vertex : region.vertices) vertex = impactor.body().pose().to_world(vertex);
+    output::write_vtp(folder / (impactor.name() + "_region.vtp"), {.points = output::coordinates(region.vertices), .panels = region.panels},
+                      output::Compression::zlib);
   }
 }
 
@@ -119,6 +116,7 @@ int check_command(const DeckArguments& arguments) {
     for (const Impactor& impactor : simulation.impactors()) {
       fmt::print("impactor {}\n{}", impactor.name(), surface_text(impactor.surface().report()));
       print_rigid_body(impactor);
+      fmt::print("{}", region_text(impactor));
       print_approach(simulation, impactor);
     }
     print_step(simulation);

@@ -59,6 +59,7 @@ int run_command(const DeckArguments& arguments) {
     }
 
     print_timers(simulation.timers());
+    for (const std::string& warning : simulation.closing_warnings()) fmt::print("\nwarning: {}\n", warning);
     if (stop_signal != 0) {
       fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). What was computed is in {}.\n", simulation.clock().time(), simulation.clock().step,
                  simulation.clock().steps, folder.string());

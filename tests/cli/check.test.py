@@ -39,6 +39,47 @@ def _(t):
     t.assertTrue((first - 1) * 0.5e-6 < float(time) <= first * 0.5e-6, (time, first))
 
 
+@claim("check: lists the parts of a surface, and mass, centre of mass and inertia of the impactor")
+def _(t):
+    deck = t.deck(("mass: 1 kg", "density: 8000 kg/m3"))
+    out = t.expect_success("check", deck, "--out", "r").out
+    rows = rows_of(out)
+    t.expect_success("run", deck, "--out", "r")
+    report = t.report("r")["impactors"]["cylinder"]
+    volume = report["surface"]["volume [m3]"]
+    t.assertAlmostEqual(report["mass [kg]"], 8000 * volume, delta=1e-15)  # one product
+    t.assertEqual(rows["mass"], f"{report['mass [kg]']:.5g} kg")
+    t.assertTrue(rows["inertia"].startswith(f"xx {report['inertia [kg m2]'][0]:.5g}, yy "), rows["inertia"])
+    # of the round cylinder, which the panels lie within by up to a hundredth
+    t.assertAlmostEqual(report["inertia [kg m2]"][2] / (0.5 * report["mass [kg]"] * 0.02**2), 1, delta=0.02)
+    parts = report["surface"]["parts"]
+    t.assertEqual(list(parts), ["bottom", "side", "top"])
+    t.assertEqual(sum(part["panels"] for part in parts.values()), report["surface"]["panels"])
+    t.assertEqual(rows["parts"], f"bottom: {parts['bottom']['panels']} panels, {parts['bottom']['area [m2]']:.5g} m2")
+    t.assertIn(f"  {'':<18}top: {parts['top']['panels']} panels", out)
+
+
+@claim("check: a density warns where parts of the surface may overlap, because what they share counts twice")
+def _(t):
+    def cube(low):
+        corners = [[low + (v >> axis & 1) * 0.02 for axis in range(3)] for v in range(8)]
+        return [[corners[v] for v in quad] for quad in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))]
+
+    cylinder = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+    for second, warns in (0.01, True), (0.03, False):
+        quads = cube(0) + cube(second)
+        lines = [f"v {x} {y} {z}" for quad in quads for x, y, z in quad] + [f"f {4 * k + 1} {4 * k + 2} {4 * k + 3} {4 * k + 4}" for k in range(len(quads))]
+        (t.folder / "cubes.obj").write_text("\n".join(lines))
+        out = t.expect_success("check", t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000")), "--out", "r").out
+        t.assertEqual("warning: The surface of cylinder has 2 components whose bounding boxes meet" in out, warns, out)
+
+
+@claim("check: the first contact of an impactor that tables or loads move is not foretold")
+def _(t):
+    out = t.expect_success("check", t.deck(("free: [y]", "free: [y]\n    loads: {tow: {force: [0, -1 kN, 0]}}")), "--out", "r").out
+    t.assertIn("not foretold for plate: tables or loads change the velocity", out)
+
+
 @claim("check: an impactor that never arrives is named with its distance")
 def _(t):
     out = t.expect_success("check", t.deck(("-32 m/s", "32 m/s")), "--out", "r").out
@@ -58,9 +99,47 @@ def _(t):
         t.assertEqual(head.find(".//Piece").get("NumberOfPoints"), str(points))
 
 
+@claim("check: every kind of region is told, drawn and in run.json alike")
+def _(t):
+    cylinder = "{cylinder_sectors: {axis: [0, 0, 1], radius: 21 mm, length: 40 mm, hub_radius: 21 mm, point: [0, 0, 0], blades: 1, sector_angle: 90 deg, start_angle: 0}}"
+    halves = "{box_union: {boxes: {left: {size: [20 mm, 40 mm, 40 mm], centre: [-10 mm, 0, 0]}, right: {size: [20 mm, 40 mm, 40 mm], centre: [10 mm, 0, 0]}}}}"
+    for region, kind, share, fitted in [
+        (None, "none", None, None),
+        ("{box: {size: [40 mm, 40 mm, 40 mm]}}", "box", 1, None),
+        (halves, "box_union", 1, None),
+        ("{box_union: {count: 4, gain: 0}}", "box_union", None, "boxes fitted to the surface"),
+        (cylinder, "cylinder_sectors", 3.14159 * 21 * 21 / 1600, None),
+        ("{cylinder_sectors: {}}", "cylinder_sectors", 3.14159 / 4, "axis, point, radius, length, hub_radius, blades, sector_angle, start_angle fitted to the surface; "
+         "between its blades there is no gap in angle worth having, so the fan is the whole cylinder"),
+        ("{auto: {}}", "cylinder_sectors", 3.14159 / 4, "taken: the cylinder with sectors"),
+    ]:
+        deck = t.deck(("free: [y]", f"free: [y]\n    region: {region}")) if region else t.deck()
+        out = t.expect_success("check", deck, "--out", "r").out
+        rows = rows_of(out)
+        t.expect_success("run", deck, "--out", "r")
+        report = t.report("r")["impactors"]["cylinder"]["region"]
+        t.assertEqual(report["kind"], kind)
+        t.assertEqual("cylinder_region.vtp" in " ".join(t.files("r/check")), region is not None)
+        if region is None:
+            t.assertEqual(rows["region"], "none: contact wherever the surface is")
+            continue
+        t.assertEqual(rows["region"], kind)
+        t.assertIs(report["clips"], False)
+        # boxes are widened by 1e-8 of the coordinates
+        t.assertAlmostEqual(report["volume [m3]"] / (0.04**3), report["share_of_bounding_box"], 4)
+        if share:
+            t.assertAlmostEqual(report["share_of_bounding_box"], share, 4)
+        words = f"saves {100 * (1 - report['share_of_bounding_box']):.0f} %" if report["share_of_bounding_box"] <= 1 else " m3, "
+        t.assertIn(words, rows["region volume"])
+        t.assertEqual(report.get("fitted"), rows.get("region fitted"))
+        t.assertTrue((fitted or "None") in str(report.get("fitted")), report)
+        for file in (t.folder / "r").rglob("*_region.vtp"):
+            file.unlink()
+
+
 @claim("check: refuses what run refuses, with the same sentence")
 def _(t):
-    for change in [("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
+    for change in [("free: [y]", "free: [y]\n    region: {box_union: {boxes: {a: {size: [40 mm, 40 mm, 30 mm]}}}}"), ("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
         deck = t.deck(change)
         checked, run = (t.run_program(command, deck, "--out", "r") for command in ("check", "run"))
         t.assertEqual((checked.code, checked.err), (run.code, run.err))

@@ -42,8 +42,8 @@ def _(t):
     refused(t, ("to: [0, 30 mm, 0]", "to: [0, 300 mm, 0]"), "along_y:", "runs outside body plate", "move its ends")
     refused(t, ("20 us", "1e30 s"), "1e30 s", "the run would take 1.4", "e+36 steps")
     refused(t, ("end: 20 us", "end: 20 us, step: 1e-30"), "20 us,", "the run would take 2e+25 steps of 1e-30 s")
-    for spacing in ("5 nm", "1e-300 m"):
-        refused(t, ("spacing: 5 mm", f"spacing: {spacing}"), spacing, "to fill body plate", "make it larger")
+    refused(t, ("spacing: 5 mm", "spacing: 5 nm"), "5 nm", "for body plate the run needs", "take a spacing of at least")
+    refused(t, ("spacing: 5 mm", "spacing: 1e-300 m"), "1e-300 m", "fills body plate with more cells than can be counted", "make it larger")
 
 
 @claim("mistakes: a body of one particle needs a time step")
@@ -130,7 +130,7 @@ def _(t):
 
 @claim("mistakes: a set-up that does not get its memory is refused, not aborted")
 def _(t):
-    done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=200 um", limits={resource.RLIMIT_AS: 2**31})
+    done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=200 um", limits={resource.RLIMIT_AS: 2**30})
     t.expect_complaint(done, 3, "there is not enough memory", "spacing")
 
 

@@ -70,6 +70,42 @@ def _(t):
         t.assertAlmostEqual(momentum, -32, delta=1e-12 * 32)  # contact keeps it to rounding
 
 
+@claim("results: gauges have columns behind those of their impactor, the torque where they have an axis, and add up to its force")
+def _(t):
+    gauges = "gauges: {rim: {parts: [side]}, caps: {parts: [bottom, top]}, hub: {point: [0, 1 mm, 0], axis: [0, 0, 1]}}"
+    t.expect_success("run", t.deck(("free: [y]", f"free: [y]\n    {gauges}")), "--out", "r")
+    history = t.history("r")
+    names = list(history)
+    first = names.index("cylinder.contacts [-]") + 1
+    wanted = [f"cylinder.{gauge}.{quantity}_{axis} [{unit}]" for gauge in ("rim", "caps", "hub") for quantity, unit in (("force", "N"), ("moment", "N m")) for axis in AXES]
+    t.assertEqual(names[first : first + 19], wanted + ["cylinder.hub.torque [N m]"])
+    t.assertEqual(names[first + 19], "plate.kinetic_energy [J]")
+    for axis in AXES:
+        for rim, caps, whole in zip(*(history[f"cylinder.{who}force_{axis} [N]"] for who in ("rim.", "caps.", "")), strict=True):
+            t.assertAlmostEqual(rim + caps, whole, delta=1e-9 * 1e5)  # sums of some hundred pushes in another order
+    for torque, moment in zip(history["cylinder.hub.torque [N m]"], history["cylinder.hub.moment_z [N m]"], strict=True):
+        t.assertAlmostEqual(torque, moment, delta=1e-9)  # the axis is z and does not turn
+    t.assertGreater(max(map(abs, history["cylinder.rim.force_y [N]"])), 1e5)
+
+
+@claim("results: an impactor follows its file of displacements, and run.json holds the table, so that it runs again without the file")
+def _(t):
+    (t.folder / "stroke.csv").write_text("time [us], displacement [mm]\n0, 0\n10, -2\n15, -1\n")
+    deck = t.deck(("velocity: [0, -32 m/s, 0]", "motion: {y: {file: stroke.csv}}"), ("free: [y]", "free: []"))
+    t.expect_success("run", deck, "--out", "r")
+    history = t.history("r")
+    for time, y in zip(history["time [s]"], history["cylinder.position_y [m]"], strict=True):
+        wanted = -200 * time if time <= 10e-6 else min(-2e-3 + 200 * (time - 10e-6), -1e-3)
+        t.assertAlmostEqual(y, 0.05 + wanted, delta=1e-15)  # some dozens of roundings of 0.05
+    report = t.report("r")
+    t.assertEqual(report["setup"]["impactors"]["cylinder"]["motion"]["y"]["displacements"], [0, -0.002, -0.001])
+    (t.folder / "stroke.csv").unlink()
+    text = (t.folder / "r/run.json").read_text()
+    (t.folder / "again.yaml").write_text(text[text.index('"setup":') + len('"setup":') : text.rindex("}")])
+    t.expect_success("run", "again.yaml", "--out", "again")
+    t.assertEqual(t.report("again")["state_hash"], report["state_hash"])
+
+
 @claim("results: a line has a row a spacing, and its displacements agree with the probe")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r")

@@ -38,8 +38,8 @@ def splash(scene):
     scene.assertGreater(-float(re.search(r"impulse on the hull: (\S+) N s", out)[1]), 50)  # the block is stopped in good part
 
     planes = planes_of(scene.folder / "splash_hull.vtk")
-    frames = sorted(scene.folder.glob("splash_0*.vtk"))
-    scene.assertGreaterEqual(len(frames), 8)
+    frames = sorted(scene.folder.glob("splash_00*.vtk"))
+    scene.assertEqual(len(frames), 9)
     for frame in frames:
         for x in points_of(frame):
             beyond = max(sum(n * each for n, each in zip(normal, x)) - distance for normal, distance in planes)
@@ -55,7 +55,7 @@ def threads(scene):
         scene.environment["OMP_NUM_THREADS"] = count
         scene.expect_success(0.05, 4)
         frames.append([path.read_text() for path in sorted(scene.folder.glob("splash_*.vtk"))])
-    scene.assertEqual(*frames)
+    scene.assertTrue(frames[0] == frames[1])  # assertEqual would look for the differences of megabytes
 
 
 main()

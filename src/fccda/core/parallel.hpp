@@ -15,10 +15,10 @@ void parallel_for(std::ptrdiff_t count, const Body& body) {
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
 
-/// The same, where some pieces take much longer than others.
+/// The same, where some pieces take much longer than others. They are dealt out eight at a time: so few are not worth waking a thread.
 template <class Body>
 void parallel_for_uneven(std::ptrdiff_t count, const Body& body) {
-#pragma omp parallel for schedule(dynamic, 8)
+#pragma omp parallel for schedule(dynamic, 8) if (count > 8)
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
 

@@ -65,8 +65,8 @@ struct Choice {
 /// What a deck may say about one field of the described struct T.
 template <class T>
 struct Field {
-  using Member = std::variant<double T::*, std::optional<double> T::*, int T::*, bool T::*, std::string T::*, Vec3d T::*, std::optional<Vec3d> T::*,
-                              std::vector<double> T::*, std::vector<std::string> T::*, Choice T::*>;
+  using Member = std::variant<double T::*, std::optional<double> T::*, int T::*, std::optional<int> T::*, bool T::*, std::string T::*, Vec3d T::*,
+                              std::optional<Vec3d> T::*, std::vector<double> T::*, std::vector<std::string> T::*, Choice T::*>;
 
   std::string_view name;  ///< key in the deck
   Member member;          ///< where the value goes; its type says what may be written

@@ -52,10 +52,23 @@ class Analytic {
   template <Points P>
   void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
     look_at_every_point(points, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
-    for (const Found& found : found_) {
-      out.insert(out.end(), found.contacts.begin(), found.contacts.end());
-      effort_ += found.effort;
-    }
+    gather(out);
+  }
+
+  /// The same for chosen points, in rising order, that somebody else displaced since.
+  template <Points P>
+  void detect_again(const P& points, const Motion& motion, double, std::span<const std::size_t> which, std::vector<Contact>& out) {
+    look_at_points(which, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
+    gather(out);
+  }
+
+  /// Those of the points that are nearer than R + r at t1, for all that was done.
+  template <Points P>
+  std::vector<std::size_t> still_inside(const P& points, const Motion& motion, std::span<const std::size_t> which) {
+    std::vector<std::size_t> inside;
+    for (const std::size_t i : which)
+      if (is_inside(motion.t1.to_body(points.position_t1(i)))) inside.push_back(i);
+    return inside;
   }
 
   void moved(std::size_t) {}  ///< nothing is remembered
@@ -85,6 +98,12 @@ class Analytic {
     Effort effort;
   };
 
+  void gather(std::vector<Contact>& out) {
+    for (const Found& found : found_) {
+      out.insert(out.end(), found.contacts.begin(), found.contacts.end());
+      effort_ += found.effort;
+    }
+  }
   double shape_radius() const {
     return std::visit([](const auto& shape) { return shape.radius; }, shape_);
   }

@@ -1,7 +1,9 @@
 /// The loop of the detectors that ask every point in every step.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "fccda/core/parallel.hpp"
@@ -19,6 +21,18 @@ void look_at_every_point(const P& points, std::vector<Found>& found, const LookA
     found[b] = {};
     for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i)
       if (points.occupied(i)) look_at(i, found[b]);
+  });
+}
+
+/// The same for chosen points, 64 at a time.
+template <class Found, class LookAt>
+void look_at_points(std::span<const std::size_t> which, std::vector<Found>& found, const LookAt& look_at) {
+  constexpr std::size_t share = 64;
+  found.resize((which.size() + share - 1) / share);
+  parallel_for_uneven(static_cast<std::ptrdiff_t>(found.size()), [&](std::ptrdiff_t k) {
+    const auto s = static_cast<std::size_t>(k);
+    found[s] = {};
+    for (const std::size_t i : which.subspan(s * share, std::min(share, which.size() - s * share))) look_at(i, found[s]);
   });
 }
 

@@ -26,6 +26,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -67,11 +68,21 @@ class Published {
   void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
     place(motion);
     look_at_every_point(points, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
-    for (const Found& found : found_) {
-      out.insert(out.end(), found.contacts.begin(), found.contacts.end());
-      effort_ += found.effort;
-      rejections_ += found.rejections;
-    }
+    gather(out);
+  }
+
+  /// The same for chosen points, in rising order, that somebody else displaced after `detect` in this step.
+  template <Points P>
+  void detect_again(const P& points, const Motion& motion, double, std::span<const std::size_t> which, std::vector<Contact>& out) {
+    look_at_points(which, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
+    gather(out);
+  }
+
+  /// As Swept answers it, for points without extent.
+  template <Points P>
+  std::vector<std::size_t> still_inside(const P& points, const Motion& motion, std::span<const std::size_t> which) {
+    if (!sides_) sides_ = std::make_shared<const PathTest>(surface_, region_, 0);
+    return fccda::still_inside(*sides_, points, motion.t1, which, [](std::size_t) { return false; });
   }
 
   void moved(std::size_t) {}  ///< nothing is remembered
@@ -123,6 +134,13 @@ class Published {
     Rejections rejections;
   };
 
+  void gather(std::vector<Contact>& out) {
+    for (const Found& found : found_) {
+      out.insert(out.end(), found.contacts.begin(), found.contacts.end());
+      effort_ += found.effort;
+      rejections_ += found.rejections;
+    }
+  }
   void place(const Motion& motion);
   Plane plane(std::size_t panel, const Pose& pose) const;
   void look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const;
@@ -140,7 +158,8 @@ class Published {
   std::vector<Plane> at_t0_, at_t1_;  // of this step
   Effort effort_;
   Rejections rejections_;
-  std::vector<Found> found_;  // of each block
+  std::vector<Found> found_;               // of each block
+  std::shared_ptr<const PathTest> sides_;  // made when first asked who is inside
 };
 
 }  // namespace fccda

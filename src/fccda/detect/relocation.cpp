@@ -85,9 +85,12 @@ void PathTest::relocate(Touch& touch, const Path& path, const ClosestPoint& at_e
     place -= std::min(0.0, dot(path.end - touch.relocation, direction)) * direction;
   } else {
     if (solids_.may_be_buried(at_end.triangle)) closest = nearest(path.end, at_end.triangle, asked)->closest;
-    const std::optional<ClosestPoint> facing = closest_facing(path.end, viewer, norm(path.end - touch.hit) + reach, closest, asked);
-    if (!facing) return;
-    closest = *facing;
+    const auto t = static_cast<std::size_t>(closest.triangle);
+    if (!(dot(viewer - surface_->corner(t, 0), surface_->normal(t)) > 0)) {  // else nothing that faces the start is closer
+      const std::optional<ClosestPoint> facing = closest_facing(path.end, viewer, norm(path.end - touch.hit) + reach, closest, asked);
+      if (!facing) return;
+      closest = *facing;
+    }
     direction = outward(closest, path.end, ball.offset);
     place = closest.point + reach * direction;
   }

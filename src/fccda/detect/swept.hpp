@@ -39,11 +39,8 @@ class Swept {
     for (std::size_t b = 0; b < points.block_count(); ++b)
       if (due_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
-    const auto look = [&](std::ptrdiff_t k) { look_at_block(points, view, surface_travel, static_cast<std::size_t>(k)); };
-    if (due_blocks_.size() == 1)
-      look(0);  // not worth waking the other threads
-    else
-      parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), look);
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
+                        [&](std::ptrdiff_t k) { look_at_block(points, view, surface_travel, static_cast<std::size_t>(k)); });
     gather(due_blocks_.size(), out);
   }
 

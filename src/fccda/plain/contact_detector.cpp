@@ -17,6 +17,9 @@ namespace {
 /// Points of which one bound on the way they went is kept: enough that a block costs little, few enough that a fast point wakes few.
 constexpr std::size_t block_size = 64;
 
+/// Ways of fewer points are measured (in 25 µs) before other threads have woken.
+constexpr std::ptrdiff_t blocks_worth_threads = 128;
+
 std::size_t blocks_of(std::size_t points) { return (points + block_size - 1) / block_size; }
 
 /// Arrays as the Points interface.
@@ -72,7 +75,7 @@ std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors 
     throw InputError("contact: there are " + std::to_string(x_t0.size()) + " points at the beginning of the step and " + std::to_string(x_t1.size()) +
                      " at its end; give both positions of every point.");
   travel_.resize(blocks_of(x_t0.size()));
-  parallel_for(static_cast<std::ptrdiff_t>(travel_.size()), [&](std::ptrdiff_t block) {
+  const auto measure = [&](std::ptrdiff_t block) {
     const std::size_t begin = static_cast<std::size_t>(block) * block_size, end = std::min(begin + block_size, x_t0.size());
     double longest = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -81,11 +84,17 @@ std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors 
       if (std::isnan(longest)) break;  // nothing compares with it
     }
     travel_[static_cast<std::size_t>(block)] = std::sqrt(longest);
-  });
+  };
+  const auto blocks = static_cast<std::ptrdiff_t>(travel_.size());
+  if (blocks < blocks_worth_threads)
+    for (std::ptrdiff_t block = 0; block < blocks; ++block) measure(block);
+  else
+    parallel_for(blocks, measure);
   if (!std::ranges::all_of(travel_, [](double travel) { return std::isfinite(travel); })) complain_of_way(x_t0, x_t1);
 
   std::vector<Contact> contacts;
-  swept_.detect(ArrayPoints(x_t0, x_t1, travel_), motion, travel_bound(motion, centre_, reach_), contacts);
+  const double reach = norm(motion.centre - centre_) + reach_;  // of the surface from the centre of its turn
+  swept_.detect(ArrayPoints(x_t0, x_t1, travel_), motion, travel_bound(motion, motion.centre, reach), contacts);
   return contacts;
 }
 

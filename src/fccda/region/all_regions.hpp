@@ -8,16 +8,20 @@
 ///   clips()                    some of the surface lies outside the region, where it is not felt
 ///   contains(point)            a place where contact counts
 ///   may_touch(path, margin)    false: the path surely stays further than margin [m] away
-///   distance_at_least(point)   [m] from the region
+///   distance_at_least(point)   [m] a lower bound of the distance from the region
+///   volume()                   [m³]
+///
+/// How a region looks is region_panels.hpp; fit_region.hpp finds one for a surface.
 #pragma once
 
 #include <variant>
 
-#include "fccda/region/box.hpp"
+#include "fccda/region/box_union.hpp"
+#include "fccda/region/cylinder_sectors.hpp"
 #include "fccda/region/unbounded.hpp"
 
 namespace fccda {
 
-using Region = std::variant<Unbounded, BoxRegion>;
+using Region = std::variant<Unbounded, BoxUnion, CylinderSectors>;
 
 }  // namespace fccda

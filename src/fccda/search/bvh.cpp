@@ -71,7 +71,10 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
   double best = cap * cap;
   int best_triangle = -1;
 
-  const auto visit_leaf = [&](const Leaf& leaf) {
+  std::int32_t guessed = -1;  // its leaf will come up again
+  const auto visit_leaf = [&](std::int32_t index) {
+    if (index == guessed) return;
+    const Leaf& leaf = leaves_[static_cast<std::size_t>(index)];
     const std::array<double, width> d = squared_distances(leaf, p);
     asked += static_cast<std::size_t>(leaf.count);
     for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) {
@@ -85,7 +88,11 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
     }
   };
 
-  if (guess >= 0 && !leaf_of_.empty()) visit_leaf(leaves_[static_cast<std::size_t>(leaf_of_[static_cast<std::size_t>(guess)])]);
+  if (guess >= 0 && !leaf_of_.empty()) {
+    const std::int32_t index = leaf_of_[static_cast<std::size_t>(guess)];
+    visit_leaf(index);
+    guessed = index;
+  }
 
   std::array<Waiting, stack_size> stack;
   std::size_t depth = 0;
@@ -94,7 +101,7 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
     const Waiting next = stack[--depth];
     if (!(next.squared_distance <= best)) continue;
     if (next.child < 0) {
-      visit_leaf(leaves_[static_cast<std::size_t>(~next.child)]);
+      visit_leaf(~next.child);
       continue;
     }
     const Node& node = nodes_[static_cast<std::size_t>(next.child)];

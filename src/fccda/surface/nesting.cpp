@@ -3,35 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "fccda/surface/ray_crossing.hpp"
+
 namespace fccda {
 namespace {
-
-/// The crossings of rays along +x with triangles. Edges are met by the half-open rule of the plane (y, z), always from the lower vertex
-/// number to the higher, so both triangles of an edge see the same and no ray slips between them or hits both.
-class RayCrossing {
- public:
-  RayCrossing(const LinkedTriangles& surface) : surface_(surface) {}
-
-  bool operator()(const Vec3d& from, std::size_t t) const {
-    bool inside = false;
-    for (std::size_t e = 0; e < 3; ++e) inside ^= edge_is_above(from, surface_.triangles[t].vertex[e], surface_.triangles[t].vertex[(e + 1) % 3]);
-    if (!inside) return false;
-    const Vec3d& a = surface_.corner(t, 0);
-    const Vec3d normal = cross(surface_.corner(t, 1) - a, surface_.corner(t, 2) - a);
-    return dot(normal, a - from) * normal.x > 0;
-  }
-
- private:
-  bool edge_is_above(const Vec3d& p, int one, int other) const {
-    const auto [low, high] = std::minmax(one, other);
-    const Vec3d& a = surface_.vertices[static_cast<std::size_t>(low)];
-    const Vec3d& b = surface_.vertices[static_cast<std::size_t>(high)];
-    if ((a.y > p.y) == (b.y > p.y)) return false;
-    return ((b.z - a.z) * (p.y - a.y) - (p.z - a.z) * (b.y - a.y) > 0) == (b.y > a.y);
-  }
-
-  const LinkedTriangles& surface_;
-};
 
 struct Part {
   int component = 0;
@@ -67,7 +42,7 @@ bool holds(const Box& outer, const Box& inner) {
 /// Sweeps over y and keeps the triangles of `outer` that reach over the present y: some √n of n, and a hollow body of a
 /// million triangles takes half a second. Expects both sorted: middles by y, triangles by their lowest y.
 bool contains(const Part& outer, const Part& inner, const LinkedTriangles& surface) {
-  const RayCrossing crosses(surface);
+  const RayCrossing crosses(surface.vertices, surface.triangles);
   const auto range = [&](std::size_t t) { return std::minmax({surface.corner(t, 0).y, surface.corner(t, 1).y, surface.corner(t, 2).y}); };
   std::vector<std::size_t> active;
   std::size_t next = 0;
@@ -75,7 +50,7 @@ bool contains(const Part& outer, const Part& inner, const LinkedTriangles& surfa
     for (; next < outer.triangles.size() && range(outer.triangles[next]).first <= point.y; ++next) active.push_back(outer.triangles[next]);
     std::erase_if(active, [&](std::size_t t) { return range(t).second < point.y; });
     bool inside = false;
-    for (const std::size_t t : active) inside ^= crosses(point, t);
+    for (const std::size_t t : active) inside ^= crosses(point, t) != 0;
     if (!inside) return false;
   }
   return true;

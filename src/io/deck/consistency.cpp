@@ -76,9 +76,29 @@ void find_file(FileSurface& surface, const std::string& path, const fs::path& fo
   surface.file = file.string();
 }
 
+void check_region(const RegionSetup& region, const std::string& path, const Places& places) {
+  if (const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape)) {
+    for (const char* key : {"count", "gain"})
+      if (!boxes->boxes.empty() && places.has(fmt::format("{}.box_union.{}", path, key)))
+        refuse(places.of(fmt::format("{}.box_union.{}", path, key)),
+               fmt::format("{} is given beside boxes, but only fitted boxes have it; remove one of the two.", key));
+  }
+  const auto* sectors = std::get_if<CylinderSectorsRegionSetup>(&region.shape);
+  if (!sectors) return;
+  const std::string its = path + ".cylinder_sectors.";
+  if (sectors->axis && *sectors->axis == fccda::Vec3d{})
+    refuse(places.of(its + "axis"), "axis is [0, 0, 0], which has no direction; give one, such as [0, 0, 1], or leave it out to be fitted.");
+  if (sectors->start_angle && !sectors->sector_angle)
+    refuse(places.of(its + "start_angle"), "start_angle is given without sector_angle; give both, or leave both out to be fitted.");
+  if (sectors->radius && sectors->hub_radius && *sectors->hub_radius > *sectors->radius)
+    refuse(places.of(its + "hub_radius"),
+           fmt::format("hub_radius is {} m, but the whole cylinder has the radius {} m; make it smaller.", *sectors->hub_radius, *sectors->radius));
+}
+
 void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Places& places) {
   const std::string path = "impactors." + impactor.name;
   if (auto* file = std::get_if<FileSurface>(&impactor.surface)) find_file(*file, path, folder, places);
+  check_region(impactor.region, path + ".region", places);
   const std::vector<std::string> directions = {"x", "y", "z", "rx", "ry", "rz"};
   std::set<std::string> seen;
   for (const std::string& direction : impactor.free) {
@@ -86,6 +106,12 @@ void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Place
       refuse(places.of(path + ".free"), fmt::format("free holds \"{}\", which is no degree of freedom; known are {}.", direction, fmt::join(directions, ", ")));
     if (!seen.insert(direction).second) refuse(places.of(path + ".free"), fmt::format("free holds {} twice; keep one.", direction));
   }
+}
+
+bool is_fitted(const RegionSetup& region) {
+  const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape);
+  return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsRegionSetup>(region.shape) ||
+         std::holds_alternative<AutoRegionSetup>(region.shape);
 }
 
 void check_contact(Setup& setup, const Places& places) {
@@ -114,6 +140,9 @@ void check_contact(Setup& setup, const Places& places) {
       refuse(
           places.of(path + "detector"),
           fmt::format("detector is analytic, which knows cylinders and spheres only, but the surface of {} is another; write detector: swept.", impactor.name));
+    if (is_fitted(impactor.region))
+      refuse(places.of("impactors." + impactor.name + ".region"),
+             "region is fitted to the panels of the surface, but the analytic detector strikes what those are cut from; give a box, or write detector: swept.");
   }
 }
 

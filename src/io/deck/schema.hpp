@@ -73,6 +73,11 @@ void sections(Walker& walk, RegionSetup& region) {
 }
 
 template <class Walker>
+void sections(Walker& walk, BoxUnionRegionSetup& region) {
+  walk.named("boxes", region.boxes, Presence::optional, "Boxes as given, each under a name of your choice; instead of count and gain.");
+}
+
+template <class Walker>
 void sections(Walker& walk, ContactSetup& contact) {
   walk.section("impactors", contact.impactors, Presence::optional, "Contact between particles and impactors.");
   walk.section("fragments", contact.fragments, Presence::optional, "Contact between particles that are not bonded.");

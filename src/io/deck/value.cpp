@@ -71,6 +71,8 @@ void read_value(const YamlNode& node, const Rule& rule, int& into) {
   into = static_cast<int>(value);
 }
 
+void read_value(const YamlNode& node, const Rule& rule, std::optional<int>& into) { read_value(node, rule, into.emplace()); }
+
 void read_value(const YamlNode& node, const Rule& rule, bool& into) {
   const std::string& text = word(node, rule, "true or false");
   if (text != "true" && text != "false") refuse_value(node, rule, fmt::format("true or false is needed. {}", rule.sentence));

@@ -26,6 +26,7 @@ std::string in_words(const fccda::Range& range);
 void read_value(const YamlNode& node, const Rule& rule, double& into);
 void read_value(const YamlNode& node, const Rule& rule, std::optional<double>& into);
 void read_value(const YamlNode& node, const Rule& rule, int& into);
+void read_value(const YamlNode& node, const Rule& rule, std::optional<int>& into);
 void read_value(const YamlNode& node, const Rule& rule, bool& into);
 void read_value(const YamlNode& node, const Rule& rule, std::string& into);
 void read_value(const YamlNode& node, const Rule& rule, fccda::Vec3d& into);

@@ -13,7 +13,8 @@ class Series {
  public:
   Series(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
 
-  /// write_frame(path) must write the file; then it is listed with its time [s]. Throws what write_frame throws, and RunError.
+  /// write_frame(path) must write the file; then it is listed with its time [s], or removed where the list cannot be written. Throws what
+  /// write_frame throws, and RunError.
   template <class WriteFrame>
   void add(double time, const WriteFrame& write_frame) {
     const std::string file = frame_file();

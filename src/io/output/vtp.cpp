@@ -111,18 +111,4 @@ Numbers coordinates(std::span<const fccda::Vec3d> vertices) {
   return std::span(vertices.empty() ? nullptr : &vertices.front().x, 3 * vertices.size());
 }
 
-fccda::Panels panels_of(std::span<const fccda::Box> boxes) {
-  fccda::Panels all;
-  for (const fccda::Box& box : boxes) {
-    const int first = static_cast<int>(all.vertices.size());
-    for (int corner = 0; corner < 8; ++corner) {  // bits of the corner: x, y, z high
-      all.vertices.push_back({corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y, corner & 4 ? box.high.z : box.low.z});
-    }
-    for (const auto& [a, b, c, d] : {std::array{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
-      all.add_quad(first + a, first + b, first + c, first + d);
-    }
-  }
-  return all;
-}
-
 }  // namespace perimpact::output

@@ -46,7 +46,4 @@ void write_vtp(const std::filesystem::path& path, const PolyData& data, Compress
 /// Surfaces: the vertices as they are in memory. `vertices` may be those of fccda::Panels, or the same moved with the body.
 Numbers coordinates(std::span<const fccda::Vec3d> vertices);
 
-/// Boxes (regions) as six outward quads each.
-fccda::Panels panels_of(std::span<const fccda::Box> boxes);
-
 }  // namespace perimpact::output

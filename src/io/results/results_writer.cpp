@@ -95,8 +95,8 @@ void ResultsWriter::write_line(const Simulation& simulation, const Line& line) c
 
 void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds) {
   if (frames_wanted_ > 0 && last_frame_step_ != simulation.clock().step && outcome != Outcome::failed) write_frame(simulation);
-  for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].finish(folder_, simulation.impactors()[i]);
   output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds).text());
+  for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].finish(folder_, simulation.impactors()[i]);
 }
 
 }  // namespace perimpact

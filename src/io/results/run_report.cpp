@@ -4,6 +4,7 @@
 
 #include "fccda/core/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
+#include "io/results/region_report.hpp"
 
 namespace perimpact {
 
@@ -35,12 +36,14 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   const Impactor& impactor = simulation.impactors()[number];
   Json json = Json::object();
   json["surface"] = surface_report(impactor.surface().report());
+  json["surface"]["buried_triangles"] = impactor.buried_triangles();
   const fccda::RigidBodyProperties& properties = impactor.body().properties();
   const fccda::Mat3& inertia = properties.inertia;
   json["mass [kg]"] = properties.mass;
   json["centre_of_mass [m]"] = vector(properties.centre_of_mass);
   json["inertia [kg m2]"] = vector({inertia.row[0].x, inertia.row[1].y, inertia.row[2].z});
   json["products_of_inertia [kg m2]"] = vector(fccda::products_of_inertia(properties));
+  json["region"] = region_report(impactor);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];
@@ -56,6 +59,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
     }
     against["starting_inside"] = particles_inside_at_start(simulation, number, b);
     against["entered_inside"] = impactor.entered_inside(b);
+    against["pinched"] = impactor.pinched(b).count;
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
   json["work_of_loads [J]"] = impactor.work_of_loads();
@@ -98,6 +102,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["flipped"] = report.flipped;
   json["components"] = report.components;
   json["cavities"] = report.cavities;
+  json["solids"] = report.solids;
   json["may_overlap"] = report.may_overlap;
   for (const fccda::PartReport& part : report.parts) {
     if (report.parts.size() == 1 && part.name.empty()) break;  // nothing is named
@@ -136,6 +141,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json["impactors"][simulation.impactors()[i].name()] = impactor_report(simulation, i);
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
   json["warnings"] = simulation.warnings();
+  for (std::string& warning : simulation.closing_warnings()) json["warnings"].push_back(std::move(warning));
   json["setup"] = Json::verbatim(deck::setup_to_text(simulation.setup()));
   return json;
 }

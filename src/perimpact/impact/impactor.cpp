@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/impact/surface_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
@@ -11,16 +14,6 @@ namespace perimpact {
 using namespace fccda;
 
 namespace {
-
-Region make_region(const ImpactorSetup& setup, const Surface& surface) {
-  const auto* box = std::get_if<BoxRegionSetup>(&setup.region.shape);
-  if (!box) return Unbounded();
-  try {
-    return BoxRegion({box->size, box->centre}, surface, setup.region.outside.as<Beyond>());
-  } catch (const InputError& error) {
-    throw SetupError("impactors." + setup.name + ".region", error.what());
-  }
-}
 
 AnalyticShape shape_of(const ImpactorSetup& setup) {
   if (const auto* sphere = std::get_if<SphereSurface>(&setup.surface)) return Sphere{.radius = sphere->diameter / 2};
@@ -33,8 +26,8 @@ AnalyticShape shape_of(const ImpactorSetup& setup) {
   return InfiniteCylinder{.radius = cylinder->diameter / 2, .axis = axis};
 }
 
-Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::shared_ptr<const Surface> surface, double spacing) {
-  const Region region = make_region(setup, *surface);
+Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::shared_ptr<const Surface> surface, const Region& region,
+                       double spacing) {
   const double radius = contact.radius_ratio * spacing;
   switch (contact.detector.as<DetectorKind>()) {
     case DetectorKind::analytic:
@@ -58,14 +51,16 @@ std::vector<double> spacings_of(std::span<Particles* const> bodies) {
 Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies)
     : name_(setup.name),
       surface_(std::make_shared<const Surface>(surface_of(setup.surface, setup.name))),
+      region_(region_of(setup.region, *surface_, setup.name)),
       prescribed_(motion_of(setup)),
       loads_(loads_of(setup)),
       body_(rigid_body_of(setup, *surface_, prescribed_)),
       radius_(surface_->radius_about(body_.properties().centre_of_mass)),
       friction_(contact.friction),
+      pinched_(bodies.size()),
       gauges_(gauges_of(setup, *surface_, body_)),
       record_(*surface_, spacings_of(bodies)) {
-  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, particles->lattice().spacing));
+  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, region_.region, particles->lattice().spacing));
 }
 
 std::vector<std::size_t> Impactor::starting_inside(std::size_t body, const StruckParticles& particles) const {
@@ -79,6 +74,11 @@ std::vector<std::optional<Vec3d>> Impactor::nearest_outside(std::size_t body, st
 std::uint64_t Impactor::entered_inside(std::size_t body) const {
   const auto* swept = std::get_if<Swept>(&detectors_[body]);
   return swept ? swept->entered_inside() : 0;
+}
+
+std::size_t Impactor::buried_triangles() const {
+  const auto* swept = detectors_.empty() ? nullptr : std::get_if<Swept>(&detectors_.front());
+  return swept ? swept->buried_triangles() : 0;
 }
 
 fccda::Effort Impactor::effort(std::size_t body) const {
@@ -97,14 +97,45 @@ std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& par
   contacts_.clear();
   const double travel = body_.travel_bound(motion_, radius_);
   std::visit([&](auto& detector) { detector.detect(particles, motion_, travel, contacts_); }, detectors_[body]);
+  struck_.clear();
+  return respond_to_contacts(body, particles);
+}
+
+std::span<const Contact> Impactor::strike_again(std::size_t body, StruckParticles& particles, std::span<const std::size_t> which) {
+  contacts_.clear();
+  const double travel = body_.travel_bound(motion_, radius_);
+  std::visit([&](auto& detector) { detector.detect_again(particles, motion_, travel, which, contacts_); }, detectors_[body]);
+  return respond_to_contacts(body, particles);
+}
+
+std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, StruckParticles& particles) {
   const Tally tally = respond(particles, contacts_, motion_, body_, friction_, [&](const Contact& contact, const Vec3d& impulse) {
     for (NamedGauge& named : gauges_) named.gauge.add(contact, particles.position_t1(contact.point), impulse, motion_);
     record_.add(body, contact, impulse);
   });
   account_.impulse += tally.impulse;
   account_.angular_impulse += tally.angular_impulse_about_com;
-  account_.contacts += tally.contacts;
+  account_.contacts += add_struck();
   return contacts_;
+}
+
+// Counts particles, not passes.
+std::size_t Impactor::add_struck() {
+  std::vector<std::size_t> points, all;
+  for (const Contact& contact : contacts_) points.push_back(contact.point);
+  std::set_union(struck_.begin(), struck_.end(), points.begin(), points.end(), std::back_inserter(all));
+  const std::size_t fresh = all.size() - struck_.size();
+  struck_ = std::move(all);
+  return fresh;
+}
+
+std::vector<std::size_t> Impactor::still_inside(std::size_t body, const StruckParticles& particles, std::span<const std::size_t> which) {
+  return std::visit([&](auto& detector) { return detector.still_inside(particles, motion_, which); }, detectors_[body]);
+}
+
+void Impactor::note_pinched(std::size_t body, std::size_t particles, double time) {
+  if (particles > 0 && pinched_[body].count == 0) pinched_[body].first = time;
+  pinched_[body].count += particles;
 }
 
 void Impactor::moved(std::size_t body, std::size_t particle) {

@@ -1,6 +1,7 @@
 /// A rigid body and what it takes to find out which particles it strikes.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@
 #include "fccda/surface/surface.hpp"
 #include "perimpact/impact/contact_record.hpp"
 #include "perimpact/impact/gauges_of.hpp"
+#include "perimpact/impact/region_of.hpp"
 #include "perimpact/impact/struck_particles.hpp"
 #include "perimpact/setup/setup.hpp"
 
@@ -23,7 +25,13 @@ namespace perimpact {
 struct Account {
   Vec3d impulse{};           ///< [N s]
   Vec3d angular_impulse{};   ///< [N m s] about the centre of mass
-  std::size_t contacts = 0;  ///< of the last step
+  std::size_t contacts = 0;  ///< particles struck in the last step
+};
+
+/// Particles of a body that found no place outside of all impactors.
+struct Pinched {
+  std::uint64_t count = 0;  ///< summed over steps
+  double first = 0;         ///< [s] time when one was first, where any was
 };
 
 class Impactor {
@@ -38,12 +46,22 @@ class Impactor {
   /// Returns what it found, until the next call.
   std::span<const fccda::Contact> strike(std::size_t body, StruckParticles& particles);
 
+  /// The same for particles, in rising order, that other impactors displaced after `strike` in this step.
+  std::span<const fccda::Contact> strike_again(std::size_t body, StruckParticles& particles, std::span<const std::size_t> which);
+
+  /// Those of the particles that are inside the surface at the end of the step, or nearer to it than the contact radius.
+  std::vector<std::size_t> still_inside(std::size_t body, const StruckParticles& particles, std::span<const std::size_t> which);
+
+  /// So many particles of that body were left inside at `time` [s], between this impactor and others.
+  void note_pinched(std::size_t body, std::size_t particles, double time);
+
   /// Another impactor displaced that particle of a body.
   void moved(std::size_t body, std::size_t particle);
 
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
+  const ImpactorRegion& region() const { return region_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
   /// False where contacts name no panel: with the analytic detector.
   bool names_panels() const { return detectors_.empty() || !std::holds_alternative<fccda::Analytic>(detectors_.front()); }
@@ -54,6 +72,9 @@ class Impactor {
 
   /// Where particles of that body at such places belong; nothing where no place is clear of the surface.
   std::vector<std::optional<Vec3d>> nearest_outside(std::size_t body, std::span<const Vec3d> places) const;
+
+  std::size_t buried_triangles() const;  ///< of the surface, that may lie in another of its closed parts; 0 where the detector does not ask
+  const Pinched& pinched(std::size_t body) const { return pinched_[body]; }
 
   /// How many particles came to be inside where the region clips the surface; they were not struck.
   std::uint64_t entered_inside(std::size_t body) const;
@@ -80,11 +101,19 @@ class Impactor {
             detector.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::to_string(b) + "." + std::string(part), values); });
           },
           detectors_[b]);
+    for (std::size_t b = 0; b < pinched_.size(); ++b) {
+      visit(name_ + "." + std::to_string(b) + ".pinched", pinched_[b].count);
+      visit(name_ + "." + std::to_string(b) + ".first_pinched", std::span<double>(&pinched_[b].first, 1));
+    }
   }
 
  private:
+  std::span<const fccda::Contact> respond_to_contacts(std::size_t body, StruckParticles& particles);
+  std::size_t add_struck();
+
   std::string name_;
   std::shared_ptr<const fccda::Surface> surface_;
+  ImpactorRegion region_;
   fccda::PrescribedMotion prescribed_;
   std::vector<fccda::AppliedLoad> loads_;
   fccda::RigidBody body_;
@@ -93,6 +122,8 @@ class Impactor {
   std::vector<fccda::Detector> detectors_;  // one a body
   fccda::Motion motion_;
   std::vector<fccda::Contact> contacts_;  // of the latest detection
+  std::vector<Pinched> pinched_;          // by body
+  std::vector<std::size_t> struck_;       // particles of the body struck last, in rising order
   Account account_;
   std::vector<NamedGauge> gauges_;
   double work_of_loads_ = 0;  // [J]

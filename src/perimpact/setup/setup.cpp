@@ -1,5 +1,6 @@
 #include "perimpact/setup/setup.hpp"
 
+#include <numbers>
 #include <utility>
 
 namespace perimpact {
@@ -112,6 +113,38 @@ std::span<const Field<BoxRegionSetup>> BoxRegionSetup::fields() {
                                  {"centre", &S::centre, "m", any_number(), optional, "Centre, from the surface's origin."}};
   return all;
 }
+
+std::span<const Field<RegionBoxSetup>> RegionBoxSetup::fields() {
+  using S = RegionBoxSetup;
+  static const Field<S> all[] = {{"size", &S::size, "m", positive(), required, "Edge lengths along the surface's own axes."},
+                                 {"centre", &S::centre, "m", any_number(), optional, "Centre, from the surface's origin."}};
+  return all;
+}
+
+std::span<const Field<BoxUnionRegionSetup>> BoxUnionRegionSetup::fields() {
+  using S = BoxUnionRegionSetup;
+  static const Field<S> all[] = {{"count", &S::count, "1", between(1, 1000), optional, "Fits at most so many boxes to the surface. Where absent, 32 at most."},
+                                 {"gain", &S::gain, "1", between(0, 1), optional,
+                                  "Fits boxes to the surface as long as a further one saves at least this share of the bounding box. Where absent, 0.003."}};
+  return all;
+}
+
+std::span<const Field<CylinderSectorsRegionSetup>> CylinderSectorsRegionSetup::fields() {
+  using S = CylinderSectorsRegionSetup;
+  static const Field<S> all[] = {
+      {"axis", &S::axis, "1", any_number(), optional, "Direction of the axis in the surface's own axes. Fitted where absent, as everything here."},
+      {"point", &S::point, "m", any_number(), optional, "Middle of the cylinder, from the surface's origin."},
+      {"radius", &S::radius, "m", positive(), optional, "Radius of the cylinder."},
+      {"length", &S::length, "m", positive(), optional, "Length of the cylinder."},
+      {"hub_radius", &S::hub_radius, "m", at_least(0), optional, "Within this radius there are no gaps."},
+      {"blades", &S::blades, "1", between(1, 1000), optional, "Number of sectors, at equal angles."},
+      {"sector_angle", &S::sector_angle, "rad", between(0, 2 * std::numbers::pi), optional, "Width of each sector. Half a turn and more: no gaps."},
+      {"start_angle", &S::start_angle, "rad", any_number(), optional,
+       "Where the first sector begins: about the axis z from x towards y, about x from y towards z, about y from z towards x. Needs sector_angle."}};
+  return all;
+}
+
+std::span<const Field<AutoRegionSetup>> AutoRegionSetup::fields() { return {}; }
 
 std::span<const Field<RegionSetup>> RegionSetup::fields() {
   static const Field<RegionSetup> all[] = {

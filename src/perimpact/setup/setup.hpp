@@ -138,8 +138,43 @@ struct BoxRegionSetup {
   static std::span<const Field<BoxRegionSetup>> fields();
 };
 
+/// One of several boxes.
+struct RegionBoxSetup {
+  std::string name;
+  Vec3d size{};    ///< [m]
+  Vec3d centre{};  ///< [m] from the surface's origin
+  static std::span<const Field<RegionBoxSetup>> fields();
+};
+
+/// Several boxes together (example 2): given by name, or fitted to the surface.
+struct BoxUnionRegionSetup {
+  static constexpr std::string_view name = "box_union";
+  std::optional<int> count;    ///< fit at most so many
+  std::optional<double> gain;  ///< [-] fit; a further box must save this share of the bounding box
+  std::vector<RegionBoxSetup> boxes;
+  static std::span<const Field<BoxUnionRegionSetup>> fields();
+};
+
+/// A cylinder and a fan of sectors in it, which turn with the impactor (example 3). What is absent is fitted to the surface.
+struct CylinderSectorsRegionSetup {
+  static constexpr std::string_view name = "cylinder_sectors";
+  std::optional<Vec3d> axis;
+  std::optional<Vec3d> point;                        ///< [m] from the surface's origin
+  std::optional<double> radius, length, hub_radius;  ///< [m]
+  std::optional<int> blades;
+  std::optional<double> sector_angle, start_angle;  ///< [rad]
+  static std::span<const Field<CylinderSectorsRegionSetup>> fields();
+};
+
+/// Whichever suits the surface best.
+struct AutoRegionSetup {
+  static constexpr std::string_view name = "auto";
+  static std::span<const Field<AutoRegionSetup>> fields();
+};
+
 struct RegionSetup {
-  std::variant<std::monostate, BoxRegionSetup> shape;  ///< none: wherever the surface is
+  /// none: wherever the surface is
+  std::variant<std::monostate, BoxRegionSetup, BoxUnionRegionSetup, CylinderSectorsRegionSetup, AutoRegionSetup> shape;
   Choice outside{beyond_region_words};
   static std::span<const Field<RegionSetup>> fields();
 };

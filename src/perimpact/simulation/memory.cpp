@@ -44,7 +44,10 @@ void expect_to_fit(const Setup& setup, double available) {
   if (!(needed > available)) return;
   const auto largest =
       std::max_element(setup.bodies.begin(), setup.bodies.end(), [](const BodySetup& a, const BodySetup& b) { return bytes_of(a, 0) < bytes_of(b, 0); });
-  throw SetupError("bodies." + largest->name + ".spacing",
+  const std::string key = "bodies." + largest->name + ".spacing";
+  if (!std::isfinite(needed))
+    throw SetupError(key, fmt::format("a spacing of {} m fills body {} with more cells than can be counted; make it larger.", largest->spacing, largest->name));
+  throw SetupError(key,
                    fmt::format("with a spacing of {} m for body {} the run needs {:.3g} GB of memory, but this machine has {:.3g} GB; take a spacing of at "
                                "least {:.2g} m, or a smaller body.",
                                largest->spacing, largest->name, needed / 1e9, available / 1e9, 1.05 * largest->spacing * std::cbrt(needed / available)));

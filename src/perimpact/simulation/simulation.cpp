@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "fccda/respond/together.hpp"
+#include "perimpact/impact/diagnosis.hpp"
 #include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/stable_step.hpp"
@@ -76,6 +78,33 @@ void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, s
   }
 }
 
+void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt, std::vector<std::string>& warnings) {
+  for (const Impactor& impactor : impactors) {
+    if (Diagnosis flipped = inside_out(impactor)) warnings.push_back(std::move(*flipped));
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const Lattice& lattice = bodies[b].particles.lattice();
+      const Vec3d size = lattice.spacing * Vec3d{double(lattice.cells[0]), double(lattice.cells[1]), double(lattice.cells[2])};
+      const Target target{bodies[b].name, lattice.spacing, setup.contact.impactors.radius_ratio * lattice.spacing, size, setup.bodies[b].velocity};
+      for (std::string& sentence : diagnose(impactor, target, dt)) warnings.push_back(std::move(sentence));
+    }
+  }
+}
+
+/// An impactor against one of the bodies, as strike_together sees it.
+struct ImpactorOnBody {
+  Impactor& impactor;
+  std::size_t body;
+
+  std::span<const fccda::Contact> strike(StruckParticles& particles) { return impactor.strike(body, particles); }
+  std::span<const fccda::Contact> strike_again(StruckParticles& particles, std::span<const std::size_t> which) {
+    return impactor.strike_again(body, particles, which);
+  }
+  std::vector<std::size_t> still_inside(const StruckParticles& particles, std::span<const std::size_t> which) {
+    return impactor.still_inside(body, particles, which);
+  }
+  void moved(std::size_t particle) { impactor.moved(body, particle); }
+};
+
 }  // namespace
 
 Simulation::Simulation(const Setup& setup) : Simulation(setup, Start(setup)) {}
@@ -92,8 +121,9 @@ Simulation::Simulation(const Setup& setup, Start start)
   warn_of_overlaps(setup, impactors_, warnings_);
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles.lattice()), 0.0);
   for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));
+  warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
   evaluate_forces();
-  monitors_.record(bodies_, impactors_, clock_);
+  record();
 }
 
 void Simulation::step() {
@@ -102,7 +132,7 @@ void Simulation::step() {
   timers_.timed("contact", [&] { strike(); });
   timers_.timed("forces", [&] { evaluate_forces(); });
   timers_.timed("monitors", [&] {
-    if (monitors_.is_due(clock_)) monitors_.record(bodies_, impactors_, clock_);
+    if (monitors_.is_due(clock_)) record();
   });
 }
 
@@ -111,14 +141,13 @@ void Simulation::advance_bodies() {
 }
 
 void Simulation::strike() {
-  for (Impactor& impactor : impactors_) {
-    impactor.advance(clock_.latest());
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
-      for (const fccda::Contact& contact : impactor.strike(b, particles))
-        for (Impactor& other : impactors_)
-          if (&other != &impactor) other.moved(b, contact.point);
-    }
+  for (Impactor& impactor : impactors_) impactor.advance(clock_.latest());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
+    std::vector<ImpactorOnBody> strikers;
+    for (Impactor& impactor : impactors_) strikers.push_back({impactor, b});
+    const auto pinched = fccda::strike_together(std::span(strikers), particles);
+    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[i].size(), clock_.time());
   }
 }
 
@@ -130,6 +159,11 @@ void Simulation::evaluate_forces() {
     else
       body.internal.evaluate(body.particles, body.family);
   }
+}
+
+void Simulation::record() {
+  monitors_.record(bodies_, impactors_, clock_);
+  encounters_.look(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
 }
 
 std::size_t Simulation::contacts() const {

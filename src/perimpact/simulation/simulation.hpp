@@ -11,6 +11,7 @@
 #include "perimpact/setup/setup.hpp"
 #include "perimpact/simulation/body.hpp"
 #include "perimpact/simulation/clock.hpp"
+#include "perimpact/simulation/encounters.hpp"
 #include "perimpact/simulation/monitors.hpp"
 #include "perimpact/simulation/start.hpp"
 
@@ -33,7 +34,8 @@ class Simulation {
   const Setup& setup() const { return setup_; }
   const Clock& clock() const { return clock_; }
   const Stability& stability() const { return stability_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }                                   ///< known before the run
+  std::vector<std::string> closing_warnings() const { return encounters_.warnings(bodies_, impactors_); }  ///< known at its end
   const fccda::Timers& timers() const { return timers_; }
   std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
   std::span<const Body> bodies() const { return bodies_; }
@@ -54,6 +56,7 @@ class Simulation {
   void advance_bodies();
   void strike();
   void evaluate_forces();
+  void record();
 
   Setup setup_;
   std::vector<std::string> warnings_;
@@ -64,6 +67,7 @@ class Simulation {
   std::vector<Impactor> impactors_;
   std::vector<std::vector<double>> travel_;  // [m] of each body's blocks in this step
   Monitors monitors_;
+  Encounters encounters_;
   fccda::Timers timers_;
 };
 

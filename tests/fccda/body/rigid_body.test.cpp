@@ -94,6 +94,20 @@ TEST_CASE("rigid body: held components keep their velocity to the bit, free ones
   }
 }
 
+TEST_CASE("rigid body: driving held degrees changes no momentum along the free ones, and the kinetic energy is the driver's work") {
+  RigidBody body = tumbling_body({{true, false, true, false, true, true}});
+  const Vec3d angular = body.angular_momentum(body.position_of_com());
+  const double before = body.kinetic_energy();
+  body.drive(1, 7), body.drive(3, -4);
+  CHECK(body.velocity() == Vec3d{3, 7, 2});
+  CHECK(body.angular_velocity().x == -4);
+  const Vec3d gained = body.angular_momentum(body.position_of_com()) - angular;
+  CHECK(std::fabs(gained.x) > 0.1);
+  CHECK(std::fabs(gained.y) < 1e-15 * 4);  // products of inertia would bring some; two roundings of numbers of order one
+  CHECK(std::fabs(gained.z) < 1e-15 * 4);
+  CHECK(body.work_of_holder() == doctest::Approx(body.kinetic_energy() - before).epsilon(1e-14));
+}
+
 TEST_CASE("rigid body: no point of it goes further in a step than its travel bound says") {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> any(-1, 1);

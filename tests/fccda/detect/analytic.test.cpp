@@ -46,7 +46,7 @@ TEST_CASE("analytic: what ends nearer to the centre than R + r, or went right th
 
 TEST_CASE("analytic: a cylinder is felt along all its axis, within the region") {
   const auto surface = fixtures::surface_of(fixtures::cylinder());
-  const BoxRegion region({.size = {2, 2, 0.2}}, *surface, Beyond::clip);
+  const BoxUnion region({.size = {2, 2, 0.2}}, *surface, Beyond::clip);
   Analytic detector(InfiniteCylinder{.radius = 0.5}, region, 0.01);
   const std::vector<Path> paths{
       {{0.6, 0, 0.05}, {0.4, 0, 0.05}}, {{0.6, 0, 0.15}, {0.4, 0, 0.15}}, {{0.6, 0, 0}, {0.52, 0, 0}}, {{0.6, 0.3, 0}, {0.4, 0.3, 0}}};

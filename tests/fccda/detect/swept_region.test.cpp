@@ -16,7 +16,7 @@ constexpr double R = 0.025, spacing = 0.001;
 std::shared_ptr<const Surface> plate_cylinder() {
   return fixtures::surface_of(make_cylinder({.diameter = 2 * R, .height = R, .axis = Axis::z, .panel = spacing}));
 }
-constexpr BoxRegion::Shape plate_box{.size = {2 * R, 2 * R, 0.01}};
+constexpr BoxUnion::Shape plate_box{.size = {2 * R, 2 * R, 0.01}};
 
 /// A square of 1 × 1 in the plane z = 0, front towards +z, of 4 × 4 quads.
 std::shared_ptr<const Surface> open_square() {
@@ -45,7 +45,7 @@ std::vector<std::uint64_t> points_inside(Swept& detector) {
 TEST_CASE("swept, region: a box exactly as wide as the cylinder, contact radius half a spacing: points that come in from the side give no spike") {
   const auto surface = plate_cylinder();
   const double r = 0.5 * spacing, speed = 32, dt = 1e-7;
-  Swept detector(surface, BoxRegion(plate_box, *surface, Beyond::clip), r);
+  Swept detector(surface, BoxUnion(plate_box, *surface, Beyond::clip), r);
   // points from every direction around, the four sides of the box among them, each straight at the axis
   fixtures::TestPoints points;
   for (int k = 0; k < 720; ++k) {
@@ -72,7 +72,7 @@ TEST_CASE("swept, region: a point that comes into a clipped region inside the su
   const auto surface = plate_cylinder();
   for (const double r : {0.0, 0.5 * spacing}) {
     CAPTURE(r);
-    Swept detector(surface, BoxRegion(plate_box, *surface, Beyond::clip), r);
+    Swept detector(surface, BoxUnion(plate_box, *surface, Beyond::clip), r);
     fixtures::TestPoints points;
     points.x1 = {{R - 0.004, 0, 0.008}};
     const auto go = [&](const Vec3d& way, int steps) {
@@ -107,7 +107,7 @@ TEST_CASE("swept, region: inside counts where the point comes in, even if the ne
   const Vec3d start = Vec3d{-0.35, 0.01, std::sqrt(0.5) - 0.35} - 0.1 * Vec3d{-std::sqrt(0.5), 0, std::sqrt(0.5)};
   REQUIRE(start.x > -0.3);
   REQUIRE(fixtures::Soup(*surface).distance(start) == doctest::Approx(0.1));
-  Swept detector(surface, BoxRegion({.size = {0.7, 2, 3}, .centre = {-0.65, 0, 0}}, *surface, Beyond::clip), 0);
+  Swept detector(surface, BoxUnion({.size = {0.7, 2, 3}, .centre = {-0.65, 0, 0}}, *surface, Beyond::clip), 0);
   CHECK(detect(detector, fixtures::points_on({{start, start + Vec3d{-0.04, 0, 0}}})).empty());
   CHECK(detector.entered_inside() == 1);
 }
@@ -116,7 +116,7 @@ TEST_CASE("swept, region: contact beyond the region is none, and what went in th
   const auto surface = plate_cylinder();
   for (const double r : {0.0, 0.5 * spacing}) {
     CAPTURE(r);
-    Swept detector(surface, BoxRegion(plate_box, *surface, Beyond::clip), r);
+    Swept detector(surface, BoxUnion(plate_box, *surface, Beyond::clip), r);
     fixtures::TestPoints points;
     points.x1 = {{R + 0.001, 0, 0.0052}};
     std::size_t contacts = 0;
@@ -132,7 +132,7 @@ TEST_CASE("swept, region: contact beyond the region is none, and what went in th
 
 TEST_CASE("swept, region: the list of points inside is state: read back, it continues the same") {
   const auto surface = plate_cylinder();
-  const BoxRegion region(plate_box, *surface, Beyond::clip);
+  const BoxUnion region(plate_box, *surface, Beyond::clip);
   Swept first(surface, region, 0), second(surface, region, 0);
   fixtures::TestPoints points;
   points.x0 = {{R - 0.004, 0, 0.0051}};

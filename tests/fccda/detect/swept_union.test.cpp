@@ -61,7 +61,8 @@ Assembly heap(std::uint64_t seed) {
     const double a = 0.1 + 0.3 * unit(random), b = 0.1 + 0.3 * unit(random), c = 0.03 + 0.2 * unit(random);
     const double panel = k % 2 == 0 ? 1 : 0.1;  // coarse ones are cut, fine ones buried
     const Panels part = k < 3 ? make_box({.size = {a, b, c}, .panel = panel}) : make_cylinder({.diameter = a, .height = b, .axis = Axis::x, .panel = 0.1});
-    parts.push_back(placed(part, fixtures::random_in_box(random, {-0.12, -0.12, -0.12}, {0.12, 0.12, 0.12}), 3 * unit(random) * fixtures::random_direction(random)));
+    parts.push_back(
+        placed(part, fixtures::random_in_box(random, {-0.12, -0.12, -0.12}, {0.12, 0.12, 0.12}), 3 * unit(random) * fixtures::random_direction(random)));
   }
   return Assembly(std::move(parts));
 }

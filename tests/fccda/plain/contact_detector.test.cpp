@@ -26,7 +26,7 @@ bool same(const std::vector<Contact>& a, const std::vector<Contact>& b) {
 
 RigidBody turning_hull() {
   const FreeDegrees all{{true, true, true, true, true, true}};
-  return RigidBody({.mass = 30, .inertia = Mat3::diagonal({2, 4, 5})}, Pose(), {0.3, 0.1, 0.5}, {0.5, -0.3, 1}, all);
+  return RigidBody({.mass = 30, .centre_of_mass = {0.3, 0.1, 0}, .inertia = Mat3::diagonal({2, 4, 5})}, Pose(), {0.3, 0.1, 0.5}, {0.5, -0.3, 1}, all);
 }
 
 /// A cloud that falls on a hull which turns and drives into it.

@@ -109,3 +109,39 @@ TEST_CASE("consistency: a surface file is looked for from the deck's folder and 
   CHECK(surface.outside.as<OpenSide>() == OpenSide::normals);
   std::filesystem::remove_all(folder);
 }
+
+TEST_CASE("consistency: boxes of a region are given or fitted, sectors make sense, and the analytic detector takes no fitted region") {
+  const auto region = [](std::string_view text) { return plate_with("{box: {size: [0.05, 0.05, 0.01]}, outside: clip}", text); };
+  const std::string boxes = "boxes: {low: {size: [0.05, 0.05, 0.01], centre: [0, 0, -0.005]}, high: {size: [0.05, 0.05, 0.01]}}";
+  for (const std::string& fine :
+       {"{box_union: {" + boxes + "}}", std::string("{box_union: {count: 8}}"), std::string("{box_union: {gain: 2 %}}"),
+        std::string("{box_union: {count: 8, gain: 0.02}, outside: clip}"), std::string("{box_union: {}}"), std::string("{cylinder_sectors: {}}"),
+        std::string("{cylinder_sectors: {sector_angle: 30 deg, start_angle: -15 deg, blades: 4}}"), std::string("{auto: {}}"),
+        std::string("{auto: {}, outside: clip}")}) {
+    CAPTURE(fine);
+    CHECK(complaint(region(fine)) == "");
+  }
+  const Setup setup = read(region("{box_union: {" + boxes + "}}")).setup;
+  const auto& given = std::get<BoxUnionRegionSetup>(setup.impactors[0].region.shape).boxes;
+  REQUIRE(given.size() == 2);
+  CHECK(given[0].name == "low");
+  CHECK(given[0].centre == Vec3d{0, 0, -0.005});
+
+  const auto check = [&](const std::string& text, std::string_view at, const std::string& sentence) {
+    CHECK(complaint(region(text)) == place_of(region(text), at) + ": " + sentence);
+  };
+  check("{box_union: {count: 7, " + boxes + "}}", "7,", "count is given beside boxes, but only fitted boxes have it; remove one of the two.");
+  check("{box_union: {gain: 0.5, " + boxes + "}}", "0.5,", "gain is given beside boxes, but only fitted boxes have it; remove one of the two.");
+  check("{cylinder_sectors: {axis: [0, 0, 0]}}", "[0, 0, 0]}}",
+        "axis is [0, 0, 0], which has no direction; give one, such as [0, 0, 1], or leave it out to be fitted.");
+  check("{cylinder_sectors: {start_angle: 20 deg}}", "20 deg", "start_angle is given without sector_angle; give both, or leave both out to be fitted.");
+  check("{cylinder_sectors: {radius: 0.2, hub_radius: 0.3}}", "0.3}}", "hub_radius is 0.3 m, but the whole cylinder has the radius 0.2 m; make it smaller.");
+
+  for (const std::string fitted : {"{auto: {}}", "{box_union: {count: 8}}", "{cylinder_sectors: {}}"}) {
+    std::string text = region(fitted);
+    text.replace(text.find("detector: swept"), 15, "detector: analytic");
+    CHECK(complaint(text) == place_of(text, "region:") +
+                                 ": region is fitted to the panels of the surface, but the analytic detector strikes what those are cut from; give a box, or "
+                                 "write detector: swept.");
+  }
+}

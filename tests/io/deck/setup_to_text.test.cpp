@@ -89,6 +89,14 @@ void check_same(const Setup& a, const Setup& b) {
     for (std::size_t k = 0; k < a.impactors[i].loads.size(); ++k) check_fields(a.impactors[i].loads[k], b.impactors[i].loads[k]);
     REQUIRE(a.impactors[i].gauges.size() == b.impactors[i].gauges.size());
     for (std::size_t k = 0; k < a.impactors[i].gauges.size(); ++k) check_fields(a.impactors[i].gauges[k], b.impactors[i].gauges[k]);
+    if (const auto* boxes = std::get_if<BoxUnionRegionSetup>(&a.impactors[i].region.shape)) {
+      const auto& others = std::get<BoxUnionRegionSetup>(b.impactors[i].region.shape).boxes;
+      REQUIRE(boxes->boxes.size() == others.size());
+      for (std::size_t k = 0; k < others.size(); ++k) {
+        CHECK(boxes->boxes[k].name == others[k].name);
+        check_fields(boxes->boxes[k], others[k]);
+      }
+    }
   }
   check_fields(a.contact.impactors, b.contact.impactors);
   check_fields(a.contact.fragments, b.contact.fragments);
@@ -125,6 +133,37 @@ void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
   gauge.name = "root", gauge.parts.clear();
 }
 
+void fill_region(Random& random, RegionSetup& region) {
+  switch (random() % 6) {
+    case 1:
+      fill_fields(random, region.shape.emplace<BoxRegionSetup>());
+      break;
+    case 2:
+      fill_fields(random, region.shape.emplace<BoxUnionRegionSetup>());
+      break;
+    case 3:
+      for (const char* name : {"bow", "stern"}) {
+        if (!std::holds_alternative<BoxUnionRegionSetup>(region.shape)) region.shape.emplace<BoxUnionRegionSetup>();
+        RegionBoxSetup& box = std::get<BoxUnionRegionSetup>(region.shape).boxes.emplace_back();
+        fill_fields(random, box);
+        box.name = name;
+      }
+      break;
+    case 4: {
+      auto& sectors = region.shape.emplace<CylinderSectorsRegionSetup>();
+      fill_fields(random, sectors);
+      if (!sectors.sector_angle) sectors.start_angle.reset();
+      if (sectors.radius && sectors.hub_radius) sectors.hub_radius = std::min(*sectors.hub_radius, *sectors.radius);
+      break;
+    }
+    case 5:
+      region.shape.emplace<AutoRegionSetup>();
+      break;
+    default:
+      break;
+  }
+}
+
 /// A Setup with values everywhere that a deck could have given.
 Setup some_setup(Random& random) {
   Setup setup;
@@ -156,6 +195,7 @@ Setup some_setup(Random& random) {
     else
       impactor.mass = 1 + 0.1 * static_cast<double>(random() % 1000), impactor.density.reset();
     if (random() % 2) add_motion_loads_and_gauges(random, impactor);
+    fill_region(random, impactor.region);
   }
   ImpactorContactSetup& contact = setup.contact.impactors;
   fill_fields(random, contact);

@@ -111,15 +111,3 @@ TEST_CASE("vtp: the file is the same for any number of threads") {
   fccda::use_threads(threads);
   CHECK(text_of(folder / "1") == text_of(folder / "3"));
 }
-
-TEST_CASE("vtp: the panels of a box enclose it, facing outward") {
-  const fccda::Box boxes[] = {{{-1, 2, 3}, {1, 5, 7}}, {{0, 0, 0}, {0.5, 0.25, 0.125}}};
-  const fccda::Panels panels = panels_of(boxes);
-  REQUIRE(panels.panels.size() == 12);
-  double thrice_volume = 0;  // by the divergence theorem, the sum of point · area vector over the quads; negative if they faced inward
-  for (const auto& [a, b, c, d] : panels.panels) {
-    const auto at = [&](int vertex) { return panels.vertices[static_cast<std::size_t>(vertex)]; };
-    thrice_volume += fccda::dot(at(a), 0.5 * fccda::cross(at(c) - at(a), at(d) - at(b)));
-  }
-  CHECK(thrice_volume == 3 * (2 * 3 * 4 + 0.5 * 0.25 * 0.125));  // exact: sums of powers of two and small integers
-}

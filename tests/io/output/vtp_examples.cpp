@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fccda/region/region_panels.hpp"
 #include "io/output/pvd.hpp"
 #include "io/output/vtp.hpp"
 
@@ -45,7 +46,7 @@ void write_surface(const std::filesystem::path& path, Compression compression) {
 
 void write_region(const std::filesystem::path& path) {
   const fccda::Box boxes[] = {{{-1, -2, -3}, {1, 2, 3}}, {{4, 0, 0}, {5, 1, 1}}};
-  const fccda::Panels region = panels_of(boxes);
+  const fccda::Panels region = fccda::panels_of(boxes);
   write_vtp(path, {.points = coordinates(region.vertices), .panels = region.panels}, Compression::none);
 }
 

@@ -1,0 +1,109 @@
+/// What each kind of region rejects and costs: one CSV row for each surface and region on standard output.
+///
+/// Points lie on a lattice in the surface's bounding box, and on one twice as large about it; each has a path of a thousandth of the size.
+/// A row says which share of those in the bounding box the region rejects, what a test costs in it and around it, what the lower bound of
+/// the distance costs, and what the look at the surface costs (the search for the closest point, 64 steps ahead) that it saves.
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "fccda/region/boxes.hpp"
+#include "fccda/region/fit_boxes.hpp"
+#include "fccda/region/fit_region.hpp"
+#include "fccda/region/fit_sectors.hpp"
+#include "fccda/search/bvh.hpp"
+#include "fixtures/propeller.hpp"
+#include "fixtures/surfaces.hpp"
+
+namespace {
+
+using namespace fccda;
+
+/// A hull: full amidships, fine at both ends, with a keel and bilges; 10 by 2 by 1.
+Panels hull() {
+  return fixtures::moved(make_sphere({.diameter = 1, .panel = 0.02}), [](const Vec3d& p) {
+    const double x = 2 * p.x, fullness = std::pow(std::max(0.0, 1 - x * x), -0.3);
+    return Vec3d{10 * p.x, 2 * fullness * p.y, (p.z < 0 ? 1.6 : 0.4) * p.z};
+  });
+}
+
+/// Time of this process alone, the least of several rounds.
+template <class Ask>
+double nanoseconds_each(std::size_t count, const Ask& ask) {
+  double least = 1e300;
+  for (int round = 0; round < 9; ++round) {
+    const std::clock_t begin = std::clock();
+    for (std::size_t i = 0; i < count; ++i) ask(i);
+    least = std::min(least, 1e9 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  return least / static_cast<double>(count);
+}
+
+/// On a lattice, x fastest, as particles lie.
+std::vector<Path> paths_in(const Box& box, double length) {
+  constexpr int count = 60;
+  std::mt19937_64 random(7);
+  std::vector<Path> paths;
+  const Vec3d step = box.size() / count;
+  for (int k = 0; k < count; ++k)
+    for (int j = 0; j < count; ++j)
+      for (int i = 0; i < count; ++i) {
+        const Vec3d start = box.low + Vec3d{(i + 0.5) * step.x, (j + 0.5) * step.y, (k + 0.5) * step.z};
+        paths.push_back({start, start + length * fixtures::random_direction(random)});
+      }
+  return paths;
+}
+
+void measure(const std::string& name, const Panels& panels) {
+  const Surface surface(panels);
+  const Bvh bvh(surface);
+  const Box bounds = surface.report().bounds;
+  const double length = 1e-3 * norm(bounds.size());
+  const std::vector<Path> near = paths_in(bounds, length), all = paths_in({bounds.centre() - bounds.size(), bounds.centre() + bounds.size()}, length);
+  std::size_t sink = 0;
+  int guess = -1;
+  std::size_t asked = 0;
+  const double look = nanoseconds_each(near.size(), [&](std::size_t i) {
+    if (const std::optional<ClosestPoint> closest = bvh.closest(near[i].end, 64 * length, guess, asked)) guess = closest->triangle;
+  });
+  sink += asked;
+
+  std::vector<std::pair<std::string, Region>> regions;
+  for (const int most : {1, 4, 8, 16, 32}) {
+    const std::vector<Box> boxes = fit_boxes(surface, {.most = most, .gain = 0});
+    regions.emplace_back(fmt::format("{} boxes", boxes.size()), BoxUnion(boxes));
+  }
+  regions.emplace_back("sectors", CylinderSectors(fit_sectors(surface, {}), surface, Beyond::error));
+  const FittedRegion chosen = fit_region(surface);
+  regions.emplace_back("auto", chosen.region);
+  fmt::print(stderr, "{}: {}\n", name, chosen.choice);
+  for (const auto& [kind, region] : regions) {
+    std::visit(
+        [&](const auto& its) {
+          std::size_t kept = 0;
+          for (const Path& path : near) kept += its.may_touch(path, length) ? 1 : 0;
+          const double here = nanoseconds_each(near.size(), [&](std::size_t i) { sink += its.may_touch(near[i], length) ? 1 : 0; });
+          const double everywhere = nanoseconds_each(all.size(), [&](std::size_t i) { sink += its.may_touch(all[i], length) ? 1 : 0; });
+          const double distance = nanoseconds_each(near.size(), [&](std::size_t i) { sink += its.distance_at_least(near[i].end) > 0 ? 1 : 0; });
+          fmt::print("{},{},{},{:.3f},{:.3f},{:.1f},{:.1f},{:.1f},{:.0f}\n", name, surface.triangles().size(), kind, its.volume() / volume_of(bounds),
+                     1 - static_cast<double>(kept) / static_cast<double>(near.size()), here, everywhere, distance, look);
+        },
+        region);
+  }
+  if (sink == 0) fmt::print(stderr, "nothing found\n");
+}
+
+}  // namespace
+
+int main() {
+  fmt::print(
+      "surface,triangles,region,share of the bounding box,rejected in it,may_touch in it [ns],may_touch around it [ns],distance [ns],look at the surface "
+      "[ns]\n");
+  measure("hull", hull());
+  measure("propeller", fixtures::propeller({.panel = 0.01}));
+  measure("skewed propeller", fixtures::propeller({.skew = 0.7, .panel = 0.01}));
+}

@@ -1,0 +1,68 @@
+#include "io/results/region_report.hpp"
+
+#include <vector>
+
+#include "fccda/region/boxes.hpp"
+
+namespace perimpact {
+
+using output::Json;
+
+namespace {
+
+Json vector(const Vec3d& v) { return std::vector<double>{v.x, v.y, v.z}; }
+
+void describe(const fccda::Unbounded&, Json&) {}
+
+void describe(const fccda::BoxUnion& region, Json& json) {
+  std::size_t number = 0;
+  for (const fccda::Box& box : region.boxes()) {
+    Json& its = json["boxes"][std::to_string(++number)];
+    its["low [m]"] = vector(box.low);
+    its["high [m]"] = vector(box.high);
+  }
+}
+
+void describe(const fccda::CylinderSectors& region, Json& json) {
+  const fccda::CylinderSectors::Shape& shape = region.shape();
+  json["axis"] = vector(shape.axis);
+  json["point [m]"] = vector(shape.point);
+  json["radius [m]"] = shape.radius;
+  json["length [m]"] = shape.length;
+  json["gaps"] = shape.has_gaps();
+  if (!shape.has_gaps()) return;
+  json["hub_radius [m]"] = shape.hub_radius;
+  json["blades"] = shape.blades;
+  json["sector_angle [rad]"] = shape.sector_angle;
+  json["start_angle [rad]"] = shape.start_angle;
+}
+
+}  // namespace
+
+std::string region_kind(const fccda::Region& region) {
+  if (std::holds_alternative<fccda::Unbounded>(region)) return "none";
+  if (const auto* boxes = std::get_if<fccda::BoxUnion>(&region); boxes && boxes->boxes().size() == 1) return "box";
+  return std::visit([](const auto& its) { return std::string(its.name); }, region);
+}
+
+std::optional<double> share_of_bounding_box(const Impactor& impactor) {
+  const fccda::Region& region = impactor.region().region;
+  const double whole = fccda::volume_of(impactor.surface().report().bounds);
+  if (std::holds_alternative<fccda::Unbounded>(region) || whole == 0) return std::nullopt;
+  return std::visit([](const auto& its) { return its.volume(); }, region) / whole;
+}
+
+Json region_report(const Impactor& impactor) {
+  const fccda::Region& region = impactor.region().region;
+  Json json = Json::object();
+  json["kind"] = region_kind(region);
+  if (std::holds_alternative<fccda::Unbounded>(region)) return json;
+  if (!impactor.region().fitted.empty()) json["fitted"] = impactor.region().fitted;
+  json["clips"] = std::visit([](const auto& its) { return its.clips(); }, region);
+  json["volume [m3]"] = std::visit([](const auto& its) { return its.volume(); }, region);
+  if (const auto share = share_of_bounding_box(impactor)) json["share_of_bounding_box"] = *share;
+  std::visit([&](const auto& its) { describe(its, json); }, region);
+  return json;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,40 @@
+/// What a run turns out to have been, known only at its end: impactors that never touched a body and how near they came, particles that
+/// got inside where a surface is not felt.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fccda/search/bvh.hpp"
+#include "perimpact/impact/impactor.hpp"
+#include "perimpact/simulation/body.hpp"
+
+namespace perimpact {
+
+class Encounters {
+ public:
+  /// Looks at this moment of the run; `contact_ratio`: contact radius in spacings. While an impactor has not touched a body the distance of
+  /// every particle is asked for, but only whether it is less than the least so far. Measured: 60 ms for 1.4
+  /// million particles on two busy cores, a twelfth of one of their steps.
+  void look(std::span<const Body> bodies, std::span<const Impactor> impactors, double contact_ratio, double time);
+
+  /// A sentence each.
+  std::vector<std::string> warnings(std::span<const Body> bodies, std::span<const Impactor> impactors) const;
+
+ private:
+  /// Of one impactor with one body.
+  struct Encounter {
+    double nearest = fccda::Bvh::no_cap;  // [m] from the surface to a particle's contact sphere
+    double nearest_time = 0;              // [s]
+    std::optional<double> entered_by;     // [s] when particles were first seen inside
+  };
+
+  std::vector<std::vector<Encounter>> of_impactor_;  // and body
+  std::vector<std::unique_ptr<fccda::Bvh>> trees_;   // of impactors that have not touched everything
+  double time_ = 0;                                  // [s] of the last look
+};
+
+}  // namespace perimpact

@@ -1,0 +1,73 @@
+"""Warnings: what looks wrong before a run, and what a run turns out to have been."""
+
+from claims import claim, main
+
+SURFACE = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+
+
+def warnings(out):
+    return [line.removeprefix("warning: ") for line in out.splitlines() if line.startswith("warning: ")]
+
+
+def box_as_obj(half, inward):
+    """A cube of six quads, in metres."""
+    corners = [(x, y, z) for z in (-half, half) for y in (-half, half) for x in (-half, half)]
+    faces = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
+    lines = ["v %g %g %g" % corner for corner in corners] + ["f %d %d %d %d" % (face[::-1] if inward else face) for face in faces]
+    return "\n".join(lines) + "\n"
+
+
+@claim("diagnoses: a sound deck gets no warning, in check, in run and in run.json")
+def _(t):
+    for command in "check", "run":
+        t.assertEqual(warnings(t.expect_success(command, t.deck(), "--out", "r").out), [])
+    t.assertEqual(t.report("r")["warnings"], [])
+
+
+@claim("diagnoses: a surface that is inside out is turned over and said, in check, run and run.json")
+def _(t):
+    deck = t.deck((SURFACE, "surface: {file: cube.obj}"))
+    (t.folder / "cube.obj").write_text(box_as_obj(0.02, inward=False))
+    t.assertEqual(warnings(t.expect_success("run", deck, "--out", "right").out), [])
+    (t.folder / "cube.obj").write_text(box_as_obj(0.02, inward=True))
+    for command in "check", "run":
+        said = warnings(t.expect_success(command, deck, "--out", "r").out)
+        t.assertEqual(len(said), 1)
+        t.assertIn("The panels of impactor cylinder point inward in 1 of its 1 closed parts; these were turned over", said[0])
+    t.assertEqual(t.report("r")["warnings"], said)
+    t.assertEqual(t.history("r"), t.history("right"))
+
+
+@claim("diagnoses: an impactor that never touches a body is told after the table of a run, and in run.json")
+def _(t):
+    out = t.expect_success("run", t.deck(("-32 m/s", "32 m/s")), "--out", "r").out
+    said = warnings(out)
+    t.assertEqual(len(said), 1)
+    t.assertRegex(said[0], r"^Impactor cylinder never touched body plate until t = 2e-05 s: the nearest it came was \S+ m, at t = 0 s\.")
+    t.assertGreater(out.index(said[0]), out.index("monitors"))
+    t.assertEqual(t.report("r")["warnings"], said)
+
+
+@claim("diagnoses: particles inside at the start are removed or projected where the deck says so, and the first row has no force")
+def _(t):
+    sunk = ("position: [0, 50 mm, 0]", "position: [0, 45 mm, 0]")
+    found = {}
+    for choice in "remove", "project":
+        deck = t.deck(sunk, ("to: [0, 30 mm, 0]", "to: [0, 20 mm, 0]"), ("detector: swept}", f"detector: swept, starting_inside: {choice}}}"))
+        checked = warnings(t.expect_success("check", deck, "--out", choice).out)
+        t.assertEqual(warnings(t.expect_success("run", deck, "--out", choice).out), checked)
+        report, history = t.report(choice), t.history(choice)
+        found[choice] = report["impactors"]["cylinder"]["detection"]["plate"]["starting_inside"]
+        t.assertEqual(len(checked), 1)
+        t.assertIn(f"{found[choice]} particles that were inside its surface", checked[0])
+        t.assertEqual(report["warnings"], checked)
+        t.assertEqual(report["bodies"]["plate"]["particles"], 960 - (found[choice] if choice == "remove" else 0))
+        t.assertEqual(history["cylinder.force_y [N]"][0], 0)
+        t.assertAlmostEqual(history["total.momentum_y [kg m/s]"][-1], -32, delta=32e-10)  # kept to rounding, as after any start
+    t.assertEqual(found["remove"], found["project"])
+    t.assertGreater(found["remove"], 0)
+    done = t.run_program("run", t.deck(sunk), "--out", "error")
+    t.expect_complaint(done, 2, "deck.yaml:", f"{found['remove']} particles", "contact.impactors.starting_inside: remove or project.")
+
+
+main()

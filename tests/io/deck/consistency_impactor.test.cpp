@@ -1,0 +1,136 @@
+#include "io/deck/consistency_impactor.hpp"
+
+#include <fstream>
+
+#include "fixtures/temporary_folder.hpp"
+#include "io/deck/fixtures.hpp"
+
+using namespace perimpact;
+using fixtures::check_complaint;
+using fixtures::complaint;
+using fixtures::place_of;
+using fixtures::plate_with;
+using fixtures::read;
+
+namespace {
+
+/// The plate deck with more keys for the cylinder, which is free along y.
+std::string with(const std::string& keys) { return plate_with("    free:", "    " + keys + "\n    free:"); }
+
+void check_refused(const std::string& keys, std::string_view at, const std::string& sentence) {
+  const std::string text = with(keys);
+  CHECK(complaint(text) == place_of(text, at) + ": " + sentence);
+}
+
+}  // namespace
+
+TEST_CASE("consistency of impactors: a mass or a density, exactly one") {
+  CHECK(*read(plate_with("mass: 1.57", "density: 8 g/cm3")).setup.impactors[0].density == 8000);
+  check_refused("density: 8000", "8000\n    free", "density is given beside mass, but one of them sets the other; keep one of the two.");
+  check_complaint({"    mass: 1.57\n", "", "cylinder:", "impactors.cylinder lacks mass [kg], or in its place density [kg/m3]; for example mass: 1.57 kg."});
+}
+
+TEST_CASE("consistency of impactors: motion is read with its units, each degree of freedom apart") {
+  const ImpactorSetup impactor =
+      read(with("motion: {x: {times: [0, 1 ms], velocities: [0, 7.2 km/h]}, rz: {times: [0, 1], displacements: [0, 90 deg]}}")).setup.impactors[0];
+  CHECK(impactor.motion.x->velocities[1] == doctest::Approx(2).epsilon(1e-15));
+  CHECK(impactor.motion.x->times == std::vector{0.0, 1e-3});
+  CHECK(impactor.motion.rz->displacements[1] == doctest::Approx(1.5707963267948966).epsilon(1e-15));
+  CHECK(impactor.motion.of(0) != nullptr);
+  CHECK(impactor.motion.of(1) == nullptr);
+  CHECK(impactor.motion.of(5)->velocities.empty());
+}
+
+TEST_CASE("consistency of impactors: a table has times, with velocities or displacements, one for each, in order") {
+  check_refused("motion: {x: {times: [0, 1]}}", "x: {times", "impactors.cylinder.motion.x needs times with velocities or displacements, or a file.");
+  check_refused("motion: {x: {times: [0, 1], velocities: [0, 1], displacements: [0, 2]}}", "[0, 2]",
+                "displacements is given beside velocities, but one of them sets the other; keep one of the two.");
+  check_refused("motion: {x: {times: [0, 1], velocities: [0, 1, 2]}}", "[0, 1, 2]", "velocities has 3 values for 2 times; give one for each time.");
+  check_refused("motion: {x: {times: [0, 3, 2], displacements: [0, 1, 2]}}", "[0, 3, 2]", "times holds 2 s after 3 s, but times must increase.");
+  check_refused("motion: {u: {times: [0], velocities: [1]}}", "u: {times", "u is not a key of impactors.cylinder.motion; did you mean x?");
+}
+
+TEST_CASE("consistency of impactors: tables move what is held and has no other velocity") {
+  check_refused("motion: {y: {times: [0], velocities: [1]}}", "y: {times",
+                "y is free, so contact and loads move it, and no table can; take y out of free, or remove its motion.");
+  const std::string text = plate_with("free: [y]", "motion: {y: {times: [0], velocities: [1]}}");
+  CHECK(complaint(text) == place_of(text, "[0, -32, 0]") + ": y of velocity is not 0, but motion.y says how it moves; write 0, or remove that motion.");
+  check_refused("angular_velocity: [0, 0, 3]\n    motion: {rz: {times: [0], velocities: [1]}}", "[0, 0, 3]",
+                "z of angular_velocity is not 0, but motion.rz says how it moves; write 0, or remove that motion.");
+}
+
+TEST_CASE("consistency of impactors: an angle against time needs the only turning axis") {
+  const std::string rz = "rz: {times: [0, 1], displacements: [0, 2]}";
+  CHECK(complaint(with("motion: {" + rz + "}")) == "");
+  const auto sentence = [](const std::string& why) {
+    return "displacements of rz say where the impactor is only while it turns about no other axis, because rotations do not commute, but " + why +
+           "; hold the other rotations, or give velocities.";
+  };
+  check_refused("motion: {" + rz + ", rx: {times: [0], velocities: [1]}}", "[0, 2]", sentence("motion.rx turns it about another axis"));
+  check_refused("angular_velocity: [0, 3, 0]\n    motion: {" + rz + "}", "[0, 2]", sentence("angular_velocity turns it about y too"));
+  const std::string text = plate_with("free: [y]", "free: [rx]\n    motion: {" + rz + "}");
+  CHECK(complaint(text) == place_of(text, "[0, 2]}") + ": " + sentence("rx is free"));
+}
+
+TEST_CASE("consistency of impactors: loads have a force or a moment, and factors for their times") {
+  const ImpactorSetup impactor =
+      read(with("loads: {tow: {force: [0, 0, 100 kN], moment: [0, 2 kN m, 0], point: [1, 0, 0], times: [0, 1], factors: [0, 1]}}")).setup.impactors[0];
+  CHECK(impactor.loads[0].force.z == 1e5);
+  CHECK(impactor.loads[0].moment.y == 2000);
+  CHECK(impactor.loads[0].point->x == 1);
+  check_refused("loads: {tow: {point: [1, 0, 0]}}",
+                "tow:", "impactors.cylinder.loads.tow has neither a force [N] nor a moment [N m]; give one, or remove the load.");
+  check_refused("loads: {tow: {force: [1, 0, 0], times: [0, 1]}}", "[0, 1]}", "factors has 0 values for 2 times; give one for each time.");
+  check_refused("loads: {tow: {force: [1, 0, 0], times: [1, 0], factors: [1, 1]}}", "[1, 0]", "times holds 0 s after 1 s, but times must increase.");
+  check_refused("loads: {tow: {force: [1 m, 0, 0]}}", "1 m", "x of force is \"1 m\", but that is a length; write a force, for example 5 kN.");
+}
+
+TEST_CASE("consistency of impactors: gauges have a direction for their axis, and parts only where there are panels") {
+  const std::string gauge = "gauges: {root: {parts: [side], point: [0, 1, 0], axis: [0, 0, 2]}}";
+  CHECK(read(with(gauge)).setup.impactors[0].gauges[0].parts == std::vector<std::string>{"side"});
+  check_refused("gauges: {root: {axis: [0, 0, 0]}}", "[0, 0, 0]", "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
+  std::string text = with(gauge);
+  text.replace(text.find("swept"), 5, "analytic");
+  CHECK(complaint(text) == place_of(text, "[side]") + ": parts is given, but the analytic detector knows no panels; remove parts, or write detector: swept.");
+}
+
+TEST_CASE("consistency of impactors: a file holds a table of motion with its units, and is looked for from the deck's folder") {
+  const fixtures::TemporaryFolder folder;
+  const auto file = [&](const std::string& contents) { std::ofstream(folder.path() / "heave.csv", std::ios::binary) << contents; };
+  const auto read_there = [&](const std::string& text) { return deck::read_deck_text(text, "deck.yaml", folder.path()); };
+  const auto complaint_of = [&](const std::string& text) -> std::string {
+    try {
+      read_there(text);
+    } catch (const fccda::InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string text = with("motion: {x: {file: heave.csv}}"), name = (folder.path() / "heave.csv").string();
+  CHECK(complaint_of(text) == place_of(text, "heave.csv") + ": there is no file " + name + "; relative names start at the deck's folder.");
+
+  file("\xEF\xBB\xBF\"time [ms]\", \"velocity [km/h]\"\r\n0, +0\r\n1.5 ,3.6e0\r\n\r\n");
+  const TranslationTable heave = *read_there(text).setup.impactors[0].motion.x;
+  CHECK(heave.times == std::vector{0.0, 1.5e-3});
+  CHECK(heave.velocities[1] == doctest::Approx(1).epsilon(1e-15));
+  CHECK((heave.displacements.empty() && heave.file.empty()));
+
+  file("time [s], displacement [deg]\n0, 0\n1, 180\n");
+  CHECK(read_there(with("motion: {rz: {file: heave.csv}}")).setup.impactors[0].motion.rz->displacements[1] == doctest::Approx(3.14159265358979).epsilon(1e-14));
+  CHECK(complaint_of(text).starts_with(name + ":1: the unit of a column is [deg], but that is an angle; write a length, for example 9 mm."));
+
+  const auto says = [&](const std::string& contents, const std::string& sentence) {
+    file(contents);
+    CHECK(complaint_of(text) == name + sentence);
+  };
+  says("0, 0\n1, 2\n", ":1: the first line is \"0, 0\", but it must name the two columns: \"time [s], velocity [m/s]\" or \"time [s], displacement [m]\".");
+  says("time [s], velocity [m/s]\n0, 0\n1; 2\n", ":3: \"1; 2\" is not two numbers with a comma between; mend the row.");
+  says("time [s], velocity [m/s]\n0, 0, 1\n", ":2: \"0, 0, 1\" is not two numbers with a comma between; mend the row.");
+  says("time [s], velocity [m/s]\n0, nan\n", ":2: \"0, nan\" is not two numbers with a comma between; mend the row.");
+  says("time [s], velocity [m/s]\n0, 0\n0, 1\n", ":3: the time 0 s follows 0 s, but times must increase.");
+  says("time [s], velocity [m/s]\n", ":1: there is no row of numbers below the first line; write the file again.");
+  says("", ":1: the first line is \"\", but it must name the two columns: \"time [s], velocity [m/s]\" or \"time [s], displacement [m]\".");
+  file("time [s], velocity [m/s]\n0, 0\n");
+  const std::string beside = with("motion: {x: {file: heave.csv, times: [0, 7]}}");
+  CHECK(complaint_of(beside) == place_of(beside, "[0, 7]") + ": times is given beside file, which holds times and values; keep one of the two.");
+}

@@ -1,0 +1,94 @@
+#include "perimpact/impact/diagnosis.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace perimpact;
+
+namespace {
+
+/// The cylinder of the plate benchmark, and what it strikes.
+ImpactorSetup cylinder() {
+  ImpactorSetup setup;
+  setup.name = "cylinder";
+  setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .panel = 0.001};
+  setup.mass = 1.57;
+  setup.position = {0, 0.075, 0};
+  setup.velocity = {0, -32, 0};
+  return setup;
+}
+
+constexpr double dt = 1e-7;
+
+Target plate() { return {.name = "plate", .spacing = 0.001, .contact_radius = 0.0005, .size = {0.2, 0.1, 0.009}}; }
+
+Impactor made(const ImpactorSetup& setup) { return Impactor(setup, {}, {}); }
+
+bool holds(const Diagnosis& diagnosis, const std::string& words) { return diagnosis && diagnosis->find(words) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("diagnosis: the plate benchmark is sound") {
+  const Impactor impactor = made(cylinder());
+  CHECK_FALSE(inside_out(impactor).has_value());
+  CHECK(diagnose(impactor, plate(), dt).empty());
+}
+
+TEST_CASE("diagnosis: panels below a quarter of the spacing, and not those just above") {
+  const Impactor impactor = made(cylinder());
+  Target target = plate();
+  target.spacing = 0.0039;  // the median panel of a cylinder of 1 mm panels is a little less than 1 mm
+  CHECK_FALSE(panels_too_fine(impactor, target).has_value());
+  target.spacing = 0.0042;
+  CHECK(holds(panels_too_fine(impactor, target), "less than a quarter of the spacing of body plate (0.0042 m)"));
+}
+
+TEST_CASE("diagnosis: facets more than half a spacing off the cylinder, and not flat panels of any size") {
+  ImpactorSetup setup = cylinder();
+  setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .panel = 0.009};  // 0.009²/(8 · 0.025) = 0.41 mm
+  CHECK_FALSE(panels_too_coarse(made(setup), plate()).has_value());
+  setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .panel = 0.013};  // 0.85 mm
+  CHECK(holds(panels_too_coarse(made(setup), plate()), "more than half of the spacing of body plate (0.001 m)"));
+  setup.surface = BoxSurface{.size = {1, 1, 1}, .panel = 1};
+  CHECK(diagnose(made(setup), plate(), dt).empty());
+}
+
+TEST_CASE("diagnosis: a surface in millimetres is a hundred bodies large") {
+  ImpactorSetup setup = cylinder();
+  setup.surface = BoxSurface{.size = {50, 25, 25}, .panel = 50};
+  CHECK(holds(panels_of_another_unit(made(setup), plate()), "scale: 0.001"));
+}
+
+TEST_CASE("diagnosis: a needle and a grain fall between particles, a thin blade does not") {
+  ImpactorSetup setup = cylinder();
+  setup.surface = BoxSurface{.size = {0.1, 0.002, 0.002}, .panel = 0.002};
+  CHECK(holds(falls_between(made(setup), plate()), "falls between them"));
+  setup.surface = SphereSurface{.diameter = 0.001, .panel = 0.0003};
+  CHECK(falls_between(made(setup), plate()).has_value());
+  setup.surface = BoxSurface{.size = {0.1, 0.05, 0.001}, .panel = 0.005};
+  CHECK_FALSE(falls_between(made(setup), plate()).has_value());
+}
+
+TEST_CASE("diagnosis: a step that goes through a thin plate names panel and place, and the step that does not") {
+  ImpactorSetup setup = cylinder();
+  setup.surface = BoxSurface{.size = {0.1, 0.0004, 0.1}, .panel = 0.02};
+  const Impactor thin = made(setup);
+  CHECK_FALSE(step_through(thin, plate(), 1.2e-5).has_value());   // 32 m/s · 12 µs = 0.38 mm
+  const Diagnosis through = step_through(thin, plate(), 1.5e-5);  // 0.48 mm
+  CHECK(holds(through, "move 0.00048 m against each other at panel "));
+  CHECK(holds(through, "where it is only 0.0004 m thick"));
+  CHECK(holds(through, "at most 1.2e-05 s"));  // 0.4 mm at 32 m/s, to two digits
+}
+
+TEST_CASE("diagnosis: the particles' velocity and the surface's turning count in the way of a step; both at the same speed make none") {
+  ImpactorSetup setup = cylinder();
+  Target target = plate();
+  target.velocity = {0, -32, 0};
+  CHECK_FALSE(step_through(made(setup), target, 1).has_value());
+  target.velocity = {0, 32, 0};
+  CHECK_FALSE(step_through(made(setup), target, 1.5e-5).has_value());  // 0.96 mm
+  CHECK(holds(step_through(made(setup), target, 1.6e-5), "more than a spacing (0.001 m)"));
+  setup.velocity = {}, target.velocity = {};
+  setup.angular_velocity = {0, 0, 1000};  // 25 m/s at the rim
+  CHECK_FALSE(step_through(made(setup), target, 3.9e-5).has_value());
+  CHECK(step_through(made(setup), target, 4.1e-5).has_value());
+}

@@ -1,0 +1,76 @@
+#include "perimpact/impact/region_of.hpp"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+#include "fccda/shapes/box.hpp"
+#include "fixtures/propeller.hpp"
+#include "perimpact/setup/setup_error.hpp"
+
+using namespace perimpact;
+using fccda::BoxUnion;
+using fccda::CylinderSectors;
+using fccda::Surface;
+
+namespace {
+
+Surface block() { return Surface(fccda::make_box({.size = {2, 1, 1}, .panel = 1})); }
+
+std::string complaint(const RegionSetup& setup, const Surface& surface) {
+  try {
+    region_of(setup, surface, "ram");
+  } catch (const SetupError& error) {
+    return error.key() + ": " + error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("region of: every kind of region that a Setup names is made, and says what was fitted") {
+  const Surface surface = block();
+  const auto made = [&](auto shape) { return region_of({.shape = shape}, surface, "ram"); };
+  CHECK(std::holds_alternative<fccda::Unbounded>(made(std::monostate{}).region));
+
+  const ImpactorRegion box = made(BoxRegionSetup{.size = {2, 1, 1}});
+  CHECK(std::get<BoxUnion>(box.region).boxes().size() == 1);
+  CHECK(box.fitted == "");
+
+  const ImpactorRegion given = made(BoxUnionRegionSetup{.boxes = {{"bow", {1, 1, 1}, {0.5, 0, 0}}, {"stern", {1, 1, 1}, {-0.5, 0, 0}}}});
+  CHECK(std::get<BoxUnion>(given.region).boxes().size() == 2);
+  CHECK(given.fitted == "");
+
+  const ImpactorRegion fitted = made(BoxUnionRegionSetup{.count = 5});
+  CHECK(std::get<BoxUnion>(fitted.region).boxes().size() == 1);  // a block needs no more
+  CHECK(fitted.fitted == "boxes fitted to the surface");
+
+  const ImpactorRegion sectors =
+      made(CylinderSectorsRegionSetup{.axis = Vec3d{1, 0, 0}, .point = Vec3d{}, .radius = 0.8, .length = 2.0, .hub_radius = 0.8, .blades = 1});
+  CHECK(std::get<CylinderSectors>(sectors.region).volume() == doctest::Approx(std::numbers::pi * 0.8 * 0.8 * 2));
+  CHECK(sectors.fitted ==
+        "sector_angle, start_angle fitted to the surface; between its blades there is no gap in angle worth having, so the fan is the whole cylinder");
+
+  const ImpactorRegion chosen = made(AutoRegionSetup{});
+  CHECK(std::holds_alternative<BoxUnion>(chosen.region));
+  CHECK(chosen.fitted.ends_with("taken: the bounding box"));
+}
+
+TEST_CASE("region of: count and gain bound the fitted boxes") {
+  const Surface surface(fixtures::propeller({.panel = 0.06}));
+  const auto boxes = [&](const BoxUnionRegionSetup& shape) { return std::get<BoxUnion>(region_of({.shape = shape}, surface, "ram").region).boxes().size(); };
+  CHECK(boxes({.count = 3}) == 3);
+  CHECK(boxes({.gain = 0.9}) == 1);
+  CHECK(boxes({}) > boxes({.gain = 0.05}));
+  CHECK(boxes({.count = 40, .gain = 0.0}) == 40);
+}
+
+TEST_CASE("region of: a surface that sticks out is refused at the region's key, unless clipping is meant") {
+  const Surface surface = block();
+  const RegionSetup small{.shape = BoxUnionRegionSetup{.boxes = {{"bow", {0.5, 1, 1}, {0.75, 0, 0}}}}};
+  CHECK(complaint(small, surface).starts_with("impactors.ram.region: region: 18 of 20 panels stick out of the box by up to 1.5 m"));
+  RegionSetup clipping = small;
+  clipping.outside.index = 1;
+  CHECK(complaint(clipping, surface) == "");
+  CHECK(complaint({.shape = CylinderSectorsRegionSetup{.radius = 0.3}}, surface).find("stick out of the cylinder's sectors") != std::string::npos);
+}

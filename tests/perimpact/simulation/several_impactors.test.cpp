@@ -1,0 +1,110 @@
+// Several impactors on one body (docs/theory/contact.md, "Several impactors").
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "fccda/core/parallel.hpp"
+#include "perimpact/bodies.hpp"
+#include "perimpact/simulation/simulation.hpp"
+
+using namespace perimpact;
+
+namespace {
+
+/// A small block between the faces x = ±reach and y = ±reach of wide plates, each of which moves inward at `speed`.
+Setup block_between(std::size_t plates, double speed) {
+  Setup setup;
+  setup.time = {.end = 10e-6, .step = 2e-7};
+  BodySetup block = fixtures::body_setup({.size = {0.01, 0.01, 0.008}, .spacing = 0.002, .poissons_ratio = 0.25});
+  block.name = "block";
+  setup.bodies = {block};
+  constexpr double reach = 0.005, thickness = 0.01;
+  const Vec3d inward[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  for (std::size_t k = 0; k < plates; ++k) {
+    ImpactorSetup plate;
+    plate.name = "plate_" + std::to_string(k);
+    const Vec3d along{std::fabs(inward[k].x), std::fabs(inward[k].y), 0};
+    plate.surface = BoxSurface{.size = {along.x > 0 ? thickness : 0.1, along.y > 0 ? thickness : 0.1, 0.1}, .panel = 0.01};
+    plate.mass = 0.01;
+    plate.position = -(reach + 0.5 * thickness + 1e-6) * inward[k];
+    plate.velocity = speed * inward[k];
+    plate.free = {"x", "y", "z"};
+    setup.impactors.push_back(plate);
+  }
+  return setup;
+}
+
+void run(Simulation& simulation) {
+  while (!simulation.clock().is_finished()) simulation.step();
+}
+
+double value(const Simulation& simulation, const std::string& column) {
+  const auto& columns = simulation.monitors().columns();
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c] == column) return simulation.monitors().row()[c];
+  FAIL("no column ", column);
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("several impactors: a block struck from four sides is outside of all of them, nothing is pinched, and momentum is kept") {
+  Setup setup = block_between(4, 5);
+  setup.impactors.erase(setup.impactors.begin() + 3);  // three, so that momentum does not cancel
+  Simulation simulation(setup);
+  const double before = value(simulation, "total.momentum_y [kg m/s]");
+  REQUIRE(before == doctest::Approx(0.05).epsilon(1e-12));  // 10 g at 5 m/s
+  for (int step = 0; step < 10; ++step) simulation.step();
+  // in the first steps, both rows at an edge are struck by two plates: each counts once for each plate
+  CHECK(simulation.contacts() > 0);
+  CHECK(simulation.contacts() <= 3 * 5 * 4);
+  const Body& block = simulation.bodies()[0];
+  for (const std::uint32_t slot : block.particles.slot_of())
+    for (const Impactor& impactor : simulation.impactors()) {
+      const Vec3d place = impactor.body().pose().to_body(block.particles.position.at(slot));
+      const Vec3d half = 0.5 * impactor.surface().report().bounds.size();
+      const double distance = norm(max(Vec3d{std::fabs(place.x), std::fabs(place.y), std::fabs(place.z)} - half, Vec3d{}));
+      CHECK(distance > 0.001 - 1e-12);  // half a spacing, less offset and rounding
+    }
+  run(simulation);
+  CHECK(std::fabs(value(simulation, "total.momentum_y [kg m/s]") / before - 1) <= 1e-10);
+  for (const Impactor& impactor : simulation.impactors()) CHECK(impactor.pinched(0).count == 0);
+  CHECK(simulation.closing_warnings().empty());
+}
+
+TEST_CASE("several impactors: what two plates crush beyond the width of a particle is pinched, counted and told at the end") {
+  Setup setup = block_between(2, 0);
+  setup.bodies[0] = fixtures::body_setup({.size = {0.002, 0.01, 0.008}, .spacing = 0.002, .poissons_ratio = 0.25});
+  setup.bodies[0].name = "sheet";
+  setup.impactors[0].position.x += 0.004, setup.impactors[1].position.x -= 0.004;
+  for (std::size_t k = 0; k < 2; ++k) setup.impactors[k].velocity.x = k == 0 ? 10 : -10, setup.impactors[k].free = {};
+  Simulation simulation(setup);
+  run(simulation);
+  const Impactor& first = simulation.impactors()[0];
+  CHECK(first.pinched(0).count > 0);
+  CHECK(first.pinched(0).first == doctest::Approx(2e-7));  // 1e-6 of play each, 2e-6 a step
+  CHECK(simulation.impactors()[1].pinched(0).count == 0);  // the last to act puts them out of itself
+  const std::vector<std::string> warnings = simulation.closing_warnings();
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("Particles of body sheet were pinched between impactor plate_0 and others, first at t = 2e-07 s: summed over steps, " +
+                         std::to_string(first.pinched(0).count) + " were left inside it") == 0);
+}
+
+TEST_CASE("several impactors: any number of threads ends in the same state to the last bit") {
+  const int before = fccda::thread_count();
+  Setup setup = block_between(4, 8);
+  setup.impactors[0].angular_velocity = {0, 0, 300};
+  setup.impactors[0].free = {"x", "y", "z", "rx", "ry", "rz"};
+  setup.contact.impactors.friction = 0.2;
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2, 4}) {
+    fccda::use_threads(threads);
+    Simulation simulation(setup);
+    run(simulation);
+    hashes.push_back(simulation.state_hash());
+  }
+  fccda::use_threads(before);
+  CHECK(hashes[0] == hashes[1]);
+  CHECK(hashes[0] == hashes[2]);
+}
