@@ -120,7 +120,7 @@ void play(std::uint64_t seed, Count& count) {
     const double scale = 0.4 + 1.2 * unit(random);
     const Vec3d off = 0.5 * fixtures::random_direction(random);
     strikers.emplace_back(fixtures::moved(any_shape(random), [&](const Vec3d& p) { return scale * p + off; }), r);
-    strikers[b].advance(Vec3d{1.5 * static_cast<double>(b), 0, 0} + 0.3 * fixtures::random_direction(random), 3 * fixtures::random_direction(random));
+    strikers[b].advance(Vec3d{0.8 * static_cast<double>(b), 0, 0} + 0.3 * fixtures::random_direction(random), 3 * fixtures::random_direction(random));
   }
   fixtures::TestPoints points;
   points.block = 8;
