@@ -46,10 +46,10 @@ Score score(Detector& detector, const Truth& truth, const Flight& flight, Way wa
     const Vec3d place = flight.motion.t1.to_body(of[i]->relocation);
     const double distance = truth.distance(place);
     const double too_deep = truth.inside(place) ? radius + distance : radius - distance;
-    const Path way{passage.path.start, Path{passage.path.start, place}.at(1 - 1e-6)};  // short of where it rests
+    const Path straight{passage.path.start, Path{passage.path.start, place}.at(1 - 1e-6)};  // short of where it rests
     if (too_deep > rounding)
       ++total.inside;
-    else if (truth.first_crossing(way) && (flight.bulge == 0 || depth(truth, way) > flight.bulge))  // the true way goes round a bulge
+    else if (truth.first_crossing(straight) && (flight.bulge == 0 || depth(truth, straight) > flight.bulge))  // the true way goes round a bulge
       ++total.thrown;
   }
   return total;
