@@ -28,6 +28,7 @@ struct Passage {
 /// Passages that a body meets in one step from one pose.
 struct Flight {
   Motion motion;
+  double bulge = 0;  ///< [m] seen from the body, the points' ways leave their chords by no more
   std::vector<Passage> passages;
 
   /// Where the points are in the world at the ends of the step.
@@ -49,6 +50,14 @@ struct Wish {
   std::uint64_t seed = 0;
 };
 
+/// How deep inside a path gets, at 16 places along it [m].
+inline double depth(const Truth& truth, const Path& path) {
+  double most = 0;
+  for (int k = 1; k < 16; ++k)
+    if (const Vec3d place = path.at(k / 16.0); truth.inside(place)) most = std::max(most, truth.distance(place));
+  return most;
+}
+
 namespace detail {
 
 /// Somewhere outside, at most a step further than r from the surface.
@@ -69,14 +78,6 @@ inline Vec3d place_outside(const Truth& truth, const Wish& wish, double blur, st
     }
     if (distance > wish.radius + blur && distance < wish.radius + 1.1 * wish.step && !truth.inside(place)) return place;
   }
-}
-
-/// How deep inside a path gets, at 16 places along it.
-inline double depth(const Truth& truth, const Path& path) {
-  double most = 0;
-  for (int k = 1; k < 16; ++k)
-    if (const Vec3d place = path.at(k / 16.0); truth.inside(place)) most = std::max(most, truth.distance(place));
-  return most;
 }
 
 /// `bulge` [m]: the true path is no further than that from this one, its chord.
@@ -114,13 +115,14 @@ inline std::vector<Flight> flights(const Truth& truth, const Wish& wish, const s
     }
     // Seen from a turning body a path bulges out of its chord by (ρ θ² + 2 θ w)/8 at most, for a point ρ from its middle (0.7 is beyond
     // all shapes) and a way w. What is nearer to the limit than that is left to the detectors.
-    const double bulge = (0.7 * dot(turn, turn) + 2 * norm(turn) * norm(shift)) / 8, blur = 1e-4 * wish.step;
+    flight.bulge = (0.7 * dot(turn, turn) + 2 * norm(turn) * norm(shift)) / 8;
+    const double blur = 1e-4 * wish.step;
     std::size_t contacts = share(wish.contacts, g), past = share(wish.past, g);
     while (contacts > 0 || past > 0) {
       Path path;
       path.start = detail::place_outside(truth, wish, blur, random);
       path.end = wish.way == Way::points_move ? path.start + wish.step * fixtures::random_direction(random) : turned(path.start, turn) + shift;
-      const std::optional<Fate> fate = detail::fate_of(truth, path, wish.radius, blur, bulge);
+      const std::optional<Fate> fate = detail::fate_of(truth, path, wish.radius, blur, flight.bulge);
       if (!fate) continue;
       std::size_t& wanted = *fate == Fate::past ? past : contacts;
       if (wanted == 0) continue;

@@ -12,12 +12,10 @@ struct Score {
   std::size_t invented = 0;  ///< of them, reported as contacts
   // of the contacts found:
   std::size_t inside = 0;  ///< put back inside, or nearer than the contact radius
-  std::size_t thrown = 0;  ///< put back outside, where the straight way from the start goes through the surface
-  double deepest = 0;      ///< [m] how much nearer than the contact radius any was put back
+  std::size_t thrown = 0;  ///< put back outside, where the way from the start goes through the surface
 
   Score& operator+=(const Score& b) {
     contacts += b.contacts, found += b.found, past += b.past, invented += b.invented, inside += b.inside, thrown += b.thrown;
-    deepest = std::max(deepest, b.deepest);
     return *this;
   }
 };
@@ -47,11 +45,11 @@ Score score(Detector& detector, const Truth& truth, const Flight& flight, Way wa
     ++total.found;
     const Vec3d place = flight.motion.t1.to_body(of[i]->relocation);
     const double distance = truth.distance(place);
-    const double depth = truth.inside(place) ? radius + distance : radius - distance;
-    total.deepest = std::max(total.deepest, depth);
-    if (depth > rounding)
+    const double too_deep = truth.inside(place) ? radius + distance : radius - distance;
+    const Path straight{passage.path.start, Path{passage.path.start, place}.at(1 - 1e-6)};  // short of where it rests
+    if (too_deep > rounding)
       ++total.inside;
-    else if (truth.first_crossing({passage.path.start, Path{passage.path.start, place}.at(1 - 1e-6)}))  // short of where it rests
+    else if (truth.first_crossing(straight) && (flight.bulge == 0 || depth(truth, straight) > flight.bulge))  // the true way goes round a bulge
       ++total.thrown;
   }
   return total;
