@@ -24,7 +24,7 @@ class ResultsFolder {
   std::filesystem::path history() const { return folder_ / "history.csv"; }
   std::filesystem::path frames() const { return folder_ / "frames"; }
   std::filesystem::path pressure_area() const { return folder_ / "pressure_area"; }
-  std::filesystem::path line(std::string_view name, double time) const;              ///< time in [s]
+  std::filesystem::path line(std::string_view name, double time) const;  ///< time in [s]
 
  private:
   std::filesystem::path folder_;

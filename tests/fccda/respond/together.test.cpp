@@ -30,13 +30,15 @@ struct Striking {
         radius(detector.surface().radius_about({})) {}
 
   void advance(double dt) { motion = body.advance(dt); }
-  std::span<const Contact> strike(fixtures::TestPoints& points) {
+  template <class P>
+  std::span<const Contact> strike(P& points) {
     contacts.clear();
     detector.detect(points, motion, body.travel_bound(motion, radius), contacts);
     respond(points, contacts, motion, body, friction);
     return contacts;
   }
-  std::span<const Contact> strike_again(fixtures::TestPoints& points, std::span<const std::size_t> which) {
+  template <class P>
+  std::span<const Contact> strike_again(P& points, std::span<const std::size_t> which) {
     contacts.clear();
     detector.detect_again(points, motion, body.travel_bound(motion, radius), which, contacts);
     respond(points, contacts, motion, body, friction);
@@ -102,6 +104,42 @@ TEST_CASE("together: points that two walls push into their corner end off both, 
       in_corner += expected.x != places[i].x && expected.y != places[i].y;
     }
     CHECK(in_corner > 50);
+  }
+}
+
+namespace {
+
+/// Points whose travel is what they moved by themselves, as a solver knows it when the step begins.
+struct SolverPoints : fixtures::TestPoints {
+  double travel = 0;
+  double block_travel(std::size_t) const { return travel; }
+};
+
+}  // namespace
+
+TEST_CASE("together: what one impactor throws at another is seen there, however far away it was") {
+  // the first wall sweeps 0.5 along x and takes a point at rest with it, to the other wall, which had it 0.45 away
+  for (const bool sweeper_first : {true, false}) {
+    CAPTURE(sweeper_first);
+    std::vector<Striking> walls;
+    walls.emplace_back(wall({-1, 0, 0}, -0.5), 0.0, Vec3d{});
+    walls.emplace_back(wall({1, 0, 0}, 0), 0.0, Vec3d{0.5, 0, 0});
+    if (sweeper_first) std::swap(walls[0], walls[1]);
+    SolverPoints points;
+    static_cast<fixtures::TestPoints&>(points) = points_at({{0.05, 0.1, 0.1}});
+    for (Striking& striker : walls) striker.motion = {Pose(), Pose(), 1};
+    for (Striking& striker : walls) CHECK(striker.strike(points).empty());  // all know how far it is
+    for (Striking& striker : walls) striker.advance(1);
+    points.v = {{}};
+    const Pinched pinched = strike_together(std::span(walls), points);
+    CHECK(std::fabs(points.x1[0].x - 0.5) < 1e-10);  // between the two, which touch now
+    CHECK(count(pinched) == 0);
+    points.x0 = points.x1;
+    for (Striking& striker : walls) striker.motion = {striker.motion.t1, striker.motion.t1, 1};
+    points.x1[0].x += 0.1;  // and on into the wall that stands
+    points.travel = 0.1;
+    strike_together(std::span(walls), points);
+    CHECK(std::fabs(points.x1[0].x - 0.5) < 1e-10);
   }
 }
 

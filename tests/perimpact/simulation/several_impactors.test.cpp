@@ -15,7 +15,7 @@ namespace {
 /// A small block between the faces x = ±reach and y = ±reach of wide plates, each of which moves inward at `speed`.
 Setup block_between(std::size_t plates, double speed) {
   Setup setup;
-  setup.time = {.end = 10e-6, .step = 2e-7};
+  setup.time = {.end = 5e-6, .step = 1e-7};  // at 2e-7 crushing by plates heavier than the block gains 6 % of energy
   BodySetup block = fixtures::body_setup({.size = {0.01, 0.01, 0.008}, .spacing = 0.002, .poissons_ratio = 0.25});
   block.name = "block";
   setup.bodies = {block};
@@ -49,16 +49,13 @@ double value(const Simulation& simulation, const std::string& column) {
 
 }  // namespace
 
-TEST_CASE("several impactors: a block struck from four sides is outside of all of them, nothing is pinched, and momentum is kept") {
-  Setup setup = block_between(4, 5);
-  setup.impactors.erase(setup.impactors.begin() + 3);  // three, so that momentum does not cancel
+TEST_CASE("several impactors: a block struck from three sides is outside of all plates, nothing is pinched, and momentum is kept") {
+  const Setup setup = block_between(3, 5);
   Simulation simulation(setup);
   const double before = value(simulation, "total.momentum_y [kg m/s]");
   REQUIRE(before == doctest::Approx(0.05).epsilon(1e-12));  // 10 g at 5 m/s
-  for (int step = 0; step < 10; ++step) simulation.step();
-  // in the first steps, both rows at an edge are struck by two plates: each counts once for each plate
+  for (int step = 0; step < 20; ++step) simulation.step();
   CHECK(simulation.contacts() > 0);
-  CHECK(simulation.contacts() <= 3 * 5 * 4);
   const Body& block = simulation.bodies()[0];
   for (const std::uint32_t slot : block.particles.slot_of())
     for (const Impactor& impactor : simulation.impactors()) {
@@ -83,7 +80,8 @@ TEST_CASE("several impactors: what two plates crush beyond the width of a partic
   run(simulation);
   const Impactor& first = simulation.impactors()[0];
   CHECK(first.pinched(0).count > 0);
-  CHECK(first.pinched(0).first == doctest::Approx(2e-7));  // 1e-6 of play each, 2e-6 a step
+  CHECK(first.pinched(0).first == doctest::Approx(2e-7));  // 1e-6 of play each, 1e-6 a step
+  CHECK(simulation.contacts() == 2 * 5 * 4);               // each particle by both plates, however often they looked
   CHECK(simulation.impactors()[1].pinched(0).count == 0);  // the last to act puts them out of itself
   const std::vector<std::string> warnings = simulation.closing_warnings();
   REQUIRE(warnings.size() == 1);
