@@ -1,9 +1,14 @@
 """The picture of this case: the struck plate, its particles coloured by their speed, while the waves cross it."""
 
+import sys
+from pathlib import Path
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LinearSegmentedColormap, Normalize
-from render import Scene
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/pictures"))
+from render import Scene  # noqa: E402
 
 INSTANTS = 10e-6, 20e-6, 30e-6, 60e-6  # [s]: the wave spreads, reaches the far edge, is reflected, and the plate begins to fly off
 FASTEST = 32.0  # [m/s] of the colour bar: the speed of the cylinder at first

@@ -2,12 +2,15 @@
 
 import csv
 import re
+import sys
 import xml.etree.ElementTree as xml
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-from vtp_reader import read_vtp
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/pictures"))
+from vtp_reader import read_vtp  # noqa: E402
 
 
 def read_table(path):

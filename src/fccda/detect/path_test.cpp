@@ -78,8 +78,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
 
   // Far from the region or from the surface's bounds.
   const bool may_touch = std::visit([&](const auto& region) { return region.may_touch(path, reach + question.path.bulge()); }, region_);
-  const double from_region = std::visit([&](const auto& region) { return region.distance_at_least(path.end); }, region_);
-  if (!may_touch) return nothing(question.entered ? 0 : from_region - reach);
+  if (!may_touch) return nothing(question.entered ? 0 : std::visit([&](const auto& region) { return region.distance_at_least(path.end); }, region_) - reach);
   ++effort.points_in_region;
   const double from_bounds = surface_->report().bounds.distance(path.end);
   if (from_bounds > reach + way && !question.entered) return nothing(from_bounds - reach);
@@ -87,7 +86,8 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   ++effort.points_asked;
   std::size_t& asked = effort.panels_asked;
   const double cap = reach + way + question.look_ahead;
-  const std::optional<ClosestPoint> at_end = bvh_.closest(path.end, cap, guess, asked);
+  Bvh::Nearby nearby;  // holds the start, and mostly the place of relocation
+  const std::optional<ClosestPoint> at_end = bvh_.closest(path.end, cap, guess, 2 * way + 4 * offset, nearby, asked);
   const bool clips = std::visit([](const auto& region) { return region.clips(); }, region_);
   const bool comes = clips && !std::visit([&](const auto& region) { return region.may_touch({path.start, path.start}, reach); }, region_);
   if (at_end) guess = at_end->triangle;
@@ -98,7 +98,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   }
 
   // Near: where does it come from?
-  const std::optional<ClosestPoint> found = bvh_.closest(path.start, Bvh::no_cap, guess, asked);
+  const std::optional<ClosestPoint> found = bvh_.closest(path.start, nearby, guess, asked);
   if (!found) return nothing(0);
   ClosestPoint at_start = *found;
   PathAnswer answer = nothing(at_end ? at_end->distance - reach : cap - reach);
@@ -138,7 +138,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   }
   const Path rest{leg->path.start, path.end};
   const Vec3d viewer = rest.start + offset * outward(leg->at_start, rest.start, offset);  // a start on the surface sees its own panel
-  relocate(touch, rest, *at_end, viewer, ball, asked);
+  relocate(touch, rest, *at_end, nearby, viewer, ball, asked);
   answer.touch = touch;
   return answer;
 }

@@ -73,7 +73,7 @@ class PathTest {
   bool is_inside(const Vec3d& point, double tolerance) const;
 
   /// `guess`: a triangle thought to be near, or -1. Nothing for a point that is no number.
-  std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& asked) const;
+  std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& asked) const { return nearest(point, {}, guess, asked); }
 
   const Surface& surface() const { return *surface_; }
   const Solids& solids() const { return solids_; }
@@ -98,11 +98,13 @@ class PathTest {
   Vec3d outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const;
   bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& asked) const;
   std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest, std::size_t& asked) const;
+  std::optional<Nearest> nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& asked) const;
   bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& asked) const;
   std::optional<Leg> first_leg(const BentPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
                                std::size_t& asked) const;
   Touch first_touch(const Leg& leg, const Ball& ball, std::size_t& asked) const;
-  void relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Vec3d& viewer, const Ball& ball, std::size_t& asked) const;
+  void relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Bvh::Nearby& nearby, const Vec3d& viewer, const Ball& ball,
+                std::size_t& asked) const;
 
   std::shared_ptr<const Surface> surface_;
   Bvh bvh_;

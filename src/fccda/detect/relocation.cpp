@@ -15,8 +15,8 @@ Vec3d PathTest::outward(const ClosestPoint& closest, const Vec3d& point, double 
   return dot(line, normal) < 0 ? -line : line;
 }
 
-std::optional<PathTest::Nearest> PathTest::nearest(const Vec3d& point, int guess, std::size_t& asked) const {
-  const std::optional<ClosestPoint> closest = bvh_.closest(point, Bvh::no_cap, guess, asked);
+std::optional<PathTest::Nearest> PathTest::nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& asked) const {
+  const std::optional<ClosestPoint> closest = bvh_.closest(point, nearby, guess, asked);
   if (!closest) return std::nullopt;
   if (!surface_->is_closed()) return Nearest{*closest, closest->distance};
   if (!solids_.may_be_buried(closest->triangle)) return Nearest{*closest, side(*closest, point, asked) * closest->distance};
@@ -75,7 +75,8 @@ Touch PathTest::first_touch(const Leg& leg, const Ball& ball, std::size_t& asked
   return touch;
 }
 
-void PathTest::relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Vec3d& viewer, const Ball& ball, std::size_t& asked) const {
+void PathTest::relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Bvh::Nearby& nearby, const Vec3d& viewer, const Ball& ball,
+                        std::size_t& asked) const {
   const double reach = ball.radius + ball.offset;
   Vec3d direction = touch.normal, place = path.end;
   ClosestPoint closest = at_end;
@@ -99,7 +100,7 @@ void PathTest::relocate(Touch& touch, const Path& path, const ClosestPoint& at_e
   // of 10° needs about ten, and sharper ones the fallback.
   constexpr int most_projections = 10;
   for (int projection = 0;; ++projection) {
-    const std::optional<Nearest> now = nearest(place, closest.triangle, asked);
+    const std::optional<Nearest> now = nearest(place, nearby, closest.triangle, asked);
     if (!now) return;
     if (now->distance >= ball.radius + 0.5 * ball.offset) break;
     if (projection == most_projections) return;

@@ -25,6 +25,8 @@ struct Waiting {
   std::int32_t child;
 };
 
+constexpr auto any = [](int) { return true; };
+
 }  // namespace
 
 // Squared distance to each triangle of a leaf: from the plane where the point is above all three edges, else from the nearest edge.
@@ -63,31 +65,63 @@ std::array<double, Bvh::width> Bvh::squared_distances(const Leaf& leaf, const Ve
   return result;
 }
 
-template <class Accept>
-std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, const Accept& accept) const {
-  if (!(cap >= 0)) return std::nullopt;
-  const Vec3d p = point - origin_;
-  const std::array<float, 3> q{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-  double best = cap * cap;
-  int best_triangle = -1;
+// The closest of the triangles seen so far.
+class Bvh::Closest {
+ public:
+  Closest(const Bvh& bvh, const Vec3d& point, double cap) : bvh_(bvh), point_(point), from_origin_(point - bvh.origin_), squared_(cap * cap) {}
 
+  const Vec3d& from_origin() const { return from_origin_; }
+  double squared() const { return squared_; }
+
+  template <class Accept>
+  void look_at(std::int32_t index, std::size_t& asked, const Accept& accept) {
+    const Leaf& leaf = bvh_.leaves_[static_cast<std::size_t>(index)];
+    const std::array<double, width> d = squared_distances(leaf, from_origin_);
+    asked += static_cast<std::size_t>(leaf.count);
+    for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) {
+      if (!(d[l] <= squared_)) continue;
+      const int triangle = leaf.triangle[l];
+      if (d[l] == squared_ && triangle_ >= 0) {
+        const auto rank = [&](int t) { return std::pair(bvh_.surface_->triangles()[static_cast<std::size_t>(t)].panel, t); };
+        if (rank(triangle) >= rank(triangle_)) continue;
+      }
+      if (accept(triangle)) squared_ = d[l], triangle_ = triangle;
+    }
+  }
+
+  std::optional<ClosestPoint> found() const {
+    if (triangle_ < 0) return std::nullopt;
+    const PointOnTriangle on = closest_on_triangle(point_, bvh_.corners(static_cast<std::size_t>(triangle_)));
+    return ClosestPoint{triangle_, on.feature, on.point, norm(point_ - on.point)};
+  }
+
+ private:
+  const Bvh& bvh_;
+  Vec3d point_, from_origin_;
+  double squared_;
+  int triangle_ = -1;
+};
+
+template <class Accept>
+std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, Nearby* nearby, const Accept& accept) const {
+  if (!(cap >= 0)) return std::nullopt;
+  Closest best(*this, point, cap);
+  const Vec3d& p = best.from_origin();
+  const std::array<float, 3> q{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+
+  double limit = 0;  // squared, of what is worth a visit
+  const auto narrow = [&] {
+    const double wide = nearby && nearby->reach > 0 ? std::sqrt(best.squared()) + 2 * nearby->reach : 0;
+    limit = std::max(best.squared(), wide * wide);
+  };
   std::int32_t guessed = -1;  // its leaf will come up again
   const auto visit_leaf = [&](std::int32_t index) {
     if (index == guessed) return;
-    const Leaf& leaf = leaves_[static_cast<std::size_t>(index)];
-    const std::array<double, width> d = squared_distances(leaf, p);
-    asked += static_cast<std::size_t>(leaf.count);
-    for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) {
-      if (!(d[l] <= best)) continue;
-      const int triangle = leaf.triangle[l];
-      if (d[l] == best && best_triangle >= 0) {
-        const auto rank = [&](int t) { return std::pair(surface_->triangles()[static_cast<std::size_t>(t)].panel, t); };
-        if (rank(triangle) >= rank(best_triangle)) continue;
-      }
-      if (accept(triangle)) best = d[l], best_triangle = triangle;
-    }
+    best.look_at(index, asked, accept);
+    if (nearby) nearby->add(index);
+    narrow();
   };
-
+  narrow();
   if (guess >= 0 && !leaf_of_.empty()) {
     const std::int32_t index = leaf_of_[static_cast<std::size_t>(guess)];
     visit_leaf(index);
@@ -99,14 +133,14 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
   stack[depth++] = {0, 0};
   while (depth > 0) {
     const Waiting next = stack[--depth];
-    if (!(next.squared_distance <= best)) continue;
+    if (!(next.squared_distance <= limit)) continue;
     if (next.child < 0) {
       visit_leaf(~next.child);
       continue;
     }
     const Node& node = nodes_[static_cast<std::size_t>(next.child)];
     std::array<float, width> d;
-    const float bound = as_bound(best);
+    const float bound = as_bound(limit);
     unsigned near = 0;
 #pragma omp simd reduction(| : near)
     for (std::size_t c = 0; c < width; ++c) {
@@ -129,13 +163,28 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
       stack[at] = {d[c], node.child[c]};
     }
   }
-  if (best_triangle < 0) return std::nullopt;
-  const PointOnTriangle on = closest_on_triangle(point, corners(static_cast<std::size_t>(best_triangle)));
-  return ClosestPoint{best_triangle, on.feature, on.point, norm(point - on.point)};
+  return best.found();
 }
 
 std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int guess, std::size_t& asked) const {
-  return search_closest(point, cap, guess, asked, [](int) { return true; });
+  return search_closest(point, cap, guess, asked, nullptr, any);
+}
+
+std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& asked) const {
+  nearby = {.centre = point, .reach = reach};
+  const std::optional<ClosestPoint> closest = search_closest(point, cap, guess, asked, &nearby, any);
+  if (!closest) nearby.reach = 0;
+  return closest;
+}
+
+// With c the centre, T a triangle that was not visited and C the closest to c, all within `reach` of c have
+//   d(q, T) >= d(c, T) - |q - c| > d(c, C) + 2 reach - |q - c| >= d(q, C) + 2 (reach - |q - c|),
+// so that T is not the closest to q. A hundredth of the reach is kept for rounding.
+std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& asked) const {
+  if (!(norm(point - nearby.centre) < 0.99 * nearby.reach)) return closest(point, no_cap, guess, asked);
+  Closest best(*this, point, no_cap);
+  for (std::size_t k = 0; k < nearby.count; ++k) best.look_at(nearby.leaves[k], asked, any);
+  return best.found();
 }
 
 std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap) const {
@@ -144,7 +193,7 @@ std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap) const {
 }
 
 std::optional<ClosestPoint> Bvh::closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const {
-  return search_closest(point, cap, -1, asked, [&](int triangle) {
+  return search_closest(point, cap, -1, asked, nullptr, [&](int triangle) {
     const auto t = static_cast<std::size_t>(triangle);
     return dot(viewer - surface_->corner(t, 0), surface_->normal(t)) > 0;
   });

@@ -37,6 +37,19 @@ class Bvh {
  public:
   static constexpr double no_cap = std::numeric_limits<double>::infinity();
 
+  /// What a search found out about its surroundings: further searches near by need no walk through the tree. Answers are the same.
+  struct Nearby {
+    Vec3d centre{};
+    double reach = 0;  ///< [m] from the centre, for which this is known
+    std::size_t count = 0;
+    std::array<std::int32_t, 16> leaves{};  ///< that may hold what is closest to a point within reach
+
+    void add(std::int32_t leaf) {
+      if (count == leaves.size()) reach = 0;  // too many to be worth it
+      if (reach > 0) leaves[count++] = leaf;
+    }
+  };
+
   /// `surface` must outlive it.
   explicit Bvh(const Surface& surface);
 
@@ -48,7 +61,13 @@ class Bvh {
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, std::size_t& asked) const;
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap = no_cap) const;
 
-  /// The same among the triangles whose front faces `viewer`.
+  /// The same, and what it takes to answer for other points within `reach` [m] of this one.
+  std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& asked) const;
+
+  /// The closest point of the surface, found with what is known near by.
+  std::optional<ClosestPoint> closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& asked) const;
+
+  /// The closest point within `cap` [m] among the triangles whose front faces `viewer`.
   std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const;
 
   /// The first triangle that the segment goes through from its front.
@@ -76,8 +95,10 @@ class Bvh {
 
   class Builder;
 
+  class Closest;
+
   template <class Accept>
-  std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, const Accept& accept) const;
+  std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, Nearby* nearby, const Accept& accept) const;
   template <class Visit>
   void visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
   static std::array<double, width> squared_distances(const Leaf& leaf, const Vec3d& point);

@@ -69,6 +69,38 @@ TEST_CASE("bvh: a guess changes no bit of the answer, however wrong it is") {
   }
 }
 
+TEST_CASE("bvh: what a search learnt of its surroundings changes no bit of the answers near by, and saves the walk through the tree") {
+  std::size_t from_nearby = 0, walked = 0;
+  for (const fixtures::Body& body : meshes()) {
+    CAPTURE(body.name);
+    const Surface surface(body.panels);
+    const Bvh bvh(surface);
+    const Box& bounds = surface.report().bounds;
+    std::mt19937_64 random(16);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int trial = 0; trial < 300; ++trial) {
+      // reaches from a fraction of a panel to many of them, where the list of leaves overflows; ends within, at the limit and beyond
+      const double reach = std::pow(10, -4 + 4 * unit(random)) * largest_magnitude(bounds.size());
+      const Vec3d centre = trial % 2 == 0 ? fixtures::random_in_box(random, bounds.low, bounds.high) : surface.vertices()[random() % surface.vertices().size()];
+      std::size_t asked = 0;
+      Bvh::Nearby nearby;
+      const std::optional<ClosestPoint> at_centre = bvh.closest(centre, Bvh::no_cap, -1, reach, nearby, asked);
+      REQUIRE(at_centre);
+      CHECK(at_centre->point == bvh.closest(centre)->point);
+      for (const double share : {0.0, 0.5, 0.98, 1.02, 3.0}) {
+        const Vec3d point = centre + share * reach * fixtures::random_direction(random);
+        const ClosestPoint truth = *bvh.closest(point);
+        const std::optional<ClosestPoint> found = bvh.closest(point, nearby, at_centre->triangle, asked);
+        REQUIRE(found);
+        CHECK((found->triangle == truth.triangle && found->feature == truth.feature && found->point == truth.point && found->distance == truth.distance));
+        (share * reach < 0.99 * nearby.reach ? from_nearby : walked) += 1;
+      }
+    }
+  }
+  CHECK(from_nearby > 1000);  // both ways are taken
+  CHECK(walked > 1000);
+}
+
 TEST_CASE("bvh: of equal distances the lowest panel counts, wherever the search begins") {
   const Surface cube(fixtures::unit_cube());
   const Bvh bvh(cube);
