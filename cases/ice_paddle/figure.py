@@ -54,12 +54,12 @@ def main():
     for axis, time in zip(above.subplots(1, 3), INSTANTS):
         ice, at = frame(folder, "ice", time)
         axis.imshow(picture(ice, frame(folder, "paddle", time)[0], frame(folder, "feeder", time)[0]), interpolation="none")
-        axis.set_title(f"{1e3 * at:.0f} ms", fontsize=11)
+        axis.text(0.97, 0.93, f"{1e3 * at:.0f} ms", transform=axis.transAxes, fontsize=12, ha="right")
         axis.axis("off")
     left, right = below.subplots(1, 2)
     left.plot(milliseconds, column["paddle.wheel.torque [N m]"], color="#b3312c")
     left.set(xlabel="time [ms]", ylabel="torque on the shaft [N m]")
-    for gauge, colour in (("paddle.blade_1", "#b3312c"), ("paddle.hub", "#7c8ba1")):
+    for gauge, colour in (("paddle.blade_1", "#b3312c"), ("paddle.blade_4", "#7c8ba1")):
         right.plot(milliseconds, column[f"{gauge}.force_y [N]"] / 1e3, color=colour, label=re.sub(r".*\.", "", gauge))
     right.plot(milliseconds, column["feeder.force_y [N]"] / 1e3, color="#5a7a4a", label="feeder")
     right.set(xlabel="time [ms]", ylabel="vertical force [kN]")
