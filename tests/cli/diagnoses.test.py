@@ -33,7 +33,7 @@ def _(t):
     for command in "check", "run":
         said = warnings(t.expect_success(command, deck, "--out", "r").out)
         t.assertEqual(len(said), 1)
-        t.assertIn("The panels of impactor cylinder point inward in 1 of its 1 closed parts; these were turned over", said[0])
+        t.assertIn("The panels of impactor cylinder point inward in 1 of its 1 components; these were turned over", said[0])
     t.assertEqual(t.report("r")["warnings"], said)
     t.assertEqual(t.history("r"), t.history("right"))
 

@@ -12,6 +12,8 @@ double PrescribedMotion::velocity_at(std::size_t degree, double time, double giv
   return tables_[degree] ? tables_[degree]->velocity(time, time) : given;
 }
 
+double PrescribedMotion::largest_velocity(std::size_t degree, double given) const { return tables_[degree] ? tables_[degree]->largest_velocity() : given; }
+
 void PrescribedMotion::impose(RigidBody& body, const Step& step) const {
   for (std::size_t degree = 0; degree < tables_.size(); ++degree)
     if (tables_[degree]) body.drive(degree, tables_[degree]->velocity(step.t0, step.t1));

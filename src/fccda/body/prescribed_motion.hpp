@@ -30,6 +30,9 @@ class PrescribedMotion {
   /// What the tables say instead of this `given` velocity of the degrees at that time.
   double velocity_at(std::size_t degree, double time, double given) const;
 
+  /// The largest that they ever say, in magnitude.
+  double largest_velocity(std::size_t degree, double given) const;
+
   /// Sets the velocities for the step that begins. Expects the prescribed degrees to be held by the body.
   void impose(RigidBody& body, const Step& step) const;
 
@@ -38,6 +41,7 @@ class PrescribedMotion {
     Of what;
     TimeTable table;
     double velocity(double t0, double t1) const { return what == Of::velocity ? table.mean(t0, t1) : table.slope(t0, t1); }
+    double largest_velocity() const { return what == Of::velocity ? table.largest_value() : table.largest_slope(); }
   };
   std::array<std::optional<Table>, 6> tables_;
 };

@@ -47,6 +47,17 @@ void TimeTable::for_each_piece(double t0, double t1, const Visit& visit) const {
 
 double TimeTable::at(double time) const { return value_in(next_point(time), time); }
 
+double TimeTable::largest_value() const {
+  return *std::max_element(values_.begin(), values_.end(), [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+}
+
+double TimeTable::largest_slope() const {
+  double largest = 0;
+  for (std::size_t k = 1; k < times_.size(); ++k)
+    if (const double slope = slope_in(k); std::fabs(slope) > std::fabs(largest)) largest = slope;
+  return largest;
+}
+
 double TimeTable::mean(double t0, double t1) const {
   const std::size_t k = next_point(t0);
   if (k == times_.size() || t1 <= times_[k]) return value_in(k, 0.5 * (t0 + t1));  // a constant comes out to the bit

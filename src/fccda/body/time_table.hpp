@@ -14,6 +14,9 @@ class TimeTable {
 
   double at(double time) const;
 
+  double largest_value() const;  ///< the value of the largest magnitude
+  double largest_slope() const;  ///< likewise, of the derivative; 0 where there is one point only
+
   /// Mean over t0 <= t <= t1, exact for the lines between the points; at(t0) where t1 = t0.
   double mean(double t0, double t1) const;
 

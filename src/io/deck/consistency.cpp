@@ -76,7 +76,15 @@ void find_file(FileSurface& surface, const std::string& path, const fs::path& fo
   surface.file = file.string();
 }
 
+bool is_fitted(const RegionSetup& region) {
+  const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape);
+  return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsRegionSetup>(region.shape) ||
+         std::holds_alternative<AutoRegionSetup>(region.shape);
+}
+
 void check_region(const RegionSetup& region, const std::string& path, const Places& places) {
+  if (region.outside.as<BeyondRegion>() == BeyondRegion::clip && std::holds_alternative<std::monostate>(region.shape))
+    refuse(places.of(path + ".outside"), "outside is clip, but there is no region that the surface could stick out of; give one, or remove outside.");
   if (const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape)) {
     for (const char* key : {"count", "gain"})
       if (!boxes->boxes.empty() && places.has(fmt::format("{}.box_union.{}", path, key)))
@@ -106,12 +114,6 @@ void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Place
       refuse(places.of(path + ".free"), fmt::format("free holds \"{}\", which is no degree of freedom; known are {}.", direction, fmt::join(directions, ", ")));
     if (!seen.insert(direction).second) refuse(places.of(path + ".free"), fmt::format("free holds {} twice; keep one.", direction));
   }
-}
-
-bool is_fitted(const RegionSetup& region) {
-  const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape);
-  return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsRegionSetup>(region.shape) ||
-         std::holds_alternative<AutoRegionSetup>(region.shape);
 }
 
 void check_contact(Setup& setup, const Places& places) {

@@ -112,7 +112,8 @@ void read_value(const YamlNode& node, const Rule& rule, Choice& into) {
       return;
     }
   }
-  refuse_value(node, rule, fmt::format("it must be one of {}; {}", fmt::join(words, ", "), suggestion(text, words)));
+  const std::string_view nearest = nearest_word(text, words);
+  refuse_value(node, rule, fmt::format("it must be one of {}{}", fmt::join(words, ", "), nearest.empty() ? "." : fmt::format("; did you mean {}?", nearest)));
 }
 
 }  // namespace perimpact::deck

@@ -27,7 +27,6 @@ void ContactRecord::add(std::size_t body, const fccda::Contact& contact, const f
   normal_impulse_ -= dot(impulse, contact.normal);
   Struck& struck = struck_[body];
   struck.ever = true;
-  ++struck.contacts;
   if (contact.point >= struck.last.size()) struck.last.resize(std::max(contact.point + 1, 2 * struck.last.size()), 0);
   if (struck.last[contact.point] != number_) ++struck.particles;
   struck.last[contact.point] = number_;

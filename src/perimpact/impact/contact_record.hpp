@@ -35,6 +35,8 @@ class ContactRecord {
 
   void begin_step() { ++steps_; }
   void add(std::size_t body, const fccda::Contact& contact, const fccda::Vec3d& impulse);
+  /// So many particles were struck that had not yet been in this step: several passes may strike one again.
+  void count_struck(std::size_t body, std::size_t particles) { struck_[body].contacts += particles; }
   /// Closes the interval that began `duration` [s] before `time` [s].
   void end_interval(double time, double duration);
 

@@ -28,7 +28,11 @@ Diagnosis panels_of_another_unit(const Impactor& impactor, const Target& target)
 Diagnosis falls_between(const Impactor& impactor, const Target& target);            ///< thinner than two spacings in two directions
 Diagnosis step_through(const Impactor& impactor, const Target& target, double dt);  ///< a step's way exceeds thickness or spacing
 
-/// All that concern a target.
+/// So many particles lie behind an open surface: nearest to its panels rather than its rim, on the side that the normals point away from.
+std::size_t particles_behind(const Impactor& impactor, const Particles& particles);
+Diagnosis starts_behind(const Impactor& impactor, const Target& target, const Particles& particles);  ///< such particles at t = 0
+
+/// All that concern a target, but for its particles.
 std::vector<std::string> diagnose(const Impactor& impactor, const Target& target, double dt);
 
 }  // namespace perimpact

@@ -93,6 +93,18 @@ void Impactor::advance(const Step& step) {
   record_.begin_step();
 }
 
+Vec3d Impactor::fastest_velocity() const {
+  Vec3d velocity = body_.velocity();
+  for (std::size_t axis = 0; axis < 3; ++axis) velocity[axis] = prescribed_.largest_velocity(axis, velocity[axis]);
+  return velocity;
+}
+
+Vec3d Impactor::fastest_angular_velocity() const {
+  Vec3d spin = body_.angular_velocity();
+  for (std::size_t axis = 0; axis < 3; ++axis) spin[axis] = prescribed_.largest_velocity(3 + axis, spin[axis]);
+  return spin;
+}
+
 std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& particles) {
   contacts_.clear();
   const double travel = body_.travel_bound(motion_, radius_);
@@ -115,7 +127,9 @@ std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, StruckP
   });
   account_.impulse += tally.impulse;
   account_.angular_impulse += tally.angular_impulse_about_com;
-  account_.contacts += add_struck();
+  const std::size_t fresh = add_struck();
+  account_.contacts += fresh;
+  record_.count_struck(body, fresh);
   return contacts_;
 }
 

@@ -83,6 +83,10 @@ class Impactor {
   const Account& account() const { return account_; }
   std::span<NamedGauge> gauges() { return gauges_; }  ///< what they summed since somebody last reset them
 
+  /// The fastest that it is sure to become: of each degree of freedom, what it has now or the most that its table ever says.
+  Vec3d fastest_velocity() const;          ///< [m/s] of the centre of mass
+  Vec3d fastest_angular_velocity() const;  ///< [rad/s]
+
   /// False where a table or a load changes the velocity without any contact.
   bool coasts() const { return prescribed_.is_empty() && loads_.empty(); }
   double work_of_holder() const { return body_.work_of_holder(); }  ///< [J] done so far by what holds and drives the degrees of freedom that are not free

@@ -31,6 +31,7 @@ RigidBodyProperties properties_of(const ImpactorSetup& setup, const Surface& sur
   const double mass = mass_of(setup, surface);
   RigidBodyProperties properties =
       surface.is_closed() ? solid_of_mass(surface.report(), mass) : RigidBodyProperties{.mass = mass, .centre_of_mass = surface.report().centroid};
+  if (setup.centre_of_mass) properties.centre_of_mass = *setup.centre_of_mass;
   if (setup.inertia) properties.inertia = Mat3::diagonal(*setup.inertia);
   return properties;
 }
@@ -62,6 +63,10 @@ RigidBody rigid_body_of(const ImpactorSetup& setup, const Surface& surface, cons
     velocity[axis] = motion.velocity_at(axis, 0, velocity[axis]);
     spin[axis] = motion.velocity_at(3 + axis, 0, spin[axis]);
   }
+  if (const FreeDegrees degrees = degrees_of(setup); degrees.any_rotation() && !setup.inertia && !surface.is_closed())
+    throw SetupError(key_of(setup) + ".free", fmt::format("a rotation of {} is free, but its surface is open, so it has no inertia of its own; give the "
+                                                          "inertia, close the surface, or hold the rotations.",
+                                                          setup.name));
   try {
     return RigidBody(properties, Pose(setup.position), velocity, spin, degrees_of(setup));
   } catch (const InputError& error) {
@@ -96,7 +101,7 @@ std::vector<AppliedLoad> loads_of(const ImpactorSetup& setup) {
 
 bool is_weighed_by_volume(const ImpactorSetup& setup) {
   const bool may_turn = std::any_of(setup.free.begin(), setup.free.end(), [](const std::string& degree) { return degree.starts_with('r'); });
-  return setup.density.has_value() || (may_turn && !setup.inertia);
+  return setup.density.has_value() || !setup.centre_of_mass || (may_turn && !setup.inertia);
 }
 
 }  // namespace perimpact

@@ -18,7 +18,7 @@ fccda::RigidBody rigid_body_of(const ImpactorSetup& setup, const fccda::Surface&
 fccda::PrescribedMotion motion_of(const ImpactorSetup& setup);
 std::vector<fccda::AppliedLoad> loads_of(const ImpactorSetup& setup);
 
-/// True where the mass, or the inertia that a free rotation needs, comes from the volume inside the surface.
+/// True where the mass, the centre of mass, or the inertia that a free rotation needs, comes from the volume inside the surface.
 bool is_weighed_by_volume(const ImpactorSetup& setup);
 
 }  // namespace perimpact

@@ -228,6 +228,9 @@ std::span<const Field<ImpactorSetup>> ImpactorSetup::fields() {
       {"mass", &S::mass, "kg", positive(), optional, "Mass; or give the density."},
       {"density", &S::density, "kg/m3", positive(), optional,
        "In place of the mass: density of a body that fills the closed surface evenly. Overlapping parts of a surface count twice."},
+      {"centre_of_mass", &S::centre_of_mass, "m", any_number(), optional,
+       "Centre of mass, from the surface's origin and along its axes. Where absent, that of the closed surface filled evenly, of an open one that of its "
+       "area."},
       {"inertia", &S::inertia, "kg m2", positive(), optional,
        "Moments of inertia about the centre of mass, along the surface's axes. Where absent, those of the closed surface filled evenly."},
       {"position", &S::position, "m", any_number(), optional, "Where the surface's origin is at t = 0."},

@@ -227,13 +227,14 @@ struct LoadSetup {
 struct ImpactorSetup {
   std::string name;
   SurfaceSetup surface;
-  std::optional<double> mass;     ///< [kg]; this or the density
-  std::optional<double> density;  ///< [kg/m³] of what fills the closed surface
-  std::optional<Vec3d> inertia;   ///< [kg m²] about the centre of mass, along the surface's axes; from the closed surface where absent
-  Vec3d position{};               ///< [m] of the surface's origin at t = 0
-  Vec3d velocity{};               ///< [m/s]
-  Vec3d angular_velocity{};       ///< [rad/s]
-  std::vector<std::string> free;  ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
+  std::optional<double> mass;           ///< [kg]; this or the density
+  std::optional<double> density;        ///< [kg/m³] of what fills the closed surface
+  std::optional<Vec3d> centre_of_mass;  ///< [m] from the surface's origin; that of the evenly filled surface where absent
+  std::optional<Vec3d> inertia;         ///< [kg m²] about the centre of mass, along the surface's axes; from the closed surface where absent
+  Vec3d position{};                     ///< [m] of the surface's origin at t = 0
+  Vec3d velocity{};                     ///< [m/s]
+  Vec3d angular_velocity{};             ///< [rad/s]
+  std::vector<std::string> free;        ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
   RegionSetup region;
   MotionSetup motion;
   std::vector<LoadSetup> loads;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fccda/core/parallel.hpp"
 
@@ -47,7 +48,8 @@ void Encounters::look(std::span<const Body> bodies, std::span<const Impactor> im
       const double radius = contact_ratio * bodies[b].particles.lattice().spacing;
       const double distance = nearest_distance(*trees_[i], impactor.body().pose(), bodies[b].particles, encounter.nearest + radius) - radius;
       // of distances that are equal but for rounding the first is told
-      if (distance < encounter.nearest * (1 - 1e-9)) encounter.nearest = distance, encounter.nearest_time = time;
+      if (std::isinf(encounter.nearest) || distance < encounter.nearest - 1e-9 * std::fabs(encounter.nearest))
+        encounter.nearest = distance, encounter.nearest_time = time;
     }
     if (all_touched) trees_[i].reset();
   }
@@ -62,20 +64,24 @@ std::vector<std::string> Encounters::warnings(std::span<const Body> bodies, std:
       if (!impactors[i].record().touched(b))
         warnings.push_back(fmt::format(
             "Impactor {} never touched body {} until t = {:.4g} s: the nearest it came was {:.3g} m, at t = {:.4g} s. Check position, velocity, units "
-            "and region, or run longer.",
-            impactor, body, time_, std::max(encounter.nearest, 0.0), encounter.nearest_time));
+            "and region{}, or run longer.",
+            impactor, body, time_, std::max(encounter.nearest, 0.0), encounter.nearest_time,
+            impactors[i].surface().is_closed() ? "" : ", and which side of its open surface is outside (outside: normals or reversed)"));
       if (encounter.entered_by)
-        warnings.push_back(
-            fmt::format("{} particles of body {} came to be inside impactor {} where it is not felt, the first by t = {:.4g} s, and were not struck. {}",
-                        impactors[i].entered_inside(b), body, impactor, *encounter.entered_by,
-                        impactors[i].surface().is_closed()
-                            ? fmt::format("Enlarge impactors.{}.region.", impactor)
-                            : fmt::format("They came round the rim of its open surface, or past impactors.{}.region; let it reach further.", impactor)));
+        warnings.push_back(fmt::format(
+            "{} particles of body {} came to be inside impactor {} where it is not felt, the first by t = {:.4g} s, and were not struck. {}",
+            impactors[i].entered_inside(b), body, impactor, *encounter.entered_by,
+            impactors[i].surface().is_closed()
+                ? fmt::format("Enlarge impactors.{}.region.", impactor)
+                : fmt::format(
+                      "They came round the rim of its open surface, or past impactors.{}.region; let it reach further, or, if its normals point to the wrong "
+                      "side, turn it with outside.",
+                      impactor)));
       if (const Pinched& pinched = impactors[i].pinched(b); pinched.count > 0)
         warnings.push_back(fmt::format(
-            "Particles of body {} were pinched between impactor {} and others, first at t = {:.4g} s: summed over steps, {} were left inside it, since no "
-            "place "
-            "outside of all was found. Forces on the impactors are not to be trusted where they close in on a body by more than it can give way; check their "
+            "Particles of body {} were pinched between impactor {} and others, first at t = {:.4g} s: summed over steps, {} were left inside it, since "
+            "no place outside of all was found. Forces on the impactors are not to be trusted where they close in on a body by more than it can give way; "
+            "check their "
             "courses, or leave them apart by two spacings at least.",
             body, impactor, pinched.first, pinched.count));
     }

@@ -73,7 +73,7 @@ void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, s
     if (count > 0 && is_weighed_by_volume(setup.impactors[i]))
       warnings.push_back(
           fmt::format("The surface of {} has {} components whose bounding boxes meet: where they overlap, what they share counts twice in mass, centre of mass "
-                      "and inertia. If they do overlap, give mass and inertia.",
+                      "and inertia. If they do overlap, give mass, centre_of_mass and inertia.",
                       impactors[i].name(), count));
   }
 }
@@ -86,6 +86,7 @@ void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::sp
       const Vec3d size = lattice.spacing * Vec3d{double(lattice.cells[0]), double(lattice.cells[1]), double(lattice.cells[2])};
       const Target target{bodies[b].name, lattice.spacing, setup.contact.impactors.radius_ratio * lattice.spacing, size, setup.bodies[b].velocity};
       for (std::string& sentence : diagnose(impactor, target, dt)) warnings.push_back(std::move(sentence));
+      if (Diagnosis behind = starts_behind(impactor, target, bodies[b].particles)) warnings.push_back(std::move(*behind));
     }
   }
 }

@@ -71,17 +71,19 @@ void project(Start& start, const Setup& setup) {
       std::vector<Vec3d> places;
       for (const std::size_t slot : slots) places.push_back(particles.position.at(slot));
       const std::vector<std::optional<Vec3d>> outside = start.impactors[i].nearest_outside(b, places);
+      if (std::none_of(outside.begin(), outside.end(), [](const auto& place) { return place.has_value(); })) return;
       auto entry = std::find_if(start.inside.begin(), start.inside.end(), [&](const InsideAtStart& known) { return known.impactor == i && known.body == b; });
       if (entry == start.inside.end()) entry = start.inside.insert(entry, {i, b, {}});
       for (std::size_t k = 0; k < slots.size(); ++k) {
         if (!outside[k]) continue;
         particles.position.set(slots[k], *outside[k]);
         entry->slots.push_back(slots[k]);
-        entry->furthest = std::max(entry->furthest, norm(particles.displacement(slots[k])));
       }
       std::sort(entry->slots.begin(), entry->slots.end());
       entry->slots.erase(std::unique(entry->slots.begin(), entry->slots.end()), entry->slots.end());
     });
+  for (InsideAtStart& entry : start.inside)
+    for (const std::size_t slot : entry.slots) entry.furthest = std::max(entry.furthest, norm(start.particles[entry.body].displacement(slot)));
   for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
     throw SetupError(
         "impactors." + setup.impactors[i].name + ".position",

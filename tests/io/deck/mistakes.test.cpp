@@ -102,7 +102,7 @@ TEST_CASE("mistakes: a value out of range, with the range in words") {
 TEST_CASE("mistakes: a word that is no choice") {
   check_complaint(
       {"detector: swept", "detector: sweept", "sweept", "detector is sweept, but it must be one of swept, published, analytic; did you mean swept?"});
-  check_complaint({"axis: z", "axis: up", "up", "axis is up, but it must be one of x, y, z; known here: x, y, z."});
+  check_complaint({"axis: z", "axis: up", "up", "axis is up, but it must be one of x, y, z."});
   check_complaint({"model: ordinary-state", "model: bond-based", "bond-based", "model is bond-based, which is not known; known here: ordinary-state."});
   check_complaint(
       {"{cylinder: {diameter", "{cone: {diameter", "cone", "cone is not a key of impactors.cylinder.surface; known here: cylinder, sphere, box, file."});

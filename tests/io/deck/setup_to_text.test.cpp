@@ -160,6 +160,7 @@ void fill_region(Random& random, RegionSetup& region) {
       region.shape.emplace<AutoRegionSetup>();
       break;
     default:
+      region.outside.index = 0;  // without a region there is nothing to clip
       break;
   }
 }

@@ -17,6 +17,7 @@ fccda::Surface cube() { return fccda::Surface(fccda::make_box({.size = {1, 1, 1}
 void push(ContactRecord& record, std::size_t body, std::size_t particle, int panel, double impulse) {
   const Vec3d normal = record.panels().faces()[static_cast<std::size_t>(panel)].normal;
   record.add(body, {.point = particle, .panel = panel, .normal = normal}, -impulse * normal);
+  record.count_struck(body, 1);
 }
 
 }  // namespace

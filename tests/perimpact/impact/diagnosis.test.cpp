@@ -2,6 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
+#include <fstream>
+
+#include "perimpact/simulation/body.hpp"
+
 using namespace perimpact;
 
 namespace {
@@ -77,6 +82,43 @@ TEST_CASE("diagnosis: a step that goes through a thin plate names panel and plac
   CHECK(holds(through, "move 0.00048 m against each other at panel "));
   CHECK(holds(through, "where it is only 0.0004 m thick"));
   CHECK(holds(through, "at most 1.2e-05 s"));  // 0.4 mm at 32 m/s, to two digits
+}
+
+TEST_CASE("diagnosis: the way of a step is judged by the most that a table ever says, and the advice keeps it below a spacing too") {
+  ImpactorSetup setup = cylinder();
+  setup.velocity = {};
+  TranslationTable& table = setup.motion.y.emplace();
+  table.times = {0, 1, 2, 3}, table.velocities = {0, 10, -32, 0};
+  CHECK_FALSE(step_through(made(setup), plate(), 3.1e-5).has_value());  // 32 m/s: 0.99 mm
+  CHECK(holds(step_through(made(setup), plate(), 3.2e-5), "at most 3.1e-05 s"));
+  table.velocities = {}, table.displacements = {0, 10, -22, -22};  // the same speed
+  CHECK_FALSE(step_through(made(setup), plate(), 3.1e-5).has_value());
+  CHECK(step_through(made(setup), plate(), 3.2e-5).has_value());
+  setup.surface = BoxSurface{.size = {0.1, 0.003, 0.1}, .panel = 0.02};  // 3 mm thick, thrice the spacing
+  CHECK(holds(step_through(made(setup), plate(), 1e-4), "at most 3.1e-05 s"));
+}
+
+TEST_CASE("diagnosis: particles behind an open surface are counted, those in front of it and beyond its rim are not") {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "perimpact_open_square.obj";
+  std::ofstream(file) << "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 2 3 4\n";  // normal -y
+  ImpactorSetup setup = cylinder();
+  FileSurface square{.file = file.string()};
+  square.outside.index = 1;  // normals
+  setup.surface = square;
+  setup.position = {}, setup.velocity = {};
+  // 4 x 4 x 1 particles, half a metre apart, about the square: y from -0.75 to 0.75
+  BodySetup body;
+  body.name = "block", body.shape = BoxSolid{.size = {2, 2, 0.5}}, body.spacing = 0.5;
+  body.material = OrdinaryStateSetup{.youngs_modulus = 1, .density = 1};
+  const Particles particles = make_particles(body);
+  const Impactor wall = made(setup);
+  CHECK(particles_behind(wall, particles) == 8);
+  CHECK(holds(starts_behind(wall, plate(), particles), "8 of the 16 particles of body plate start behind the open surface of impactor cylinder"));
+  setup.position = {1.5, 0, 0};  // its rim is at x = 0.5: half of the particles lie beyond it
+  CHECK(particles_behind(made(setup), particles) == 2);
+  setup.surface = BoxSurface{.size = {3, 3, 3}, .panel = 1};
+  CHECK(particles_behind(made(setup), particles) == 0);  // closed: that is starting_inside's business
+  std::filesystem::remove(file);
 }
 
 TEST_CASE("diagnosis: the particles' velocity and the surface's turning count in the way of a step; both at the same speed make none") {
