@@ -87,7 +87,6 @@ class Analytic {
   std::vector<std::optional<Vec3d>> nearest_outside(std::span<const Vec3d> points, const Pose& pose) const;
 
   const Effort& effort() const { return effort_; }
-  double contact_radius() const { return radius_; }  ///< [m]
 
   template <class Visitor>
   void visit_state(Visitor&&) {}

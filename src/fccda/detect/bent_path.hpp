@@ -40,7 +40,6 @@ class BodyView {
         tolerance_(straight_enough * size) {}
 
   const Motion& motion() const { return *motion_; }
-  double angle() const { return angle_; }  ///< [rad] of the turn
   inline BentPath path(const Vec3d& position_t0, const Vec3d& position_t1) const;
 
  private:

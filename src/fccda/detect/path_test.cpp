@@ -109,9 +109,17 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
     entered = false;
   }
   // A start inside that nothing explains: it came round through what is not felt, be it another part of a clipped closed surface or the
-  // rim of an open one. By less than a step's way it is what friction or rounding left of a contact.
-  const bool came_round = surface_->is_closed() ? comes : radius_ - at_start.distance > way;
-  if (!entered && starts_near && came_round) answer.enters = entered = true;
+  // rim of an open one. By less than a step's way it is what friction or rounding left of a contact; an open surface that touched it a
+  // step ago has it from another impactor that pushes against it.
+  const auto is_deep = [&] { return too_near(at_start, path.start, radius_ - way, asked); };
+  const auto came_round = [&] {
+    if (surface_->is_closed()) return comes || (clips && question.renumbered && is_deep());
+    return !question.touched && is_deep();
+  };
+  if (!entered && starts_near && came_round()) {
+    answer.enters = entered = true;
+    answer.anew = comes || !question.renumbered;
+  }
   if (entered && surface_->is_closed()) {
     answer.clearance = 0;
     return answer;
@@ -140,6 +148,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   const Vec3d viewer = rest.start + offset * outward(leg->at_start, rest.start, offset);  // a start on the surface sees its own panel
   relocate(touch, rest, *at_end, nearby, viewer, ball, asked);
   answer.touch = touch;
+  answer.held = ball.radius == radius_;
   return answer;
 }
 

@@ -44,9 +44,11 @@ struct Touch {
 
 struct PathQuestion {
   BentPath path;
-  double offset = 0;      ///< [m]
-  double look_ahead = 0;  ///< [m] how far beyond the reach of contact a distance is worth knowing
-  bool entered = false;   ///< the point is known to have come in where the surface is not felt
+  double offset = 0;        ///< [m]
+  double look_ahead = 0;    ///< [m] how far beyond the reach of contact a distance is worth knowing
+  bool entered = false;     ///< the point is known to have come in where the surface is not felt
+  bool touched = false;     ///< it was in contact a step ago: should it start inside, it was pushed there (asked of open surfaces only)
+  bool renumbered = false;  ///< neither is known, and it may have come in before: it has, where it starts inside by more than its way
 };
 
 struct PathAnswer {
@@ -54,6 +56,8 @@ struct PathAnswer {
   double clearance = 0;  ///< [m] the surface is at least this much further than contact reaches, at the end of the path
   bool enters = false;   ///< came in where the surface is not felt: not struck before it is outside again
   bool leaves = false;   ///< was such a point, and is outside again
+  bool anew = true;      ///< as far as is known it enters for the first time
+  bool held = false;     ///< touched with the whole ball, not with its centre only
 };
 
 class PathTest {

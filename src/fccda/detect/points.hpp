@@ -11,6 +11,9 @@ namespace fccda {
 
 /// Points come in blocks of consecutive numbers, so that a few fast ones do not make all of them worth a look. The position at t0
 /// of a step is the position at t1 of the step before; whoever breaks that tells the detector (`moved`).
+/// The pose of the body at t0 is its pose at t1 of the step before; where it is not, exactly, the detector sees that by itself and looks
+/// at all points again. The number of a point stands for it from step to step; numbers are appended and dropped at the end only, and
+/// whoever gives points other numbers tells the detector (`Swept::renumbered`).
 template <class P>
 concept Points = requires(const P& points, std::size_t i) {
   { points.size() } -> std::convertible_to<std::size_t>;

@@ -6,6 +6,25 @@
 
 namespace fccda {
 
+namespace {
+
+bool same(const Pose& a, const Pose& b) {
+  const Quaternion &p = a.attitude(), &q = b.attitude();
+  return a.position() == b.position() && p.w == q.w && p.x == q.x && p.y == q.y && p.z == q.z;
+}
+
+}  // namespace
+
+void Swept::begin_step(std::size_t point_count, const Motion& motion) {
+  touched_before_.swap(touched_);
+  touched_.clear();
+  for (std::vector<std::uint64_t>* numbers : {&entered_, &touched_before_})  // a number given to a new point must not stand for the old one
+    numbers->erase(std::lower_bound(numbers->begin(), numbers->end(), point_count), numbers->end());
+  if (!same(pose_, motion.t0)) due_.forget();
+  pose_ = motion.t1;
+  measure(motion);
+}
+
 // How much nearer to the surface the chord of a point's path in the turning body frame can come, for a travel of m = (point) + (surface)
 // from end to end. The true path comes nearer by at most m. It bulges out of its chord by at most (ρ θ² + 2 θ w)/8, a twice integrated
 // acceleration, where ρ <= R + d is the point's distance from the centre of mass, d that from the surface, and w <= m its way. m holds
@@ -32,16 +51,29 @@ void Swept::forget() {
   std::fill(guess_.begin(), guess_.end(), -1);
 }
 
+void Swept::renumbered() {
+  forget();
+  entered_.clear();
+  touched_.clear();
+  renumbered_ = 1;
+}
+
 void Swept::look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view, double look_ahead,
                     Found& found) {
   const BentPath path = view.path(position_t0, position_t1);
   const bool entered = has_entered(point);
   const bool fresh = due_.is_new(point);
-  const PathAnswer answer =
-      test_.ask({.path = path, .offset = step_.offset, .look_ahead = fresh ? Bvh::no_cap : look_ahead, .entered = entered}, guess_[point], found.effort);
+  const PathAnswer answer = test_.ask({.path = path,
+                                       .offset = step_.offset,
+                                       .look_ahead = fresh ? Bvh::no_cap : look_ahead,
+                                       .entered = entered,
+                                       .touched = was_touched(point),
+                                       .renumbered = renumbered_ != 0},
+                                      guess_[point], found.effort);
   due_.postpone(block, point, answer.clearance);
   if (answer.leaves) found.leaving.push_back(point);
-  if (answer.enters && (!entered || answer.leaves)) found.entering.push_back(point);
+  if (answer.enters && (!entered || answer.leaves)) found.entering.push_back(point), found.entered_before += !answer.anew;
+  if (answer.held && !test_.surface().is_closed()) found.touched.push_back(point);
   if (!answer.touch) return;
   const Motion& motion = view.motion();
   const Touch& touch = *answer.touch;
@@ -56,16 +88,22 @@ void Swept::look_at(std::size_t block, std::size_t point, const Vec3d& position_
 
 void Swept::gather(std::size_t shares, std::vector<Contact>& out) {
   std::vector<std::uint64_t> entering, leaving;
+  std::uint64_t entered_before = 0;
   for (std::size_t k = 0; k < shares; ++k) {
     const Found& found = found_[k];
     out.insert(out.end(), found.contacts.begin(), found.contacts.end());
     entering.insert(entering.end(), found.entering.begin(), found.entering.end());
     leaving.insert(leaving.end(), found.leaving.begin(), found.leaving.end());
+    touched_.insert(touched_.end(), found.touched.begin(), found.touched.end());
+    entered_before += found.entered_before;
     effort_ += found.effort;
   }
+  std::sort(touched_.begin(), touched_.end());
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   if (entering.empty() && leaving.empty()) return;
   // One that goes out and comes in again within a step has not come in anew.
-  entered_count_ += static_cast<std::size_t>(std::count_if(entering.begin(), entering.end(), [&](std::uint64_t point) { return !has_entered(point); }));
+  entered_count_ +=
+      static_cast<std::size_t>(std::count_if(entering.begin(), entering.end(), [&](std::uint64_t point) { return !has_entered(point); })) - entered_before;
   std::erase_if(entered_, [&](std::uint64_t point) { return std::binary_search(leaving.begin(), leaving.end(), point); });
   entered_.insert(entered_.end(), entering.begin(), entering.end());
   std::sort(entered_.begin(), entered_.end());

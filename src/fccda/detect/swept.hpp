@@ -42,6 +42,7 @@ class Swept {
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
                         [&](std::ptrdiff_t k) { look_at_block(points, view, surface_travel, static_cast<std::size_t>(k)); });
     gather(due_blocks_.size(), out);
+    renumbered_ = 0;
   }
 
   /// The same for chosen points, in rising order, that somebody else displaced after `detect` looked in this step: their paths lead from
@@ -74,8 +75,13 @@ class Swept {
   /// Somebody else displaced point i after the last detection.
   void moved(std::size_t i) { due_.forget(i); }
 
-  /// Forgets what is known of distances: after points were renumbered. Changes no contact.
+  /// Forgets what is known of distances. Changes no contact, as long as points keep their numbers.
   void forget();
+
+  /// Points have other numbers now, other than by appending some or taking some off the end. Which of them had entered, or were pinched
+  /// against an open surface, is lost with the numbers. So where the surface can be entered (a clipping region, an open surface), points
+  /// that start the next step inside, by more than their way in it, are taken as such that have, and not counted again.
+  void renumbered();
 
   /// The points whose centre is inside the surface, or nearer to it than the contact radius, at t0 of the coming step; in front of an
   /// open surface. Touching is not inside.
@@ -96,13 +102,14 @@ class Swept {
   const Effort& effort() const { return effort_; }                                ///< of all detections so far
   std::size_t buried_triangles() const { return test_.solids().buried_count(); }  ///< that may lie in another closed part, wholly or in part
   const Surface& surface() const { return test_.surface(); }
-  double contact_radius() const { return test_.radius(); }  ///< [m]
 
   /// Calls visit(name, list of numbers) for what the next step depends on; the visitor may write. Distances known are no state.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit(std::string_view("points_inside"), entered_);
     visit(std::string_view("entered_inside"), entered_count_);
+    visit(std::string_view("points_touched"), touched_);
+    visit(std::string_view("renumbered"), renumbered_);
   }
 
  private:
@@ -119,9 +126,10 @@ class Swept {
 
   struct Found {
     std::vector<Contact> contacts;
-    std::vector<std::uint64_t> entering, leaving;
+    std::vector<std::uint64_t> entering, leaving, touched;
+    std::uint64_t entered_before = 0;  // of those entering
     Effort effort;
-    void clear() { contacts.clear(), entering.clear(), leaving.clear(), effort = {}; }
+    void clear() { contacts.clear(), entering.clear(), leaving.clear(), touched.clear(), entered_before = 0, effort = {}; }
   };
 
   template <Points P>
@@ -133,7 +141,7 @@ class Swept {
       due_.start(blocks_);
       guess_.assign(points.size(), -1);
     }
-    measure(motion);
+    begin_step(points.size(), motion);
   }
 
   template <Points P>
@@ -152,8 +160,11 @@ class Swept {
     due_.settle(b);
   }
 
-  bool has_entered(std::size_t point) const { return std::binary_search(entered_.begin(), entered_.end(), point); }
+  static bool holds(const std::vector<std::uint64_t>& numbers, std::size_t point) { return std::binary_search(numbers.begin(), numbers.end(), point); }
+  bool has_entered(std::size_t point) const { return holds(entered_, point); }
+  bool was_touched(std::size_t point) const { return holds(touched_before_, point) || holds(touched_, point); }
   double look_ahead(double travel) const { return looks_ahead * step_.approach(travel); }
+  void begin_step(std::size_t point_count, const Motion& motion);
   void measure(const Motion& motion);
   void look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view, double look_ahead, Found& found);
   void gather(std::size_t shares, std::vector<Contact>& out);
@@ -162,9 +173,13 @@ class Swept {
   Step step_;
   std::vector<std::uint64_t> entered_;  // points inside where the surface is not felt, in order: state
   std::uint64_t entered_count_ = 0;     // how many ever were: state
+  // In order, kept of open surfaces only: points in contact in the step before, and in this step so far. The latter is state.
+  std::vector<std::uint64_t> touched_before_, touched_;
+  std::uint64_t renumbered_ = 0;  // 1: which points had entered is to be found again in the next step: state
   Effort effort_;
 
   Due due_;                 // caches from here on
+  Pose pose_;               // at the end of the last detection: what `due_` knows of distances holds for it
   std::vector<int> guess_;  // the triangle last found near each point
   std::vector<std::size_t> blocks_, due_blocks_;
   std::vector<Found> found_;  // of each due block or, again, of each 64 points

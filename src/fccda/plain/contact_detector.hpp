@@ -33,15 +33,18 @@ class ContactDetector {
 
   /// The contacts of one step, in point order, the same for any number of threads. x_t0 and x_t1: positions in the world frame at the
   /// two ends of the step [m]. x_t0 must be x_t1 of the step before, as relocated; for points of which that is not true see below.
-  /// Points may be appended or taken off the end at any time. Throws InputError where there are not as many x_t1 as x_t0, RunError
-  /// where a position is no number.
+  /// motion.t0 is motion.t1 of the step before; a body that was put elsewhere in between has all points looked at again.
+  /// Points may be appended or taken off the end between steps, but not both between the same two. Throws InputError where there are not as many x_t1 as x_t0,
+  /// RunError where a position is no number.
   std::vector<Contact> detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1);
 
   /// Somebody else displaced the point since the last step (a periodic boundary, another wall).
   void moved(std::size_t point) { swept_.moved(point); }
 
-  /// Points were renumbered, or many displaced: all are looked at again in the next step.
-  void points_changed() { swept_.forget(); }
+  /// Points were renumbered, or many displaced: all are looked at again in the next step. What was known of single points is lost: where
+  /// the region clips or the surface is open, those that start the next step inside, by more than their way in it, are taken as such that
+  /// came in where the surface is not felt (Swept::renumbered).
+  void points_changed() { swept_.renumbered(); }
 
   /// The points that are inside the surface, or nearer than the contact radius: to be asked before the first step. Touching is not inside.
   std::vector<std::size_t> points_inside(const Pose& pose, ConstVectors x) const;

@@ -68,7 +68,7 @@ std::optional<Solids::Nearest> Solids::nearest(const Vec3d& point, std::size_t& 
     const std::optional<ClosestPoint> closest = solids_[s].bvh.closest(point, Bvh::no_cap, -1, asked);
     if (!closest) continue;
     const double signed_distance = sign_of(*surface_, *closest, point) * closest->distance;
-    if (!best || signed_distance < best->signed_distance) best = Nearest{static_cast<int>(s), *closest, signed_distance};
+    if (!best || signed_distance < best->signed_distance) best = Nearest{*closest, signed_distance};
   }
   return best;
 }

@@ -37,7 +37,6 @@ class Solids {
 
   /// What the solids make of a point: the one it is deepest in or, where it is in none, nearest to.
   struct Nearest {
-    int solid;
     ClosestPoint closest;
     double signed_distance;  ///< [m] negative inside
   };

@@ -139,6 +139,34 @@ TEST_CASE("plain call: a point that somebody else put before the surface is stru
   CHECK(detector.detect(rest, std::vector<double>{0, 0, 0.6}, std::vector<double>{0, 0, 0.4}).size() == 1);
 }
 
+TEST_CASE("plain call: a body put elsewhere by hand between two steps strikes points that it had been far from") {
+  const Surface surface(make_box({.size = {1, 1, 20}, .panel = 1}));
+  const double quarter = std::numbers::pi / 2;
+  struct Scene {
+    Pose pose;
+    Vec3d x_t0, x_t1;
+  };
+  const Scene moved{Pose({0, 0, 49}), {0, 0, 59.6}, {0, 0, 58.9}};
+  const Scene turned{Pose({}, Quaternion::from_rotation({quarter, 0, 0})), {0, 10.6, 0.1}, {0, 9.9, 0.1}};
+  for (const Scene& scene : {moved, turned}) {
+    ContactDetector detector(surface, {.radius = ball});
+    const std::vector<Vec3d> x_t0{scene.x_t0}, x_t1{scene.x_t1};
+    for (int step = 0; step < 3; ++step) CHECK(detector.detect(fixtures::at_rest(), x_t0, x_t0).empty());
+    CHECK(detector.swept().effort().points_asked <= 1);  // it is known to be far
+    CHECK(detector.detect(fixtures::at_rest(scene.pose), x_t0, x_t1).size() == 1);
+  }
+}
+
+TEST_CASE("plain call: a point that came in where the surface is not felt stays excused when points are renumbered") {
+  const Surface surface(make_box({.size = {1, 1, 1}, .panel = 0.25}));
+  ContactDetector detector(surface, {.region = BoxUnion({.size = {2, 2, 0.5}}, surface, Beyond::clip)});
+  const Vec3d far{0, 0, 5}, above{0.4, 0, 0.26}, in{0.4, 0, 0.24}, deeper{0.4, 0, 0.23};
+  CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{far, above}, std::vector<Vec3d>{far, in}).empty());
+  detector.points_changed();
+  CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{in, far}, std::vector<Vec3d>{deeper, far}).empty());
+  CHECK(detector.swept().entered_inside() == 1);
+}
+
 TEST_CASE("plain call: points that begin inside are named, touching ones are not") {
   ContactDetector detector{Surface(make_box({.size = {1, 1, 1}, .panel = 1})), {.radius = ball}};
   const std::vector<Vec3d> x{{0, 0, 0}, {0, 0, 0.5 + ball}, {0, 0, 0.5 + 0.5 * ball}, {0, 0, 2}};

@@ -25,8 +25,10 @@ struct Striking {
   std::vector<Contact> contacts{};
 
   Striking(const Panels& panels, double contact_radius, const Vec3d& velocity, const Vec3d& spin = {}, const FreeDegrees& degrees = {})
+      : Striking(fixtures::surface_of(panels), contact_radius, velocity, spin, degrees) {}
+  Striking(std::shared_ptr<const Surface> surface, double contact_radius, const Vec3d& velocity, const Vec3d& spin = {}, const FreeDegrees& degrees = {})
       : body({.mass = 20, .centre_of_mass = {}, .inertia = Mat3::diagonal({2, 3, 4})}, Pose(), velocity, spin, degrees),
-        detector(fixtures::surface_of(panels), Unbounded{}, contact_radius),
+        detector(std::move(surface), Unbounded{}, contact_radius),
         radius(detector.surface().radius_about({})) {}
 
   void advance(double dt) { motion = body.advance(dt); }
@@ -189,6 +191,48 @@ TEST_CASE("together: what a vice closes upon is pinched, counted, and free when 
   CHECK(count(step(jaws, points, 3)) == 0);  // apart again: 0.1
   for (const Vec3d& x : points.x1) CHECK(std::fabs(x.x) < 0.05 - r + 1e-9);
   CHECK(norm(before) == 0);
+}
+
+namespace {
+
+/// An open plate of 2 × 2 in the plane x = `where`, its front towards +x.
+std::shared_ptr<const Surface> open_plate(double where) {
+  Panels plate;
+  plate.vertices = {{where, -1, -1}, {where, 1, -1}, {where, 1, 1}, {where, -1, 1}};
+  plate.add_quad(0, 1, 2, 3);
+  return std::make_shared<const Surface>(plate, Surface::Options{.outside = OutsideIs::normals});
+}
+
+}  // namespace
+
+TEST_CASE("together: an open plate goes on pushing against a jaw that closes upon it by many steps, whichever acts first") {
+  // Gap and radius are 0.07 and 0.03; the jaw closes by 0.002 a step, so that points are pinched deeper than a step's way from the
+  // seventh step on.
+  const double r = 0.03;
+  for (const bool plate_first : {true, false}) {
+    CAPTURE(plate_first);
+    std::vector<Striking> jaws;
+    jaws.emplace_back(open_plate(-0.035), r, Vec3d{});
+    jaws.emplace_back(wall({-1, 0, 0}, -0.035), r, Vec3d{-0.002, 0, 0});
+    if (!plate_first) std::swap(jaws[0], jaws[1]);
+    const Striking& plate = jaws[plate_first ? 0 : 1];
+    std::mt19937_64 random(64);
+    std::vector<Vec3d> places;
+    for (int i = 0; i < 50; ++i) places.push_back(fixtures::random_in_box(random, {-0.004, -0.5, -0.5}, {0.004, 0.5, 0.5}));
+    fixtures::TestPoints points = points_at(places);
+    for (int k = 1; k <= 16; ++k) {
+      CAPTURE(k);
+      for (Vec3d& v : points.v) v = {};
+      const Pinched pinched = step(jaws, points, 1);
+      CHECK(count(pinched) == (k > 5 ? places.size() : 0));  // a gap of 0.06 after five steps is 2 r, and the offset more is touching
+      if (k > 5) CHECK(plate.contacts.size() == places.size());
+    }
+    CHECK(plate.detector.entered_inside() == 0);
+    jaws[plate_first ? 1 : 0].body = RigidBody(jaws[0].body.properties(), jaws[plate_first ? 1 : 0].body.pose(), {0.05, 0, 0}, {}, {});
+    for (Vec3d& v : points.v) v = {};
+    CHECK(count(step(jaws, points, 1)) == 0);  // apart again: the plate puts them all before it
+    for (const Vec3d& x : points.x1) CHECK(x.x > -0.035 + r - 1e-9);
+  }
 }
 
 namespace {
