@@ -157,6 +157,16 @@ TEST_CASE("plain call: a body put elsewhere by hand between two steps strikes po
   }
 }
 
+TEST_CASE("plain call: a point that came in where the surface is not felt stays excused when points are renumbered") {
+  const Surface surface(make_box({.size = {1, 1, 1}, .panel = 0.25}));
+  ContactDetector detector(surface, {.region = BoxUnion({.size = {2, 2, 0.5}}, surface, Beyond::clip)});
+  const Vec3d far{0, 0, 5}, above{0.4, 0, 0.26}, in{0.4, 0, 0.24}, deeper{0.4, 0, 0.23};
+  CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{far, above}, std::vector<Vec3d>{far, in}).empty());
+  detector.points_changed();
+  CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{in, far}, std::vector<Vec3d>{deeper, far}).empty());
+  CHECK(detector.swept().entered_inside() == 1);
+}
+
 TEST_CASE("plain call: points that begin inside are named, touching ones are not") {
   ContactDetector detector{Surface(make_box({.size = {1, 1, 1}, .panel = 1})), {.radius = ball}};
   const std::vector<Vec3d> x{{0, 0, 0}, {0, 0, 0.5 + ball}, {0, 0, 0.5 + 0.5 * ball}, {0, 0, 2}};
