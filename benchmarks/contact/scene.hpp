@@ -72,6 +72,13 @@ class Sheet {
     begin();
   }
 
+  /// Repeats the points until there are at least so many.
+  void repeat(std::size_t count) {
+    const std::vector<Vec3d> once = x1_;
+    while (!once.empty() && x1_.size() < count) x1_.insert(x1_.end(), once.begin(), once.end());
+    begin();
+  }
+
   void add_debris() {
     std::mt19937_64 random(1);
     std::normal_distribution<double> normal;

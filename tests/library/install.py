@@ -19,7 +19,7 @@ def main():
     shutil.rmtree(folder, ignore_errors=True)
     subprocess.run(["cmake", "--install", places["build"], "--component", "fccda", "--prefix", folder / "first"], check=True, stdout=subprocess.DEVNULL)
     (folder / "first").rename(folder / "fccda")
-    configure = ["cmake", "-S", f"{places['source']}/examples", "-B", folder / "examples", f"-DCMAKE_PREFIX_PATH={folder / 'fccda'}"]
+    configure = ["cmake", "-G", "Ninja", "-S", f"{places['source']}/examples", "-B", folder / "examples", f"-DCMAKE_PREFIX_PATH={folder / 'fccda'}"]
     configure += [f"-DCMAKE_CXX_COMPILER={places['compiler']}", "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_FLAGS={FLAGS}"]
     configure += ["-DCMAKE_NO_SYSTEM_FROM_IMPORTED=ON"]  # or the compiler does not warn of headers that are installed
     subprocess.run(configure, check=True)
