@@ -1,4 +1,4 @@
-/// The loop of the detectors that ask every point in every step.
+/// The loops of detectors over points: over every one, and over chosen ones.
 #pragma once
 
 #include <algorithm>

@@ -38,7 +38,11 @@ void Rejections::count(Verdict verdict) {
 }
 
 Published::Published(std::shared_ptr<const Surface> surface, const Region& region, Reading reading)
-    : surface_(std::move(surface)), region_(region), reading_(reading), sign_(surface_->panels().panels.size(), 1) {
+    : surface_(std::move(surface)),
+      region_(region),
+      reading_(reading),
+      sign_(surface_->panels().panels.size(), 1),
+      sides_(std::make_shared<const PathTest>(surface_, region_, 0)) {
   // Panels may be wound either way in the file; the surface knows which side is outside, and which panels it dropped.
   std::vector<int> sign(sign_.size(), 0);
   for (std::size_t t = 0; t < surface_->triangles().size(); ++t) {

@@ -80,8 +80,7 @@ class Published {
 
   /// As Swept answers it, for points without extent.
   template <Points P>
-  std::vector<std::size_t> still_inside(const P& points, const Motion& motion, std::span<const std::size_t> which) {
-    if (!sides_) sides_ = std::make_shared<const PathTest>(surface_, region_, 0);
+  std::vector<std::size_t> still_inside(const P& points, const Motion& motion, std::span<const std::size_t> which) const {
     return fccda::still_inside(*sides_, points, motion.t1, which, [](std::size_t) { return false; });
   }
 
@@ -91,12 +90,12 @@ class Published {
   /// As Swept answers it, for points without extent.
   template <Points P>
   std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
-    return fccda::starting_inside(PathTest(surface_, region_, 0), points, pose);
+    return fccda::starting_inside(*sides_, points, pose);
   }
 
   /// As Swept answers it, for points without extent.
   std::vector<std::optional<Vec3d>> nearest_outside(std::span<const Vec3d> points, const Pose& pose) const {
-    return fccda::nearest_outside(PathTest(surface_, region_, 0), points, pose);
+    return fccda::nearest_outside(*sides_, points, pose);
   }
 
   const Effort& effort() const { return effort_; }
@@ -159,7 +158,7 @@ class Published {
   Effort effort_;
   Rejections rejections_;
   std::vector<Found> found_;               // of each block
-  std::shared_ptr<const PathTest> sides_;  // made when first asked who is inside
+  std::shared_ptr<const PathTest> sides_;  // who is inside
 };
 
 }  // namespace fccda

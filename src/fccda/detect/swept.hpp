@@ -15,6 +15,7 @@
 #include "fccda/core/parallel.hpp"
 #include "fccda/detect/bent_path.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/detect/every_point.hpp"
 #include "fccda/detect/nearest_outside.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "fccda/detect/points.hpp"
@@ -50,19 +51,12 @@ class Swept {
   template <Points P>
   void detect_again(const P& points, const Motion& motion, double surface_travel, std::span<const std::size_t> which, std::vector<Contact>& out) {
     const BodyView view(motion, test_.size());
-    const std::size_t share = 64, shares = (which.size() + share - 1) / share;
-    if (found_.size() < shares) found_.resize(shares);
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(shares), [&](std::ptrdiff_t k) {
-      const std::size_t first = static_cast<std::size_t>(k) * share;
-      Found& found = found_[static_cast<std::size_t>(k)];
-      found.clear();
-      for (const std::size_t i : which.subspan(first, std::min(share, which.size() - first))) {
-        const std::size_t block = due_.block_of(i);
-        look_at(block, i, points.position_t0(i), points.position_t1(i), view, look_ahead(points.block_travel(block) + surface_travel), found);
-      }
+    look_at_points(which, found_, [&](std::size_t i, Found& found) {
+      const std::size_t block = due_.block_of(i);
+      look_at(block, i, points.position_t0(i), points.position_t1(i), view, look_ahead(points.block_travel(block) + surface_travel), found);
     });
     for (const std::size_t i : which) due_.settle_point(i);
-    gather(shares, out);
+    gather(found_.size(), out);
   }
 
   /// Those of the points, in rising order, that are inside at t1 for all that was done, or nearer than the contact radius. Points that

@@ -107,11 +107,11 @@ void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Place
   const std::string path = "impactors." + impactor.name;
   if (auto* file = std::get_if<FileSurface>(&impactor.surface)) find_file(*file, path, folder, places);
   check_region(impactor.region, path + ".region", places);
-  const std::vector<std::string> directions = {"x", "y", "z", "rx", "ry", "rz"};
   std::set<std::string> seen;
   for (const std::string& direction : impactor.free) {
-    if (std::find(directions.begin(), directions.end(), direction) == directions.end())
-      refuse(places.of(path + ".free"), fmt::format("free holds \"{}\", which is no degree of freedom; known are {}.", direction, fmt::join(directions, ", ")));
+    if (std::find(std::begin(degree_words), std::end(degree_words), direction) == std::end(degree_words))
+      refuse(places.of(path + ".free"),
+             fmt::format("free holds \"{}\", which is no degree of freedom; known are {}.", direction, fmt::join(degree_words, ", ")));
     if (!seen.insert(direction).second) refuse(places.of(path + ".free"), fmt::format("free holds {} twice; keep one.", direction));
   }
 }

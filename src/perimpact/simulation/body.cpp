@@ -31,12 +31,16 @@ Value sum_over(const Particles& particles, Value total, const F& f) {
 
 }  // namespace
 
+double slots_of(const BodySetup& setup) {
+  const Vec3d& size = std::get<BoxSolid>(setup.shape).size;
+  return std::ceil(size.x / setup.spacing / fccda::byte_lanes) * fccda::byte_lanes * (size.y / setup.spacing) * (size.z / setup.spacing);
+}
+
 Particles make_particles(const BodySetup& setup) {
   const int reach = stencil_of(setup).reach();
   const double density = std::get<OrdinaryStateSetup>(setup.material).density;
   const BoxSolid& box = std::get<BoxSolid>(setup.shape);
-  const double slots =
-      std::ceil(box.size.x / setup.spacing / fccda::byte_lanes) * fccda::byte_lanes * (box.size.y / setup.spacing) * (box.size.z / setup.spacing);
+  const double slots = slots_of(setup);
   constexpr double most = std::numeric_limits<std::uint32_t>::max();
   if (!(slots < most))
     throw SetupError("bodies." + setup.name + ".spacing",

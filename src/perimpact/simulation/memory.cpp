@@ -9,14 +9,14 @@
 
 #include "perimpact/family/stencil.hpp"
 #include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulation/body.hpp"
 
 namespace perimpact {
 
 namespace {
 
 double bytes_of(const BodySetup& setup, std::size_t impactors) {
-  const Vec3d& size = std::get<BoxSolid>(setup.shape).size;
-  const double slots = std::ceil(size.x / setup.spacing / fccda::byte_lanes) * fccda::byte_lanes * (size.y / setup.spacing) * (size.z / setup.spacing);
+  const double slots = slots_of(setup);
   const Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing, setup.horizon_ratio);
   // of the dilatation only the material knows, so the least is counted; a detector keeps a due distance and a guess for each slot
   const BodyArrays arrays{slots, static_cast<double>(stencil.size()), setup.surface_correction.as<SurfaceCorrection>(), false};

@@ -8,8 +8,11 @@
 #include "perimpact/bodies.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/simulation.hpp"
+#include "perimpact/simulations.hpp"
 
 using namespace perimpact;
+using fixtures::complaint;
+using fixtures::value;
 
 namespace {
 
@@ -28,23 +31,6 @@ Setup plate_and_cylinder() {
   setup.impactors = {cylinder};
   setup.output.history = 2e-6;
   return setup;
-}
-
-double value(const Simulation& simulation, const std::string& column) {
-  const auto& columns = simulation.monitors().columns();
-  const auto found = std::find(columns.begin(), columns.end(), column);
-  REQUIRE_MESSAGE(found != columns.end(), column);
-  return simulation.monitors().row()[static_cast<std::size_t>(found - columns.begin())];
-}
-
-std::string complaint(const Setup& setup, std::string& key) {
-  try {
-    Simulation simulation(setup);
-  } catch (const SetupError& error) {
-    key = error.key();
-    return error.what();
-  }
-  return "";
 }
 
 /// What is left of the energy when the works of holder and loads are taken off [J].

@@ -7,8 +7,11 @@
 #include "fccda/core/parallel.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulation/simulation.hpp"
+#include "perimpact/simulations.hpp"
 
 using namespace perimpact;
+using fixtures::run;
+using fixtures::value;
 
 namespace {
 
@@ -33,18 +36,6 @@ Setup block_between(std::size_t plates, double speed) {
     setup.impactors.push_back(plate);
   }
   return setup;
-}
-
-void run(Simulation& simulation) {
-  while (!simulation.clock().is_finished()) simulation.step();
-}
-
-double value(const Simulation& simulation, const std::string& column) {
-  const auto& columns = simulation.monitors().columns();
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    if (columns[c] == column) return simulation.monitors().row()[c];
-  FAIL("no column ", column);
-  return 0;
 }
 
 }  // namespace

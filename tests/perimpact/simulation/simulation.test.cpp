@@ -12,8 +12,12 @@
 #include "fccda/core/parallel.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulations.hpp"
 
 using namespace perimpact;
+using fixtures::complaint;
+using fixtures::run;
+using fixtures::value;
 
 namespace {
 
@@ -35,27 +39,6 @@ Setup struck_plate(double nu = 0.25) {
   setup.output.history = 2e-6;
   setup.output.probes = {{"centre", "plate", {0, 0, 0}}};
   return setup;
-}
-
-double value(const Simulation& simulation, const std::string& column) {
-  const auto& columns = simulation.monitors().columns();
-  const auto found = std::find(columns.begin(), columns.end(), column);
-  REQUIRE(found != columns.end());
-  return simulation.monitors().row()[static_cast<std::size_t>(found - columns.begin())];
-}
-
-void run(Simulation& simulation) {
-  while (!simulation.clock().is_finished()) simulation.step();
-}
-
-std::string complaint(const Setup& setup, std::string& key) {
-  try {
-    Simulation simulation(setup);
-  } catch (const SetupError& error) {
-    key = error.key();
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace

@@ -9,8 +9,10 @@
 #include "perimpact/bodies.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/simulation.hpp"
+#include "perimpact/simulations.hpp"
 
 using namespace perimpact;
+using fixtures::value;
 
 namespace {
 
@@ -41,13 +43,6 @@ std::size_t particles_within(double radius) {
       for (double z = -0.009; z < 0.01; z += 0.002)
         if (norm(Vec3d{x - 0.001, y - 0.012, z}) < radius) ++count;
   return count;
-}
-
-double value(const Simulation& simulation, const std::string& column) {
-  const auto& columns = simulation.monitors().columns();
-  const auto found = std::find(columns.begin(), columns.end(), column);
-  REQUIRE(found != columns.end());
-  return simulation.monitors().row()[static_cast<std::size_t>(found - columns.begin())];
 }
 
 bool warns_of(const Simulation& simulation, const std::string& words) {
