@@ -22,7 +22,7 @@ add_library(fccda::fccda ALIAS fccda_library)
 set_target_properties(fccda_library PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME fccda EXPORT_NAME fccda VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 target_compile_features(fccda_library PUBLIC cxx_std_20)
 target_include_directories(fccda_library INTERFACE $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/..>)
-target_link_libraries(fccda_library PUBLIC OpenMP::OpenMP_CXX)
+target_link_libraries(fccda_library PUBLIC OpenMP::OpenMP_CXX PRIVATE ZLIB::ZLIB)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/fccda)
 install(TARGETS fccda_library EXPORT fccda_targets COMPONENT fccda INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
@@ -32,6 +32,7 @@ install(EXPORT fccda_targets NAMESPACE fccda:: FILE fccdaTargets.cmake DESTINATI
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/fccdaConfig.cmake @ONLY CONTENT [=[
 include(CMakeFindDependencyMacro)
 find_dependency(OpenMP COMPONENTS CXX)
+find_dependency(ZLIB)
 include(${CMAKE_CURRENT_LIST_DIR}/fccdaTargets.cmake)
 ]=])
 # before 1.0 a new minor version may change what callers see

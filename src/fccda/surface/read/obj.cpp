@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
+#include "fccda/surface/add_polygon.hpp"
 #include "fccda/surface/part_naming.hpp"
 #include "fccda/surface/read/words.hpp"
 
@@ -66,35 +66,10 @@ class Obj {
     face_.clear();
     for (std::string_view word = words_.next_in_line(); !word.empty() && !word.starts_with('#'); word = words_.next_in_line())
       face_.push_back(parse_index(word));
-    switch (face_.size()) {
-      case 0:
-      case 1:
-      case 2:
-        words_.fail("the face has " + std::to_string(face_.size()) + " vertices, but needs three; delete it or mend it.");
-      case 3:
-        out_.add_triangle(face_[0], face_[1], face_[2]);
-        return;
-      case 4:
-        out_.add_quad(face_[0], face_[1], face_[2], face_[3]);
-        return;
-      default:
-        add_fan();
-    }
-  }
-
-  const Vec3d& at(std::size_t k) const { return out_.vertices[static_cast<std::size_t>(face_[k])]; }
-
-  void add_fan() {
-    const auto doubled_area = [&](std::size_t k) { return cross(at(k) - at(0), at(k + 1) - at(0)); };
-    Vec3d whole{};
-    for (std::size_t k = 1; k + 1 < face_.size(); ++k) whole += doubled_area(k);
-    for (std::size_t k = 1; k + 1 < face_.size(); ++k) {
-      constexpr double rounding = 1e-12;  // of corners on a line
-      if (dot(doubled_area(k), whole) < -rounding * squared_norm(whole)) {
-        words_.fail("the face with " + std::to_string(face_.size()) +
-                    " vertices is not convex, so it cannot be cut into a fan; triangulate the mesh when exporting it.");
-      }
-      out_.add_triangle(face_[0], face_[k], face_[k + 1]);
+    if (face_.size() < 3) words_.fail("the face has " + std::to_string(face_.size()) + " vertices, but needs three; delete it or mend it.");
+    if (!add_polygon(out_, face_)) {
+      words_.fail("the face with " + std::to_string(face_.size()) +
+                  " vertices cannot be cut into triangles, for its sides cross one another; triangulate the mesh when exporting it.");
     }
   }
 

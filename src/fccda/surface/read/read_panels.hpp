@@ -2,14 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "fccda/surface/panels.hpp"
 
 namespace fccda {
 
-/// Panels of an STL or OBJ file, chosen by its extension, in the file's units and in double precision. Throws InputError, one sentence with
-/// the file and the line or triangle, where there is nothing to read or the contents are damaged. Needs memory of a few times the file's
-/// size, whatever the file says of itself.
-Panels read_panels(const std::filesystem::path& path);
+/// Panels of a file in the format that its extension names (with `.gz` behind it where packed), in the file's units and in double
+/// precision; all parts, or those named. Of solid elements the skin. Throws InputError, one sentence with the file and the line, byte or
+/// triangle, where there is nothing to read or the contents are damaged. Needs memory of a few times the file's (unpacked) size, whatever the
+/// file says of itself.
+Panels read_panels(const std::filesystem::path& path, std::span<const std::string> parts = {});
 
 }  // namespace fccda

@@ -83,9 +83,12 @@ TEST_CASE("obj: a polygon with corners on a straight side is whole") {
   CHECK(polygon.report().rim_edges == 5);
 }
 
-TEST_CASE("obj: a re-entrant polygon is refused, for its fan would lie outside it") {
-  check_refused("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3.9 0.1 0\nv 0 4 0\nf 1 2 3 4 5",
-                "hull.obj:6: the face with 5 vertices is not convex, so it cannot be cut into a fan; triangulate the mesh when exporting it.");
+TEST_CASE("obj: a re-entrant polygon is cut inside, and one whose sides cross is refused") {
+  const std::string dart = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3.9 0.1 0\nv 0 4 0\n";
+  const Surface inside(parse(dart + "f 1 2 3 4 5"), {.outside = OutsideIs::normals, .name = "dart"});
+  CHECK(inside.report().area == doctest::Approx(8.2));  // shoelace: (0 + 16 - 15.2 + 15.6 + 0)/2
+  check_refused("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 0\nv 2 5 0\nf 1 2 3 4 5",
+                "hull.obj:6: the face with 5 vertices cannot be cut into triangles, for its sides cross one another; triangulate the mesh when exporting it.");
 }
 
 TEST_CASE("obj: vertex numbers that name none are refused with the line") {
