@@ -6,12 +6,11 @@
 #include <tuple>
 #include <utility>
 
+#include "fccda/surface/ray_crossing.hpp"
+
 namespace fccda {
 
 namespace {
-
-// Three siblings wait at each level, and there are at most 116 of them (bvh_build.cpp).
-constexpr std::size_t stack_size = 512;
 
 // A squared distance from a box in floats is less than one part in 2²² off once the box's slack has covered the rounding of
 // positions; lowered by this it is below the true one.
@@ -266,6 +265,18 @@ std::optional<double> Bvh::distance_to_segment(const Vec3d& start, const Vec3d& 
   });
   if (!found) return std::nullopt;
   return best;
+}
+
+int Bvh::enclosures(const Vec3d& point, int solid) const {
+  const RayCrossing ray(surface_->vertices(), surface_->triangles());
+  const Vec3d end{std::max(point.x, surface_->report().bounds.high.x) + 1, point.y, point.z};
+  const double until = 1, margin = 0;
+  int sum = 0;
+  visit_segment(point, end, until, margin, [&](int triangle) {
+    const auto t = static_cast<std::size_t>(triangle);
+    if (surface_->solid_of(t) == solid) sum += ray(point, t);
+  });
+  return sum;
 }
 
 }  // namespace fccda

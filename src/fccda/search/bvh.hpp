@@ -76,8 +76,18 @@ class Bvh {
   /// Distance between the segment and the surface where it is at most `cap` [m].
   std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& asked) const;
 
+  /// How often triangles enclose the point: the sum over the crossings of a ray along x (ray_crossing.hpp); of the triangles of one
+  /// solid of the surface.
+  int enclosures(const Vec3d& point, int solid) const;
+
+  /// Calls visit(triangle) for all triangles of leaves whose box meets this one, and possibly for some close by.
+  template <class Visit>
+  void visit_box(const Box& box, const Visit& visit) const;
+
  private:
   static constexpr std::size_t width = 4;
+  // Three siblings wait at each level, and there are at most 116 of them (bvh_build.cpp).
+  static constexpr std::size_t stack_size = 512;
 
   /// Boxes of the children by coordinate, relative to origin_; an absent child has low > high.
   struct alignas(64) Node {
@@ -110,5 +120,33 @@ class Bvh {
   AlignedVector<Leaf> leaves_;
   std::vector<std::int32_t> leaf_of_;  // of each triangle; empty where it has some of them only
 };
+
+template <class Visit>
+void Bvh::visit_box(const Box& box, const Visit& visit) const {
+  std::array<std::array<float, 3>, 2> reach;  // rounding is covered by the slack of the tree's own boxes
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    reach[0][axis] = static_cast<float>(box.low[axis] - origin_[axis]), reach[1][axis] = static_cast<float>(box.high[axis] - origin_[axis]);
+  std::array<std::int32_t, stack_size> stack;
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const std::int32_t next = stack[--depth];
+    if (next < 0) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(~next)];
+      for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) visit(leaf.triangle[l]);
+      continue;
+    }
+    const Node& node = nodes_[static_cast<std::size_t>(next)];
+    std::array<bool, width> meets;
+#pragma omp simd
+    for (std::size_t c = 0; c < width; ++c) {
+      bool in = true;
+      for (std::size_t axis = 0; axis < 3; ++axis) in &= node.low[axis][c] <= reach[1][axis] && node.high[axis][c] >= reach[0][axis];
+      meets[c] = in;
+    }
+    for (std::size_t c = 0; c < width; ++c)
+      if (meets[c] && node.low[0][c] <= node.high[0][c]) stack[depth++] = node.child[c];
+  }
+}
 
 }  // namespace fccda

@@ -1,12 +1,9 @@
 #include "fccda/surface/connect.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <span>
-#include <sstream>
-#include <vector>
-
-#include "fccda/core/error.hpp"
+#include <utility>
 
 namespace fccda {
 namespace {
@@ -30,42 +27,85 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
   return sides;
 }
 
-[[noreturn]] void refuse(std::size_t edges, std::span<const Side> first, const LinkedTriangles& surface, const std::string& name) {
-  const Vec3d& from = surface.vertices[first[0].edge >> 32];
-  const Vec3d& to = surface.vertices[first[0].edge & 0xffffffffu];
-  std::ostringstream sentence;
-  sentence << name << ": the surface is non-manifold: " << edges << (edges == 1 ? " edge has" : " edges have") << " more than two panels, the first from ("
-           << from.x << ", " << from.y << ", " << from.z << ") to (" << to.x << ", " << to.y << ", " << to.z << ") m with the panels ";
-  constexpr std::size_t most = 6;  // so that a fan of thousands stays one sentence
-  for (std::size_t s = 0; s < std::min(first.size(), most); ++s)
-    sentence << (s > 0 ? ", " : "") << surface.triangles[static_cast<std::size_t>(first[s].triangle)].panel;
-  sentence << (first.size() > most ? ", …" : "") << " (counted from 0); delete inner walls, and move apart parts that touch along an edge.";
-  throw InputError(sentence.str());
+int& neighbour(LinkedTriangles& surface, int triangle, int e) { return surface.neighbours[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(e)]; }
+
+/// A triangle beside a crowded edge, by its angle about it.
+struct Leaf {
+  double angle;       // [rad] about the edge from its lower vertex to its higher
+  bool faces_onward;  // its front is on the side of larger angles
+  int triangle, e;    // and its side along the edge
+};
+
+/// The side of the triangle along the edge, in either direction.
+std::size_t side_along(const Triangle& triangle, const std::array<int, 2>& edge) {
+  std::size_t e = 0;
+  while (std::pair<int, int>(std::minmax(triangle.vertex[e], triangle.vertex[(e + 1) % 3])) != std::pair(edge[0], edge[1])) ++e;
+  return e;
+}
+
+std::vector<Leaf> leaves_around(const LinkedTriangles& surface, const CrowdedEdge& edge) {
+  const Vec3d& from = surface.vertices[static_cast<std::size_t>(edge.vertices[0])];
+  const Vec3d axis = surface.vertices[static_cast<std::size_t>(edge.vertices[1])] - from;
+  std::vector<Leaf> leaves;
+  Vec3d first{}, second{};  // directions at the angles 0 and a quarter turn
+  for (const int triangle : edge.triangles) {
+    const auto& vertex = surface.triangles[static_cast<std::size_t>(triangle)].vertex;
+    const std::size_t e = side_along(surface.triangles[static_cast<std::size_t>(triangle)], edge.vertices);
+    const Vec3d apex = surface.vertices[static_cast<std::size_t>(vertex[(e + 2) % 3])] - from;
+    const Vec3d outward = apex - dot(apex, axis) / squared_norm(axis) * axis;
+    if (leaves.empty()) first = outward / norm(outward), second = cross(axis, first) / norm(axis);
+    leaves.push_back({std::atan2(dot(outward, second), dot(outward, first)), vertex[e] == edge.vertices[0], triangle, static_cast<int>(e)});
+  }
+  std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.angle != b.angle ? a.angle < b.angle : a.triangle < b.triangle; });
+  return leaves;
 }
 
 }  // namespace
 
-std::size_t connect(LinkedTriangles& surface, const std::string& name) {
+Connection connect(LinkedTriangles& surface) {
   surface.neighbours.assign(surface.triangles.size(), {-1, -1, -1});
   const std::vector<Side> sides = sorted_sides(surface.triangles);
-  std::size_t rim_edges = 0, crowded = 0;
-  std::span<const Side> first_crowded;
+  Connection out;
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
     while (end < sides.size() && sides[end].edge == sides[begin].edge) ++end;
-    const std::size_t count = end - begin;
-    if (count == 1) {
-      ++rim_edges;
-    } else if (count == 2) {
-      const Side& a = sides[begin];
-      const Side& b = sides[begin + 1];
-      surface.neighbours[static_cast<std::size_t>(a.triangle)][static_cast<std::size_t>(a.e)] = b.triangle;
-      surface.neighbours[static_cast<std::size_t>(b.triangle)][static_cast<std::size_t>(b.e)] = a.triangle;
-    } else if (crowded++ == 0) {
-      first_crowded = std::span(sides).subspan(begin, count);
+    if (end - begin == 1) {
+      ++out.rim_edges;
+    } else if (end - begin == 2) {
+      const Side &a = sides[begin], &b = sides[begin + 1];
+      neighbour(surface, a.triangle, a.e) = b.triangle;
+      neighbour(surface, b.triangle, b.e) = a.triangle;
+    } else {
+      CrowdedEdge& crowded = out.crowded.emplace_back();
+      crowded.vertices = {static_cast<int>(sides[begin].edge >> 32), static_cast<int>(sides[begin].edge & 0xffffffffu)};
+      for (std::size_t s = begin; s < end; ++s) crowded.triangles.push_back(sides[s].triangle);
     }
   }
-  if (crowded > 0) refuse(crowded, first_crowded, surface, name);
-  return rim_edges;
+  return out;
+}
+
+std::vector<int> join_crowded(LinkedTriangles& surface, const std::vector<CrowdedEdge>& crowded) {
+  // Those nearer to one another lie on one another, as far as a float's coordinates tell, and it is not known which comes first.
+  constexpr double same_angle = 1e-6;
+  std::vector<int> rims;
+  for (const CrowdedEdge& edge : crowded) {
+    const std::vector<Leaf> leaves = leaves_around(surface, edge);
+    const std::size_t count = leaves.size();
+    const auto is_alone = [&](std::size_t k) {
+      const double wedge = leaves[(k + 1) % count].angle - leaves[k].angle;
+      return std::abs(wedge) > same_angle;
+    };
+    std::vector<bool> joined(count, false);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t next = (k + 1) % count;
+      if (!leaves[k].faces_onward || leaves[next].faces_onward || !is_alone(k) || !is_alone(next) || !is_alone((k + count - 1) % count)) continue;
+      neighbour(surface, leaves[k].triangle, leaves[k].e) = leaves[next].triangle;
+      neighbour(surface, leaves[next].triangle, leaves[next].e) = leaves[k].triangle;
+      joined[k] = joined[next] = true;
+    }
+    for (std::size_t k = 0; k < count; ++k)
+      if (!joined[k]) rims.push_back(leaves[k].triangle);
+  }
+  return rims;
 }
 
 }  // namespace fccda

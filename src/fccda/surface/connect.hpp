@@ -1,15 +1,32 @@
 /// Which triangles share an edge.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <string>
+#include <vector>
 
 #include "fccda/surface/triangle.hpp"
 
 namespace fccda {
 
-/// Finds the neighbours and returns the number of rim edges, those with one triangle. Throws InputError, which names panels, where
-/// more than two triangles share an edge. Expects triangles without repeated vertices.
-std::size_t connect(LinkedTriangles& surface, const std::string& name);
+/// An edge of more than two triangles.
+struct CrowdedEdge {
+  std::array<int, 2> vertices;  ///< the lower number first
+  std::vector<int> triangles;   ///< in rising order
+};
+
+struct Connection {
+  std::size_t rim_edges = 0;           ///< edges with one triangle
+  std::vector<CrowdedEdge> crowded{};  ///< left without neighbours
+};
+
+/// Finds the neighbours over edges of two triangles. Expects triangles without repeated vertices.
+Connection connect(LinkedTriangles& surface);
+
+/// Goes round each crowded edge: two triangles that follow one another and have their fronts in the wedge between them bound the same
+/// outside, so they become neighbours. Parts that touch along an edge hang together so, and an outer wall goes on past an inner one that
+/// ends at it. Expects winding that is consistent within each component. Returns the triangles for which no
+/// neighbour was found, one entry for each side; these are rims.
+std::vector<int> join_crowded(LinkedTriangles& surface, const std::vector<CrowdedEdge>& crowded);
 
 }  // namespace fccda

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "fccda/surface/defects.hpp"
 #include "fccda/surface/mass_properties.hpp"
 #include "fccda/surface/nesting.hpp"
 
@@ -12,19 +12,12 @@ namespace {
 
 void expect_declared(OutsideIs outside, const LinkedTriangles& surface, const std::string& name) {
   if (outside != OutsideIs::undeclared) return;
-  std::size_t rim_edges = 0;
-  int panel = -1;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    for (const int beyond : surface.neighbours[t]) {
-      if (beyond >= 0) continue;
-      ++rim_edges;
-      if (panel < 0) panel = surface.triangles[t].panel;
-    }
-  }
-  throw InputError(name + ": the surface is open: " + std::to_string(rim_edges) + (rim_edges == 1 ? " edge belongs" : " edges belong") +
-                   " to one panel only, the first to panel " + std::to_string(panel) +
-                   " (counted from 0); close the holes, or say which side is outside with `outside: normals` (the one that the normals point to) or "
-                   "`outside: reversed`.");
+  const std::vector<std::size_t> rims = triangles_on_rims(surface);
+  throw SurfaceError(name + ": the surface is open: " + std::to_string(rims.size()) + (rims.size() == 1 ? " edge belongs" : " edges belong") +
+                         " to one panel only, the first to panel " + std::to_string(surface.triangles[rims.front()].panel) +
+                         " (counted from 0); close the holes, or say which side is outside with `outside: normals` (the one that the normals point to) or "
+                         "`outside: reversed`.",
+                     {DefectKind::rim, panels_of(surface, rims)});
 }
 
 /// A volume that rounding could have made: of a sheet that is folded onto itself.
@@ -60,8 +53,9 @@ Outward turn_outward(LinkedTriangles& surface, const Components& components, Out
     if (is_closed[component]) {
       const double volume = signed_volume(surface, members[component]);
       if (is_nothing(volume, surface, members[component])) {
-        throw InputError(name + ": the closed part with panel " + std::to_string(surface.triangles[members[component][0]].panel) +
-                         " (counted from 0) encloses no volume, so it has no inside; give it a thickness, or delete one of its two sides.");
+        throw SurfaceError(name + ": the closed part with panel " + std::to_string(surface.triangles[members[component][0]].panel) +
+                               " (counted from 0) encloses no volume, so it has no inside; give it a thickness, or delete one of its two sides.",
+                           {DefectKind::no_volume, panels_of(surface, members[component])});
       }
       const bool is_cavity = nesting.depth[component] % 2 == 1;
       turn = (volume < 0) != is_cavity;

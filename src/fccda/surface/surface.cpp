@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "fccda/core/contract.hpp"
 #include "fccda/core/error.hpp"
 #include "fccda/surface/connect.hpp"
+#include "fccda/surface/defects.hpp"
 #include "fccda/surface/fans.hpp"
 #include "fccda/surface/mass_properties.hpp"
 #include "fccda/surface/overlaps.hpp"
@@ -53,6 +55,24 @@ void expect_usable(const Panels& panels, const std::string& name) {
                      std::to_string(panels.vertices[v].y) + ", " + std::to_string(panels.vertices[v].z) +
                      "), which is no place; each coordinate must be a finite number of metres.");
   }
+}
+
+[[noreturn]] void refuse_crowded(const std::vector<CrowdedEdge>& crowded, const std::vector<int>& cut, const LinkedTriangles& surface,
+                                 const std::string& name) {
+  const Vec3d& from = surface.vertices[static_cast<std::size_t>(crowded[0].vertices[0])];
+  const Vec3d& to = surface.vertices[static_cast<std::size_t>(crowded[0].vertices[1])];
+  std::ostringstream sentence;
+  sentence << name << ": the surface is non-manifold: " << crowded.size() << (crowded.size() == 1 ? " edge has" : " edges have")
+           << " more than two panels, the first from (" << from.x << ", " << from.y << ", " << from.z << ") to (" << to.x << ", " << to.y << ", " << to.z
+           << ") m with the panels ";
+  const std::vector<int>& first = crowded[0].triangles;
+  constexpr std::size_t most = 6;  // so that a fan of thousands stays one sentence
+  for (std::size_t s = 0; s < std::min(first.size(), most); ++s) sentence << (s > 0 ? ", " : "") << surface.triangles[static_cast<std::size_t>(first[s])].panel;
+  sentence
+      << (first.size() > most ? ", …" : "")
+      << " (counted from 0), and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, "
+         "with `outside: normals` (the side that the normals point to).";
+  throw SurfaceError(sentence.str(), {DefectKind::non_manifold, panels_of(surface, {cut.begin(), cut.end()})});
 }
 
 Box bounds_of_used(const Panels& panels) {
@@ -105,17 +125,14 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
   Triangulation triangulation = triangulate(welded.panels, tolerance);
   report_.degenerate = triangulation.degenerate;
   report_.duplicate = triangulation.duplicate;
+  report_.back_to_back = triangulation.back_to_back;
   if (triangulation.triangles.empty()) {
     throw InputError(options.name + ": none of the " + std::to_string(report_.panels) + " panels has an area; check the file's scale and its coordinates.");
   }
   linked_ = {std::move(welded.panels.vertices), std::move(triangulation.triangles), {}};
 
-  report_.rim_edges = connect(linked_, options.name);
-  report_.closure = report_.rim_edges > 0 ? Closure::open : Closure::closed;
-
-  const Components components = wind_consistently(linked_, options.name);
+  const Components components = hang_together(options);
   report_.components = components.count;
-  report_.rewound = components.rewound;
 
   const Outward outward = turn_outward(linked_, components, options.outside, options.name);
   report_.flipped = outward.flipped;
@@ -134,6 +151,23 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
   normals_ = pseudonormals(linked_);
   measure(linked_, report_);
   measure_parts();
+}
+
+Components Surface::hang_together(const Options& options) {
+  const Connection connection = connect(linked_);
+  report_.rim_edges = connection.rim_edges;
+  report_.crowded_edges = connection.crowded.size();
+  Components components = wind_consistently(linked_, options.name);
+  report_.rewound = components.rewound;
+  if (!connection.crowded.empty()) {
+    const std::vector<int> cut = join_crowded(linked_, connection.crowded);
+    if (!cut.empty() && options.outside == OutsideIs::undeclared) refuse_crowded(connection.crowded, cut, linked_, options.name);
+    report_.cut_edges = cut.size();
+    report_.rim_edges += cut.size();
+    components = wind_consistently(linked_, options.name);
+  }
+  report_.closure = report_.rim_edges > 0 ? Closure::open : Closure::closed;
+  return components;
 }
 
 void Surface::measure_parts() {

@@ -12,10 +12,11 @@
 #include "fccda/surface/panels.hpp"
 #include "fccda/surface/pseudonormals.hpp"
 #include "fccda/surface/triangle.hpp"
+#include "fccda/surface/winding.hpp"
 
 namespace fccda {
 
-/// Has every edge two triangles? (Surfaces where one has more are refused.)
+/// Has every edge two triangles?
 enum class Closure : std::uint8_t { closed, open };
 
 /// A named part of a surface, as its file groups the panels.
@@ -27,19 +28,22 @@ struct PartReport {
 
 /// What construction found and mended.
 struct SurfaceReport {
-  std::size_t panels = 0;       ///< as given
-  std::size_t triangles = 0;    ///< kept
-  std::size_t vertices = 0;     ///< after welding
-  std::size_t welded = 0;       ///< vertices merged into another
-  std::size_t degenerate = 0;   ///< dropped triangles without area
-  std::size_t duplicate = 0;    ///< dropped triangles that repeat another
-  std::size_t rewound = 0;      ///< triangles turned to agree with their neighbours
-  std::size_t flipped = 0;      ///< closed components whose normals pointed inward and that were turned as a whole
-  std::size_t components = 0;   ///< parts that hang together over edges
-  std::size_t cavities = 0;     ///< closed components that lie inside another and bound a hollow in it
-  std::size_t solids = 0;       ///< components that are no cavities
-  std::size_t may_overlap = 0;  ///< closed components, but for cavities, whose bounding box meets that of another: they may overlap
-  std::size_t rim_edges = 0;    ///< edges with one triangle
+  std::size_t panels = 0;         ///< as given
+  std::size_t triangles = 0;      ///< kept
+  std::size_t vertices = 0;       ///< after welding
+  std::size_t welded = 0;         ///< vertices merged into another
+  std::size_t degenerate = 0;     ///< dropped triangles without area
+  std::size_t duplicate = 0;      ///< dropped triangles that repeat another
+  std::size_t back_to_back = 0;   ///< dropped triangles that lay back to back in pairs (duplicates.hpp)
+  std::size_t crowded_edges = 0;  ///< edges of more than two triangles, found their neighbours by the wedge between them (connect.hpp)
+  std::size_t cut_edges = 0;      ///< sides of triangles at such edges that did not, and are rims
+  std::size_t rewound = 0;        ///< triangles turned to agree with their neighbours
+  std::size_t flipped = 0;        ///< closed components whose normals pointed inward and that were turned as a whole
+  std::size_t components = 0;     ///< parts that hang together over edges
+  std::size_t cavities = 0;       ///< closed components that lie inside another and bound a hollow in it
+  std::size_t solids = 0;         ///< components that are no cavities
+  std::size_t may_overlap = 0;    ///< closed components, but for cavities, whose bounding box meets that of another: they may overlap
+  std::size_t rim_edges = 0;      ///< edges with one triangle, or cut
   Closure closure = Closure::closed;
   double area = 0;                             ///< [m²]
   double volume = 0;                           ///< [m³] enclosed; 0 where open. What overlapping components share counts twice
@@ -61,8 +65,9 @@ class Surface {
 
   /// Welds, splits quads (along the shorter diagonal), drops degenerate and duplicate triangles, makes the winding consistent in each
   /// component and outward (inner walls of hollow bodies face the hollow), separates parts that touch in a vertex, classifies. Throws InputError where the
-  /// surface cannot be used: no panels, coordinates that are not numbers, vertex or part numbers out of range, non-manifold edges, a winding that cannot be
-  /// made consistent, a closed part without volume, or an open surface whose outside is undeclared.
+  /// surface cannot be used: no panels, coordinates that are not numbers, vertex or part numbers out of range; SurfaceError (defects.hpp), which names
+  /// panels, where a winding cannot be made consistent, a closed part has no volume, or the surface is open, or has edges of more than
+  /// two panels that must be cut, and its outside is undeclared.
   Surface(const Panels& panels, const Options& options);
   explicit Surface(const Panels& panels) : Surface(panels, Options{}) {}
 
@@ -99,6 +104,7 @@ class Surface {
   double radius_about(const Vec3d& point) const;
 
  private:
+  Components hang_together(const Options& options);
   void measure_parts();
 
   Panels panels_;

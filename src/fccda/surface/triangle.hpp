@@ -1,6 +1,7 @@
 /// Triangles that know their neighbours, and the parts of a triangle that a closest point can lie on.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -29,6 +30,24 @@ struct LinkedTriangles {
 
   const Vec3d& corner(std::size_t triangle, std::size_t c) const { return vertices[static_cast<std::size_t>(triangles[triangle].vertex[c])]; }
 };
+
+/// The triangles with an edge on a rim, one entry for each such edge.
+inline std::vector<std::size_t> triangles_on_rims(const LinkedTriangles& surface) {
+  std::vector<std::size_t> out;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const int beyond : surface.neighbours[t])
+      if (beyond < 0) out.push_back(t);
+  return out;
+}
+
+/// The panels of some triangles, each once, in rising order.
+inline std::vector<int> panels_of(const LinkedTriangles& surface, const std::vector<std::size_t>& triangles) {
+  std::vector<int> panels;
+  for (const std::size_t t : triangles) panels.push_back(surface.triangles[t].panel);
+  std::sort(panels.begin(), panels.end());
+  panels.erase(std::unique(panels.begin(), panels.end()), panels.end());
+  return panels;
+}
 
 /// Turns a triangle over. Its edges 0 and 2 change places.
 inline void turn_over(Triangle& triangle, Neighbours& neighbours) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fccda/surface/duplicates.hpp"
 #include "fccda/surface/slivers.hpp"
 
 namespace fccda {
@@ -34,32 +35,6 @@ class Splitter {
   double flat_;
 };
 
-/// Leaves out all but the first of the triangles with the same three vertices. Returns how many went.
-std::size_t drop_duplicates(std::vector<Triangle>& triangles) {
-  struct Key {
-    std::array<int, 3> sorted;
-    int triangle;
-    auto operator<=>(const Key&) const = default;
-  };
-  std::vector<Key> keys(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    keys[t] = {triangles[t].vertex, static_cast<int>(t)};
-    std::sort(keys[t].sorted.begin(), keys[t].sorted.end());
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<bool> repeats(triangles.size(), false);
-  for (std::size_t k = 1; k < keys.size(); ++k) {
-    if (keys[k].sorted == keys[k - 1].sorted) repeats[static_cast<std::size_t>(keys[k].triangle)] = true;
-  }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!repeats[t]) triangles[kept++] = triangles[t];
-  }
-  const std::size_t dropped = triangles.size() - kept;
-  triangles.resize(kept);
-  return dropped;
-}
-
 }  // namespace
 
 Triangulation triangulate(const Panels& panels, double flat) {
@@ -81,7 +56,9 @@ Triangulation triangulate(const Panels& panels, double flat) {
       for (const auto& half : splitter.split(panel)) add(half, p);
     }
   }
-  out.duplicate = drop_duplicates(out.triangles);
+  const Duplicates duplicates = drop_duplicates(out.triangles, panels.vertices);
+  out.duplicate = duplicates.repeated;
+  out.back_to_back = duplicates.back_to_back;
   out.degenerate += absorb_slivers(out.triangles, panels.vertices, flat);
   return out;
 }

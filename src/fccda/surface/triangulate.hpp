@@ -11,8 +11,9 @@ namespace fccda {
 
 struct Triangulation {
   std::vector<Triangle> triangles;
-  std::size_t degenerate = 0;  ///< left out: with a repeated corner, or slivers (slivers.hpp)
-  std::size_t duplicate = 0;   ///< left out: the same three vertices as an earlier one, in any order
+  std::size_t degenerate = 0;    ///< left out: with a repeated corner, or slivers (slivers.hpp)
+  std::size_t duplicate = 0;     ///< left out: the same three vertices as an earlier one, in any order
+  std::size_t back_to_back = 0;  ///< left out: both of two that bound nothing (duplicates.hpp)
 };
 
 /// A quad is split along its shorter diagonal, a rectangle along the one from its first vertex; but along the other where the shorter

@@ -1,6 +1,6 @@
 #include "fccda/surface/winding.hpp"
 
-#include "fccda/core/error.hpp"
+#include "fccda/surface/defects.hpp"
 
 namespace fccda {
 namespace {
@@ -42,8 +42,10 @@ Components wind_consistently(LinkedTriangles& surface, const std::string& name) 
           turned_count += must_turn ? 1 : 0;
           found.push_back(u);
         } else if (turned[u] != must_turn) {
-          throw InputError(name + ": the panels " + std::to_string(triangles[t].panel) + " and " + std::to_string(triangles[u].panel) +
-                           " (counted from 0) close a strip that is twisted like Möbius's, so the surface has no two sides; cut it there or mend the mesh.");
+          throw SurfaceError(
+              name + ": the panels " + std::to_string(triangles[t].panel) + " and " + std::to_string(triangles[u].panel) +
+                  " (counted from 0) close a strip that is twisted like Möbius's, so the surface has no two sides; cut it there or mend the mesh.",
+              {DefectKind::twisted, panels_of(surface, {t, u})});
         }
       }
     }

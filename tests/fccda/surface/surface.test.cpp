@@ -107,8 +107,10 @@ TEST_CASE("surface: an edge with three panels is refused with their numbers") {
   cube.panels.push_back({0, 1, 7, 6});  // an inner wall from one edge to the opposite one; its sides are diagonals of the faces
   check_refused(
       cube,
-      "hull: the surface is non-manifold: 4 edges have more than two panels, the first from (0, 0, 0) to (1, 0, 0) m with the panels 0, 2, 6 (counted from 0); "
-      "delete inner walls, and move apart parts that touch along an edge.");
+      "hull: the surface is non-manifold: 4 edges have more than two panels, the first from (0, 0, 0) to (1, 0, 0) m with the panels 0, 2, 6 (counted from 0), "
+      "and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, with `outside: normals` "
+      "(the "
+      "side that the normals point to).");
 }
 
 TEST_CASE("surface: a Möbius strip is refused, a band with two half turns is not") {
