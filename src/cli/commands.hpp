@@ -23,7 +23,10 @@ int describe_command(const std::string& key, bool markdown);
 
 struct MeshArguments {
   std::filesystem::path file;
+  std::vector<std::string> parts;  ///< all where empty
   double scale = 1;
+  std::string spacing;        ///< with a unit, or in metres; empty: none to compare with
+  std::filesystem::path out;  ///< where the surface goes as made fit; empty: nowhere
 };
 int mesh_command(const MeshArguments& arguments);
 

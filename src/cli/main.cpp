@@ -62,9 +62,12 @@ int run(int argc, char** argv) {
   describe->callback([&] { code = describe_command(key, markdown); });
 
   MeshArguments mesh;
-  CLI::App* mesh_app = app.add_subcommand("mesh", "Report on a surface file (STL, OBJ)");
+  CLI::App* mesh_app = app.add_subcommand("mesh", "Report on a surface file: what it holds, what is wrong with it, whether it suits a spacing");
   mesh_app->add_option("file", mesh.file, "Surface file")->required();
+  mesh_app->add_option("--part", mesh.parts, "Only this part of the file (may be repeated)")->allow_extra_args(false);
   mesh_app->add_option("--scale", mesh.scale, "Multiplies the coordinates, so that they become metres");
+  mesh_app->add_option("--spacing", mesh.spacing, "Spacing of the particles it shall strike, such as 0.5 or \"20 mm\"");
+  mesh_app->add_option("--out", mesh.out, "Writes the surface as made fit: an .stl or .obj file");
   mesh_app->callback([&] { code = mesh_command(mesh); });
 
   CLI::App* version = app.add_subcommand("version", "Print the version");

@@ -1,22 +1,78 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/commands.hpp"
+#include "cli/mesh_report.hpp"
 #include "cli/surface_text.hpp"
 #include "fccda/core/error.hpp"
 #include "fccda/core/parameter.hpp"
+#include "fccda/surface/place.hpp"
 #include "fccda/surface/read/read_panels.hpp"
+#include "io/deck/units.hpp"
+#include "io/output/surface_file.hpp"
+#include "io/results/defect_pictures.hpp"
 
 namespace perimpact {
 
+using namespace fccda;
+
+namespace {
+
+double spacing_of(const std::string& text) {
+  const deck::Converted spacing = deck::to_si(text, "m");
+  if (!spacing.complaint.empty()) throw InputError(fmt::format("--spacing is {}: {}.", text, spacing.complaint));
+  if (!positive().contains(spacing.value)) throw InputError(fmt::format("--spacing is {}, but it must be above 0.", text));
+  return spacing.value;
+}
+
+/// hull_defects.vtp, in the folder that the command runs in, for hull.stl.gz.
+std::filesystem::path defects_file(const std::filesystem::path& surface) {
+  const std::string name = surface.filename().string();
+  return name.substr(0, name.find('.')) + "_defects.vtp";
+}
+
+Surface fit_surface(const Panels& panels, const std::filesystem::path& file) {
+  try {
+    // a report is wanted of open surfaces too, and which side is outside changes nothing in it
+    return Surface(panels, {.outside = OutsideIs::normals, .name = file.string()});
+  } catch (const SurfaceError& error) {
+    write_defects(defects_file(file), panels, {&error.defect(), 1});
+    throw InputError(fmt::format("{} These panels are in {}, for ParaView.", error.what(), defects_file(file).string()));
+  }
+}
+
+/// All that a picture can show.
+std::vector<Defect> defects_of(const Surface& surface, const SelfIntersections& folds) {
+  std::vector<Defect> defects = folds.defects;
+  if (!surface.is_closed()) defects.push_back({DefectKind::rim, surface.panels_on_rims()});
+  return defects;
+}
+
+}  // namespace
+
 int mesh_command(const MeshArguments& arguments) {
-  if (!fccda::positive().contains(arguments.scale))
-    throw fccda::InputError(fmt::format("--scale is {}, but it must be above 0; it multiplies the coordinates, so that they become metres.", arguments.scale));
-  fccda::Panels panels = fccda::read_panels(arguments.file);
-  for (fccda::Vec3d& vertex : panels.vertices) vertex *= arguments.scale;
-  // a report is wanted of open surfaces too, and which side is outside changes nothing in it
-  const fccda::Surface surface(panels, {.outside = fccda::OutsideIs::normals, .name = arguments.file.string()});
-  fmt::print("{}\n{}", arguments.file.string(), surface_text(surface.report()));
+  if (!positive().contains(arguments.scale))
+    throw InputError(fmt::format("--scale is {}, but it must be above 0; it multiplies the coordinates, so that they become metres.", arguments.scale));
+  const double spacing = arguments.spacing.empty() ? 0 : spacing_of(arguments.spacing);  // a mistake there before the file is read
+  Panels panels = read_panels(arguments.file, arguments.parts);
+  place(panels, {.scale = arguments.scale});
+  const Surface surface = fit_surface(panels, arguments.file);
+  const Bvh bvh(surface);
+  const SelfIntersections folds = self_intersections(surface, bvh);
+
+  fmt::print("{}\n{}{}", arguments.file.string(), surface_text(surface.report()), defects_text(surface, folds));
+  if (const auto suspicion = unit_suspicion(surface.report())) fmt::print("  {:<18}{}\n", "unit?", *suspicion);
+  if (spacing > 0) fmt::print("{}", spacing_text(surface, bvh, spacing));
   if (!surface.is_closed()) fmt::print("  an open surface needs `outside: normals` or `outside: reversed` in the deck, to say which side is outside\n");
+  if (const std::vector<Defect> defects = defects_of(surface, folds); !defects.empty()) {
+    write_defects(defects_file(arguments.file), panels, defects);
+    fmt::print("  panels with defects are in {}, for ParaView\n", defects_file(arguments.file).string());
+  }
+  if (!arguments.out.empty()) {
+    output::write_surface(arguments.out, surface);
+    fmt::print("  the surface as made fit is in {}\n", arguments.out.string());
+  }
   return 0;
 }
 

@@ -17,10 +17,15 @@ std::string surface_text(const fccda::SurfaceReport& report) {
   row("edges", fmt::format("{:.4g} to {:.4g} m", report.shortest_edge, report.longest_edge));
   row("closure",
       report.rim_edges == 0 ? std::string(word_for(report.closure)) : fmt::format("{}, {} edges on a rim", word_for(report.closure), report.rim_edges));
-  row("components", fmt::format("{}", report.components));
+  row("components", fmt::format("{}", report.components) + (report.cavities > 0 ? fmt::format(", {} of them walls of hollows", report.cavities) : ""));
   row("area", fmt::format("{:.5g} m2", report.area));
   if (report.closure == fccda::Closure::closed) row("volume", fmt::format("{:.5g} m3", report.volume));
   row("centroid", fmt::format("({:.4g}, {:.4g}, {:.4g}) m", report.centroid.x, report.centroid.y, report.centroid.z));
+  if (report.closure == fccda::Closure::closed) {
+    const fccda::Vec3d &d = report.inertia_diagonal, &p = report.inertia_products;
+    row("inertia",
+        fmt::format("per density, about the centroid: xx {:.4g}, yy {:.4g}, zz {:.4g}, yz {:.3g}, zx {:.3g}, xy {:.3g} m5", d.x, d.y, d.z, p.x, p.y, p.z));
+  }
   constexpr std::size_t most = 40;  // parts that a terminal can show
   const bool has_names = report.parts.size() > 1 || !report.parts[0].name.empty();
   for (std::size_t k = 0; has_names && k < std::min(most, report.parts.size()); ++k) {
@@ -34,6 +39,8 @@ std::string surface_text(const fccda::SurfaceReport& report) {
   mended(report.welded, "vertices merged with one at the same place");
   mended(report.degenerate, "triangles without area dropped");
   mended(report.duplicate, "panels that repeat another dropped");
+  mended(report.back_to_back, "triangles dropped that lay back to back in pairs");
+  if (report.crowded_edges > 0 && report.cut_edges == 0) mended(report.crowded_edges, "edges of more than two panels, along which parts touch, joined");
   mended(report.rewound, "triangles turned to agree with their neighbours");
   if (report.flipped) row("mended", "the normals pointed inward and were turned outward");
   return text;

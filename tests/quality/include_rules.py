@@ -18,6 +18,7 @@ LAYERS = {
     "fccda/surface": ["fccda/core"],
     "fccda/shapes": ["fccda/core", "fccda/surface"],
     "fccda/search": ["fccda/core", "fccda/surface"],
+    "fccda/inspect": ["fccda/core", "fccda/surface", "fccda/search"],
     "fccda/region": ["fccda/core", "fccda/surface"],
     "fccda/body": ["fccda/core", "fccda/surface"],
     "fccda/detect": ["fccda/core", "fccda/surface", "fccda/search", "fccda/region", "fccda/body"],

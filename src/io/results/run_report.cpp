@@ -98,6 +98,9 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["welded"] = report.welded;
   json["degenerate"] = report.degenerate;
   json["duplicate"] = report.duplicate;
+  json["back_to_back"] = report.back_to_back;
+  json["crowded_edges"] = report.crowded_edges;
+  json["cut_edges"] = report.cut_edges;
   json["rewound"] = report.rewound;
   json["flipped"] = report.flipped;
   json["components"] = report.components;

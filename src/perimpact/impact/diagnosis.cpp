@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "fccda/core/parallel.hpp"
-#include "perimpact/impact/surface_measures.hpp"
+#include "fccda/inspect/surface_measures.hpp"
 
 namespace perimpact {
 

@@ -3,6 +3,7 @@
 #include "fccda/shapes/box.hpp"
 #include "fccda/shapes/cylinder.hpp"
 #include "fccda/shapes/sphere.hpp"
+#include "fccda/surface/place.hpp"
 #include "fccda/surface/read/read_panels.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
@@ -16,8 +17,9 @@ fccda::Panels panels_of(const CylinderSurface& s) { return fccda::make_cylinder(
 fccda::Panels panels_of(const SphereSurface& s) { return fccda::make_sphere({s.diameter, s.panel}); }
 fccda::Panels panels_of(const BoxSurface& s) { return fccda::make_box({s.size, s.panel, kind(s.panels)}); }
 fccda::Panels panels_of(const FileSurface& s) {
-  fccda::Panels panels = fccda::read_panels(s.file);
-  for (Vec3d& vertex : panels.vertices) vertex *= s.scale;
+  fccda::Panels panels = fccda::read_panels(s.file, s.parts);
+  const auto plane = [](const Choice& choice) { return choice.as<fccda::MirrorPlane>(); };
+  fccda::place(panels, {s.scale, plane(s.mirror), plane(s.complete), s.rotate, s.translate});
   return panels;
 }
 

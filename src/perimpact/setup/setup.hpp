@@ -47,6 +47,8 @@ enum class BeyondRegion { error, clip };
 inline constexpr std::string_view open_side_words[] = {"undeclared", "normals", "reversed"};
 enum class OpenSide { undeclared, normals, reversed };
 
+inline constexpr std::string_view mirror_plane_words[] = {"none", "x", "y", "z"};  // as fccda::MirrorPlane
+
 inline constexpr std::string_view fragment_law_words[] = {"none"};
 
 // ---- time ----
@@ -123,9 +125,14 @@ struct BoxSurface {
 /// `surface: {file: hull.stl, scale: 0.001}`
 struct FileSurface {
   static constexpr std::string_view name = "file";
-  std::string file;                 ///< path; a relative one starts at the deck's folder
-  double scale = 1;                 ///< multiplies the file's coordinates, so that they become metres
-  Choice outside{open_side_words};  ///< which side of an open surface is outside
+  std::string file;                ///< path; a relative one starts at the deck's folder
+  std::vector<std::string> parts;  ///< of the file; all where empty
+  double scale = 1;                ///< multiplies the file's coordinates, so that they become metres
+  Choice mirror{mirror_plane_words};
+  Choice complete{mirror_plane_words};  ///< adds the mirror image
+  Vec3d rotate{};                       ///< [rad] about x, then y, then z
+  Vec3d translate{};                    ///< [m]
+  Choice outside{open_side_words};      ///< which side of an open surface is outside
   static std::span<const Field<FileSurface>> fields();
 };
 using SurfaceSetup = std::variant<CylinderSurface, SphereSurface, BoxSurface, FileSurface>;

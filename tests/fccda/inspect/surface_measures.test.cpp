@@ -1,4 +1,4 @@
-#include "perimpact/impact/surface_measures.hpp"
+#include "fccda/inspect/surface_measures.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,22 +9,18 @@
 #include "fccda/shapes/cylinder.hpp"
 #include "fixtures/surfaces.hpp"
 
-using namespace perimpact;
-using fccda::Bvh;
-using fccda::PanelFaces;
-using fccda::Surface;
-using fccda::Vec3d;
+using namespace fccda;
 
 namespace {
 
-Surface box(const Vec3d& size, double panel, fccda::PanelKind kind = fccda::PanelKind::quads) { return Surface(fccda::make_box({size, panel, kind})); }
+Surface box(const Vec3d& size, double panel, PanelKind kind = PanelKind::quads) { return Surface(make_box({size, panel, kind})); }
 
-Surface cylinder(double panel) { return Surface(fccda::make_cylinder({.diameter = 2, .height = 1, .panel = panel})); }
+Surface cylinder(double panel) { return Surface(make_cylinder({.diameter = 2, .height = 1, .panel = panel})); }
 
 }  // namespace
 
 TEST_CASE("surface measures: the median panel of a box is as wide as asked for, in quads and in triangles") {
-  for (const fccda::PanelKind kind : {fccda::PanelKind::quads, fccda::PanelKind::triangles}) {
+  for (const PanelKind kind : {PanelKind::quads, PanelKind::triangles}) {
     const Surface surface = box({1, 1, 1}, 0.1, kind);
     CHECK(median_panel_size(surface, PanelFaces(surface)) == doctest::Approx(0.1).epsilon(1e-12));
   }
@@ -57,8 +53,8 @@ TEST_CASE("surface measures: a box is as thick as it is long that way, the wall 
   CHECK(thicknesses(plate, Bvh(plate), 1000).size() == plate.triangles().size());
   CHECK(thicknesses(plate, Bvh(plate), 10).size() <= 10);
 
-  const fccda::Panels inner = fccda::make_box({.size = {0.8, 0.8, 0.8}, .panel = 0.4});
-  const Surface hollow(fixtures::joined(fccda::make_box({.size = {1, 1, 1}, .panel = 0.25}), inner));
+  const Panels inner = make_box({.size = {0.8, 0.8, 0.8}, .panel = 0.4});
+  const Surface hollow(fixtures::joined(make_box({.size = {1, 1, 1}, .panel = 0.25}), inner));
   REQUIRE(hollow.report().cavities == 1);
   for (const Thickness& part : thicknesses(hollow, Bvh(hollow), 1000)) {
     const double off_edges = std::max({std::min(std::fabs(part.place.x), std::fabs(part.place.y)), std::min(std::fabs(part.place.y), std::fabs(part.place.z)),
@@ -66,8 +62,8 @@ TEST_CASE("surface measures: a box is as thick as it is long that way, the wall 
     if (off_edges < 0.35) CHECK(part.thickness == doctest::Approx(0.1).epsilon(1e-9));  // elsewhere a ray may run along a side wall
   }
 
-  fccda::Panels open = fccda::make_box({.size = {1, 1, 1}, .panel = 0.5});
+  Panels open = make_box({.size = {1, 1, 1}, .panel = 0.5});
   open.panels.pop_back();
-  const Surface bowl(open, {.outside = fccda::OutsideIs::normals});
+  const Surface bowl(open, {.outside = OutsideIs::normals});
   CHECK(thicknesses(bowl, Bvh(bowl), 1000).empty());
 }

@@ -9,29 +9,29 @@
 #include "fccda/surface/panel_faces.hpp"
 #include "fccda/surface/surface.hpp"
 
-namespace perimpact {
+namespace fccda {
 
 /// [m] the edge of a square (of a triangle: half a square) of the median panel's area.
-double median_panel_size(const fccda::Surface& surface, const fccda::PanelFaces& faces);
+double median_panel_size(const Surface& surface, const PanelFaces& faces);
 
 struct Facet {
   double sagitta = 0;  ///< [m]
   double angle = 0;    ///< [rad] between the normals of the two triangles
   int panel = -1;
-  fccda::Vec3d place{};  ///< [m] middle of their edge, in the frame of the surface
+  Vec3d place{};  ///< [m] middle of their edge, in the frame of the surface
 };
 
 /// The facet that lies furthest off the smooth surface it stands for: w θ/8 at an edge that bends by θ between triangles that are w high
 /// above it (mean of the two), the sagitta of an arc of the length w that turns by θ. Edges that bend by 60° or more are taken as meant.
-Facet coarsest_facet(const fccda::Surface& surface);
+Facet coarsest_facet(const Surface& surface);
 
 struct Thickness {
   double thickness;  ///< [m] from the middle of a triangle straight inward to where the surface is left again
   int panel;
-  fccda::Vec3d place;  ///< [m] that middle, in the frame of the surface
+  Vec3d place;  ///< [m] that middle, in the frame of the surface
 };
 
 /// Of triangles evenly taken from all, at most `most`. None of an open surface.
-std::vector<Thickness> thicknesses(const fccda::Surface& surface, const fccda::Bvh& bvh, std::size_t most);
+std::vector<Thickness> thicknesses(const Surface& surface, const Bvh& bvh, std::size_t most);
 
-}  // namespace perimpact
+}  // namespace fccda

@@ -1,13 +1,11 @@
-#include "perimpact/impact/surface_measures.hpp"
+#include "fccda/inspect/surface_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-namespace perimpact {
-
-using namespace fccda;
+namespace fccda {
 
 double median_panel_size(const Surface& surface, const PanelFaces& faces) {
   std::vector<double> sizes;
@@ -62,4 +60,4 @@ std::vector<Thickness> thicknesses(const Surface& surface, const Bvh& bvh, std::
   return found;
 }
 
-}  // namespace perimpact
+}  // namespace fccda

@@ -1,0 +1,82 @@
+#include "cli/mesh_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fccda/inspect/rims.hpp"
+#include "fccda/inspect/surface_measures.hpp"
+#include "fccda/surface/panel_faces.hpp"
+
+namespace perimpact {
+
+using namespace fccda;
+
+namespace {
+
+std::string row(const char* name, const std::string& value) { return fmt::format("  {:<18}{}\n", name, value); }
+std::string place(const Vec3d& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p.x, p.y, p.z); }
+std::string counted(std::size_t count, const char* one, const char* many) { return fmt::format("{} {}", count, count == 1 ? one : many); }
+
+}  // namespace
+
+std::optional<std::string> unit_suspicion(const SurfaceReport& report) {
+  const Vec3d size = report.bounds.size();
+  const double largest = std::max({size.x, size.y, size.z});
+  constexpr double no_ship = 1000, no_tool = 1e-3;  // [m]
+  if (largest > no_ship)
+    return fmt::format("{:.4g} m is longer than any ship; if the file is in millimetres, --scale 0.001 (`scale: 0.001` in the deck) makes it {:.4g} m", largest,
+                       0.001 * largest);
+  if (largest < no_tool)
+    return fmt::format("{:.4g} m is smaller than any tool; if the file is in metres already, leave the scale out; if not, choose one that makes metres",
+                       largest);
+  return std::nullopt;
+}
+
+std::string defects_text(const Surface& surface, const SelfIntersections& folds) {
+  std::string text;
+  const std::vector<Rim> all = rims(surface);
+  constexpr std::size_t most = 10;
+  for (std::size_t k = 0; k < std::min(most, all.size()); ++k) {
+    const Vec3d size = all[k].bounds.size();
+    text += row(k == 0 ? "rims" : "", fmt::format("{}, {:.4g} m around, {:.4g} x {:.4g} x {:.4g} m about {}", counted(all[k].edges, "edge", "edges"),
+                                                  all[k].length, size.x, size.y, size.z, place(all[k].bounds.centre())));
+  }
+  if (all.size() > most) text += row("", fmt::format("and {} more, all shorter", all.size() - most));
+  const SurfaceReport& report = surface.report();
+  if (report.cut_edges > 0)
+    text += row("non-manifold", fmt::format("{} of more than two panels; {} could not be joined with another across them and are cut there",
+                                            counted(report.crowded_edges, "edge", "edges"), counted(report.cut_edges, "side", "sides")));
+  for (const Defect& defect : folds.defects) {
+    const std::string panels = counted(defect.panels.size(), "panel", "panels");
+    if (defect.kind == DefectKind::inside_out)
+      text += row("inside out", panels + " go through one another such that the surface is inside out between them: no run takes it, mend the fold");
+    else
+      text += row("self-intersection", panels + " of one body go through one another; contact from outside is found all the same");
+  }
+  return text;
+}
+
+std::string spacing_text(const Surface& surface, const Bvh& bvh, double spacing) {
+  std::string text = fmt::format("  against particles of spacing {:.4g} m\n", spacing);
+  const double median = median_panel_size(surface, PanelFaces(surface));
+  const char* verdict = median < spacing / 4   ? "finer than is of use: below a quarter costs time and memory and resolves nothing"
+                        : median > 2 * spacing ? "fine where the surface is flat; where it curves, see below"
+                                               : "well chosen";
+  text += row("  median panel", fmt::format("{:.4g} m, {:.3g} spacings: {}", median, median / spacing, verdict));
+  const Facet facet = coarsest_facet(surface);
+  if (facet.panel >= 0)
+    text += row("  off the curve", fmt::format("at most {:.3g} m, {:.2g} spacings, at panel {}, {}: {}", facet.sagitta, facet.sagitta / spacing, facet.panel,
+                                               place(facet.place), facet.sagitta > spacing / 2 ? "too coarse there, if it is meant to be round" : "fine"));
+  constexpr std::size_t most_rays = 3000;
+  const std::vector<Thickness> all = thicknesses(surface, bvh, most_rays);
+  const auto thinnest = std::min_element(all.begin(), all.end(), [](const Thickness& a, const Thickness& b) { return a.thickness < b.thickness; });
+  if (thinnest != all.end())
+    text += row("  thinnest place", fmt::format("{:.3g} m, {:.2g} spacings, at panel {}, {}; a step must move less than that", thinnest->thickness,
+                                                thinnest->thickness / spacing, thinnest->panel, place(thinnest->place)));
+  return text;
+}
+
+}  // namespace perimpact

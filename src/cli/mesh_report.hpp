@@ -1,0 +1,22 @@
+/// What `perimpact mesh` says of a surface beyond the facts that `check` has too.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fccda/inspect/self_intersections.hpp"
+#include "fccda/search/bvh.hpp"
+#include "fccda/surface/surface.hpp"
+
+namespace perimpact {
+
+/// A size that no ship, tool or specimen has, with the scale that was probably meant; nothing otherwise.
+std::optional<std::string> unit_suspicion(const fccda::SurfaceReport& report);
+
+/// Rims, edges of more than two panels, panels that cross, a row each; nothing of a sound closed surface.
+std::string defects_text(const fccda::Surface& surface, const fccda::SelfIntersections& folds);
+
+/// The panels against particles of that spacing [m].
+std::string spacing_text(const fccda::Surface& surface, const fccda::Bvh& bvh, double spacing);
+
+}  // namespace perimpact
