@@ -108,7 +108,8 @@ void write_pictures(const Simulation& simulation, const std::filesystem::path& f
 
 int check_command(const DeckArguments& arguments) {
   const deck::Deck deck = open_deck(arguments);
-  return with_places(deck, [&] {
+  const std::filesystem::path folder = results_folder(arguments, deck.setup) / "check";
+  return with_places(deck, folder, [&] {
     Simulation simulation(deck.setup);
     const std::vector<Line> lines = lines_of(simulation);
     fmt::print("{}\n", deck.setup.title);
@@ -122,7 +123,6 @@ int check_command(const DeckArguments& arguments) {
     print_step(simulation);
     print_lines(lines, simulation);
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
-    const std::filesystem::path folder = results_folder(arguments, deck.setup) / "check";
     write_pictures(simulation, folder);
     print_duration(simulation);
     fmt::print("surfaces, regions and bodies are in {} as VTP\n", folder.string());

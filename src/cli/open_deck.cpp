@@ -1,8 +1,12 @@
 #include "cli/open_deck.hpp"
 
+#include <fmt/format.h>
+
 #include "fccda/core/error.hpp"
 #include "fccda/core/parallel.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "io/output/results_folder.hpp"
+#include "io/results/defect_pictures.hpp"
+#include "perimpact/impact/surface_of.hpp"
 
 namespace perimpact {
 
@@ -17,9 +21,14 @@ std::filesystem::path results_folder(const DeckArguments& arguments, const Setup
   return arguments.out.value_or(setup.output.folder);
 }
 
-void rethrow_with_place(const deck::Deck& deck) {
+void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& folder) {
   try {
     throw;
+  } catch (const DefectiveSurface& error) {
+    output::prepare_folder(folder);
+    const std::filesystem::path picture = folder / (error.impactor() + "_defects.vtp");
+    write_defects(picture, error.panels(), {&error.defect(), 1});
+    throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), picture.string()));
   } catch (const SetupError& error) {
     throw fccda::InputError(deck.places.of(error.key()) + ": " + error.what());
   }

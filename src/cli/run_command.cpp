@@ -30,7 +30,7 @@ int run_command(const DeckArguments& arguments) {
   const std::filesystem::path folder = results_folder(arguments, deck.setup);
   output::prepare_folder(folder);
 
-  return with_places(deck, [&] {
+  return with_places(deck, folder, [&] {
     Simulation simulation(deck.setup);
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);

@@ -36,6 +36,25 @@ Diagnosis inside_out(const Impactor& impactor) {
       impactor.name(), flipped, impactor.surface().report().components);
 }
 
+Diagnosis goes_through_itself(const Impactor& impactor) {
+  if (impactor.crossing_panels() == 0) return std::nullopt;
+  return fmt::format(
+      "{} panels of impactor {} go through one another within one body. Contact from outside is found all the same, but the volume counts what is enclosed "
+      "twice "
+      "double; `perimpact mesh` writes a picture of them.",
+      impactor.crossing_panels(), impactor.name());
+}
+
+Diagnosis is_cut(const Impactor& impactor) {
+  const SurfaceReport& report = impactor.surface().report();
+  if (report.cut_edges == 0) return std::nullopt;
+  return fmt::format(
+      "The surface of impactor {} is cut along {} edges of more than two panels, because it could not be told which panels hang together there. Near these "
+      "edges "
+      "a particle is struck when its centre crosses a panel, not at the contact radius; delete inner walls if that matters.",
+      impactor.name(), report.crowded_edges);
+}
+
 Diagnosis panels_too_fine(const Impactor& impactor, const Target& target) {
   const double size = median_panel_size(impactor.surface(), impactor.record().panels().faces());
   if (!(size < target.spacing / 4)) return std::nullopt;

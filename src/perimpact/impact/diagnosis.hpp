@@ -22,6 +22,8 @@ struct Target {
 using Diagnosis = std::optional<std::string>;
 
 Diagnosis inside_out(const Impactor& impactor);                                     ///< the file's normals pointed inward
+Diagnosis goes_through_itself(const Impactor& impactor);                            ///< panels of one body of the file cross
+Diagnosis is_cut(const Impactor& impactor);                                         ///< at edges of more than two panels
 Diagnosis panels_too_fine(const Impactor& impactor, const Target& target);          ///< median below a quarter of the spacing
 Diagnosis panels_too_coarse(const Impactor& impactor, const Target& target);        ///< facets more than half a spacing off their curve
 Diagnosis panels_of_another_unit(const Impactor& impactor, const Target& target);   ///< an edge longer than a hundred bodies

@@ -1,11 +1,11 @@
 #include "perimpact/impact/surface_of.hpp"
 
+#include "fccda/inspect/self_intersections.hpp"
 #include "fccda/shapes/box.hpp"
 #include "fccda/shapes/cylinder.hpp"
 #include "fccda/shapes/sphere.hpp"
 #include "fccda/surface/place.hpp"
 #include "fccda/surface/read/read_panels.hpp"
-#include "perimpact/setup/setup_error.hpp"
 
 namespace perimpact {
 
@@ -31,10 +31,20 @@ fccda::OutsideIs outside(const SurfaceSetup& setup) {
 
 }  // namespace
 
-fccda::Surface surface_of(const SurfaceSetup& setup, const std::string& name) {
+GivenSurface surface_of(const SurfaceSetup& setup, const std::string& name) {
   const std::string key = "impactors." + name + ".surface";
+  fccda::Panels panels;
   try {
-    return std::visit([&](const auto& surface) { return fccda::Surface(panels_of(surface), {.outside = outside(setup), .name = name}); }, setup);
+    panels = std::visit([](const auto& surface) { return panels_of(surface); }, setup);
+    GivenSurface given{fccda::Surface(panels, {.outside = outside(setup), .name = name})};
+    if (std::holds_alternative<FileSurface>(setup)) {
+      const fccda::SelfIntersections found = fccda::self_intersections(given.surface, fccda::Bvh(given.surface));
+      fccda::expect_no_pockets(found, name);
+      for (const fccda::Defect& defect : found.defects) given.crossing_panels += defect.panels.size();
+    }
+    return given;
+  } catch (const fccda::SurfaceError& error) {
+    throw DefectiveSurface(key, name, std::move(panels), error);
   } catch (const fccda::InputError& error) {
     throw SetupError(key, error.what());
   }

@@ -80,7 +80,8 @@ void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, s
 
 void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt, std::vector<std::string>& warnings) {
   for (const Impactor& impactor : impactors) {
-    if (Diagnosis flipped = inside_out(impactor)) warnings.push_back(std::move(*flipped));
+    for (const Diagnosis& of_surface : {inside_out(impactor), goes_through_itself(impactor), is_cut(impactor)})
+      if (of_surface) warnings.push_back(*of_surface);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const Lattice& lattice = bodies[b].particles.lattice();
       const Vec3d size = lattice.spacing * Vec3d{double(lattice.cells[0]), double(lattice.cells[1]), double(lattice.cells[2])};
