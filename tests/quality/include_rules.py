@@ -19,6 +19,7 @@ LAYERS = {
     "fccda/shapes": ["fccda/core", "fccda/surface"],
     "fccda/search": ["fccda/core", "fccda/surface"],
     "fccda/region": ["fccda/core", "fccda/surface"],
+    "fccda/remesh": ["fccda/core", "fccda/surface", "fccda/search", "fccda/region"],
     "fccda/body": ["fccda/core", "fccda/surface"],
     "fccda/detect": ["fccda/core", "fccda/surface", "fccda/search", "fccda/region", "fccda/body"],
     "perimpact": ["fccda", "perimpact"],
