@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "fccda/search/closest_point.hpp"
 #include "fccda/surface/surface.hpp"
 #include "fixtures/surfaces.hpp"
 
@@ -60,6 +61,40 @@ inline Panels askew_plate(int cells, double stretch, unsigned seed) {
       out.add_triangle(a, a + cells + 2, a + cells + 1);
     }
   return out;
+}
+
+/// [m] The largest distance from the triangles `from`, sampled densely, to the triangles `to`, by a loop over all. Never more than Hausdorff's.
+inline double sampled_distance(const std::vector<Triangle3>& from, const std::vector<Triangle3>& to, int samples) {
+  double largest = 0;
+  for (const Triangle3& t : from)
+    for (int i = 0; i <= samples; ++i)
+      for (int j = 0; i + j <= samples; ++j) {
+        const Vec3d point = (i * t[0] + j * t[1] + (samples - i - j) * t[2]) / static_cast<double>(samples);
+        double nearest = 1e300;
+        for (const Triangle3& other : to) {
+          nearest = std::min(nearest, squared_norm(point - fccda::closest_on_triangle(point, {other[0], other[1], other[2]}).point));
+          if (nearest <= largest * largest) break;
+        }
+        largest = std::max(largest, std::sqrt(nearest));
+      }
+  return largest;
+}
+
+/// Edges of triangles that go through another triangle, inside both: none of a surface that does not meet itself.
+inline std::size_t self_crossings(const std::vector<Triangle3>& triangles) {
+  const auto volume = [](const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) { return dot(b - a, cross(c - a, d - a)); };
+  const auto goes_through = [&](const Vec3d& p, const Vec3d& q, const Triangle3& t) {
+    if (!(volume(p, t[0], t[1], t[2]) * volume(q, t[0], t[1], t[2]) < 0)) return false;
+    const double u = volume(p, q, t[0], t[1]), v = volume(p, q, t[1], t[2]), w = volume(p, q, t[2], t[0]);
+    return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+  };
+  std::size_t count = 0;
+  for (const Triangle3& one : triangles)
+    for (const Triangle3& other : triangles) {
+      const bool touch = std::any_of(one.begin(), one.end(), [&](const Vec3d& corner) { return std::find(other.begin(), other.end(), corner) != other.end(); });
+      for (std::size_t e = 0; e < 3 && !touch; ++e) count += goes_through(one[e], one[(e + 1) % 3], other);
+    }
+  return count;
 }
 
 }  // namespace fixtures
