@@ -23,7 +23,7 @@ struct Coarsened {
 ///
 ///  - Closed stays closed; holes and components stay (collapsible.hpp).
 ///  - Borders between parts, and rims, stay borders and rims: they move by at most the distance too.
-///  - No normal turns by more than 60° against that of the triangle it replaces.
+///  - No collapse turns a normal by more than 60° against that of the triangle in whose place the new one is.
 ///  - No triangle becomes flatter than a twentieth (height over its longest edge), unless one about the vertex was flatter before.
 ///  - Thin walls and narrow gaps keep a third of their width at least (room.hpp): there the surface moves less than `distance`.
 ///

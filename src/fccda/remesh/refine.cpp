@@ -36,8 +36,8 @@ void expect_affordable(std::span<const Refinement> refinements, const WantedSize
   const double left = std::max(most - (total - largest), 0.5 * most);
   std::ostringstream sentence;
   sentence.precision(2);
-  sentence << "panels of " << culprit->panel << " m would be about " << largest << " of them, more than the " << left << " that there is room for; panels of "
-           << affordable_panel(*culprit, wanted, left) << " m would do.";
+  sentence << culprit->name << ": panels of " << culprit->panel << " m would be about " << largest << " of them, more than the " << left
+           << " that there is room for; panels of " << affordable_panel(*culprit, wanted, left) << " m would do.";
   throw InputError(sentence.str());
 }
 

@@ -12,6 +12,7 @@ namespace fccda {
 
 /// Which panels become how small. Box, part and angle narrow one another; with none of them it is all panels.
 struct Refinement {
+  std::string name = "refinement";    ///< how messages call it
   double panel = 0;                   ///< [m] longest edge wanted
   std::optional<Box> box{};           ///< [m] only panels that reach into it, in the frame of the surface
   std::optional<std::string> part{};  ///< only panels of that part
@@ -22,7 +23,7 @@ struct Refinement {
 /// The triangles of the surface, halved across their longest edges until each is as small as wanted; of several refinements the
 /// smallest size counts. Neighbours are halved along, so that no vertex hangs on an edge, and no angle becomes smaller than half the
 /// smallest of the triangle it lies in (bisection.hpp). Parts keep their names. Panels are wound outward: where the surface was open, normals
-/// point to its outside. Throws InputError where a part is none, or more than `most` panels would be added.
+/// point to its outside. Throws InputError where a part is none, a box empty, or more than `most` panels would be added.
 Panels refine(const Surface& surface, std::span<const Refinement> refinements, double most = 3e7);
 
 }  // namespace fccda

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "fccda/core/error.hpp"
 #include "fccda/core/no_such_part.hpp"
@@ -43,12 +44,29 @@ double area_of(const Polygon& polygon) {
 }  // namespace
 
 WantedSize::WantedSize(const Surface& surface, const Curvature& curvature, std::span<const Refinement> refinements) : surface_(surface), curvature_(curvature) {
-  for (const Refinement& refinement : refinements) wishes_.push_back(wish_of(refinement));
+  for (const Refinement& refinement : refinements) {
+    wishes_.push_back(wish_of(refinement));
+    if (refinement.box) expect_panels_in(wishes_.back());
+  }
+}
+
+void WantedSize::expect_panels_in(const Wish& wish) const {
+  const Box& box = *wish.refinement.box;
+  for (std::size_t t = 0; t < surface_.triangles().size(); ++t)
+    if (holds_for_part_of(wish, t) && reaches_into(box, {surface_.corner(t, 0), surface_.corner(t, 1), surface_.corner(t, 2)})) return;
+  const auto words = [](const Box& one) {
+    std::ostringstream text;
+    text << "(" << one.low.x << ", " << one.low.y << ", " << one.low.z << ") to (" << one.high.x << ", " << one.high.y << ", " << one.high.z << ") m";
+    return text.str();
+  };
+  throw InputError(wish.refinement.name + ": no panel" + (wish.refinement.part ? " of part " + *wish.refinement.part : "") + " reaches into the box from " +
+                   words(box) + ", and the surface goes from " + words(surface_.report().bounds) + "; mend the box.");
 }
 
 WantedSize::Wish WantedSize::wish_of(const Refinement& refinement) const {
   const auto names = surface_.part_names();
-  if (refinement.part && std::find(names.begin(), names.end(), *refinement.part) == names.end()) throw InputError(no_such_part(*refinement.part, names));
+  if (refinement.part && std::find(names.begin(), names.end(), *refinement.part) == names.end())
+    throw InputError(refinement.name + ": " + no_such_part(*refinement.part, names));
   Wish wish{refinement, {}};
   for (const std::string& name : names) wish.holds_for_part.push_back(!refinement.part || *refinement.part == name);
   return wish;

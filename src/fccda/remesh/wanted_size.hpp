@@ -13,7 +13,7 @@ namespace fccda {
 
 class WantedSize {
  public:
-  /// Throws InputError where a part is none. Both must outlive it.
+  /// Throws InputError where a part is none, or a box empty. Both must outlive it.
   WantedSize(const Surface& surface, const Curvature& curvature, std::span<const Refinement> refinements);
 
   /// [m] The longest that this piece of a surface may be by the smallest wish that holds for it; infinity where none does. It never
@@ -28,6 +28,7 @@ class WantedSize {
     Refinement refinement;
     std::vector<bool> holds_for_part;  // of each of the surface
   };
+  void expect_panels_in(const Wish& wish) const;
   Wish wish_of(const Refinement& refinement) const;
   bool holds_for_part_of(const Wish& wish, std::size_t triangle) const;
   double smooth_size(const Wish& wish, std::size_t triangle) const;

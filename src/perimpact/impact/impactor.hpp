@@ -16,6 +16,7 @@
 #include "perimpact/impact/contact_record.hpp"
 #include "perimpact/impact/gauges_of.hpp"
 #include "perimpact/impact/region_of.hpp"
+#include "perimpact/impact/remeshed.hpp"
 #include "perimpact/impact/struck_particles.hpp"
 #include "perimpact/setup/setup.hpp"
 
@@ -61,6 +62,7 @@ class Impactor {
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
+  const std::optional<Remeshing>& remeshing() const { return remeshing_; }  ///< of the surface, where the deck asks for any
   const ImpactorRegion& region() const { return region_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
   /// False where contacts name no panel: with the analytic detector.
@@ -112,10 +114,13 @@ class Impactor {
   }
 
  private:
+  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, Remeshed remeshed);
+
   std::span<const fccda::Contact> respond_to_contacts(std::size_t body, StruckParticles& particles);
   std::size_t add_struck();
 
   std::string name_;
+  std::optional<Remeshing> remeshing_;
   std::shared_ptr<const fccda::Surface> surface_;
   ImpactorRegion region_;
   fccda::PrescribedMotion prescribed_;

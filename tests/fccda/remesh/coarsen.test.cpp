@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <map>
-
 #include "fccda/core/parallel.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/remesh/meshes.hpp"
@@ -175,6 +173,11 @@ TEST_CASE("coarsen: thin walls do not fold through themselves, though the distan
   const Coarsened coarse = coarsen(surface_from(sheet), {0.1, any_size});
   CHECK(coarse.panels.panels.size() < 0.9 * static_cast<double>(sheet.panels.size()));
   CHECK(fixtures::self_crossings(triangles_of(coarse.panels)) == 0);
+  // a wedge of the same kind, thick at one end
+  const Panels wedge = fixtures::moved(make_box({.size = {1, 1, 0.2}, .panel = 0.08}), [&](const Vec3d& p) { return arch({p.x, p.y, p.z * (0.53 - p.x)}); });
+  const Coarsened sharp = coarsen(surface_from(wedge), {0.1, any_size});
+  CHECK(sharp.panels.panels.size() < 0.9 * static_cast<double>(wedge.panels.size()));
+  CHECK(fixtures::self_crossings(triangles_of(sharp.panels)) == 0);
   // two spheres, one in the other, with a narrow gap between
   const Panels shell = fixtures::joined(make_sphere({.diameter = 1, .panel = 0.1}), fixtures::reversed(make_sphere({.diameter = 0.96, .panel = 0.13})));
   const Coarsened thin = coarsen(surface_from(shell), {0.1, any_size});
@@ -183,16 +186,16 @@ TEST_CASE("coarsen: thin walls do not fold through themselves, though the distan
   CHECK(surface_from(thin.panels).report().cavities == 1);
 }
 
-TEST_CASE("coarsen: parts that touch in a corner, tetrahedra and rims of one triangle are left as they are") {
-  const Panels one = fixtures::tetrahedron();
-  CHECK(coarsen(surface_from(one), {10, any_size}).panels.panels.size() == 4);
-  Panels two = fixtures::joined(one, fixtures::moved(one, [](const Vec3d& p) { return -p; }));
-  for (std::size_t p = 4; p < 8; ++p) std::swap(two.panels[p][1], two.panels[p][2]);
-  const Coarsened coarse = coarsen(surface_from(two), {10, any_size});
-  CHECK(coarse.panels.panels.size() == 8);
-  CHECK(surface_from(coarse.panels).report().components == 2);
-  const Panels alone{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, -1}}, {}, {}};
-  CHECK(coarsen(surface_from(alone), {10, any_size}).panels.panels.size() == 1);
+TEST_CASE("coarsen: parts that touch still do so in single places, where two of them would come to share an edge too") {
+  // the edge from (0, 1, 1) to (1, 1, 1) of a box, and on it that of a tetrahedron, which has a vertex elsewhere than the box has them
+  const Vec3d m{0.4, 1, 1}, p{0, 1, 1}, q{1, 1, 1}, r{0.5, 1.3, 1.5}, s{0.5, 0.7, 1.5};
+  const Panels tetrahedron{{p, m, q, r, s}, {{0, 3, 1, -1}, {1, 3, 2, -1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {0, 4, 3, -1}, {2, 3, 4, -1}}, {}, {}};
+  const Panels box = fixtures::moved(make_box({.size = {1, 1, 1}, .panel = 0.25}), [](const Vec3d& x) { return x + Vec3d{0.5, 0.5, 0.5}; });
+  const Panels both = fixtures::joined(box, tetrahedron);
+  const Surface given(both), after(coarsen(given, {flat, any_size}).panels);
+  CHECK(after.report().components == 2);
+  CHECK(after.triangles().size() < 30);
+  CHECK(after.report().volume == doctest::Approx(given.report().volume).epsilon(1e-13));  // rounding
 }
 
 TEST_CASE("coarsen: the result has the same bits for any number of threads") {
