@@ -7,6 +7,7 @@
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
 #include "cli/region_text.hpp"
+#include "cli/remesh_text.hpp"
 #include "cli/surface_text.hpp"
 #include "fccda/core/parallel.hpp"
 #include "fccda/region/region_panels.hpp"
@@ -115,7 +116,7 @@ int check_command(const DeckArguments& arguments) {
     fmt::print("{}\n", deck.setup.title);
     for (const Body& body : simulation.bodies()) print_body(body);
     for (const Impactor& impactor : simulation.impactors()) {
-      fmt::print("impactor {}\n{}", impactor.name(), surface_text(impactor.surface().report()));
+      fmt::print("impactor {}\n{}{}", impactor.name(), remesh_text(impactor), surface_text(impactor.surface().report()));
       print_rigid_body(impactor);
       fmt::print("{}", region_text(impactor));
       print_approach(simulation, impactor);

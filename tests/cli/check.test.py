@@ -137,6 +137,40 @@ def _(t):
             file.unlink()
 
 
+@claim("check: tells panels before and after coarsening and refinement, run.json too, and parts stay")
+def _(t):
+    keys = "coarsen: {distance: 0.2 mm, panel: 10 mm}\n    refine: {struck: {panel: 1 mm, part: side, box: {size: [20 mm, 20 mm, 10 mm], centre: [0, -20 mm, 0]}}}"
+    plain = t.deck()
+    t.expect_success("run", plain, "--out", "plain")
+    given = t.report("plain")["impactors"]["cylinder"]["surface"]
+    deck = t.deck(("free: [y]", f"free: [y]\n    {keys}"))
+    rows = rows_of(t.expect_success("check", deck, "--out", "r").out)
+    t.expect_success("run", deck, "--out", "r")
+    report = t.report("r")["impactors"]["cylinder"]
+    t.assertEqual({**report["surface_as_given"], "buried_triangles": 0}, given)
+    surface, coarsened = report["surface"], report["coarsened"]
+    t.assertTrue(rows["as given"].startswith(f"{given['panels']} panels ({given['triangles']} triangles, edges "), rows)
+    t.assertTrue(rows["coarsened"].startswith(f"to {coarsened['triangles']} triangles; the surface moved by "), rows)
+    t.assertEqual(rows["refined"], f"to {surface['triangles']} triangles")
+    t.assertEqual(rows["panels"], f"{surface['panels']} ({surface['triangles']} triangles, {surface['vertices']} vertices)")
+    t.assertLess(coarsened["triangles"], given["triangles"])
+    t.assertLess(2 * coarsened["triangles"], surface["triangles"])
+    t.assertLessEqual(coarsened["moved_at_most [m]"], 0.2e-3)
+    # sums over some thousand triangles, rounded
+    t.assertAlmostEqual(surface["volume [m3]"] - given["volume [m3]"], coarsened["volume_change [m3]"], delta=1e-12 * given["volume [m3]"])
+    t.assertEqual((surface["closure"], list(surface["parts"])), ("closed", ["bottom", "side", "top"]))
+
+
+@claim("check: a refinement that cannot be done is refused at its place, with its name")
+def _(t):
+    for wish, sentence in [
+        ("{panel: 1 mm, part: sides}", 'struck: the surface has no part "sides"; did you mean side? Its parts are bottom, side, top.'),
+        ("{panel: 1 nm}", "struck: panels of 1e-09 m would be about 6e+16 of them, more than the 3e+07 that there is room for; panels of 5e-05 m would do."),
+    ]:
+        failed = t.run_program("check", t.deck(("free: [y]", f"free: [y]\n    refine: {{struck: {wish}}}")), "--out", "r")
+        t.assertEqual((failed.code, failed.err), (2, f"error: deck.yaml:15:5: {sentence}\n"))
+
+
 @claim("check: refuses what run refuses, with the same sentence")
 def _(t):
     for change in [("free: [y]", "free: [y]\n    region: {box_union: {boxes: {a: {size: [40 mm, 40 mm, 30 mm]}}}}"), ("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:

@@ -20,6 +20,7 @@ LAYERS = {
     "fccda/search": ["fccda/core", "fccda/surface"],
     "fccda/inspect": ["fccda/core", "fccda/surface", "fccda/search"],
     "fccda/region": ["fccda/core", "fccda/surface"],
+    "fccda/remesh": ["fccda/core", "fccda/surface", "fccda/search", "fccda/region"],
     "fccda/body": ["fccda/core", "fccda/surface"],
     "fccda/detect": ["fccda/core", "fccda/surface", "fccda/search", "fccda/region", "fccda/body"],
     "perimpact": ["fccda", "perimpact"],

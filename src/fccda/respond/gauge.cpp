@@ -3,30 +3,16 @@
 #include <algorithm>
 
 #include "fccda/core/error.hpp"
-#include "fccda/core/nearest_word.hpp"
+#include "fccda/core/no_such_part.hpp"
 
 namespace fccda {
-
-namespace {
-
-[[noreturn]] void refuse(const std::string& part, std::span<const std::string> known) {
-  std::string sentence = "the surface has no part \"" + part + "\"";
-  if (const std::string_view meant = nearest_word(part, known); !meant.empty()) sentence += "; did you mean " + std::string(meant) + "?";
-  if (known.size() == 1 && known[0].empty()) throw InputError(sentence + "; its panels have no names, so leave the parts out, or name them in its file.");
-  sentence += sentence.ends_with('?') ? " Its parts are " : "; its parts are ";
-  constexpr std::size_t most = 20;  // so that an assembly of thousands stays a sentence
-  for (std::size_t k = 0; k < std::min(known.size(), most); ++k) sentence += (k > 0 ? ", " : "") + (known[k].empty() ? "one without a name" : known[k]);
-  throw InputError(sentence + (known.size() > most ? " and " + std::to_string(known.size() - most) + " more." : "."));
-}
-
-}  // namespace
 
 Gauge::Gauge(const Mounting& mounting, const Surface& surface) : point_(mounting.point), axis_(mounting.axis) {
   if (mounting.parts.empty()) return;
   const auto known = surface.part_names();
   std::vector<bool> feels_part(known.size(), false);
   for (const std::string& part : mounting.parts) {
-    if (std::find(known.begin(), known.end(), part) == known.end()) refuse(part, known);
+    if (std::find(known.begin(), known.end(), part) == known.end()) throw InputError(no_such_part(part, known));
     for (std::size_t k = 0; k < known.size(); ++k)
       if (known[k] == part) feels_part[k] = true;
   }

@@ -110,12 +110,21 @@ void check_gauge(const GaugeSetup& gauge, DetectorKind detector, const std::stri
     refuse(places.of(path + ".parts"), "parts is given, but the analytic detector knows no panels; remove parts, or write detector: swept.");
 }
 
+void check_remeshing(const std::string& path, DetectorKind detector, const Places& places) {
+  if (detector != DetectorKind::analytic) return;
+  for (const std::string_view key : {"coarsen", "refine"})
+    if (places.has(fmt::format("{}.{}", path, key)))
+      refuse(places.of(fmt::format("{}.{}", path, key)),
+             fmt::format("{0} is given, but the analytic detector knows no panels; remove {0}, or write detector: swept.", key));
+}
+
 }  // namespace
 
 void make_impactor_consistent(ImpactorSetup& impactor, DetectorKind detector, const std::filesystem::path& folder, const Places& places) {
   const std::string path = "impactors." + impactor.name;
   check_mass(impactor, path, places);
   check_motion(impactor, path, folder, places);
+  check_remeshing(path, detector, places);
   for (const LoadSetup& load : impactor.loads) check_load(load, path + ".loads." + load.name, places);
   for (const GaugeSetup& gauge : impactor.gauges) check_gauge(gauge, detector, path + ".gauges." + gauge.name, places);
 }

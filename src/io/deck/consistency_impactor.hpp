@@ -1,4 +1,4 @@
-/// What the keys of an impactor say together: mass or density, motion against time, loads, gauges.
+/// What the keys of an impactor say together: mass or density, motion against time, changed panels, loads, gauges.
 #pragma once
 
 #include <filesystem>

@@ -50,11 +50,19 @@ void sections(Walker& walk, BodySetup& body) {
 template <class Walker>
 void sections(Walker& walk, ImpactorSetup& impactor) {
   walk.one_of("surface", impactor.surface, Presence::required, "The surface of panels that particles strike.");
+  walk.section("coarsen", impactor.coarsen, Presence::optional, "Merges panels where the surface is cut finer than its shape needs, before refine.");
+  walk.named("refine", impactor.refine, Presence::optional,
+             "Makes panels smaller in some place, under a name of your choice; the shape stays. Where several hold, the smallest panel counts.");
   walk.section("region", impactor.region, Presence::optional, "Where contact is looked for. Where absent, wherever the surface is.");
   walk.section("motion", impactor.motion, Presence::optional, "Motion against time of degrees of freedom that are not free.");
   walk.named("loads", impactor.loads, Presence::optional, "A force or moment on the impactor besides contact, under a name of your choice.");
   walk.named("gauges", impactor.gauges, Presence::optional,
              "A gauge, under a name of your choice: force and moment of contact on parts of the surface become columns of history.csv.");
+}
+
+template <class Walker>
+void sections(Walker& walk, RefinementSetup& refinement) {
+  walk.section("box", refinement.box, Presence::optional, "Only panels that reach into this box. Where absent, wherever they are.");
 }
 
 template <class Walker>

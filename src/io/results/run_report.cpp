@@ -37,6 +37,14 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   Json json = Json::object();
   json["surface"] = surface_report(impactor.surface().report());
   json["surface"]["buried_triangles"] = impactor.buried_triangles();
+  if (const auto& remeshing = impactor.remeshing()) {
+    json["surface_as_given"] = surface_report(remeshing->given);
+    if (const auto& coarsened = remeshing->coarsened) {
+      json["coarsened"]["triangles"] = coarsened->panels;
+      json["coarsened"]["moved_at_most [m]"] = coarsened->distance;
+      json["coarsened"]["volume_change [m3]"] = coarsened->volume_change;
+    }
+  }
   const fccda::RigidBodyProperties& properties = impactor.body().properties();
   const fccda::Mat3& inertia = properties.inertia;
   json["mass [kg]"] = properties.mass;

@@ -49,8 +49,17 @@ std::vector<double> spacings_of(std::span<Particles* const> bodies) {
 }  // namespace
 
 Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies)
+    : Impactor(setup, contact, bodies, surface_of(setup.surface, setup.name)) {}
+
+Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, GivenSurface given)
+    : Impactor(setup, contact, bodies, given.crossing_panels, remeshed(std::move(given.surface), setup)) {}
+
+Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, std::size_t crossing_panels,
+                   Remeshed remeshed)
     : name_(setup.name),
-      surface_(std::make_shared<const Surface>(surface_of(setup.surface, setup.name))),
+      crossing_panels_(crossing_panels),
+      remeshing_(std::move(remeshed.remeshing)),
+      surface_(std::make_shared<const Surface>(std::move(remeshed.surface))),
       region_(region_of(setup.region, *surface_, setup.name)),
       prescribed_(motion_of(setup)),
       loads_(loads_of(setup)),

@@ -16,7 +16,9 @@
 #include "perimpact/impact/contact_record.hpp"
 #include "perimpact/impact/gauges_of.hpp"
 #include "perimpact/impact/region_of.hpp"
+#include "perimpact/impact/remeshed.hpp"
 #include "perimpact/impact/struck_particles.hpp"
+#include "perimpact/impact/surface_of.hpp"
 #include "perimpact/setup/setup.hpp"
 
 namespace perimpact {
@@ -61,6 +63,8 @@ class Impactor {
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
+  std::size_t crossing_panels() const { return crossing_panels_; }          ///< of the surface as given, that go through one another within one body
+  const std::optional<Remeshing>& remeshing() const { return remeshing_; }  ///< of the surface, where the deck asks for any
   const ImpactorRegion& region() const { return region_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
   /// False where contacts name no panel: with the analytic detector.
@@ -112,10 +116,15 @@ class Impactor {
   }
 
  private:
+  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, GivenSurface given);
+  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, std::size_t crossing_panels, Remeshed remeshed);
+
   std::span<const fccda::Contact> respond_to_contacts(std::size_t body, StruckParticles& particles);
   std::size_t add_struck();
 
   std::string name_;
+  std::size_t crossing_panels_;
+  std::optional<Remeshing> remeshing_;
   std::shared_ptr<const fccda::Surface> surface_;
   ImpactorRegion region_;
   fccda::PrescribedMotion prescribed_;

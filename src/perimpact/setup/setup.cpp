@@ -162,6 +162,25 @@ std::span<const Field<RegionSetup>> RegionSetup::fields() {
   return all;
 }
 
+std::span<const Field<RefinementSetup>> RefinementSetup::fields() {
+  using S = RefinementSetup;
+  static const Field<S> all[] = {
+      {"panel", &S::panel, "m", positive(), required, "Longest edge that panels shall have there. Panels are halved until none is longer."},
+      {"part", &S::part, "", {}, optional, "Only panels of this part of the surface. Where absent, of all parts."},
+      {"angle", &S::angle, "rad", strictly_between(0, std::numbers::pi), optional,
+       "An angle such as 10 deg: only where the surface curves, panels become so small that they turn by it at most, but not smaller than panel; at creases "
+       "they are that small. Where absent, curved or not."}};
+  return all;
+}
+
+std::span<const Field<CoarseningSetup>> CoarseningSetup::fields() {
+  using S = CoarseningSetup;
+  static const Field<S> all[] = {
+      {"distance", &S::distance, "m", positive(), required, "No point of the surface moves by more than this. Exactly flat places need next to nothing."},
+      {"panel", &S::panel, "m", positive(), optional, "No edge is made longer than this. Where absent, any length will do."}};
+  return all;
+}
+
 std::span<const Field<GaugeSetup>> GaugeSetup::fields() {
   using S = GaugeSetup;
   static const Field<S> all[] = {

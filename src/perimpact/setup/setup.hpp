@@ -186,6 +186,23 @@ struct RegionSetup {
   static std::span<const Field<RegionSetup>> fields();
 };
 
+/// Smaller panels in some place of the surface. Box, part and angle narrow one another (docs/theory/remesh.md).
+struct RefinementSetup {
+  std::string name;
+  double panel{};                     ///< [m] longest edge
+  std::optional<BoxRegionSetup> box;  ///< everywhere where absent
+  std::string part;                   ///< of the surface; all where empty
+  std::optional<double> angle;        ///< [rad] that panels turn by at most where the surface curves; everywhere where absent
+  static std::span<const Field<RefinementSetup>> fields();
+};
+
+/// Larger panels where the surface is cut finer than its shape needs.
+struct CoarseningSetup {
+  double distance{};            ///< [m] that the surface moves by at most
+  std::optional<double> panel;  ///< [m] no edge is made longer; any length where absent
+  static std::span<const Field<CoarseningSetup>> fields();
+};
+
 /// Sums contact on some parts of the surface, as a load cell would.
 struct GaugeSetup {
   std::string name;
@@ -242,6 +259,8 @@ struct ImpactorSetup {
   Vec3d velocity{};                     ///< [m/s]
   Vec3d angular_velocity{};             ///< [rad/s]
   std::vector<std::string> free;        ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
+  std::optional<CoarseningSetup> coarsen;
+  std::vector<RefinementSetup> refine;
   RegionSetup region;
   MotionSetup motion;
   std::vector<LoadSetup> loads;

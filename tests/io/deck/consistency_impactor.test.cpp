@@ -134,3 +134,37 @@ TEST_CASE("consistency of impactors: a file holds a table of motion with its uni
   const std::string beside = with("motion: {x: {file: heave.csv, times: [0, 7]}}");
   CHECK(complaint_of(beside) == place_of(beside, "[0, 7]") + ": times is given beside file, which holds times and values; keep one of the two.");
 }
+
+TEST_CASE("consistency of impactors: panels are made smaller and larger as the deck says, with units") {
+  const ImpactorSetup impactor =
+      read(with("coarsen: {distance: 1 mm}\n    refine: {rim: {panel: 0.5 mm, box: {size: [1, 2, 3], centre: [0, 1 cm, 0]}, part: side}, "
+                "round: {panel: 2 mm, angle: 10 deg}}"))
+          .setup.impactors[0];
+  CHECK(impactor.coarsen->distance == 1e-3);
+  CHECK(!impactor.coarsen->panel);
+  REQUIRE(impactor.refine.size() == 2);
+  CHECK(impactor.refine[0].name == "rim");
+  CHECK(impactor.refine[0].panel == 0.5e-3);
+  CHECK(impactor.refine[0].box->centre == Vec3d{0, 0.01, 0});
+  CHECK(impactor.refine[0].part == "side");
+  CHECK(!impactor.refine[0].angle);
+  CHECK(*impactor.refine[1].angle == doctest::Approx(0.17453292519943295).epsilon(1e-15));
+  CHECK(!impactor.refine[1].box);
+}
+
+TEST_CASE("consistency of impactors: an angle of panels is less than half a turn, and written with its unit") {
+  check_refused("refine: {round: {panel: 1 mm, angle: 10}}", "10}}", "angle is 10, but it must be above 0 and below 3.141592653589793. An angle such as 10 deg: only where the surface curves, panels become so small "
+                "that they turn by it at most, but not smaller than panel; at creases they are that small. Where absent, curved or not.");
+}
+
+TEST_CASE("consistency of impactors: panels are changed only where the detector knows any") {
+  const std::string text = fixtures::plate_with("detector: swept", "detector: analytic");
+  const auto check = [&](const std::string& key, const std::string& value) {
+    std::string deck = text;
+    deck.replace(deck.find("    free:"), 9, "    " + key + ": " + value + "\n    free:");
+    CHECK(complaint(deck) ==
+          place_of(deck, key + ":") + ": " + key + " is given, but the analytic detector knows no panels; remove " + key + ", or write detector: swept.");
+  };
+  check("refine", "{rim: {panel: 1 mm}}");
+  check("coarsen", "{distance: 1 mm}");
+}

@@ -4,30 +4,19 @@
 #include <vector>
 
 #include "fccda/core/error.hpp"
-#include "fccda/core/nearest_word.hpp"
+#include "fccda/core/no_such_part.hpp"
 
 namespace fccda {
 namespace {
 
-[[noreturn]] void refuse(const std::string& part, std::span<const std::string> names, const std::string& file) {
-  std::vector<std::string> known;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(known), [](const std::string& name) { return !name.empty(); });
-  if (known.empty()) throw InputError(file + ": there is no part `" + part + "`, for the file names no parts; leave `parts` out.");
-  const std::string_view meant = nearest_word(part, known);
-  std::string sentence = file + ": there is no part `" + part + "`; ";
-  if (!meant.empty()) sentence += "did you mean `" + std::string(meant) + "`? ";
-  sentence += meant.empty() ? "the parts are" : "The parts are";
-  constexpr std::size_t most = 20;
-  for (std::size_t k = 0; k < std::min(most, known.size()); ++k) sentence += (k == 0 ? " `" : ", `") + known[k] + "`";
-  throw InputError(sentence + (known.size() > most ? " and " + std::to_string(known.size() - most) + " more." : "."));
-}
-
 /// Which numbers of parts are wanted.
 std::vector<bool> wanted_parts(std::span<const std::string> parts, std::span<const std::string> names, const std::string& file) {
+  const std::vector<std::string> nameless(1);
+  const std::span<const std::string> known = names.empty() ? std::span<const std::string>(nameless) : names;
   std::vector<bool> wanted(names.size(), false);
   for (const std::string& part : parts) {
     const auto found = std::find(names.begin(), names.end(), part);
-    if (found == names.end()) refuse(part, names, file);
+    if (found == names.end()) throw InputError(file + ": " + no_such_part(part, known));
     wanted[static_cast<std::size_t>(found - names.begin())] = true;
   }
   return wanted;

@@ -165,12 +165,12 @@ TEST_CASE("elements: three solids on one face and polygons that cannot be cut ar
 TEST_CASE("parts: a name that is none is refused with what was meant or with those there are") {
   Elements elements = block();
   CHECK_THROWS_WITH_AS(keep_parts(elements, std::vector<std::string>{"steal"}, "m.inp"),
-                       "m.inp: there is no part `steal`; did you mean `steel`? The parts are `ice`, `steel`.", InputError);
-  CHECK_THROWS_WITH_AS(keep_parts(elements, std::vector<std::string>{"hull"}, "m.inp"), "m.inp: there is no part `hull`; the parts are `ice`, `steel`.",
+                       "m.inp: the surface has no part \"steal\"; did you mean steel? Its parts are ice, steel.", InputError);
+  CHECK_THROWS_WITH_AS(keep_parts(elements, std::vector<std::string>{"hull"}, "m.inp"), "m.inp: the surface has no part \"hull\"; its parts are ice, steel.",
                        InputError);
   Panels nameless = panels_of(one(references()[0]), "m.stl");
   CHECK_THROWS_WITH_AS(keep_parts(nameless, std::vector<std::string>{"hull"}, "m.stl"),
-                       "m.stl: there is no part `hull`, for the file names no parts; leave `parts` out.", InputError);
+                       "m.stl: the surface has no part \"hull\"; its panels have no names, so leave the parts out, or name them in its file.", InputError);
 }
 
 TEST_CASE("parts: panels of other parts go, and the rest keep their names") {

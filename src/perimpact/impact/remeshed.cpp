@@ -1,0 +1,52 @@
+#include "perimpact/impact/remeshed.hpp"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "fccda/remesh/coarsen.hpp"
+#include "fccda/remesh/refine.hpp"
+#include "perimpact/setup/setup_error.hpp"
+
+namespace perimpact {
+
+namespace {
+
+using fccda::Surface;
+
+fccda::Refinement refinement_of(const RefinementSetup& setup) {
+  fccda::Refinement refinement{.name = setup.name, .panel = setup.panel, .angle = setup.angle};
+  if (setup.box) refinement.box = fccda::Box{setup.box->centre - 0.5 * setup.box->size, setup.box->centre + 0.5 * setup.box->size};
+  if (!setup.part.empty()) refinement.part = setup.part;
+  return refinement;
+}
+
+/// Changed panels are wound outward already, whatever the given ones were.
+Surface surface_of(const fccda::Panels& panels, const std::string& name) { return Surface(panels, {.outside = fccda::OutsideIs::normals, .name = name}); }
+
+}  // namespace
+
+Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
+  if (!setup.coarsen && setup.refine.empty()) return {std::move(given), std::nullopt};
+  Remeshing remeshing{.given = given.report()};
+  Surface surface = std::move(given);
+  if (setup.coarsen) {
+    const double any_length = std::numeric_limits<double>::infinity();
+    const fccda::Coarsened coarse = coarsen(surface, {.distance = setup.coarsen->distance, .panel = setup.coarsen->panel.value_or(any_length)});
+    remeshing.coarsened = CoarseningReport{coarse.panels.panels.size(), coarse.distance, coarse.volume_change};
+    surface = surface_of(coarse.panels, setup.name);
+  }
+  if (!setup.refine.empty()) {
+    std::vector<fccda::Refinement> refinements;
+    for (const RefinementSetup& refinement : setup.refine) refinements.push_back(refinement_of(refinement));
+    try {
+      surface = surface_of(refine(surface, refinements), setup.name);
+    } catch (const fccda::InputError& error) {
+      throw SetupError("impactors." + setup.name + ".refine", error.what());
+    }
+    remeshing.is_refined = true;
+  }
+  return {std::move(surface), std::move(remeshing)};
+}
+
+}  // namespace perimpact
