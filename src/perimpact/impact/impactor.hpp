@@ -62,6 +62,7 @@ class Impactor {
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
+  const fccda::SurfaceReport& report_as_given() const { return remeshing_ ? remeshing_->given : surface_->report(); }  ///< before panels were changed
   const std::optional<Remeshing>& remeshing() const { return remeshing_; }  ///< of the surface, where the deck asks for any
   const ImpactorRegion& region() const { return region_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
