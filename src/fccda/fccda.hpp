@@ -7,7 +7,9 @@
 #include "fccda/detect/swept.hpp"            // Swept: the detector behind it
 #include "fccda/plain/contact_detector.hpp"  // ContactDetector::detect: positions in, contacts out
 #include "fccda/plain/respond_arrays.hpp"    // respond: relocation, velocities, impulse
-#include "fccda/shapes/box.hpp"              // make_box, make_cylinder, make_sphere
+#include "fccda/remesh/coarsen.hpp"          // coarsen, refine: larger and smaller panels
+#include "fccda/remesh/refine.hpp"
+#include "fccda/shapes/box.hpp"  // make_box, make_cylinder, make_sphere
 #include "fccda/shapes/cylinder.hpp"
 #include "fccda/shapes/sphere.hpp"
 #include "fccda/surface/read/read_panels.hpp"  // read_panels: STL, OBJ

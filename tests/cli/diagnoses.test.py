@@ -30,6 +30,9 @@ def _(t):
     (t.folder / "cube.obj").write_text(box_as_obj(0.02, inward=False))
     t.assertEqual(warnings(t.expect_success("run", deck, "--out", "right").out), [])
     (t.folder / "cube.obj").write_text(box_as_obj(0.02, inward=True))
+    refined = t.deck((SURFACE, "surface: {file: cube.obj}\n    refine: {all: {panel: 10 mm}}"))
+    t.assertIn("point inward in 1 of its 1 components", t.expect_success("check", refined, "--out", "r").out)
+    deck = t.deck((SURFACE, "surface: {file: cube.obj}"))
     for command in "check", "run":
         said = warnings(t.expect_success(command, deck, "--out", "r").out)
         t.assertEqual(len(said), 1)

@@ -54,7 +54,7 @@ void CollapsibleTriangles::ring_of(int vertex, Ring& ring) const {
   }
 }
 
-bool CollapsibleTriangles::may_collapse(int vertex, const Ring& ring, std::size_t to) const {
+bool CollapsibleTriangles::may_collapse(int vertex, const Ring& ring, std::size_t to) {
   const std::size_t last = ring.link.size() - 1;
   if (!ring.goes_round && (ring.triangles.size() < 2 || (to != 0 && to != last))) return false;
   ring_of(ring.link[to], ring_of_target_);

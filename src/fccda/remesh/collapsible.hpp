@@ -36,7 +36,7 @@ class CollapsibleTriangles {
   /// Will the surface be a manifold still, of the same shape, when v is put onto link[to]? Of their common neighbours there are only those
   /// across the triangles of the edge between them, a tetrahedron stays, and a vertex of a rim moves along it (Dey, Edelsbrunner, Guha and Nekhayev,
   /// Publ. Inst. Math. Beograd 66 (1999) 23).
-  bool may_collapse(int vertex, const Ring& ring, std::size_t to) const;
+  bool may_collapse(int vertex, const Ring& ring, std::size_t to);
 
   /// Takes `vertex` out: its triangles get link[to] in its place, and the one or two between both go.
   void collapse(int vertex, const Ring& ring, std::size_t to);
@@ -49,7 +49,7 @@ class CollapsibleTriangles {
   std::vector<Triangle> triangles_;
   std::vector<Neighbours> beyond_;
   std::vector<int> triangle_at_;  // one of each vertex, -1 where the vertex was taken
-  mutable Ring ring_of_target_;
+  Ring ring_of_target_;
 };
 
 }  // namespace fccda

@@ -28,12 +28,13 @@ double relative_speed(const Impactor& impactor, const Vec3d& place, const Target
 }  // namespace
 
 Diagnosis inside_out(const Impactor& impactor) {
-  const std::size_t flipped = impactor.surface().report().flipped;
+  const SurfaceReport& report = impactor.report_as_given();  // changed panels are turned outward already
+  const std::size_t flipped = report.flipped;
   if (flipped == 0) return std::nullopt;
   return fmt::format(
       "The panels of impactor {} point inward in {} of its {} components; these were turned over, so that the outside is struck. If the program that "
       "made the surface should know, turn its normals there.",
-      impactor.name(), flipped, impactor.surface().report().components);
+      impactor.name(), flipped, report.components);
 }
 
 Diagnosis goes_through_itself(const Impactor& impactor) {
@@ -46,7 +47,7 @@ Diagnosis goes_through_itself(const Impactor& impactor) {
 }
 
 Diagnosis is_cut(const Impactor& impactor) {
-  const SurfaceReport& report = impactor.surface().report();
+  const SurfaceReport& report = impactor.report_as_given();
   if (report.cut_edges == 0) return std::nullopt;
   return fmt::format(
       "The surface of impactor {} is cut along {} edges of more than two panels, because it could not be told which panels hang together there. Near these "

@@ -63,7 +63,8 @@ class Impactor {
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
-  std::size_t crossing_panels() const { return crossing_panels_; }          ///< of the surface as given, that go through one another within one body
+  std::size_t crossing_panels() const { return crossing_panels_; }  ///< of the surface as given, that go through one another within one body
+  const fccda::SurfaceReport& report_as_given() const { return remeshing_ ? remeshing_->given : surface_->report(); }  ///< before panels were changed
   const std::optional<Remeshing>& remeshing() const { return remeshing_; }  ///< of the surface, where the deck asks for any
   const ImpactorRegion& region() const { return region_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }

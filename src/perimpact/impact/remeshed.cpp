@@ -28,6 +28,12 @@ Surface surface_of(const fccda::Panels& panels, const std::string& name) { retur
 
 Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
   if (!setup.coarsen && setup.refine.empty()) return {std::move(given), std::nullopt};
+  if (given.report().cut_edges > 0) {
+    throw SetupError(
+        "impactors." + setup.name,
+        "the surface is cut along edges of more than two panels, and its panels would no longer meet there once some are halved or merged; delete the "
+        "inner walls, or leave refine and coarsen out.");
+  }
   Remeshing remeshing{.given = given.report()};
   Surface surface = std::move(given);
   if (setup.coarsen) {

@@ -105,6 +105,7 @@ TEST_CASE("fan shift: the same in any frame") {
 TEST_CASE("fan shift: a fan that goes round twice, or is turned away from the direction, has none") {
   std::vector<Vec3d> twice;
   for (int j = 0; j < 12; ++j) twice.push_back({std::cos(std::numbers::pi * j / 3), std::sin(std::numbers::pi * j / 3), 0.01 * j});
+  twice[0] = 0.05 * twice[0];  // so near to the centre that the new triangles from here face up all, and go round twice too
   CHECK(!shift({{0, 0, 0}, twice, true}, 0, up));
   const std::vector<Vec3d> square{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   CHECK(shift({{0, 0, 0.5}, square, true}, 0, up).value() == doctest::Approx(0.5));

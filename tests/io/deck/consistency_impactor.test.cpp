@@ -153,8 +153,10 @@ TEST_CASE("consistency of impactors: panels are made smaller and larger as the d
 }
 
 TEST_CASE("consistency of impactors: an angle of panels is less than half a turn, and written with its unit") {
-  check_refused("refine: {round: {panel: 1 mm, angle: 10}}", "10}}", "angle is 10, but it must be above 0 and below 3.141592653589793. An angle such as 10 deg: only where the surface curves, panels become so small "
-                "that they turn by it at most, but not smaller than panel; at creases they are that small. Where absent, curved or not.");
+  check_refused(
+      "refine: {round: {panel: 1 mm, angle: 10}}", "10}}",
+      "angle is 10, but it must be above 0 and below 3.141592653589793. An angle such as 10 deg: only where the surface curves, panels become so small "
+      "that they turn by it at most, but not smaller than panel; at creases they are that small. Where absent, curved or not.");
 }
 
 TEST_CASE("consistency of impactors: panels are changed only where the detector knows any") {
