@@ -37,6 +37,17 @@ constexpr std::pair<std::int64_t, std::string_view> refused_cells[] = {
 
 constexpr std::int64_t pixel = 8, voxel = 11;
 
+bool has_area(std::int64_t type) { return std::find(std::begin(without_area), std::end(without_area), type) == std::end(without_area); }
+
+const Known* known_cell(std::int64_t type) {
+  const auto found = std::find_if(std::begin(known_cells), std::end(known_cells), [&](const Known& cell) { return cell.type == type; });
+  return found == std::end(known_cells) ? nullptr : found;
+}
+
+bool is_readable(std::int64_t type) {
+  return !has_area(type) || known_cell(type) || type == vtk_polygon || type == vtk_triangle_strip || type == pixel || type == voxel;
+}
+
 std::string name_of(std::int64_t type) {
   const auto found = std::find_if(std::begin(refused_cells), std::end(refused_cells), [&](const auto& cell) { return cell.first == type; });
   return found == std::end(refused_cells) ? "a cell of VTK's type " + std::to_string(type) : "a " + std::string(found->second);
@@ -61,7 +72,6 @@ void VtkElements::begin_piece(std::span<const double> coordinates) {
   cell_ = 0;
   if (coordinates.size() / 3 > static_cast<std::size_t>(std::numeric_limits<int>::max()) - first_point_)
     throw InputError(file_ + ": there are too many points; make the mesh coarser.");
-  out_.vertices.reserve(first_point_ + coordinates.size() / 3);
   for (std::size_t k = 0; k < coordinates.size(); k += 3) out_.vertices.push_back({coordinates[k], coordinates[k + 1], coordinates[k + 2]});
 }
 
@@ -72,6 +82,9 @@ void VtkElements::add(const VtkCells& cells, std::span<const std::int64_t> types
   std::vector<int> points;
   std::size_t begin = 0;
   for (std::size_t c = 0; c < cells.size(); ++c, ++cell_) {
+    const std::int64_t type = types.size() == 1 ? types.front() : types[c];
+    if (!is_readable(type))
+      fail("is " + name_of(type) + ", which cannot be read; write the surface in linear or quadratic cells, in ParaView by the filter Extract Surface.");
     const auto end = static_cast<std::size_t>(cells.ends[c]);
     if (cells.ends[c] < 0 || end < begin || end > cells.points.size()) fail("has an offset that is out of order; mend the file or write it again.");
     points.clear();
@@ -81,12 +94,9 @@ void VtkElements::add(const VtkCells& cells, std::span<const std::int64_t> types
         fail("has point " + std::to_string(point) + ", but there are " + std::to_string(count) + ", counted from 0; mend the file or write it again.");
       points.push_back(static_cast<int>(first_point_ + static_cast<std::size_t>(point)));
     }
-    if (parts.empty()) {
-      if (part_ < 0 || c == 0) part_ = out_.part_number("");
-    } else if (c == 0 || parts[c] != parts[c - 1]) {
-      part_ = out_.part_number("part " + std::to_string(parts[c]));
-    }
-    add_cell(types.size() == 1 ? types.front() : types[c], points);
+    if (c == 0 || (!parts.empty() && parts[c] != parts[c - 1]))  // a name is looked up once for cells in a row
+      part_ = out_.part_number(parts.empty() ? "" : "part " + std::to_string(parts[c]));
+    add_cell(type, points);
   }
   if (begin != cells.points.size()) {
     throw InputError(file_ + ": the cells have " + std::to_string(begin) + " point numbers, but the file has " + std::to_string(cells.points.size()) +
@@ -99,7 +109,7 @@ void VtkElements::add_cell(std::int64_t type, std::span<const int> points) {
     if (!is_right) fail("has " + std::to_string(points.size()) + " points, but needs " + std::to_string(expected) + "; mend the file or write it again.");
   };
   const auto add = [&](ElementKind kind, std::span<const int> nodes) { out_.add(kind, nodes, part_); };
-  if (std::find(std::begin(without_area), std::end(without_area), type) != std::end(without_area)) return;
+  if (!has_area(type)) return;
   if (type == vtk_polygon) {
     expect(points.size() >= 3, 3);
     return add(ElementKind::polygon, points);
@@ -120,9 +130,7 @@ void VtkElements::add_cell(std::int64_t type, std::span<const int> points) {
     expect(points.size() == 8, 8);
     return add(ElementKind::hexahedron, std::array{points[0], points[1], points[3], points[2], points[4], points[5], points[7], points[6]});
   }
-  const auto known = std::find_if(std::begin(known_cells), std::end(known_cells), [&](const Known& cell) { return cell.type == type; });
-  if (known == std::end(known_cells))
-    fail("is " + name_of(type) + ", which cannot be read; write the surface in linear or quadratic cells, in ParaView by the filter Extract Surface.");
+  const Known* known = known_cell(type);
   expect(points.size() == known->points, known->points);
   add(known->kind, known->kind == ElementKind::polygon ? points : points.first(nodes_of(known->kind)));
 }

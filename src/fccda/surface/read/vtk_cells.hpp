@@ -55,7 +55,7 @@ class VtkElements {
   std::size_t piece_ = 0;  // from 1
   std::size_t first_point_ = 0;
   std::size_t cell_ = 0;  // that is being added, in its piece
-  int part_ = -1;
+  int part_ = 0;          // of the cell
 };
 
 }  // namespace fccda

@@ -104,7 +104,7 @@ class VtkXml {
     std::string sentence = std::string(attribute) + " is " + shown(tag[attribute]) + ", but can be read as";
     for (const auto& [value, choice] : choices)
       if (!value.empty()) sentence += (value == (choices.begin() + 1)->first ? " `" : " or `") + std::string(value) + "`";
-    tags_.fail(tag.line, sentence + " only; write the file again.");
+    tags_.fail(tag.line, sentence + " only; write the file so.");
   }
 
   std::size_t count(const XmlTag& tag, std::string_view attribute) const {

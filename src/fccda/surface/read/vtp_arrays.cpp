@@ -53,7 +53,7 @@ std::vector<Number> VtpArrays::numbers_of_text(const VtpArray& array, std::size_
     }
   }
   if (out.size() != count)
-    words.fail(array.name + " has " + std::to_string(out.size()) + " numbers, but needs " + std::to_string(count) + "; mend the file or write it again.");
+    fail(array, "has " + std::to_string(out.size()) + " numbers, but needs " + std::to_string(count) + "; mend the file or write it again.");
   return out;
 }
 
