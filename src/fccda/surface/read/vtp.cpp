@@ -53,7 +53,6 @@ class VtkXml {
   void parse_tags() {
     for (XmlTag tag = tags_.next();; tag = tags_.next()) {
       if (!has_begun_) begin_file(tag);
-      take_text();
       if (tag.kind == XmlTag::Kind::end_of_file) break;
       if (tag.kind == XmlTag::Kind::closing) {
         close(tag);
@@ -61,10 +60,15 @@ class VtkXml {
       }
       if (tag.name == "AppendedData") return begin_appended(tag);
       if (tag.name == "Piece") begin_piece(tag);
-      if (tag.name == "DataArray" && !pieces_.empty() && !open_.empty()) begin_array(tag);
+      VtpArray* array = tag.name == "DataArray" ? begin_array(tag) : nullptr;
       if (tag.kind == XmlTag::Kind::opening) open(tag);
+      if (array != nullptr && tag.kind == XmlTag::Kind::opening) take_text(*array);
     }
-    if (!open_.empty()) tags_.fail(tags_.line_of_text(), "the file ends inside of " + shown(open_.back()) + "; it was cut short; write it again.");
+    if (!open_.empty()) fail_at_end();
+  }
+
+  [[noreturn]] void fail_at_end() const {
+    tags_.fail(tags_.line_of_text(), "the file ends inside of " + shown(open_.back()) + "; it was cut short; write it again.");
   }
 
   void open(const XmlTag& tag) {
@@ -79,7 +83,6 @@ class VtkXml {
                                "; the file is damaged; write it again.");
     }
     open_.pop_back();
-    if (tag.name == "DataArray") text_of_ = nullptr;
   }
 
   void begin_file(const XmlTag& tag) {
@@ -127,32 +130,33 @@ class VtkXml {
     piece.polygons = count(tag, "NumberOfPolys");
     piece.strips = count(tag, "NumberOfStrips");
     pieces_.push_back(std::move(piece));
-    text_of_ = nullptr;  // it lay in a piece that may have moved
   }
 
-  void begin_array(const XmlTag& tag) {
+  /// The array as it is kept, or nothing where it is not needed.
+  VtpArray* begin_array(const XmlTag& tag) {
+    if (pieces_.empty() || open_.empty()) return nullptr;
     Piece& piece = pieces_.back();
     const std::string_view section = open_.back();
     if (section == "CellData") return begin_part(tag, piece);
     const bool is_list = section == "Cells" || section == "Polys" || section == "Strips";
     const std::string_view name = is_list ? tag["Name"] : std::string_view{};
     const bool is_needed = section == "Points" || (is_list && (name == "connectivity" || name == "offsets" || (name == "types" && is_grid_)));
-    if (!is_needed || find(piece, section, name) != nullptr) return;
+    if (!is_needed || find(piece, section, name) != nullptr) return nullptr;
     if (section == "Points" && count(tag, "NumberOfComponents") != 3)
       tags_.fail(tag.line, "the points have " + shown(tag["NumberOfComponents"]) + " components, but need 3; write the file again.");
     piece.arrays.push_back({section, name, described(tag, name.empty() ? std::string(section) : std::string(section) + "/" + std::string(name))});
-    if (tag.kind == XmlTag::Kind::opening) text_of_ = &piece.arrays.back().array;
+    return &piece.arrays.back().array;
   }
 
   /// Takes the array as the parts where it is one that numbers them, better than the one so far.
-  void begin_part(const XmlTag& tag, Piece& piece) {
+  VtpArray* begin_part(const XmlTag& tag, Piece& piece) {
     const int rank = vtk_part_rank(tag["Name"]);
     const auto type = type_of(tag);
-    if (rank < 0 || (piece.part_rank >= 0 && piece.part_rank <= rank) || type == std::end(types) || !is_whole(type->second)) return;
-    if (count(tag, "NumberOfComponents") > 1) return;
+    if (rank < 0 || (piece.part_rank >= 0 && piece.part_rank <= rank) || type == std::end(types) || !is_whole(type->second)) return nullptr;
+    if (count(tag, "NumberOfComponents") > 1) return nullptr;
     piece.part_rank = rank;
     piece.part = described(tag, "CellData/" + std::string(tag["Name"]));
-    if (tag.kind == XmlTag::Kind::opening) text_of_ = &piece.part;
+    return &piece.part;
   }
 
   static const std::pair<std::string_view, NumberType>* type_of(const XmlTag& tag) {
@@ -172,10 +176,17 @@ class VtkXml {
     return array;
   }
 
-  /// Text in front of what else an array holds is its numbers.
-  void take_text() {
-    if (text_of_ == nullptr || open_.back() != "DataArray" || tags_.text().find_first_not_of(" \t\r\n") == std::string_view::npos) return;
-    if (text_of_->text.empty()) text_of_->text = tags_.text(), text_of_->line = tags_.line_of_text();
+  /// Goes to the end of the array; its numbers are the text in front of what else it holds.
+  void take_text(VtpArray& array) {
+    const std::size_t depth = open_.size();
+    while (open_.size() >= depth) {
+      const XmlTag tag = tags_.next();
+      const bool is_blank = tags_.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
+      if (open_.size() == depth && array.text.empty() && !is_blank) array.text = tags_.text(), array.line = tags_.line_of_text();
+      if (tag.kind == XmlTag::Kind::end_of_file) fail_at_end();
+      if (tag.kind == XmlTag::Kind::closing) close(tag);
+      if (tag.kind == XmlTag::Kind::opening) open(tag);
+    }
   }
 
   void begin_appended(const XmlTag& tag) {
@@ -240,7 +251,6 @@ class VtkXml {
   VtpEncoding encoding_;
   std::vector<std::string_view> open_;  // elements, from outside in
   std::vector<Piece> pieces_;
-  VtpArray* text_of_ = nullptr;  // whose text may come next
 };
 
 }  // namespace

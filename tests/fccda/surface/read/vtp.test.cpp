@@ -202,6 +202,11 @@ TEST_CASE("vtp: other formats, data sets, compressors and forms are refused by n
   check_refused(with(raw, "\"raw\"", "\"hex\""), "hull.vtp:18: encoding is `hex`, but can be read as `raw` or `base64` only; write the file so.");
   check_refused(with(raw, "\n_", "\n"), "hull.vtp:18: the appended data do not begin with `_`; the file is damaged; write it again.");
   check_refused(with(text(), "</Polys>", "</Poly>"), "hull.vtp:23: `/Poly` closes what is not open, for `Polys` is; the file is damaged; write it again.");
+  // arrays within an array are none
+  check_refused(
+      "<VTKFile type='PolyData'><Piece NumberOfPoints='1' NumberOfPolys='1'><Points><DataArray type='Int8' NumberOfComponents='3'><Polys>"
+      "<DataArray type='Int8' Name='offsets'/></Polys>0 0 0</DataArray></Points></Piece></VTKFile>",
+      "hull.vtp:1: the piece has no array `offsets` in `Polys`; write the file again.");
   std::string deep = "<VTKFile type=\"PolyData\">";
   for (int k = 0; k < 100'000; ++k) deep += "<a>";
   check_refused(deep, "hull.vtp:1: elements are nested deeper than VTK files have them; write the file again.");
