@@ -12,7 +12,11 @@
 #include "fccda/surface/read/contents.hpp"
 #include "fccda/surface/read/elements.hpp"
 #include "fccda/surface/read/obj.hpp"
+#include "fccda/surface/read/off.hpp"
+#include "fccda/surface/read/ply.hpp"
 #include "fccda/surface/read/stl.hpp"
+#include "fccda/surface/read/vtk.hpp"
+#include "fccda/surface/read/vtp.hpp"
 #include "fccda/surface/read/words.hpp"
 
 namespace fccda {
@@ -25,7 +29,9 @@ struct Format {
   std::string_view extension;
   std::variant<PanelsParser, ElementsParser> parse;
 };
-const Format formats[] = {{".stl", parse_stl}, {".obj", parse_obj}};
+const Format formats[] = {
+    {".stl", parse_stl}, {".obj", parse_obj}, {".ply", parse_ply}, {".off", parse_off}, {".vtk", parse_vtk}, {".vtp", parse_vtp}, {".vtu", parse_vtp},
+};
 
 [[noreturn]] void refuse_format(const std::string& file, const std::string& extension) {
   std::vector<std::string> extensions;

@@ -15,7 +15,7 @@ char lowered(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' +
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors put it before UTF-8
 }  // namespace
 
-Words::Words(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
+Words::Words(std::string_view text, std::string file, std::size_t first_line) : text_(text), file_(std::move(file)), line_(first_line) {
   if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
 }
 
@@ -77,6 +77,12 @@ std::string Words::rest_of_line() {
 void Words::skip_line() {
   while (!at_line_end()) ++at_;
   pass_line_end();
+}
+
+std::string_view Words::bytes(std::size_t count) {
+  const std::string_view taken = text_.substr(at_, count);
+  at_ += taken.size();
+  return taken;
 }
 
 double Words::number(std::string_view word, std::string_view what) const {

@@ -9,14 +9,18 @@ namespace fccda {
 
 class Words {
  public:
-  /// `text` must outlive this.
-  Words(std::string_view text, std::string file);
+  /// `text` must outlive this. `first_line`: which line of the file it starts in.
+  Words(std::string_view text, std::string file, std::size_t first_line = 1);
 
   std::string_view next();          ///< empty at the end of the file
   std::string_view next_in_line();  ///< empty at the end of the line, which it does not pass; a backslash before it joins two lines
   std::string rest_of_line();       ///< without white space at its ends and with ? for bytes that no terminal shows; does not pass the line's end
   void skip_line();                 ///< goes to the start of the next line
   bool at_end();                    ///< after white space
+
+  /// The next bytes as they are, fewer where the file ends: for files that have both text and binary numbers. Lines in them are not counted.
+  std::string_view bytes(std::size_t count);
+  std::size_t remaining() const { return text_.size() - at_; }  ///< bytes up to the end of the file
 
   /// The word as a finite number, in any notation that C++ reads; throws InputError for anything else. `what` is what the sentence calls it.
   double number(std::string_view word, std::string_view what) const;
@@ -32,7 +36,7 @@ class Words {
   std::string_view text_;
   std::string file_;
   std::size_t at_ = 0;
-  std::size_t line_ = 1;
+  std::size_t line_;
 };
 
 /// A word in quotes as it can be shown in a message: cut where long, without bytes that no terminal shows.

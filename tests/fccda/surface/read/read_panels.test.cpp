@@ -35,10 +35,11 @@ TEST_CASE("read: the extension chooses the format, in capitals too, and STL show
 }
 
 TEST_CASE("read: an unknown format is refused with what was meant") {
-  CHECK(refusal("hull.stk") == ": `.stk` is no format of surfaces that can be read; did you mean `.stl`? The formats are .stl and .obj.");
-  CHECK(refusal("hull.obi") == ": `.obi` is no format of surfaces that can be read; did you mean `.obj`? The formats are .stl and .obj.");
-  CHECK(refusal("hull.vtp") == ": `.vtp` is no format of surfaces that can be read; the formats are .stl and .obj.");
-  CHECK(refusal("hull") == ": a file without extension is no format of surfaces that can be read; the formats are .stl and .obj.");
+  const std::string formats = "formats are .stl, .obj, .ply, .off, .vtk, .vtp and .vtu.";
+  CHECK(refusal("hull.stk") == ": `.stk` is no format of surfaces that can be read; did you mean `.stl`? The " + formats);
+  CHECK(refusal("hull.obi") == ": `.obi` is no format of surfaces that can be read; did you mean `.obj`? The " + formats);
+  CHECK(refusal("hull.3dm") == ": `.3dm` is no format of surfaces that can be read; the " + formats);
+  CHECK(refusal("hull") == ": a file without extension is no format of surfaces that can be read; the " + formats);
 }
 
 TEST_CASE("read: files that are not there, empty, folders or without faces are refused in one sentence") {
