@@ -8,9 +8,11 @@
 
 #include "fccda/core/error.hpp"
 #include "fccda/core/nearest_word.hpp"
+#include "fccda/surface/read/abaqus.hpp"
 #include "fccda/surface/read/choose_parts.hpp"
 #include "fccda/surface/read/contents.hpp"
 #include "fccda/surface/read/elements.hpp"
+#include "fccda/surface/read/lsdyna.hpp"
 #include "fccda/surface/read/obj.hpp"
 #include "fccda/surface/read/stl.hpp"
 #include "fccda/surface/read/words.hpp"
@@ -25,7 +27,8 @@ struct Format {
   std::string_view extension;
   std::variant<PanelsParser, ElementsParser> parse;
 };
-const Format formats[] = {{".stl", parse_stl}, {".obj", parse_obj}};
+const Format formats[] = {{".stl", parse_stl},  {".obj", parse_obj},    {".inp", parse_abaqus},
+                          {".k", parse_lsdyna}, {".key", parse_lsdyna}, {".dyn", parse_lsdyna}};
 
 [[noreturn]] void refuse_format(const std::string& file, const std::string& extension) {
   std::vector<std::string> extensions;
