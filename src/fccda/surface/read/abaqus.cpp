@@ -193,7 +193,8 @@ class AbaqusFile {
 
   void parse_node() {
     const Id id = positive(value(0), "*NODE", "the number of a node");
-    const auto coordinate = [&](std::size_t k) { return number(k, "node " + std::to_string(id)); };
+    const std::string name = "node " + std::to_string(id);
+    const auto coordinate = [&](std::size_t k) { return number(k, name); };
     here().mesh.add_node(id, {coordinate(1), coordinate(2), coordinate(3)}, lines_.number());
   }
 
@@ -201,22 +202,21 @@ class AbaqusFile {
     std::size_t k = 0;
     if (!is_in_element_) {
       element_ = positive(value(k++), "*ELEMENT", "the number of an element");
+      element_name_ = "element " + std::to_string(element_);
       element_line_ = lines_.number();
       nodes_.clear();
       is_in_element_ = true;
     }
-    for (; k < values_.values.size(); ++k) nodes_.push_back(positive(value(k), element_name(), "the number of a node"));
+    for (; k < values_.values.size(); ++k) nodes_.push_back(positive(value(k), element_name_, "the number of a node"));
     if (nodes_.size() < type_.nodes && (values_.goes_on || values_.values.size() == most_values)) return;
     end_element();
   }
-
-  std::string element_name() const { return "element " + std::to_string(element_); }
 
   void end_element() {
     if (!is_in_element_) return;
     is_in_element_ = false;
     if (nodes_.size() != type_.nodes) {
-      lines_.fail_at(element_line_, element_name() + " has " + std::to_string(nodes_.size()) + " nodes, but its type " + required("TYPE") + " needs " +
+      lines_.fail_at(element_line_, element_name_ + " has " + std::to_string(nodes_.size()) + " nodes, but its type " + required("TYPE") + " needs " +
                                         std::to_string(type_.nodes) + "; mend the element.");
     }
     if (!repeats_nodes(nodes_)) return here().mesh.add_element(element_, type_.kind, nodes_, 0, group_, element_line_);
@@ -226,7 +226,7 @@ class AbaqusFile {
     } else if (type_.use == AbaqusType::Use::solid && nodes_.size() <= 8) {
       shape = solid_without_repeats(nodes_);
     }
-    if (!shape) lines_.fail_at(element_line_, element_name() + " repeats nodes, and what is left is no element that can be read; mend it or delete it.");
+    if (!shape) lines_.fail_at(element_line_, element_name_ + " repeats nodes, and what is left is no element that can be read; mend it or delete it.");
     here().mesh.add_element(element_, shape->kind, shape->all(), 0, group_, element_line_);
   }
 
@@ -288,6 +288,7 @@ class AbaqusFile {
   AbaqusValues values_;
   bool is_in_element_ = false;
   Id element_ = 0;
+  std::string element_name_;  // for messages
   std::size_t element_line_ = 0;
   std::vector<Id> nodes_;
 };

@@ -1,6 +1,7 @@
 #include "fccda/surface/read/abaqus_model.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 namespace fccda {
@@ -25,6 +26,7 @@ class Assembler {
       for (const auto& [key, part] : model_.parts) add(part.second, part.first, {}, as_it_is);
       return std::move(out_);
     }
+    for (const AbaqusInstance& instance : model_.instances) spend(size(part_of(instance)) + size(instance.own));  // all of them before the first is made
     sort_sets_of_instances();
     is_one_of_many_ = model_.instances.size() > 1;
     for (const AbaqusInstance& instance : model_.instances) {
@@ -39,7 +41,8 @@ class Assembler {
 
  private:
   using Sets = std::vector<const AbaqusSet*>;
-  // What instances and sets may make of a file, in nodes and corners: no mesh needs more, and a small file that asks for more is damaged.
+  // What instances and sets may make of a file, in nodes, corners, members of sets and letters of names: no mesh needs more, and a small
+  // file that asks for more is damaged.
   static constexpr std::size_t smallest_budget = std::size_t{8} << 20;
 
   void finish(AbaqusMesh& mesh) { mesh.mesh.finish(lines_); }
@@ -57,19 +60,25 @@ class Assembler {
     return part->second.second;
   }
 
+  static std::size_t size(const AbaqusMesh& mesh) { return mesh.mesh.entries() + mesh.groups.size() + mesh.sets.size(); }
+
   void spend(std::size_t entries) {
     if (entries > budget_) {
       lines_.fail("instances and sets make more than " + std::to_string(std::max(smallest_budget, lines_.file_size())) +
-                  " nodes of this file; export the parts alone that are struck.");
+                  " nodes and members of this file; export only the parts that are struck.");
     }
     budget_ -= entries;
   }
 
   template <class Moved>
   void add(const AbaqusMesh& mesh, const std::string& name, const Sets& sets_of_instance, const Moved& moved) {
-    spend(mesh.mesh.entries());
     const std::vector<int> parts = parts_of_elements(mesh, name, sets_of_instance);
     mesh.mesh.append_to(out_, moved, parts, lines_);
+  }
+
+  int part_number(const std::string& name) {
+    spend(name.size());
+    return out_.part_number(name);
   }
 
   std::string full_name(const std::string& name, const std::string& set) const { return is_one_of_many_ && !name.empty() ? name + "." + set : set; }
@@ -80,12 +89,12 @@ class Assembler {
     for (std::size_t e = 0; e < parts.size(); ++e) {
       const auto group = static_cast<std::size_t>(mesh.mesh.group(e));
       if (group == 0) continue;
-      if (part_of_group[group] == nobody) part_of_group[group] = out_.part_number(full_name(name, mesh.groups[group]));
+      if (part_of_group[group] == nobody) part_of_group[group] = part_number(full_name(name, mesh.groups[group]));
       parts[e] = part_of_group[group];
     }
     const bool has_sets = claim(mesh, name, sets_of_instance, parts);
     if (std::find(parts.begin(), parts.end(), nobody) != parts.end()) {
-      const int rest = out_.part_number(has_sets && !name.empty() ? name + " (rest)" : name);
+      const int rest = part_number(has_sets && !name.empty() ? name + " (rest)" : name);
       std::replace(parts.begin(), parts.end(), nobody, rest);
     }
     return parts;
@@ -102,15 +111,16 @@ class Assembler {
     std::vector<Claim> claims;
     std::unordered_map<std::string, std::size_t> number_of;
     const auto list = [&](const AbaqusSet& set) {
+      spend(1);
       const auto [entry, is_new] = number_of.try_emplace(capitals(set.name), claims.size());
       if (is_new) claims.push_back({set.name});
       Claim& one = claims[entry->second];
       one.is_own = one.is_own && set.is_own;
       for (const AbaqusRange& range : set.members) {
-        mesh.mesh.find_elements(range.first, range.last, range.step, [&](std::size_t element) {
-          spend(1);
-          one.elements.push_back(element);
-        });
+        const auto between = mesh.mesh.elements_between(range.first, range.last);
+        spend(1 + between.size());
+        std::copy_if(between.begin(), between.end(), std::back_inserter(one.elements),
+                     [&](std::size_t e) { return (mesh.mesh.id(e) - range.first) % range.step == 0; });
       }
     };
     for (const AbaqusSet& set : mesh.sets)
@@ -126,7 +136,7 @@ class Assembler {
     for (const Claim& one : claims) {
       if (!one.is_own || one.elements.empty() || std::any_of(one.elements.begin(), one.elements.end(), [&](std::size_t e) { return parts[e] != nobody; }))
         continue;
-      const int part = out_.part_number(full_name(name, one.name));
+      const int part = part_number(full_name(name, one.name));
       for (const std::size_t e : one.elements) parts[e] = part;
       has_any = true;
     }

@@ -99,19 +99,19 @@ class LsdynaFile {
   void parse_node() {
     const LsdynaCard fields = card(node_columns);
     const Id id = positive(fields.integer(0, "*NODE"), "the number of a node");
-    const auto coordinate = [&](std::size_t k) { return fields.real(k, "node " + std::to_string(id)); };
+    const std::string name = "node " + std::to_string(id);
+    const auto coordinate = [&](std::size_t k) { return fields.real(k, name); };
     nodes_and_elements_.add_node(id, {coordinate(1), coordinate(2), coordinate(3)}, lines_.number());
   }
 
-  std::string element_name() const { return "element " + std::to_string(element_); }
-  [[noreturn]] void fail_in_element(const std::string& what) const { lines_.fail_at(element_line_, element_name() + " " + what); }
+  [[noreturn]] void fail_in_element(const std::string& what) const { lines_.fail_at(element_line_, element_name_ + " " + what); }
 
   void parse_card_of_element() {
     if (card_ == 0) {
       begin_element();
     } else if (card_ == 1 && has_second_card_) {
       const LsdynaCard fields = card(element_columns);
-      for (std::size_t k = 0; k < LsdynaCard::most; ++k) nodes_.push_back(fields.integer(k, element_name()));
+      for (std::size_t k = 0; k < LsdynaCard::most; ++k) nodes_.push_back(fields.integer(k, element_name_));
     }
     ++card_;
     if (card_ == 1 + (has_second_card_ ? 1 : 0)) add_element();
@@ -123,9 +123,10 @@ class LsdynaFile {
     const LsdynaCard fields = card(element_columns);
     element_line_ = lines_.number();
     element_ = positive(fields.integer(0, "*" + keyword_.name), "the number of an element");
-    part_ = fields.integer(1, element_name());
+    element_name_ = "element " + std::to_string(element_);
+    part_ = fields.integer(1, element_name_);
     nodes_.clear();
-    for (std::size_t k = 2; k < LsdynaCard::most; ++k) nodes_.push_back(fields.integer(k, element_name()));
+    for (std::size_t k = 2; k < LsdynaCard::most; ++k) nodes_.push_back(fields.integer(k, element_name_));
     const bool has_nodes = std::any_of(nodes_.begin(), nodes_.end(), [](Id id) { return id != 0; });
     has_second_card_ = block_.kind == Kind::solids && !has_nodes;
     if (has_second_card_) nodes_.clear();
@@ -220,6 +221,7 @@ class LsdynaFile {
   bool has_second_card_ = false;
   int cards_of_element_ = 0;
   Id element_ = 0, part_ = 0;
+  std::string element_name_;  // for messages
   std::size_t element_line_ = 0;
   std::vector<Id> nodes_;
 

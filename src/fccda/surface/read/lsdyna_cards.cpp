@@ -32,7 +32,7 @@ std::optional<LsdynaWidth> width_of(char sign) {
 }  // namespace
 
 LsdynaKeyword lsdyna_keyword(std::string_view line, LsdynaWidth usual) {
-  const std::string all = capitals(trimmed(line.substr(1)));
+  const std::string all = printable(capitals(trimmed(line.substr(1))));
   const std::size_t end = std::min(all.find_first_of(" \t,"), all.size());
   LsdynaKeyword out{all.substr(0, end), std::string(trimmed(std::string_view(all).substr(end))), usual};
   std::string& sign = out.rest.size() == 1 ? out.rest : out.name;

@@ -104,15 +104,10 @@ std::size_t NumberedMesh::find_node(Id id) const {
   return *found == id ? static_cast<std::size_t>(found - node_ids_.begin()) : node_ids_.size();
 }
 
-void NumberedMesh::find_elements(Id first, Id last, Id step, const std::function<void(std::size_t element)>& visit) const {
-  EXPECTS(step > 0);
-  const auto is_before = [&](std::size_t element, Id id) { return families_[element] == 0 && element_ids_[element] < id; };
-  for (auto at = std::lower_bound(by_number_.begin(), by_number_.end(), first, is_before); at != by_number_.end(); ++at) {
-    const Id id = element_ids_[*at];
-    if (families_[*at] != 0 || id > last) break;
-    const std::uint64_t steps = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(first);
-    if (steps % static_cast<std::uint64_t>(step) == 0) visit(*at);
-  }
+std::span<const std::size_t> NumberedMesh::elements_between(Id first, Id last) const {
+  const auto begin = std::lower_bound(by_number_.begin(), by_number_.end(), first, [&](std::size_t e, Id number) { return element_ids_[e] < number; });
+  const auto end = std::upper_bound(begin, by_number_.end(), last, [&](Id number, std::size_t e) { return number < element_ids_[e]; });
+  return {begin, end};
 }
 
 void NumberedMesh::append_to(Elements& out, const std::function<Vec3d(const Vec3d&)>& moved, std::span<const int> parts, const Lines& lines) const {

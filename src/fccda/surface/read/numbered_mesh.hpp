@@ -23,7 +23,7 @@ class NumberedMesh {
   /// reader will make a part of, counted from 0.
   void add_element(Id id, ElementKind kind, std::span<const Id> element_nodes, int family, int group, std::size_t line);
 
-  /// Call after the last node and element, before everything below. Sorts by number; a node that comes twice in the same place, or an element twice with
+  /// Call after the last node and element, before anything below. Sorts by number; a node that comes twice in the same place, or an element twice with
   /// the same nodes, is one. Throws InputError through `lines` where the second differs from the first.
   void finish(const Lines& lines);
 
@@ -31,8 +31,10 @@ class NumberedMesh {
   int group(std::size_t element) const { return groups_[element]; }
   std::size_t entries() const { return node_ids_.size() + nodes_.size(); }  ///< nodes and corners: what a copy costs
 
-  /// Which elements of family 0 have the numbers first, first + step … up to last; step > 0. In the order of their numbers.
-  void find_elements(Id first, Id last, Id step, const std::function<void(std::size_t element)>& visit) const;
+  Id id(std::size_t element) const { return element_ids_[element]; }
+
+  /// The elements with the numbers from first to last, in the order of these; only where all elements are of one family.
+  std::span<const std::size_t> elements_between(Id first, Id last) const;
 
   /// Appends the nodes, each where `moved` puts it, and the elements, each in the part that `parts` (one an element) says. Throws InputError
   /// through `lines` where an element has a node that is not there.

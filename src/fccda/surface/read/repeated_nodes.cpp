@@ -30,6 +30,15 @@ bool all_differ(std::span<const Id> ids) {
   return true;
 }
 
+NumberedShape as_written(std::span<const Id> corners) {
+  NumberedShape out{corners.size() == 4   ? ElementKind::tetrahedron
+                    : corners.size() == 5 ? ElementKind::pyramid
+                    : corners.size() == 6 ? ElementKind::wedge
+                                          : ElementKind::hexahedron};
+  for (const Id corner : corners) out.nodes[out.count++] = corner;
+  return out;
+}
+
 std::array<Id, 8> as_hexahedron(std::span<const Id> n) {
   switch (n.size()) {
     case 4:
@@ -96,6 +105,7 @@ std::optional<NumberedShape> surface_without_repeats(std::span<const Id> corners
 }
 
 std::optional<NumberedShape> solid_without_repeats(std::span<const Id> corners) {
+  if (all_differ(corners)) return as_written(corners);
   const std::array<Id, 8> n = as_hexahedron(corners);
   const std::array<std::array<Id, 4>, 6> sides{{{n[0], n[3], n[2], n[1]},
                                                 {n[4], n[5], n[6], n[7]},
@@ -124,10 +134,6 @@ std::optional<NumberedShape> solid_without_repeats(std::span<const Id> corners) 
     out.kind = kind;
     for (const Id id : face.all()) out.nodes[out.count++] = id;
   };
-  if (is(8, 0, 6)) {
-    distinct.kind = ElementKind::hexahedron;
-    return distinct;
-  }
   if (is(6, 2, 3)) {
     const Face& base = hull.first_with(3);
     start_with(ElementKind::wedge, base);

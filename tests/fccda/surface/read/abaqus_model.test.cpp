@@ -121,11 +121,20 @@ TEST_CASE("abaqus assembly: what is not there, twice, open or out of place is re
                 "hull.inp:2: this instance is imported from another analysis, but only this file is read; export the mesh itself.");
 }
 
-TEST_CASE("abaqus assembly: a small file that asks for a huge mesh is refused before it fills the memory") {
+TEST_CASE("abaqus assembly: a small file that asks for a huge mesh is refused before it fills the memory or takes for ever") {
   std::string nodes = "*NODE\n";
   for (int k = 1; k <= 10000; ++k) nodes += std::to_string(k) + "\n";
   std::string instances;
   for (int k = 0; k < 1000; ++k) instances += instance("i" + std::to_string(k), "p");
   CHECK_THROWS_WITH_AS(parse(part("p", nodes) + assembly(instances)),
-                       doctest::Contains("instances and sets make more than 8388608 nodes of this file; export the parts alone that are struck."), InputError);
+                       doctest::Contains("instances and sets make more than 8388608 nodes and members of this file; export only the parts that are struck."),
+                       InputError);
+  // neither do sets that list all elements over and over, nor long names
+  std::string sets;
+  for (int k = 0; k < 3000; ++k) sets += "*ELSET, ELSET=s" + std::to_string(k) + ", GENERATE\n1, 3000, 7000\n";
+  std::string elements = "*NODE\n1\n2\n3\n*ELEMENT, TYPE=S3\n";
+  for (int k = 1; k <= 3000; ++k) elements += std::to_string(k) + ",1,2,3\n";
+  CHECK_THROWS_WITH_AS(parse(elements + sets), doctest::Contains("instances and sets make more than"), InputError);
+  std::string set = "*NODE\n1\n2\n3\n*ELEMENT, TYPE=S3, ELSET=" + std::string(10000, 'x') + "\n1,1,2,3\n";
+  CHECK_THROWS_WITH_AS(parse(part("p", set) + assembly(instances)), doctest::Contains("instances and sets make more than"), InputError);
 }
