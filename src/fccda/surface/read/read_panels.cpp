@@ -8,9 +8,11 @@
 
 #include "fccda/core/error.hpp"
 #include "fccda/core/nearest_word.hpp"
+#include "fccda/surface/read/abaqus.hpp"
 #include "fccda/surface/read/choose_parts.hpp"
 #include "fccda/surface/read/contents.hpp"
 #include "fccda/surface/read/elements.hpp"
+#include "fccda/surface/read/lsdyna.hpp"
 #include "fccda/surface/read/obj.hpp"
 #include "fccda/surface/read/off.hpp"
 #include "fccda/surface/read/ply.hpp"
@@ -29,9 +31,9 @@ struct Format {
   std::string_view extension;
   std::variant<PanelsParser, ElementsParser> parse;
 };
-const Format formats[] = {
-    {".stl", parse_stl}, {".obj", parse_obj}, {".ply", parse_ply}, {".off", parse_off}, {".vtk", parse_vtk}, {".vtp", parse_vtp}, {".vtu", parse_vtp},
-};
+const Format formats[] = {{".stl", parse_stl},   {".obj", parse_obj},  {".ply", parse_ply},    {".off", parse_off},    {".vtk", parse_vtk},
+                          {".vtp", parse_vtp},   {".vtu", parse_vtp},  {".inp", parse_abaqus}, {".k", parse_lsdyna},   {".key", parse_lsdyna},
+                          {".dyn", parse_lsdyna}};
 
 [[noreturn]] void refuse_format(const std::string& file, const std::string& extension) {
   std::vector<std::string> extensions;

@@ -4,6 +4,7 @@
 
 #include "fccda/core/error.hpp"
 #include "fixtures/surface_files.hpp"
+#include "fixtures/surface_files_b.hpp"
 #include "fixtures/temporary_folder.hpp"
 
 using namespace fccda;
@@ -29,13 +30,19 @@ TEST_CASE("read: the extension chooses the format, in capitals too, and STL show
   fixtures::put(folder / "a.stl", fixtures::stl_text(cube));
   fixtures::put(folder / "b.STL", fixtures::stl_binary(cube));
   fixtures::put(folder / "c.Obj", fixtures::obj_text(cube));
+  fixtures::put(folder / "d.inp", fixtures::abaqus_text(fixtures::elements_of(cube, "")));
+  for (const char* name : {"e.k", "f.KEY", "g.dyn"}) {
+    fixtures::put(folder / name, fixtures::lsdyna_text(fixtures::elements_of(cube, ""), fixtures::LsdynaForm::fixed));
+    CHECK(read_panels(folder / name).panels.size() == 6);
+  }
+  CHECK(read_panels(folder / "d.inp").panels.size() == 6);
   CHECK(read_panels(folder / "a.stl").panels.size() == 12);
   CHECK(read_panels(folder / "b.STL").panels.size() == 12);
   CHECK(read_panels(folder / "c.Obj").panels.size() == 6);
 }
 
 TEST_CASE("read: an unknown format is refused with what was meant") {
-  const std::string formats = "formats are .stl, .obj, .ply, .off, .vtk, .vtp and .vtu.";
+  const std::string formats = "formats are .stl, .obj, .ply, .off, .vtk, .vtp, .vtu, .inp, .k, .key and .dyn.";
   CHECK(refusal("hull.stk") == ": `.stk` is no format of surfaces that can be read; did you mean `.stl`? The " + formats);
   CHECK(refusal("hull.obi") == ": `.obi` is no format of surfaces that can be read; did you mean `.obj`? The " + formats);
   CHECK(refusal("hull.3dm") == ": `.3dm` is no format of surfaces that can be read; the " + formats);
