@@ -11,6 +11,7 @@
 #include "fccda/surface/read/choose_parts.hpp"
 #include "fccda/surface/read/contents.hpp"
 #include "fccda/surface/read/elements.hpp"
+#include "fccda/surface/read/gmsh.hpp"
 #include "fccda/surface/read/obj.hpp"
 #include "fccda/surface/read/stl.hpp"
 #include "fccda/surface/read/words.hpp"
@@ -25,7 +26,7 @@ struct Format {
   std::string_view extension;
   std::variant<PanelsParser, ElementsParser> parse;
 };
-const Format formats[] = {{".stl", parse_stl}, {".obj", parse_obj}};
+const Format formats[] = {{".stl", parse_stl}, {".obj", parse_obj}, {".msh", parse_gmsh}};
 
 [[noreturn]] void refuse_format(const std::string& file, const std::string& extension) {
   std::vector<std::string> extensions;
