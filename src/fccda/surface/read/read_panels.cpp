@@ -8,6 +8,7 @@
 
 #include "fccda/core/error.hpp"
 #include "fccda/core/nearest_word.hpp"
+#include "fccda/surface/read/cad.hpp"
 #include "fccda/surface/read/choose_parts.hpp"
 #include "fccda/surface/read/contents.hpp"
 #include "fccda/surface/read/elements.hpp"
@@ -21,12 +22,14 @@ namespace {
 
 using PanelsParser = Panels (*)(std::string_view contents, const std::string& file);
 using ElementsParser = Elements (*)(std::string_view contents, const std::string& file);
+using ElementsReader = Elements (*)(const std::filesystem::path& path);  // where another program reads the file
 
 struct Format {
   std::string_view extension;
-  std::variant<PanelsParser, ElementsParser> parse;
+  std::variant<PanelsParser, ElementsParser, ElementsReader> parse;
 };
-const Format formats[] = {{".stl", parse_stl}, {".obj", parse_obj}, {".msh", parse_gmsh}};
+const Format formats[] = {{".stl", parse_stl}, {".obj", parse_obj}, {".msh", parse_gmsh}, {".step", read_cad},
+                          {".stp", read_cad},  {".iges", read_cad}, {".igs", read_cad}};
 
 [[noreturn]] void refuse_format(const std::string& file, const std::string& extension) {
   std::vector<std::string> extensions;
@@ -48,6 +51,12 @@ const Format& format_of(const std::filesystem::path& path) {
   return *format;
 }
 
+template <class Parser>
+auto parsed(Parser parse, const std::filesystem::path& path) {
+  return parse(contents_of(path), path.string());
+}
+Elements parsed(ElementsReader read, const std::filesystem::path& path) { return read(path); }
+
 Panels chosen(Panels panels, std::span<const std::string> parts, const std::string& file) {
   keep_parts(panels, parts, file);
   return panels;
@@ -62,7 +71,7 @@ Panels chosen(Elements elements, std::span<const std::string> parts, const std::
 Panels read_panels(const std::filesystem::path& path, std::span<const std::string> parts) {
   const std::string file = path.string();
   const Format& format = format_of(path);
-  Panels panels = std::visit([&](auto parse) { return chosen(parse(contents_of(path), file), parts, file); }, format.parse);
+  Panels panels = std::visit([&](auto parse) { return chosen(parsed(parse, path), parts, file); }, format.parse);
   if (panels.panels.empty()) throw InputError(file + ": the file holds no triangles or faces; check what was exported.");
   return panels;
 }
