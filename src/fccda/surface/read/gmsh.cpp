@@ -90,7 +90,7 @@ class Gmsh {
   }
 
   void parse_partitioned_entities() {
-    in_.begin("the partitions");
+    in_.begin("the beginning of `$PartitionedEntities`");
     in_.count();
     const std::int64_t ghosts = in_.count();
     for (std::int64_t k = 1; k <= ghosts; ++k) {
@@ -111,7 +111,7 @@ class Gmsh {
   }
 
   std::array<std::int64_t, 4> entity_counts() {
-    in_.begin("the numbers of entities");
+    in_.begin("the beginning of the entities");
     std::array<std::int64_t, 4> counts;
     for (std::int64_t& count : counts) count = in_.count();
     return counts;
@@ -144,7 +144,7 @@ class Gmsh {
   }
 
   void parse_node_blocks() {
-    in_.begin("the numbers of nodes");
+    in_.begin("the beginning of `$Nodes`");
     const bool is_4_1 = in_.version() == GmshVersion::v4_1;
     const std::int64_t blocks = in_.count(), total = in_.count();
     if (is_4_1) skip_range();
@@ -268,7 +268,7 @@ class Gmsh {
   }
 
   void parse_element_blocks() {
-    in_.begin("the numbers of elements");
+    in_.begin("the beginning of `$Elements`");
     const bool is_4_1 = in_.version() == GmshVersion::v4_1;
     const auto next_tag = [&] { return is_4_1 ? in_.long_integer() : std::int64_t{in_.integer()}; };
     const std::int64_t blocks = in_.count(), total = in_.count();

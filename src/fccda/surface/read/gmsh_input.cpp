@@ -164,7 +164,7 @@ std::int64_t GmshInput::count_in_line(std::string_view of) {
 void GmshInput::end_section(std::string_view section) {
   const std::string end = "$End" + std::string(section), text = line();
   if (text == end) return;
-  if (text.empty()) fail("the file ends before `" + end + "`; " + std::string(cut_short));
+  if (end.starts_with(text)) fail("the file ends before `" + end + "`; " + std::string(cut_short));
   fail(shown(text) + " stands where `" + end + "` belongs; " + std::string(damaged));
 }
 
