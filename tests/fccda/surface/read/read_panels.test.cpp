@@ -35,10 +35,13 @@ TEST_CASE("read: the extension chooses the format, in capitals too, and STL show
 }
 
 TEST_CASE("read: an unknown format is refused with what was meant") {
-  CHECK(refusal("hull.stk") == ": `.stk` is no format of surfaces that can be read; did you mean `.stl`? The formats are .stl and .obj.");
-  CHECK(refusal("hull.obi") == ": `.obi` is no format of surfaces that can be read; did you mean `.obj`? The formats are .stl and .obj.");
-  CHECK(refusal("hull.vtp") == ": `.vtp` is no format of surfaces that can be read; the formats are .stl and .obj.");
-  CHECK(refusal("hull") == ": a file without extension is no format of surfaces that can be read; the formats are .stl and .obj.");
+  CHECK(refusal("hull.stk") ==
+        ": `.stk` is no format of surfaces that can be read; did you mean `.stl`? The formats are .stl, .obj, .msh, .step, .stp, .iges and .igs.");
+  CHECK(refusal("hull.obi") ==
+        ": `.obi` is no format of surfaces that can be read; did you mean `.obj`? The formats are .stl, .obj, .msh, .step, .stp, .iges and .igs.");
+  CHECK(refusal("hull.blend") == ": `.blend` is no format of surfaces that can be read; the formats are .stl, .obj, .msh, .step, .stp, .iges and .igs.");
+  CHECK(refusal("hull") ==
+        ": a file without extension is no format of surfaces that can be read; the formats are .stl, .obj, .msh, .step, .stp, .iges and .igs.");
 }
 
 TEST_CASE("read: files that are not there, empty, folders or without faces are refused in one sentence") {
