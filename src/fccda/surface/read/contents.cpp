@@ -3,13 +3,10 @@
 #include <fstream>
 
 #include "fccda/core/error.hpp"
-#include "fccda/surface/read/inflate.hpp"
 #include "fccda/surface/read/words.hpp"
 
 namespace fccda {
-namespace {
-
-std::string bytes_of(const std::filesystem::path& path) {
+std::string contents_of(const std::filesystem::path& path) {
   const std::string file = path.string();
   std::error_code problem;
   const auto status = std::filesystem::status(path, problem);
@@ -25,13 +22,6 @@ std::string bytes_of(const std::filesystem::path& path) {
   return contents;
 }
 
-}  // namespace
-
 bool is_gzip(const std::filesystem::path& path) { return is_word(path.extension().string(), ".gz"); }
-
-std::string contents_of(const std::filesystem::path& path) {
-  std::string bytes = bytes_of(path);
-  return is_gzip(path) ? gunzip(bytes, path.string()) : bytes;
-}
 
 }  // namespace fccda

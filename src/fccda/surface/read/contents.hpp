@@ -1,4 +1,4 @@
-/// What is in a file, unpacked where it is gzip.
+/// What is in a file.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,10 @@
 
 namespace fccda {
 
-/// All bytes of the file; those of a name that ends in `.gz` are unpacked. Throws InputError where the file is not there, empty, damaged or
-/// unpacks to more than 256 times its size, which no mesh does (and at least 64 MiB, so that a few zeros are no offence).
+/// All bytes of the file, as they are. Throws InputError where it is not there, is no file, empty, or cannot be read.
 std::string contents_of(const std::filesystem::path& path);
 
-/// Does the name end in `.gz`?
+/// Does the name end in `.gz`? Then the contents are to be unpacked (inflate.hpp).
 bool is_gzip(const std::filesystem::path& path);
 
 }  // namespace fccda

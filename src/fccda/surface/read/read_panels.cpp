@@ -9,9 +9,12 @@
 #include "fccda/core/error.hpp"
 #include "fccda/core/nearest_word.hpp"
 #include "fccda/surface/read/abaqus.hpp"
+#include "fccda/surface/read/cad.hpp"
 #include "fccda/surface/read/choose_parts.hpp"
 #include "fccda/surface/read/contents.hpp"
 #include "fccda/surface/read/elements.hpp"
+#include "fccda/surface/read/gmsh.hpp"
+#include "fccda/surface/read/inflate.hpp"
 #include "fccda/surface/read/lsdyna.hpp"
 #include "fccda/surface/read/obj.hpp"
 #include "fccda/surface/read/off.hpp"
@@ -31,13 +34,17 @@ struct Format {
   std::string_view extension;
   std::variant<PanelsParser, ElementsParser> parse;
 };
-const Format formats[] = {{".stl", parse_stl},   {".obj", parse_obj},  {".ply", parse_ply},    {".off", parse_off},    {".vtk", parse_vtk},
-                          {".vtp", parse_vtp},   {".vtu", parse_vtp},  {".inp", parse_abaqus}, {".k", parse_lsdyna},   {".key", parse_lsdyna},
-                          {".dyn", parse_lsdyna}};
+const Format formats[] = {{".stl", parse_stl},    {".obj", parse_obj},  {".ply", parse_ply},    {".off", parse_off},
+                          {".vtk", parse_vtk},    {".vtp", parse_vtp},  {".vtu", parse_vtp},    {".msh", parse_gmsh},
+                          {".inp", parse_abaqus}, {".k", parse_lsdyna}, {".key", parse_lsdyna}, {".dyn", parse_lsdyna}};
+
+/// Those that another program meshes.
+constexpr std::string_view cad_extensions[] = {".step", ".stp", ".iges", ".igs"};
 
 [[noreturn]] void refuse_format(const std::string& file, const std::string& extension) {
   std::vector<std::string> extensions;
   for (const Format& format : formats) extensions.emplace_back(format.extension);
+  extensions.insert(extensions.end(), std::begin(cad_extensions), std::end(cad_extensions));
   std::string sentence = file + ": " + (extension.empty() ? "a file without extension" : shown(extension)) + " is no format of surfaces that can be read";
   constexpr std::size_t slip = 1;
   const std::string_view meant = nearest_word(extension, extensions);
@@ -47,12 +54,19 @@ const Format formats[] = {{".stl", parse_stl},   {".obj", parse_obj},  {".ply", 
   throw InputError(sentence + ".");
 }
 
-const Format& format_of(const std::filesystem::path& path) {
-  const std::filesystem::path plain = is_gzip(path) ? path.stem() : path;
-  const std::string extension = plain.extension().string();
+/// hull.stl.gz has that of hull.stl.
+std::string extension_of(const std::filesystem::path& file) { return (is_gzip(file) ? file.stem() : file).extension().string(); }
+
+const Format& format_of(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
   const auto format = std::find_if(std::begin(formats), std::end(formats), [&](const Format& f) { return is_word(extension, f.extension); });
-  if (format == std::end(formats)) refuse_format(path.string(), extension);
+  if (format == std::end(formats)) refuse_format(file.string(), extension);
   return *format;
+}
+
+bool is_cad(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  return std::any_of(std::begin(cad_extensions), std::end(cad_extensions), [&](std::string_view cad) { return is_word(extension, cad); });
 }
 
 Panels chosen(Panels panels, std::span<const std::string> parts, const std::string& file) {
@@ -64,14 +78,25 @@ Panels chosen(Elements elements, std::span<const std::string> parts, const std::
   return panels_of(std::move(elements), file);
 }
 
-}  // namespace
-
-Panels read_panels(const std::filesystem::path& path, std::span<const std::string> parts) {
-  const std::string file = path.string();
-  const Format& format = format_of(path);
-  Panels panels = std::visit([&](auto parse) { return chosen(parse(contents_of(path), file), parts, file); }, format.parse);
+Panels expect_panels(Panels panels, const std::string& file) {
   if (panels.panels.empty()) throw InputError(file + ": the file holds no triangles or faces; check what was exported.");
   return panels;
+}
+
+}  // namespace
+
+Panels parse_panels(std::string_view contents, const std::filesystem::path& file, std::span<const std::string> parts) {
+  const std::string name = file.string();
+  const Format& format = format_of(file);
+  const std::string unpacked = is_gzip(file) ? gunzip(contents, name) : std::string();
+  const std::string_view bytes = is_gzip(file) ? std::string_view(unpacked) : contents;
+  return expect_panels(std::visit([&](auto parse) { return chosen(parse(bytes, name), parts, name); }, format.parse), name);
+}
+
+Panels read_panels(const std::filesystem::path& path, std::span<const std::string> parts) {
+  if (is_cad(path)) return expect_panels(chosen(read_cad(path), parts, path.string()), path.string());
+  format_of(path);  // a format that is none is told before the file is looked for
+  return parse_panels(contents_of(path), path, parts);
 }
 
 }  // namespace fccda

@@ -42,7 +42,7 @@ TEST_CASE("read: the extension chooses the format, in capitals too, and STL show
 }
 
 TEST_CASE("read: an unknown format is refused with what was meant") {
-  const std::string formats = "formats are .stl, .obj, .ply, .off, .vtk, .vtp, .vtu, .inp, .k, .key and .dyn.";
+  const std::string formats = "formats are .stl, .obj, .ply, .off, .vtk, .vtp, .vtu, .msh, .inp, .k, .key, .dyn, .step, .stp, .iges and .igs.";
   CHECK(refusal("hull.stk") == ": `.stk` is no format of surfaces that can be read; did you mean `.stl`? The " + formats);
   CHECK(refusal("hull.obi") == ": `.obi` is no format of surfaces that can be read; did you mean `.obj`? The " + formats);
   CHECK(refusal("hull.3dm") == ": `.3dm` is no format of surfaces that can be read; the " + formats);
