@@ -131,23 +131,13 @@ class AbaqusFile {
   void start_elements() {
     const std::string& name = required("TYPE");
     type_ = abaqus_type(capitals(name));
-    if (type_.use == AbaqusType::Use::plane) refuse_plane(name);
+    if (type_.use == AbaqusType::Use::plane) lines_.fail("elements of type " + name + " lie in a plane and have no place in space; delete them.");
     if (type_.use == AbaqusType::Use::unknown)
       lines_.fail("elements of type " + name + " cannot be read; delete them, or export them as shells (S3, S4) or solids (C3D4 to C3D20).");
     if (type_.use == AbaqusType::Use::skipped) return;
     const std::string* set = keyword_.find("ELSET");
     group_ = set == nullptr || set->empty() ? 0 : here().group_number(*set);
     block_ = Block::elements;
-  }
-
-  [[noreturn]] void refuse_plane(const std::string& name) const {
-    constexpr std::pair<char, std::string_view> shells[] = {{'3', "S3"}, {'4', "S4"}, {'6', "STRI65"}, {'8', "S8R"}};
-    const std::size_t digit = name.find_first_of("0123456789");
-    const char nodes = digit == std::string::npos ? '0' : name[digit];
-    const auto shell = std::find_if(std::begin(shells), std::end(shells), [&](const auto& one) { return one.first == nodes; });
-    std::string sentence = "elements of type " + name + " lie in a plane and have no place in space; ";
-    if (shell == std::end(shells)) lines_.fail(sentence + "delete them.");
-    lines_.fail(sentence + "delete them, or, where a mesh generator wrote a surface in space so, name the type " + std::string(shell->second) + ".");
   }
 
   void start_set() {

@@ -13,17 +13,19 @@ struct Family {
   std::string_view name;
   Use use;
 };
-constexpr Family families[] = {{"S", Use::surface},   {"DS", Use::surface}, {"M3D", Use::surface}, {"SFM3D", Use::surface}, {"R3D", Use::surface},  // surfaces
-                               {"C3D", Use::solid},   {"DC3D", Use::solid}, {"AC3D", Use::solid},  {"EC3D", Use::solid},    {"Q3D", Use::solid},
-                               {"COH3D", Use::solid}, {"SC", Use::solid},   {"CSS", Use::solid}};
+constexpr Family families[] = {
+    {"S", Use::surface},   {"DS", Use::surface},  {"M3D", Use::surface}, {"SFM3D", Use::surface}, {"R3D", Use::surface},  // surfaces
+    {"CPS", Use::surface}, {"CPE", Use::surface}, {"CAX", Use::surface},  // plane ones, as which mesh generators write surfaces in space
+    {"C3D", Use::solid},   {"DC3D", Use::solid},  {"AC3D", Use::solid},  {"EC3D", Use::solid},    {"Q3D", Use::solid},
+    {"COH3D", Use::solid}, {"SC", Use::solid},    {"CSS", Use::solid}};
 
 /// Whatever begins so. Lines, points, springs, connectors, particles:
 constexpr std::string_view skipped[] = {"B2",      "B3",   "T2D",    "T3D",    "PIPE",     "ELBOW", "FRAME", "MASS",   "ROTARYI", "HEATCAP", "SPRING",
                                         "DASHPOT", "CONN", "GAPUNI", "GAPCYL", "GAPSPHER", "DGAP",  "DCOUP", "JOINTC", "JOINT2D", "JOINT3D", "RB2D",
                                         "RB3D",    "R2D",  "ITSUNI", "ITSCYL", "DC1D",     "AC1D",  "PC3D",  "PD3D",   "DCC1D",   "LS6",     "PSI"};
-/// Plane and axisymmetric elements:
-constexpr std::string_view plane[] = {"CPS",    "CPE",  "CAX",  "CGAX", "SAX",  "MAX",  "MGAX",  "RAX",   "SFMAX",
-                                      "SFMGAX", "DC2D", "DCAX", "DSAX", "AC2D", "ACAX", "COH2D", "COHAX", "WARP"};
+/// Plane and axisymmetric elements that no mesh generator writes for anything else:
+constexpr std::string_view plane[] = {"CPEG", "CGAX", "SAX",  "MAX",  "MGAX", "RAX",   "SFMAX", "SFMGAX",
+                                      "DC2D", "DCAX", "DSAX", "AC2D", "ACAX", "COH2D", "COHAX", "WARP"};
 
 AbaqusType surface_of(std::size_t nodes) {
   switch (nodes) {
