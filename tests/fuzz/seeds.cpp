@@ -6,10 +6,10 @@
 #include <map>
 #include <string>
 
+#include "fixtures/gmsh_files.hpp"
+#include "fixtures/keyword_files.hpp"
+#include "fixtures/polygon_files.hpp"
 #include "fixtures/surface_files.hpp"
-#include "fixtures/surface_files_a.hpp"
-#include "fixtures/surface_files_b.hpp"
-#include "fixtures/surface_files_c.hpp"
 
 namespace {
 
@@ -70,12 +70,14 @@ int main(int count, char** arguments) {
   using fccda::ElementKind;
   for (const ElementKind kind : {ElementKind::tetrahedron, ElementKind::wedge, ElementKind::hexahedron}) {
     seeds.put("inp", abaqus_text(block_of(kind, 1)));
-    for (const LsdynaForm form : {LsdynaForm::fixed, LsdynaForm::commas, LsdynaForm::i10, LsdynaForm::large}) seeds.put("k", lsdyna_text(block_of(kind, 1), form));
+    for (const LsdynaForm form : {LsdynaForm::fixed, LsdynaForm::commas, LsdynaForm::i10, LsdynaForm::large})
+      seeds.put("k", lsdyna_text(block_of(kind, 1), form));
   }
   seeds.put("inp", abaqus_text(elements_of(cube, "hull")));
-  seeds.put("inp", "*HEADING\n** made\n*PART, NAME=P\n" + abaqus_mesh(elements_of(tetrahedron(), "E")) +
-                       "*ELSET, ELSET=bow, GENERATE\n1, 3, 2\n*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=P-1, PART=P\n1., 2., 3.\n0., 0., 0., 0., 0., 1., 90.\n"
-                       "*END INSTANCE\n*INSTANCE, NAME=P-2, PART=P\n*END INSTANCE\n*END ASSEMBLY\n");
+  seeds.put("inp",
+            "*HEADING\n** made\n*PART, NAME=P\n" + abaqus_mesh(elements_of(tetrahedron(), "E")) +
+                "*ELSET, ELSET=bow, GENERATE\n1, 3, 2\n*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=P-1, PART=P\n1., 2., 3.\n0., 0., 0., 0., 0., 1., 90.\n"
+                "*END INSTANCE\n*INSTANCE, NAME=P-2, PART=P\n*END INSTANCE\n*END ASSEMBLY\n");
   seeds.put("k", lsdyna_text(elements_of(cube, "hull"), LsdynaForm::fixed));
   return 0;
 }
