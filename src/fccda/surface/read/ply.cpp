@@ -43,7 +43,7 @@ class Ply {
   }
 
   /// The element that is being read, as messages call it.
-  std::string here() const { return std::string(element_->name) + " " + std::to_string(number_ + 1); }
+  std::string here() const { return excerpt(element_->name) + " " + std::to_string(number_ + 1); }
 
   [[noreturn]] void fail_at_end() const {
     fail("the file ends in " + here() + " of " + std::to_string(element_->count) + "; it was cut short or a count is damaged; write it again.");
