@@ -119,7 +119,7 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
   report_.panels = panels.panels.size();
   if (part_names_.empty()) part_names_.emplace_back();
 
-  Welded welded = weld(panels, tolerance);
+  Welded welded = weld(panels, std::max(tolerance, options.weld_distance));
   report_.welded = welded.merged;
 
   Triangulation triangulation = triangulate(welded.panels, tolerance);

@@ -108,6 +108,9 @@ std::span<const Field<FileSurface>> FileSurface::fields() {
        "Adds the mirror image at the plane x = 0, y = 0 or z = 0: for a file that holds half of a ship, y. Panels in that plane go."},
       {"rotate", &S::rotate, "rad", any_number(), optional, "Turns the surface about the axes x, y and z through the origin, in this order: [90 deg, 0, 0]."},
       {"translate", &S::translate, "m", any_number(), optional, "Moves the surface. Scale, mirror, complete, rotate and translate act in this order."},
+      {"weld", &S::weld, "m", positive(), optional,
+       "Vertices nearer than this become one: closes gaps that rounding left between panels. Where absent, 1e-9 of the surface's size. `perimpact mesh` says "
+       "what would close a surface."},
       {"outside",
        &S::outside,
        "",
