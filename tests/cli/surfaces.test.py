@@ -2,11 +2,13 @@
 
 import gzip
 import math
+import re
 import shutil
 import subprocess
 import unittest
+from pathlib import Path
 
-from claims import claim, main, place_of
+from claims import changed, claim, main, place_of
 from shapes import Shape, defects, folded_prism, grid_box, half_hull, moebius, prism, two_rooms
 
 GIVEN = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
@@ -233,6 +235,30 @@ def _(t):
     deck = use(t, "file: star.obj, scale: 0.001", "position: [0, 53 mm, 0]")
     said = [line for line in t.expect_success("check", deck, "--out", "r").out.splitlines() if line.startswith("warning: ")]
     t.assertTrue(any("5 panels of impactor cylinder go through one another" in line for line in said), said)
+
+
+@claim("surfaces: the guide's hull, decks and reports are what the program takes and prints")
+def _(t):
+    guide = (Path(__file__).resolve().parents[2] / "docs" / "guide" / "own_surface.md").read_text()
+    (t.folder / "half_hull.obj").write_text(half_hull().obj())
+    decks = re.findall(r"^```yaml\n(.*?)^```", guide, re.M | re.S)
+    deck = next(text for text in decks if text.startswith("title: "))
+    remesh = next(text for text in decks if "coarsen:" in text)
+    (t.folder / "my_deck.yaml").write_text(deck)
+    (t.folder / "finer.yaml").write_text(changed(deck, ("    mass: 8000 kg\n", "    mass: 8000 kg\n" + remesh)))
+
+    checked = t.expect_success("check", "my_deck.yaml").out
+    for quoted in ("closure closed", "size 12 x 2.4 x 1.5 m", "touches floe at 0.1303 s"):
+        t.assertIn(quoted, guide)
+        t.assertIn(quoted, re.sub(" +", " ", checked))
+    printed = t.expect_success("mesh", "half_hull.obj").out
+    printed += t.expect_success("mesh", "half_hull.obj", "--scale", "0.001", "--spacing", "250 mm").out
+    printed += t.expect_success("check", "finer.yaml").out
+    quoted = [line[4:] for line in guide.splitlines() if line.startswith("      ")]
+    t.assertGreater(len(quoted), 15)
+    for line in quoted:
+        if not line.startswith("  centroid"):  # x is rounding
+            t.assertIn(line, printed.splitlines())
 
 
 main()
