@@ -141,7 +141,7 @@ def _(t):
     t.assertEqual(t.report("plain")["state_hash"], t.report("packed")["state_hash"])
 
 
-@claim("surfaces: what is flat strikes alike, from every format, and with its panels coarsened or refined")
+@claim("surfaces: what is flat strikes alike, generated or from a file, with its panels as given, coarsened and refined")
 def _(t):
     (t.folder / "box.obj").write_text(grid_box(BOX, (11, 10, 6)).obj())
     given = run(t, "given", use(t, "file: box.obj, scale: 0.001", BOX_PLACE))
