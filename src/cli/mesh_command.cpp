@@ -64,6 +64,7 @@ int mesh_command(const MeshArguments& arguments) {
   fmt::print("{}\n{}{}", arguments.file.string(), surface_text(surface.report()), defects_text(surface, folds));
   if (const auto suspicion = unit_suspicion(surface.report())) fmt::print("  {:<18}{}\n", "unit?", *suspicion);
   if (spacing > 0) fmt::print("{}", spacing_text(surface, bvh, spacing));
+  if (const auto suspicion = half_suspicion(surface)) fmt::print("  {:<18}{}\n", "half?", *suspicion);
   if (!surface.is_closed()) fmt::print("  an open surface needs `outside: normals` or `outside: reversed` in the deck, to say which side is outside\n");
   if (const std::vector<Defect> defects = defects_of(surface, folds); !defects.empty()) {
     write_defects(defects_file(arguments.file), panels, defects);

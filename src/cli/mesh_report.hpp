@@ -16,6 +16,9 @@ std::optional<std::string> unit_suspicion(const fccda::SurfaceReport& report);
 /// Rims, edges of more than two panels, panels that cross, a row each; nothing of a sound closed surface.
 std::string defects_text(const fccda::Surface& surface, const fccda::SelfIntersections& folds);
 
+/// The key of the deck that closes a surface whose rims all lie in one of the planes x = 0, y = 0 and z = 0, as those of half a ship do; nothing of others.
+std::optional<std::string> half_suspicion(const fccda::Surface& surface);
+
 /// The panels against particles of that spacing [m].
 std::string spacing_text(const fccda::Surface& surface, const fccda::Bvh& bvh, double spacing);
 
