@@ -48,6 +48,22 @@ std::optional<std::string> half_suspicion(const Surface& surface) {
   return std::nullopt;
 }
 
+std::optional<double> closing_weld(const Panels& panels, const Surface& surface) {
+  if (surface.is_closed()) return std::nullopt;
+  const double size = norm(surface.report().bounds.size());
+  for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4}) {
+    const double distance = share * size;
+    if (distance > 0.5 * surface.report().shortest_edge) break;
+    try {
+      const Surface welded(panels, {.weld_distance = distance, .outside = OutsideIs::normals});
+      if (welded.is_closed()) return distance;
+    } catch (const InputError&) {
+      break;  // what touches then cannot be used, and by more still less
+    }
+  }
+  return std::nullopt;
+}
+
 std::string defects_text(const Surface& surface, const SelfIntersections& folds) {
   std::string text;
   const std::vector<Rim> all = rims(surface);

@@ -13,6 +13,9 @@ namespace perimpact {
 /// A size that no ship, tool or specimen has, with the scale that was probably meant; nothing otherwise.
 std::optional<std::string> unit_suspicion(const fccda::SurfaceReport& report);
 
+/// The weld distance [m] that would close an open surface without losing panels, where there is one of at most 1e-4 of its size.
+std::optional<double> closing_weld(const fccda::Panels& panels, const fccda::Surface& surface);
+
 /// Rims, edges of more than two panels, panels that cross, a row each; nothing of a sound closed surface.
 std::string defects_text(const fccda::Surface& surface, const fccda::SelfIntersections& folds);
 

@@ -161,4 +161,25 @@ def _(t):
     t.expect_complaint(done, 3, "nowhere/box.stl cannot be written")
 
 
+@claim("mesh: gaps that rounding left are told with the distance that closes them, and --weld and the deck close them")
+def _(t):
+    cube = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    text = ""
+    for number, face in enumerate(faces):  # each face with corners of its own, off by some micrometres
+        text += "".join("v %.7f %.7f %.7f\n" % tuple(x + 3e-6 * ((number + axis) % 3 - 1) for axis, x in enumerate(cube[v])) for v in face)
+        text += "f -4 -3 -2 -1\n"
+    (t.folder / "cube.obj").write_text(text)
+    out = t.expect_success("mesh", "cube.obj").out
+    t.assertIn("open, 24 edges on a rim", out)
+    suggestion = re.search(r"--weld (\S+) \(`weld: (\S+)` in the deck\) closes the surface", out)
+    t.assertTrue(suggestion, out)
+    t.assertIn("closure           closed", t.expect_success("mesh", "cube.obj", "--weld", suggestion[1]).out)
+    t.assertIn("closure           closed", t.expect_success("mesh", "cube.obj", "--weld", "0.02 mm").out)
+    t.expect_complaint(t.run_program("mesh", "cube.obj", "--weld", "2 kg"), 2, "--weld")
+    deck = changed(DECK, ("surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}", "surface: {file: cube.obj, scale: 0.04, weld: 0.4 um}"))
+    (t.folder / "deck.yaml").write_text(deck)
+    t.assertIn("closed", t.expect_success("check", "deck.yaml").out)
+
+
 main()
