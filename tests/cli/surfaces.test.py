@@ -230,7 +230,7 @@ def _(t):
 @claim("surfaces: a body that goes through itself without a pocket runs with a warning")
 def _(t):
     # a star drawn in one line encloses its middle twice, and nothing inside out
-    star = prism([(20 * math.sin(4 * math.pi * k / 5), -20 * math.cos(4 * math.pi * k / 5)) for k in range(5)][::-1], 30.0)
+    star = prism([(20 * math.sin(4 * math.pi * k / 5), -20 * math.cos(4 * math.pi * k / 5)) for k in range(5)], 30.0)
     (t.folder / "star.obj").write_text(star.moved(lambda p: (p[0], p[1], p[2] - 15)).obj())
     deck = use(t, "file: star.obj, scale: 0.001", "position: [0, 53 mm, 0]")
     said = [line for line in t.expect_success("check", deck, "--out", "r").out.splitlines() if line.startswith("warning: ")]
