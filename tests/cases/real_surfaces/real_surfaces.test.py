@@ -16,27 +16,12 @@ except ImportError as missing:
     sys.exit(77)
 import surfaces  # noqa: E402
 
-# Rounding of what a run sums in hundreds of steps and thousands of particles; measured are 1e-15
-DRIFT = 1e-12
-
-
-def outcome(t, path, corners, direction, spacing, outside):
-    """Runs the block beside the surface; None where the run is refused because the surface is open and no side is said to be outside."""
-    scene = strike.Strike(path, corners, direction, spacing, outside)
-    (t.folder / "deck.yaml").write_text(scene.text)
-    t.expect_success("run", "deck.yaml", "--threads", 1)
-    result = scene.outcome(t.report("results"), t.history("results"), t.folder / "results/frames")
-    t.assertLess(result.drift, DRIFT, (path.name, direction))
-    t.assertEqual(result.pinched, 0, (path.name, direction))
-    return result
-
-
 def expect_all_struck(t, named):
     for one in named:
         path = surfaces.file_named(one.name)
         corners = surface_file.read(path).corners
         for direction, outside in one.strikes.items():
-            result = outcome(t, path, corners, direction, one.spacing, outside)
+            result = strike.run(t, path, corners, direction, one.spacing, outside)
             t.assertEqual((result.touched, result.entered, result.crossed), (True, 0, 0), (one.name, direction))
 
 
@@ -70,7 +55,7 @@ def _(t):
 def _(t):
     (hull,) = (one for one in surfaces.OPEN if one.name == "wigley.stl")
     path = surfaces.file_named(hull.name)
-    result = outcome(t, path, surface_file.read(path).corners, "+x", hull.spacing, "normals")
+    result = strike.run(t, path, surface_file.read(path).corners, "+x", hull.spacing, "normals")
     t.assertFalse(result.touched)
     t.assertGreater(result.crossed, 10)
     t.assertEqual(result.entered, result.crossed)

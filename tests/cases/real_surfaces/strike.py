@@ -12,6 +12,7 @@ SOUND = (YOUNGS_MODULUS / DENSITY) ** 0.5  # [m/s]
 SPEED, STEPS, ROWS = SOUND / 5, 100, 20
 ACROSS, THICK = 15, 6  # particles
 BREAKS = 0.1  # critical stretch
+DRIFT = 1e-12  # rounding of what a run sums in a hundred steps and a thousand particles; measured are 1e-15
 
 DECK = """\
 title: Struck by {file.name}
@@ -78,6 +79,17 @@ class Strike:
             crossed=int((crossings(begin, end - (way[:, -1] - way[:, 0]), self.corners) % 2).sum()),
             drift=np.abs(momentum - momentum[:, :1]).max() / (self.mass * SPEED),
         )
+
+
+def run(t, path, corners, direction, spacing, outside):
+    """What comes of a strike; the program must end well, keep momentum and pinch nothing."""
+    scene = Strike(path, corners, direction, spacing, outside)
+    (t.folder / "deck.yaml").write_text(scene.text)
+    t.expect_success("run", "deck.yaml", "--threads", 1)
+    outcome = scene.outcome(t.report("results"), t.history("results"), t.folder / "results/frames")
+    t.assertLess(outcome.drift, DRIFT, (path.name, direction))
+    t.assertEqual(outcome.pinched, 0, (path.name, direction))
+    return outcome
 
 
 def crossings(begin, end, corners):
