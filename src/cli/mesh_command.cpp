@@ -8,6 +8,7 @@
 #include "fccda/core/error.hpp"
 #include "fccda/core/parameter.hpp"
 #include "fccda/surface/place.hpp"
+#include "fccda/surface/read/contents.hpp"
 #include "fccda/surface/read/read_panels.hpp"
 #include "io/deck/units.hpp"
 #include "io/output/surface_file.hpp"
@@ -30,8 +31,8 @@ double length_of(const char* option, const std::string& text) {
 
 /// hull_defects.vtp, in the folder that the command runs in, for hull.stl.gz.
 std::filesystem::path defects_file(const std::filesystem::path& surface) {
-  const std::string name = surface.filename().string();
-  return name.substr(0, name.find('.')) + "_defects.vtp";
+  const std::filesystem::path unpacked = is_gzip(surface) ? surface.stem() : surface;
+  return unpacked.stem().string() + "_defects.vtp";
 }
 
 Surface fit_surface(const Panels& panels, double weld, const std::filesystem::path& file) {

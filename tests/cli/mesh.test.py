@@ -4,7 +4,7 @@ import math
 import re
 import unittest
 
-from claims import claim, main
+from claims import DECK, changed, claim, main
 from shapes import Shape, defects, folded_prism, grid_box, half_hull, moebius, prism, two_rooms
 
 
@@ -180,6 +180,14 @@ def _(t):
     deck = changed(DECK, ("surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}", "surface: {file: cube.obj, scale: 0.04, weld: 0.4 um}"))
     (t.folder / "deck.yaml").write_text(deck)
     t.assertIn("closed", t.expect_success("check", "deck.yaml").out)
+
+
+@claim("mesh: the picture of defects has the file's whole name, but for its format, so that pictures of wall-0.25 and wall-0.5 are two")
+def _(t):
+    for name in ("wall-0.25.obj", "wall-0.5.obj"):
+        (t.folder / name).write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        t.expect_success("mesh", name)
+    t.assertEqual(t.files("."), ["wall-0.25.obj", "wall-0.25_defects.vtp", "wall-0.5.obj", "wall-0.5_defects.vtp"])
 
 
 main()

@@ -1,6 +1,7 @@
 #include "fccda/surface/file/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -12,6 +13,12 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool is_break(char c) { return c == '\n' || c == '\r'; }
 char lowered(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+/// By the character: a look-up where every byte of a file of millions of words passes.
+constexpr auto ends_word = [] {
+  std::array<bool, 256> ends{};
+  for (const char c : {' ', '\t', '\v', '\f', '\n', '\r'}) ends[static_cast<unsigned char>(c)] = true;
+  return ends;
+}();
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors put it before UTF-8
 }  // namespace
 
@@ -30,19 +37,19 @@ void Words::pass_line_end() {
 
 std::string_view Words::take_word() {
   const std::size_t begin = at_;
-  while (!at_line_end() && !is_blank(text_[at_])) ++at_;
-  return text_.substr(begin, at_ - begin);
+  std::size_t end = at_;  // a member would be written at every character
+  while (end < text_.size() && !ends_word[static_cast<unsigned char>(text_[end])]) ++end;
+  at_ = end;
+  return text_.substr(begin, end - begin);
 }
 
 bool Words::at_end() {
   while (at_ < text_.size()) {
-    if (is_break(text_[at_])) {
+    if (!ends_word[static_cast<unsigned char>(text_[at_])]) return false;
+    if (is_break(text_[at_]))
       pass_line_end();
-    } else if (is_blank(text_[at_])) {
+    else
       ++at_;
-    } else {
-      return false;
-    }
   }
   return true;
 }

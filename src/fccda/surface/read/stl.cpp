@@ -120,11 +120,12 @@ class TextStl {
     expect("outer");
     expect("loop");
     Vec3d corners[3];
+    const std::string what = triangle();
     for (Vec3d& corner : corners) {
       expect("vertex");
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (words_.at_end()) expect("vertex coordinate");
-        corner[axis] = words_.number(words_.next(), triangle());
+        corner[axis] = words_.number(words_.next(), what);
       }
     }
     expect("endloop");
