@@ -94,6 +94,7 @@ void print_duration(Simulation& simulation) {
 
 void write_pictures(const Simulation& simulation, const std::filesystem::path& folder) {
   output::prepare_folder(folder);
+  remove_pictures_of_defects(simulation, folder);
   for (const Body& body : simulation.bodies()) write_particles(folder / (body.name + ".vtp"), body, std::nullopt);
   for (const Impactor& impactor : simulation.impactors()) {
     write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor);

@@ -25,6 +25,7 @@ struct MeshArguments {
   std::filesystem::path file;
   std::vector<std::string> parts;  ///< all where empty
   double scale = 1;
+  std::string weld;           ///< distance, with a unit or in metres; empty: the usual one
   std::string spacing;        ///< with a unit, or in metres; empty: none to compare with
   std::filesystem::path out;  ///< where the surface goes as made fit; empty: nowhere
 };

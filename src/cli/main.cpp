@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
   mesh_app->add_option("file", mesh.file, "Surface file")->required();
   mesh_app->add_option("--part", mesh.parts, "Only this part of the file (may be repeated)")->allow_extra_args(false);
   mesh_app->add_option("--scale", mesh.scale, "Multiplies the coordinates, so that they become metres");
+  mesh_app->add_option("--weld", mesh.weld, "Vertices nearer than this become one, such as \"0.1 mm\"");
   mesh_app->add_option("--spacing", mesh.spacing, "Spacing of the particles it shall strike, such as 0.5 or \"20 mm\"");
   mesh_app->add_option("--out", mesh.out, "Writes the surface as made fit: an .stl or .obj file");
   mesh_app->callback([&] { code = mesh_command(mesh); });

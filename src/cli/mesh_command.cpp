@@ -20,11 +20,13 @@ using namespace fccda;
 
 namespace {
 
-double spacing_of(const std::string& text) {
-  const deck::Converted spacing = deck::to_si(text, "m");
-  if (!spacing.complaint.empty()) throw InputError(fmt::format("--spacing is {}: {}.", text, spacing.complaint));
-  if (!positive().contains(spacing.value)) throw InputError(fmt::format("--spacing is {}, but it must be above 0.", text));
-  return spacing.value;
+/// A length that an option gives, with a unit or in metres; 0 where it is not given.
+double length_of(const char* option, const std::string& text) {
+  if (text.empty()) return 0;
+  const deck::Converted length = deck::to_si(text, "m");
+  if (!length.complaint.empty()) throw InputError(fmt::format("{} is {}: {}.", option, text, length.complaint));
+  if (!positive().contains(length.value)) throw InputError(fmt::format("{} is {}, but it must be above 0.", option, text));
+  return length.value;
 }
 
 /// hull_defects.vtp, in the folder that the command runs in, for hull.stl.gz.
@@ -33,10 +35,10 @@ std::filesystem::path defects_file(const std::filesystem::path& surface) {
   return unpacked.stem().string() + "_defects.vtp";
 }
 
-Surface fit_surface(const Panels& panels, const std::filesystem::path& file) {
+Surface fit_surface(const Panels& panels, double weld, const std::filesystem::path& file) {
   try {
     // a report is wanted of open surfaces too, and which side is outside changes nothing in it
-    return Surface(panels, {.outside = OutsideIs::normals, .name = file.string()});
+    return Surface(panels, {.weld_distance = weld, .outside = OutsideIs::normals, .name = file.string()});
   } catch (const SurfaceError& error) {
     write_defects(defects_file(file), panels, {&error.defect(), 1});
     throw InputError(fmt::format("{} These panels are in {}, for ParaView.", error.what(), defects_file(file).string()));
@@ -55,16 +57,19 @@ std::vector<Defect> defects_of(const Surface& surface, const SelfIntersections& 
 int mesh_command(const MeshArguments& arguments) {
   if (!positive().contains(arguments.scale))
     throw InputError(fmt::format("--scale is {}, but it must be above 0; it multiplies the coordinates, so that they become metres.", arguments.scale));
-  const double spacing = arguments.spacing.empty() ? 0 : spacing_of(arguments.spacing);  // a mistake there before the file is read
+  const double spacing = length_of("--spacing", arguments.spacing), weld = length_of("--weld", arguments.weld);  // before the file is read
   Panels panels = read_panels(arguments.file, arguments.parts);
   place(panels, {.scale = arguments.scale});
-  const Surface surface = fit_surface(panels, arguments.file);
+  const Surface surface = fit_surface(panels, weld, arguments.file);
   const Bvh bvh(surface);
   const SelfIntersections folds = self_intersections(surface, bvh);
 
   fmt::print("{}\n{}{}", arguments.file.string(), surface_text(surface.report()), defects_text(surface, folds));
   if (const auto suspicion = unit_suspicion(surface.report())) fmt::print("  {:<18}{}\n", "unit?", *suspicion);
   if (spacing > 0) fmt::print("{}", spacing_text(surface, bvh, spacing));
+  if (const auto suspicion = half_suspicion(surface)) fmt::print("  {:<18}{}\n", "half?", *suspicion);
+  if (const auto distance = closing_weld(panels, surface))
+    fmt::print("  {:<18}vertices lie apart by rounding; --weld {:.3g} (`weld: {:.3g}` in the deck) closes the surface\n", "gaps?", *distance, *distance);
   if (!surface.is_closed()) fmt::print("  an open surface needs `outside: normals` or `outside: reversed` in the deck, to say which side is outside\n");
   if (const std::vector<Defect> defects = defects_of(surface, folds); !defects.empty()) {
     write_defects(defects_file(arguments.file), panels, defects);

@@ -35,6 +35,35 @@ std::optional<std::string> unit_suspicion(const SurfaceReport& report) {
   return std::nullopt;
 }
 
+std::optional<std::string> half_suspicion(const Surface& surface) {
+  const std::vector<Rim> all = rims(surface);
+  const double tolerance = 1e-6 * norm(surface.report().bounds.size());  // floats of binary STL round by less
+  constexpr const char* axes[] = {"x", "y", "z"};
+  for (std::size_t axis = 0; axis < 3 && !all.empty(); ++axis) {
+    const bool in_plane = std::all_of(all.begin(), all.end(),
+                                      [&](const Rim& rim) { return std::max(std::abs(rim.bounds.low[axis]), std::abs(rim.bounds.high[axis])) <= tolerance; });
+    if (in_plane)
+      return fmt::format("all that is open lies in the plane {0} = 0; where the file holds one half, `complete: {0}` in the deck adds the other", axes[axis]);
+  }
+  return std::nullopt;
+}
+
+std::optional<double> closing_weld(const Panels& panels, const Surface& surface) {
+  if (surface.is_closed()) return std::nullopt;
+  const double size = norm(surface.report().bounds.size());
+  for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4}) {
+    const double distance = share * size;
+    if (distance > 0.5 * surface.report().shortest_edge) break;
+    try {
+      const Surface welded(panels, {.weld_distance = distance, .outside = OutsideIs::normals});
+      if (welded.is_closed()) return distance;
+    } catch (const InputError&) {
+      break;  // what touches then cannot be used, and by more still less
+    }
+  }
+  return std::nullopt;
+}
+
 std::string defects_text(const Surface& surface, const SelfIntersections& folds) {
   std::string text;
   const std::vector<Rim> all = rims(surface);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
 #include "fccda/core/error.hpp"
 #include "fccda/core/parallel.hpp"
 #include "io/output/results_folder.hpp"
@@ -9,6 +11,12 @@
 #include "perimpact/impact/surface_of.hpp"
 
 namespace perimpact {
+
+namespace {
+
+std::filesystem::path picture_of_defects(const std::filesystem::path& folder, const std::string& impactor) { return folder / (impactor + "_defects.vtp"); }
+
+}  // namespace
 
 deck::Deck open_deck(const DeckArguments& arguments) {
   if (arguments.threads > 0) fccda::use_threads(arguments.threads);
@@ -26,11 +34,18 @@ void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& fol
     throw;
   } catch (const DefectiveSurface& error) {
     output::prepare_folder(folder);
-    const std::filesystem::path picture = folder / (error.impactor() + "_defects.vtp");
+    const std::filesystem::path picture = picture_of_defects(folder, error.impactor());
     write_defects(picture, error.panels(), {&error.defect(), 1});
     throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), picture.string()));
   } catch (const SetupError& error) {
     throw fccda::InputError(deck.places.of(error.key()) + ": " + error.what());
+  }
+}
+
+void remove_pictures_of_defects(const Simulation& simulation, const std::filesystem::path& folder) {
+  for (const Impactor& impactor : simulation.impactors()) {
+    std::error_code ignored;  // what cannot be removed does no harm
+    std::filesystem::remove(picture_of_defects(folder, impactor.name()), ignored);
   }
 }
 

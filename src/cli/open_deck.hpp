@@ -17,6 +17,9 @@ std::filesystem::path results_folder(const DeckArguments& arguments, const Setup
 /// impactor's surface has defects, a picture of the panels goes into `folder`, and the sentence says so.
 [[noreturn]] void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& folder);
 
+/// Those that an earlier try of the deck left in `folder`: now that there is a simulation, the surfaces have none.
+void remove_pictures_of_defects(const Simulation& simulation, const std::filesystem::path& folder);
+
 /// Calls f() with its SetupErrors placed so.
 template <class F>
 auto with_places(const deck::Deck& deck, const std::filesystem::path& folder, const F& f) {

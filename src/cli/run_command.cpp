@@ -35,6 +35,7 @@ int run_command(const DeckArguments& arguments) {
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);
     ResultsWriter results(simulation, folder);
+    remove_pictures_of_defects(simulation, folder);
     fmt::print("{}\n{} threads, {} steps of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
                simulation.clock().dt, folder.string());
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);

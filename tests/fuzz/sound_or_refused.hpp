@@ -1,6 +1,7 @@
 /// What must hold whatever bytes a file holds: a reader gives panels that are sound, or says in one sentence why not.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -19,10 +20,14 @@ inline void expect(bool holds, const char* claim) {
   std::abort();
 }
 
+inline bool is_printable(const std::string& text) {
+  return std::none_of(text.begin(), text.end(), [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; });
+}
+
 inline void expect_sentence(const std::string& sentence) {
   expect(!sentence.empty() && sentence.back() == '.', "a refusal ends like a sentence");
   expect(sentence.size() < 2000, "a refusal is no novel");
-  for (const char c : sentence) expect(static_cast<unsigned char>(c) >= ' ' && c != '\x7f', "a refusal can be printed on any terminal");
+  expect(is_printable(sentence), "a refusal can be printed on any terminal");
 }
 
 inline void expect_sound(const fccda::Panels& panels) {
@@ -31,6 +36,7 @@ inline void expect_sound(const fccda::Panels& panels) {
     for (std::size_t c = 0; c < 4; ++c) expect((panel[c] >= 0 && panel[c] < vertices) || (c == 3 && panel[c] == -1), "vertex numbers are in range");
   for (const fccda::Vec3d& vertex : panels.vertices) expect(is_finite(vertex), "coordinates are finite");
   expect(panels.part.empty() || panels.part.size() == panels.panels.size(), "each panel has a part, or none has");
+  for (const std::string& name : panels.part_names) expect(is_printable(name), "names of parts can be printed on any terminal");
   for (const int part : panels.part) expect(part >= 0 && part < static_cast<int>(panels.part_names.size()), "parts are in range");
 }
 

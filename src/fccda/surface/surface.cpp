@@ -65,9 +65,12 @@ void expect_usable(const Panels& panels, const std::string& name) {
   sentence << name << ": the surface is non-manifold: " << crowded.size() << (crowded.size() == 1 ? " edge has" : " edges have")
            << " more than two panels, the first from (" << from.x << ", " << from.y << ", " << from.z << ") to (" << to.x << ", " << to.y << ", " << to.z
            << ") m with the panels ";
-  const std::vector<int>& first = crowded[0].triangles;
-  constexpr std::size_t most = 6;  // so that a fan of thousands stays one sentence
-  for (std::size_t s = 0; s < std::min(first.size(), most); ++s) sentence << (s > 0 ? ", " : "") << surface.triangles[static_cast<std::size_t>(first[s])].panel;
+  std::vector<int> first;
+  for (const int t : crowded[0].triangles) first.push_back(surface.triangles[static_cast<std::size_t>(t)].panel);
+  std::sort(first.begin(), first.end());
+  first.erase(std::unique(first.begin(), first.end()), first.end());  // both halves of a quad may end there
+  constexpr std::size_t most = 6;                                     // so that a fan of thousands stays one sentence
+  for (std::size_t s = 0; s < std::min(first.size(), most); ++s) sentence << (s > 0 ? ", " : "") << first[s];
   sentence
       << (first.size() > most ? ", …" : "")
       << " (counted from 0), and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, "
@@ -119,7 +122,7 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
   report_.panels = panels.panels.size();
   if (part_names_.empty()) part_names_.emplace_back();
 
-  Welded welded = weld(panels, tolerance);
+  Welded welded = weld(panels, std::max(tolerance, options.weld_distance));
   report_.welded = welded.merged;
 
   Triangulation triangulation = triangulate(welded.panels, tolerance);

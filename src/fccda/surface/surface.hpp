@@ -59,6 +59,7 @@ class Surface {
  public:
   struct Options {
     double weld_tolerance = 1e-9;  ///< vertices nearer than this times the size of the surface become one
+    double weld_distance = 0;      ///< [m] or nearer than this, where that is more: closes gaps that rounding left between parts
     OutsideIs outside = OutsideIs::undeclared;
     std::string name = "surface";  ///< how messages call it
   };

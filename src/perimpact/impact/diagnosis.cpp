@@ -40,9 +40,8 @@ Diagnosis inside_out(const Impactor& impactor) {
 Diagnosis goes_through_itself(const Impactor& impactor) {
   if (impactor.crossing_panels() == 0) return std::nullopt;
   return fmt::format(
-      "{} panels of impactor {} go through one another within one body. Contact from outside is found all the same, but the volume counts what is enclosed "
-      "twice "
-      "double; `perimpact mesh` writes a picture of them.",
+      "{} panels of impactor {} go through one another within one body. Contact from outside is found all the same, but what is enclosed twice counts double "
+      "in the volume; `perimpact mesh` writes a picture of them.",
       impactor.crossing_panels(), impactor.name());
 }
 
@@ -51,8 +50,7 @@ Diagnosis is_cut(const Impactor& impactor) {
   if (report.cut_edges == 0) return std::nullopt;
   return fmt::format(
       "The surface of impactor {} is cut along {} edges of more than two panels, because it could not be told which panels hang together there. Near these "
-      "edges "
-      "a particle is struck when its centre crosses a panel, not at the contact radius; delete inner walls if that matters.",
+      "edges a particle is struck when its centre crosses a panel, not at the contact radius; delete inner walls if that matters.",
       impactor.name(), report.crowded_edges);
 }
 

@@ -36,8 +36,9 @@ GivenSurface surface_of(const SurfaceSetup& setup, const std::string& name) {
   fccda::Panels panels;
   try {
     panels = std::visit([](const auto& surface) { return panels_of(surface); }, setup);
-    GivenSurface given{fccda::Surface(panels, {.outside = outside(setup), .name = name})};
-    if (std::holds_alternative<FileSurface>(setup)) {
+    const auto* file = std::get_if<FileSurface>(&setup);
+    GivenSurface given{fccda::Surface(panels, {.weld_distance = file ? file->weld.value_or(0) : 0, .outside = outside(setup), .name = name})};
+    if (file) {
       const fccda::SelfIntersections found = fccda::self_intersections(given.surface, fccda::Bvh(given.surface));
       fccda::expect_no_pockets(found, name);
       for (const fccda::Defect& defect : found.defects) given.crossing_panels += defect.panels.size();

@@ -95,8 +95,15 @@ std::span<const Field<BoxSurface>> BoxSurface::fields() {
 
 std::span<const Field<FileSurface>> FileSurface::fields() {
   using S = FileSurface;
+  constexpr double full_turn = 6.2832;  // [rad] somewhat more, for rounding; 90 without its unit is beyond
   static const Field<S> all[] = {
-      {"file", &S::file, "", {}, required, "STL (ascii or binary) or OBJ file; a relative path starts at the deck's folder."},
+      {"file",
+       &S::file,
+       "",
+       {},
+       required,
+       "A mesh: STL, OBJ, PLY, OFF, VTK, VTP, VTU, MSH (Gmsh), INP (Abaqus), K, KEY or DYN (LS-DYNA), each also packed as .gz; STEP and IGES if gmsh is "
+       "installed. A relative path starts at the deck's folder."},
       {"parts", &S::parts, "", {}, optional, "Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists them."},
       {"scale", &S::scale, "1", positive(), optional, "Multiplies the coordinates, so that they become metres: 0.001 for a file in millimetres."},
       {"mirror", &S::mirror, "", {}, optional, "Mirrors the surface at the plane x = 0, y = 0 or z = 0: turns left into right."},
@@ -106,8 +113,12 @@ std::span<const Field<FileSurface>> FileSurface::fields() {
        {},
        optional,
        "Adds the mirror image at the plane x = 0, y = 0 or z = 0: for a file that holds half of a ship, y. Panels in that plane go."},
-      {"rotate", &S::rotate, "rad", any_number(), optional, "Turns the surface about the axes x, y and z through the origin, in this order: [90 deg, 0, 0]."},
+      {"rotate", &S::rotate, "rad", between(-full_turn, full_turn), optional,
+       "Turns the surface about the axes x, y and z through the origin, in this order: [90 deg, 0, 0]."},
       {"translate", &S::translate, "m", any_number(), optional, "Moves the surface. Scale, mirror, complete, rotate and translate act in this order."},
+      {"weld", &S::weld, "m", positive(), optional,
+       "Vertices nearer than this become one: closes gaps that rounding left between panels. Where absent, 1e-9 of the surface's size. `perimpact mesh` says "
+       "what would close a surface."},
       {"outside",
        &S::outside,
        "",

@@ -132,6 +132,7 @@ struct FileSurface {
   Choice complete{mirror_plane_words};  ///< adds the mirror image
   Vec3d rotate{};                       ///< [rad] about x, then y, then z
   Vec3d translate{};                    ///< [m]
+  std::optional<double> weld;           ///< [m] vertices nearer than this become one; 1e-9 of the size where absent
   Choice outside{open_side_words};      ///< which side of an open surface is outside
   static std::span<const Field<FileSurface>> fields();
 };

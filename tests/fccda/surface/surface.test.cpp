@@ -113,6 +113,13 @@ TEST_CASE("surface: an edge with three panels is refused with their numbers") {
       "side that the normals point to).");
 }
 
+TEST_CASE("surface: a quad whose diagonal carries a wall is named once") {
+  Panels sail{{{0, -1, 0}, {3, 0, 0}, {0, 1, 0}, {-3, 0, 0}, {0, 0, 1}}, {}, {}, {}};
+  sail.add_quad(0, 1, 2, 3);
+  sail.add_triangle(0, 2, 4);
+  CHECK_THROWS_WITH_AS(named(sail), Contains("from (0, -1, 0) to (0, 1, 0) m with the panels 0, 1 (counted from 0)"), InputError);
+}
+
 TEST_CASE("surface: a Möbius strip is refused, a band with two half turns is not") {
   CHECK_THROWS_WITH_AS(named(fixtures::band(40, 1), OutsideIs::normals),
                        Contains("close a strip that is twisted like Möbius's, so the surface has no two sides"), InputError);

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "fccda/surface/surface.hpp"
 #include "fixtures/surfaces.hpp"
 
 using namespace fccda;
@@ -92,4 +93,18 @@ TEST_CASE("weld: the seams of a body that was written triangle by triangle close
   const Welded welded = weld(noisy, 1e-9);
   CHECK(welded.panels.vertices.size() == torus.vertices.size());
   CHECK(fixtures::is_watertight(welded.panels));
+}
+
+TEST_CASE("weld: a distance closes the gaps that rounding left, and what lies further apart stays apart") {
+  // a cube whose faces are written one by one, with coordinates rounded to 1e-4 each in its own way
+  Panels cube = fixtures::exploded(fixtures::unit_cube());
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> slip(-5e-5, 5e-5);
+  for (Vec3d& v : cube.vertices) v += Vec3d{slip(random), slip(random), slip(random)};
+  CHECK_FALSE(Surface(cube, {.outside = OutsideIs::normals}).is_closed());
+  const Surface closed(cube, {.weld_distance = 2e-4});
+  CHECK(closed.is_closed());
+  CHECK(closed.report().vertices == 8);
+  CHECK(closed.report().volume == doctest::Approx(1).epsilon(1e-3));  // corners moved by 1e-4
+  CHECK_FALSE(Surface(cube, {.weld_distance = 1e-6, .outside = OutsideIs::normals}).is_closed());
 }

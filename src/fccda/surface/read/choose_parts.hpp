@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
+#include "fccda/surface/file/elements.hpp"
 #include "fccda/surface/panels.hpp"
-#include "fccda/surface/read/elements.hpp"
 
 namespace fccda {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fccda/surface/add_polygon.hpp"
+#include "fccda/surface/file/words.hpp"
 #include "fccda/surface/part_naming.hpp"
-#include "fccda/surface/read/words.hpp"
 
 namespace fccda {
 namespace {

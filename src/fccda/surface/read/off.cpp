@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fccda/surface/add_polygon.hpp"
-#include "fccda/surface/read/whole_number.hpp"
-#include "fccda/surface/read/words.hpp"
+#include "fccda/surface/file/whole_number.hpp"
+#include "fccda/surface/file/words.hpp"
 
 namespace fccda {
 namespace {

@@ -43,7 +43,7 @@ class Ply {
   }
 
   /// The element that is being read, as messages call it.
-  std::string here() const { return std::string(element_->name) + " " + std::to_string(number_ + 1); }
+  std::string here() const { return excerpt(element_->name) + " " + std::to_string(number_ + 1); }
 
   [[noreturn]] void fail_at_end() const {
     fail("the file ends in " + here() + " of " + std::to_string(element_->count) + "; it was cut short or a count is damaged; write it again.");
@@ -53,7 +53,7 @@ class Ply {
   void check_room(const PlyElement& element) const {
     const std::size_t least = element.least_bytes(header_.is_text());
     if (least == 0 || element.count <= (words_.remaining() + 1) / least) return;  // the last number of a text has no space behind it
-    fail("the header says " + std::to_string(element.count) + " of `" + std::string(element.name) + "`, more than the " + std::to_string(words_.remaining()) +
+    fail("the header says " + std::to_string(element.count) + " of `" + excerpt(element.name) + "`, more than the " + std::to_string(words_.remaining()) +
          " bytes behind it can hold; the file was cut short or the count is damaged; write it again.");
   }
 

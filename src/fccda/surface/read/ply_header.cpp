@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "fccda/surface/read/whole_number.hpp"
+#include "fccda/surface/file/whole_number.hpp"
 
 namespace fccda {
 namespace {

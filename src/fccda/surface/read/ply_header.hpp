@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fccda/surface/read/number_type.hpp"
-#include "fccda/surface/read/words.hpp"
+#include "fccda/surface/file/number_type.hpp"
+#include "fccda/surface/file/words.hpp"
 
 namespace fccda {
 

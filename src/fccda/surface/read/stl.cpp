@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "fccda/core/error.hpp"
+#include "fccda/surface/file/words.hpp"
 #include "fccda/surface/part_naming.hpp"
-#include "fccda/surface/read/words.hpp"
 
 namespace fccda {
 namespace {

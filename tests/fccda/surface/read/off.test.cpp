@@ -6,8 +6,8 @@
 
 #include "fccda/core/error.hpp"
 #include "fccda/surface/read/obj.hpp"
+#include "fixtures/polygon_files.hpp"
 #include "fixtures/read_or_refused.hpp"
-#include "fixtures/surface_files_a.hpp"
 
 using namespace fccda;
 using fixtures::Mesh;

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "fccda/core/error.hpp"
+#include "fixtures/keyword_files.hpp"
 #include "fixtures/surface_files.hpp"
-#include "fixtures/surface_files_b.hpp"
 #include "fixtures/temporary_folder.hpp"
 
 using namespace fccda;
