@@ -4,15 +4,18 @@ find_package(doctest REQUIRED)
 include(doctest)
 
 # add_claims(cli tests/cli/words.test.py $<TARGET_FILE:perimpact>): each claim of the script (tests/cli/claims.py) is a test. Python's
-# standard library is enough, unless a claim says otherwise. NEEDS: a fixture of ctest. LABELS: as elsewhere.
+# standard library is enough, unless a claim says otherwise. NEEDS: a fixture of ctest. LABELS, TIMEOUT [s]: as elsewhere.
 function(add_claims prefix script program)
-  cmake_parse_arguments(ARG "" "NEEDS;LABELS" "" ${ARGN})
+  cmake_parse_arguments(ARG "" "NEEDS;LABELS;TIMEOUT" "" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script})
   file(STRINGS ${script} claims REGEX "^@claim\\(\".*\"\\)$")
   foreach(claim ${claims})
     string(REGEX REPLACE "^@claim\\(\"(.*)\"\\)$" "\\1" title "${claim}")
     add_test(NAME "${prefix}: ${title}" COMMAND /usr/bin/python3 ${script} ${program} "${title}")
-    set_tests_properties("${prefix}: ${title}" PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1 FIXTURES_REQUIRED "${ARG_NEEDS}" LABELS "${ARG_LABELS}")
+    set_tests_properties("${prefix}: ${title}" PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT PYTHONDONTWRITEBYTECODE=1 FIXTURES_REQUIRED "${ARG_NEEDS}" LABELS "${ARG_LABELS}")
   endforeach()
 endfunction()
 

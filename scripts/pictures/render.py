@@ -66,6 +66,24 @@ class Scene:
             for a, b in zip(corners, np.roll(corners, -1, axis=0)):
                 self._edge(a, b, np.asarray(edge_colour) * shade, edge_width)
 
+    def add_shells(self, corners, colour):
+        """Triangles (n, 3, 3) by the hundred thousand, without edges, seen from both sides."""
+        corners = np.asarray(corners, float)
+        along, across = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        normals = np.cross(along, across) @ self.axes.T
+        lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+        normals *= np.where(normals[:, 2:] < 0, -1, 1) / np.where(lengths > 0, lengths, 1)
+        shades = 0.45 + 0.55 * np.maximum(0, normals @ LIGHT)
+        longest = np.linalg.norm([along, across, across - along], axis=2).max(axis=0)
+        steps = np.ceil(1.6 * self.scale * longest).astype(int) + 1
+        for count in np.unique(steps):  # those of one size together
+            own = np.flatnonzero(steps == count)
+            s, t = (grid.ravel() for grid in np.meshgrid(np.linspace(0, 1, count), np.linspace(0, 1, count)))
+            for u, v in zip(s[s + t <= 1], t[s + t <= 1]):
+                page, depth = self._to_page(corners[own, 0] + u * along[own] + v * across[own])
+                order = np.argsort(depth)
+                self._dots(page[order], depth[order], np.outer(shades[own], colour)[order])
+
     def _triangle(self, corners, colour):
         steps = int(np.ceil(1.6 * self.scale * max(np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1)))) + 1
         s, t = np.meshgrid(np.linspace(0, 1, steps), np.linspace(0, 1, steps))

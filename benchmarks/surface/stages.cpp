@@ -1,0 +1,54 @@
+/// From a file of panels to a surface that answers queries, stage by stage: CSV rows on standard output.
+///
+///   surface_stages hull.stl --rounds 5
+///
+/// read: to panels in memory. fit: class Surface; and what it is mostly made of, once more, each alone: weld, triangulate, connect, wind. bvh: the tree of
+/// boxes, with which contact and closest points can be asked. check: every pair of panels whether they go through one another.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "fccda/inspect/self_intersections.hpp"
+#include "fccda/search/bvh.hpp"
+#include "fccda/surface/connect.hpp"
+#include "fccda/surface/read/read_panels.hpp"
+#include "fccda/surface/surface.hpp"
+#include "fccda/surface/triangulate.hpp"
+#include "fccda/surface/weld.hpp"
+#include "fccda/surface/winding.hpp"
+#include "timed_rounds.hpp"
+
+int main(int argc, char** argv) {
+  std::filesystem::path file;
+  int rounds = 3;
+  bool only_read = false;
+  CLI::App app("Times what becomes of a file of panels, stage by stage; prints CSV rows.");
+  app.add_option("file", file)->required()->check(CLI::ExistingFile);
+  app.add_option("--rounds", rounds)->check(CLI::PositiveNumber);
+  app.add_flag("--only-read", only_read);
+  CLI11_PARSE(app, argc, argv);
+
+  benchmark::TimedRounds timed;
+  for (int round = 0; round < rounds; ++round) {
+    const fccda::Panels panels = timed("read", [&] { return fccda::read_panels(file); });
+    if (only_read) continue;
+    {
+      const auto surface =
+          timed("fit", [&] { return std::make_unique<const fccda::Surface>(panels, fccda::Surface::Options{.outside = fccda::OutsideIs::normals}); });
+      const auto bvh = timed("bvh", [&] { return std::make_unique<const fccda::Bvh>(*surface); });
+      timed("check", [&] { return fccda::self_intersections(*surface, *bvh); });
+    }
+    fccda::Box bounds;
+    for (const fccda::Vec3d& vertex : panels.vertices) bounds.include(vertex);
+    const double tolerance = fccda::Surface::Options{}.weld_tolerance * norm(bounds.size());
+    fccda::Welded welded = timed("weld", [&] { return weld(panels, tolerance); });
+    fccda::Triangulation triangulation = timed("triangulate", [&] { return triangulate(welded.panels, tolerance); });
+    fccda::LinkedTriangles linked{std::move(welded.panels.vertices), std::move(triangulation.triangles), {}};
+    timed("connect", [&] { return connect(linked); });
+    timed("wind", [&] { return wind_consistently(linked, "surface"); });
+  }
+  timed.print();
+  return 0;
+}
