@@ -120,8 +120,8 @@ def _(t):
     t.assertEqual(len(beside), 4)
     write(t, "box.v2.obj", Shape({"": around}))
     t.expect_success("mesh", "box.v2.obj", "--scale", "0.5")
-    t.assertEqual(defects(t.folder / "box_defects.vtp"), {"rim": beside})
-    picture = read_vtp(t.folder / "box_defects.vtp")
+    t.assertEqual(defects(t.folder / "box.v2_defects.vtp"), {"rim": beside})
+    picture = read_vtp(t.folder / "box.v2_defects.vtp")
     shown = [[tuple(point) for point in picture.points[panel].tolist()] for panel in picture.panels]
     t.assertEqual(shown, [[tuple(0.5 * x for x in corner) for corner in around[k]] for k in beside])
 
