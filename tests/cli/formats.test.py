@@ -268,7 +268,7 @@ def skin(cells):
     return [(kind, np.array([face for face in outer if len(face) == n])) for kind, n in (("triangle", 3), ("quad", 4))]
 
 
-def expect_what_meshio_writes(t, *forms, quads=True, solids=True):
+def expect_what_meshio_writes(t, *forms, quads=True, solids=True, pyramids=True):
     """`forms`: (file name, meshio's name of the format, its options)."""
     need("meshio")
     points, triangles, rectangles = meshio_surface()
@@ -278,9 +278,12 @@ def expect_what_meshio_writes(t, *forms, quads=True, solids=True):
     scenes = [(points, [block for block in surface if len(block[1])], Measured(points, surface, np.zeros_like))]
     if solids:
         points, cells = meshio_solids()
+        if not pyramids:
+            cells = {kind: cells[kind] for kind in ("hexahedron", "wedge")}  # the tetrahedra stand on pyramids
         middle_of_block = lambda where: np.column_stack([np.where(where[:, 0] < 3, 1, np.where(where[:, 0] < 7, 5, 9)), *(np.full(len(where), v) for v in (1.5, 1))])
         scenes.append((points, list(cells.items()), Measured(points, skin(cells), middle_of_block)))
-        t.assertAlmostEqual(scenes[1][2].volume, 3 * 12, delta=1e-9)  # rounding
+        if pyramids:
+            t.assertAlmostEqual(scenes[1][2].volume, 3 * 12, delta=1e-9)  # rounding
     for name, form, options in forms:
         for points, cells, expected in scenes:
             mesh = meshio.Mesh(points, cells)
@@ -324,7 +327,7 @@ def _(t):
 
 @claim("formats: what meshio writes for Abaqus reads back equal, surfaces and solids")
 def _(t):
-    expect_what_meshio_writes(t, ("a.inp", "abaqus", {}))
+    expect_what_meshio_writes(t, ("a.inp", "abaqus", {}), pyramids=False)  # for which meshio has no name there
 
 
 @claim("formats: what meshio writes for Gmsh reads back equal, surfaces and solids")

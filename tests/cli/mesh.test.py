@@ -167,7 +167,7 @@ def _(t):
     faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     text = ""
     for number, face in enumerate(faces):  # each face with corners of its own, off by some micrometres
-        text += "".join("v %.7f %.7f %.7f\n" % tuple(x + 3e-6 * ((number + axis) % 3 - 1) for axis, x in enumerate(cube[v])) for v in face)
+        text += "".join("v %.7f %.7f %.7f\n" % tuple(x + 6e-7 * ((7 * number + 3 * axis) % 11 - 5) for axis, x in enumerate(cube[v])) for v in face)
         text += "f -4 -3 -2 -1\n"
     (t.folder / "cube.obj").write_text(text)
     out = t.expect_success("mesh", "cube.obj").out
