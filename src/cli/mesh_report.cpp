@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fccda/inspect/rims.hpp"
 #include "fccda/inspect/surface_measures.hpp"
@@ -56,6 +55,7 @@ std::optional<double> closing_weld(const Panels& panels, const Surface& surface)
     if (distance > 0.5 * surface.report().shortest_edge) break;
     try {
       const Surface welded(panels, {.weld_distance = distance, .outside = OutsideIs::normals});
+      if (welded.report().triangles < surface.report().triangles) break;
       if (welded.is_closed()) return distance;
     } catch (const InputError&) {
       break;  // what touches then cannot be used, and by more still less
@@ -76,14 +76,16 @@ std::string defects_text(const Surface& surface, const SelfIntersections& folds)
   if (all.size() > most) text += row("", fmt::format("and {} more, all shorter", all.size() - most));
   const SurfaceReport& report = surface.report();
   if (report.cut_edges > 0)
-    text += row("non-manifold", fmt::format("{} of more than two panels; {} could not be joined with another across them and are cut there",
-                                            counted(report.crowded_edges, "edge", "edges"), counted(report.cut_edges, "side", "sides")));
+    text += row("non-manifold", fmt::format("{} of more than two panels; along {} of them a panel could not be joined with another, and is cut off there",
+                                            counted(report.crowded_edges, "edge", "edges"), report.cut_edges));
   for (const Defect& defect : folds.defects) {
     const std::string panels = counted(defect.panels.size(), "panel", "panels");
     if (defect.kind == DefectKind::inside_out)
       text += row("inside out", panels + " go through one another such that the surface is inside out between them: no run takes it, mend the fold");
     else
-      text += row("self-intersection", panels + " of one body go through one another; contact from outside is found all the same");
+      text += row("self-intersection", panels + " of one body go through one another; " +
+                                           (surface.is_closed() ? "nothing is inside out between them, and contact from outside is found"
+                                                                : "whether the surface is inside out between them is not known where it is open"));
   }
   return text;
 }

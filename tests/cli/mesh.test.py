@@ -131,7 +131,7 @@ def _(t):
     t.assertEqual(defects(t.folder / "folded_defects.vtp"), {"inside out": [0, 3, 5]})
 
     said = rows(t, write(t, "rooms.obj", two_rooms()))
-    t.assertTrue(said["non-manifold"].startswith("4 edges of more than two panels; 4 sides could not be joined"), said)
+    t.assertTrue(said["non-manifold"].startswith("4 edges of more than two panels; along 4 of them a panel could not be joined"), said)
     t.assertEqual(defects(t.folder / "rooms_defects.vtp"), {"rim": [10]})
 
     write(t, "band.obj", moebius())

@@ -1,6 +1,11 @@
 #include "fccda/inspect/self_intersections.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <utility>
 
 #include "fccda/core/parallel.hpp"
 #include "fccda/inspect/crossing_triangles.hpp"
@@ -8,34 +13,54 @@
 namespace fccda {
 namespace {
 
-struct CrossingPair {
-  int one, other;
-  bool is_pocket;
-};
+enum Mark : std::uint8_t { crosses_another = 1, is_at_pocket = 2 };
 
 class Inspection {
  public:
-  Inspection(const Surface& surface, const Bvh& bvh) : surface_(surface), bvh_(bvh), step_(1e-9 * norm(surface.report().bounds.size())) {}
+  Inspection(const Surface& surface, const Bvh& bvh)
+      : surface_(surface),
+        bvh_(bvh),
+        step_(1e-9 * norm(surface.report().bounds.size())),
+        solid_is_closed_(surface.solids(), true),
+        marks_(surface.triangles().size(), 0) {
+    for (std::size_t t = 0; t < marks_.size(); ++t)
+      for (std::size_t e = 0; e < 3; ++e)
+        if (surface.neighbour(t, e) < 0) solid_is_closed_[solid(t)] = false;
+  }
 
-  /// Crossings of triangle t with those of higher numbers, in their order.
-  void look_at(std::size_t t, std::vector<CrossingPair>& out) const {
+  /// Marks triangle t and those of higher numbers that it crosses. Returns how many these are.
+  std::size_t look_at(std::size_t t) {
     const TriangleCorners corners = corners_of(t);
     Box box;
     for (const Vec3d& corner : corners) box.include(corner);
-    const std::size_t before = out.size();
+    std::size_t count = 0;
     bvh_.visit_box(box, [&](int other) {
       const auto u = static_cast<std::size_t>(other);
       if (u <= t || surface_.solid_of(u) != surface_.solid_of(t)) return;
-      if (const std::optional<Vec3d> at = crossing_of(corners, corners_of(u))) out.push_back({static_cast<int>(t), other, is_pocket(t, u, *at)});
+      const std::optional<Vec3d> at = crossing_of(corners, corners_of(u));
+      if (!at) return;
+      ++count;
+      const Mark mark = is_pocket(t, u, *at) ? is_at_pocket : crosses_another;
+      for (const std::size_t marked : {t, u}) std::atomic_ref(marks_[marked]).fetch_or(mark, std::memory_order_relaxed);
     });
-    std::sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(), [](const CrossingPair& a, const CrossingPair& b) { return a.other < b.other; });
+    return count;
+  }
+
+  Defect panels_with(Mark mark, DefectKind kind) const {
+    Defect defect{kind, {}};
+    for (std::size_t t = 0; t < marks_.size(); ++t)
+      if ((marks_[t] & mark) != 0) defect.panels.push_back(surface_.triangles()[t].panel);
+    std::sort(defect.panels.begin(), defect.panels.end());
+    defect.panels.erase(std::unique(defect.panels.begin(), defect.panels.end()), defect.panels.end());
+    return defect;
   }
 
  private:
   TriangleCorners corners_of(std::size_t t) const { return {surface_.corner(t, 0), surface_.corner(t, 1), surface_.corner(t, 2)}; }
+  std::size_t solid(std::size_t t) const { return static_cast<std::size_t>(surface_.solid_of(t)); }
 
   bool is_pocket(std::size_t t, std::size_t u, const Vec3d& at) const {
-    if (!surface_.is_closed()) return false;
+    if (!solid_is_closed_[solid(t)]) return false;
     const Vec3d before_both = surface_.normal(t) + surface_.normal(u);
     const double length = norm(before_both);
     return length > 0 && bvh_.enclosures(at + step_ / length * before_both, surface_.solid_of(t)) < 0;
@@ -44,40 +69,28 @@ class Inspection {
   const Surface& surface_;
   const Bvh& bvh_;
   double step_;  // [m] off the crossing: above the rounding of a ray's start, below the size of anything that matters
+  std::vector<bool> solid_is_closed_;
+  std::vector<std::uint8_t> marks_;  // of each triangle
 };
-
-void add_defect(std::vector<Defect>& defects, DefectKind kind, const Surface& surface, const std::vector<std::size_t>& triangles) {
-  if (triangles.empty()) return;
-  std::vector<int> panels;
-  for (const std::size_t t : triangles) panels.push_back(surface.triangles()[t].panel);
-  std::sort(panels.begin(), panels.end());
-  panels.erase(std::unique(panels.begin(), panels.end()), panels.end());
-  defects.push_back({kind, std::move(panels)});
-}
 
 }  // namespace
 
 SelfIntersections self_intersections(const Surface& surface, const Bvh& bvh) {
-  const Inspection inspection(surface, bvh);
+  Inspection inspection(surface, bvh);
   constexpr std::size_t block = 1024;
   const std::size_t count = surface.triangles().size();
-  std::vector<std::vector<CrossingPair>> of_block((count + block - 1) / block);
+  std::vector<std::size_t> of_block((count + block - 1) / block, 0);
   parallel_for_uneven(static_cast<std::ptrdiff_t>(of_block.size()), [&](std::ptrdiff_t b) {
     const std::size_t begin = static_cast<std::size_t>(b) * block;
-    for (std::size_t t = begin; t < std::min(begin + block, count); ++t) inspection.look_at(t, of_block[static_cast<std::size_t>(b)]);
+    for (std::size_t t = begin; t < std::min(begin + block, count); ++t) of_block[static_cast<std::size_t>(b)] += inspection.look_at(t);
   });
 
-  SelfIntersections out;
-  std::vector<std::size_t> crossing, pockets;
-  for (const std::vector<CrossingPair>& found : of_block) {
-    out.crossings += found.size();
-    for (const CrossingPair& one : found) {
-      std::vector<std::size_t>& into = one.is_pocket ? pockets : crossing;
-      into.insert(into.end(), {static_cast<std::size_t>(one.one), static_cast<std::size_t>(one.other)});
-    }
-  }
-  add_defect(out.defects, DefectKind::self_intersection, surface, crossing);
-  add_defect(out.defects, DefectKind::inside_out, surface, pockets);
+  SelfIntersections out{std::accumulate(of_block.begin(), of_block.end(), std::size_t{0}), {}};
+  const auto add = [&](Defect defect) {
+    if (!defect.panels.empty()) out.defects.push_back(std::move(defect));
+  };
+  add(inspection.panels_with(crosses_another, DefectKind::self_intersection));
+  add(inspection.panels_with(is_at_pocket, DefectKind::inside_out));
   return out;
 }
 

@@ -22,8 +22,9 @@ struct SelfIntersections {
   std::vector<Defect> defects;  ///< at most one of self_intersection and one of inside_out; nothing where there are no crossings
 };
 
-/// Asks every pair of triangles whose boxes meet (crossing_triangles.hpp). On a closed surface w is told at every crossing, by a ray; on an
-/// open one it is not known. `surface` and `bvh` of all its triangles.
+/// Asks every pair of triangles whose boxes meet (crossing_triangles.hpp: where an edge of one lies exactly in the plane of the other,
+/// they touch, and that is no crossing). Of a closed body w is told at every crossing, by a ray; of an
+/// open one it is not known. Memory grows with the surface, not with the crossings. `surface` and `bvh` of all its triangles.
 SelfIntersections self_intersections(const Surface& surface, const Bvh& bvh);
 
 /// Throws SurfaceError where there are panels that are inside out; `name` as in Surface::Options.

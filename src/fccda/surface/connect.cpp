@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <utility>
 
 namespace fccda {
@@ -43,7 +44,7 @@ std::size_t side_along(const Triangle& triangle, const std::array<int, 2>& edge)
   return e;
 }
 
-std::vector<Leaf> leaves_around(const LinkedTriangles& surface, const CrowdedEdge& edge) {
+std::vector<Leaf> leaves_around(const LinkedTriangles& surface, const CrowdedEdge& edge, bool fronts_are_backs) {
   const Vec3d& from = surface.vertices[static_cast<std::size_t>(edge.vertices[0])];
   const Vec3d axis = surface.vertices[static_cast<std::size_t>(edge.vertices[1])] - from;
   std::vector<Leaf> leaves;
@@ -54,7 +55,8 @@ std::vector<Leaf> leaves_around(const LinkedTriangles& surface, const CrowdedEdg
     const Vec3d apex = surface.vertices[static_cast<std::size_t>(vertex[(e + 2) % 3])] - from;
     const Vec3d outward = apex - dot(apex, axis) / squared_norm(axis) * axis;
     if (leaves.empty()) first = outward / norm(outward), second = cross(axis, first) / norm(axis);
-    leaves.push_back({std::atan2(dot(outward, second), dot(outward, first)), vertex[e] == edge.vertices[0], triangle, static_cast<int>(e)});
+    leaves.push_back(
+        {std::atan2(dot(outward, second), dot(outward, first)), (vertex[e] == edge.vertices[0]) != fronts_are_backs, triangle, static_cast<int>(e)});
   }
   std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.angle != b.angle ? a.angle < b.angle : a.triangle < b.triangle; });
   return leaves;
@@ -83,16 +85,16 @@ Connection connect(LinkedTriangles& surface) {
   return out;
 }
 
-std::vector<int> join_crowded(LinkedTriangles& surface, const std::vector<CrowdedEdge>& crowded) {
+Unjoined join_crowded(LinkedTriangles& surface, const std::vector<CrowdedEdge>& crowded, bool fronts_are_backs) {
   // Those nearer to one another lie on one another, as far as a float's coordinates tell, and it is not known which comes first.
   constexpr double same_angle = 1e-6;
-  std::vector<int> rims;
+  Unjoined out;
   for (const CrowdedEdge& edge : crowded) {
-    const std::vector<Leaf> leaves = leaves_around(surface, edge);
+    const std::vector<Leaf> leaves = leaves_around(surface, edge, fronts_are_backs);
     const std::size_t count = leaves.size();
     const auto is_alone = [&](std::size_t k) {
       const double wedge = leaves[(k + 1) % count].angle - leaves[k].angle;
-      return std::abs(wedge) > same_angle;
+      return std::fabs(std::remainder(wedge, 2 * std::numbers::pi)) > same_angle;
     };
     std::vector<bool> joined(count, false);
     for (std::size_t k = 0; k < count; ++k) {
@@ -103,9 +105,10 @@ std::vector<int> join_crowded(LinkedTriangles& surface, const std::vector<Crowde
       joined[k] = joined[next] = true;
     }
     for (std::size_t k = 0; k < count; ++k)
-      if (!joined[k]) rims.push_back(leaves[k].triangle);
+      if (!joined[k]) out.triangles.push_back(static_cast<std::size_t>(leaves[k].triangle));
+    if (std::find(joined.begin(), joined.end(), false) != joined.end()) out.edges.push_back(edge);
   }
-  return rims;
+  return out;
 }
 
 }  // namespace fccda

@@ -23,10 +23,15 @@ struct Connection {
 /// Finds the neighbours over edges of two triangles. Expects triangles without repeated vertices.
 Connection connect(LinkedTriangles& surface);
 
+/// What could not be joined: the edges, and the triangles, one entry for each side that is a rim now.
+struct Unjoined {
+  std::vector<CrowdedEdge> edges{};
+  std::vector<std::size_t> triangles{};
+};
+
 /// Goes round each crowded edge: two triangles that follow one another and have their fronts in the wedge between them bound the same
 /// outside, so they become neighbours. Parts that touch along an edge hang together so, and an outer wall goes on past an inner one that
-/// ends at it. Expects winding that is consistent within each component. Returns the triangles for which no
-/// neighbour was found, one entry for each side; these are rims.
-std::vector<int> join_crowded(LinkedTriangles& surface, const std::vector<CrowdedEdge>& crowded);
+/// ends at it. Expects winding that is consistent within each component; `fronts_are_backs` where all will be turned over.
+Unjoined join_crowded(LinkedTriangles& surface, const std::vector<CrowdedEdge>& crowded, bool fronts_are_backs);
 
 }  // namespace fccda

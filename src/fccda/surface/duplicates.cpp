@@ -43,7 +43,7 @@ class Patches {
     for (const Pair& pair : pairs) is_paired[index(pair.triangle)] = is_paired[index(pair.partner)] = true;
     for (std::size_t p = 0; p < pairs.size(); ++p) add_sides(pairs[p].triangle, static_cast<int>(p));
     std::sort(sides_.begin(), sides_.end());
-    others_.assign(sides_.size(), false);
+    others_.assign(sides_.size(), 0);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       if (left_out[t] != 0) continue;
       area_ += area(t);
@@ -58,16 +58,16 @@ class Patches {
       if (seen[first]) continue;
       std::vector<std::size_t> patch{first};
       seen[first] = true;
-      bool has_free_end = false, hangs_on_others = false;
+      bool has_free_end = false, hangs_on_others = false, would_leave_a_rim = false;
       double patch_area = 0;
       for (std::size_t next = 0; next < patch.size(); ++next) {
         const Triangle& triangle = triangles_[index(pairs_[patch[next]].triangle)];
         patch_area += area(index(pairs_[patch[next]].triangle));
         for (std::size_t e = 0; e < 3; ++e) {
           const auto [begin, end] = sides_of(edge(triangle, e));
-          const bool meets_others = others_[begin];
-          hangs_on_others |= meets_others;
-          has_free_end |= !meets_others && end - begin == 1;
+          hangs_on_others |= others_[begin] > 0;
+          would_leave_a_rim |= others_[begin] == 1;
+          has_free_end |= others_[begin] == 0 && end - begin == 1;
           for (std::size_t s = begin; s < end; ++s) {
             const std::size_t pair = index(sides_[s].pair);
             if (seen[pair]) continue;
@@ -76,7 +76,7 @@ class Patches {
           }
         }
       }
-      if (!hangs_on_others || (has_free_end && patch_area > crumb * area_)) continue;
+      if (!hangs_on_others || would_leave_a_rim || (has_free_end && patch_area > crumb * area_)) continue;
       for (const std::size_t pair : patch) goes[pair] = true;
     }
     return goes;
@@ -113,15 +113,15 @@ class Patches {
   void note_others(std::size_t t) {
     for (std::size_t e = 0; e < 3; ++e) {
       const auto [begin, end] = sides_of(edge(triangles_[t], e));
-      if (begin != end) others_[begin] = true;
+      if (begin != end) ++others_[begin];
     }
   }
 
   const std::vector<Triangle>& triangles_;
   std::span<const Vec3d> vertices_;
   const std::vector<Pair>& pairs_;
-  std::vector<Side> sides_;   // of the pairs
-  std::vector<bool> others_;  // at the first of the sides of an edge: triangles of no pair meet there
+  std::vector<Side> sides_;  // of the pairs
+  std::vector<int> others_;  // at the first of the sides of an edge: how many triangles of no pair meet there
   double area_ = 0;
 };
 

@@ -21,7 +21,8 @@ struct Duplicates {
 /// - as a crumb that sticks out without thickness (where both halves of a hull carry the panel in their common plane), of less than a
 ///   thousandth of the surface's area.
 ///
-/// A larger sheet that sticks out, and one that stands alone, may be a part of the thing: one of its sides stays. The order of the others
+/// A larger sheet that sticks out, one that stands alone, and a part of a wall that is given from both sides (where both went, a hole would
+/// be left) may be a part of the thing: one of its sides stays. The order of the others
 /// stays. Expects welded vertices, and three different corners in each triangle.
 Duplicates drop_duplicates(std::vector<Triangle>& triangles, std::span<const Vec3d> vertices);
 

@@ -1,7 +1,10 @@
 #include "fccda/surface/place.hpp"
 
+#include <limits>
+#include <string>
 #include <utility>
 
+#include "fccda/core/error.hpp"
 #include "fccda/core/quaternion.hpp"
 
 namespace fccda {
@@ -18,6 +21,8 @@ void mirror(Panels& panels, MirrorPlane plane, std::size_t first_vertex, std::si
 
 void complete(Panels& panels, MirrorPlane plane) {
   const std::size_t vertices = panels.vertices.size(), count = panels.panels.size();
+  if (vertices > std::numeric_limits<int>::max() / 2)
+    throw InputError("the surface has " + std::to_string(vertices) + " vertices, too many to add its mirror image; use larger panels.");
   panels.vertices.reserve(2 * vertices);
   panels.panels.reserve(2 * count);
   for (std::size_t v = 0; v < vertices; ++v) panels.vertices.push_back(panels.vertices[v]);

@@ -57,8 +57,8 @@ void expect_usable(const Panels& panels, const std::string& name) {
   }
 }
 
-[[noreturn]] void refuse_crowded(const std::vector<CrowdedEdge>& crowded, const std::vector<int>& cut, const LinkedTriangles& surface,
-                                 const std::string& name) {
+[[noreturn]] void refuse_crowded(const Unjoined& unjoined, const LinkedTriangles& surface, const std::string& name) {
+  const std::vector<CrowdedEdge>& crowded = unjoined.edges;
   const Vec3d& from = surface.vertices[static_cast<std::size_t>(crowded[0].vertices[0])];
   const Vec3d& to = surface.vertices[static_cast<std::size_t>(crowded[0].vertices[1])];
   std::ostringstream sentence;
@@ -75,7 +75,7 @@ void expect_usable(const Panels& panels, const std::string& name) {
       << (first.size() > most ? ", …" : "")
       << " (counted from 0), and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, "
          "with `outside: normals` (the side that the normals point to).";
-  throw SurfaceError(sentence.str(), {DefectKind::non_manifold, panels_of(surface, {cut.begin(), cut.end()})});
+  throw SurfaceError(sentence.str(), {DefectKind::non_manifold, panels_of(surface, unjoined.triangles)});
 }
 
 Box bounds_of_used(const Panels& panels) {
@@ -163,10 +163,10 @@ Components Surface::hang_together(const Options& options) {
   Components components = wind_consistently(linked_, options.name);
   report_.rewound = components.rewound;
   if (!connection.crowded.empty()) {
-    const std::vector<int> cut = join_crowded(linked_, connection.crowded);
-    if (!cut.empty() && options.outside == OutsideIs::undeclared) refuse_crowded(connection.crowded, cut, linked_, options.name);
-    report_.cut_edges = cut.size();
-    report_.rim_edges += cut.size();
+    const Unjoined cut = join_crowded(linked_, connection.crowded, options.outside == OutsideIs::reversed);
+    if (!cut.edges.empty() && options.outside == OutsideIs::undeclared) refuse_crowded(cut, linked_, options.name);
+    report_.cut_edges = cut.edges.size();
+    report_.rim_edges += cut.triangles.size();
     components = wind_consistently(linked_, options.name);
   }
   report_.closure = report_.rim_edges > 0 ? Closure::open : Closure::closed;

@@ -36,7 +36,7 @@ struct SurfaceReport {
   std::size_t duplicate = 0;      ///< dropped triangles that repeat another
   std::size_t back_to_back = 0;   ///< dropped triangles that lay back to back in pairs (duplicates.hpp)
   std::size_t crowded_edges = 0;  ///< edges of more than two triangles, found their neighbours by the wedge between them (connect.hpp)
-  std::size_t cut_edges = 0;      ///< sides of triangles at such edges that did not, and are rims
+  std::size_t cut_edges = 0;      ///< of these, such where a triangle found none; its side there is a rim
   std::size_t rewound = 0;        ///< triangles turned to agree with their neighbours
   std::size_t flipped = 0;        ///< closed components whose normals pointed inward and that were turned as a whole
   std::size_t components = 0;     ///< parts that hang together over edges

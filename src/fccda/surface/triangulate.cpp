@@ -1,6 +1,7 @@
 #include "fccda/surface/triangulate.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fccda/surface/duplicates.hpp"
 #include "fccda/surface/slivers.hpp"
@@ -16,9 +17,12 @@ class Splitter {
     using Halves = std::array<std::array<int, 3>, 2>;
     const Halves from_first{{{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}};
     const Halves from_second{{{q[1], q[2], q[3]}, {q[1], q[3], q[0]}}};
-    // The diagonals of a rectangle differ by rounding only, which must not choose: neighbouring panels would be split at random.
+    // The diagonals of a rectangle differ by rounding only, which must not choose, nor the corner that the panel begins with: the same
+    // rectangle in a neighbouring part would be split another way.
     constexpr double rounding = 1e-10;
-    const bool second_is_shorter = squared_norm(at(q[1]) - at(q[3])) < (1 - rounding) * squared_norm(at(q[0]) - at(q[2]));
+    const double first = squared_norm(at(q[0]) - at(q[2])), second = squared_norm(at(q[1]) - at(q[3]));
+    const bool are_alike = std::fabs(first - second) <= rounding * std::max(first, second);
+    const bool second_is_shorter = are_alike ? std::min(q[1], q[3]) < std::min(q[0], q[2]) : second < first;
     const Halves& shorter = second_is_shorter ? from_second : from_first;
     const Halves& longer = second_is_shorter ? from_first : from_second;
     return !agree(shorter) && agree(longer) ? longer : shorter;

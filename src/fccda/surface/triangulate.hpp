@@ -16,7 +16,7 @@ struct Triangulation {
   std::size_t back_to_back = 0;  ///< left out: both of two that bound nothing (duplicates.hpp)
 };
 
-/// A quad is split along its shorter diagonal, a rectangle along the one from its first vertex; but along the other where the shorter
+/// A quad is split along its shorter diagonal, a rectangle along the one from its lowest vertex number; but along the other where the shorter
 /// one would leave a triangle without area or turned over (a quad with a corner on a straight side, or a re-entrant one).
 /// A triangle that is at most `flat` [m] high has no area. Expects welded vertices.
 Triangulation triangulate(const Panels& panels, double flat);

@@ -39,10 +39,11 @@ Diagnosis inside_out(const Impactor& impactor) {
 
 Diagnosis goes_through_itself(const Impactor& impactor) {
   if (impactor.crossing_panels() == 0) return std::nullopt;
-  return fmt::format(
-      "{} panels of impactor {} go through one another within one body. Contact from outside is found all the same, but what is enclosed twice counts double "
-      "in the volume; `perimpact mesh` writes a picture of them.",
-      impactor.crossing_panels(), impactor.name());
+  return fmt::format("{} panels of impactor {} go through one another within one body. {}; `perimpact mesh` writes a picture of them.",
+                     impactor.crossing_panels(), impactor.name(),
+                     impactor.surface().is_closed()
+                         ? "Contact from outside is found all the same, but what is enclosed twice counts double in the volume"
+                         : "Where the surface is open it is not known whether its front is outside between them; mend the fold if anything strikes there");
 }
 
 Diagnosis is_cut(const Impactor& impactor) {
@@ -51,7 +52,7 @@ Diagnosis is_cut(const Impactor& impactor) {
   return fmt::format(
       "The surface of impactor {} is cut along {} edges of more than two panels, because it could not be told which panels hang together there. Near these "
       "edges a particle is struck when its centre crosses a panel, not at the contact radius; delete inner walls if that matters.",
-      impactor.name(), report.crowded_edges);
+      impactor.name(), report.cut_edges);
 }
 
 Diagnosis panels_too_fine(const Impactor& impactor, const Target& target) {

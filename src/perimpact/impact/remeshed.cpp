@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "fccda/inspect/self_intersections.hpp"
 #include "fccda/remesh/coarsen.hpp"
 #include "fccda/remesh/refine.hpp"
 #include "perimpact/setup/setup_error.hpp"
@@ -40,7 +41,12 @@ Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
     const double any_length = std::numeric_limits<double>::infinity();
     const fccda::Coarsened coarse = coarsen(surface, {.distance = setup.coarsen->distance, .panel = setup.coarsen->panel.value_or(any_length)});
     remeshing.coarsened = CoarseningReport{coarse.panels.panels.size(), coarse.distance, coarse.volume_change};
-    surface = surface_of(coarse.panels, setup.name);
+    try {
+      surface = surface_of(coarse.panels, setup.name);
+      fccda::expect_no_pockets(self_intersections(surface, fccda::Bvh(surface)), setup.name);
+    } catch (const fccda::InputError& error) {
+      throw SetupError("impactors." + setup.name + ".coarsen", std::string(error.what()) + " Coarsening made it so: take a smaller distance.");
+    }
   }
   if (!setup.refine.empty()) {
     std::vector<fccda::Refinement> refinements;

@@ -105,3 +105,13 @@ TEST_CASE("self-intersections: the same on one thread and on four") {
   CHECK(one.crossings == four.crossings);
   CHECK(one.defects[0].panels == four.defects[0].panels);
 }
+
+TEST_CASE("self-intersections: a body that is inside out is told beside an open sheet too") {
+  Panels panels = dented_sphere(3);
+  const int first = int(panels.vertices.size());
+  panels.vertices.insert(panels.vertices.end(), {{5, 0, 0}, {6, 0, 0}, {6, 1, 0}});
+  panels.add_triangle(first, first + 1, first + 2);
+  const SelfIntersections found = inspect(Surface(panels, {.outside = OutsideIs::normals}));
+  REQUIRE(found.defects.size() == 1);
+  CHECK(found.defects[0].kind == DefectKind::inside_out);
+}

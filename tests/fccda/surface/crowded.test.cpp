@@ -1,6 +1,8 @@
 // Edges of more than two panels, panels in one place: what is told apart, what is refused.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "fccda/shapes/box.hpp"
 #include "fccda/surface/defects.hpp"
 #include "fccda/surface/duplicates.hpp"
@@ -149,4 +151,46 @@ TEST_CASE("crowded: a repeated panel goes whatever its winding, and a third in o
   CHECK(twice.is_closed());
   cube.panels.push_back(cube.panels[2]);
   CHECK(Surface(cube).report().duplicate == 4);
+}
+
+TEST_CASE("crowded: a wall of which a part is given from both sides keeps it, closed and open") {
+  Panels cube = make_box({.size = {1, 1, 1}, .panel = 0.5, .panels = PanelKind::quads});
+  auto back = cube.panels[3];
+  std::swap(back[1], back[3]);
+  cube.panels.push_back(back);
+  const Surface closed(cube);
+  CHECK(closed.is_closed());
+  CHECK(closed.report().back_to_back == 0);
+  CHECK(closed.report().volume == doctest::Approx(1));
+  cube.panels.erase(cube.panels.begin() + 12);
+  CHECK(open_surface(cube).report().rim_edges == 4);
+}
+
+TEST_CASE("crowded: parts of squares share a face whatever corner its panels begin with") {
+  const Panels box = make_box({.size = {1, 1, 1}, .panel = 0.5, .panels = PanelKind::quads});
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    Panels other = box;
+    for (auto& p : other.panels) std::rotate(p.begin(), p.begin() + std::ptrdiff_t(turn), p.end());
+    Panels two = box;
+    add(two, other, {1, 0, 0});
+    const Surface surface(two);
+    CHECK(surface.is_closed());
+    CHECK(surface.report().volume == doctest::Approx(2));
+    Panels twice = box;
+    twice.panels.push_back(other.panels[5]);
+    CHECK(Surface(twice).report().duplicate == 2);
+  }
+}
+
+TEST_CASE("crowded: an inner wall of a hull whose normals point inward leaves its outer wall whole too") {
+  Panels cube = reversed(make_box({.size = {1, 1, 1}, .panel = 0.5}));
+  const int first = int(cube.panels.size());
+  Panels wall{{{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5}, {-0.5, 0, 0.5}, {0, 0, -0.5}, {0.5, 0, 0}, {0, 0, 0.5}, {-0.5, 0, 0}, {0, 0, 0}}, {}, {}, {}};
+  for (const auto& quad : {std::array{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}}) wall.panels.push_back(quad);
+  add(cube, wall, {0, 0, 0});
+  const Surface surface(cube, {.outside = OutsideIs::reversed, .name = "hull"});
+  for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
+    if (surface.triangles()[t].panel >= first) continue;
+    for (std::size_t e = 0; e < 3; ++e) CHECK(surface.neighbour(t, e) >= 0);
+  }
 }

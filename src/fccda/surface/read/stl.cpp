@@ -130,6 +130,7 @@ class TextStl {
     }
     expect("endloop");
     expect("endfacet");
+    if (out_.vertices.size() > std::numeric_limits<int>::max() - 3) words_.fail("there are too many triangles; make the mesh coarser.");
     add_triangle(out_, corners);
   }
 
