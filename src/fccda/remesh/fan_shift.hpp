@@ -18,7 +18,6 @@ struct Fan {
   bool goes_round;              ///< the last link is joined to the first; else the centre lies on a rim
 
   std::size_t size() const { return goes_round ? link.size() : link.size() - 1; }  ///< triangles
-  const Vec3d& next(std::size_t j) const { return link[j + 1 < link.size() ? j + 1 : 0]; }
 };
 
 /// [m] The largest distance between points of the fan and of the triangles (link[to], link[j], link[j + 1]) that lie on one line along

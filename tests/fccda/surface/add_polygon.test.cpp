@@ -54,6 +54,29 @@ std::vector<Vec3d> star(int corners, std::mt19937& random) {
   return out;
 }
 
+/// Twice the area of three corners on whole numbers: exact.
+double orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a).z; }
+
+bool has_crossing_sides(const std::vector<Vec3d>& corners) {
+  const auto at = [&](std::size_t k) { return corners[k % corners.size()]; };
+  for (std::size_t a = 0; a < corners.size(); ++a) {
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      if (orientation(at(a), at(a + 1), at(c)) * orientation(at(a), at(a + 1), at(c + 1)) < 0 &&
+          orientation(at(c), at(c + 1), at(a)) * orientation(at(c), at(c + 1), at(a + 1)) < 0)
+        return true;
+    }
+  }
+  return false;
+}
+
+/// A fan about its first corner, all seen from above, whose sight turns by `turn` [rad] on a spiral that widens.
+Panels staircase(double turn) {
+  Panels panels{{{0, 0, 0}}, {}, {}, {}};
+  constexpr int steps = 40;
+  for (int k = 0; k <= steps; ++k) panels.vertices.push_back({(1 + 0.01 * k) * std::cos(turn * k / steps), (1 + 0.01 * k) * std::sin(turn * k / steps), 0});
+  return panels;
+}
+
 }  // namespace
 
 TEST_CASE("polygon: triangles and quads stay as they are, a convex polygon becomes a fan") {
@@ -88,6 +111,60 @@ TEST_CASE("polygon: a comb, whose every second corner is deeply re-entrant, is c
   std::vector<Vec3d> outline(comb.vertices.rbegin(), comb.vertices.rend());
   CHECK(areas(comb).without == doctest::Approx(shoelace(outline)));
   CHECK(areas(comb).with_sign == doctest::Approx(shoelace(outline)));
+}
+
+TEST_CASE("polygon: corners on one line with others are never covered twice, nor left out") {
+  std::mt19937 random(11);
+  for (int trial = 0; trial < 500; ++trial) {
+    // from the origin a corner a direction, on whole numbers: many are straight, or lie on the line of two others
+    std::vector<Vec3d> points;
+    for (int k = 0; k < 30; ++k) points.push_back({double(random() % 9) - 4, double(random() % 9) - 4, 0});
+    std::sort(points.begin(), points.end(), [](const Vec3d& a, const Vec3d& b) { return std::atan2(a.y, a.x) < std::atan2(b.y, b.x); });
+    Panels panels;
+    for (const Vec3d& point : points) {
+      const bool is_new = panels.vertices.empty() || cross(panels.vertices.back(), point).z > 0;
+      if (point != Vec3d{} && is_new) panels.vertices.push_back(point);
+    }
+    const std::vector<Vec3d>& outline = panels.vertices;
+    if (outline.size() < 5 || cross(outline.back(), outline.front()).z <= 0) continue;
+    REQUIRE(add_polygon(panels, all(panels)));
+    CHECK(panels.panels.size() == outline.size() - 2);
+    CHECK(areas(panels).with_sign == shoelace(outline));  // halves, exact
+    CHECK(areas(panels).without == shoelace(outline));
+  }
+}
+
+TEST_CASE("polygon: random ones with sides that cross are refused, whatever their corners look like") {
+  std::mt19937 random(5);
+  int crossing = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
+    Panels panels;
+    for (int k = 0; k < 5 + trial % 5; ++k) panels.vertices.push_back({double(random() % 12), double(random() % 12), 0});
+    if (!has_crossing_sides(panels.vertices)) continue;
+    ++crossing;
+    CHECK_FALSE(add_polygon(panels, all(panels)));
+  }
+  CHECK(crossing > 1000);
+}
+
+TEST_CASE("polygon: a fan may go round its first corner once, but not farther") {
+  constexpr double pi = std::numbers::pi;
+  for (const double turn : {1.9 * pi, 2 * pi}) {
+    Panels once = staircase(turn);
+    REQUIRE(add_polygon(once, all(once)));
+    CHECK(once.panels.size() == 40);
+    CHECK(areas(once).without == doctest::Approx(shoelace(once.vertices)));
+  }
+  for (const double turn : {2.1 * pi, 3 * pi, 4.5 * pi}) {
+    Panels twice = staircase(turn);
+    CHECK_FALSE(add_polygon(twice, all(twice)));
+    CHECK(twice.panels.empty());
+  }
+  // two lobes that meet in the first corner: beside one another they are a fan, on one another they are not
+  Panels beside{{{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {0, 0, 0}, {2, 4, 0}, {0, 4, 0}}, {}, {}, {}};
+  CHECK(add_polygon(beside, all(beside)));
+  Panels over{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 0}, {3, 3, 0}, {1, 2, 0}}, {}, {}, {}};
+  CHECK_FALSE(add_polygon(over, all(over)));
 }
 
 TEST_CASE("polygon: one whose sides cross, of too few corners, or of too many where it is no fan is refused and adds nothing") {

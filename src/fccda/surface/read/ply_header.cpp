@@ -60,10 +60,6 @@ std::size_t PlyElement::least_bytes(bool is_text) const {
   return bytes;
 }
 
-bool PlyElement::has_lists() const {
-  return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& property) { return property.count.has_value(); });
-}
-
 const PlyElement* PlyHeader::element(std::string_view name) const {
   const auto found = std::find_if(elements.begin(), elements.end(), [&](const PlyElement& one) { return one.name == name; });
   return found == elements.end() ? nullptr : &*found;

@@ -28,7 +28,6 @@ struct PlyElement {
 
   /// Of one of these elements: bytes in a binary file, and at least so many in a text.
   std::size_t least_bytes(bool is_text) const;
-  bool has_lists() const;
 };
 
 struct PlyHeader {

@@ -15,7 +15,7 @@ namespace fccda {
 ///
 /// The program is looked up on PATH and run without a shell, in a temporary folder that is gone afterwards. Throws InputError where the
 /// file is packed, no CAD file or without surfaces, and where gmsh is not there, fails, or says that anything went wrong: a face
-/// that it cannot mesh would leave a hole.
+/// that it cannot mesh would leave a hole. Throws RunError where no temporary folder can be made or filled, or the program not be started.
 Elements read_cad(const std::filesystem::path& path);
 
 }  // namespace fccda

@@ -31,7 +31,8 @@ struct ProgramEnd {
 
 /// Runs `words[0]`, looked up on PATH, with the other words as its arguments and `folder` as its working directory, and waits for its end.
 /// Nothing where there is no such program. It has no input. While it runs, an interrupt from the keyboard reaches it alone, so that
-/// the caller can clean up; `signal` tells. `variables`: set in its environment besides ours, as NAME=value.
+/// the caller can clean up; `signal` tells. `variables`: set in its environment besides ours, as NAME=value. Throws RunError where it is there but cannot
+/// be started or waited for.
 std::optional<ProgramEnd> run_program(const std::vector<std::string>& words, const TemporaryFolder& folder, const std::vector<std::string>& variables);
 
 }  // namespace fccda

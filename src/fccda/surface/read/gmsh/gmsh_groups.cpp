@@ -53,7 +53,10 @@ int GmshGroups::number_of(const GmshLabel& label) {
 
 int GmshGroups::label_of(GmshEntity entity) {
   const auto found = memberships_.find(entity);
-  return number_of(found == memberships_.end() ? GmshLabel{entity.first, {}, entity.second} : found->second.label);
+  if (found == memberships_.end()) return number_of({entity.first, {}, entity.second});
+  Membership& membership = found->second;
+  if (membership.number < 0) membership.number = number_of(membership.label);
+  return membership.number;
 }
 
 int GmshGroups::label_of(int dimension, int group, int entity) {
@@ -90,12 +93,16 @@ void GmshGroups::join_repeated(Elements& elements) {
 std::string GmshGroups::name_of(const GmshLabel& label) const {
   const std::string noun = label.dimension == 3 ? "volume " : "surface ";
   if (label.groups.empty()) return label.entity == 0 ? "" : noun + std::to_string(label.entity);
+  constexpr std::size_t longest = 200;  // [bytes] a group takes two bytes of the file, its name up to 512, in every label anew
   std::string all;
   std::set<std::string> seen;
-  for (const int group : label.groups) {
-    const auto named = names_.find({label.dimension, group});
-    const std::string name = named == names_.end() ? "physical " + noun + std::to_string(group) : named->second;
-    if (seen.insert(name).second) all += (all.empty() ? "" : " + ") + name;
+  for (auto group = label.groups.begin(); group != label.groups.end(); ++group) {
+    const auto named = names_.find({label.dimension, *group});
+    const std::string name = named == names_.end() ? "physical " + noun + std::to_string(*group) : named->second;
+    if (!seen.insert(name).second) continue;
+    const std::string longer = all.empty() ? name : all + " + " + name;
+    if (!all.empty() && longer.size() > longest) return all + " + " + std::to_string(label.groups.end() - group) + " more";
+    all = longer;
   }
   return all;
 }

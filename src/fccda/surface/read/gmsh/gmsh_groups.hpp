@@ -41,13 +41,15 @@ class GmshGroups {
   /// Version 2 lists an element once for each of its groups. Makes one of those: `elements` with labels as parts.
   void join_repeated(Elements& elements);
 
-  /// Puts part names in place of labels. Of several groups all names: "deck + hull".
+  /// Puts part names in place of labels. Of several groups all names, "deck + hull", or as many as fit into 200 bytes: "deck + hull + 12 more".
+  /// Labels that are called the same are one part.
   void name_parts(Elements& elements) const;
 
  private:
   struct Membership {
     GmshLabel label;
     bool is_reversed;
+    int number = -1;  // of the label, once one asked: many blocks may belong to an entity of many groups
   };
 
   int number_of(const GmshLabel& label);

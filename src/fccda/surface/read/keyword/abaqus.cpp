@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <unordered_set>
 #include <utility>
 
 #include "fccda/surface/file/words.hpp"
@@ -102,6 +103,8 @@ class AbaqusFile {
       expect(in_assembly_ && !in_instance_);
       if (keyword_.find("INSTANCE") != nullptr || keyword_.find("LIBRARY") != nullptr)
         lines_.fail("this instance is imported from another analysis, but only this file is read; export the mesh itself.");
+      if (!instances_.insert(capitals(required("NAME"))).second)
+        lines_.fail("there is an instance " + excerpt(required("NAME")) + " before this one; give one of the two another name.");
       model_.instances.push_back({required("NAME"), required("PART"), lines_.number()});
       in_instance_ = true;
       block_ = Block::instance;
@@ -145,6 +148,7 @@ class AbaqusFile {
     const std::string* instance = keyword_.find("INSTANCE");
     const bool is_own = keyword_.find("INTERNAL") == nullptr && !name.starts_with('_');
     here().sets.push_back({name, instance != nullptr ? *instance : empty, {}, is_own});
+    is_generated_ = keyword_.find("GENERATE") != nullptr;
     block_ = Block::set;
   }
 
@@ -158,7 +162,7 @@ class AbaqusFile {
       case Block::elements:
         return parse_element();
       case Block::set:
-        return keyword_.find("GENERATE") != nullptr ? parse_generated() : parse_members();
+        return is_generated_ ? parse_generated() : parse_members();
       case Block::system:
         lines_.fail("*SYSTEM moves the nodes that follow, which cannot be read; write the coordinates in the global system.");
       default:
@@ -267,6 +271,7 @@ class AbaqusFile {
   Lines lines_;
   AbaqusModel model_;
   AbaqusMesh* part_ = nullptr;
+  std::unordered_set<std::string> instances_;  // their names, in capitals
   bool in_assembly_ = false, in_instance_ = false;
 
   AbaqusKeyword keyword_;
@@ -274,6 +279,7 @@ class AbaqusFile {
   AbaqusType type_;
   int group_ = 0;
   int lines_of_instance_ = 0;
+  bool is_generated_ = false;  // the set; asked for each of its lines, and a keyword may have as many parameters as the file has room for
 
   AbaqusValues values_;
   bool is_in_element_ = false;

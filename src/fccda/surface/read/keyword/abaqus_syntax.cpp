@@ -43,7 +43,6 @@ bool is_abaqus_keyword(std::string_view line) { return trimmed(line).starts_with
 
 AbaqusKeyword abaqus_keyword(Lines& lines) {
   AbaqusKeyword out;
-  out.line = lines.number();
   std::string text(trimmed(lines.line()).substr(1));
   while (text.ends_with(',') && lines.next()) {
     if (!is_abaqus_comment(lines.line())) text += trimmed(lines.line());

@@ -14,7 +14,6 @@ namespace fccda {
 struct AbaqusKeyword {
   std::string name;                                             ///< in capitals, without blanks and star: ENDPART
   std::vector<std::pair<std::string, std::string>> parameters;  ///< name in capitals, value as written (without quotes); empty where there is none
-  std::size_t line = 0;
 
   const std::string* find(std::string_view parameter) const;  ///< its value; null where it is not given
 };

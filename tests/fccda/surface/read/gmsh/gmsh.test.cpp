@@ -197,6 +197,34 @@ TEST_CASE("gmsh: parts are called by their groups, by all of them where there ar
   }
 }
 
+TEST_CASE("gmsh: of many groups a part is called by those that fit into 200 bytes, so that names stay as small as the file") {
+  GmshMesh mesh = fixtures::gmsh_mesh(fixtures::unit_cube());
+  for (int k = 0; k < 6; ++k) mesh.elements[std::size_t(2 + k)].entity = 11 + k;
+  const std::string a(100, 'a'), b(97, 'b'), c(98, 'c'), d(500, 'd');
+  mesh.names = {{{2, 1}, a}, {{2, 2}, b}, {{2, 3}, c}, {{2, 4}, d}};
+  mesh.groups = {{{2, 11}, {1, 2}}, {{2, 12}, {1, 3}}, {{2, 13}, {1, 2, 3, 4}}, {{2, 14}, {4}}, {{2, 15}, {2, 4}}, {{2, 16}, {1, 4}}};
+  for (const GmshForm& form : fixtures::every_gmsh_form()) {
+    CAPTURE(described(form));
+    CHECK(panels_by_part(parse(gmsh_file(mesh, form))) ==
+          std::map<std::string, int>{{a + " + " + b, 1}, {a + " + 1 more", 2}, {a + " + " + b + " + 2 more", 1}, {d, 1}, {b + " + 1 more", 1}});
+  }
+
+  // each of 2000 surfaces is in all of 40 groups with long names
+  GmshMesh many;
+  many.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  std::vector<int> groups;
+  for (int k = 1; k <= 40; ++k) many.names[{2, k}] = std::string(125, 'n') + std::to_string(k), groups.push_back(k);
+  for (int k = 1; k <= 2000; ++k) {
+    many.elements.push_back({2, {0, 1, 2}, k});
+    many.groups[{2, k}] = groups;
+    many.groups[{2, k}].push_back(40 + k);
+  }
+  const std::string contents = gmsh_file(many, text_4);
+  std::size_t letters = 0;
+  for (const std::string& name : parse(contents).part_names) letters += name.size();
+  CHECK(letters < contents.size());
+}
+
 TEST_CASE("gmsh: an element that version 2 lists for each of its groups is one, also of a solid") {
   GmshMesh mesh = block();
   mesh.groups = {{{3, 1}, {1}}, {{3, 2}, {2, 1, 3}}};

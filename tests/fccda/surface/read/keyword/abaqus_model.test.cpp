@@ -112,6 +112,8 @@ TEST_CASE("abaqus parts: an element without ELSET= is of the smallest *ELSET tha
 TEST_CASE("abaqus assembly: what is not there, twice, open or out of place is refused by name") {
   check_refused(part("p") + assembly(instance("i", "q")), "hull.inp:12: instance i is of part q, which is not defined; mend the name or add the part.");
   check_refused(part("p") + part("P"), "hull.inp:11: there is a part P before this one; give one of the two another name.");
+  check_refused(part("p") + assembly(instance("i", "p") + instance("I", "p", "1,0,0\n")),
+                "hull.inp:14: there is an instance I before this one; give one of the two another name.");
   check_refused("*PART, NAME=p\n" + mesh, "hull.inp:9: the file ends before *END PART; it was cut short; write it again.");
   check_refused("*ASSEMBLY\n", "hull.inp:1: the file ends before *END ASSEMBLY; it was cut short; write it again.");
   check_refused("*PART, NAME=p\n*PART, NAME=q\n", "hull.inp:2: *PART does not belong here; parts hold no parts, and instances stand in an assembly only.");
