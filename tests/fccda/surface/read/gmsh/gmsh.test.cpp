@@ -151,7 +151,8 @@ TEST_CASE("gmsh: middle nodes of second-order solids belong to the edges that Gm
     for (const auto& [a, b] : solid.edges) mesh.vertices.push_back(on_sphere(solid.corners[std::size_t(a)], solid.corners[std::size_t(b)]));
     GmshMesh complete = mesh;
     complete.vertices.resize(solid.nodes_of_complete);  // middles of faces, and of the whole, are not looked at
-    for (auto [one, type] : {std::pair(&mesh, solid.type), std::pair(&complete, solid.complete_type)}) {
+    for (const auto& [one, type_of_one] : {std::pair(&mesh, solid.type), std::pair(&complete, solid.complete_type)}) {
+      const int type = type_of_one;  // a name of its own, for CAPTURE with clang
       CAPTURE(type);
       one->elements.push_back({type, {}});
       for (int n = 0; n < int(one->vertices.size()); ++n) one->elements[0].nodes.push_back(n);
