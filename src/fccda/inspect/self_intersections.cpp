@@ -47,12 +47,10 @@ class Inspection {
   }
 
   Defect panels_with(Mark mark, DefectKind kind) const {
-    Defect defect{kind, {}};
+    std::vector<std::size_t> marked;
     for (std::size_t t = 0; t < marks_.size(); ++t)
-      if ((marks_[t] & mark) != 0) defect.panels.push_back(surface_.triangles()[t].panel);
-    std::sort(defect.panels.begin(), defect.panels.end());
-    defect.panels.erase(std::unique(defect.panels.begin(), defect.panels.end()), defect.panels.end());
-    return defect;
+      if ((marks_[t] & mark) != 0) marked.push_back(t);
+    return {kind, panels_of(surface_.triangles(), marked)};
   }
 
  private:

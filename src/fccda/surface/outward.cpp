@@ -17,7 +17,7 @@ void expect_declared(OutsideIs outside, const LinkedTriangles& surface, const st
                          " to one panel only, the first to panel " + std::to_string(surface.triangles[rims.front()].panel) +
                          " (counted from 0); close the holes, or say which side is outside with `outside: normals` (the one that the normals point to) or "
                          "`outside: reversed`.",
-                     {DefectKind::rim, panels_of(surface, rims)});
+                     {DefectKind::rim, panels_of(surface.triangles, rims)});
 }
 
 /// A volume that rounding could have made: of a sheet that is folded onto itself.
@@ -55,7 +55,7 @@ Outward turn_outward(LinkedTriangles& surface, const Components& components, Out
       if (is_nothing(volume, surface, members[component])) {
         throw SurfaceError(name + ": the closed part with panel " + std::to_string(surface.triangles[members[component][0]].panel) +
                                " (counted from 0) encloses no volume, so it has no inside; give it a thickness, or delete one of its two sides.",
-                           {DefectKind::no_volume, panels_of(surface, members[component])});
+                           {DefectKind::no_volume, panels_of(surface.triangles, members[component])});
       }
       const bool is_cavity = nesting.depth[component] % 2 == 1;
       turn = (volume < 0) != is_cavity;

@@ -65,17 +65,14 @@ void expect_usable(const Panels& panels, const std::string& name) {
   sentence << name << ": the surface is non-manifold: " << crowded.size() << (crowded.size() == 1 ? " edge has" : " edges have")
            << " more than two panels, the first from (" << from.x << ", " << from.y << ", " << from.z << ") to (" << to.x << ", " << to.y << ", " << to.z
            << ") m with the panels ";
-  std::vector<int> first;
-  for (const int t : crowded[0].triangles) first.push_back(surface.triangles[static_cast<std::size_t>(t)].panel);
-  std::sort(first.begin(), first.end());
-  first.erase(std::unique(first.begin(), first.end()), first.end());  // both halves of a quad may end there
-  constexpr std::size_t most = 6;                                     // so that a fan of thousands stays one sentence
+  const std::vector<int> first = panels_of(surface.triangles, crowded[0].triangles);  // once, though both halves of a quad may end there
+  constexpr std::size_t most = 6;                                                     // so that a fan of thousands stays one sentence
   for (std::size_t s = 0; s < std::min(first.size(), most); ++s) sentence << (s > 0 ? ", " : "") << first[s];
   sentence
       << (first.size() > most ? ", …" : "")
       << " (counted from 0), and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, "
          "with `outside: normals` (the side that the normals point to).";
-  throw SurfaceError(sentence.str(), {DefectKind::non_manifold, panels_of(surface, unjoined.triangles)});
+  throw SurfaceError(sentence.str(), {DefectKind::non_manifold, panels_of(surface.triangles, unjoined.triangles)});
 }
 
 Box bounds_of_used(const Panels& panels) {

@@ -96,7 +96,7 @@ class Surface {
   int solid_of(std::size_t triangle) const { return solid_of_[triangle]; }  ///< counted from 0
 
   /// The panels with an edge on a rim, in rising order.
-  std::vector<int> panels_on_rims() const { return panels_of(linked_, triangles_on_rims(linked_)); }
+  std::vector<int> panels_on_rims() const { return panels_of<std::size_t>(linked_.triangles, triangles_on_rims(linked_)); }
 
   /// The triangle beyond edge e, or -1 on a rim.
   int neighbour(std::size_t triangle, std::size_t e) const { return linked_.neighbours[triangle][e]; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -40,10 +41,11 @@ inline std::vector<std::size_t> triangles_on_rims(const LinkedTriangles& surface
   return out;
 }
 
-/// The panels of some triangles, each once, in rising order.
-inline std::vector<int> panels_of(const LinkedTriangles& surface, const std::vector<std::size_t>& triangles) {
+/// The panels of some of the triangles, by their numbers; each once, in rising order.
+template <class Number>
+std::vector<int> panels_of(std::span<const Triangle> triangles, const std::vector<Number>& numbers) {
   std::vector<int> panels;
-  for (const std::size_t t : triangles) panels.push_back(surface.triangles[t].panel);
+  for (const Number t : numbers) panels.push_back(triangles[static_cast<std::size_t>(t)].panel);
   std::sort(panels.begin(), panels.end());
   panels.erase(std::unique(panels.begin(), panels.end()), panels.end());
   return panels;

@@ -45,7 +45,7 @@ Components wind_consistently(LinkedTriangles& surface, const std::string& name) 
           throw SurfaceError(
               name + ": the panels " + std::to_string(triangles[t].panel) + " and " + std::to_string(triangles[u].panel) +
                   " (counted from 0) close a strip that is twisted like Möbius's, so the surface has no two sides; cut it there or mend the mesh.",
-              {DefectKind::twisted, panels_of(surface, {t, u})});
+              {DefectKind::twisted, panels_of(triangles, std::vector{t, u})});
         }
       }
     }

@@ -1,6 +1,8 @@
 #include "fccda/surface/file/whole_number.hpp"
 
-#include <charconv>
+#include <optional>
+
+#include "fccda/surface/file/text.hpp"
 
 namespace fccda {
 namespace {
@@ -9,24 +11,18 @@ namespace {
   words.fail(std::string(what) + " has " + shown(word) + " where a " + belongs + " belongs; mend the file or write it again.");
 }
 
-bool parsed(std::string_view word, std::int64_t& value) {
-  const std::string_view digits = word.starts_with('+') && !word.starts_with("+-") ? word.substr(1) : word;
-  const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  return problem == std::errc{} && end == digits.data() + digits.size();
-}
-
 }  // namespace
 
 std::int64_t whole_number(const Words& words, std::string_view word, std::string_view what) {
-  std::int64_t value = 0;
-  if (!parsed(word, value)) refuse(words, word, what, "whole number");
-  return value;
+  const std::optional<std::int64_t> value = parsed<std::int64_t>(without_plus(word));
+  if (!value) refuse(words, word, what, "whole number");
+  return *value;
 }
 
 std::size_t count_number(const Words& words, std::string_view word, std::string_view what) {
-  std::int64_t value = 0;
-  if (!parsed(word, value) || value < 0) refuse(words, word, what, "count");
-  return static_cast<std::size_t>(value);
+  const std::optional<std::int64_t> value = parsed<std::int64_t>(without_plus(word));
+  if (!value || *value < 0) refuse(words, word, what, "count");
+  return static_cast<std::size_t>(*value);
 }
 
 }  // namespace fccda

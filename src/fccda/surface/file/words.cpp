@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "fccda/core/error.hpp"
+#include "fccda/surface/file/text.hpp"
 
 namespace fccda {
 namespace {
@@ -19,7 +19,6 @@ constexpr auto ends_word = [] {
   for (const char c : {' ', '\t', '\v', '\f', '\n', '\r'}) ends[static_cast<unsigned char>(c)] = true;
   return ends;
 }();
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors put it before UTF-8
 }  // namespace
 
 Words::Words(std::string_view text, std::string file, std::size_t first_line) : text_(text), file_(std::move(file)), line_(first_line) {
@@ -74,11 +73,9 @@ std::string Words::rest_of_line() {
   while (!at_line_end() && is_blank(text_[at_])) ++at_;
   const std::size_t begin = at_;
   while (!at_line_end()) ++at_;
-  std::string rest(text_.substr(begin, at_ - begin));
-  while (!rest.empty() && is_blank(rest.back())) rest.pop_back();
-  std::replace_if(
-      rest.begin(), rest.end(), [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; }, '?');
-  return rest;
+  std::string_view rest = text_.substr(begin, at_ - begin);
+  while (!rest.empty() && is_blank(rest.back())) rest.remove_suffix(1);
+  return printable(rest);
 }
 
 void Words::skip_line() {
@@ -93,14 +90,11 @@ std::string_view Words::bytes(std::size_t count) {
 }
 
 double Words::number(std::string_view word, std::string_view what) const {
-  const std::string_view digits = word.starts_with('+') && !word.starts_with("+-") ? word.substr(1) : word;
-  double value = 0;
-  const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  const bool whole = !digits.empty() && end == digits.data() + digits.size();
-  if (!whole || problem != std::errc{} || !std::isfinite(value)) {
+  const std::optional<double> value = parsed<double>(without_plus(word));
+  if (!value || !std::isfinite(*value)) {
     fail(std::string(what) + " has " + shown(word) + " where a finite number belongs; mend the file or write it again.");
   }
-  return value;
+  return *value;
 }
 
 void Words::fail(const std::string& sentence) const { throw InputError(file_ + ":" + std::to_string(line_) + ": " + sentence); }

@@ -4,11 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "fccda/core/error.hpp"
+#include "fccda/surface/file/number_type.hpp"
 #include "fccda/surface/file/words.hpp"
 #include "fccda/surface/part_naming.hpp"
 
@@ -21,10 +21,7 @@ constexpr std::size_t normal_bytes = 12;
 
 template <class T>
 T little_endian(const char* bytes) {
-  static_assert(std::endian::native == std::endian::little);
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
+  return number_at<T>(bytes, std::endian::little);
 }
 
 void add_triangle(Panels& out, const Vec3d (&corners)[3]) {

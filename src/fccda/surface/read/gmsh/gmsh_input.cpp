@@ -1,35 +1,17 @@
 #include "fccda/surface/read/gmsh/gmsh_input.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "fccda/core/error.hpp"
+#include "fccda/surface/file/number_type.hpp"
+#include "fccda/surface/file/text.hpp"
 
 namespace fccda {
 namespace {
-
-/// The whole word as a value; nothing where it is none, or is out of range.
-template <class T>
-std::optional<T> parsed(std::string_view word) {
-  T value{};
-  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || end != word.data() + word.size() || problem != std::errc{}) return {};
-  return value;
-}
-
-template <class T>
-T reversed(T value) {
-  char bytes[sizeof value];
-  std::memcpy(bytes, &value, sizeof value);
-  std::reverse(std::begin(bytes), std::end(bytes));
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
-}
 
 constexpr std::string_view cut_short = "it was cut short; write it again.";
 constexpr std::string_view damaged = "the count or the file is damaged; write it again.";
@@ -61,9 +43,8 @@ GmshInput::GmshInput(std::string_view contents, const std::string& file) : file_
 
 void GmshInput::begin_binary(std::string_view rest) {
   rest_ = rest.substr(std::min(rest.find('\n'), rest.size() - 1) + 1);
-  const std::int32_t one = value<std::int32_t>();
-  is_other_order_ = reversed(one) == 1;
-  if (one != 1 && !is_other_order_) {
+  if (rest_.size() >= sizeof(std::int32_t) && number_at<std::int32_t>(rest_.data(), byte_order_) != 1) byte_order_ = std::endian::big;
+  if (value<std::int32_t>() != 1) {
     fail("the file says that it is binary, but the binary one that tells the byte order does not follow; it is text or was copied as text; write it again.");
   }
 }
@@ -83,10 +64,9 @@ void GmshInput::fail_at_end() const { fail("the file ends in " + place() + "; " 
 template <class T>
 T GmshInput::value() {
   if (rest_.size() < sizeof(T)) fail_at_end();
-  T out;
-  std::memcpy(&out, rest_.data(), sizeof out);
+  const T out = number_at<T>(rest_.data(), byte_order_);
   rest_.remove_prefix(sizeof out);
-  return is_other_order_ ? reversed(out) : out;
+  return out;
 }
 
 std::string_view GmshInput::word() {

@@ -1,6 +1,7 @@
 /// The values of a Gmsh file, read the same from text and from binary, and the errors that say where they stand.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -65,7 +66,7 @@ class GmshInput {
   Words words_;            // of the text
   std::string_view rest_;  // of the binary file: what is not yet read
   bool is_binary_ = false;
-  bool is_other_order_ = false;  // binary, written on a machine with the other byte order
+  std::endian byte_order_ = std::endian::little;  // where binary
   GmshVersion version_ = GmshVersion::v4_1;
   Place place_{"the header", 0, 0};
 };

@@ -1,4 +1,5 @@
 #include "fccda/surface/read/keyword/abaqus.hpp"
+#include "fccda/surface/file/text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "fccda/surface/read/keyword/abaqus_syntax.hpp"
+#include "fccda/surface/file/text.hpp"
 
 #include <algorithm>
 

@@ -29,13 +29,7 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-/// Without blanks and tabs at its ends.
-std::string_view trimmed(std::string_view text);
-
 /// In capitals, as formats that were born on punched cards compare their words.
 std::string capitals(std::string_view text);
-
-/// As it may be shown in a report: with ? for bytes that no terminal shows.
-std::string printable(std::string_view text);
 
 }  // namespace fccda

@@ -4,16 +4,12 @@
 #include <utility>
 
 #include "fccda/core/error.hpp"
+#include "fccda/surface/file/text.hpp"
 
 namespace fccda {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == std::string_view::npos ? std::string_view{} : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
 
 }  // namespace
 
@@ -22,7 +18,7 @@ std::string_view XmlTag::operator[](std::string_view attribute) const {
   for (;;) {
     const std::size_t equals = rest.find('=');
     if (equals == std::string_view::npos) return {};
-    const std::string_view found = trimmed(rest.substr(0, equals));
+    const std::string_view found = trimmed(rest.substr(0, equals), blanks);
     const std::size_t open = rest.find_first_of("\"'", equals);
     if (open == std::string_view::npos) return {};
     const std::size_t close = rest.find(rest[open], open + 1);
