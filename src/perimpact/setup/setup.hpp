@@ -11,6 +11,8 @@
 
 #include "fccda/core/parameter.hpp"
 #include "fccda/core/vec3.hpp"
+#include "perimpact/setup/boundaries.hpp"
+#include "perimpact/setup/motion_table.hpp"
 
 namespace perimpact {
 
@@ -29,8 +31,6 @@ enum class Normalisation { lattice, continuum };
 
 inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
 enum class PanelKind { triangles, quads };
-
-inline constexpr std::string_view axis_words[] = {"x", "y", "z"};
 
 inline constexpr std::string_view detector_words[] = {"swept", "published", "analytic"};
 enum class DetectorKind { swept, published, analytic };
@@ -53,9 +53,18 @@ inline constexpr std::string_view fragment_law_words[] = {"none"};
 
 // ---- time ----
 
+/// From one state of equilibrium to the next, instead of dynamics (docs/theory/relaxation.md).
+struct RelaxSetup {
+  int increments = 1;           ///< from t = 0 to the end
+  double tolerance = 1e-4;      ///< [-] unbalanced force over applied force
+  int most_iterations = 10000;  ///< of an increment
+  static std::span<const Field<RelaxSetup>> fields();
+};
+
 struct TimeSetup {
   double end{};                ///< [s]
   std::optional<double> step;  ///< [s]; the stable estimate where absent
+  std::optional<RelaxSetup> relax;
   static std::span<const Field<TimeSetup>> fields();
 };
 
@@ -92,6 +101,7 @@ struct BodySetup {
   Choice surface_correction{surface_correction_words};
   bool published = false;  ///< the seed paper's discretisation: madenci-oterkus, continuum, none
   MaterialSetup material;
+  std::vector<BoundarySetup> boundaries;
   static std::span<const Field<BodySetup>> fields();
 };
 
@@ -213,13 +223,7 @@ struct GaugeSetup {
   static std::span<const Field<GaugeSetup>> fields();
 };
 
-/// Motion of one degree of freedom against time: `times` with either `velocities` or `displacements`. A deck may name a file instead,
-/// whose numbers are put here when it is read.
-struct MotionTable {
-  std::vector<double> times;                      ///< [s]
-  std::vector<double> velocities, displacements;  ///< [m/s] and [m], or [rad/s] and [rad]
-  std::string file;
-};
+/// Motion of one degree of freedom.
 struct TranslationTable : MotionTable {
   static std::span<const Field<TranslationTable>> fields();
 };

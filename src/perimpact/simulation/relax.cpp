@@ -1,0 +1,167 @@
+#include "perimpact/simulation/relax.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fccda/core/error.hpp"
+#include "fccda/core/parallel.hpp"
+#include "perimpact/boundary/slot_sum.hpp"
+#include "perimpact/simulation/stable_step.hpp"
+
+namespace perimpact {
+
+namespace {
+
+/// Σ_j c G v V/|ξ| |n_p| (|n_x| + |n_y| + |n_z|), twice, for the direction p in which it is largest [N/m⁴]: the magnitudes of a row of the
+/// stiffness, the particle's own entry included.
+double largest_row(const Body& body, std::size_t slot) {
+  const auto& bonds = body.family.stencil().bonds();
+  const double c = body.internal.material().bond_stiffness();
+  Vec3d rows{};
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    if (!body.family.is_intact(slot, b)) continue;
+    const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(slot) + body.family.offsets()[b]);
+    const double stiffness = c * bonds[b].volume / bonds[b].length * body.internal.correction().stretch_factor(slot, j, body.internal.half_squares()[b]);
+    const Vec3d n{std::fabs(bonds[b].direction.x), std::fabs(bonds[b].direction.y), std::fabs(bonds[b].direction.z)};
+    rows += (2 * stiffness * (n.x + n.y + n.z)) * n;
+  }
+  return std::max({rows.x, rows.y, rows.z});
+}
+
+}  // namespace
+
+std::vector<double> fictitious_density(const Body& body, double dt, double safety) {
+  // the rows know nothing of the dilatation; waves of the lattice do, and need ω dt < 2
+  const double limit = exact_stable_step(body);
+  const double of_waves = body.particles.density() * (dt / limit) * (dt / limit);
+  std::vector<double> density(body.particles.lattice().slots(), 0);
+  const auto slots = body.particles.slot_of();
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(slots.size()), [&](std::ptrdiff_t k) {
+    const std::size_t slot = slots[static_cast<std::size_t>(k)];
+    density[slot] = safety * std::max(0.25 * dt * dt * largest_row(body, slot), of_waves);
+  });
+  return density;
+}
+
+Relaxation::Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, double dt, double safety) : setup_(setup), dt_(dt) {
+  for (const Body& body : bodies) {
+    Search& search = searches_.emplace_back();
+    search.density = fictitious_density(body, dt, safety);
+    const Particles& particles = body.particles;
+    double furthest = 0;  // [m]
+    for (const std::uint32_t slot : particles.slot_of()) furthest = std::max(furthest, largest_magnitude(particles.reference(slot)));
+    const double slack = 4 * std::numeric_limits<double>::epsilon() * furthest;  // [m] of a position
+    search.rounding = std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) {
+      const std::size_t slot = particles.slot_of()[k];
+      const double force = particles.volume() * 4 * search.density[slot] / (dt * dt) * slack;
+      return force * force;
+    }));
+  }
+}
+
+std::vector<double> Relaxation::relax(std::span<Body> bodies, std::span<Boundaries> boundaries, long increment, double time) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) boundaries[b].place(bodies[b].particles, time, Held::Pace::still);
+  std::vector<double> energy(bodies.size());
+  const auto broken_bonds = [&] {
+    std::size_t sum = 0;
+    for (const Body& body : bodies) sum += body.internal.broken_bonds();
+    return sum;
+  };
+  latest_ = {};
+  bool starts = true;
+  while (true) {
+    for (Body& body : bodies) body.internal.evaluate(body.particles, body.family);
+    latest_.residual = residual(bodies, boundaries, time);
+    if (latest_.residual <= setup_.tolerance) {
+      const std::size_t before = broken_bonds();
+      for (std::size_t b = 0; b < bodies.size(); ++b) energy[b] = bodies[b].internal.evaluate_with_energy(bodies[b].particles, bodies[b].family);
+      latest_.residual = residual(bodies, boundaries, time);
+      if (broken_bonds() == before) break;
+      starts = true;
+    }
+    if (!std::isfinite(latest_.residual))
+      throw fccda::RunError(
+          fmt::format("In increment {} (t = {:.6g} s) forces are not numbers after {} iterations: the body cannot follow so large an increment; take "
+                      "smaller ones.",
+                      increment, time, latest_.iterations));
+    if (!(latest_.iterations < setup_.most_iterations))
+      throw fccda::RunError(fmt::format(
+          "Increment {} (t = {:.6g} s) is not in equilibrium after {} iterations: the residual is {:.3g}, but the tolerance {:.3g}. Perhaps there is "
+          "no equilibrium, because something is not held, or has broken off; else allow more iterations, or take smaller increments.",
+          increment, time, latest_.iterations, latest_.residual, setup_.tolerance));
+    if (starts) start(bodies);
+    starts = false;
+    for (std::size_t b = 0; b < bodies.size(); ++b) move(bodies[b], searches_[b]);
+    ++latest_.iterations;
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (const std::uint32_t slot : bodies[b].particles.slot_of()) bodies[b].particles.velocity.set(slot, {});
+    boundaries[b].settle(bodies[b].particles, time, dt_);
+  }
+  return energy;
+}
+
+double Relaxation::residual(std::span<Body> bodies, std::span<Boundaries> boundaries, double time) const {
+  double largest = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Particles& particles = bodies[b].particles;
+    const double applied = boundaries[b].balance(particles, time);
+    const double unbalanced =
+        particles.volume() *
+        std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) { return squared_norm(particles.force_density.at(particles.slot_of()[k])); }));
+    const double share = unbalanced / (applied + searches_[b].rounding / setup_.tolerance);
+    if (!(share <= largest)) largest = share;  // also where it is not a number
+  }
+  return largest;
+}
+
+void Relaxation::start(std::span<const Body> bodies) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Search& search = searches_[b];
+    search.position0.clear(), search.force0.clear();
+    for (const std::uint32_t slot : bodies[b].particles.slot_of()) {
+      search.position0.push_back(bodies[b].particles.position.at(slot));
+      search.force0.push_back(bodies[b].particles.force_density.at(slot));
+    }
+  }
+}
+
+namespace {
+
+struct Quotient {
+  double stiffness = 0, mass = 0;
+  Quotient& operator+=(const Quotient& other) {
+    stiffness += other.stiffness, mass += other.mass;
+    return *this;
+  }
+};
+
+}  // namespace
+
+double Relaxation::damping(const Body& body, const Search& search) const {
+  const Particles& particles = body.particles;
+  const Quotient rayleigh = sum_in_blocks<Quotient>(particles.size(), [&](std::size_t k) {
+    const std::size_t slot = particles.slot_of()[k];
+    const Vec3d u = particles.position.at(slot) - search.position0[k];
+    return Quotient{dot(u, search.force0[k] - particles.force_density.at(slot)), search.density[slot] * squared_norm(u)};
+  });
+  if (!(rayleigh.stiffness > 0)) return 0;
+  return std::min(2 * std::sqrt(rayleigh.stiffness / rayleigh.mass), 1.9 / dt_);
+}
+
+void Relaxation::move(Body& body, const Search& search) const {
+  Particles& particles = body.particles;
+  const double c = damping(body, search) * dt_;
+  const auto slots = particles.slot_of();
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(slots.size()), [&](std::ptrdiff_t k) {
+    const std::size_t slot = slots[static_cast<std::size_t>(k)];
+    const Vec3d velocity = ((2 - c) * particles.velocity.at(slot) + (2 * dt_ / search.density[slot]) * particles.force_density.at(slot)) / (2 + c);
+    particles.velocity.set(slot, velocity);
+    particles.position.set(slot, particles.position.at(slot) + dt_ * velocity);
+  });
+}
+
+}  // namespace perimpact
