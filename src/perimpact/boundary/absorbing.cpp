@@ -13,18 +13,14 @@ double layer_damping(double depth, double thickness, double wave_speed, double r
   return 3 * wave_speed * std::log(1 / reflection) / thickness * share * share;
 }
 
-Absorbing::Absorbing(std::vector<std::uint32_t> slots, std::vector<double> damping) : slots_(std::move(slots)), damping_(std::move(damping)) {
-  EXPECTS(slots_.size() == damping_.size());
+Absorbing::Absorbing(std::vector<std::uint32_t> slots, std::span<const double> damping) : slots_(std::move(slots)) {
+  EXPECTS(slots_.size() == damping.size());
+  for (const double each : damping) damping_.push_back({each, each, each});
 }
 
-void Absorbing::leave_out(std::span<const std::uint32_t> slots) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < slots_.size(); ++k) {
-    if (std::binary_search(slots.begin(), slots.end(), slots_[k])) continue;
-    slots_[kept] = slots_[k], damping_[kept] = damping_[k];
-    ++kept;
-  }
-  slots_.resize(kept), damping_.resize(kept);
+void Absorbing::leave_out(std::span<const std::uint32_t> held, std::size_t axis) {
+  for (std::size_t k = 0; k < slots_.size(); ++k)
+    if (std::binary_search(held.begin(), held.end(), slots_[k])) damping_[k][axis] = 0;
 }
 
 namespace {
@@ -45,7 +41,8 @@ void Absorbing::damp(Particles& particles, double dt) {
   const Damped sum = sum_in_blocks<Damped>(slots_.size(), [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d before = particles.force_density.at(slot), velocity = particles.velocity.at(slot);
-    const Vec3d after = (before - density * damping_[k] * velocity) / (1 + 0.5 * damping_[k] * dt);
+    Vec3d after{};
+    for (std::size_t c = 0; c < 3; ++c) after[c] = (before[c] - density * damping_[k][c] * velocity[c]) / (1 + 0.5 * damping_[k][c] * dt);
     particles.force_density.set(slot, after);
     const Vec3d force = particles.volume() * (after - before);
     return Damped{force, dot(force, velocity + 0.5 * dt / density * after)};

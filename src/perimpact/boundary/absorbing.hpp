@@ -26,13 +26,13 @@ double layer_damping(double depth, double thickness, double wave_speed, double r
 class Absorbing {
  public:
   /// `damping`: α [1/s] of each slot.
-  Absorbing(std::vector<std::uint32_t> slots, std::vector<double> damping);
+  Absorbing(std::vector<std::uint32_t> slots, std::span<const double> damping);
 
   std::span<const std::uint32_t> slots() const { return slots_; }
-  std::span<const double> damping() const { return damping_; }
+  std::span<const Vec3d> damping() const { return damping_; }  ///< [1/s] of each slot along x, y and z
 
-  /// Slots that are held have no velocity to lose. `slots` ascending.
-  void leave_out(std::span<const std::uint32_t> slots);
+  /// A direction in which particles are held has no velocity to lose. `held` ascending.
+  void leave_out(std::span<const std::uint32_t> held, std::size_t axis);
 
   /// Damps the force densities for the coming step of dt [s], after all other forces but those that hold. Notes force and work.
   void damp(Particles& particles, double dt);
@@ -47,7 +47,7 @@ class Absorbing {
 
  private:
   std::vector<std::uint32_t> slots_;
-  std::vector<double> damping_;
+  std::vector<Vec3d> damping_;
   double power_ = 0;  // [W] at the latest instant
 };
 

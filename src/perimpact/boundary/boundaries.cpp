@@ -18,7 +18,12 @@ void Boundaries::for_each(const Act& act) {
 Boundaries::Boundaries(const BodySetup& body, const Particles& particles, const SlotsOfRegion& slots_of) {
   for (const BoundarySetup& boundary : body.boundaries) all_.push_back(boundary_of(boundary, body, particles, slots_of));
   refuse_held_twice(body, particles);
-  for_each<Held>([&](const Held& held) { for_each<Absorbing>([&](Absorbing& layer) { layer.leave_out(held.slots()); }); });
+  for_each<Held>([&](const Held& held) {
+    for_each<Absorbing>([&](Absorbing& layer) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (held.holds(axis)) layer.leave_out(held.slots(), axis);
+    });
+  });
 }
 
 void Boundaries::refuse_held_twice(const BodySetup& body, const Particles& particles) const {

@@ -106,7 +106,7 @@ Boundary made(const AbsorbingSetup& layer, const Place& place) {
   const double speed = fastest_wave(place.body, place.particles.density());
   std::vector<double> damping;
   for (const double depth : depths) damping.push_back(layer_damping(depth - inner, thickness, speed, layer.reflection));
-  return Absorbing(std::move(slots), std::move(damping));
+  return Absorbing(std::move(slots), damping);
 }
 
 }  // namespace
