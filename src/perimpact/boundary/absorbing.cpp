@@ -44,7 +44,7 @@ void Absorbing::damp(Particles& particles, double dt) {
     Vec3d after{};
     for (std::size_t c = 0; c < 3; ++c) after[c] = (before[c] - density * damping_[k][c] * velocity[c]) / (1 + 0.5 * damping_[k][c] * dt);
     particles.force_density.set(slot, after);
-    const Vec3d force = particles.volume() * (after - before);
+    const Vec3d force = particles.volume(slot) * (after - before);
     return Damped{force, dot(force, velocity + 0.5 * dt / density * after)};
   });
   account.note(sum.force, {});

@@ -15,8 +15,8 @@ void Boundaries::for_each(const Act& act) {
     if (auto* boundary = std::get_if<Kind>(&one.boundary)) act(*boundary);
 }
 
-Boundaries::Boundaries(const BodySetup& body, const Particles& particles, const SlotsOfRegion& slots_of) {
-  for (const BoundarySetup& boundary : body.boundaries) all_.push_back(boundary_of(boundary, body, particles, slots_of));
+Boundaries::Boundaries(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of) {
+  for (const BoundarySetup& boundary : body.boundaries) all_.push_back(boundary_of(boundary, {body, elastic, particles, slots_of}));
   refuse_held_twice(body, particles);
   for_each<Held>([&](const Held& held) {
     for_each<Absorbing>([&](Absorbing& layer) {
@@ -28,7 +28,7 @@ Boundaries::Boundaries(const BodySetup& body, const Particles& particles, const 
 
 void Boundaries::refuse_held_twice(const BodySetup& body, const Particles& particles) const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::vector<int> holder(particles.lattice().slots(), -1);
+    std::vector<int> holder(particles.slots(), -1);
     for (std::size_t k = 0; k < all_.size(); ++k) {
       const auto* held = std::get_if<Held>(&all_[k].boundary);
       if (!held || !held->holds(axis)) continue;

@@ -18,7 +18,7 @@ class Boundaries {
   /// None.
   Boundaries() = default;
   /// Throws SetupError, also where two hold the same particles in the same direction.
-  Boundaries(const BodySetup& body, const Particles& particles, const SlotsOfRegion& slots_of);
+  Boundaries(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of);
 
   bool is_empty() const { return all_.empty(); }
   std::span<const NamedBoundary> all() const { return all_; }

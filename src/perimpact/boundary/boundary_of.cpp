@@ -7,7 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "perimpact/material/isotropic.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
 namespace perimpact {
@@ -29,14 +28,12 @@ struct Face {
 
 /// Where a boundary stands in the deck, and what it acts on.
 struct Place {
-  const BodySetup& body;
-  const Particles& particles;
-  const SlotsOfRegion& slots_of;
+  const BoundedParticles& of;
   std::string key;  ///< "bodies.plate.boundaries.grip.fixed"
 
   std::vector<std::uint32_t> slots(const std::string& region) const {
-    if (region.empty()) return {particles.slot_of().begin(), particles.slot_of().end()};
-    const std::vector<std::size_t> slots = slots_of(region, key + ".region");
+    if (region.empty()) return {of.particles.slot_of().begin(), of.particles.slot_of().end()};
+    const std::vector<std::size_t> slots = of.slots_of(region, key + ".region");
     return {slots.begin(), slots.end()};
   }
 
@@ -78,32 +75,40 @@ Boundary made(const PrescribedSetup& prescribed, const Place& place) {
 
 Boundary made(const BodyForceSetup& load, const Place& place) {
   std::vector<std::uint32_t> slots = place.slots(load.region);
-  std::vector<double> volumes(slots.size(), place.particles.volume());
+  std::vector<double> volumes;
+  for (const std::uint32_t slot : slots) volumes.push_back(place.of.particles.volume(slot));
   return Load(std::move(slots), std::move(volumes), load.force_density, place.factor(load.times, load.factors));
 }
 
+/// The outermost particles of a lattice share the area evenly, those of a cloud by volume.
 Boundary made(const PressureSetup& load, const Place& place) {
   const Face face(load.face.index);
-  const Lattice& lattice = place.particles.lattice();
-  std::vector<std::uint32_t> slots = outermost(lattice, place.slots(load.region), load.face.index);
-  const double area = load.area ? *load.area / static_cast<double>(slots.size()) : lattice.spacing * lattice.spacing;
-  std::vector<double> areas(slots.size(), area);
+  const Particles& particles = place.of.particles;
+  std::vector<std::uint32_t> slots = place.slots(load.region);
+  std::vector<double> areas;
+  if (const Lattice* lattice = particles.lattice()) {
+    slots = outermost(*lattice, slots, load.face.index);
+    const double cell = lattice->spacing * particles.thickness().value_or(lattice->spacing);
+    areas.assign(slots.size(), load.area ? *load.area / static_cast<double>(slots.size()) : cell);
+  } else {
+    if (!load.area)
+      throw SetupError(place.key, fmt::format("body {} is a cloud of points, which have no faces; give the area [m2] that the particles of the region share.",
+                                              place.of.body.name));
+    double volume = 0;
+    for (const std::uint32_t slot : slots) volume += particles.volume(slot);
+    for (const std::uint32_t slot : slots) areas.push_back(*load.area * particles.volume(slot) / volume);
+  }
   return Load(std::move(slots), std::move(areas), -load.pressure * face.normal(), place.factor(load.times, load.factors));
-}
-
-double fastest_wave(const BodySetup& body, double density) {
-  const OrdinaryStateSetup& material = std::get<OrdinaryStateSetup>(body.material);
-  return std::sqrt(IsotropicElastic{material.youngs_modulus, material.poissons_ratio}.p_wave_modulus() / density);
 }
 
 Boundary made(const AbsorbingSetup& layer, const Place& place) {
   const Face face(layer.face.index);
   std::vector<std::uint32_t> slots = place.slots(layer.region);
   std::vector<double> depths;  // [m] along the face's normal
-  for (const std::uint32_t slot : slots) depths.push_back(face.sign * place.particles.reference(slot)[face.axis]);
+  for (const std::uint32_t slot : slots) depths.push_back(face.sign * place.of.particles.reference(slot)[face.axis]);
   const auto [first, last] = std::minmax_element(depths.begin(), depths.end());
-  const double spacing = place.particles.lattice().spacing, inner = *first - 0.5 * spacing, thickness = *last + 0.5 * spacing - inner;
-  const double speed = fastest_wave(place.body, place.particles.density());
+  const double spacing = place.of.particles.spacing(), inner = *first - 0.5 * spacing, thickness = *last + 0.5 * spacing - inner;
+  const double speed = std::sqrt(place.of.elastic.p_wave_modulus() / place.of.particles.density());
   std::vector<double> damping;
   for (const double depth : depths) damping.push_back(layer_damping(depth - inner, thickness, speed, layer.reflection));
   return Absorbing(std::move(slots), damping);
@@ -126,11 +131,11 @@ std::vector<std::uint32_t> outermost(const Lattice& lattice, std::span<const std
   return all;
 }
 
-NamedBoundary boundary_of(const BoundarySetup& boundary, const BodySetup& body, const Particles& particles, const SlotsOfRegion& slots_of) {
+NamedBoundary boundary_of(const BoundarySetup& boundary, const BoundedParticles& of) {
   return std::visit(
       [&]<class Kind>(const Kind& kind) {
-        const Place place{body, particles, slots_of, fmt::format("bodies.{}.boundaries.{}.{}", body.name, boundary.name, Kind::name)};
-        return NamedBoundary{fmt::format("{}.{}", body.name, boundary.name), made(kind, place)};
+        const Place place{of, fmt::format("bodies.{}.boundaries.{}.{}", of.body.name, boundary.name, Kind::name)};
+        return NamedBoundary{fmt::format("{}.{}", of.body.name, boundary.name), made(kind, place)};
       },
       boundary.kind);
 }

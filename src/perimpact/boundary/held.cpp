@@ -46,7 +46,7 @@ void Held::lead_back(Particles& particles, const fccda::Step& step, std::vector<
       particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement[c];
     }
     if (change == Vec3d{}) continue;
-    const Vec3d impulse = particles.mass() * change;
+    const Vec3d impulse = particles.mass(slot) * change;
     account.add(impulse, dot(impulse, velocity));
     displaced.push_back(slot);
   }
@@ -61,7 +61,7 @@ ForceSum Held::take_over(Particles& particles, const Target& target) const {
       if (!courses_[c]) continue;
       double& density = particles.force_density.component(c)[slot];
       const double wanted = target(slot, c);
-      force[c] = particles.volume() * (wanted - density);
+      force[c] = particles.volume(slot) * (wanted - density);
       density = wanted;
     }
     return ForceSum{force, squared_norm(force)};

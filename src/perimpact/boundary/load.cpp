@@ -18,7 +18,7 @@ ForceSum Load::add_to(Particles& particles, double time) const {
   const Vec3d now = factor_.at(time) * intensity_;
   fccda::parallel_for(static_cast<std::ptrdiff_t>(slots_.size()), [&](std::ptrdiff_t k) {
     const std::size_t slot = slots_[static_cast<std::size_t>(k)];
-    const double share = weights_[static_cast<std::size_t>(k)] / particles.volume();
+    const double share = weights_[static_cast<std::size_t>(k)] / particles.volume(slot);
     particles.force_density.set(slot, particles.force_density.at(slot) + share * now);
   });
   return {total_weight_ * now, squared_weights_ * squared_norm(now)};

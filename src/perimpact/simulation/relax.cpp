@@ -15,34 +15,31 @@ namespace perimpact {
 
 namespace {
 
-/// Σ_j c G v V/|ξ| |n_p| (|n_x| + |n_y| + |n_z|), twice, for the direction p in which it is largest [N/m⁴]: the magnitudes of a row of the
-/// stiffness, the particle's own entry included.
+/// Σ_j C_ij v V |n_p| (|n_x| + |n_y| + |n_z|), twice, for the direction p in which it is largest [N/m⁴]: the magnitudes of a row of the
+/// stiffness, the particle's own entry included. C_ij [N/m⁷] is the stiffness of a bond.
 double largest_row(const Body& body, std::size_t slot) {
-  const auto& bonds = body.family.stencil().bonds();
-  const double c = body.internal.material().bond_stiffness();
   Vec3d rows{};
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
-    if (!body.family.is_intact(slot, b)) continue;
-    const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(slot) + body.family.offsets()[b]);
-    const double stiffness = c * bonds[b].volume / bonds[b].length * body.internal.correction().stretch_factor(slot, j, body.internal.half_squares()[b]);
-    const Vec3d n{std::fabs(bonds[b].direction.x), std::fabs(bonds[b].direction.y), std::fabs(bonds[b].direction.z)};
-    rows += (2 * stiffness * (n.x + n.y + n.z)) * n;
-  }
+  body.family.for_each_bond(slot, [&](const FamilyBond& bond) {
+    const Vec3d n{std::fabs(bond.direction.x), std::fabs(bond.direction.y), std::fabs(bond.direction.z)};
+    rows += (2 * body.internal.bond_stiffness(slot, bond) * bond.volume * (n.x + n.y + n.z)) * n;
+  });
   return std::max({rows.x, rows.y, rows.z});
 }
 
 }  // namespace
 
 std::vector<double> fictitious_density(const Body& body, double dt, double safety) {
-  // the rows know nothing of the dilatation; waves of the lattice do, and need ω dt < 2
-  const double limit = exact_stable_step(body);
-  const double of_waves = body.particles.density() * (dt / limit) * (dt / limit);
-  std::vector<double> density(body.particles.lattice().slots(), 0);
+  std::vector<double> density(body.particles.slots(), 0);
   const auto slots = body.particles.slot_of();
   fccda::parallel_for(static_cast<std::ptrdiff_t>(slots.size()), [&](std::ptrdiff_t k) {
     const std::size_t slot = slots[static_cast<std::size_t>(k)];
-    density[slot] = safety * std::max(0.25 * dt * dt * largest_row(body, slot), of_waves);
+    density[slot] = 0.25 * dt * dt * largest_row(body, slot);
   });
+  // The rows know nothing of the dilatation. Of a lattice its stiffest wave does, which needs ω dt < 2; elsewhere the stiffest row stands for
+  // all. And a particle without bonds, which nothing pulls, needs some density.
+  const std::optional<double> limit = exact_stable_step(body);
+  const double least = limit ? body.particles.density() * (dt / *limit) * (dt / *limit) : *std::max_element(density.begin(), density.end());
+  for (const std::uint32_t slot : slots) density[slot] = safety * std::max(density[slot], least);
   return density;
 }
 
@@ -56,7 +53,7 @@ Relaxation::Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, do
     const double slack = 4 * std::numeric_limits<double>::epsilon() * furthest;  // [m] of a position
     search.rounding = std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) {
       const std::size_t slot = particles.slot_of()[k];
-      const double force = particles.volume() * 4 * search.density[slot] / (dt * dt) * slack;
+      const double force = particles.volume(slot) * 4 * search.density[slot] / (dt * dt) * slack;
       return force * force;
     }));
   }
@@ -73,7 +70,7 @@ std::vector<double> Relaxation::relax(std::span<Body> bodies, std::span<Boundari
   latest_ = {};
   bool starts = true;
   while (true) {
-    for (Body& body : bodies) body.internal.evaluate(body.particles, body.family);
+    for (Body& body : bodies) body.internal.evaluate_unbroken(body.particles, body.family);
     latest_.residual = residual(bodies, boundaries, time);
     if (latest_.residual <= setup_.tolerance) {
       const std::size_t before = broken_bonds();
@@ -109,9 +106,10 @@ double Relaxation::residual(std::span<Body> bodies, std::span<Boundaries> bounda
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Particles& particles = bodies[b].particles;
     const double applied = boundaries[b].balance(particles, time);
-    const double unbalanced =
-        particles.volume() *
-        std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) { return squared_norm(particles.force_density.at(particles.slot_of()[k])); }));
+    const double unbalanced = std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) {
+      const std::size_t slot = particles.slot_of()[k];
+      return squared_norm(particles.volume(slot) * particles.force_density.at(slot));
+    }));
     const double share = unbalanced / (applied + searches_[b].rounding / setup_.tolerance);
     if (!(share <= largest)) largest = share;  // also where it is not a number
   }

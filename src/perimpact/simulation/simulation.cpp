@@ -26,7 +26,8 @@ std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particl
 std::vector<Boundaries> make_boundaries(const Setup& setup, std::span<const Body> bodies) {
   std::vector<Boundaries> boundaries;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    boundaries.emplace_back(setup.bodies[b], bodies[b].particles, [](const std::string&, const std::string&) { return std::vector<std::size_t>(); });
+    boundaries.emplace_back(setup.bodies[b], elastic_of(setup.bodies[b]), bodies[b].particles,
+                            [](const std::string&, const std::string&) { return std::vector<std::size_t>(); });
   return boundaries;
 }
 

@@ -46,13 +46,13 @@ Echo echo(std::optional<double> reflection) {
 }  // namespace
 
 TEST_CASE("absorbing: of a wave's amplitude the wanted share comes back, and the layer accounts for the energy that does not") {
-  // A pulse 12 mm wide on a lattice of 1 mm; the bar has 4 by 4 particles, so that its wave speed is a few parts in a hundred off. Both change the
-  // share R^(c/c_bar) by less than a tenth.
   for (const double reflection : {0.5, 0.2}) {
     const Echo result = echo(reflection);
     CAPTURE(reflection);
-    CHECK(std::sqrt(result.energy) == doctest::Approx(reflection).epsilon(0.1));
-    CHECK(result.energy + result.absorbed == doctest::Approx(1).epsilon(1e-3));  // interpolated kinetic energy: (ω dt)² of the pulse
+    // the lattice's wave is a few parts in a hundred slower than the solid's, and R^(c/c_lattice) differs from R by that share of ln R
+    CHECK(std::sqrt(result.energy) == doctest::Approx(reflection).epsilon(0.05));
+    // 0.6 % at this step, falling with its square: forces and velocities of a leapfrog belong to different instants
+    CHECK(result.energy + result.absorbed == doctest::Approx(1).epsilon(0.01));
   }
   CHECK(echo({}).energy == doctest::Approx(1).epsilon(1e-3));
 }
@@ -71,7 +71,7 @@ TEST_CASE("absorbing: a direction in which particles are held loses nothing to t
   setup.boundaries = {{"sink", AbsorbingSetup{.region = "right", .face = Choice{face_words, 0}}}, {"end", FixedSetup{.region = "last", .directions = {"x"}}}};
   const Body body = make_body(setup);
   const Boundaries boundaries(
-      setup, body.particles,
+      setup, elastic_of(setup), body.particles,
       fixtures::slots_of(body.particles, {{"right", [](const Vec3d& X) { return X.x > 0; }}, {"last", [](const Vec3d& X) { return X.x > 0.004; }}}));
   const Absorbing& layer = std::get<Absorbing>(boundaries.all()[0].boundary);
   const auto free = [&](std::size_t axis) {

@@ -15,7 +15,7 @@ constexpr double dt = 2e-7;  // [s]
 
 Vec3d total_force(const Particles& particles) {
   Vec3d sum{};
-  for (const std::uint32_t slot : particles.slot_of()) sum += particles.volume() * particles.force_density.at(slot);
+  for (const std::uint32_t slot : particles.slot_of()) sum += particles.volume(slot) * particles.force_density.at(slot);
   return sum;
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("load: a pressure on each face of a box adds up to pressure times area
     BodySetup setup = fixtures::body_setup({.size = {0.01, 0.006, 0.004}});
     setup.boundaries = {{"push", PressureSetup{.face = face(index), .pressure = 3e6}}};
     Body body = make_body(setup);
-    Boundaries boundaries(setup, body.particles, fixtures::slots_of(body.particles, {}));
+    Boundaries boundaries(setup, elastic_of(setup), body.particles, fixtures::slots_of(body.particles, {}));
     boundaries.add_forces(body.particles, {0, dt, dt});
     const double areas[] = {0.006 * 0.004, 0.01 * 0.004, 0.01 * 0.006};
     Vec3d expected{};
@@ -72,7 +72,7 @@ TEST_CASE("load: a given area replaces that of the cells, and factors are follow
   BodySetup setup = fixtures::body_setup({.size = {0.01, 0.006, 0.004}});
   setup.boundaries = {{"pull", PressureSetup{.face = face(0), .pressure = -2e6, .area = 1e-5, .times = {0, 4 * dt}, .factors = {0, 2}}}};
   Body body = make_body(setup);
-  Boundaries boundaries(setup, body.particles, fixtures::slots_of(body.particles, {}));
+  Boundaries boundaries(setup, elastic_of(setup), body.particles, fixtures::slots_of(body.particles, {}));
   boundaries.add_forces(body.particles, {dt, 2 * dt, dt});
   CHECK(total_force(body.particles).x == doctest::Approx(0.5 * 2e6 * 1e-5).epsilon(1e-12));  // rounding
 }

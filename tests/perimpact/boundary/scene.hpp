@@ -33,9 +33,9 @@ struct BoundedBody {
 
   BoundedBody(const BodySetup& setup, const Regions& regions, double dt)
       : body(make_body(setup)),
-        boundaries(setup, body.particles, slots_of(body.particles, regions)),
+        boundaries(setup, elastic_of(setup), body.particles, slots_of(body.particles, regions)),
         clock{dt, 0},
-        travel(travel_blocks(body.particles.lattice())) {
+        travel(travel_blocks(body.particles)) {
     boundaries.place(body.particles, 0, Held::Pace::moving);
     evaluate();
   }
