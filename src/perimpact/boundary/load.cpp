@@ -16,10 +16,11 @@ Load::Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const 
 
 ForceSum Load::add_to(Particles& particles, double time) const {
   const Vec3d now = factor_.at(time) * intensity_;
-  fccda::parallel_for(static_cast<std::ptrdiff_t>(slots_.size()), [&](std::ptrdiff_t k) {
-    const std::size_t slot = slots_[static_cast<std::size_t>(k)];
-    const double share = weights_[static_cast<std::size_t>(k)] / particles.volume(slot);
-    particles.force_density.set(slot, particles.force_density.at(slot) + share * now);
+  for_each_block(slots_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t slot = slots_[k];
+      particles.force_density.set(slot, particles.force_density.at(slot) + weights_[k] / particles.volume(slot) * now);
+    }
   });
   return {total_weight_ * now, squared_weights_ * squared_norm(now)};
 }
