@@ -82,7 +82,8 @@ TEST_CASE("start: removed particles do not exist, so the body is at rest with a 
   const Body hole_free = make_body(sunk_ball(StartingInside::remove).bodies[0]);
   std::size_t stiffened = 0;
   for (const std::uint32_t slot : block.particles.slot_of())
-    if (norm(block.internal.ordinary_state()->correction().stretch().at(slot) - hole_free.internal.ordinary_state()->correction().stretch().at(slot)) > 0.01) ++stiffened;
+    if (norm(block.internal.ordinary_state()->correction().stretch().at(slot) - hole_free.internal.ordinary_state()->correction().stretch().at(slot)) > 0.01)
+      ++stiffened;
   CHECK(stiffened > 20);
 
   while (!simulation.clock().is_finished()) {
