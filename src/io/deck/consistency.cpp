@@ -53,6 +53,12 @@ void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
   const std::string path = "bodies." + body.name;
   apply_published(body, path, places);
   make_shape_consistent(body, folder, places);
+  const SurfaceCorrection correction = body.surface_correction.as<SurfaceCorrection>();
+  if (std::holds_alternative<LinearSolidSetup>(body.material) && (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
+    refuse(places.of(path + ".surface_correction"),
+           fmt::format("surface_correction is {}, but the model linear-peridynamic-solid normalises each particle by its own family, which is its correction; "
+                       "remove surface_correction.",
+                       body.surface_correction.word()));
 }
 
 void find_file(FileSurface& surface, const std::string& path, const fs::path& folder, const Places& places) {

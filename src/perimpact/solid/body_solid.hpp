@@ -30,8 +30,9 @@ class BodySolid {
   /// Sets `inside` to 1 for those points of the row that are in the body, to 0 for the others.
   void mark(const Row& row, double margin, std::span<std::uint8_t> inside) const;
 
-  fccda::Box bounds() const;             ///< [m] of shape and parts
-  std::optional<double> volume() const;  ///< [m³] where it is known: of one solid without parts and holes
+  fccda::Box bounds() const;                                              ///< [m] of shape and parts
+  double thickness() const { return united_.front().bounds().size().z; }  ///< [m] of the shape along z: of a plane body
+  std::optional<double> volume() const;                                   ///< [m³] where it is known: of one solid without parts and holes
 
  private:
   std::vector<Solid> united_;

@@ -111,16 +111,16 @@ std::vector<Solid> holes_of(const BodySetup& body) {
 }
 
 /// Into the world, along the curve, without what is in holes.
-NumberedCloud arranged(const Cloud& file, const BodySetup& body) {
+Cloud arranged(const Cloud& file, const BodySetup& body) {
   const Frame frame = frame_of(body);
   const std::vector<Solid> holes = holes_of(body);
   const double margin = surface_share * spacing_of(file);
-  NumberedCloud out{.cloud = {.thickness = file.thickness}};
+  Cloud out{.thickness = file.thickness};
   for (const std::uint32_t number : space_order(file.points)) {
     const Vec3d point = frame.to_world(file.points[number]);
     if (std::any_of(holes.begin(), holes.end(), [&](const Solid& hole) { return hole.contains(point, margin); })) continue;
-    out.cloud.points.push_back(point);
-    out.cloud.volumes.push_back(file.volumes[number]);
+    out.points.push_back(point);
+    out.volumes.push_back(file.volumes[number]);
     out.numbers.push_back(number);
   }
   if (out.numbers.empty())
@@ -130,7 +130,7 @@ NumberedCloud arranged(const Cloud& file, const BodySetup& body) {
 }
 
 template <class Shape>
-NumberedCloud cloud_of(const Shape& shape, const BodySetup& body) {
+Cloud cloud_of(const Shape& shape, const BodySetup& body) {
   const std::string key = fmt::format("bodies.{}.shape.{}", body.name, Shape::name);
   Cloud cloud;
   try {
@@ -149,7 +149,7 @@ NumberedCloud cloud_of(const Shape& shape, const BodySetup& body) {
 
 bool is_cloud(const BodySetup& body) { return std::holds_alternative<PointsShape>(body.shape) || std::holds_alternative<CellsShape>(body.shape); }
 
-NumberedCloud cloud_of(const BodySetup& body) {
+Cloud cloud_of(const BodySetup& body) {
   if (const auto* points = std::get_if<PointsShape>(&body.shape)) return cloud_of(*points, body);
   return cloud_of(std::get<CellsShape>(body.shape), body);
 }

@@ -29,6 +29,9 @@ class Crack {
 
   bool cuts(const Vec3d& one, const Vec3d& other) const;
 
+  /// False where no bond of length `reach` [m] from here can be cut.
+  bool may_reach(const Vec3d& point, double reach) const { return std::fabs(height(point)) <= reach + tolerance_; }
+
   /// A particle in the polygon, or on its edge.
   bool holds(const Vec3d& point) const { return std::fabs(height(point)) <= tolerance_ && is_in_polygon(point); }
 

@@ -14,22 +14,37 @@ namespace perimpact {
 
 bool is_plain_box(const BodySetup& body) { return std::holds_alternative<BoxSolid>(body.shape) && body.rotate == Vec3d{} && body.parts.empty(); }
 
+namespace {
+
+Vec3d size_of(const BodySetup& body, const BodySolid& solid) {
+  return is_plain_box(body) ? std::get<BoxSolid>(body.shape).size : solid.bounds().size();  // the bounds of a box far away are rounded
+}
+
+double cells_along(std::size_t axis, const BodySetup& body, const BodySolid& solid) {
+  if (axis == 2 && body.is_plane()) return 1;
+  return std::max(1.0, std::round(size_of(body, solid)[axis] / body.spacing.value()));
+}
+
+}  // namespace
+
+double slots_of(const BodySetup& body, const BodySolid& solid) {
+  const auto cells = [&](std::size_t axis) { return cells_along(axis, body, solid); };
+  return std::ceil(cells(0) / fccda::byte_lanes) * fccda::byte_lanes * cells(1) * cells(2);
+}
+
 Lattice lattice_that_fills(const BodySetup& body, const BodySolid& solid) {
-  const double spacing = body.spacing.value();
-  const fccda::Box bounds = solid.bounds();
-  const Vec3d size = is_plain_box(body) ? std::get<BoxSolid>(body.shape).size : bounds.size();
-  const auto cells = [&](std::size_t axis) { return std::max(1.0, std::round(size[axis] / spacing)); };
-  const double slots = std::ceil(cells(0) / fccda::byte_lanes) * fccda::byte_lanes * cells(1) * cells(2);  // a double: there may be too many to count
+  const double spacing = body.spacing.value(), slots = slots_of(body, solid);
   constexpr double most = std::numeric_limits<std::uint32_t>::max();
   if (!(slots < most))
     throw SetupError("bodies." + body.name + ".spacing",
                      fmt::format("a spacing of {} m takes {:.3g} cells to fill body {}, more than the {:.2g} that can be numbered; make it larger.", spacing,
                                  slots, body.name, most));
-  if (is_plain_box(body)) return lattice_of_box(size, body.position, spacing);
+  if (is_plain_box(body)) return lattice_of_box(std::get<BoxSolid>(body.shape).size, body.position, spacing, body.is_plane());
   Lattice lattice{.spacing = spacing};
-  const Vec3d centre = bounds.centre();
+  Vec3d centre = solid.bounds().centre();
+  if (body.is_plane()) centre.z = body.position.z, lattice.thickness = solid.thickness();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    lattice.cells[axis] = static_cast<int>(cells(axis));
+    lattice.cells[axis] = static_cast<int>(cells_along(axis, body, solid));
     lattice.origin[axis] = centre[axis] - 0.5 * (lattice.cells[axis] - 1) * spacing;
   }
   return lattice;

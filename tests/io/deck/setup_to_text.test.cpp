@@ -218,11 +218,17 @@ void fill_shapes(Random& random, BodySetup& body) {
   body.parts = some_solids(random), body.holes = some_solids(random), body.regions = some_solids(random);
   if (!body.spacing) body.spacing = 0.01;
   if (body.shape.index() >= 4) body.spacing.reset(), body.parts.clear();  // a cloud has none
+  const auto set_thickness = [&](auto* cloud) {
+    if (cloud) cloud->thickness = body.is_plane() ? std::optional(0.01) : std::nullopt;
+  };
+  set_thickness(std::get_if<PointsShape>(&body.shape)), set_thickness(std::get_if<CellsShape>(&body.shape));
+  if (body.is_plane() && (std::holds_alternative<SphereSolid>(body.shape) || std::holds_alternative<CylinderSolid>(body.shape)))
+    body.shape = BoxSolid{{1, 2, 3}};
   if (auto* box = std::get_if<BoxSolid>(&body.shape); box && body.parts.empty() && random() % 2) {
     body.rotate = {};
     box->size = Vec3d{3, 20, 1} * *body.spacing;
   } else {
-    body.rotate.x = 0.5;  // which no lattice fits anyhow
+    body.rotate = {0, 0, 0.5};  // which no lattice fits anyhow, and a plane body may have
   }
   for (std::size_t k = random() % 3; k > 0; --k) {
     CrackSetup& crack = body.cracks.emplace_back();
@@ -241,7 +247,7 @@ Setup some_setup(Random& random) {
     BodySetup& body = setup.bodies.emplace_back();
     fill_fields(random, body);
     body.name = name;
-    if (body.published) body.family.index = 1, body.normalisation.index = 1, body.surface_correction.index = 2;
+    if (body.published) body.family.index = 1, body.normalisation.index = 1, body.surface_correction.index = 3;
     fill_shapes(random, body);
     fill_fields(random, std::get<OrdinaryStateSetup>(body.material));
   }

@@ -17,8 +17,6 @@ using fccda::ElementKind;
 
 namespace {
 
-
-
 fixtures::GmshMesh gmsh_block(ElementKind kind, int n) {
   const fccda::Elements block = fixtures::block_of(kind, n);
   const int type = kind == ElementKind::hexahedron ? 5 : kind == ElementKind::wedge ? 6 : 4;
@@ -75,17 +73,17 @@ TEST_CASE("cloud: each solid cell of a mesh becomes a particle in its middle, of
     for (const char* name : {"block.msh", "block.inp"}) {
       CellsShape shape = cells(folder / name);
       shape.scale = 0.5;
-      const NumberedCloud found = cloud_of(body_of(shape));
-      REQUIRE(found.cloud.points.size() == std::size_t(n * n * n * cuts));
+      const Cloud found = cloud_of(body_of(shape));
+      REQUIRE(found.points.size() == std::size_t(n * n * n * cuts));
       CHECK(std::set<std::uint32_t>(found.numbers.begin(), found.numbers.end()).size() == found.numbers.size());
-      for (const double volume : found.cloud.volumes) CHECK(volume == doctest::Approx(0.125 / cuts).epsilon(1e-12));
+      for (const double volume : found.volumes) CHECK(volume == doctest::Approx(0.125 / cuts).epsilon(1e-12));
       Vec3d centre{};
-      for (const Vec3d& point : found.cloud.points) centre += point / double(found.cloud.points.size());
+      for (const Vec3d& point : found.points) centre += point / double(found.points.size());
       CHECK(norm(centre - Vec3d{0.75, 0.75, 0.75}) < 1e-12);  // rounding
       if (kind == ElementKind::hexahedron)
         for (std::size_t k = 0; k < found.numbers.size(); ++k) {
           const int c = int(found.numbers[k]);
-          CHECK(norm(found.cloud.points[k] - 0.5 * Vec3d{c % n + 0.5, c / n % n + 0.5, c / (n * n) + 0.5}) < 1e-12);
+          CHECK(norm(found.points[k] - 0.5 * Vec3d{c % n + 0.5, c / n % n + 0.5, c / (n * n) + 0.5}) < 1e-12);
         }
     }
   }
@@ -97,13 +95,13 @@ TEST_CASE("cloud: parts of a mesh may be chosen, and holes take cells out") {
   CellsShape shape = cells(folder / "block.inp");
   shape.parts = {"ice"};
   BodySetup body = body_of(shape);
-  CHECK(cloud_of(body).cloud.points.size() == 9);
+  CHECK(cloud_of(body).points.size() == 9);
   body.position = {0, 0, 7};
   body.holes = {{"drain", BoxSolid{{1, 1, 1}}, {0.5, 0.5, 0.5}, {}}};
-  const NumberedCloud with_hole = cloud_of(body);
-  CHECK(with_hole.cloud.points.size() == 8);
+  const Cloud with_hole = cloud_of(body);
+  CHECK(with_hole.points.size() == 8);
   CHECK(std::find(with_hole.numbers.begin(), with_hole.numbers.end(), 0u) == with_hole.numbers.end());
-  for (const Vec3d& point : with_hole.cloud.points) CHECK(point.z == doctest::Approx(7.5));
+  for (const Vec3d& point : with_hole.points) CHECK(point.z == doctest::Approx(7.5));
   std::string key;
   body.holes[0].shape = SphereSolid{100};
   CHECK(complaint(body, &key) == "the holes of body ice leave no particle of it; make them smaller, or move them.");
@@ -118,13 +116,13 @@ TEST_CASE("cloud: triangles and quads of a plane mesh, with a thickness") {
   fixtures::put(folder / "plate.msh", fixtures::gmsh_file(mesh));
   CellsShape shape = cells(folder / "plate.msh");
   shape.thickness = 0.1;
-  const NumberedCloud found = cloud_of(body_of(shape));
+  const Cloud found = cloud_of(body_of(shape));
   REQUIRE(found.numbers == std::vector<std::uint32_t>{0, 1});
-  CHECK(found.cloud.thickness == 0.1);
-  CHECK(found.cloud.volumes[0] == doctest::Approx(0.2).epsilon(1e-14));
-  CHECK(found.cloud.volumes[1] == doctest::Approx(0.05).epsilon(1e-14));
-  CHECK(norm(found.cloud.points[0] - Vec3d{1, 0.5, 0.5}) < 1e-14);
-  CHECK(norm(found.cloud.points[1] - Vec3d{7.0 / 3, 1.0 / 3, 0.5}) < 1e-14);
+  CHECK(found.thickness == 0.1);
+  CHECK(found.volumes[0] == doctest::Approx(0.2).epsilon(1e-14));
+  CHECK(found.volumes[1] == doctest::Approx(0.05).epsilon(1e-14));
+  CHECK(norm(found.points[0] - Vec3d{1, 0.5, 0.5}) < 1e-14);
+  CHECK(norm(found.points[1] - Vec3d{7.0 / 3, 1.0 / 3, 0.5}) < 1e-14);
 
   mesh.vertices[4].z = 0.6;
   fixtures::put(folder / "plate.msh", fixtures::gmsh_file(mesh));
@@ -136,12 +134,12 @@ TEST_CASE("cloud: triangles and quads of a plane mesh, with a thickness") {
 TEST_CASE("cloud: points keep their volumes and numbers, in an order that keeps neighbours together, where the body puts them") {
   BodySetup body = body_of(grid());
   body.position = {10, 0, 0}, body.rotate = {0, 0, std::acos(-1.0) / 2};
-  const NumberedCloud found = cloud_of(body);
+  const Cloud found = cloud_of(body);
   REQUIRE(found.numbers.size() == 64);
   for (std::size_t k = 0; k < 64; ++k) {
-    const Vec3d& given = grid().points[found.numbers[k]];
-    CHECK(norm(found.cloud.points[k] - Vec3d{10 - given.y, given.x, given.z}) < 1e-14);
-    CHECK(found.cloud.volumes[k] == grid().volumes[found.numbers[k]]);
+    const Vec3d given = grid().points[found.numbers[k]];
+    CHECK(norm(found.points[k] - Vec3d{10 - given.y, given.x, given.z}) < 1e-14);
+    CHECK(found.volumes[k] == grid().volumes[found.numbers[k]]);
   }
   // the first eighth of the curve is one corner: two points along each axis
   for (std::size_t k = 0; k < 8; ++k) CHECK(fccda::largest_magnitude(grid().points[found.numbers[k]]) <= 0.5);

@@ -98,7 +98,7 @@ TEST_CASE("crack: polygons that are none are refused in one sentence") {
         "the crack has 2 corners, but a polygon needs three or more (a line of two is enough in plane bodies only); give them in order around it.");
   CHECK(complaint({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}) == "the crack's corners lie on one line, so it has no area; move one of them off it.");
   CHECK(complaint({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}}) ==
-        "corner 1 of the crack lies 0.109 m off the plane of the others, but a crack is plane; move it, or make two cracks of it.");
+        "corner 1 of the crack lies 0.118 m off the plane of the others, but a crack is plane; move it, or make two cracks of it.");
   CHECK(complaint({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 1, 0}}) ==
         "the side behind corner 1 of the crack meets the one behind corner 3; give the corners in order around it.");
   CHECK(complaint({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == "corners 2 and 3 of the crack are one point; leave one out.");

@@ -25,7 +25,7 @@ double size_of(std::span<const Vec3d> corners) {
 std::optional<Cell> solid_cell(ElementKind kind, std::span<const Vec3d> corners) {
   const Vec3d centre = middle_of(corners);
   const double size = size_of(corners), least = nothing * size * size * size;
-  double volume = 0, smallest = 0, largest = 0;  // of the parts before each face
+  double outward = 0, inward = 0;  // volume of the parts before each side of a face, by their sign
   Vec3d moment{};
   const auto faces = faces_of(kind);
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -33,17 +33,16 @@ std::optional<Cell> solid_cell(ElementKind kind, std::span<const Vec3d> corners)
     std::array<Vec3d, 4> face;
     for (std::size_t k = 0; k < count; ++k) face[k] = corners[static_cast<std::size_t>(faces[f][f == 0 ? count - 1 - k : k])];
     const Vec3d middle = middle_of(std::span(face).first(count));
-    double before_face = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const Vec3d &a = face[k], &b = face[(k + 1) % count];
       const double part = dot(middle - centre, cross(a - centre, b - centre)) / 6;
-      before_face += part;
+      (part > 0 ? outward : inward) += part;
       moment += part * (0.25 * (centre + middle + a + b) - centre);
     }
-    volume += before_face;
-    smallest = std::min(smallest, before_face), largest = std::max(largest, before_face);
   }
-  if (!(std::fabs(volume) > least) || std::min(-smallest, largest) > least) return std::nullopt;
+  const double volume = outward + inward;
+  constexpr double folded = 1e-3;  // of the volume: a warped face may be a little concave
+  if (!(std::fabs(volume) > least) || std::min(-inward, outward) > folded * std::fabs(volume)) return std::nullopt;
   return Cell{std::fabs(volume), centre + moment / volume};
 }
 
