@@ -74,13 +74,13 @@ void check_thickness(const std::optional<double>& thickness, bool is_plane, cons
 }
 
 void make_cloud_consistent(BodySetup& body, const std::string& path, const fs::path& folder, const Places& places) {
-  const auto brings_its_own = [&](std::string_view key, std::string_view what) {
-    if (places.has(fmt::format("{}.{}", path, key)))
+  const auto brings_its_own = [&](std::string_view key, bool is_given, std::string_view what) {
+    if (is_given)
       refuse(places.of(fmt::format("{}.{}", path, key)),
              fmt::format("{} is given, but the shape of {} is a file of particles, {}; remove {}, or give a solid.", key, body.name, what, key));
   };
-  brings_its_own("spacing", "which are as far apart as they are");
-  brings_its_own("parts", "which has nothing that could be united with a solid");
+  brings_its_own("spacing", body.spacing.has_value(), "which are as far apart as they are");
+  brings_its_own("parts", !body.parts.empty(), "which has nothing that could be united with a solid");
   if (auto* cells = std::get_if<CellsShape>(&body.shape)) {
     check_thickness(cells->thickness, body.is_plane(), path + ".shape.cells", places);
     cells->file = found(cells->file, path + ".shape.cells.file", folder, places);

@@ -52,10 +52,11 @@ class Terms {
   std::vector<Vec3d> weights_;
 };
 
-/// whole/part, axis by axis; 1 where there is no bond along an axis, and so nothing to correct.
-Vec3d ratios(const Vec3d& whole, const Vec3d& part) {
-  Vec3d g;
-  for (std::size_t p = 0; p < 3; ++p) g[p] = part[p] > 0 ? whole[p] / part[p] : 1;
+/// whole/part along the first axes; 1 where there is no bond along an axis, and so nothing to correct.
+Vec3d ratios(const Vec3d& whole, const Vec3d& part, std::size_t axes) {
+  Vec3d g{1, 1, 1};
+  for (std::size_t p = 0; p < axes; ++p)
+    if (part[p] > 0) g[p] = whole[p] / part[p];
   return g;
 }
 
@@ -120,6 +121,7 @@ void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Famil
                                        const std::vector<std::uint8_t>& changed) {
   stretch_ = VectorArray(particles.slots(), particles.slack(), 1);
   dilatation_ = stretch_;
+  const std::size_t axes = particles.is_plane() ? 2 : 3;
   const Terms terms(basis, family);
   Vec3d whole_energy{basis.energy, basis.energy, basis.energy}, whole_dilatation{basis.dilatation, basis.dilatation, basis.dilatation};
   if (const Stencil* stencil = family.stencil()) {  // summed in the order of the kernel, so that a whole family has exactly 1
@@ -140,8 +142,8 @@ void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Famil
         part.energy += dot(weights, stretch_.at(slot) + stretch_.at(bond.j)) * term.energy;
         part.dilatation += dot(weights, dilatation_.at(slot) + dilatation_.at(bond.j)) * term.dilatation;
       });
-      next_stretch.set(slot, times(stretch_.at(slot), ratios(whole_energy, part.energy)));
-      next_dilatation.set(slot, times(dilatation_.at(slot), ratios(whole_dilatation, part.dilatation)));
+      next_stretch.set(slot, times(stretch_.at(slot), ratios(whole_energy, part.energy, axes)));
+      next_dilatation.set(slot, times(dilatation_.at(slot), ratios(whole_dilatation, part.dilatation, axes)));
     });
     stretch_ = std::move(next_stretch), dilatation_ = std::move(next_dilatation);
   }

@@ -64,7 +64,8 @@ TEST_CASE("solids in a deck: points are read from their file, cells have its pat
   CHECK((list.points == std::vector<Vec3d>{{0.001, 2, 3}} && list.volumes == std::vector<double>{4}));
   CHECK(!points.spacing.has_value());
   fixtures::put(folder() / "block.msh", "");
-  const BodySetup cells = read_here(plate_with(shape, "    shape: {cells: {file: block.msh, scale: 0.001, thickness: 1 mm}}\n")).setup.bodies[0];
+  const BodySetup cells =
+      read_here(plate_with(shape, "    shape: {cells: {file: block.msh, scale: 0.001, thickness: 1 mm}}\n    plane: stress\n")).setup.bodies[0];
   CHECK((std::get<CellsShape>(cells.shape).file == (folder() / "block.msh").string() && std::get<CellsShape>(cells.shape).thickness == 0.001));
 }
 
@@ -76,7 +77,7 @@ TEST_CASE("solids in a deck: a corner of a crack is three lengths") {
                    "touch it are "
                    "cut."});
   check_complaint({"    spacing:", crack + "[[0, 0, 1 s]]}}\n    spacing:", "1 s]",
-                   "z of point 1 of polygon is 1 s, but that is a time, and a length is needed, for example 9 mm."});
+                   "z of point 1 of polygon is \"1 s\", but that is a time; write a length, for example 9 mm."});
   check_complaint({"    spacing:", crack + "3}}\n    spacing:", "3}}",
                    "polygon is 3, but a list is needed, such as [[0, 0, 0], [1, 0, 0], [1, 1, 0]]. Corners of a plane "
                    "polygon in order around it, from the body's position and along its axes; in a plane body the two ends of a line. Bonds that cross or touch "
