@@ -83,7 +83,7 @@ TEST_CASE("solid bodies: the mass of the solid is known, and a lattice too coars
   CHECK(fine.filled_mass(0)->solid == doctest::Approx(perimpact::fixtures::density * std::numbers::pi / 6 * 0.016 * 0.016 * 0.016).epsilon(1e-12));
   CHECK(fine.filled_mass(0)->particles == doctest::Approx(fine.bodies()[0].particles.total_mass()));
   CHECK(!warns_of(fine, "against its solid"));
-  setup.spacing = 0.0065;  // two by two by two cells of 6.5 mm, which weigh 2.4 % more; three would not fit
+  setup.spacing = 0.0065;  // two by two by two cells, 2197 mm³ of 3217 mm³
   setup.shape = CylinderSolid{0.016, 0.016, {axis_words, 2}};
   CHECK(warns_of(Simulation(run_of(setup)), "-31.7 % against its solid of 0.02574 kg: the lattice is coarse for it. Take a smaller spacing."));
   CHECK(!Simulation(run_of(ball())).filled_mass(0).has_value());
