@@ -40,9 +40,9 @@ Panels placed(Panels panels, const Frame& frame) {
   return panels;
 }
 
-std::unique_ptr<const Surface> closed_surface(const Panels& panels, double weld, const std::string& name) {
+std::shared_ptr<const Surface> closed_surface(const Panels& panels, double weld, const std::string& name) {
   // `outside` declared, so that an open surface comes back and is told here, where one is needed that encloses something
-  auto surface = std::make_unique<const Surface>(panels, Surface::Options{.weld_distance = weld, .outside = OutsideIs::normals, .name = name});
+  auto surface = std::make_shared<const Surface>(panels, Surface::Options{.weld_distance = weld, .outside = OutsideIs::normals, .name = name});
   if (!surface->is_closed())
     throw InputError(
         fmt::format("{}: the surface is open, {} of its edges have a panel on one side only, so it has no inside that could be filled; "
@@ -57,7 +57,7 @@ SurfaceSolid::SurfaceSolid(const FileSurface& setup, const Frame& frame)
     : SurfaceSolid(placed(panels_of_file(setup), frame), setup.weld.value_or(0), setup.file) {}
 
 SurfaceSolid::SurfaceSolid(const Panels& panels, double weld, const std::string& name)
-    : surface_(closed_surface(panels, weld, name)), tree_(std::make_unique<const Bvh>(*surface_)) {}
+    : surface_(closed_surface(panels, weld, name)), tree_(std::make_shared<const Bvh>(*surface_)) {}
 
 std::optional<double> SurfaceSolid::volume() const {
   if (surface_->report().may_overlap > 0) return std::nullopt;

@@ -37,8 +37,8 @@ class SurfaceSolid {
   std::optional<double> volume() const;
 
  private:
-  std::unique_ptr<const fccda::Surface> surface_;  // where the tree finds it when this is moved
-  std::unique_ptr<const fccda::Bvh> tree_;
+  std::shared_ptr<const fccda::Surface> surface_;  // copies share it, and the tree finds it when this is moved
+  std::shared_ptr<const fccda::Bvh> tree_;
 };
 
 }  // namespace perimpact

@@ -93,8 +93,8 @@ TEST_CASE("mistakes: a value out of range, with the range in words") {
   check_complaint({"friction: 0", "friction: -0.1", "-0.1",
                    "friction is -0.1, but it must be at least 0. Coulomb's coefficient of friction between particles and impactors. "
                    "The published detector takes 0 only."});
-  check_complaint(
-      {"0.1, 0.009", "0, 0.009", "0, 0.009", "y of size is 0, but it must be above 0. Edge lengths in x, y and z; whole multiples of the spacing."});
+  check_complaint({"0.1, 0.009", "0, 0.009", "0, 0.009",
+                   "y of size is 0, but it must be above 0. Edge lengths in x, y and z. Of a body that is just this box, whole multiples of the spacing."});
   check_complaint({"panel: 0.001", "panel: 0", "0}}   #",
                    "panel is 0, but it must be above 0. Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles "
                    "reach 1.41 times it."});
