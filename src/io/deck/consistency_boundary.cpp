@@ -82,7 +82,7 @@ void refuse_face_along_z(const Choice& face, const Context& context) {
 }
 
 void check(PressureSetup& load, const Context& context) {
-  if (load.pressure == 0) refuse(context.place("pressure"), "pressure is 0, which does nothing; give one, or remove the boundary.");
+  if (load.value == 0) refuse(context.place("value"), "value is 0, which does nothing; give one, or remove the boundary.");
   refuse_face_along_z(load.face, context);
   context.check_factors(load.times, load.factors);
 }

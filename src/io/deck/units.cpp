@@ -19,6 +19,7 @@ namespace perimpact::deck {
 namespace {
 
 constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
+                              {"m3", "a volume", "1 cm3"},
                               {"s", "a time", "0.1 us"},
                               {"kg", "a mass", "1.57 kg"},
                               {"m/s", "a velocity", "32 m/s"},

@@ -98,7 +98,7 @@ Boundary made(const PressureSetup& load, const Place& place) {
     for (const std::uint32_t slot : slots) volume += particles.volume(slot);
     for (const std::uint32_t slot : slots) areas.push_back(*load.area * particles.volume(slot) / volume);
   }
-  return Load(std::move(slots), std::move(areas), -load.pressure * face.normal(), place.factor(load.times, load.factors));
+  return Load(std::move(slots), std::move(areas), -load.value * face.normal(), place.factor(load.times, load.factors));
 }
 
 Boundary made(const AbsorbingSetup& layer, const Place& place) {

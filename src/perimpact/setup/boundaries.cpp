@@ -64,7 +64,7 @@ std::span<const Field<PressureSetup>> PressureSetup::fields() {
   static const Field<S> all[] = {
       {"region", &S::region, "", {}, optional, region_sentence},
       {"face", &S::face, "", {}, required, "Which way the face looks: +x, -x, +y, -y, +z or -z. Pressed are the outermost particles that way in each row."},
-      {"pressure", &S::pressure, "Pa", any_number(), required, "Pressure, which pushes against that direction; a negative one pulls. It keeps its direction."},
+      {"value", &S::value, "Pa", any_number(), required, "Pressure, which pushes against that direction; a negative one pulls. It keeps its direction."},
       {"area", &S::area, "m2", positive(), optional,
        "Area of the face: the resultant is pressure times this. Where absent, that of the cells of a lattice; a cloud of points needs it."},
       {"times", &S::times, "s", any_number(), optional, load_times_sentence},

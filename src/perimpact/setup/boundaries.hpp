@@ -11,14 +11,13 @@
 #include "fccda/core/parameter.hpp"
 #include "fccda/core/vec3.hpp"
 #include "perimpact/setup/motion_table.hpp"
+#include "perimpact/setup/solids.hpp"
 
 namespace perimpact {
 
 using fccda::Choice;
 using fccda::Field;
 using fccda::Vec3d;
-
-inline constexpr std::string_view axis_words[] = {"x", "y", "z"};
 
 /// Outward normals of faces along the axes: 2 · axis for the positive one, 2 · axis + 1 for the negative.
 inline constexpr std::string_view face_words[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
@@ -64,7 +63,7 @@ struct PressureSetup {
   static constexpr std::string_view name = "pressure";
   std::string region;  ///< the whole body where empty
   Choice face{face_words};
-  double pressure{};           ///< [Pa] pushes into the body
+  double value{};              ///< [Pa] pushes into the body
   std::optional<double> area;  ///< [m²]; the faces of the outermost particles of a lattice where absent
   std::vector<double> times;   ///< [s] of `factors`; constant where empty
   std::vector<double> factors;

@@ -26,11 +26,6 @@ std::span<const Field<TimeSetup>> TimeSetup::fields() {
   return all;
 }
 
-std::span<const Field<BoxSolid>> BoxSolid::fields() {
-  static const Field<BoxSolid> all[] = {{"size", &BoxSolid::size, "m", positive(), required, "Edge lengths in x, y and z; whole multiples of the spacing."}};
-  return all;
-}
-
 namespace {
 
 enum class WithPoissonsRatio { no, yes };
@@ -105,9 +100,14 @@ std::span<const Field<FailureSetup>> FailureSetup::fields() {
 std::span<const Field<BodySetup>> BodySetup::fields() {
   using S = BodySetup;
   static const Field<S> all[] = {
-      {"spacing", &S::spacing, "m", positive(), required, "Distance between neighbouring particles of the lattice."},
+      {"spacing", &S::spacing, "m", positive(), optional,
+       "Distance between neighbouring particles of the lattice. Shapes of points and cells have none, all others need it."},
       {"horizon_ratio", &S::horizon_ratio, "1", between(2, 6), optional, "Horizon δ in spacings."},
-      {"position", &S::position, "m", any_number(), optional, "Where the centre of the solid is at t = 0."},
+      {"position", &S::position, "m", any_number(), optional,
+       "Where the centre of the shape is at t = 0, or the origin of its file. Parts, holes, cracks and regions are placed from here."},
+      {"rotate", &S::rotate, "rad", between(-6.2832, 6.2832), optional,
+       "Turns the shape, with parts, holes, cracks and regions, about the axes x, y and z through the position, in this order. The lattice stays along the "
+       "axes."},
       {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of all particles at t = 0."},
       {"family",
        &S::family,

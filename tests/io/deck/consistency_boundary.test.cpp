@@ -48,9 +48,9 @@ TEST_CASE("consistency of boundaries: each kind is read with its units and defau
   CHECK(prescribed.y->displacements == std::vector{0.0, 0.002});
   CHECK(!prescribed.z);
   CHECK(boundary<BodyForceSetup>("body_force: {force_density: [0, 0, -8 kN/m3]}").force_density == Vec3d{0, 0, -8000});
-  const auto pressure = boundary<PressureSetup>("pressure: {face: -y, pressure: 2 bar, area: 4 cm2, times: [0, 1 s], factors: [0, 1]}");
+  const auto pressure = boundary<PressureSetup>("pressure: {face: -y, value: 2 bar, area: 4 cm2, times: [0, 1 s], factors: [0, 1]}");
   CHECK(pressure.face.word() == "-y");
-  CHECK(pressure.pressure == 2e5);
+  CHECK(pressure.value == 2e5);
   CHECK(*pressure.area == doctest::Approx(4e-4).epsilon(1e-15));
   CHECK(boundary<AbsorbingSetup>("absorbing: {region: sink, face: +x}").reflection == 1e-3);
 }
@@ -82,8 +82,8 @@ TEST_CASE("consistency of boundaries: the course of a file is put into the setup
 
 TEST_CASE("consistency of boundaries: loads that do nothing, and factors that do not fit their times") {
   check_refused("body_force: {force_density: [0, 0, 0]}", "[0, 0, 0]", "force_density is [0, 0, 0], which does nothing; give one, or remove the boundary.");
-  check_refused("pressure: {face: +x, pressure: 0}", "0}}", "pressure is 0, which does nothing; give one, or remove the boundary.");
-  check_refused("pressure: {face: +x, pressure: 1, times: [0, 1]}", "[0, 1]", "factors has 0 values for 2 times; give one for each time.");
+  check_refused("pressure: {face: +x, value: 0}", "0}}", "value is 0, which does nothing; give one, or remove the boundary.");
+  check_refused("pressure: {face: +x, value: 1, times: [0, 1]}", "[0, 1]", "factors has 0 values for 2 times; give one for each time.");
   check_refused("body_force: {force_density: [1, 0, 0], times: [0, 0], factors: [1, 2]}", "[0, 0], f", "times holds 0 s after 0 s, but times must increase.");
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("consistency of boundaries: nothing moves along z in a plane body") {
   };
   check_plane("prescribed: {z: {velocity: 1}}", "z: {", "z");
   check_plane("body_force: {force_density: [0, 0, 1]}", "[0, 0, 1]", "force_density");
-  check_plane("pressure: {face: -z, pressure: 1}", "-z", "face");
+  check_plane("pressure: {face: -z, value: 1}", "-z", "face");
   check_plane("absorbing: {region: a, face: +z}", "+z", "face");
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("load: under its weight a free body falls by g t, and the work of the 
 TEST_CASE("load: a pressure on each face of a box adds up to pressure times area, against the face's normal") {
   for (int index = 0; index < 6; ++index) {
     BodySetup setup = fixtures::body_setup({.size = {0.01, 0.006, 0.004}});
-    setup.boundaries = {{"push", PressureSetup{.face = face(index), .pressure = 3e6}}};
+    setup.boundaries = {{"push", PressureSetup{.face = face(index), .value = 3e6}}};
     Body body = make_body(setup);
     Boundaries boundaries(setup, elastic_of(setup), body.particles, fixtures::slots_of(body.particles, {}));
     boundaries.add_forces(body.particles, {0, dt, dt});
@@ -70,7 +70,7 @@ TEST_CASE("load: on a body of any shape the last particle of each row is pressed
 
 TEST_CASE("load: a given area replaces that of the cells, and factors are followed between their times") {
   BodySetup setup = fixtures::body_setup({.size = {0.01, 0.006, 0.004}});
-  setup.boundaries = {{"pull", PressureSetup{.face = face(0), .pressure = -2e6, .area = 1e-5, .times = {0, 4 * dt}, .factors = {0, 2}}}};
+  setup.boundaries = {{"pull", PressureSetup{.face = face(0), .value = -2e6, .area = 1e-5, .times = {0, 4 * dt}, .factors = {0, 2}}}};
   Body body = make_body(setup);
   Boundaries boundaries(setup, elastic_of(setup), body.particles, fixtures::slots_of(body.particles, {}));
   boundaries.add_forces(body.particles, {dt, 2 * dt, dt});

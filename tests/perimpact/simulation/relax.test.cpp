@@ -123,7 +123,7 @@ TEST_CASE("relax: in a block under tension strain and contraction are those of t
   BodySetup setup = fixtures::body_setup({.size = {1, 0.1, 0.1}, .spacing = spacing});
   setup.material = OrdinaryStateSetup{{.youngs_modulus = 200e9, .poissons_ratio = 0.25, .density = 7850}};
   setup.boundaries = {{"clamp", FixedSetup{.region = "left", .directions = {}}},
-                      {"pull", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .pressure = -traction}}};
+                      {"pull", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = -traction}}};
   RelaxedBody block(setup, make_body(setup),
                     {{"left", [](const Vec3d& X) { return X.x < -0.5 + 3 * spacing; }}, {"right", [](const Vec3d& X) { return X.x > 0.5 - spacing; }}});
   block.to(1, {});
