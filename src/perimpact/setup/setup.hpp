@@ -100,7 +100,7 @@ struct FailureSetup {
   Choice compression{compression_words};
   std::optional<double> critical_compression;  ///< [-] positive, where compression is `limit`
   std::optional<double> weibull_modulus;       ///< [-] scatter of the strength of particles; none where absent
-  int seed = 1;                                ///< of the scatter
+  std::optional<int> seed;                     ///< of the scatter; 1 where absent
   std::vector<std::string> no_fail;            ///< names of regions
   static std::span<const Field<FailureSetup>> fields();
 };
@@ -119,7 +119,7 @@ struct BodySetup {
   bool published = false;     ///< the seed paper's discretisation: madenci-oterkus, continuum, none
   Choice plane{plane_words};  ///< of a body of two dimensions, a single layer in z
   MaterialSetup material;
-  FailureSetup failure;
+  std::optional<FailureSetup> failure;
   std::vector<SolidSetup> parts;    ///< united with the shape
   std::vector<SolidSetup> holes;    ///< taken out of it
   std::vector<SolidSetup> regions;  ///< names for what is in them
