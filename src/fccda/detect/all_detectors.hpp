@@ -7,7 +7,8 @@
 ///   nearest_outside(places, pose)                 where those belong, if they are to be put outside
 ///   moved(point), forget()                        what a detector remembers of distances does not hold any more
 ///   effort()                                      work done so far
-///   visit_state(visitor)                          what the next step depends on
+///   visit_state(visitor)                          what the next step depends on (core/state.hpp)
+///   visit_effort(visitor)                         counts of effort(), so that they go on where a run does
 #pragma once
 
 #include <variant>

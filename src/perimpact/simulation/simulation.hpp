@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fccda/core/state.hpp"
 #include "fccda/core/timers.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/setup/setup.hpp"
@@ -43,13 +44,23 @@ class Simulation {
   const Monitors& monitors() const { return monitors_; }
   std::size_t contacts() const;  ///< of the last step
 
-  /// Calls visit(name, span) for every array of the state.
+  /// All that the rest of the run, its history and its warnings depend on, as fccda/core/state.hpp says. A simulation of the same Setup
+  /// that is given another's state goes on as the other would have.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
+    visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
+    monitors_.visit_state(fccda::under("monitors", visit));
+    encounters_.visit_state(fccda::under("encounters", visit));
   }
   std::uint64_t state_hash();
+
+  /// What run.json tells of the work that contact detection was, and no step depends on.
+  template <class Visitor>
+  void visit_effort(Visitor&& visit) {
+    for (Impactor& impactor : impactors_) impactor.visit_effort(visit);
+  }
 
  private:
   Simulation(const Setup& setup, Start start);

@@ -1,0 +1,64 @@
+#include <doctest/doctest.h>
+
+#include <optional>
+
+#include "fixtures/snapshot.hpp"
+#include "io/deck/deck.hpp"
+#include "perimpact/simulation/simulation.hpp"
+
+using namespace perimpact;
+
+namespace {
+
+struct Variant {
+  const char* deck;
+  std::vector<std::string> changes = {};
+};
+
+const std::vector<std::string> small_plate = {
+    "bodies.plate.spacing=5 mm", "bodies.plate.shape.box.size=[100 mm, 100 mm, 15 mm]", "time={end: 8 us, step: 0.5 us}",
+    "impactors.cylinder.surface.cylinder.panel=5 mm", "output.lines={}", "output.history=1.5 us",
+    // breaks bonds, which the shipped plate does not
+    "bodies.plate.material.critical_stretch=1e-3"};
+
+/// The variants of cases/plate_impact/variants.sh, and the paddle.
+const std::vector<Variant> variants = {
+    {"plate_impact"},
+    {"plate_impact", {"contact.impactors.detector=analytic"}},
+    {"plate_impact", {"impactors.cylinder.region={}"}},
+    {"plate_impact", {"contact.impactors.radius_ratio=0"}},
+    {"plate_impact", {"bodies.plate.surface_correction=volume"}},
+    {"plate_impact", {"bodies.plate.surface_correction=none", "bodies.plate.material.poissons_ratio=0.3"}},
+    {"plate_impact", {"bodies.plate.published=true"}},
+    {"plate_impact", {"contact.impactors.detector=published", "contact.impactors.radius_ratio=0", "impactors.cylinder.surface.cylinder.panels=quads"}},
+    {"plate_impact", {"contact.impactors.detector=published", "contact.impactors.radius_ratio=0", "contact.impactors.reading=letter"}},
+    // turned as far as when a blade comes to the ice, and near enough to the feeder
+    {"ice_paddle",
+     {"bodies.ice.spacing=20 mm", "bodies.ice.position=[0.40, 0, 0]", "time.end=1 ms", "time.step=0.02 ms", "output.history=0.07 ms",
+      "impactors.paddle.motion.rz={times: [0, 0.3 ms], velocities: [0, -400 rad/s]}"}},
+};
+
+}  // namespace
+
+TEST_CASE("resume: each shipped deck, made small and left off at every step, ends in the same state and rows") {
+  for (const Variant& variant : variants) {
+    std::vector<std::string> changes = variant.changes;
+    if (std::string(variant.deck) == "plate_impact") changes.insert(changes.begin(), small_plate.begin(), small_plate.end());
+    const Setup setup = deck::read_deck(std::string(PROJECT_FOLDER "/cases/") + variant.deck + "/deck.yaml", changes).setup;
+    CAPTURE(variant.deck);
+    CAPTURE(variant.changes);
+    Simulation whole(setup);
+    std::optional<Simulation> resumed(std::in_place, setup);
+    while (!whole.clock().is_finished()) {
+      const fixtures::Snapshot snapshot(*resumed);
+      resumed.emplace(setup);
+      snapshot.give(*resumed);
+      whole.step(), resumed->step();
+      REQUIRE(resumed->state_hash() == whole.state_hash());
+      const auto row = whole.monitors().row(), again = resumed->monitors().row();
+      REQUIRE(std::equal(again.begin(), again.end(), row.begin(), row.end()));
+    }
+    CHECK(whole.impactors()[0].record().touched());
+    CHECK(resumed->closing_warnings() == whole.closing_warnings());
+  }
+}
