@@ -8,7 +8,7 @@
 ///   moved(point), forget()                        what a detector remembers of distances does not hold any more
 ///   effort()                                      work done so far
 ///   visit_state(visitor)                          what the next step depends on (core/state.hpp)
-///   visit_effort(visitor)                         counts of effort(), so that they go on where a run does
+///   visit_record(visitor)                         what was only counted: effort()
 #pragma once
 
 #include <variant>

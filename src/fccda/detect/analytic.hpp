@@ -91,7 +91,7 @@ class Analytic {
   template <class Visitor>
   void visit_state(Visitor&&) {}
   template <class Visitor>
-  void visit_effort(Visitor&& visit) {
+  void visit_record(Visitor&& visit) {
     effort_.visit(visit);
   }
 

@@ -111,7 +111,7 @@ class Published {
   template <class Visitor>
   void visit_state(Visitor&&) {}
   template <class Visitor>
-  void visit_effort(Visitor&& visit) {
+  void visit_record(Visitor&& visit) {
     effort_.visit(visit);
     visit("rejected_by_eq14", rejections_.by_eq14);
     visit("rejected_by_eq15", rejections_.by_eq15);

@@ -106,9 +106,9 @@ class Swept {
     visit(std::string_view("renumbered"), renumbered_);
   }
 
-  /// The same of effort(), which depends on distances known.
+  /// The same of what was only counted, which depends on distances known.
   template <class Visitor>
-  void visit_effort(Visitor&& visit) {
+  void visit_record(Visitor&& visit) {
     effort_.visit(visit);
   }
 

@@ -46,7 +46,7 @@ void write_checkpoint(const std::filesystem::path& path, Simulation& simulation,
   checkpoint::ArraysWriter file(path);
   file.text("setup", deck::setup_to_text(simulation.setup()));
   simulation.visit_state([&](std::string_view name, auto&& values) { file("state/" + std::string(name), values); });
-  simulation.visit_effort([&](std::string_view name, auto&& values) { file("effort/" + std::string(name), values); });
+  simulation.visit_record([&](std::string_view name, auto&& values) { file("record/" + std::string(name), values); });
   written.visit_state([&](std::string_view name, auto&& values) { file("written/" + std::string(name), values); });
   file.word("program", program);
   file.number("step", std::int64_t{simulation.clock().step});
@@ -82,7 +82,7 @@ Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {
                     path_.string()));
   Written written(simulation.bodies().size(), simulation.impactors().size());
   simulation.visit_state([&](std::string_view name, auto&& values) { file_("state/" + std::string(name), values); });
-  simulation.visit_effort([&](std::string_view name, auto&& values) { file_("effort/" + std::string(name), values); });
+  simulation.visit_record([&](std::string_view name, auto&& values) { file_("record/" + std::string(name), values); });
   written.visit_state([&](std::string_view name, auto&& values) { file_("written/" + std::string(name), values); });
   file_.expect_all_read();
   if (simulation.state_hash() != file_.natural("state_hash"))

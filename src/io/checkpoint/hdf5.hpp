@@ -34,6 +34,7 @@ class Handle {
 class Quiet {
  public:
   Quiet() {
+    [[maybe_unused]] static const herr_t first = H5dont_atexit();  // all is closed here; of damaged files HDF5 complains when the program ends
     H5Eget_auto2(H5E_DEFAULT, &print_, &to_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }

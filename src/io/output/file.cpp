@@ -97,6 +97,10 @@ void WholeFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const 
   if (::pread(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset)) != static_cast<ssize_t>(bytes.size())) fail(path_, EIO);
 }
 
+void WholeFile::resize(std::uint64_t size) {
+  if (::ftruncate(file_.number(), static_cast<off_t>(size)) != 0) fail(path_, errno);
+}
+
 void WholeFile::finish() {
   if (const int error = sync_file(file_.number())) fail(path_, error);  // or a power cut could leave a renamed but empty file
   int error = file_.close();

@@ -43,6 +43,7 @@ class WholeFile {
   void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
   /// Reads what was written there. Throws RunError where that is not all there.
   void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
+  void resize(std::uint64_t size);  ///< cuts the end off, or adds zeros
   void finish();
 
  private:

@@ -113,6 +113,14 @@ class Impactor {
       of_body("pinched", pinched_[b].count);
       of_body("first_pinched", pinched_[b].first);
     }
+  }
+
+  /// The same of what was only noted, and changes no step.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    auto its = fccda::under(name_, visit);
+    for (std::size_t b = 0; b < detectors_.size(); ++b)
+      std::visit([&](auto& detector) { detector.visit_record(fccda::under(std::to_string(b), its)); }, detectors_[b]);
     auto account = fccda::under("account", its);
     fccda::visit_vector(account, "impulse", account_.impulse);
     fccda::visit_vector(account, "angular_impulse", account_.angular_impulse);
@@ -120,13 +128,6 @@ class Impactor {
     auto gauges = fccda::under("gauges", its);
     for (NamedGauge& named : gauges_) named.gauge.visit_state(fccda::under(named.name, gauges));
     record_.visit_state(fccda::under("record", its));
-  }
-
-  /// What run.json tells of the work that detection was. It depends on what detectors remember of distances, so it is no state.
-  template <class Visitor>
-  void visit_effort(Visitor&& visit) {
-    for (std::size_t b = 0; b < detectors_.size(); ++b)
-      std::visit([&](auto& detector) { detector.visit_effort(fccda::under(name_ + "." + std::to_string(b), visit)); }, detectors_[b]);
   }
 
  private:

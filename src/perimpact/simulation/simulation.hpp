@@ -44,22 +44,22 @@ class Simulation {
   const Monitors& monitors() const { return monitors_; }
   std::size_t contacts() const;  ///< of the last step
 
-  /// All that the rest of the run, its history and its warnings depend on, as fccda/core/state.hpp says. A simulation of the same Setup
-  /// that is given another's state goes on as the other would have.
+  /// What the next step depends on, as fccda/core/state.hpp says. A simulation of the same Setup that is given another's state and record
+  /// goes on as the other would have.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
-    monitors_.visit_state(fccda::under("monitors", visit));
-    encounters_.visit_state(fccda::under("encounters", visit));
   }
   std::uint64_t state_hash();
 
-  /// What run.json tells of the work that contact detection was, and no step depends on.
+  /// Likewise what was noted of the run so far: no step depends on it, but history, warnings and run.json do.
   template <class Visitor>
-  void visit_effort(Visitor&& visit) {
-    for (Impactor& impactor : impactors_) impactor.visit_effort(visit);
+  void visit_record(Visitor&& visit) {
+    for (Impactor& impactor : impactors_) impactor.visit_record(visit);
+    monitors_.visit_state(fccda::under("monitors", visit));
+    encounters_.visit_state(fccda::under("encounters", visit));
   }
 
  private:

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <random>
@@ -59,12 +61,13 @@ void write(const std::filesystem::path& path, Owner owner) {
 Owner read(const std::filesystem::path& path) {
   ArraysReader file(path);
   Owner owner{{0, 0, 0, 0}, {9}, {9, 9}, {}, {0, 0, 0}, 0, 0, 0};
-  CHECK(file.text("setup") == setup);
+  const std::string text = file.text("setup");
   owner.visit_state(file);
-  CHECK(file.word("program") == "perimpact 9.8.7");
-  CHECK(file.integer("steps") == 1200);
-  CHECK(file.natural("hash") == 0xffffffffffffffff);
-  CHECK(file.number("time [s]") == 1e-7);
+  const std::string program = file.word("program");
+  const bool facts = file.integer("steps") == 1200 && file.natural("hash") == 0xffffffffffffffff && file.number("time [s]") == 1e-7;
+  CHECK(facts);
+  CHECK(text == setup);
+  CHECK(program == "perimpact 9.8.7");
   file.expect_all_read();
   return owner;
 }
@@ -92,11 +95,10 @@ TEST_CASE("checkpoint file: numbers of every type and form come back to the last
 TEST_CASE("checkpoint file: one that is cut short at any byte is refused") {
   const fixtures::TemporaryFolder folder;
   write(folder / "c.h5", {});
-  const std::string whole = fixtures::text_of(folder / "c.h5");
-  for (std::size_t size = 0; size < whole.size(); ++size) {
-    fixtures::put(folder / "cut.h5", whole.substr(0, size));
+  for (std::uintmax_t size = std::filesystem::file_size(folder / "c.h5"); size-- > 0;) {
+    std::filesystem::resize_file(folder / "c.h5", size);
     CAPTURE(size);
-    REQUIRE(complaint([&] { read(folder / "cut.h5"); }).find("cut.h5 is damaged") != std::string::npos);
+    REQUIRE(complaint([&] { read(folder / "c.h5"); }).find("c.h5 is damaged") != std::string::npos);
   }
 }
 
@@ -106,15 +108,18 @@ TEST_CASE("checkpoint file: a changed byte is refused, or is none that anything 
   const std::string whole = fixtures::text_of(folder / "c.h5");
   std::mt19937 random(1);
   std::size_t refused = 0;
-  for (std::size_t at = 0; at < whole.size(); ++at) {
-    std::string changed = whole;
-    changed[at] = static_cast<char>(static_cast<unsigned char>(changed[at]) ^ (1 + random() % 255));
-    fixtures::put(folder / "changed.h5", changed);
+  std::fstream file(folder / "c.h5", std::ios::in | std::ios::out | std::ios::binary);
+  const auto put = [&](std::size_t at, char byte) { file.seekp(static_cast<std::streamoff>(at)).put(byte).flush(); };
+  for (std::size_t at = 0; at < whole.size(); at += at < 1000 ? 1 : 1 + random() % 5) {  // the first thousand say where the rest is
+    put(at, static_cast<char>(static_cast<unsigned char>(whole[at]) ^ (1 + random() % 255)));
     CAPTURE(at);
-    const std::string said = complaint([&] { REQUIRE(read(folder / "changed.h5") == Owner{}); });
+    Owner back;
+    const std::string said = complaint([&] { back = read(folder / "c.h5"); });
+    REQUIRE(back == Owner{});
     if (!said.empty()) ++refused;
+    put(at, whole[at]);
   }
-  CHECK(refused > whole.size() / 3);  // the rest is room that HDF5 keeps free
+  CHECK(refused > 1000);  // the rest is room that HDF5 keeps free
 }
 
 TEST_CASE("checkpoint file: other names, types, lengths and numbers of arrays are refused with a sentence") {
