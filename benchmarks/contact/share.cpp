@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
     const double contact = a_step("contact"), rest = a_step("predict") + a_step("forces") + a_step("monitors");
 
     const Body& body = simulation.bodies().front();
-    const double spacing = body.particles.lattice().spacing;
+    const double spacing = body.particles.spacing();
     std::vector<Vec3d> particles;
     for (const std::uint32_t slot : body.particles.slot_of()) particles.push_back(body.particles.position.at(slot));
     const std::vector<Vec3d> impactor = filled(simulation.impactors().front(), spacing);

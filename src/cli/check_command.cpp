@@ -23,14 +23,21 @@ namespace {
 
 std::string bytes_in_words(double bytes) { return bytes < 1e9 ? fmt::format("{:.0f} MB", std::ceil(bytes / 1e6)) : fmt::format("{:.1f} GB", bytes / 1e9); }
 
+double bonds_of_particle(const Body& body) {
+  if (const Stencil* stencil = body.family.stencil()) return static_cast<double>(stencil->size());
+  return 2 * static_cast<double>(body.family.initial_bonds()) / static_cast<double>(body.particles.size());
+}
+
 void print_body(const Body& body) {
-  const auto& cells = body.particles.lattice().cells;
   fmt::print("body {}\n", body.name);
-  fmt::print("  {:<18}{} ({} x {} x {} cells of {:.4g} m)\n", "particles", body.particles.size(), cells[0], cells[1], cells[2],
-             body.particles.lattice().spacing);
-  fmt::print("  {:<18}{} ({} an interior particle, horizon {:.4g} m)\n", "bonds", body.family.initial_bonds(), body.family.stencil().size(),
-             body.family.stencil().horizon());
-  fmt::print("  {:<18}{:.5g} kg\n", "mass", body.particles.mass() * static_cast<double>(body.particles.size()));
+  if (const Lattice* lattice = body.particles.lattice())
+    fmt::print("  {:<18}{} ({} x {} x {} cells of {:.4g} m)\n", "particles", body.particles.size(), lattice->cells[0], lattice->cells[1], lattice->cells[2],
+               lattice->spacing);
+  else
+    fmt::print("  {:<18}{} (a cloud; the mean particle has edges of {:.4g} m)\n", "particles", body.particles.size(), body.particles.spacing());
+  fmt::print("  {:<18}{} ({:.0f} {} particle, horizon {:.4g} m)\n", "bonds", body.family.initial_bonds(), bonds_of_particle(body),
+             body.family.stencil() ? "an interior" : "a mean", body.family.horizon());
+  fmt::print("  {:<18}{:.5g} kg\n", "mass", body.particles.total_mass());
   fmt::print("  {:<18}{}\n", "memory", bytes_in_words(body.memory()));
 }
 
@@ -57,7 +64,7 @@ void print_rigid_body(const Impactor& impactor) {
 void print_approach(const Simulation& simulation, const Impactor& impactor) {
   const double end = static_cast<double>(simulation.clock().steps) * simulation.clock().dt;
   for (const Body& body : simulation.bodies()) {
-    const double radius = simulation.setup().contact.impactors.radius_ratio * body.particles.lattice().spacing;
+    const double radius = simulation.setup().contact.impactors.radius_ratio * body.particles.spacing();
     if (!impactor.coasts()) {
       fmt::print("  {:<18}not foretold for {}: tables or loads change the velocity\n", "first contact", body.name);
       continue;

@@ -1,23 +1,47 @@
-/// Small bodies for tests, and the sums over their bonds written as plainly as possible.
+/// Small bodies for tests: every material, in space and in the plane, on a lattice, on the same points as a cloud, and on a shaken cloud.
 #pragma once
 
 #include <random>
+#include <string>
+#include <vector>
 
 #include "perimpact/simulation/body.hpp"
 
 namespace perimpact::fixtures {
 
+enum class Model { ordinary_state, linear_solid, bond_based };
+enum class Points { lattice, listed, shaken };  ///< of the lattice; the same points with neighbour lists; a cloud of uneven points and volumes
+
 struct BodyOptions {
   Vec3d size{0.02, 0.015, 0.009};
   double spacing = 0.001;
   double poissons_ratio = 0.25;
-  SurfaceCorrection correction = SurfaceCorrection::energy;
+  SurfaceCorrection correction = SurfaceCorrection::automatic;
   FamilyRule family = FamilyRule::hu_ha_bobaru;
   Normalisation normalisation = Normalisation::lattice;
   std::optional<double> critical_stretch = {};
+  Model model = Model::ordinary_state;
+  Influence influence = Influence::inverse;  ///< of the linear solid
+  PlaneState plane = PlaneState::none;
+  Points points = Points::lattice;
 };
 
 inline constexpr double youngs_modulus = 191e9, density = 8000;
+
+inline MaterialSetup material_setup(const BodyOptions& options) {
+  const ElasticSetup elastic{youngs_modulus, options.poissons_ratio, density, options.critical_stretch};
+  switch (options.model) {
+    case Model::linear_solid: {
+      LinearSolidSetup solid{elastic};
+      solid.influence.index = static_cast<int>(options.influence);
+      return solid;
+    }
+    case Model::bond_based:
+      return BondBasedSetup{elastic};
+    default:
+      return OrdinaryStateSetup{elastic};
+  }
+}
 
 inline BodySetup body_setup(const BodyOptions& options = {}) {
   BodySetup setup;
@@ -27,24 +51,83 @@ inline BodySetup body_setup(const BodyOptions& options = {}) {
   setup.family.index = static_cast<int>(options.family);
   setup.normalisation.index = static_cast<int>(options.normalisation);
   setup.surface_correction.index = static_cast<int>(options.correction);
-  setup.material = OrdinaryStateSetup{youngs_modulus, options.poissons_ratio, density, options.critical_stretch};
+  setup.plane.index = static_cast<int>(options.plane);
+  setup.material = material_setup(options);
   return setup;
 }
 
-inline Body body(const BodyOptions& options = {}) { return make_body(body_setup(options)); }
+/// The particles of a lattice as a cloud; `uneven`: moved by up to this share of the spacing, with volumes that differ by as much.
+inline Particles as_cloud(const Particles& lattice, double uneven, unsigned seed = 7) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> move(-uneven, uneven);
+  Cloud cloud{.thickness = lattice.thickness()};
+  for (const std::uint32_t slot : lattice.slot_of()) {
+    const double h = lattice.spacing();
+    cloud.points.push_back(lattice.reference(slot) + Vec3d{h * move(random), h * move(random), lattice.is_plane() ? 0 : h * move(random)});
+    cloud.volumes.push_back(lattice.volume(slot) * (1 + move(random)));
+  }
+  return Particles(cloud, lattice.density());
+}
 
-/// Moves every particle by up to `amount` [m] in each direction.
+/// The same body with neighbour lists in place of the stencil: same law, corrections made anew from the lists.
+inline Body listed(const Body& body, const std::optional<CriticalStretch>& breaking, FamilyRule rule = FamilyRule::hu_ha_bobaru) {
+  Particles particles = as_cloud(body.particles, 0);
+  const OrdinaryStateForce& force = *body.internal.ordinary_state();
+  Family family(find_bonds(rule, body.family.horizon(), particles), particles);
+  CorrectionFactors correction(force.correction().kind(), basis_of(force.law()), family, particles);
+  InternalForce internal(OrdinaryStateForce(force.law(), breaking, std::move(correction), family, particles), particles);
+  return {body.name, std::move(particles), std::move(family), std::move(internal)};
+}
+
+inline Body body(const BodyOptions& options = {}) {
+  const BodySetup setup = body_setup(options);
+  if (options.points == Points::lattice) return make_body(setup);
+  if (options.points == Points::shaken) return make_body(setup, as_cloud(make_particles(setup), 0.2));
+  const auto breaking = options.critical_stretch ? std::optional(CriticalStretch(*options.critical_stretch)) : std::nullopt;
+  return listed(make_body(setup), breaking, options.family);
+}
+
+/// Moves every particle by up to `amount` [m] in each direction, in the plane where the body is plane.
 inline void shake(Body& body, double amount, unsigned seed = 1) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> move(-amount, amount);
-  for (const std::uint32_t slot : body.particles.slot_of())
-    body.particles.position.set(slot, body.particles.position.at(slot) + Vec3d{move(random), move(random), move(random)});
+  for (const std::uint32_t slot : body.particles.slot_of()) {
+    Vec3d moved{move(random), move(random), move(random)};
+    if (body.particles.is_plane()) moved.z = 0;
+    body.particles.position.set(slot, body.particles.position.at(slot) + moved);
+  }
 }
 
 /// Maps every particle from its reference position.
 template <class Map>
 void deform(Body& body, const Map& map) {
   for (const std::uint32_t slot : body.particles.slot_of()) body.particles.position.set(slot, map(body.particles.reference(slot)));
+}
+
+struct NamedOptions {
+  std::string name;
+  BodyOptions options;
+};
+
+/// Every material in every dimension on every kind of points: what the property tests run over.
+inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.012, 0.010, 0.008}) {
+  std::vector<NamedOptions> all;
+  const std::pair<const char*, Points> points[] = {{"lattice", Points::lattice}, {"listed", Points::listed}, {"shaken cloud", Points::shaken}};
+  const std::pair<const char*, PlaneState> planes[] = {{"space", PlaneState::none}, {"plane stress", PlaneState::stress}, {"plane strain", PlaneState::strain}};
+  for (const auto& [where, plane] : planes)
+    for (const auto& [kind, on] : points) {
+      const auto add = [&, place = std::string(where), grid = std::string(kind), on = on, plane = plane](const std::string& model, BodyOptions options) {
+        options.size = size, options.plane = plane, options.points = on;
+        all.push_back({model + ", " + place + ", " + grid, options});
+      };
+      for (const double nu : {0.1, 0.25, 0.4})
+        for (const SurfaceCorrection correction : {SurfaceCorrection::none, SurfaceCorrection::energy, SurfaceCorrection::volume})
+          add("ordinary state", {.poissons_ratio = nu, .correction = correction});
+      for (const Influence influence : {Influence::one, Influence::inverse, Influence::inverse_square, Influence::parabolic, Influence::gaussian})
+        add("linear solid", {.poissons_ratio = 0.3, .model = Model::linear_solid, .influence = influence});
+      add("bond-based", {.model = Model::bond_based});
+    }
+  return all;
 }
 
 }  // namespace perimpact::fixtures

@@ -36,6 +36,9 @@ inline constexpr std::size_t lanes = 1;
 template <class Pack>
 requires std::is_same_v<Pack, double>
 double load(const double* from) { return *from; }
+template <class Pack>
+requires std::is_same_v<Pack, double>
+double gather(const double* from, const std::int32_t* index) { return from[*index]; }  ///< from[index[lane]] in each lane
 inline void store(double* to, double a) { *to = a; }
 inline double fused(double a, double b, double c) { return std::fma(a, b, c); }  ///< a·b + c, rounded once
 inline double inverse_square_root(double a) { return 1 / std::sqrt(a); }
@@ -64,6 +67,10 @@ inline constexpr std::size_t lanes<Pack8> = 8;
 
 template <class Pack>
 requires std::is_same_v<Pack, Pack8> Pack8 load(const double* from) { return _mm512_loadu_pd(from); }
+template <class Pack>
+requires std::is_same_v<Pack, Pack8> Pack8 gather(const double* from, const std::int32_t* index) {
+  return _mm512_i32gather_pd(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), from, 8);
+}
 inline void store(double* to, Pack8 a) { _mm512_storeu_pd(to, a.v); }
 inline Pack8 fused(Pack8 a, Pack8 b, Pack8 c) { return _mm512_fmadd_pd(a.v, b.v, c.v); }
 /// 1/√a to about one unit in the last place: the 14-bit estimate y, then y (1 + e/2 + 3e²/8 + 5e³/16) with e = 1 - a y²,
@@ -100,6 +107,10 @@ inline constexpr std::size_t lanes<Pack4> = 4;
 
 template <class Pack>
 requires std::is_same_v<Pack, Pack4> Pack4 load(const double* from) { return _mm256_loadu_pd(from); }
+template <class Pack>
+requires std::is_same_v<Pack, Pack4> Pack4 gather(const double* from, const std::int32_t* index) {
+  return _mm256_i32gather_pd(from, _mm_loadu_si128(reinterpret_cast<const __m128i*>(index)), 8);
+}
 inline void store(double* to, Pack4 a) { _mm256_storeu_pd(to, a.v); }
 inline Pack4 fused(Pack4 a, Pack4 b, Pack4 c) { return _mm256_fmadd_pd(a.v, b.v, c.v); }
 inline Pack4 inverse_square_root(Pack4 a) { return _mm256_div_pd(_mm256_set1_pd(1.0), _mm256_sqrt_pd(a.v)); }

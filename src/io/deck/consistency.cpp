@@ -48,8 +48,9 @@ void apply_published(BodySetup& body, const std::string& path, const Places& pla
   body.surface_correction.index = static_cast<int>(SurfaceCorrection::none);
 }
 
-void check_whole_spacings(const BoxSolid& box, double spacing, const std::string& path, const Places& places) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+void check_whole_spacings(const BoxSolid& box, double spacing, bool is_plane, const std::string& path, const Places& places) {
+  const std::size_t axes = is_plane ? 2 : 3;  // a plane body is one layer, as thick as it is
+  for (std::size_t axis = 0; axis < axes; ++axis) {
     const double count = box.size[axis] / spacing;
     const double nearest = std::round(count);
     constexpr double tolerance = 1e-6;  // relative: forgives decimal fractions, not a wrong digit
@@ -65,7 +66,14 @@ void check_whole_spacings(const BoxSolid& box, double spacing, const std::string
 void check_body(BodySetup& body, const Places& places) {
   const std::string path = "bodies." + body.name;
   apply_published(body, path, places);
-  if (const auto* box = std::get_if<BoxSolid>(&body.shape)) check_whole_spacings(*box, body.spacing, path, places);
+  const bool is_plane = body.plane.as<PlaneState>() != PlaneState::none;
+  if (const auto* box = std::get_if<BoxSolid>(&body.shape)) check_whole_spacings(*box, body.spacing, is_plane, path, places);
+  const SurfaceCorrection correction = body.surface_correction.as<SurfaceCorrection>();
+  if (std::holds_alternative<LinearSolidSetup>(body.material) && (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
+    refuse(places.of(path + ".surface_correction"),
+           fmt::format("surface_correction is {}, but the model linear-peridynamic-solid normalises each particle by its own family, which is its correction; "
+                       "remove surface_correction.",
+                       body.surface_correction.word()));
 }
 
 void find_file(FileSurface& surface, const std::string& path, const fs::path& folder, const Places& places) {

@@ -19,10 +19,10 @@ Json body_report(const Body& body) {
   json["particles"] = body.particles.size();
   json["bonds"] = body.family.initial_bonds();
   json["intact_bonds"] = body.family.intact_bonds();
-  json["interior_family"] = body.family.stencil().size();
-  json["horizon [m]"] = body.family.stencil().horizon();
+  if (const Stencil* stencil = body.family.stencil()) json["interior_family"] = stencil->size();
+  json["horizon [m]"] = body.family.horizon();
   json["memory [byte]"] = body.memory();
-  json["mass [kg]"] = body.particles.mass() * static_cast<double>(body.particles.size());
+  json["mass [kg]"] = body.particles.total_mass();
   return json;
 }
 

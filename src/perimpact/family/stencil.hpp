@@ -1,6 +1,7 @@
 /// The family of an interior particle of a lattice: which cells it is bonded to and with which part of their volume.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "perimpact/particles/lattice.hpp"
@@ -18,31 +19,24 @@ struct StencilBond {
 
 /// What a bond stretches, to first order, when the body is pulled along the lattice axis p to unit strain and free to contract by ν across:
 /// s = n_p² - ν (1 - n_p²).
-inline double stretch_of_unit_pull(const StencilBond& bond, std::size_t p, double poissons_ratio) {
-  const double np2 = bond.direction[p] * bond.direction[p];
+inline double stretch_of_unit_pull(const Vec3d& direction, std::size_t p, double poissons_ratio) {
+  const double np2 = direction[p] * direction[p];
   return np2 - poissons_ratio * (1 - np2);
 }
-
-/// What uniform strain makes of the whole stencil; every lattice axis gives the same.
-struct StencilSums {
-  double volume;      ///< [m³] Σ v V
-  double dilatation;  ///< [m³] Σ s v V for unit strain along one axis and none across: Σ n_x² v V
-  double energy;      ///< [m⁴] Σ s² |ξ| v V for a unit pull along one axis (stretch_of_unit_pull)
-};
 
 /// Partial volumes follow the line v = (δ + Δ/2 - |ξ|)/Δ, at most 1. Hu, Ha and Bobaru (Comput. Methods Appl. Mech. Eng. 217 (2012) 247)
 /// let it fall to 0 at |ξ| = δ + Δ/2, Madenci and Oterkus cut it off at |ξ| = δ, where it is still one half (physics notes 1.6).
 /// Bonds are sorted by plane, row and column, so that a sweep reads memory forward.
 class Stencil {
  public:
-  Stencil(FamilyRule rule, double spacing, double horizon_ratio);
+  /// `thickness` [m]: of a plane body, whose stencil lies in x and y.
+  Stencil(FamilyRule rule, double spacing, double horizon_ratio, const std::optional<double>& thickness = {});
 
   const std::vector<StencilBond>& bonds() const { return bonds_; }
   std::size_t size() const { return bonds_.size(); }
   double horizon() const { return horizon_; }  ///< [m] δ
   double spacing() const { return spacing_; }  ///< [m] Δ
   int reach() const { return reach_; }         ///< in cells
-  StencilSums sums(double poissons_ratio) const;
 
  private:
   double spacing_, horizon_;

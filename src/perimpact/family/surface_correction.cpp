@@ -20,23 +20,43 @@ struct AxisTerms {
   Vec3d energy, dilatation;
 };
 
-std::vector<AxisTerms> axis_terms(const Stencil& stencil, double poissons_ratio) {
-  std::vector<AxisTerms> terms;
-  for (const StencilBond& bond : stencil.bonds()) {
-    AxisTerms& added = terms.emplace_back();
-    for (std::size_t p = 0; p < 3; ++p) {
-      const double stretch = stretch_of_unit_pull(bond, p, poissons_ratio);
-      added.energy[p] = stretch * stretch * bond.length * bond.volume;
-      added.dilatation[p] = bond.direction[p] * bond.direction[p] * bond.volume;
-    }
+AxisTerms axis_terms(const CorrectionBasis& basis, const Vec3d& direction, double length, double volume) {
+  const double stretch_weight = basis.stretch_weight(length) * volume, dilatation_weight = basis.dilatation_weight(length) * volume;
+  AxisTerms added;
+  for (std::size_t p = 0; p < 3; ++p) {
+    const double stretch = stretch_of_unit_pull(direction, p, basis.poissons_ratio);
+    added.energy[p] = stretch * stretch * stretch_weight;
+    added.dilatation[p] = direction[p] * direction[p] * dilatation_weight;
   }
-  return terms;
+  return added;
 }
 
-/// whole/part, axis by axis; 1 where there is no bond along an axis, and so nothing to correct.
-Vec3d ratios(const Vec3d& whole, const Vec3d& part) {
-  Vec3d g;
-  for (std::size_t p = 0; p < 3; ++p) g[p] = part[p] > 0 ? whole[p] / part[p] : 1;
+/// The terms of a bond, looked up where the bonds of all particles are those of the stencil.
+class Terms {
+ public:
+  Terms(const CorrectionBasis& basis, const Family& family) : basis_(basis) {
+    if (!family.stencil()) return;
+    for (const StencilBond& bond : family.stencil()->bonds()) {
+      of_stencil_.push_back(axis_terms(basis, bond.direction, bond.length, bond.volume));
+      weights_.push_back(interpolation_weights(bond.direction));
+    }
+  }
+  AxisTerms of(const FamilyBond& bond) const {
+    return of_stencil_.empty() ? axis_terms(basis_, bond.direction, bond.length, bond.volume) : of_stencil_[bond.index];
+  }
+  Vec3d weights(const FamilyBond& bond) const { return weights_.empty() ? interpolation_weights(bond.direction) : weights_[bond.index]; }
+
+ private:
+  const CorrectionBasis& basis_;
+  std::vector<AxisTerms> of_stencil_;
+  std::vector<Vec3d> weights_;
+};
+
+/// whole/part along the first axes; 1 where there is no bond along an axis, and so nothing to correct.
+Vec3d ratios(const Vec3d& whole, const Vec3d& part, std::size_t axes) {
+  Vec3d g{1, 1, 1};
+  for (std::size_t p = 0; p < axes; ++p)
+    if (part[p] > 0) g[p] = whole[p] / part[p];
   return g;
 }
 
@@ -49,80 +69,139 @@ void for_each_particle(const Particles& particles, const F& f) {
                       [&](std::ptrdiff_t particle) { f(particles.slot_of()[static_cast<std::size_t>(particle)]); });
 }
 
-/// Particles that miss a bond, or that have one to a particle that is marked in `seeds` where that is given.
-std::vector<std::uint8_t> marked(const LatticeFamily& family, const Particles& particles, const std::vector<std::uint8_t>* seeds) {
-  std::vector<std::uint8_t> marks(particles.lattice().slots(), 0);
+using Marks = std::vector<std::uint8_t>;
+
+/// Particles that have fewer bonds than the stencil; in a cloud, all.
+Marks incomplete(const Family& family, const Particles& particles) {
+  Marks marks(particles.slots(), 0);
   for_each_particle(particles, [&](std::size_t slot) {
-    for (std::size_t b = 0; b < family.stencil().size() && !marks[slot]; ++b) {
-      const bool intact = family.is_intact(slot, b);
-      marks[slot] = seeds ? intact && (*seeds)[slot + static_cast<std::size_t>(family.offsets()[b])] : !intact;
-    }
-    if (seeds && (*seeds)[slot]) marks[slot] = 1;
+    std::size_t bonds = 0;
+    family.for_each_bond(slot, [&](const FamilyBond&) { ++bonds; });
+    marks[slot] = !family.stencil() || bonds < family.stencil()->size();
+  });
+  return marks;
+}
+
+/// Those that are marked, and all that are bonded to them.
+Marks with_neighbours(const Marks& marked, const Family& family, const Particles& particles) {
+  Marks marks = marked;
+  for_each_particle(particles, [&](std::size_t slot) {
+    family.for_each_bond(slot, [&](const FamilyBond& bond) {
+      if (marked[bond.j]) marks[slot] = 1;
+    });
   });
   return marks;
 }
 
 }  // namespace
 
-CorrectionFactors::CorrectionFactors(SurfaceCorrection kind, double poissons_ratio, const LatticeFamily& family, const Particles& particles) : kind_(kind) {
-  const std::size_t slots = particles.lattice().slots();
-  plain_.assign(slots / fccda::byte_lanes, 1);
-  if (kind == SurfaceCorrection::none) return;
+CorrectionFactors::CorrectionFactors(CorrectionKind kind, const CorrectionBasis& basis, const Family& family, const Particles& particles) : kind_(kind) {
+  plain_.assign(particles.slots() / fccda::byte_lanes, 1);
+  if (kind == CorrectionKind::none) return;
 
   // Only particles at the surface, and those bonded to them, have factors other than 1; only packs bonded to these need them.
-  std::vector<std::uint8_t> changed = marked(family, particles, nullptr);
-  if (kind == SurfaceCorrection::energy) {
-    changed = marked(family, particles, &changed);
-    balance_energy(poissons_ratio, family, particles, changed);
-  } else {
-    weigh_volume(family, particles);
+  Marks changed = incomplete(family, particles);
+  switch (kind) {
+    case CorrectionKind::energy:
+      changed = with_neighbours(changed, family, particles);
+      balance_energy(basis, family, particles, changed);
+      break;
+    case CorrectionKind::volume:
+      weigh_volume(basis, family, particles);
+      break;
+    default:
+      weigh_own_family(basis, family, particles);
   }
-  const std::vector<std::uint8_t> touched = marked(family, particles, &changed);
-  for (std::size_t slot = 0; slot < slots; ++slot)
+  const Marks touched = with_neighbours(changed, family, particles);
+  for (std::size_t slot = 0; slot < touched.size(); ++slot)
     if (touched[slot]) plain_[slot / fccda::byte_lanes] = 0;
 }
 
-void CorrectionFactors::balance_energy(double poissons_ratio, const LatticeFamily& family, const Particles& particles,
+void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Family& family, const Particles& particles,
                                        const std::vector<std::uint8_t>& changed) {
-  stretch_ = VectorArray(particles.lattice().slots(), particles.slack(), 1);
+  stretch_ = VectorArray(particles.slots(), particles.slack(), 1);
   dilatation_ = stretch_;
-  const std::vector<AxisTerms> terms = axis_terms(family.stencil(), poissons_ratio);
-  std::vector<Vec3d> weights;
-  AxisTerms whole{};
-  for (std::size_t b = 0; b < terms.size(); ++b) {
-    weights.push_back(interpolation_weights(family.stencil().bonds()[b].direction));
-    whole.energy += terms[b].energy, whole.dilatation += terms[b].dilatation;
+  const std::size_t axes = particles.is_plane() ? 2 : 3;
+  const Terms terms(basis, family);
+  Vec3d whole_energy{basis.energy, basis.energy, basis.energy}, whole_dilatation{basis.dilatation, basis.dilatation, basis.dilatation};
+  if (const Stencil* stencil = family.stencil()) {  // summed in the order of the kernel, so that a whole family has exactly 1
+    whole_energy = whole_dilatation = {};
+    for (const StencilBond& bond : stencil->bonds()) {
+      const AxisTerms term = axis_terms(basis, bond.direction, bond.length, bond.volume);
+      whole_energy += term.energy, whole_dilatation += term.dilatation;
+    }
   }
   for (int sweep = 0; sweep <= sweeps; ++sweep) {  // the first makes the g_p of Madenci and Oterkus
     VectorArray next_stretch = stretch_, next_dilatation = dilatation_;
     for_each_particle(particles, [&](std::size_t slot) {
       if (!changed[slot]) return;
       AxisTerms part{};
-      for (std::size_t b = 0; b < terms.size(); ++b) {
-        if (!family.is_intact(slot, b)) continue;
-        const std::size_t j = slot + static_cast<std::size_t>(family.offsets()[b]);
-        part.energy += dot(weights[b], stretch_.at(slot) + stretch_.at(j)) * terms[b].energy;
-        part.dilatation += dot(weights[b], dilatation_.at(slot) + dilatation_.at(j)) * terms[b].dilatation;
-      }
-      next_stretch.set(slot, times(stretch_.at(slot), ratios(whole.energy, part.energy)));
-      next_dilatation.set(slot, times(dilatation_.at(slot), ratios(whole.dilatation, part.dilatation)));
+      family.for_each_bond(slot, [&](const FamilyBond& bond) {
+        const AxisTerms term = terms.of(bond);
+        const Vec3d weights = terms.weights(bond);
+        part.energy += dot(weights, stretch_.at(slot) + stretch_.at(bond.j)) * term.energy;
+        part.dilatation += dot(weights, dilatation_.at(slot) + dilatation_.at(bond.j)) * term.dilatation;
+      });
+      next_stretch.set(slot, times(stretch_.at(slot), ratios(whole_energy, part.energy, axes)));
+      next_dilatation.set(slot, times(dilatation_.at(slot), ratios(whole_dilatation, part.dilatation, axes)));
     });
     stretch_ = std::move(next_stretch), dilatation_ = std::move(next_dilatation);
   }
 }
 
-void CorrectionFactors::weigh_volume(const LatticeFamily& family, const Particles& particles) {
-  volume_ = ScalarArray(particles.lattice().slots(), particles.slack(), 0.5);
-  double whole = 0;
-  for (const StencilBond& bond : family.stencil().bonds()) whole += bond.volume;
+void CorrectionFactors::weigh_volume(const CorrectionBasis& basis, const Family& family, const Particles& particles) {
+  volume_ = ScalarArray(particles.slots(), particles.slack(), 0.5);
+  double whole = basis.volume;
+  if (const Stencil* stencil = family.stencil()) {
+    whole = 0;
+    for (const StencilBond& bond : stencil->bonds()) whole += bond.volume;
+  }
   for_each_particle(particles, [&](std::size_t slot) { volume_.component(0)[slot] = 0.5 * family.initial_volume(slot) / whole; });
 }
 
-double CorrectionFactors::stretch_factor(std::size_t i, std::size_t j, const Vec3d& weights) const {
-  if (kind_ == SurfaceCorrection::none) return 1;
-  if (kind_ == SurfaceCorrection::volume) return 1 / (volume_.component(0)[i] + volume_.component(0)[j]);
-  const Vec3d sum = stretch_.at(i) + stretch_.at(j);
+void CorrectionFactors::weigh_own_family(const CorrectionBasis& basis, const Family& family, const Particles& particles) {
+  own_family_ = ScalarArray(particles.slots(), particles.slack(), 0.5);
+  double whole = basis.weighted;
+  if (const Stencil* stencil = family.stencil()) {
+    whole = 0;
+    for (const StencilBond& bond : stencil->bonds()) whole += basis.dilatation_weight(bond.length) * bond.volume;
+  }
+  for_each_particle(particles, [&](std::size_t slot) {
+    double own = 0;
+    family.for_each_bond(slot, [&](const FamilyBond& bond) { own += basis.dilatation_weight(bond.length) * bond.volume; });
+    if (own > 0) own_family_.component(0)[slot] = 0.5 * whole / own;
+  });
+}
+
+namespace {
+double energy_factor(const VectorArray& g, std::size_t i, std::size_t j, const Vec3d& weights) {
+  const Vec3d sum = g.at(i) + g.at(j);
   return std::fma(weights.z, sum.z, std::fma(weights.y, sum.y, weights.x * sum.x));
+}
+}  // namespace
+
+double CorrectionFactors::stretch_factor(std::size_t i, std::size_t j, const Vec3d& weights) const {
+  switch (kind_) {
+    case CorrectionKind::energy:
+      return energy_factor(stretch_, i, j, weights);
+    case CorrectionKind::volume:
+      return 1 / (volume_.component(0)[i] + volume_.component(0)[j]);
+    case CorrectionKind::family:
+      return own_family_.component(0)[i] + own_family_.component(0)[j];
+    case CorrectionKind::none:
+      break;
+  }
+  return 1;
+}
+
+double CorrectionFactors::dilatation_factor(std::size_t i, std::size_t j, const Vec3d& weights) const {
+  if (kind_ == CorrectionKind::energy) return energy_factor(dilatation_, i, j, weights);
+  return kind_ == CorrectionKind::volume ? stretch_factor(i, j, weights) : 1;
+}
+
+double CorrectionFactors::bytes() const {
+  const std::size_t numbers = 3 * (stretch_.slots() + dilatation_.slots()) + volume_.slots() + own_family_.slots();
+  return static_cast<double>(sizeof(double) * numbers + plain_.size());
 }
 
 }  // namespace perimpact

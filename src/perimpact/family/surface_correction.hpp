@@ -1,49 +1,68 @@
 /// Particles near a surface miss bonds, so the body is too soft there. A correction multiplies each bond by a factor made from
-/// numbers of its two particles; nothing is stored per bond. Factors stay as they are when bonds break.
+/// numbers of its two particles; nothing is stored per bond of a lattice. Factors stay as they are when bonds break.
 ///
-/// energy  (after Madenci and Oterkus 2014, ch. 4.2; default): a pull along each lattice axis p, and a unit strain along it, give numbers
-///         g_p = (what the interior family sums to)/(what this family sums to), once for the bonds' energy Σ s² |ξ| v V and once for the
-///         dilatation Σ s v V. A bond's factor is Σ_p n_p² (g_p(i) + g_p(j))/2: no root, no division in the kernel, where they take the
+/// energy  (after Madenci and Oterkus 2014, ch. 4.2; default): a pull along each axis p, and a unit strain along it, give numbers
+///         g_p = (what a whole family sums to)/(what this family sums to), once for the bonds' energy Σ ω_e e² v V and once for the
+///         dilatation Σ ω_θ |ξ| e v V. A bond's factor is Σ_p n_p² (g_p(i) + g_p(j))/2: no root, no division in the kernel, where they take the
 ///         ellipsoid 1/√Σ_p (n_p/g_p)². Theirs is the smaller of the two means, and both leave thin bodies too stiff, because bonds between
 ///         a particle at the surface and one deeper inside count for both: a bar of 10 × 10 particles by 7 % (theirs 6 %). So the g_p of
 ///         all particles that have such bonds are then improved `sweeps` times by the ratio that is left: under 1 % on that bar after
 ///         four. More of them take from the bending stiffness (six layers: 0.92 of the classical without, 0.91 after four, 0.90 after
 ///         eight), and the factors begin to alternate from particle to particle.
-/// volume  (Le and Bobaru, Comput. Mech. 61 (2018) 499): 2 V₀/(V_i + V_j) with V = Σ v V, V₀ that of the interior lattice.
+///         In a cloud no family is whole, so all particles are corrected, and the factors also make up for its unevenness.
+/// volume  (Le and Bobaru, Comput. Mech. 61 (2018) 499): 2 V₀/(V_i + V_j) with V = Σ v V, V₀ that of a whole family.
+/// family  (linear peridynamic solid): every particle is normalised by its own weighted volume m_i; g_i = m/m_i multiplies its dilatation, and
+///         (g_i + g_j)/2 its bonds.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
-#include "perimpact/family/lattice_family.hpp"
+#include "perimpact/family/family.hpp"
 
 namespace perimpact {
+
+enum class CorrectionKind { none, energy, volume, family };
+
+/// What corrections know of the material.
+struct CorrectionBasis {
+  double poissons_ratio;                            ///< in the plane, that of the plane
+  std::function<double(double)> dilatation_weight;  ///< [m²] ω_θ |ξ|² by length
+  std::function<double(double)> stretch_weight;     ///< [m²] ω_e |ξ|² by length
+  double volume, weighted, dilatation, energy;      ///< of a whole family: material/ordinary_state.hpp, FamilySums
+};
 
 class CorrectionFactors {
  public:
   /// Factors of the body as cut out: holes are cut before, cracks after this.
-  CorrectionFactors(SurfaceCorrection kind, double poissons_ratio, const LatticeFamily& family, const Particles& particles);
+  CorrectionFactors(CorrectionKind kind, const CorrectionBasis& basis, const Family& family, const Particles& particles);
 
   static constexpr int sweeps = 4;  ///< of the energy correction
 
-  SurfaceCorrection kind() const { return kind_; }
+  CorrectionKind kind() const { return kind_; }
   const VectorArray& stretch() const { return stretch_; }        ///< g_p of the bonds' energy [-]
   const VectorArray& dilatation() const { return dilatation_; }  ///< g_p of the dilatation [-]
   const ScalarArray& volume() const { return volume_; }          ///< V/(2 V₀) [-]
+  const ScalarArray& own_family() const { return own_family_; }  ///< g/2 [-]
 
   /// True where every bond of slots 8·eight … 8·eight + 7 has the factor 1, so that the plain kernel gives the same bits.
   bool is_plain(std::size_t eight) const { return plain_[eight] != 0; }
 
-  /// The energy factor of one bond, as the kernel computes it, for tests and for the stable step.
+  /// The factors of one bond, as the kernel computes them. `weights`: interpolation_weights of its direction.
   double stretch_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;
+  double dilatation_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;  ///< of energy and volume; else 1
+
+  double bytes() const;  ///< [bytes] of memory
 
  private:
-  void balance_energy(double poissons_ratio, const LatticeFamily& family, const Particles& particles, const std::vector<std::uint8_t>& changed);
-  void weigh_volume(const LatticeFamily& family, const Particles& particles);
+  void balance_energy(const CorrectionBasis& basis, const Family& family, const Particles& particles, const std::vector<std::uint8_t>& changed);
+  void weigh_volume(const CorrectionBasis& basis, const Family& family, const Particles& particles);
+  void weigh_own_family(const CorrectionBasis& basis, const Family& family, const Particles& particles);
 
-  SurfaceCorrection kind_;
+  CorrectionKind kind_;
   VectorArray stretch_, dilatation_;
-  ScalarArray volume_;
+  ScalarArray volume_, own_family_;
   std::vector<std::uint8_t> plain_;
 };
 

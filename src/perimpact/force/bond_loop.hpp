@@ -1,4 +1,4 @@
-/// The loop over the bonds of a pack of particles on a lattice. Every pass over bonds is this loop with another body.
+/// The loop over the bonds of a pack of particles: once for all materials and all passes, over the two kinds of geometry.
 #pragma once
 
 #include <array>
@@ -8,19 +8,66 @@
 
 #include "fccda/core/pack.hpp"
 #include "fccda/core/vec3.hpp"
+#include "perimpact/family/family.hpp"
 
 namespace perimpact {
 
 using fccda::Vec3;
 
+/// The bonds of a lattice: the neighbours of a row of particles are a row too.
+class StencilBonds {
+ public:
+  explicit StencilBonds(Family& family) : family_(family), offsets_(family.offsets()) {}
+
+  template <class Pack>
+  struct Neighbour {
+    std::ptrdiff_t slot;  // of the first lane
+    Pack of(const double* values) const { return fccda::load<Pack>(values + slot); }
+  };
+  std::uint8_t* bytes(std::size_t eight) const { return family_.bytes(eight); }
+  std::size_t rows(std::size_t) const { return offsets_.size(); }
+  std::size_t index(std::size_t, std::size_t row, std::size_t) const { return row; }
+  template <class Pack>
+  Neighbour<Pack> neighbour(std::size_t slot, std::size_t index) const {
+    return {static_cast<std::ptrdiff_t>(slot) + offsets_[index]};
+  }
+
+ private:
+  Family& family_;
+  std::span<const std::ptrdiff_t> offsets_;
+};
+
+/// The bonds of a cloud: each lane has its own neighbour.
+class ListedBonds {
+ public:
+  explicit ListedBonds(Family& family) : family_(family), list_(*family.list()) {}
+
+  template <class Pack>
+  struct Neighbour {
+    const std::int32_t* slots;
+    Pack of(const double* values) const { return fccda::gather<Pack>(values, slots); }
+  };
+  std::uint8_t* bytes(std::size_t eight) const { return family_.bytes(eight); }
+  std::size_t rows(std::size_t eight) const { return list_.begin[eight + 1] - list_.begin[eight]; }
+  std::size_t index(std::size_t eight, std::size_t row, std::size_t first) const { return (list_.begin[eight] + row) * fccda::byte_lanes + first; }
+  template <class Pack>
+  Neighbour<Pack> neighbour(std::size_t, std::size_t index) const {
+    return {list_.neighbour.data() + index};
+  }
+
+ private:
+  Family& family_;
+  const BondList& list_;
+};
+
 /// One bond of each particle of a pack, as it is now.
-template <class Pack>
+template <class Pack, class Bonds>
 struct BondNow {
-  std::size_t index;    ///< of the bond in the stencil
-  std::ptrdiff_t j;     ///< slot of the first lane's neighbour
-  unsigned intact;      ///< bit l: the bond of lane l exists
-  Vec3<Pack> between;   ///< y_j - y_i [m]
-  Pack squared_length;  ///< [m²]
+  std::size_t index;                                   ///< of the bond in the stencil, or of the first lane's entry in the list
+  typename Bonds::template Neighbour<Pack> neighbour;  ///< neighbour.of(array): the neighbours' values
+  unsigned intact;                                     ///< bit l: the bond of lane l exists
+  Vec3<Pack> between;                                  ///< y_j - y_i [m]
+  Pack squared_length;                                 ///< [m²]
 };
 
 /// Says of no bond that it breaks.
@@ -28,39 +75,45 @@ struct Unbreakable {
   static constexpr bool is_armed = false;
 };
 
-/// Breaks bonds longer than a limit given per stencil bond, and counts them.
+/// Breaks bonds longer than their limit, and counts them. Limits: `of<Pack>(index)`, squared [m²].
+template <class Limits>
 struct BreakBeyond {
   static constexpr bool is_armed = true;
-  std::span<const double> squared_limits;  ///< [m²]
-  std::size_t& broken;                     ///< bond ends broken
+  Limits limits;
+  std::size_t& broken;  ///< bond ends broken
+
+  template <class Pack>
+  unsigned bits(std::size_t index, Pack squared_length) const {
+    return fccda::bits_where_greater(squared_length, limits.template of<Pack>(index));
+  }
 };
 
-/// Calls per_bond(BondNow<Pack>) for every bond of the stencil that at least one particle of the pack still has.
+/// Calls per_bond(BondNow) for every bond that at least one particle of the pack still has. `x`: components of the current positions.
 ///
-/// `x`: components of the current positions; `bytes`: bond bits of the eight slots that hold the pack, `first` its first lane among them.
 /// Breaking is done here, where the squared length is at hand: a pass of its own costs 45 % more, this one 10 to 20 %. Both ends of a bond
 /// compute the same squared length to the last bit, so that they break together.
-template <class Pack, class Breaking, class PerBond>
-inline void for_each_bond(const std::array<const double*, 3>& x, std::span<const std::ptrdiff_t> offsets, std::uint8_t* bytes, std::size_t slot,
-                          std::size_t first, const Breaking& breaking, PerBond&& per_bond) {
+template <class Pack, class Bonds, class Breaking, class PerBond>
+inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>& x, std::size_t slot, const Breaking& breaking, PerBond&& per_bond) {
   using namespace fccda;
   const Vec3<Pack> xi{load<Pack>(x[0] + slot), load<Pack>(x[1] + slot), load<Pack>(x[2] + slot)};
-  const std::size_t count = offsets.size();
-  for (std::size_t b = 0; b < count; ++b) {
-    unsigned intact = pack_bits<Pack>(bytes[b], first);
+  const std::size_t eight = slot / byte_lanes, first = slot % byte_lanes, rows = bonds.rows(eight);
+  std::uint8_t* bytes = bonds.bytes(eight);
+  for (std::size_t row = 0; row < rows; ++row) {
+    unsigned intact = pack_bits<Pack>(bytes[row], first);
     if (intact == 0) continue;
-    const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(slot) + offsets[b];
-    const Vec3<Pack> between{load<Pack>(x[0] + j) - xi.x, load<Pack>(x[1] + j) - xi.y, load<Pack>(x[2] + j) - xi.z};
+    const std::size_t index = bonds.index(eight, row, first);
+    const auto neighbour = bonds.template neighbour<Pack>(slot, index);
+    const Vec3<Pack> between{neighbour.of(x[0]) - xi.x, neighbour.of(x[1]) - xi.y, neighbour.of(x[2]) - xi.z};
     const Pack squared_length = fused(between.z, between.z, fused(between.y, between.y, between.x * between.x));
     if constexpr (Breaking::is_armed) {
-      const unsigned broken = intact & bits_where_greater(squared_length, Pack(breaking.squared_limits[b]));
+      const unsigned broken = intact & breaking.template bits<Pack>(index, squared_length);
       if (broken) [[unlikely]] {
-        bytes[b] = static_cast<std::uint8_t>(bytes[b] & ~(broken << first));
+        bytes[row] = static_cast<std::uint8_t>(bytes[row] & ~(broken << first));
         breaking.broken += static_cast<std::size_t>(__builtin_popcount(broken));
         intact &= ~broken;
       }
     }
-    per_bond(BondNow<Pack>{b, j, intact, between, squared_length});
+    per_bond(BondNow<Pack, Bonds>{index, neighbour, intact, between, squared_length});
   }
 }
 

@@ -17,8 +17,8 @@ struct PlainBonds {
   OfParticle<Pack> of(std::size_t) const {
     return {};
   }
-  template <class Pack>
-  Pack corrected(Pack value, const OfParticle<Pack>&, std::size_t, std::ptrdiff_t) const {
+  template <class Pack, class Neighbour>
+  Pack corrected(Pack value, const OfParticle<Pack>&, std::size_t, const Neighbour&) const {
     return value;
   }
 };
@@ -34,12 +34,12 @@ struct EnergyFactor {
   OfParticle<Pack> of(std::size_t slot) const {
     return {fccda::load<Pack>(g[0] + slot), fccda::load<Pack>(g[1] + slot), fccda::load<Pack>(g[2] + slot)};
   }
-  template <class Pack>
-  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t bond, std::ptrdiff_t j) const {
+  template <class Pack, class Neighbour>
+  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t bond, const Neighbour& j) const {
     const Vec3d& w = half_squares[bond];
-    Pack factor = Pack(w.x) * (i.x + fccda::load<Pack>(g[0] + j));
-    factor = fccda::fused(Pack(w.y), i.y + fccda::load<Pack>(g[1] + j), factor);
-    factor = fccda::fused(Pack(w.z), i.z + fccda::load<Pack>(g[2] + j), factor);
+    Pack factor = Pack(w.x) * (i.x + j.of(g[0]));
+    factor = fccda::fused(Pack(w.y), i.y + j.of(g[1]), factor);
+    factor = fccda::fused(Pack(w.z), i.z + j.of(g[2]), factor);
     return value * factor;
   }
 };
@@ -54,10 +54,51 @@ struct VolumeFactor {
   OfParticle<Pack> of(std::size_t slot) const {
     return fccda::load<Pack>(half_volume + slot);
   }
-  template <class Pack>
-  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t, std::ptrdiff_t j) const {
-    return value / (i + fccda::load<Pack>(half_volume + j));
+  template <class Pack, class Neighbour>
+  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t, const Neighbour& j) const {
+    return value / (i + j.of(half_volume));
   }
 };
+
+/// (g_i + g_j)/2, g = m/m_i.
+struct FamilyFactor {
+  const double* half;  ///< g/2
+
+  template <class Pack>
+  using OfParticle = Pack;
+  template <class Pack>
+  OfParticle<Pack> of(std::size_t slot) const {
+    return fccda::load<Pack>(half + slot);
+  }
+  template <class Pack, class Neighbour>
+  Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t, const Neighbour& j) const {
+    return value * (i + j.of(half));
+  }
+};
+
+/// The factors of a bond's stretch term and of its dilatation terms, and of a particle's dilatation.
+template <class Stretch, class Dilatation, bool by_family = false>
+struct Corrections {
+  Stretch stretch;
+  Dilatation dilatation;
+  const double* half_of_family = nullptr;
+
+  /// g θ: what bonds push with, where θ = g Σ is the dilatation (by_family); else θ = Σ itself.
+  template <class Pack>
+  Pack pushing(Pack sum, std::size_t slot) const {
+    if constexpr (!by_family) return sum;
+    const Pack half = fccda::load<Pack>(half_of_family + slot);
+    return sum * (half + half) * (half + half);
+  }
+  /// The dilatation again, from what `pushing` made of it.
+  template <class Pack>
+  Pack dilatation_of(Pack pushing, std::size_t slot) const {
+    if constexpr (!by_family) return pushing;
+    const Pack half = fccda::load<Pack>(half_of_family + slot);
+    return pushing / (half + half);
+  }
+};
+
+using NoCorrections = Corrections<PlainBonds, PlainBonds>;
 
 }  // namespace perimpact

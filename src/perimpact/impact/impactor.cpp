@@ -42,7 +42,7 @@ Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& c
 
 std::vector<double> spacings_of(std::span<Particles* const> bodies) {
   std::vector<double> spacings;
-  for (const Particles* particles : bodies) spacings.push_back(particles->lattice().spacing);
+  for (const Particles* particles : bodies) spacings.push_back(particles->spacing());
   return spacings;
 }
 
@@ -69,7 +69,7 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       pinched_(bodies.size()),
       gauges_(gauges_of(setup, *surface_, body_)),
       record_(*surface_, spacings_of(bodies)) {
-  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, region_.region, particles->lattice().spacing));
+  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, region_.region, particles->spacing()));
 }
 
 std::vector<std::size_t> Impactor::starting_inside(std::size_t body, const StruckParticles& particles) const {

@@ -9,18 +9,18 @@
 
 namespace perimpact {
 
-/// Point i is slot i of the lattice. Positions are those at the end of the step, the velocities led there.
+/// Point i is slot i. Positions are those at the end of the step, the velocities led there.
 class StruckParticles {
  public:
   /// `travel`: what advance() wrote for this step.
   StruckParticles(Particles& particles, std::span<const double> travel, double dt) : particles_(particles), travel_(travel), dt_(dt) {}
 
-  std::size_t size() const { return particles_.lattice().slots(); }
+  std::size_t size() const { return particles_.slots(); }
   bool occupied(std::size_t slot) const { return particles_.is_occupied(slot); }
   Vec3d position_t1(std::size_t slot) const { return particles_.position.at(slot); }
   Vec3d position_t0(std::size_t slot) const { return particles_.position.at(slot) - dt_ * particles_.velocity.at(slot); }
   Vec3d velocity(std::size_t slot) const { return particles_.velocity.at(slot); }
-  double mass(std::size_t) const { return particles_.mass(); }
+  double mass(std::size_t slot) const { return particles_.mass(slot); }
 
   std::size_t block_count() const { return travel_.size(); }
   std::size_t block_begin(std::size_t block) const { return block * travel_block; }

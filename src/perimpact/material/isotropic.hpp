@@ -1,15 +1,30 @@
-/// Constants of an isotropic linear elastic solid.
+/// Constants of an isotropic linear elastic solid, in space or in the plane.
+///
+/// In the plane they are those of a solid of two dimensions: plane stress keeps E and ν; plane strain is the same with E/(1 - ν²) and
+/// ν/(1 - ν) in their place (Timoshenko and Goodier, Theory of Elasticity, 1970, art. 16). All formulas below then hold for both.
 #pragma once
 
 namespace perimpact {
 
-struct IsotropicElastic {
-  double youngs_modulus;  ///< [Pa] E
-  double poissons_ratio;  ///< [-] ν
+enum class Plane { none, stress, strain };
 
-  double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }     ///< [Pa] µ
-  double bulk_modulus() const { return youngs_modulus / (3 * (1 - 2 * poissons_ratio)); }  ///< [Pa] κ
-  double p_wave_modulus() const { return bulk_modulus() + 4.0 / 3.0 * shear_modulus(); }   ///< [Pa] λ + 2µ
+struct IsotropicElastic {
+  double youngs_modulus;  ///< [Pa] E; of plane strain, E/(1 - ν²)
+  double poissons_ratio;  ///< [-] ν; of plane strain, ν/(1 - ν)
+  int dimension = 3;
+
+  /// Of a material with these constants in three dimensions.
+  static IsotropicElastic in(Plane plane, double youngs_modulus, double poissons_ratio) {
+    if (plane == Plane::none) return {youngs_modulus, poissons_ratio, 3};
+    if (plane == Plane::stress) return {youngs_modulus, poissons_ratio, 2};
+    return {youngs_modulus / (1 - poissons_ratio * poissons_ratio), poissons_ratio / (1 - poissons_ratio), 2};
+  }
+
+  double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }  ///< [Pa] µ
+  /// [Pa] κ: E/(3 (1 - 2ν)) in space, E/(2 (1 - ν)) in the plane.
+  double bulk_modulus() const { return youngs_modulus / (dimension * (1 - (dimension - 1) * poissons_ratio)); }
+  double lame_modulus() const { return bulk_modulus() - 2.0 / dimension * shear_modulus(); }  ///< [Pa] λ
+  double p_wave_modulus() const { return lame_modulus() + 2 * shear_modulus(); }              ///< [Pa] λ + 2µ
 };
 
 }  // namespace perimpact

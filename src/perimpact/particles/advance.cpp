@@ -9,10 +9,10 @@ namespace perimpact {
 using namespace fccda;
 
 void advance(Particles& particles, double dt, std::span<double> travel) {
-  EXPECTS(travel.size() == travel_blocks(particles.lattice()));
+  EXPECTS(travel.size() == travel_blocks(particles));
   using Pack = NativePack;
   const Pack kick(dt / particles.density()), drift(dt);
-  const std::size_t slots = particles.lattice().slots();
+  const std::size_t slots = particles.slots();
   parallel_for(static_cast<std::ptrdiff_t>(travel.size()), [&](std::ptrdiff_t block) {
     const std::size_t begin = static_cast<std::size_t>(block) * travel_block, end = std::min(begin + travel_block, slots);
     Pack fastest(0.0);

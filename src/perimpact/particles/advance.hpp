@@ -11,8 +11,8 @@ namespace perimpact {
 /// Slots of which contact asks for one common bound on the way they went in the step.
 inline constexpr std::size_t travel_block = 64;
 
-/// Number of blocks that cover the slots of the lattice.
-inline std::size_t travel_blocks(const Lattice& lattice) { return (lattice.slots() + travel_block - 1) / travel_block; }
+/// Number of blocks that cover all slots.
+inline std::size_t travel_blocks(const Particles& particles) { return (particles.slots() + travel_block - 1) / travel_block; }
 
 /// Advances all particles by dt [s]; travel[b] becomes the longest way [m] that any particle of block b went.
 void advance(Particles& particles, double dt, std::span<double> travel);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "fccda/core/pack.hpp"
 #include "fccda/core/vec3.hpp"
@@ -15,9 +16,12 @@ namespace perimpact {
 using fccda::Vec3d;
 
 struct Lattice {
-  std::array<int, 3> cells{};  ///< number of cells in x, y and z
-  double spacing{};            ///< [m]
-  Vec3d origin{};              ///< [m] centre of cell (0, 0, 0)
+  std::array<int, 3> cells{};       ///< number of cells in x, y and z
+  double spacing{};                 ///< [m]
+  Vec3d origin{};                   ///< [m] centre of cell (0, 0, 0)
+  std::optional<double> thickness;  ///< [m] of a plane body, which is one layer of cells in z; where absent cells are cubes
+
+  double cell_volume() const { return spacing * spacing * thickness.value_or(spacing); }  ///< [m³]
 
   std::size_t row_slots() const { return (static_cast<std::size_t>(cells[0]) + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes; }
   std::size_t rows() const { return static_cast<std::size_t>(cells[1]) * static_cast<std::size_t>(cells[2]); }

@@ -1,23 +1,77 @@
 #include "perimpact/particles/particles.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace perimpact {
 
+namespace {
+
+constexpr std::size_t cloud_row = 64;  // slots of a cloud that one thread takes at a time
+
+std::size_t whole_packs(std::size_t count) { return (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes; }
+
+double size_of_volume(double volume, const std::optional<double>& thickness) { return thickness ? std::sqrt(volume / *thickness) : std::cbrt(volume); }
+
+}  // namespace
+
 Particles::Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside)
-    : lattice_(lattice), slack_(static_cast<std::size_t>(lattice.offset(reach, reach, reach)) + fccda::byte_lanes), density_(density) {
-  const std::size_t slots = lattice_.slots();
-  position = VectorArray(slots, slack_);
-  velocity = VectorArray(slots, slack_);
-  force_density = VectorArray(slots, slack_);
-  occupied_.assign(slots / fccda::byte_lanes, 0);
-  for (std::size_t slot = 0; slot < slots; ++slot) {
+    : lattice_(lattice),
+      slots_(lattice.slots()),
+      row_slots_(lattice.row_slots()),
+      slack_(static_cast<std::size_t>(lattice.offset(reach, reach, lattice.thickness ? 0 : reach)) + fccda::byte_lanes),
+      density_(density),
+      spacing_(lattice.spacing),
+      thickness_(lattice.thickness),
+      cell_volume_(lattice.cell_volume()),
+      occupied_(slots_ / fccda::byte_lanes, 0) {
+  position = velocity = force_density = VectorArray(slots_, slack_);
+  for (std::size_t slot = 0; slot < slots_; ++slot) {
     position.set(slot, reference(slot));
-    const auto [i, j, k] = lattice_.cell(slot);
-    if (!lattice_.contains(i, j, k) || !inside(reference(slot))) continue;
-    occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] | (1u << (slot % 8)));
-    slot_of_.push_back(static_cast<std::uint32_t>(slot));
+    const auto [i, j, k] = lattice_->cell(slot);
+    if (lattice_->contains(i, j, k) && inside(reference(slot))) occupy(slot);
   }
+}
+
+Particles::Particles(const Cloud& cloud, double density)
+    : slots_(whole_packs(cloud.points.size())),
+      row_slots_(cloud_row),
+      slack_(0),
+      density_(density),
+      spacing_(size_of_volume(std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(cloud.volumes.size()), cloud.thickness)),
+      thickness_(cloud.thickness),
+      reference_(cloud.points),
+      volumes_(cloud.volumes),
+      occupied_(slots_ / fccda::byte_lanes, 0) {
+  position = velocity = force_density = VectorArray(slots_, slack_);
+  EXPECTS(!cloud.points.empty() && cloud.points.size() == cloud.volumes.size());
+  for (std::size_t slot = 0; slot < cloud.points.size(); ++slot) occupy(slot);
+  reference_.resize(slots_, cloud.points.back());
+  volumes_.resize(slots_, 0.0);
+  for (std::size_t slot = 0; slot < slots_; ++slot) position.set(slot, reference_[slot]);
+}
+
+void Particles::occupy(std::size_t slot) {
+  occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] | (1u << (slot % 8)));
+  slot_of_.push_back(static_cast<std::uint32_t>(slot));
+}
+
+double Particles::total_mass() const {
+  double volume = 0;
+  for (const std::uint32_t slot : slot_of_) volume += this->volume(slot);
+  return density_ * volume;
+}
+
+double Particles::size_of(std::size_t slot) const { return lattice_ ? spacing_ : size_of_volume(volumes_[slot], thickness_); }
+
+Vec3d extent(const Particles& particles) {
+  Vec3d low = particles.reference(particles.slot_of().front()), high = low;
+  for (const std::uint32_t slot : particles.slot_of()) {
+    const Vec3d X = particles.reference(slot);
+    for (std::size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], X[c]), high[c] = std::max(high[c], X[c]);
+  }
+  return high - low + particles.spacing() * Vec3d{1, 1, 1};
 }
 
 void Particles::remove(std::span<const std::size_t> slots) {

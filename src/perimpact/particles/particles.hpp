@@ -1,12 +1,17 @@
 /// The particles of one body: where they are, how fast, and what pulls at them.
+///
+/// Arrays run over *slots*: the cells of a lattice, or the numbers of a cloud, in both cases rounded up to whole packs of eight. Slots
+/// without a particle are skipped by `slot_of`.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "perimpact/particles/cloud.hpp"
 #include "perimpact/particles/lattice.hpp"
 #include "perimpact/particles/slot_array.hpp"
 
@@ -17,21 +22,32 @@ class Particles {
   /// One particle in each cell whose centre is `inside`. `reach`: how many cells the stencil will reach in each direction.
   Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside);
 
+  /// One particle a point, in the same order.
+  Particles(const Cloud& cloud, double density);
+
   /// Takes particles out of the body, as if their cells had not been inside the solid. `slots` ascending. Families made before do not
   /// know of it.
   void remove(std::span<const std::size_t> slots);
 
-  const Lattice& lattice() const { return lattice_; }
+  const Lattice* lattice() const { return lattice_ ? &*lattice_ : nullptr; }  ///< null where the particles are a cloud
+  std::size_t slots() const { return slots_; }                                ///< length of the arrays; a multiple of eight
+  std::size_t row_slots() const { return row_slots_; }                        ///< of a row of the lattice; of a cloud, of a block of it
+  std::size_t rows() const { return (slots_ + row_slots_ - 1) / row_slots_; }
   std::size_t size() const { return slot_of_.size(); }                 ///< number of particles
   std::span<const std::uint32_t> slot_of() const { return slot_of_; }  ///< slot of each particle, ascending
   bool is_occupied(std::size_t slot) const { return (occupied_[slot / 8] >> (slot % 8)) & 1u; }
 
   double density() const { return density_; }                                                 ///< [kg/m³]
-  double volume() const { return lattice_.spacing * lattice_.spacing * lattice_.spacing; }    ///< [m³] of one particle
-  double mass() const { return density_ * volume(); }                                         ///< [kg] of one particle
+  double spacing() const { return spacing_; }                                                 ///< [m] of the lattice; of a cloud, the size of a mean particle
+  double volume(std::size_t slot) const { return lattice_ ? cell_volume_ : volumes_[slot]; }  ///< [m³]
+  double mass(std::size_t slot) const { return density_ * volume(slot); }                     ///< [kg]
+  double total_mass() const;                                                                  ///< [kg]
+  double size_of(std::size_t slot) const;                                                     ///< [m] edge of a cube of its volume; of a square in a plane body
+  bool is_plane() const { return thickness_.has_value(); }                                    ///< all forces and velocities lie in the plane z
+  std::optional<double> thickness() const { return thickness_; }                              ///< [m] of a plane body
   std::size_t slack() const { return slack_; }                                                ///< of fields over these slots
-  Vec3d reference(std::size_t slot) const { return lattice_.centre(slot); }                   ///< [m] X
-  Vec3d displacement(std::size_t slot) const { return position.at(slot) - reference(slot); }  ///< [m] u = x - X
+  Vec3d reference(std::size_t slot) const { return lattice_ ? lattice_->centre(slot) : reference_[slot]; }  ///< [m] X
+  Vec3d displacement(std::size_t slot) const { return position.at(slot) - reference(slot); }                ///< [m] u = x - X
 
   VectorArray position;       ///< [m] x
   VectorArray velocity;       ///< [m/s] v, half a step behind the positions' next change (symplectic Euler)
@@ -40,17 +56,26 @@ class Particles {
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
     constexpr const char* axis[] = {"_x", "_y", "_z"};
-    for (std::size_t c = 0; c < 3; ++c) visit(name + ".position" + axis[c], std::span<double>(position.component(c), lattice_.slots()));
-    for (std::size_t c = 0; c < 3; ++c) visit(name + ".velocity" + axis[c], std::span<double>(velocity.component(c), lattice_.slots()));
-    for (std::size_t c = 0; c < 3; ++c) visit(name + ".force_density" + axis[c], std::span<double>(force_density.component(c), lattice_.slots()));
+    for (std::size_t c = 0; c < 3; ++c) visit(name + ".position" + axis[c], std::span<double>(position.component(c), slots_));
+    for (std::size_t c = 0; c < 3; ++c) visit(name + ".velocity" + axis[c], std::span<double>(velocity.component(c), slots_));
+    for (std::size_t c = 0; c < 3; ++c) visit(name + ".force_density" + axis[c], std::span<double>(force_density.component(c), slots_));
   }
 
  private:
-  Lattice lattice_;
-  std::size_t slack_;
-  double density_;
+  void occupy(std::size_t slot);
+
+  std::optional<Lattice> lattice_;
+  std::size_t slots_, row_slots_, slack_;
+  double density_, spacing_;
+  std::optional<double> thickness_;
+  double cell_volume_ = 0;        // of a lattice
+  std::vector<Vec3d> reference_;  // of a cloud
+  std::vector<double> volumes_;   // of a cloud
   std::vector<std::uint8_t> occupied_;
   std::vector<std::uint32_t> slot_of_;
 };
+
+/// [m] edges of the box that holds all particles with half a spacing around each.
+Vec3d extent(const Particles& particles);
 
 }  // namespace perimpact

@@ -20,14 +20,47 @@ std::span<const Field<BoxSolid>> BoxSolid::fields() {
   return all;
 }
 
+namespace {
+
+enum class WithPoissonsRatio { no, yes };
+
+/// The fields of what all materials have.
+template <class S>
+std::vector<Field<S>> elastic_fields(WithPoissonsRatio poisson, std::vector<Field<S>> own = {}) {
+  std::vector<Field<S>> all{{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), required, "Young's modulus E."}};
+  if (poisson == WithPoissonsRatio::yes)
+    all.push_back({"poissons_ratio", &S::poissons_ratio, "1", strictly_between(-1, 0.5), optional,
+                   "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest."});
+  all.push_back({"density", &S::density, "kg/m3", positive(), required, "Mass density ρ."});
+  all.push_back({"critical_stretch", &S::critical_stretch, "1", positive(), optional,
+                 "A bond longer than (1 + this) times its first length breaks for ever. Where absent, bonds never break."});
+  all.insert(all.end(), own.begin(), own.end());
+  return all;
+}
+
+}  // namespace
+
 std::span<const Field<OrdinaryStateSetup>> OrdinaryStateSetup::fields() {
-  using S = OrdinaryStateSetup;
-  static const Field<S> all[] = {{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), required, "Young's modulus E."},
-                                 {"poissons_ratio", &S::poissons_ratio, "1", strictly_between(-1, 0.5), optional,
-                                  "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest."},
-                                 {"density", &S::density, "kg/m3", positive(), required, "Mass density ρ."},
-                                 {"critical_stretch", &S::critical_stretch, "1", positive(), optional,
-                                  "A bond longer than (1 + this) times its first length breaks for ever. Where absent, bonds never break."}};
+  static const auto all = elastic_fields<OrdinaryStateSetup>(WithPoissonsRatio::yes);
+  return all;
+}
+
+std::span<const Field<LinearSolidSetup>> LinearSolidSetup::fields() {
+  using S = LinearSolidSetup;
+  static const auto all = elastic_fields<S>(
+      WithPoissonsRatio::yes,
+      {{"influence",
+        &S::influence,
+        "",
+        {},
+        optional,
+        "How much a bond counts by its length, r = |ξ|/δ: one, inverse (1/r), inverse-square, parabolic (1 up to 1/2, then 4 r (1 - r)) or gaussian "
+        "(exp(-(r/0.4)²))."}});
+  return all;
+}
+
+std::span<const Field<BondBasedSetup>> BondBasedSetup::fields() {
+  static const auto all = elastic_fields<BondBasedSetup>(WithPoissonsRatio::no);
   return all;
 }
 
@@ -55,7 +88,14 @@ std::span<const Field<BodySetup>> BodySetup::fields() {
        "",
        {},
        optional,
-       "What makes up for the missing bonds near a surface: energy (Madenci and Oterkus, interpolated), volume (Le and Bobaru) or none."},
+       "What makes up for the missing bonds near a surface: energy (Madenci and Oterkus, interpolated), volume (Le and Bobaru) or none. automatic: energy; "
+       "none for the model linear-peridynamic-solid, which normalises each particle by its own family."},
+      {"plane",
+       &S::plane,
+       "",
+       {},
+       optional,
+       "stress or strain: a body of two dimensions, one layer of particles in z as thick as the solid; all motion lies in x and y. none: three dimensions."},
       {"published",
        &S::published,
        "",

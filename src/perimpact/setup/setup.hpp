@@ -18,14 +18,19 @@ using fccda::Choice;
 using fccda::Field;
 using fccda::Vec3d;
 
-inline constexpr std::string_view surface_correction_words[] = {"energy", "volume", "none"};
-enum class SurfaceCorrection { energy, volume, none };
+inline constexpr std::string_view surface_correction_words[] = {"automatic", "energy", "volume", "none"};
+enum class SurfaceCorrection { automatic, energy, volume, none };
 
 inline constexpr std::string_view family_words[] = {"hu-ha-bobaru", "madenci-oterkus"};
 enum class FamilyRule { hu_ha_bobaru, madenci_oterkus };
 
 inline constexpr std::string_view normalisation_words[] = {"lattice", "continuum"};
 enum class Normalisation { lattice, continuum };
+
+inline constexpr std::string_view plane_words[] = {"none", "stress", "strain"};
+enum class PlaneState { none, stress, strain };  // as perimpact::Plane
+
+inline constexpr std::string_view influence_words[] = {"one", "inverse", "inverse-square", "parabolic", "gaussian"};  // as perimpact::Influence
 
 inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
 enum class PanelKind { triangles, quads };
@@ -69,16 +74,33 @@ struct BoxSolid {
 };
 using Solid = std::variant<BoxSolid>;
 
-/// Ordinary state-based, linear, isotropic (docs/theory/ordinary_state.md).
-struct OrdinaryStateSetup {
-  static constexpr std::string_view name = "ordinary-state";
+/// What all materials have.
+struct ElasticSetup {
   double youngs_modulus{};  ///< [Pa]
   double poissons_ratio = 0.25;
   double density{};                        ///< [kg/m³]
   std::optional<double> critical_stretch;  ///< [-]; bonds never break where absent
+};
+
+/// Ordinary state-based, linear, isotropic, after Madenci and Oterkus (docs/theory/ordinary_state.md).
+struct OrdinaryStateSetup : ElasticSetup {
+  static constexpr std::string_view name = "ordinary-state";
   static std::span<const Field<OrdinaryStateSetup>> fields();
 };
-using MaterialSetup = std::variant<OrdinaryStateSetup>;  // chosen by the key `model`
+
+/// The same after Silling et al.: one influence function, each particle normalised by its own family.
+struct LinearSolidSetup : ElasticSetup {
+  static constexpr std::string_view name = "linear-peridynamic-solid";
+  Choice influence{influence_words, 1};
+  static std::span<const Field<LinearSolidSetup>> fields();
+};
+
+/// Bonds that know nothing of one another; ν is 1/4, in plane stress 1/3.
+struct BondBasedSetup : ElasticSetup {
+  static constexpr std::string_view name = "bond-based";
+  static std::span<const Field<BondBasedSetup>> fields();
+};
+using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBasedSetup>;  // chosen by the key `model`
 
 struct BodySetup {
   std::string name;
@@ -90,9 +112,14 @@ struct BodySetup {
   Choice family{family_words};
   Choice normalisation{normalisation_words};
   Choice surface_correction{surface_correction_words};
-  bool published = false;  ///< the seed paper's discretisation: madenci-oterkus, continuum, none
+  bool published = false;     ///< the seed paper's discretisation: madenci-oterkus, continuum, none
+  Choice plane{plane_words};  ///< of a body of two dimensions, a single layer in z
   MaterialSetup material;
   static std::span<const Field<BodySetup>> fields();
+
+  const ElasticSetup& elastic() const {
+    return std::visit([](const auto& one) -> const ElasticSetup& { return one; }, material);
+  }
 };
 
 // ---- impactors ----

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "perimpact/family/lattice_family.hpp"
+#include "perimpact/family/family.hpp"
 #include "perimpact/force/internal_force.hpp"
 #include "perimpact/particles/particles.hpp"
 #include "perimpact/setup/setup.hpp"
@@ -14,7 +14,7 @@ namespace perimpact {
 struct Body {
   std::string name;
   Particles particles;
-  LatticeFamily family;
+  Family family;
   InternalForce internal;
 
   /// Momentum [kg m/s] of all particles, summed in blocks, in order.

@@ -45,7 +45,7 @@ void Encounters::look(std::span<const Body> bodies, std::span<const Impactor> im
       if (impactor.record().touched(b)) continue;
       all_touched = false;
       if (!trees_[i]) trees_[i] = std::make_unique<fccda::Bvh>(impactor.surface());
-      const double radius = contact_ratio * bodies[b].particles.lattice().spacing;
+      const double radius = contact_ratio * bodies[b].particles.spacing();
       const double distance = nearest_distance(*trees_[i], impactor.body().pose(), bodies[b].particles, encounter.nearest + radius) - radius;
       // of distances that are equal but for rounding the first is told
       if (std::isinf(encounter.nearest) || distance < encounter.nearest - 1e-9 * std::fabs(encounter.nearest))

@@ -17,19 +17,19 @@ namespace {
 
 double bytes_of(const BodySetup& setup, std::size_t impactors) {
   const double slots = slots_of(setup);
-  const Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing, setup.horizon_ratio);
-  // of the dilatation only the material knows, so the least is counted; a detector keeps a due distance and a guess for each slot
-  const BodyArrays arrays{slots, static_cast<double>(stencil.size()), setup.surface_correction.as<SurfaceCorrection>(), false};
-  return arrays.bytes() + static_cast<double>(impactors * (sizeof(double) + sizeof(int))) * slots;
+  const bool is_plane = setup.plane.as<PlaneState>() != PlaneState::none;
+  const Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing, setup.horizon_ratio, is_plane ? std::optional(1.0) : std::nullopt);
+  const SurfaceCorrection correction = setup.surface_correction.as<SurfaceCorrection>();
+  const bool own_family = std::holds_alternative<LinearSolidSetup>(setup.material);
+  // of the dilatation only the material knows, so the least is counted
+  const double vectors = 3 + (!own_family && correction <= SurfaceCorrection::energy ? 2 : 0);
+  const double scalars = 1 + (own_family || correction == SurfaceCorrection::volume ? 1 : 0);
+  const double of_slot = sizeof(double) * (3 * vectors + scalars) + static_cast<double>(stencil.size()) / 8 + 2 * sizeof(std::uint32_t);
+  // a detector keeps a due distance and a guess for each slot
+  return (of_slot + static_cast<double>(impactors * (sizeof(double) + sizeof(int)))) * slots;
 }
 
 }  // namespace
-
-double BodyArrays::bytes() const {
-  const double vectors = 3 + (correction == SurfaceCorrection::energy ? 2 : 0);
-  const double scalars = 1 + (correction == SurfaceCorrection::volume ? 1 : 0) + (needs_dilatation ? 1 : 0);
-  return slots * (sizeof(double) * (3 * vectors + scalars) + stencil_bonds / 8 + sizeof(std::uint32_t));
-}
 
 double physical_memory() { return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE)); }
 

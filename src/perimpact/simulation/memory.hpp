@@ -6,15 +6,6 @@
 
 namespace perimpact {
 
-/// What the arrays of a body are made of.
-struct BodyArrays {
-  double slots;
-  double stencil_bonds;
-  SurfaceCorrection correction;
-  bool needs_dilatation;
-  double bytes() const;
-};
-
 double physical_memory();  ///< [bytes] of this machine
 
 /// [bytes] of the arrays of all bodies and of what the impactors remember of their particles; surfaces are not counted.

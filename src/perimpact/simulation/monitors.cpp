@@ -16,10 +16,10 @@ namespace {
 double energy_of_rounding(std::span<const Body> bodies, double dt) {
   double energy = 0;
   for (const Body& body : bodies) {
-    const Lattice& lattice = body.particles.lattice();
-    const double furthest = std::max(largest_magnitude(lattice.centre(0)), largest_magnitude(lattice.centre(lattice.slots() - 1)));
+    double furthest = 0;
+    for (const std::uint32_t slot : body.particles.slot_of()) furthest = std::max(furthest, largest_magnitude(body.particles.reference(slot)));
     const double speed = 100 * std::numeric_limits<double>::epsilon() * furthest / dt;
-    energy += 0.5 * body.particles.mass() * static_cast<double>(body.particles.size()) * speed * speed;
+    energy += 0.5 * body.particles.total_mass() * speed * speed;
   }
   return energy;
 }
@@ -33,7 +33,7 @@ Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const
     const std::string key = "output.probes." + probe.name;
     if (body == bodies.end()) throw SetupError(key + ".body", fmt::format("probe {} asks for body {}, which does not exist.", probe.name, probe.body));
     probes_.push_back({probe.name, static_cast<std::size_t>(body - bodies.begin()), Sample(*body, probe.at)});
-    const double away = probes_.back().sample.distance(*body), spacing = body->particles.lattice().spacing;
+    const double away = probes_.back().sample.distance(*body), spacing = body->particles.spacing();
     if (away > spacing)
       throw SetupError(key + ".at",
                        fmt::format("probe {} lies {:.3g} m from the nearest particle of body {}, more than its spacing of {:.3g} m; move it into the body.",

@@ -29,7 +29,7 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
   Stability stability{0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const Body& body : bodies) {
     stability.estimate = std::min(stability.estimate, silling_askari_step(body));
-    stability.exact = std::min(stability.exact, exact_stable_step(body));
+    stability.exact = std::min(stability.exact, exact_stable_step(body).value_or(std::numeric_limits<double>::infinity()));
   }
   const double automatic = safety * stability.estimate;
   if (!setup.time.step && !std::isfinite(automatic))
@@ -58,8 +58,9 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
 void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>& warnings) {
   constexpr int enough = 4;
   for (const Body& body : bodies) {
-    const auto& cells = body.particles.lattice().cells;
-    const int thinnest = *std::min_element(cells.begin(), cells.end());
+    if (!body.particles.lattice()) continue;
+    const auto& cells = body.particles.lattice()->cells;
+    const int thinnest = *std::min_element(cells.begin(), cells.end() - (body.particles.is_plane() ? 1 : 0));
     if (thinnest < enough)
       warnings.push_back(
           fmt::format("Body {} is only {} particles thick: its stiffness is far off, above all in bending. Take a spacing that gives at least {}, better 6.",
@@ -84,9 +85,8 @@ void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::sp
     for (const Diagnosis& of_surface : {inside_out(impactor), goes_through_itself(impactor), is_cut(impactor)})
       if (of_surface) warnings.push_back(*of_surface);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const Lattice& lattice = bodies[b].particles.lattice();
-      const Vec3d size = lattice.spacing * Vec3d{double(lattice.cells[0]), double(lattice.cells[1]), double(lattice.cells[2])};
-      const Target target{bodies[b].name, lattice.spacing, setup.contact.impactors.radius_ratio * lattice.spacing, size, setup.bodies[b].velocity};
+      const double spacing = bodies[b].particles.spacing();
+      const Target target{bodies[b].name, spacing, setup.contact.impactors.radius_ratio * spacing, extent(bodies[b].particles), setup.bodies[b].velocity};
       for (std::string& sentence : diagnose(impactor, target, dt)) warnings.push_back(std::move(sentence));
       if (Diagnosis behind = starts_behind(impactor, target, bodies[b].particles)) warnings.push_back(std::move(*behind));
     }
@@ -122,7 +122,7 @@ Simulation::Simulation(const Setup& setup, Start start)
       monitors_(setup.output, bodies_, clock_) {
   warn_of_thin_bodies(bodies_, warnings_);
   warn_of_overlaps(setup, impactors_, warnings_);
-  for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles.lattice()), 0.0);
+  for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
   for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));
   warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
   evaluate_forces();

@@ -11,17 +11,11 @@
 namespace perimpact {
 
 double silling_askari_step(const Body& body) {
-  const auto& bonds = body.family.stencil().bonds();
-  const double c = body.internal.material().bond_stiffness();
   std::vector<double> stiffness(body.particles.size());
   fccda::parallel_for(static_cast<std::ptrdiff_t>(stiffness.size()), [&](std::ptrdiff_t particle) {
     const std::size_t slot = body.particles.slot_of()[static_cast<std::size_t>(particle)];
     double sum = 0;
-    for (std::size_t b = 0; b < bonds.size(); ++b) {
-      if (!body.family.is_intact(slot, b)) continue;
-      const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(slot) + body.family.offsets()[b]);
-      sum += c * bonds[b].volume / bonds[b].length * body.internal.correction().stretch_factor(slot, j, body.internal.half_squares()[b]);
-    }
+    body.family.for_each_bond(slot, [&](const FamilyBond& bond) { sum += body.internal.bond_stiffness(slot, bond) * bond.volume; });
     stiffness[static_cast<std::size_t>(particle)] = sum;
   });
   const double stiffest = *std::max_element(stiffness.begin(), stiffness.end());
@@ -50,27 +44,30 @@ double largest_eigenvalue(const double (&m)[3][3]) {
 
 }  // namespace
 
-double exact_stable_step(const Body& body) {
+std::optional<double> exact_stable_step(const Body& body) {
+  const OrdinaryStateForce* force = body.internal.ordinary_state();
+  if (!force || !body.family.stencil()) return {};
   constexpr int intervals = 24;
-  const OrdinaryState& material = body.internal.material();
-  const Stencil& stencil = body.family.stencil();
+  const OrdinaryState& law = force->law();
+  const Stencil& stencil = *body.family.stencil();
   const double wave = std::numbers::pi / stencil.spacing() / intervals;
+  const int layers = body.particles.is_plane() ? 0 : intervals;
   double stiffest = 0;
   for (int kx = 0; kx <= intervals; ++kx)  // the lattice's symmetry leaves k_x >= k_y >= k_z >= 0
     for (int ky = 0; ky <= kx; ++ky)
-      for (int kz = 0; kz <= ky; ++kz) {
+      for (int kz = 0; kz <= std::min(ky, layers); ++kz) {
         double m[3][3] = {};
         Vec3d t{};
         for (const StencilBond& bond : stencil.bonds()) {
           const Vec3d n = bond.direction;
           const double phase = bond.length * wave * (kx * n.x + ky * n.y + kz * n.z);
-          const double stretch = material.bond_stiffness() * bond.volume / bond.length * (1 - std::cos(phase));
+          const double stretch = law.bond_stiffness(bond.length) * bond.volume * (1 - std::cos(phase));
           for (std::size_t r = 0; r < 3; ++r)
             for (std::size_t s = 0; s < 3; ++s) m[r][s] += stretch * n[r] * n[s];
-          t += (material.d() * stencil.horizon() * bond.volume / bond.length * std::sin(phase)) * n;
+          t += (law.d() * law.weights(bond.length).dilatation * bond.volume / bond.length * std::sin(phase)) * n;
         }
         for (std::size_t r = 0; r < 3; ++r)
-          for (std::size_t s = 0; s < 3; ++s) m[r][s] += 2 * material.a() * t[r] * t[s];
+          for (std::size_t s = 0; s < 3; ++s) m[r][s] += 2 * law.a() * t[r] * t[s];
         stiffest = std::max(stiffest, largest_eigenvalue(m));
       }
   return 2 * std::sqrt(body.particles.density() / stiffest);

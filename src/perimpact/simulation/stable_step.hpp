@@ -1,17 +1,19 @@
 /// How long a time step may be.
 #pragma once
 
+#include <optional>
+
 #include "perimpact/simulation/body.hpp"
 
 namespace perimpact {
 
-/// Silling and Askari (Comput. Struct. 83 (2005) 1526): √(2 ρ/Σ_j C_ij V_j), C_ij = c G_ij/|ξ|, least over all particles [s]. It is safe by a
+/// Silling and Askari (Comput. Struct. 83 (2005) 1526): √(2 ρ/Σ_j C_ij V_j), C_ij = 4 b ω_e G_ij, least over all particles [s]. It is safe by a
 /// factor near two in three dimensions for 0.1 <= ν <= 0.4 (physics notes 2.3), and knows of the surface correction.
 double silling_askari_step(const Body& body);
 
 /// The step at which the infinite lattice becomes unstable: 2/ω of its stiffest plane wave [s], found over wave vectors of the first
-/// Brillouin zone (24 intervals to π/Δ along each axis). M(k) = Σ c v V n nᵀ (1 - cos k·ξ)/|ξ| + 2a T Tᵀ, T = d δ Σ v V n sin(k·ξ)/|ξ|,
-/// ω² = largest eigenvalue of M/ρ.
-double exact_stable_step(const Body& body);
+/// Brillouin zone (24 intervals to π/Δ along each axis). M(k) = Σ 4 b ω_e v V n nᵀ (1 - cos k·ξ) + 2a T Tᵀ, T = d Σ ω_θ |ξ| v V n sin(k·ξ),
+/// ω² = largest eigenvalue of M/ρ. Known for ordinary state-based materials on a lattice.
+std::optional<double> exact_stable_step(const Body& body);
 
 }  // namespace perimpact

@@ -111,14 +111,11 @@ Start::Start(const Setup& setup) : particles(fill(setup)), impactors(place(setup
 
 double largest_stretch(const Body& body, std::span<const std::size_t> slots) {
   double largest = 0;
-  const auto& bonds = body.family.stencil().bonds();
   for (const std::size_t slot : slots)
-    for (std::size_t b = 0; b < bonds.size(); ++b) {
-      if (!body.family.is_intact(slot, b)) continue;
-      const auto neighbour = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(slot) + body.family.offsets()[b]);
-      const double length = norm(body.particles.position.at(neighbour) - body.particles.position.at(slot));
-      largest = std::max(largest, std::fabs(length / bonds[b].length - 1));
-    }
+    body.family.for_each_bond(slot, [&](const FamilyBond& bond) {
+      const double length = norm(body.particles.position.at(bond.j) - body.particles.position.at(slot));
+      largest = std::max(largest, std::fabs(length / bond.length - 1));
+    });
   return largest;
 }
 

@@ -175,7 +175,7 @@ Setup some_setup(Random& random) {
     BodySetup& body = setup.bodies.emplace_back();
     fill_fields(random, body);
     body.name = name;
-    if (body.published) body.family.index = 1, body.normalisation.index = 1, body.surface_correction.index = 2;
+    if (body.published) body.family.index = 1, body.normalisation.index = 1, body.surface_correction.index = 3;
     std::get<BoxSolid>(body.shape).size = Vec3d{3, 20, 1} * body.spacing;
     fill_fields(random, std::get<OrdinaryStateSetup>(body.material));
   }

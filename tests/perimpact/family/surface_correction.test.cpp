@@ -31,7 +31,7 @@ double wave_speed_ratio(int length, int side, double nu, SurfaceCorrection corre
     return sum;
   };
   const double dt = 0.9 * silling_askari_step(bar);
-  std::vector<double> travel(travel_blocks(bar.particles.lattice()));
+  std::vector<double> travel(travel_blocks(bar.particles));
   bar.internal.evaluate(bar.particles, bar.family);
   double before = mode(), first_zero = 0, last_zero = 0;
   int zeros = 0;
@@ -56,16 +56,12 @@ double bending_ratio(int layers, SurfaceCorrection correction) {
   fixtures::deform(plate, [&](const Vec3d& X) { return X + curvature * Vec3d{-X.z * X.x, 0, 0.5 * X.x * X.x + 0.5 * across * X.z * X.z}; });
   // the middle column is further from the edges than any bond reaches
   double energy = 0;
-  const auto& bonds = plate.family.stencil().bonds();
   for (int layer = 0; layer < layers; ++layer) {
-    const std::size_t slot = plate.particles.lattice().slot(10, 10, layer);
-    for (std::size_t b = 0; b < bonds.size(); ++b) {
-      if (!plate.family.is_intact(slot, b)) continue;
-      const std::size_t j = slot + static_cast<std::size_t>(plate.family.offsets()[b]);
-      const double stretch = norm(plate.particles.position.at(j) - plate.particles.position.at(slot)) / bonds[b].length - 1;
-      energy += plate.internal.material().bond_stiffness() / 4 * stretch * stretch * bonds[b].length * bonds[b].volume *
-                plate.internal.correction().stretch_factor(slot, j, plate.internal.half_squares()[b]);
-    }
+    const std::size_t slot = plate.particles.lattice()->slot(10, 10, layer);
+    plate.family.for_each_bond(slot, [&](const FamilyBond& bond) {
+      const double extension = norm(plate.particles.position.at(bond.j) - plate.particles.position.at(slot)) - bond.length;
+      energy += plate.internal.bond_stiffness(slot, bond) / 4 * extension * extension * bond.volume;
+    });
   }
   const double h = layers * 1e-3;
   return energy * 1e-3 / (fixtures::youngs_modulus / (1 - nu * nu) * h * h * h / 24 * curvature * curvature);
@@ -101,11 +97,11 @@ TEST_CASE("surface correction: the bending stiffness of plates of six layers and
 TEST_CASE("surface correction: factors are exactly 1 deep inside, so that the plain kernel is used there") {
   for (const SurfaceCorrection kind : {SurfaceCorrection::energy, SurfaceCorrection::volume}) {
     const Body block = fixtures::body({.size = {0.040, 0.021, 0.021}, .correction = kind});
-    const Lattice& lattice = block.particles.lattice();
-    CHECK(block.internal.correction().is_plain(lattice.slot(16, 10, 10) / 8));
-    CHECK(!block.internal.correction().is_plain(lattice.slot(0, 10, 10) / 8));
+    const Lattice& lattice = *block.particles.lattice();
+    CHECK(block.internal.ordinary_state()->correction().is_plain(lattice.slot(16, 10, 10) / 8));
+    CHECK(!block.internal.ordinary_state()->correction().is_plain(lattice.slot(0, 10, 10) / 8));
     const std::size_t middle = lattice.slot(16, 10, 10);
-    CHECK(block.internal.correction().stretch_factor(middle, middle + 1, interpolation_weights({1, 0, 0})) == 1.0);
+    CHECK(block.internal.ordinary_state()->correction().stretch_factor(middle, middle + 1, interpolation_weights({1, 0, 0})) == 1.0);
   }
 }
 

@@ -109,7 +109,7 @@ TEST_CASE("diagnosis: particles behind an open surface are counted, those in fro
   // 4 x 4 x 1 particles, half a metre apart, about the square: y from -0.75 to 0.75
   BodySetup body;
   body.name = "block", body.shape = BoxSolid{.size = {2, 2, 0.5}}, body.spacing = 0.5;
-  body.material = OrdinaryStateSetup{.youngs_modulus = 1, .density = 1};
+  body.material = OrdinaryStateSetup{{.youngs_modulus = 1, .density = 1}};
   const Particles particles = make_particles(body);
   const Impactor wall = made(setup);
   CHECK(particles_behind(wall, particles) == 8);

@@ -14,9 +14,10 @@ TEST_CASE("memory: what a set-up is said to take is what its bodies then take, a
     Setup setup;
     setup.bodies = {fixtures::body_setup({.size = {0.021, 0.015, 0.009}, .correction = correction})};
     const Body body = make_body(setup.bodies[0]);
-    CHECK(memory_of(setup) == doctest::Approx(body.memory()).epsilon(1e-12));  // the same arrays; at ν = 1/4 there is no dilatation
+    const double before = memory_of(setup);
+    CHECK(before == doctest::Approx(body.memory()).epsilon(0.01));  // the same arrays, numbers of particles rounded up; at ν = 1/4 no dilatation
     setup.impactors.resize(2);
-    CHECK(memory_of(setup) - body.memory() == doctest::Approx(2 * 12 * static_cast<double>(body.particles.lattice().slots())).epsilon(1e-9));
+    CHECK(memory_of(setup) - before == doctest::Approx(2 * 12 * static_cast<double>(body.particles.slots())).epsilon(1e-9));
   }
 }
 

@@ -1,0 +1,98 @@
+/// The bonds of a body: one bit a bond, kept at both of its ends and always equal there.
+///
+/// For eight neighbouring slots the bits of one bond of each are one byte, and the bytes follow one another: the kernel reads a byte where it
+/// needs the mask of a pack. Where the particles are a lattice the bonds of all of them are one stencil, and no neighbour is ever
+/// stored; where they are a cloud the geometry is a list.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "perimpact/family/bond_list.hpp"
+#include "perimpact/family/stencil.hpp"
+#include "perimpact/particles/particles.hpp"
+
+namespace perimpact {
+
+/// A bond of some particle, as set-up and evaluation see it.
+struct FamilyBond {
+  std::size_t index;  ///< of the stencil's bond, or of the entry in the list
+  std::size_t j;      ///< slot of the neighbour
+  Vec3d direction;    ///< ξ/|ξ|
+  double length;      ///< [m] |ξ|
+  double volume;      ///< [m³] v V_j
+};
+
+class Family {
+ public:
+  /// All bonds between particles of the body that the stencil names. The particles are a lattice.
+  Family(Stencil stencil, const Particles& particles);
+  /// The bonds of the list; `particles` are those it was made of.
+  Family(BondList list, const Particles& particles);
+
+  const Stencil* stencil() const { return std::get_if<Stencil>(&geometry_); }            ///< null where the bonds are a list
+  const BondList* list() const { return std::get_if<BondList>(&geometry_); }             ///< null where they are a stencil
+  double horizon() const { return stencil() ? stencil()->horizon() : list()->horizon; }  ///< [m] δ
+  std::span<const std::ptrdiff_t> offsets() const { return offsets_; }                   ///< in slots, of each bond of the stencil
+
+  /// Bonds of slots 8·eight … 8·eight + 7 are rows begin(eight) … begin(eight + 1) - 1 of all; a row has one byte.
+  std::size_t begin(std::size_t eight) const { return stencil() ? eight * offsets_.size() : list()->begin[eight]; }
+  std::uint8_t* bytes(std::size_t eight) { return bits_.data() + begin(eight); }
+  const std::uint8_t* bytes(std::size_t eight) const { return bits_.data() + begin(eight); }
+
+  /// Calls visit(FamilyBond) for all bonds that a particle has now, in the order in which forces are summed.
+  template <class Visit>
+  void for_each_bond(std::size_t slot, const Visit& visit) const {
+    const std::size_t eight = slot / fccda::byte_lanes, lane = slot % fccda::byte_lanes, first = begin(eight), rows = begin(eight + 1) - first;
+    for (std::size_t r = 0; r < rows; ++r)
+      if ((bits_[first + r] >> lane) & 1u) visit(bond(slot, first, r));
+  }
+
+  /// Takes the bonds for which is_cut(i, j) away, as broken ones: they count as damage, and corrections stay as they are. Returns their number.
+  template <class IsCut>
+  std::size_t cut(const IsCut& is_cut) {
+    std::size_t ends = 0;
+    for (const std::uint32_t i : slot_of_) {
+      const std::size_t eight = i / fccda::byte_lanes, lane = i % fccda::byte_lanes, first = begin(eight), rows = begin(eight + 1) - first;
+      for (std::size_t r = 0; r < rows; ++r) {
+        std::uint8_t& byte = bits_[first + r];
+        if (!((byte >> lane) & 1u) || !is_cut(std::size_t{i}, bond(i, first, r).j)) continue;
+        byte = static_cast<std::uint8_t>(byte & ~(1u << lane));
+        ++ends;
+      }
+    }
+    return ends / 2;
+  }
+
+  std::size_t initial_bonds() const { return initial_bonds_; }  ///< each counted once
+  std::size_t intact_bonds() const;                             ///< each counted once
+
+  double initial_volume(std::size_t slot) const { return initial_volume_[slot]; }  ///< [m³] Σ v V over the family before any bond broke
+  double intact_volume(std::size_t slot) const;                                    ///< [m³] the same over intact bonds
+  /// φ = 1 - Σ µ v V / Σ v V [-] (Silling and Askari 2005); 0 for a particle that never had a bond.
+  double damage(std::size_t slot) const;
+
+  double bytes() const;  ///< [bytes] of memory
+
+  template <class Visitor>
+  void visit_state(const std::string& name, Visitor&& visit) {
+    visit(name + ".bonds", std::span<std::uint8_t>(bits_));
+  }
+
+ private:
+  FamilyBond bond(std::size_t slot, std::size_t first_row, std::size_t row) const;
+  void finish(const Particles& particles);
+
+  std::variant<Stencil, BondList> geometry_;
+  std::vector<std::ptrdiff_t> offsets_;
+  std::vector<std::uint32_t> slot_of_;
+  std::vector<Vec3d> reference_;  // [m] of a cloud
+  std::vector<std::uint8_t> bits_;
+  std::vector<double> initial_volume_;
+  std::size_t initial_bonds_ = 0;
+};
+
+}  // namespace perimpact

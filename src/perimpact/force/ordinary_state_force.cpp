@@ -1,0 +1,245 @@
+#include "perimpact/force/ordinary_state_force.hpp"
+
+#include "fccda/core/parallel.hpp"
+#include "perimpact/force/bond_loop.hpp"
+#include "perimpact/force/correction_kernels.hpp"
+
+namespace perimpact {
+
+using namespace fccda;
+
+namespace {
+
+/// The constants and limits of the bonds of a stencil.
+struct StencilConstants {
+  std::span<const OrdinaryState::Folded<double>> folded;
+  std::span<const double> squared_limits;
+
+  template <class Pack>
+  const OrdinaryState::Folded<double>& constants(std::size_t index) const {
+    return folded[index];
+  }
+  template <class Pack>
+  Pack of(std::size_t index) const {
+    return Pack(squared_limits[index]);
+  }
+};
+
+/// Those of the bonds of a list.
+struct ListConstants {
+  const OrdinaryState& law;
+  const double *length, *stretch, *dilatation;
+  double longest;  // 1 + s_c
+
+  template <class Pack>
+  OrdinaryState::Folded<Pack> constants(std::size_t index) const {
+    return law.fold(load<Pack>(length + index), load<Pack>(stretch + index), load<Pack>(dilatation + index));
+  }
+  template <class Pack>
+  Pack of(std::size_t index) const {
+    const Pack limit = Pack(longest) * load<Pack>(length + index);
+    return limit * limit;
+  }
+};
+
+/// What all passes over one body read and write.
+template <class Bonds, class Constants>
+struct BodyView {
+  const Particles& particles;
+  std::array<const double*, 3> x;
+  VectorArray& force;
+  double* theta;
+  Bonds bonds;
+  Constants constants;
+  const CorrectionFactors& correction;
+  const OrdinaryState& law;
+  RowSums& rows;
+};
+
+/// θ of the particles of one pack.
+template <class Pack, class View, class Breaking, class Correction>
+void dilatation_of_pack(const View& body, std::size_t slot, const Breaking& breaking, const Correction& correction) {
+  const auto of_i = correction.dilatation.template of<Pack>(slot);
+  Pack theta(0.0);
+  for_each_bond<Pack>(body.bonds, body.x, slot, breaking, [&](const auto& bond) {
+    const Pack term = OrdinaryState::dilatation(body.constants.template constants<Pack>(bond.index), length_of(bond.squared_length));
+    theta += keep_where(bond.intact, correction.dilatation.corrected(term, of_i, bond.index, bond.neighbour));
+  });
+  store(body.theta + slot, correction.pushing(theta, slot));
+}
+
+/// Force density of the particles of one pack; returns their energy [J], summed, if asked to.
+template <class Pack, bool has_dilatation, bool with_energy, class View, class Breaking, class Correction>
+double force_of_pack(const View& body, std::size_t slot, const Breaking& breaking, const Correction& correction) {
+  const auto stretch_of_i = correction.stretch.template of<Pack>(slot);
+  const auto dilatation_of_i = correction.dilatation.template of<Pack>(slot);
+  const Pack theta_i = has_dilatation ? load<Pack>(body.theta + slot) : Pack(0.0);
+  Vec3<Pack> force{Pack(0.0), Pack(0.0), Pack(0.0)};
+  Pack energy(0.0);
+  for_each_bond<Pack>(body.bonds, body.x, slot, breaking, [&](const auto& bond) {
+    const auto& folded = body.constants.template constants<Pack>(bond.index);
+    const Pack inverse_length = inverse_square_root(bond.squared_length);
+    Pack pull = correction.stretch.corrected(OrdinaryState::stretch_force(folded, inverse_length), stretch_of_i, bond.index, bond.neighbour);
+    if constexpr (has_dilatation) {
+      const Pack push = OrdinaryState::dilatation_force(folded, theta_i, bond.neighbour.of(body.theta));
+      pull = fused(correction.dilatation.corrected(push, dilatation_of_i, bond.index, bond.neighbour), inverse_length, pull);
+    }
+    pull = keep_where(bond.intact, pull);
+    force.x = fused(pull, bond.between.x, force.x);
+    force.y = fused(pull, bond.between.y, force.y);
+    force.z = fused(pull, bond.between.z, force.z);
+    if constexpr (with_energy) {
+      const Pack stored = OrdinaryState::stretch_energy(folded, bond.squared_length * inverse_length);
+      energy += keep_where(bond.intact, correction.stretch.corrected(stored, stretch_of_i, bond.index, bond.neighbour));
+    }
+  });
+  store(body.force.component(0) + slot, force.x);
+  store(body.force.component(1) + slot, force.y);
+  store(body.force.component(2) + slot, force.z);
+  if constexpr (with_energy && has_dilatation) energy += body.law.dilatation_energy(correction.dilatation_of(theta_i, slot));
+  return with_energy ? energy_of_pack(energy, body.particles, slot) : 0.0;
+}
+
+/// Calls per_pack(slot, corrections) for all packs of a row, without any where no factor differs from 1.
+template <class Pack, class View, class Correction, class PerPack>
+void for_each_pack(const View& body, std::size_t row, const Correction& corrections, const PerPack& per_pack) {
+  const std::size_t begin = row * body.particles.row_slots(), end = std::min(begin + body.particles.row_slots(), body.particles.slots());
+  for (std::size_t slot = begin; slot < end; slot += lanes<Pack>) {
+    if (body.correction.is_plain(slot / byte_lanes))
+      per_pack(slot, NoCorrections{});
+    else
+      per_pack(slot, corrections);
+  }
+}
+
+template <class Pack, bool has_dilatation, bool breaks, bool with_energy, class View, class Correction>
+void all_rows(const View& body, const Correction& corrections) {
+  const auto breaking_in = [&body](std::size_t row) {
+    if constexpr (breaks)
+      return BreakBeyond<decltype(body.constants)>{body.constants, body.rows.broken_ends[row]};
+    else
+      return Unbreakable{};
+  };
+  const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(body.particles.rows());
+  if constexpr (has_dilatation) {
+    parallel_for(rows, [&](std::ptrdiff_t r) {
+      const std::size_t row = static_cast<std::size_t>(r);
+      const auto breaking = breaking_in(row);
+      for_each_pack<Pack>(body, row, corrections, [&](std::size_t slot, const auto& factors) { dilatation_of_pack<Pack>(body, slot, breaking, factors); });
+    });
+  }
+  parallel_for(rows, [&](std::ptrdiff_t r) {
+    const std::size_t row = static_cast<std::size_t>(r);
+    double energy = 0;
+    const auto forces = [&](const auto& breaking) {
+      for_each_pack<Pack>(body, row, corrections, [&](std::size_t slot, const auto& factors) {
+        energy += force_of_pack<Pack, has_dilatation, with_energy>(body, slot, breaking, factors);
+      });
+    };
+    if constexpr (has_dilatation)
+      forces(Unbreakable{});  // the dilatation pass has broken what breaks
+    else
+      forces(breaking_in(row));
+    if constexpr (with_energy) body.rows.energy[row] = energy;
+  });
+}
+
+template <class Pack, class View, class Correction>
+void run(const View& body, bool breaks, const PassOptions& options, const Correction& corrections) {
+  with_constant(body.law.needs_dilatation(), [&](auto has_dilatation) {
+    with_constant(breaks, [&](auto breaking) {
+      with_constant(options.with_energy, [&](auto energy) { all_rows<Pack, has_dilatation.value, breaking.value, energy.value>(body, corrections); });
+    });
+  });
+}
+
+}  // namespace
+
+CorrectionBasis basis_of(const OrdinaryState& law) {
+  const FamilySums whole = law.whole_family();
+  return {law.elastic().poissons_ratio,
+          [law](double length) { return law.weights(length).dilatation; },
+          [law](double length) { return law.weights(length).stretch; },
+          whole.volume,
+          whole.weighted,
+          whole.dilatation,
+          whole.energy};
+}
+
+OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, const std::optional<CriticalStretch>& breaking, CorrectionFactors correction, const Family& family,
+                                       const Particles& particles)
+    : law_(law), breaking_(breaking), correction_(std::move(correction)) {
+  if (law_.needs_dilatation()) theta_ = ScalarArray(particles.slots(), particles.slack());
+  if (const Stencil* stencil = family.stencil()) {
+    for (const StencilBond& bond : stencil->bonds()) {
+      const BondWeights weights = law_.weights(bond.length);
+      folded_.push_back(law_.fold(bond.length, weights.stretch * bond.volume, weights.dilatation * bond.volume));
+      if (breaking) squared_limits_.push_back(breaking->squared_limit(bond.length));
+      half_squares_.push_back(interpolation_weights(bond.direction));
+    }
+    return;
+  }
+  const bool by_family = correction_.kind() == CorrectionKind::family;  // whose factors the kernel takes, since it needs those of particles anyhow
+  stretch_.assign(family.list()->length.size(), 0.0);
+  if (law_.needs_dilatation()) dilatation_ = stretch_;
+  parallel_for(static_cast<std::ptrdiff_t>(particles.size()), [&](std::ptrdiff_t particle) {
+    const std::size_t slot = particles.slot_of()[static_cast<std::size_t>(particle)];
+    family.for_each_bond(slot, [&](const FamilyBond& bond) {
+      const BondWeights weights = law_.weights(bond.length);
+      const Vec3d interpolation = interpolation_weights(bond.direction);
+      stretch_[bond.index] = weights.stretch * bond.volume * (by_family ? 1 : correction_.stretch_factor(slot, bond.j, interpolation));
+      if (!dilatation_.empty()) dilatation_[bond.index] = weights.dilatation * bond.volume * correction_.dilatation_factor(slot, bond.j, interpolation);
+    });
+  });
+}
+
+template <class Pack>
+void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+  const auto over = [&](const auto& bonds, const auto& constants, const auto& corrections) {
+    run<Pack>(BodyView<std::decay_t<decltype(bonds)>, std::decay_t<decltype(constants)>>{particles, particles.position.pointers(), particles.force_density,
+                                                                                         theta_.component(0), bonds, constants, correction_, law_, rows},
+              breaking_.has_value(), options, corrections);
+  };
+  const double* half = correction_.own_family().component(0);
+  const FamilyFactor own{half};
+  const Corrections<FamilyFactor, PlainBonds, true> by_family{own, {}, half};
+  if (family.list()) {
+    const ListConstants constants{law_, family.list()->length.data(), stretch_.data(), law_.needs_dilatation() ? dilatation_.data() : stretch_.data(),
+                                  breaking_ ? breaking_->longest() : 1.0};
+    if (correction_.kind() == CorrectionKind::family)
+      over(ListedBonds(family), constants, by_family);
+    else
+      over(ListedBonds(family), constants, NoCorrections{});  // the factors are in the constants
+    return;
+  }
+  const StencilBonds bonds(family);
+  const StencilConstants constants{folded_, squared_limits_};
+  switch (correction_.kind()) {
+    case CorrectionKind::none:
+      over(bonds, constants, NoCorrections{});
+      break;
+    case CorrectionKind::energy:
+      over(bonds, constants,
+           Corrections<EnergyFactor, EnergyFactor>{{correction_.stretch().pointers(), half_squares_}, {correction_.dilatation().pointers(), half_squares_}});
+      break;
+    case CorrectionKind::volume: {
+      const VolumeFactor factor{correction_.volume().component(0)};
+      over(bonds, constants, Corrections<VolumeFactor, VolumeFactor>{factor, factor});
+      break;
+    }
+    case CorrectionKind::family:
+      over(bonds, constants, by_family);
+      break;
+  }
+}
+
+template void OrdinaryStateForce::pass<double>(Particles&, Family&, const PassOptions&, RowSums&);
+#if defined(__AVX2__) && !defined(FCCDA_SCALAR_PACK)
+template void OrdinaryStateForce::pass<NativePack>(Particles&, Family&, const PassOptions&, RowSums&);
+#endif
+
+double OrdinaryStateForce::bytes() const {
+  return correction_.bytes() + static_cast<double>(sizeof(double) * (theta_.slots() + stretch_.size() + dilatation_.size()));
+}
+
+}  // namespace perimpact

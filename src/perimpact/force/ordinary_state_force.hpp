@@ -1,0 +1,50 @@
+/// Forces of an ordinary state-based material: one pass over all bonds, two where it has a dilatation.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "perimpact/damage/critical_stretch.hpp"
+#include "perimpact/family/family.hpp"
+#include "perimpact/family/surface_correction.hpp"
+#include "perimpact/force/pass.hpp"
+#include "perimpact/material/ordinary_state.hpp"
+
+namespace perimpact {
+
+CorrectionBasis basis_of(const OrdinaryState& law);
+
+class OrdinaryStateForce {
+ public:
+  OrdinaryStateForce(OrdinaryState law, const std::optional<CriticalStretch>& breaking, CorrectionFactors correction, const Family& family,
+                     const Particles& particles);
+
+  /// Writes particles.force_density and the sums of the rows.
+  template <class Pack>
+  void pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
+
+  const OrdinaryState& law() const { return law_; }
+  const CorrectionFactors& correction() const { return correction_; }
+  /// [N/m⁷] what the force density of a bond gains by each metre of its length, its dilatation left aside.
+  double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {
+    return law_.bond_stiffness(bond.length) * correction_.stretch_factor(slot, bond.j, interpolation_weights(bond.direction));
+  }
+  double bytes() const;  ///< [bytes] of memory
+
+ private:
+  OrdinaryState law_;
+  std::optional<CriticalStretch> breaking_;
+  CorrectionFactors correction_;
+  ScalarArray theta_;  // [-] of each particle; empty where the material needs none
+
+  // of each bond of the stencil
+  std::vector<OrdinaryState::Folded<double>> folded_;
+  std::vector<double> squared_limits_;  // [m²]
+  std::vector<Vec3d> half_squares_;
+
+  // of each entry of the list [m⁵], with the factors of the surface correction
+  fccda::AlignedVector<double> stretch_;     // ω_e |ξ|² v V
+  fccda::AlignedVector<double> dilatation_;  // ω_θ |ξ|² v V; empty where the material needs none
+};
+
+}  // namespace perimpact

@@ -1,0 +1,42 @@
+/// What a pass over the bonds of a body is asked for, and what it sums up row by row.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "fccda/core/pack.hpp"
+#include "perimpact/particles/particles.hpp"
+
+namespace perimpact {
+
+struct RowSums {
+  std::vector<double> energy;            ///< [J] of the last pass that was asked for it
+  std::vector<std::size_t> broken_ends;  ///< since construction
+};
+
+struct PassOptions {
+  bool with_energy = false;
+};
+
+/// Σ of energy density times volume over the particles of a pack [J].
+template <class Pack>
+double energy_of_pack(Pack density, const Particles& particles, std::size_t slot) {
+  double values[fccda::lanes<Pack>];
+  fccda::store(values, density);
+  double sum = 0;
+  for (std::size_t lane = 0; lane < fccda::lanes<Pack>; ++lane)
+    if (particles.is_occupied(slot + lane)) sum += values[lane] * particles.volume(slot + lane);
+  return sum;
+}
+
+/// Calls f with std::true_type or std::false_type.
+template <class F>
+void with_constant(bool value, const F& f) {
+  if (value)
+    f(std::true_type{});
+  else
+    f(std::false_type{});
+}
+
+}  // namespace perimpact

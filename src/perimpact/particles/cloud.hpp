@@ -1,0 +1,19 @@
+/// Particles that lie anywhere: how bodies are discretised that no lattice fits, from points of a file or the cells of a mesh.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fccda/core/vec3.hpp"
+
+namespace perimpact {
+
+using fccda::Vec3d;
+
+struct Cloud {
+  std::vector<Vec3d> points;        ///< [m] where the particles are at first
+  std::vector<double> volumes;      ///< [m³] of each
+  std::optional<double> thickness;  ///< [m] of a plane body, whose points share one z
+};
+
+}  // namespace perimpact
