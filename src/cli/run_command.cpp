@@ -84,10 +84,11 @@ int run_command(const RunArguments& arguments) {
     Checkpoints checkpoints(checkpoint, simulation);
     if (!earlier) tell_of_unfinished(checkpoint);
     ResultsWriter results = earlier ? ResultsWriter(simulation, folder, checkpoints.resume(*earlier, simulation)) : ResultsWriter(simulation, folder);
+    earlier.reset();  // it keeps the file open that the next checkpoint replaces
     remove_pictures_of_defects(simulation, folder);
     fmt::print("{}\n{} threads, {} steps of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
                simulation.clock().dt, folder.string());
-    if (earlier) fmt::print("Resumed at step {} (t = {:.4g} s).\n", simulation.clock().step, simulation.clock().time());
+    if (arguments.resume) fmt::print("Resumed at step {} (t = {:.4g} s).\n", simulation.clock().step, simulation.clock().time());
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
 
     Progress progress(simulation);

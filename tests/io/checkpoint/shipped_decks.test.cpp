@@ -31,7 +31,7 @@ const std::string nearer = "impactors.cylinder.position=[0, 70.2 mm, 0]";
 const std::vector<std::string> by_the_letter = {"contact.impactors.detector=published", "contact.impactors.radius_ratio=0", "contact.impactors.reading=letter",
                                                 nearer};
 
-/// The variants of cases/plate_impact/variants.sh, and the paddle.
+/// The variants of cases/plate_impact/variants.sh with those of the body and its material, and the paddle.
 const std::vector<Variant> variants = {
     {"plate_impact"},
     {"plate_impact", {"contact.impactors.detector=analytic"}},
@@ -40,6 +40,9 @@ const std::vector<Variant> variants = {
     {"plate_impact", {"bodies.plate.surface_correction=volume"}},
     {"plate_impact", {"bodies.plate.surface_correction=none", "bodies.plate.material.poissons_ratio=0.3"}},
     {"plate_impact", {"bodies.plate.published=true"}},
+    {"plate_impact", {"bodies.plate.plane=stress"}},
+    {"plate_impact", {"bodies.plate.material.model=linear-peridynamic-solid", "bodies.plate.material.influence=gaussian"}},
+    {"plate_impact", {"bodies.plate.material={model: bond-based, youngs_modulus: 191 GPa, density: 8000, critical_stretch: 1e-3}"}},
     {"plate_impact", {"contact.impactors.detector=published", "contact.impactors.radius_ratio=0", "impactors.cylinder.surface.cylinder.panels=quads", nearer}},
     {"plate_impact", by_the_letter},
     // a blade turned to just above the ice; the feeder touches it from the start
