@@ -404,7 +404,10 @@ std::span<const Field<OutputSetup>> OutputSetup::fields() {
   static const Field<S> all[] = {
       {"folder", &S::folder, "", {}, optional, "Folder of the results, from the working folder; --out overrides it."},
       {"frames", &S::frames, "1", between(0, 100000), optional, "Number of pictures after the one at t = 0. 0: none."},
-      {"history", &S::history, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."}};
+      {"history", &S::history, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."},
+      {"checkpoint_every", &S::checkpoint_every, "s", at_least(0), optional,
+       "Time on the clock on the wall, not in the simulation, between checkpoints: from the last one a run that was stopped goes on (perimpact run DECK "
+       "--resume). There is always one at the end and when the run is interrupted; 0: no others."}};
   return all;
 }
 

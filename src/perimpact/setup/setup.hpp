@@ -336,6 +336,7 @@ struct OutputSetup {
   std::string folder = "results";
   int frames = 40;                ///< number of pictures after the one at t = 0; 0: none at all
   std::optional<double> history;  ///< [s] between rows; a hundredth of the run where absent
+  double checkpoint_every = 300;  ///< [s] of the clock on the wall; 0: none but the last
   std::vector<ProbeSetup> probes;
   std::vector<LineSetup> lines;
   static std::span<const Field<OutputSetup>> fields();
