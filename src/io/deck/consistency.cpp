@@ -65,18 +65,17 @@ void check_failure(const BodySetup& body, const std::string& path, const Places&
   }
   if (material.layers && !material.flexural_strength)
     refuse(places.of(path + ".material.layers"), "layers is given without flexural_strength, which alone needs it; remove it, or give flexural_strength.");
-  for (const char* key : {"compression", "critical_compression", "weibull_modulus", "seed", "no_fail"})
-    if (!first && places.has(fmt::format("{}.failure.{}", path, key)))
-      refuse(
-          places.of(fmt::format("{}.failure.{}", path, key)),
-          fmt::format("{} is given, but the material never breaks; give it a critical_stretch, fracture_energy or flexural_strength, or remove failure.", key));
-  const bool is_limit = body.failure.compression.as<CompressionFailure>() == CompressionFailure::limit;
-  if (is_limit && !body.failure.critical_compression)
+  if (!body.failure) return;
+  if (!first)
+    refuse(places.of(path + ".failure"),
+           "failure is given, but the material never breaks; give it a critical_stretch, fracture_energy or flexural_strength, or remove failure.");
+  const bool is_limit = body.failure->compression.as<CompressionFailure>() == CompressionFailure::limit;
+  if (is_limit && !body.failure->critical_compression)
     refuse(places.of(path + ".failure.compression"), "compression is limit, but there is no critical_compression; give it, such as 0.01.");
-  if (!is_limit && body.failure.critical_compression)
+  if (!is_limit && body.failure->critical_compression)
     refuse(places.of(path + ".failure.critical_compression"),
-           fmt::format("critical_compression is given, but compression is {}; write compression: limit, or remove it.", body.failure.compression.word()));
-  if (places.has(path + ".failure.seed") && !body.failure.weibull_modulus)
+           fmt::format("critical_compression is given, but compression is {}; write compression: limit, or remove it.", body.failure->compression.word()));
+  if (body.failure->seed && !body.failure->weibull_modulus)
     refuse(places.of(path + ".failure.seed"), "seed is given without weibull_modulus, so nothing is random; give both or none.");
 }
 

@@ -141,7 +141,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
   return json;
 }
 
-Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds) {
+Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds, std::span<const std::int64_t> resumed_at) {
   const Clock& clock = simulation.clock();
   Json json = Json::object();
   json["program"] = "perimpact " PERIMPACT_VERSION;
@@ -150,6 +150,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   json["title"] = simulation.setup().title;
   json["steps"] = clock.step;
   json["time [s]"] = clock.time();
+  if (!resumed_at.empty()) json["resumed_at_steps"] = std::vector(resumed_at.begin(), resumed_at.end());
   json["threads"] = fccda::thread_count();
   json["wall [s]"] = wall_seconds;
   json["state_hash"] = fmt::format("{:016x}", simulation.state_hash());

@@ -12,7 +12,7 @@ std::span<const Field<RelaxSetup>> RelaxSetup::fields() {
   using S = RelaxSetup;
   static const Field<S> all[] = {
       {"increments", &S::increments, "1", between(1, 1e6), optional,
-       "Number of states of equilibrium, evenly spread to the end of the run. At each, tables, loads and impactors are as at its time."},
+       "Number of states of equilibrium, evenly spread to the end of the run. At each, courses and loads are as at its time."},
       {"tolerance", &S::tolerance, "1", strictly_between(0, 1), optional,
        "An increment is done when the forces that are out of balance are less than this share of the applied ones and those that hold."},
       {"most_iterations", &S::most_iterations, "1", between(1, 1e9), optional, "An increment that takes more iterations ends the run."}};
@@ -415,7 +415,10 @@ std::span<const Field<OutputSetup>> OutputSetup::fields() {
   static const Field<S> all[] = {
       {"folder", &S::folder, "", {}, optional, "Folder of the results, from the working folder; --out overrides it."},
       {"frames", &S::frames, "1", between(0, 100000), optional, "Number of pictures after the one at t = 0. 0: none."},
-      {"history", &S::history, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."}};
+      {"history", &S::history, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."},
+      {"checkpoint_every", &S::checkpoint_every, "s", at_least(0), optional,
+       "Time on the clock on the wall, not in the simulation, between checkpoints: from the last one a run that was stopped goes on (perimpact run DECK "
+       "--resume). There is always one at the end and when the run is interrupted; 0: no others."}};
   return all;
 }
 

@@ -111,7 +111,7 @@ struct FailureSetup {
   Choice compression{compression_words};
   std::optional<double> critical_compression;  ///< [-] positive, where compression is `limit`
   std::optional<double> weibull_modulus;       ///< [-] scatter of the strength of particles; none where absent
-  int seed = 1;                                ///< of the scatter
+  std::optional<int> seed;                     ///< of the scatter; 1 where absent
   std::vector<std::string> no_fail;            ///< names of regions
   static std::span<const Field<FailureSetup>> fields();
 };
@@ -130,7 +130,7 @@ struct BodySetup {
   bool published = false;     ///< the seed paper's discretisation: madenci-oterkus, continuum, none
   Choice plane{plane_words};  ///< of a body of two dimensions, a single layer in z
   MaterialSetup material;
-  FailureSetup failure;
+  std::optional<FailureSetup> failure;
   std::vector<SolidSetup> parts;    ///< united with the shape
   std::vector<SolidSetup> holes;    ///< taken out of it
   std::vector<SolidSetup> regions;  ///< names for what is in them
@@ -342,6 +342,7 @@ struct OutputSetup {
   std::string folder = "results";
   int frames = 40;                ///< number of pictures after the one at t = 0; 0: none at all
   std::optional<double> history;  ///< [s] between rows; a hundredth of the run where absent
+  double checkpoint_every = 300;  ///< [s] of the clock on the wall; 0: none but the last
   std::vector<ProbeSetup> probes;
   std::vector<LineSetup> lines;
   static std::span<const Field<OutputSetup>> fields();

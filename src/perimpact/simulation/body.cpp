@@ -69,7 +69,8 @@ Value sum_over(const Particles& particles, Value total, const F& f) {
 
 std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& particles) {
   std::vector<std::size_t> slots;
-  for (const std::string& region : setup.failure.no_fail) {
+  if (!setup.failure) return slots;
+  for (const std::string& region : setup.failure->no_fail) {
     const auto more = slots_in(region, setup, particles, "bodies." + setup.name + ".failure.no_fail");
     slots.insert(slots.end(), more.begin(), more.end());
   }

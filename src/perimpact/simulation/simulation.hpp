@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fccda/core/state.hpp"
 #include "fccda/core/timers.hpp"
 #include "perimpact/boundary/boundaries.hpp"
 #include "perimpact/impact/impactor.hpp"
@@ -49,14 +50,24 @@ class Simulation {
   std::size_t contacts() const;                                                ///< of the last step
   const std::optional<Relaxation>& relaxation() const { return relaxation_; }  ///< in place of dynamics
 
-  /// Calls visit(name, span) for every array of the state.
+  /// What the next step depends on, as fccda/core/state.hpp says. A simulation of the same Setup that is given another's state and record
+  /// goes on as the other would have.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
+    visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
     for (Boundaries& boundaries : boundaries_) boundaries.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
   }
   std::uint64_t state_hash();
+
+  /// Likewise what was noted of the run so far: no step depends on it, but history, warnings and run.json do.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    for (Impactor& impactor : impactors_) impactor.visit_record(visit);
+    monitors_.visit_state(fccda::under("monitors", visit));
+    encounters_.visit_state(fccda::under("encounters", visit));
+  }
 
  private:
   Simulation(const Setup& setup, Start start);

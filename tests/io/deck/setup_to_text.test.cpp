@@ -274,6 +274,30 @@ void fill_shapes(Random& random, BodySetup& body) {
   }
 }
 
+/// Any model, with one of the keys that say when bonds break, or none of them.
+void fill_material(Random& random, BodySetup& body) {
+  const MaterialSetup models[] = {OrdinaryStateSetup{}, LinearSolidSetup{}, BondBasedSetup{}};
+  body.material = models[random() % std::size(models)];
+  if (std::holds_alternative<LinearSolidSetup>(body.material) && !body.published) body.surface_correction.index = 0;
+  if (std::holds_alternative<LinearSolidSetup>(body.material)) body.published = false;
+  std::visit(
+      [&](auto& material) {
+        fill_fields(random, material);
+        const auto kept = random() % 4;
+        if (kept != 0) material.critical_stretch.reset();
+        if (kept != 1) material.fracture_energy.reset();
+        if (kept != 2) material.flexural_strength.reset();
+        if (!material.flexural_strength) material.layers.reset();
+        if (kept == 3 || !(material.critical_stretch || material.fracture_energy || material.flexural_strength)) return;
+        FailureSetup& failure = body.failure.emplace();
+        fill_fields(random, failure);
+        const bool is_limit = failure.compression.as<CompressionFailure>() == CompressionFailure::limit;
+        if (is_limit != failure.critical_compression.has_value()) failure.compression.index = 0, failure.critical_compression.reset();
+        if (!failure.weibull_modulus) failure.seed.reset();
+      },
+      body.material);
+}
+
 /// A Setup with values everywhere that a deck could have given.
 Setup some_setup(Random& random) {
   Setup setup;
@@ -288,7 +312,7 @@ Setup some_setup(Random& random) {
     body.name = name;
     if (body.published) body.family.index = 1, body.normalisation.index = 1, body.surface_correction.index = 3;
     fill_shapes(random, body);
-    fill_fields(random, std::get<OrdinaryStateSetup>(body.material));
+    fill_material(random, body);
     if (relaxes) body.velocity = {};
     if (random() % 2) add_boundaries(random, body, relaxes);
   }
