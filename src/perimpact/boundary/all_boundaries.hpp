@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "perimpact/boundary/absorbing.hpp"
@@ -13,8 +14,13 @@ namespace perimpact {
 using Boundary = std::variant<Held, Load, Absorbing>;
 
 struct NamedBoundary {
-  std::string name;  ///< "plate.grip"
+  std::string name;       ///< "plate.grip"
+  std::string_view kind;  ///< "fixed", as in the deck
   Boundary boundary;
+
+  std::size_t particles() const {
+    return std::visit([](const auto& one) { return one.slots().size(); }, boundary);
+  }
 
   BoundaryAccount& account() {
     return std::visit([](auto& one) -> BoundaryAccount& { return one.account; }, boundary);

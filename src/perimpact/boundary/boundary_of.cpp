@@ -135,7 +135,7 @@ NamedBoundary boundary_of(const BoundarySetup& boundary, const BoundedParticles&
   return std::visit(
       [&]<class Kind>(const Kind& kind) {
         const Place place{of, fmt::format("bodies.{}.boundaries.{}.{}", of.body.name, boundary.name, Kind::name)};
-        return NamedBoundary{fmt::format("{}.{}", of.body.name, boundary.name), made(kind, place)};
+        return NamedBoundary{fmt::format("{}.{}", of.body.name, boundary.name), Kind::name, made(kind, place)};
       },
       boundary.kind);
 }

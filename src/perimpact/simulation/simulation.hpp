@@ -45,6 +45,7 @@ class Simulation {
   std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
   std::span<const Body> bodies() const { return bodies_; }
   const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
+  std::span<const Boundaries> boundaries() const { return boundaries_; }  ///< of each body
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
   std::size_t contacts() const;                                                ///< of the last step
