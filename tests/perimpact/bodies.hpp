@@ -9,7 +9,7 @@
 
 namespace perimpact::fixtures {
 
-enum class Model { ordinary_state, linear_solid, bond_based };
+enum class Model { ordinary_state, linear_solid, bond_based, correspondence };
 enum class Points { lattice, listed, shaken };  ///< of the lattice; the same points with neighbour lists; a cloud of uneven points and volumes
 
 struct BodyOptions {
@@ -21,7 +21,9 @@ struct BodyOptions {
   Normalisation normalisation = Normalisation::lattice;
   std::optional<double> critical_stretch = {};
   Model model = Model::ordinary_state;
-  Influence influence = Influence::inverse;  ///< of the linear solid
+  Influence influence = Influence::inverse;  ///< of the linear solid and of correspondence
+  StressLaw law = StressLaw::hencky;
+  Stabilisation stabilisation = Stabilisation::wan;
   PlaneState plane = PlaneState::none;
   Points points = Points::lattice;
 };
@@ -38,6 +40,13 @@ inline MaterialSetup material_setup(const BodyOptions& options) {
     }
     case Model::bond_based:
       return BondBasedSetup{elastic};
+    case Model::correspondence: {
+      CorrespondenceSetup solid{elastic};
+      solid.law.index = static_cast<int>(options.law);
+      solid.stabilisation.index = static_cast<int>(options.stabilisation);
+      solid.influence.index = static_cast<int>(options.influence);
+      return solid;
+    }
     default:
       return OrdinaryStateSetup{elastic};
   }
@@ -72,10 +81,16 @@ inline Particles as_cloud(const Particles& lattice, double uneven, unsigned seed
 /// The same body with neighbour lists in place of the stencil: same law, corrections made anew from the lists.
 inline Body listed(const Body& body, const std::optional<CriticalStretch>& breaking, FamilyRule rule = FamilyRule::hu_ha_bobaru) {
   Particles particles = as_cloud(body.particles, 0);
-  const OrdinaryStateForce& force = *body.internal.ordinary_state();
   Family family(find_bonds(rule, body.family.horizon(), particles), particles);
-  CorrectionFactors correction(force.correction().kind(), basis_of(force.law()), family, particles);
-  InternalForce internal(OrdinaryStateForce(force.law(), breaking, std::move(correction), family, particles), particles);
+  const auto force = [&]() -> InternalForce::Kind {
+    if (const OrdinaryStateForce* ordinary = body.internal.ordinary_state())
+      return OrdinaryStateForce(ordinary->law(), breaking, CorrectionFactors(ordinary->correction().kind(), basis_of(ordinary->law()), family, particles),
+                                family, particles);
+    const Correspondence& law = *body.internal.correspondence();
+    if (particles.is_plane()) return CorrespondenceForce<2>(law, breaking, family, particles);
+    return CorrespondenceForce<3>(law, breaking, family, particles);
+  };
+  InternalForce internal(force(), particles);
   return {body.name, std::move(particles), std::move(family), std::move(internal)};
 }
 
@@ -110,7 +125,7 @@ struct NamedOptions {
 };
 
 /// Every material in every dimension on every kind of points: what the property tests run over.
-inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.012, 0.010, 0.008}) {
+inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.010, 0.007, 0.006}) {
   std::vector<NamedOptions> all;
   const std::pair<const char*, Points> points[] = {{"lattice", Points::lattice}, {"listed", Points::listed}, {"shaken cloud", Points::shaken}};
   const std::pair<const char*, PlaneState> planes[] = {{"space", PlaneState::none}, {"plane stress", PlaneState::stress}, {"plane strain", PlaneState::strain}};
@@ -126,6 +141,10 @@ inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.012, 0.010, 0
       for (const Influence influence : {Influence::one, Influence::inverse, Influence::inverse_square, Influence::parabolic, Influence::gaussian})
         add("linear solid", {.poissons_ratio = 0.3, .model = Model::linear_solid, .influence = influence});
       add("bond-based", {.model = Model::bond_based});
+      for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff})
+        for (const Stabilisation stabilisation : {Stabilisation::wan, Stabilisation::silling})
+          add(law == StressLaw::hencky ? "correspondence, hencky" : "correspondence, st-venant-kirchhoff",
+              {.poissons_ratio = 0.3, .model = Model::correspondence, .law = law, .stabilisation = stabilisation});
     }
   return all;
 }

@@ -198,7 +198,7 @@ void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOp
   const auto over = [&](const auto& bonds, const auto& constants, const auto& corrections) {
     run<Pack>(BodyView<std::decay_t<decltype(bonds)>, std::decay_t<decltype(constants)>>{particles, particles.position.pointers(), particles.force_density,
                                                                                          theta_.component(0), bonds, constants, correction_, law_, rows},
-              breaking_.has_value(), options, corrections);
+              breaking_.has_value() && options.may_break, options, corrections);
   };
   const double* half = correction_.own_family().component(0);
   const FamilyFactor own{half};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -45,6 +46,25 @@ CorrectionKind correction_of(const BodySetup& setup) {
   }
 }
 
+CorrespondenceOptions options_of(const CorrespondenceSetup& setup) {
+  return {setup.law.as<StressLaw>(), setup.stabilisation.as<Stabilisation>(), setup.stabilisation_factor, setup.influence.as<Influence>()};
+}
+
+/// Throws SetupError where no particle has a deformation gradient.
+template <std::size_t D>
+CorrespondenceForce<D> correspondence_force(const Correspondence& law, const std::optional<CriticalStretch>& breaking, Family& family,
+                                            const Particles& particles, const BodySetup& setup) {
+  CorrespondenceForce<D> force(law, breaking, family, particles);
+  const auto slots = particles.slot_of();
+  if (std::none_of(slots.begin(), slots.end(), [&](std::size_t slot) { return force.has_gradient(slot); }))
+    throw SetupError(
+        "bodies." + setup.name + ".spacing",
+        fmt::format("body {} is so thin that its particles have neighbours in one {} only, from which the model correspondence knows no strain; make "
+                    "the spacing smaller{}.",
+                    setup.name, D == 3 ? "plane" : "line", D == 3 ? ", or the body plane: stress" : ""));
+  return force;
+}
+
 /// Sums f(slot) over the particles, in rows, so that rounding does not grow with their number.
 template <class Value, class F>
 Value sum_over(const Particles& particles, Value total, const F& f) {
@@ -85,6 +105,9 @@ Body make_body(const BodySetup& setup, Particles particles) {
   const Influences influences = influences_of(setup);
   const double horizon = setup.horizon_ratio * particles.spacing();
 
+  std::optional<CriticalStretch> breaking;
+  if (setup.elastic().critical_stretch) breaking = CriticalStretch(*setup.elastic().critical_stretch);
+
   std::optional<FamilySums> lattice;
   std::optional<Family> family;
   if (particles.lattice()) {
@@ -94,11 +117,14 @@ Body make_body(const BodySetup& setup, Particles particles) {
   } else {
     family.emplace(find_bonds(setup.family.as<FamilyRule>(), horizon, particles), particles);
   }
+  if (const auto* correspondence = std::get_if<CorrespondenceSetup>(&setup.material)) {
+    const Correspondence law(elastic, options_of(*correspondence), horizon, particles.thickness().value_or(1));
+    InternalForce::Kind force = particles.is_plane() ? InternalForce::Kind(correspondence_force<2>(law, breaking, *family, particles, setup))
+                                                     : correspondence_force<3>(law, breaking, *family, particles, setup);
+    InternalForce internal(std::move(force), particles);
+    return {setup.name, std::move(particles), std::move(*family), std::move(internal)};
+  }
   const OrdinaryState law(elastic, influences, horizon, particles.thickness().value_or(1), lattice);
-
-  std::optional<CriticalStretch> breaking;
-  if (setup.elastic().critical_stretch) breaking = CriticalStretch(*setup.elastic().critical_stretch);
-
   CorrectionFactors correction(correction_of(setup), basis_of(law), *family, particles);
   InternalForce internal(OrdinaryStateForce(law, breaking, std::move(correction), *family, particles), particles);
   return {setup.name, std::move(particles), std::move(*family), std::move(internal)};

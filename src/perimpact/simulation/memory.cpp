@@ -21,10 +21,12 @@ double bytes_of(const BodySetup& setup, std::size_t impactors) {
   const Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing, setup.horizon_ratio, is_plane ? std::optional(1.0) : std::nullopt);
   const SurfaceCorrection correction = setup.surface_correction.as<SurfaceCorrection>();
   const bool own_family = std::holds_alternative<LinearSolidSetup>(setup.material);
+  const bool correspondence = std::holds_alternative<CorrespondenceSetup>(setup.material);
   // of the dilatation only the material knows, so the least is counted
-  const double vectors = 3 + (!own_family && correction <= SurfaceCorrection::energy ? 2 : 0);
-  const double scalars = 1 + (own_family || correction == SurfaceCorrection::volume ? 1 : 0);
-  const double of_slot = sizeof(double) * (3 * vectors + scalars) + static_cast<double>(stencil.size()) / 8 + 2 * sizeof(std::uint32_t);
+  const double vectors = 3 + (!own_family && !correspondence && correction <= SurfaceCorrection::energy ? 2 : 0);
+  const double scalars = 1 + (own_family || (!correspondence && correction == SurfaceCorrection::volume) ? 1 : 0) + (!correspondence ? 0 : is_plane ? 8 : 16);
+  const double of_slot =
+      sizeof(double) * (3 * vectors + scalars) + (correspondence ? 2 : 1) * static_cast<double>(stencil.size()) / 8 + 2 * sizeof(std::uint32_t);
   // a detector keeps a due distance and a guess for each slot
   return (of_slot + static_cast<double>(impactors * (sizeof(double) + sizeof(int)))) * slots;
 }
