@@ -43,8 +43,8 @@ void print_body(const Body& body) {
 
 void print_step(const Simulation& simulation) {
   const Stability& stability = simulation.stability();
-  fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the estimate of Silling and Askari ({:.4g} s), {:.2f} of the lattice's exact limit ({:.4g} s)\n",
-             "step", stability.step, simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / stability.exact,
+  fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the estimate of Silling and Askari ({:.4g} s), {:.2f} of the exact limit ({:.4g} s)\n", "step",
+             stability.step, simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / stability.exact,
              stability.exact);
 }
 

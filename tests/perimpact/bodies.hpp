@@ -119,6 +119,13 @@ void deform(Body& body, const Map& map) {
   for (const std::uint32_t slot : body.particles.slot_of()) body.particles.position.set(slot, map(body.particles.reference(slot)));
 }
 
+/// A number from 0 to 1 that both ends of a bond agree upon: to cut bonds at random.
+inline double drawn(std::size_t i, std::size_t j) {
+  std::mt19937_64 random(1000003 * std::min(i, j) + std::max(i, j));
+  random.discard(4);
+  return static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
 struct NamedOptions {
   std::string name;
   BodyOptions options;

@@ -1,6 +1,7 @@
 #include "perimpact/force/correspondence_force.hpp"
 
 #include <cstring>
+#include <limits>
 
 #include "fccda/core/parallel.hpp"
 #include "perimpact/force/bond_loop.hpp"
@@ -71,7 +72,8 @@ struct BodyView {
   Bonds bonds;
   Shapes shapes;
   const Correspondence& law;
-  std::array<double*, D*(D + 1) / 2> inverse_shape;
+  std::array<double*, D*(D + 1) / 2 + 1> shape;
+  const double* bound_at_first;
   std::array<double*, D * D + 1> response;
 };
 
@@ -84,9 +86,18 @@ void add_outer(SmallMatrix<Pack, D>& sum, const Vec3<Pack>& a, const Vec3<Pack>&
   }
 }
 
-/// K⁻¹ of the particles of one pack, from the bonds that they have now.
 template <std::size_t D, class Pack, class View>
-void make_inverse_shape(const View& body, std::size_t slot) {
+SmallMatrix<Pack, D> inverse_shape_of(const View& body, std::size_t slot) {
+  SmallMatrix<Pack, D> inverse;
+  std::size_t n = 0;
+  for (std::size_t r = 0; r < D; ++r)
+    for (std::size_t s = r; s < D; ++s) inverse.m[r][s] = inverse.m[s][r] = load<Pack>(body.shape[n++] + slot);
+  return inverse;
+}
+
+/// K⁻¹ and χ of the particles of one pack, from the bonds that they have now.
+template <std::size_t D, class Pack, class View>
+void make_shape(const View& body, std::size_t slot) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
   SmallMatrix<Pack, D> shape;
   for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
@@ -96,10 +107,12 @@ void make_inverse_shape(const View& body, std::size_t slot) {
   const SmallMatrix<Pack, D> inverse = Correspondence::inverse_shape(shape);
   std::size_t n = 0;
   for (std::size_t r = 0; r < D; ++r)
-    for (std::size_t s = r; s < D; ++s) store(body.inverse_shape[n++] + slot, inverse.m[r][s]);
+    for (std::size_t s = r; s < D; ++s) store(body.shape[n++] + slot, inverse.m[r][s]);
+  for (std::size_t i = slot; i < slot + lanes<Pack>; ++i)
+    body.shape[n][i] = Correspondence::remaining(body.bound_at_first[i], body.law.spring_bound(inverse_shape_of<D, double>(body, i)));
 }
 
-/// Makes K⁻¹ of the particles of one pack anew if their bonds are not those that it is of.
+/// Makes K⁻¹ and χ of the particles of one pack anew if their bonds are not those that they are of.
 template <std::size_t D, class Pack, class View>
 void follow_bonds(const View& body, std::size_t slot, std::uint8_t* known) {
   const std::size_t eight = slot / byte_lanes, rows = body.bonds.rows(eight);
@@ -107,16 +120,7 @@ void follow_bonds(const View& body, std::size_t slot, std::uint8_t* known) {
   if (std::memcmp(known, now, rows) == 0) return;
   const unsigned own = ((1u << lanes<Pack>)-1u) << (slot % byte_lanes);
   for (std::size_t row = 0; row < rows; ++row) known[row] = static_cast<std::uint8_t>((known[row] & ~own) | (now[row] & own));
-  make_inverse_shape<D, Pack>(body, slot);
-}
-
-template <std::size_t D, class Pack, class View>
-SmallMatrix<Pack, D> inverse_shape_of(const View& body, std::size_t slot) {
-  SmallMatrix<Pack, D> inverse;
-  std::size_t n = 0;
-  for (std::size_t r = 0; r < D; ++r)
-    for (std::size_t s = r; s < D; ++s) inverse.m[r][s] = inverse.m[s][r] = load<Pack>(body.inverse_shape[n++] + slot);
-  return inverse;
+  make_shape<D, Pack>(body, slot);
 }
 
 /// What F leaves of the bonds of a pack: Σ ω |z|² v V [m⁵].
@@ -146,7 +150,7 @@ Pack response_of_pack(const View& body, std::size_t slot, const Breaking& breaki
     add_outer(moment, bond.between, body.shapes.template reference<Pack>(bond, of_i), keep_where(bond.intact, body.shapes.template weight<Pack>(bond.index)));
   });
   follow_bonds<D, Pack>(body, slot, known);
-  const auto response = body.law.respond(moment, inverse_shape_of<D, Pack>(body, slot));
+  const auto response = body.law.respond(moment, inverse_shape_of<D, Pack>(body, slot), load<Pack>(body.shape[D * (D + 1) / 2] + slot));
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) store(body.response[r * D + s] + slot, response.through.m[r][s]);
   store(body.response[D * D] + slot, response.along);
@@ -179,8 +183,8 @@ template <std::size_t D>
 template <class Visit>
 void CorrespondenceForce<D>::with_bonds(const Particles& particles, Family& family, const Visit& visit) {
   const auto view = [&]<class Bonds, class Shapes>(const Bonds& bonds, const Shapes& shapes) {
-    BodyView<D, Bonds, Shapes> body{particles.position.pointers(), bonds, shapes, law_, {}, {}};
-    for (std::size_t n = 0; n < symmetric; ++n) body.inverse_shape[n] = inverse_shape_.component(n);
+    BodyView<D, Bonds, Shapes> body{particles.position.pointers(), bonds, shapes, law_, {}, bound_at_first_.data(), {}};
+    for (std::size_t n = 0; n <= symmetric; ++n) body.shape[n] = shape_.component(n);
     for (std::size_t n = 0; n < loads; ++n) body.response[n] = response_.component(n);
     visit(body);
   };
@@ -196,7 +200,8 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, const std
     : law_(law),
       breaking_(breaking),
       known_(family.begin(particles.slots() / byte_lanes), 0),
-      inverse_shape_(particles.slots(), 0),
+      shape_(particles.slots(), 0),
+      bound_at_first_(particles.slots(), std::numeric_limits<double>::infinity()),
       response_(particles.slots(), particles.slack()) {
   EXPECTS(D == (particles.is_plane() ? 2 : 3));
   if (const Stencil* stencil = family.stencil()) {
@@ -217,6 +222,7 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, const std
       follow_bonds<D, NativePack>(body, slot, known_.data() + family.begin(slot / byte_lanes));
     });
   });
+  for (std::size_t slot = 0; slot < particles.slots(); ++slot) bound_at_first_[slot] = law_.spring_bound(inverse_shape(slot));
 }
 
 template <std::size_t D>
@@ -254,18 +260,13 @@ SmallMatrix<double, D> CorrespondenceForce<D>::inverse_shape(std::size_t slot) c
   SmallMatrix<double, D> inverse;
   std::size_t n = 0;
   for (std::size_t r = 0; r < D; ++r)
-    for (std::size_t s = r; s < D; ++s) inverse.m[r][s] = inverse.m[s][r] = inverse_shape_.component(n++)[slot];
+    for (std::size_t s = r; s < D; ++s) inverse.m[r][s] = inverse.m[s][r] = shape_.component(n++)[slot];
   return inverse;
 }
 
 template <std::size_t D>
-bool CorrespondenceForce<D>::has_gradient(std::size_t slot) const {
-  return trace(inverse_shape(slot)) > 0;
-}
-
-template <std::size_t D>
 double CorrespondenceForce<D>::bytes() const {
-  const std::size_t doubles = inverse_shape_.slots() * (symmetric + loads) + 3 * reference_.slots() + listed_weighted_volume_.size();
+  const std::size_t doubles = shape_.slots() * (symmetric + 2 + loads) + 3 * reference_.slots() + listed_weighted_volume_.size();
   return static_cast<double>(sizeof(double) * doubles + known_.size());
 }
 

@@ -1,8 +1,8 @@
 /// Forces of a correspondence material: a first pass over all bonds for the gradients of the particles, which breaks what breaks, and a second
 /// for the forces.
 ///
-/// K⁻¹ changes only where bonds go. It is kept, together with the bonds that it is of; a pass that finds other bonds makes it anew, whoever took
-/// them away: this pass, a crack, or a checkpoint that was read. So it is no part of the state.
+/// K⁻¹ and χ change only where bonds go. They are kept, together with the bonds that they are of; a pass that finds other bonds makes them anew, whoever took
+/// them away: this pass, a crack, or a checkpoint that was read. So they are no part of the state.
 #pragma once
 
 #include <cstdint>
@@ -31,10 +31,12 @@ class CorrespondenceForce {
   const Correspondence& law() const { return law_; }
   /// K⁻¹ [1/m⁵] as of construction or the last pass; 0 where the family has no gradient.
   SmallMatrix<double, D> inverse_shape(std::size_t slot) const;
-  bool has_gradient(std::size_t slot) const;  ///< false: its family is too small or too flat, and the particle has no stress of its own
+  /// χ [-]: what damage leaves of the particle's stress, as of construction or the last pass; 0 where it has no gradient.
+  double remaining(std::size_t slot) const { return shape_.component(symmetric)[slot]; }
   /// [N/m⁷] of the springs, pulling in all directions, that are stiffer than the bond (Correspondence::spring_bound); as of construction or the last pass.
   double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {
-    return law_.weight(bond.length) * (law_.spring_bound(inverse_shape(slot)) + law_.spring_bound(inverse_shape(bond.j)));
+    const auto of = [&](std::size_t particle) { return remaining(particle) * law_.spring_bound(inverse_shape(particle)); };
+    return law_.weight(bond.length) * (of(slot) + of(bond.j));
   }
   double bytes() const;  ///< [bytes] of memory
 
@@ -45,7 +47,8 @@ class CorrespondenceForce {
   Correspondence law_;
   std::optional<CriticalStretch> breaking_;
   std::vector<std::uint8_t> known_;     // the bonds that K⁻¹ is of
-  SlotArray<symmetric> inverse_shape_;  // [1/m⁵] K⁻¹: its upper triangle by rows
+  SlotArray<symmetric + 1> shape_;      // [1/m⁵] K⁻¹: its upper triangle by rows; then χ
+  std::vector<double> bound_at_first_;  // [N/m⁷] spring bound of each particle
   SlotArray<loads> response_;           // [N/m⁷] B by rows, then c
 
   // of each bond of the stencil

@@ -7,6 +7,7 @@
 ///   what F leaves     z = y - F ξ                                                     [m]
 ///   force             f = t_ij - t_ji,   t_ij = ω [ P_i K_i⁻¹ ξ + c_i z ]             [N/m⁶]
 ///   energy            W_i = ψ(F) + c_i/2 Σ ω |z|² v V                                 [J/m³]
+///   after damage      W_i χ_i, P_i χ_i, c_i χ_i,   χ = min(1, 2 k at first/k now)     spring_bound() is k
 ///
 /// The last term of both resists what F does not see: patterns in which the displacements of a family cancel out (zero-energy modes).
 ///
@@ -17,6 +18,8 @@
 ///
 /// Σ ω z⊗ξ v V = 0 by the choice of F, so that f is exactly the gradient of the energy, and this, knowing only Fᵀ F and |z|, is the same in every
 /// turned state: forces and moments of a body sum to zero (docs/theory/correspondence.md).
+///
+/// Without χ, the fewer and the flatter its bonds, the stiffer a particle would hold on to them, until the time step is too long.
 #pragma once
 
 #include <algorithm>
@@ -57,9 +60,8 @@ class Correspondence {
   const CorrespondenceOptions& options() const { return options_; }
   double weight(double length) const { return weight_of(options_.influence, length, horizon_) / (length * length); }  ///< ω [-]
 
-  /// Least det K/(tr K/D)^D of a family that has a gradient; 1 is a round family, 0 one that lies in a plane. The stiffness that a family adds to a
-  /// particle goes as tr K tr K⁻¹/D², which is at most the inverse of this, and a time step that is stable for the whole body should stay so.
-  /// Families of undamaged bodies have 0.19 or more, even at the end of a bar of 2 × 2 particles.
+  /// Least det K/(tr K/D)^D of a family that has a gradient; 1 is a round family, 0 one that lies in a plane. Strains across a flatter family are
+  /// noise, and χ has left little of its stress. Undamaged bodies have 0.19 or more, even at the end of a bar of 2 × 2 particles.
   static constexpr double least_roundness = 0.05;
 
   /// K⁻¹ [1/m⁵]; 0 where the family is not round enough to have a gradient.
@@ -83,11 +85,11 @@ class Correspondence {
     T energy;                    ///< ψ [J/m³]
   };
 
-  /// `moment` [m⁵]: Σ ω y⊗ξ v V. Without K⁻¹ there is no response.
+  /// `moment` [m⁵]: Σ ω y⊗ξ v V; `remaining`: χ, 0 where there is no K⁻¹.
   template <class T, std::size_t D>
-  Response<T, D> respond(const SmallMatrix<T, D>& moment, const SmallMatrix<T, D>& inverse) const {
+  Response<T, D> respond(const SmallMatrix<T, D>& moment, const SmallMatrix<T, D>& inverse, T remaining) const {
     using Matrix = SmallMatrix<T, D>;
-    const unsigned has_gradient = fccda::bits_where_greater(trace(inverse), T(0.0));
+    const unsigned has_gradient = fccda::bits_where_greater(remaining, T(0.0));
     const Matrix one = Matrix::identity();
     Matrix gradient = moment * inverse, displacement;
     for (std::size_t r = 0; r < D; ++r)
@@ -98,8 +100,8 @@ class Correspondence {
     const Matrix turned = transpose(displacement), x = scaled_sum(T(1.0), turned * displacement, scaled_sum(T(1.0), turned, displacement));
     const double lambda = elastic_.lame_modulus(), mu = elastic_.shear_modulus();
     const Stress<T, D> stress = options_.law == StressLaw::hencky ? hencky_stress(x, lambda, mu) : st_venant_kirchhoff(x, lambda, mu);
-    const T c = fccda::keep_where(has_gradient, stabilisation(trace(inverse)));
-    return {scaled_sum(T(-1.0) * c, gradient, gradient * stress.second * inverse), c, gradient, stress.energy};
+    const T c = remaining * stabilisation(trace(inverse));
+    return {scaled_sum(T(-1.0) * c, gradient, gradient * stress.second * scaled_plus(remaining, inverse, T(0.0))), c, gradient, remaining * stress.energy};
   }
 
   /// c [N/m⁷] of a family with this tr K⁻¹.
@@ -118,6 +120,14 @@ class Correspondence {
     if (!(sum > 0)) return 0;
     return std::max(std::max(elastic_.lame_modulus(), 0.0) * sum + 2 * elastic_.shear_modulus() * largest, stabilisation(sum));
   }
+
+  /// How much k may grow by damage before the stress fades: a crack through a round family leaves half of it and doubles k, and its faces keep
+  /// their stiffness, as other surfaces do.
+  static constexpr double most_growth = 2;
+
+  /// χ, from the spring bounds of the family at first and now. So k χ is at most twice what it was at first, and a time step that is stable at first
+  /// stays so (docs/theory/correspondence.md).
+  static double remaining(double bound_at_first, double bound_now) { return bound_now > 0 ? std::min(1.0, most_growth * bound_at_first / bound_now) : 0; }
 
  private:
   IsotropicElastic elastic_;

@@ -56,7 +56,7 @@ CorrespondenceForce<D> correspondence_force(const Correspondence& law, const std
                                             const Particles& particles, const BodySetup& setup) {
   CorrespondenceForce<D> force(law, breaking, family, particles);
   const auto slots = particles.slot_of();
-  if (std::none_of(slots.begin(), slots.end(), [&](std::size_t slot) { return force.has_gradient(slot); }))
+  if (std::none_of(slots.begin(), slots.end(), [&](std::size_t slot) { return force.remaining(slot) > 0; }))
     throw SetupError(
         "bodies." + setup.name + ".spacing",
         fmt::format("body {} is so thin that its particles have neighbours in one {} only, from which the model correspondence knows no strain; make "

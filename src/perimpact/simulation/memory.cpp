@@ -24,7 +24,7 @@ double bytes_of(const BodySetup& setup, std::size_t impactors) {
   const bool correspondence = std::holds_alternative<CorrespondenceSetup>(setup.material);
   // of the dilatation only the material knows, so the least is counted
   const double vectors = 3 + (!own_family && !correspondence && correction <= SurfaceCorrection::energy ? 2 : 0);
-  const double scalars = 1 + (own_family || (!correspondence && correction == SurfaceCorrection::volume) ? 1 : 0) + (!correspondence ? 0 : is_plane ? 8 : 16);
+  const double scalars = 1 + (own_family || (!correspondence && correction == SurfaceCorrection::volume) ? 1 : 0) + (!correspondence ? 0 : is_plane ? 10 : 18);
   const double of_slot =
       sizeof(double) * (3 * vectors + scalars) + (correspondence ? 2 : 1) * static_cast<double>(stencil.size()) / 8 + 2 * sizeof(std::uint32_t);
   // a detector keeps a due distance and a guess for each slot

@@ -28,6 +28,8 @@ class Simulation {
  public:
   /// Throws SetupError where the Setup cannot be simulated.
   explicit Simulation(const Setup& setup);
+  /// The same from a start that has been made of the set-up, and perhaps been changed.
+  Simulation(const Setup& setup, Start start);
 
   void step();
 
@@ -52,7 +54,6 @@ class Simulation {
   std::uint64_t state_hash();
 
  private:
-  Simulation(const Setup& setup, Start start);
   void advance_bodies();
   void strike();
   void evaluate_forces();
