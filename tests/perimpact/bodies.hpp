@@ -26,6 +26,7 @@ struct BodyOptions {
   Stabilisation stabilisation = Stabilisation::wan;
   PlaneState plane = PlaneState::none;
   Points points = Points::lattice;
+  std::optional<FailureSetup> failure = {};
 };
 
 inline constexpr double youngs_modulus = 191e9, density = 8000;
@@ -62,6 +63,7 @@ inline BodySetup body_setup(const BodyOptions& options = {}) {
   setup.surface_correction.index = static_cast<int>(options.correction);
   setup.plane.index = static_cast<int>(options.plane);
   setup.material = material_setup(options);
+  setup.failure = options.failure;
   return setup;
 }
 
@@ -79,9 +81,11 @@ inline Particles as_cloud(const Particles& lattice, double uneven, unsigned seed
 }
 
 /// The same body with neighbour lists in place of the stencil: same law, corrections made anew from the lists.
-inline Body listed(const Body& body, const std::optional<CriticalStretch>& breaking, FamilyRule rule = FamilyRule::hu_ha_bobaru) {
+inline Body listed(const Body& body, const std::optional<BreakingRule>& rule_of_breaking, FamilyRule rule = FamilyRule::hu_ha_bobaru) {
   Particles particles = as_cloud(body.particles, 0);
   Family family(find_bonds(rule, body.family.horizon(), particles), particles);
+  Breaking breaking;
+  if (rule_of_breaking) breaking = Breaking(*rule_of_breaking, {}, family, particles);
   const auto force = [&]() -> InternalForce::Kind {
     if (const OrdinaryStateForce* ordinary = body.internal.ordinary_state())
       return OrdinaryStateForce(ordinary->law(), breaking, CorrectionFactors(ordinary->correction().kind(), basis_of(ordinary->law()), family, particles),
@@ -98,8 +102,8 @@ inline Body body(const BodyOptions& options = {}) {
   const BodySetup setup = body_setup(options);
   if (options.points == Points::lattice) return make_body(setup);
   if (options.points == Points::shaken) return make_body(setup, as_cloud(make_particles(setup), 0.2));
-  const auto breaking = options.critical_stretch ? std::optional(CriticalStretch(*options.critical_stretch)) : std::nullopt;
-  return listed(make_body(setup), breaking, options.family);
+  Body lattice = make_body(setup);
+  return listed(lattice, lattice.internal.breaking().rule(), options.family);
 }
 
 /// Moves every particle by up to `amount` [m] in each direction, in the plane where the body is plane.

@@ -15,7 +15,7 @@ namespace {
 /// ξ and ω v V of the bonds of a stencil.
 struct StencilShapes {
   std::span<const Vec3d> bonds;
-  std::span<const double> weighted_volume, squared_limits;
+  std::span<const double> weighted_volume;
 
   template <class Pack>
   struct OfParticle {};
@@ -32,17 +32,12 @@ struct StencilShapes {
   Pack weight(std::size_t index) const {
     return Pack(weighted_volume[index]);
   }
-  template <class Pack>
-  Pack of(std::size_t index) const {
-    return Pack(squared_limits[index]);
-  }
 };
 
 /// Those of the bonds of a list.
 struct ListShapes {
   std::array<const double*, 3> X;
-  const double *weighted_volume, *length;
-  double longest;  // 1 + s_c
+  const double* weighted_volume;
 
   template <class Pack>
   using OfParticle = Vec3<Pack>;
@@ -57,11 +52,6 @@ struct ListShapes {
   template <class Pack>
   Pack weight(std::size_t index) const {
     return load<Pack>(weighted_volume + index);
-  }
-  template <class Pack>
-  Pack of(std::size_t index) const {
-    const Pack limit = Pack(longest) * load<Pack>(length + index);
-    return limit * limit;
   }
 };
 
@@ -188,17 +178,16 @@ void CorrespondenceForce<D>::with_bonds(const Particles& particles, Family& fami
     for (std::size_t n = 0; n < loads; ++n) body.response[n] = response_.component(n);
     visit(body);
   };
-  if (const BondList* list = family.list())
-    view(ListedBonds(family), ListShapes{reference_.pointers(), listed_weighted_volume_.data(), list->length.data(), breaking_ ? breaking_->longest() : 1.0});
+  if (family.list())
+    view(ListedBonds(family), ListShapes{reference_.pointers(), listed_weighted_volume_.data()});
   else
-    view(StencilBonds(family), StencilShapes{bonds_, weighted_volume_, squared_limits_});
+    view(StencilBonds(family), StencilShapes{bonds_, weighted_volume_});
 }
 
 template <std::size_t D>
-CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, const std::optional<CriticalStretch>& breaking, Family& family,
-                                            const Particles& particles)
+CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking breaking, Family& family, const Particles& particles)
     : law_(law),
-      breaking_(breaking),
+      breaking_(std::move(breaking)),
       known_(family.begin(particles.slots() / byte_lanes), 0),
       shape_(particles.slots(), 0),
       bound_at_first_(particles.slots(), std::numeric_limits<double>::infinity()),
@@ -208,7 +197,6 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, const std
     for (const StencilBond& bond : stencil->bonds()) {
       bonds_.push_back(bond.length * bond.direction);
       weighted_volume_.push_back(law_.weight(bond.length) * bond.volume);
-      if (breaking) squared_limits_.push_back(breaking->squared_limit(bond.length));
     }
   } else {
     reference_ = VectorArray(particles.slots(), particles.slack());
@@ -242,12 +230,11 @@ void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const Pa
       });
       if (options.with_energy) rows.energy[row] = energy;
     };
-    parallel_for(row_count, [&](std::ptrdiff_t r) {
-      const std::size_t row = static_cast<std::size_t>(r);
-      if (breaking_ && options.may_break)
-        responses(row, BreakBeyond<std::decay_t<decltype(body.shapes)>>{body.shapes, rows.broken_ends[row]});
-      else
-        responses(row, Unbreakable{});
+    breaking_.template choose<std::decay_t<decltype(body.bonds)>>(family, options.may_break, [&](const auto& breaker) {
+      parallel_for(row_count, [&](std::ptrdiff_t r) {
+        const std::size_t row = static_cast<std::size_t>(r);
+        responses(row, breaker.counting(rows.broken_ends[row]));
+      });
     });
     parallel_for(row_count, [&](std::ptrdiff_t r) {
       for_each_pack(static_cast<std::size_t>(r), [&](std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
@@ -267,7 +254,7 @@ SmallMatrix<double, D> CorrespondenceForce<D>::inverse_shape(std::size_t slot) c
 template <std::size_t D>
 double CorrespondenceForce<D>::bytes() const {
   const std::size_t doubles = shape_.slots() * (symmetric + 2 + loads) + 3 * reference_.slots() + listed_weighted_volume_.size();
-  return static_cast<double>(sizeof(double) * doubles + known_.size());
+  return breaking_.bytes() + static_cast<double>(sizeof(double) * doubles + known_.size());
 }
 
 template class CorrespondenceForce<2>;

@@ -6,11 +6,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "perimpact/damage/critical_stretch.hpp"
 #include "perimpact/family/family.hpp"
+#include "perimpact/force/breaking.hpp"
 #include "perimpact/force/pass.hpp"
 #include "perimpact/material/correspondence.hpp"
 
@@ -22,12 +21,13 @@ class CorrespondenceForce {
   static constexpr std::size_t symmetric = D * (D + 1) / 2, loads = D * D + 1;
 
   /// D: 2 of plane particles, else 3.
-  CorrespondenceForce(const Correspondence& law, const std::optional<CriticalStretch>& breaking, Family& family, const Particles& particles);
+  CorrespondenceForce(const Correspondence& law, Breaking breaking, Family& family, const Particles& particles);
 
   /// Writes particles.force_density and the sums of the rows.
   template <class Pack>
   void pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
 
+  const Breaking& breaking() const { return breaking_; }
   const Correspondence& law() const { return law_; }
   /// K⁻¹ [1/m⁵] as of construction or the last pass; 0 where the family has no gradient.
   SmallMatrix<double, D> inverse_shape(std::size_t slot) const;
@@ -45,7 +45,7 @@ class CorrespondenceForce {
   void with_bonds(const Particles& particles, Family& family, const Visit& visit);
 
   Correspondence law_;
-  std::optional<CriticalStretch> breaking_;
+  Breaking breaking_;
   std::vector<std::uint8_t> known_;     // the bonds that K⁻¹ is of
   SlotArray<symmetric + 1> shape_;      // [1/m⁵] K⁻¹: its upper triangle by rows; then χ
   std::vector<double> bound_at_first_;  // [N/m⁷] spring bound of each particle
@@ -54,7 +54,6 @@ class CorrespondenceForce {
   // of each bond of the stencil
   std::vector<Vec3d> bonds_;             // [m] ξ
   std::vector<double> weighted_volume_;  // [m³] ω v V
-  std::vector<double> squared_limits_;   // [m²]
 
   // of a list
   VectorArray reference_;                                // [m] X

@@ -34,6 +34,9 @@ class InternalForce {
     return std::visit([&](const auto& force) { return force.bond_stiffness(slot, bond); }, kind_);
   }
 
+  const Breaking& breaking() const {
+    return std::visit([](const auto& force) -> const Breaking& { return force.breaking(); }, kind_);
+  }
   const OrdinaryStateForce* ordinary_state() const { return std::get_if<OrdinaryStateForce>(&kind_); }
   const Correspondence* correspondence() const;  ///< null of other materials
   double bytes() const;                          ///< [bytes] of memory

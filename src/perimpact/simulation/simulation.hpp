@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fccda/core/state.hpp"
 #include "fccda/core/timers.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/setup/setup.hpp"
@@ -41,17 +42,28 @@ class Simulation {
   const fccda::Timers& timers() const { return timers_; }
   std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
   std::span<const Body> bodies() const { return bodies_; }
+  const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
   std::size_t contacts() const;  ///< of the last step
 
-  /// Calls visit(name, span) for every array of the state.
+  /// What the next step depends on, as fccda/core/state.hpp says. A simulation of the same Setup that is given another's state and record
+  /// goes on as the other would have.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
+    visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
   }
   std::uint64_t state_hash();
+
+  /// Likewise what was noted of the run so far: no step depends on it, but history, warnings and run.json do.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    for (Impactor& impactor : impactors_) impactor.visit_record(visit);
+    monitors_.visit_state(fccda::under("monitors", visit));
+    encounters_.visit_state(fccda::under("encounters", visit));
+  }
 
  private:
   void advance_bodies();
@@ -62,6 +74,7 @@ class Simulation {
   Setup setup_;
   std::vector<std::string> warnings_;
   std::vector<InsideAtStart> inside_at_start_;
+  std::vector<std::optional<FilledMass>> filled_masses_;
   std::vector<Body> bodies_;
   Stability stability_;
   Clock clock_;
