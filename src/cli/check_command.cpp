@@ -57,8 +57,8 @@ void print_step(const Simulation& simulation) {
     fmt::print("time\n  {:<18}{} of {:.4g} s\n", "increments", simulation.clock().steps, simulation.clock().dt);
     return;
   }
-  fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the estimate of Silling and Askari ({:.4g} s), {:.2f} of the lattice's exact limit ({:.4g} s)\n",
-             "step", stability.step, simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / stability.exact,
+  fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the estimate of Silling and Askari ({:.4g} s), {:.2f} of the exact limit ({:.4g} s)\n", "step",
+             stability.step, simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / stability.exact,
              stability.exact);
 }
 

@@ -85,11 +85,17 @@ void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
   make_shape_consistent(body, folder, places);
   check_failure(body, path, places);
   const SurfaceCorrection correction = body.surface_correction.as<SurfaceCorrection>();
-  if (std::holds_alternative<LinearSolidSetup>(body.material) && (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
+  const bool is_correspondence = std::holds_alternative<CorrespondenceSetup>(body.material);
+  if ((is_correspondence || std::holds_alternative<LinearSolidSetup>(body.material)) &&
+      (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
     refuse(places.of(path + ".surface_correction"),
-           fmt::format("surface_correction is {}, but the model linear-peridynamic-solid normalises each particle by its own family, which is its correction; "
-                       "remove surface_correction.",
-                       body.surface_correction.word()));
+           fmt::format(
+               "surface_correction is {}, but the model {} normalises each particle by its own family, which is its correction; remove surface_correction.",
+               body.surface_correction.word(), is_correspondence ? CorrespondenceSetup::name : LinearSolidSetup::name));
+  if (is_correspondence && !body.published && body.normalisation.as<Normalisation>() == Normalisation::continuum)
+    refuse(places.of(path + ".normalisation"),
+           "normalisation is continuum, but in the model correspondence uniform strain has exactly its energy on every lattice and nothing is left to "
+           "normalise; remove normalisation.");
 }
 
 void find_file(FileSurface& surface, const std::string& path, const fs::path& folder, const Places& places) {

@@ -34,6 +34,12 @@ std::size_t InternalForce::broken_bonds() const {
   return ends / 2;
 }
 
+const Correspondence* InternalForce::correspondence() const {
+  if (const auto* space = std::get_if<CorrespondenceForce<3>>(&kind_)) return &space->law();
+  if (const auto* plane = std::get_if<CorrespondenceForce<2>>(&kind_)) return &plane->law();
+  return nullptr;
+}
+
 double InternalForce::bytes() const {
   return std::visit([](const auto& force) { return force.bytes(); }, kind_);
 }

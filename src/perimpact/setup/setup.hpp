@@ -38,6 +38,10 @@ enum class CompressionFailure { none, symmetric, limit };
 
 inline constexpr std::string_view influence_words[] = {"one", "inverse", "inverse-square", "parabolic", "gaussian"};  // as perimpact::Influence
 
+inline constexpr std::string_view stress_law_words[] = {"hencky", "st-venant-kirchhoff"};  // as perimpact::StressLaw
+
+inline constexpr std::string_view stabilisation_words[] = {"wan", "silling"};  // as perimpact::Stabilisation
+
 inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
 enum class PanelKind { triangles, quads };
 
@@ -104,7 +108,18 @@ struct BondBasedSetup : ElasticSetup {
   static constexpr std::string_view name = "bond-based";
   static std::span<const Field<BondBasedSetup>> fields();
 };
-using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBasedSetup>;  // chosen by the key `model`
+
+/// A classical law of stress, through the deformation gradients of the particles (docs/theory/correspondence.md).
+struct CorrespondenceSetup : ElasticSetup {
+  static constexpr std::string_view name = "correspondence";
+  Choice law{stress_law_words};
+  Choice stabilisation{stabilisation_words};
+  double stabilisation_factor = 1;
+  Choice influence{influence_words, 1};
+  static std::span<const Field<CorrespondenceSetup>> fields();
+};
+
+using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBasedSetup, CorrespondenceSetup>;  // chosen by the key `model`
 
 /// Which bonds break, beside the critical stretch of the material.
 struct FailureSetup {

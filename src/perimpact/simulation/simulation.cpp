@@ -41,7 +41,7 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
   Stability stability{0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const Body& body : bodies) {
     stability.estimate = std::min(stability.estimate, silling_askari_step(body));
-    stability.exact = std::min(stability.exact, exact_stable_step(body).value_or(std::numeric_limits<double>::infinity()));
+    stability.exact = std::min(stability.exact, exact_stable_step(body));
   }
   if (setup.time.relax) {
     stability.step = setup.time.end / setup.time.relax->increments;
@@ -55,7 +55,7 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
     throw SetupError("time.step", fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; make it shorter, or leave it out.",
                                               stability.step, setup.time.end));
   if (stability.step >= stability.exact)
-    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of this lattice ({:.4g} s): the run would blow "
+    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of these bodies ({:.4g} s): the run would blow "
                                               "up. Take at most {:.4g} s, or leave the step out.",
                                               stability.step, stability.step / stability.exact, stability.exact, automatic));
   constexpr double most_steps = 1e15;  // are counted without rounding, and would take thirty years at a million a second
@@ -64,7 +64,7 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
                                              setup.time.end / stability.step, stability.step));
   if (stability.step > automatic * (1 + 1e-9))
     warnings.push_back(
-        fmt::format("The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times the exact limit of the lattice; near surfaces it "
+        fmt::format("The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times the exact limit; near surfaces it "
                     "may be unstable.",
                     stability.step, stability.step / automatic, automatic, stability.step / stability.exact));
   return stability;

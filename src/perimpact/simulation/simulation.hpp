@@ -32,6 +32,8 @@ class Simulation {
  public:
   /// Throws SetupError where the Setup cannot be simulated.
   explicit Simulation(const Setup& setup);
+  /// The same from a start that has been made of the set-up, and perhaps been changed.
+  Simulation(const Setup& setup, Start start);
 
   /// One step in time or, where the set-up relaxes, one increment. Throws RunError.
   void step();
@@ -71,7 +73,6 @@ class Simulation {
   }
 
  private:
-  Simulation(const Setup& setup, Start start);
   void advance_bodies();
   void strike();
   void evaluate_forces();
