@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "fccda/core/error.hpp"
 #include "fccda/core/parallel.hpp"
 #include "perimpact/boundary/slot_sum.hpp"
+#include "perimpact/simulation/stiffest_mode.hpp"
 
 namespace perimpact {
 
@@ -26,10 +26,6 @@ double largest_row(const Body& body, std::size_t slot) {
   return std::max({rows.x, rows.y, rows.z});
 }
 
-}  // namespace
-
-namespace {
-
 /// A sum over particles of two things.
 struct Quotient {
   double over = 0, under = 0;
@@ -39,43 +35,9 @@ struct Quotient {
   }
 };
 
-/// The highest ω² [1/s²] of the body with such densities, by power iteration on differences of its forces: the quotient rises to it from
-/// below, and is within a few parts in a hundred after so many. The start is random, so that no mode is left out.
-double highest_square_of_frequency(Body& body, const std::vector<double>& density) {
-  constexpr int iterations = 40;
-  Particles& particles = body.particles;
-  const auto slots = particles.slot_of();
-  const double amplitude = 1e-6 * particles.spacing();
-  std::vector<Vec3d> position, force, direction(slots.size());
-  body.internal.evaluate_unbroken(particles, body.family);
-  for (const std::uint32_t slot : slots) position.push_back(particles.position.at(slot)), force.push_back(particles.force_density.at(slot));
-  std::mt19937_64 random(1);
-  const auto component = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; };  // of [-1, 1), alike on all machines
-  for (Vec3d& v : direction) v = {component(), component(), particles.is_plane() ? 0 : component()};
-
-  double square = 0;
-  for (int iteration = 0; iteration < iterations; ++iteration) {
-    for (std::size_t k = 0; k < slots.size(); ++k) particles.position.set(slots[k], position[k] + amplitude * direction[k]);
-    body.internal.evaluate_unbroken(particles, body.family);
-    Quotient rayleigh;
-    double largest = 0;
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-      const Vec3d stiffness = (force[k] - particles.force_density.at(slots[k])) / amplitude;
-      rayleigh += {dot(direction[k], stiffness), density[slots[k]] * squared_norm(direction[k])};
-      direction[k] = stiffness / density[slots[k]];
-      largest = std::max(largest, largest_magnitude(direction[k]));
-    }
-    square = rayleigh.over / rayleigh.under;
-    if (!(largest > 0)) break;  // no bonds
-    for (Vec3d& v : direction) v = v / largest;
-  }
-  for (std::size_t k = 0; k < slots.size(); ++k) particles.position.set(slots[k], position[k]);
-  return square;
-}
-
 }  // namespace
 
-std::vector<double> fictitious_density(Body& body, double dt, double safety) {
+std::vector<double> fictitious_density(const Body& body, double dt, double safety) {
   std::vector<double> density(body.particles.slots(), 0);
   const auto slots = body.particles.slot_of();
   fccda::parallel_for(static_cast<std::ptrdiff_t>(slots.size()), [&](std::ptrdiff_t k) {
@@ -85,14 +47,14 @@ std::vector<double> fictitious_density(Body& body, double dt, double safety) {
   const double stiffest = *std::max_element(density.begin(), density.end());
   for (const std::uint32_t slot : slots)
     if (density[slot] == 0) density[slot] = stiffest > 0 ? stiffest : body.particles.density();  // no bond pulls it
-  const double ratio = 0.25 * dt * dt * highest_square_of_frequency(body, density);              // just stable at 1
+  const double ratio = 0.25 * dt * dt * stiffest_mode(body, density);                            // just stable at 1
   if (ratio > 0)
     for (const std::uint32_t slot : slots) density[slot] *= safety * ratio;
   return density;
 }
 
-Relaxation::Relaxation(const RelaxSetup& setup, std::span<Body> bodies, double dt, double safety) : setup_(setup), dt_(dt) {
-  for (Body& body : bodies) {
+Relaxation::Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, double dt, double safety) : setup_(setup), dt_(dt) {
+  for (const Body& body : bodies) {
     Search& search = searches_.emplace_back();
     search.density = fictitious_density(body, dt, safety);
     const Particles& particles = body.particles;

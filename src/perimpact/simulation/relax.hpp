@@ -4,7 +4,7 @@
 ///   v ← ((2 - c dt) v + 2 dt F/D)/(2 + c dt),    x ← x + v dt
 ///
 ///   D_i   fictitious density [kg/m³]: as the sum of the magnitudes of the particle's row of the stiffness, so that particles are equally
-///         quick; all so large that the highest frequency of the body, found by power iteration, is stable: ω dt < 2
+///         quick; all so large that the stiffest mode of the body (stiffest_mode.hpp) is stable: ω dt < 2
 ///   c     damping [1/s]: twice the frequency of the deflection u since the increment began, ω² = -Σ u·(F - F_0)/Σ D u² (Rayleigh), which
 ///         is critical for it; at most 1.9/dt
 ///
@@ -30,16 +30,15 @@ struct Relaxed {
   long iterations = 0;
 };
 
-/// The fictitious densities of the particles of a body, by slot, for steps of dt [s]: `safety` times what is just stable for the body as it
-/// is now. Leaves the body as it is, but for its force densities.
-std::vector<double> fictitious_density(Body& body, double dt, double safety);
+/// The fictitious densities of the particles of a body, by slot, for steps of dt [s]: `safety` times what is just stable.
+std::vector<double> fictitious_density(const Body& body, double dt, double safety);
 
 class Relaxation {
  public:
-  static constexpr double usual_safety = 1.25;  // the power iteration ends a few parts in a hundred too low; large strains stiffen
+  static constexpr double usual_safety = 1.2;  // the stiffest mode is found to 1 %; large strains stiffen
 
   /// `dt` [s]: of an increment; only a scale for fictitious velocities.
-  Relaxation(const RelaxSetup& setup, std::span<Body> bodies, double dt, double safety = usual_safety);
+  Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, double dt, double safety = usual_safety);
 
   /// Leads the bodies to equilibrium under loads and courses of that time [s]; returns the elastic energy of each [J].
   /// Throws RunError where it takes too long.

@@ -70,7 +70,7 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
   return stability;
 }
 
-std::optional<Relaxation> make_relaxation(const Setup& setup, std::span<Body> bodies, double dt) {
+std::optional<Relaxation> make_relaxation(const Setup& setup, std::span<const Body> bodies, double dt) {
   if (!setup.time.relax) return std::nullopt;
   if (!setup.impactors.empty())
     throw SetupError(

@@ -12,15 +12,15 @@ namespace {
 /// Displacements of all particles, in the order of slot_of.
 using Displacements = std::vector<Vec3d>;
 
-/// -f/ρ for a displacement of the body: its stiffness over its mass, symmetric in the inner product Σ V a·b.
+/// -f/ρ for a displacement of the body: its stiffness over its mass, symmetric in the inner product Σ ρ V a·b.
 class Stiffness {
  public:
-  explicit Stiffness(const Body& body) : body_(body) {}
+  Stiffness(const Body& body, std::vector<double> densities) : body_(body), densities_(std::move(densities)) {}
 
   std::size_t size() const { return body_.particles.size(); }
   double inner(const Displacements& a, const Displacements& b) const {
     double sum = 0;
-    for (std::size_t n = 0; n < size(); ++n) sum += body_.particles.volume(slot(n)) * dot(a[n], b[n]);
+    for (std::size_t n = 0; n < size(); ++n) sum += densities_[slot(n)] * body_.particles.volume(slot(n)) * dot(a[n], b[n]);
     return sum;
   }
 
@@ -33,7 +33,7 @@ class Stiffness {
     for (std::size_t n = 0; n < size(); ++n) particles.position.set(slot(n), particles.reference(slot(n)) + scale * u[n]);
     body_.internal.evaluate_unbroken(particles, body_.family);
     Displacements product(size());
-    for (std::size_t n = 0; n < size(); ++n) product[n] = (-1 / (scale * particles.density())) * particles.force_density.at(slot(n));
+    for (std::size_t n = 0; n < size(); ++n) product[n] = (-1 / (scale * densities_[slot(n)])) * particles.force_density.at(slot(n));
     return product;
   }
 
@@ -49,6 +49,7 @@ class Stiffness {
   std::size_t slot(std::size_t n) const { return body_.particles.slot_of()[n]; }
 
   Body body_;
+  std::vector<double> densities_;  // [kg/m³] of each slot
 };
 
 /// Largest eigenvalue of the symmetric tridiagonal matrix with this diagonal and these elements beside it, by bisection: below it the pivots of
@@ -70,8 +71,10 @@ double largest_eigenvalue(const std::vector<double>& diagonal, const std::vector
 
 }  // namespace
 
-double stiffest_mode(const Body& body, int products) {
-  Stiffness stiffness(body);
+double stiffest_mode(const Body& body, int products) { return stiffest_mode(body, std::vector(body.particles.slots(), body.particles.density()), products); }
+
+double stiffest_mode(const Body& body, std::vector<double> densities, int products) {
+  Stiffness stiffness(body, std::move(densities));
   Displacements current = stiffness.random(), previous(stiffness.size());
   std::vector<double> diagonal, beside;
   double length = std::sqrt(stiffness.inner(current, current));

@@ -1,6 +1,8 @@
 /// The highest frequency of a body as it is: its own particles, surfaces, cracks and material.
 #pragma once
 
+#include <vector>
+
 #include "perimpact/simulation/body.hpp"
 
 namespace perimpact {
@@ -12,5 +14,8 @@ namespace perimpact {
 /// `products` evaluations are made. The result never exceeds ω²; it is below by less than 1 % with 40 for bodies of up to a million particles
 /// (tests/perimpact/simulation/stiffest_mode.test.cpp). 0 where the body has no bonds.
 double stiffest_mode(const Body& body, int products = 40);
+
+/// The same where its particles had these densities [kg/m³], one of each slot.
+double stiffest_mode(const Body& body, std::vector<double> densities, int products = 40);
 
 }  // namespace perimpact
