@@ -53,7 +53,7 @@ const std::vector<Variant> variants = {
 
 }  // namespace
 
-TEST_CASE("resume: each shipped deck, made small and left off at every step, ends in the same state and rows") {
+TEST_CASE("resume: each shipped deck, made small and left off at every step, is the same to the last bit") {
   for (const Variant& variant : variants) {
     std::vector<std::string> changes = variant.changes;
     if (std::string(variant.deck) == "plate_impact") changes.insert(changes.begin(), small_plate.begin(), small_plate.end());
@@ -66,9 +66,7 @@ TEST_CASE("resume: each shipped deck, made small and left off at every step, end
       resumed.emplace(setup);
       snapshot.give(*resumed);
       whole.step(), resumed->step();
-      REQUIRE(resumed->state_hash() == whole.state_hash());
-      const auto row = whole.monitors().row(), again = resumed->monitors().row();
-      REQUIRE(std::equal(again.begin(), again.end(), row.begin(), row.end()));
+      REQUIRE(fixtures::Snapshot(whole).differences(fixtures::Snapshot(*resumed)) == std::vector<std::string>{});
     }
     CHECK(whole.impactors()[0].record().touched() == (variant.changes != by_the_letter));
     CHECK(resumed->closing_warnings() == whole.closing_warnings());
