@@ -49,13 +49,15 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
   const auto velocity = of_particles(body, [&](std::uint32_t slot) { return particles.velocity.at(slot); });
   std::vector<float> damage;
   for (const std::uint32_t slot : particles.slot_of()) damage.push_back(static_cast<float>(body.family.damage(slot)));
-  output::write_vtp(path,
-                    {.points = std::span<const float>(position),
-                     .point_arrays = {{"displacement", 3, std::span<const float>(displacement)},
-                                      {"velocity", 3, std::span<const float>(velocity)},
-                                      {"damage", 1, std::span<const float>(damage)}},
-                     .time = time},
-                    output::Compression::zlib);
+  std::vector<output::VtpArray> arrays = {{"displacement", 3, std::span<const float>(displacement)},
+                                          {"velocity", 3, std::span<const float>(velocity)},
+                                          {"damage", 1, std::span<const float>(damage)}};
+  std::vector<std::int32_t> numbers;
+  if (!particles.numbers().empty()) {
+    for (const std::uint32_t slot : particles.slot_of()) numbers.push_back(static_cast<std::int32_t>(particles.numbers()[slot]));
+    arrays.push_back({"original", 1, std::span<const std::int32_t>(numbers)});
+  }
+  output::write_vtp(path, {.points = std::span<const float>(position), .point_arrays = std::move(arrays), .time = time}, output::Compression::zlib);
 }
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)

@@ -14,15 +14,23 @@ namespace {
 
 Json vector(const Vec3d& v) { return std::vector<double>{v.x, v.y, v.z}; }
 
-Json body_report(const Body& body) {
+Json body_report(const Body& body, const std::optional<FilledMass>& filled) {
   Json json = Json::object();
   json["particles"] = body.particles.size();
   json["bonds"] = body.family.initial_bonds();
   json["intact_bonds"] = body.family.intact_bonds();
   if (const Stencil* stencil = body.family.stencil()) json["interior_family"] = stencil->size();
   json["horizon [m]"] = body.family.horizon();
+  if (const auto& failure = body.failure) {
+    json["failure"]["critical_stretch"] = failure->stretch;
+    json["failure"]["fracture_energy [J/m2]"] = failure->fracture_energy;
+    json["failure"]["flexural_strength [Pa]"] = failure->flexural_strength;
+    json["failure"]["layers"] = failure->layers;
+  }
   json["memory [byte]"] = body.memory();
   json["mass [kg]"] = body.particles.total_mass();
+  if (filled) json["mass_of_solid [kg]"] = filled->solid;
+  for (const CrackCut& crack : body.cracks) json["cracks"][crack.name]["bonds"] = crack.bonds;
   return json;
 }
 
@@ -149,7 +157,8 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   json["stability"]["step [s]"] = simulation.stability().step;
   json["stability"]["estimate [s]"] = simulation.stability().estimate;
   json["stability"]["exact [s]"] = simulation.stability().exact;
-  for (const Body& body : simulation.bodies()) json["bodies"][body.name] = body_report(body);
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
+    json["bodies"][simulation.bodies()[b].name] = body_report(simulation.bodies()[b], simulation.filled_mass(b));
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json["impactors"][simulation.impactors()[i].name()] = impactor_report(simulation, i);
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
   json["warnings"] = simulation.warnings();

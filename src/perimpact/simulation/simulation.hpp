@@ -40,6 +40,7 @@ class Simulation {
   const fccda::Timers& timers() const { return timers_; }
   std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
   std::span<const Body> bodies() const { return bodies_; }
+  const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
   std::size_t contacts() const;  ///< of the last step
@@ -72,6 +73,7 @@ class Simulation {
   Setup setup_;
   std::vector<std::string> warnings_;
   std::vector<InsideAtStart> inside_at_start_;
+  std::vector<std::optional<FilledMass>> filled_masses_;
   std::vector<Body> bodies_;
   Stability stability_;
   Clock clock_;
