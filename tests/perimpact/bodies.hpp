@@ -9,7 +9,7 @@
 
 namespace perimpact::fixtures {
 
-enum class Model { ordinary_state, linear_solid, bond_based };
+enum class Model { ordinary_state, linear_solid, bond_based, correspondence };
 enum class Points { lattice, listed, shaken };  ///< of the lattice; the same points with neighbour lists; a cloud of uneven points and volumes
 
 struct BodyOptions {
@@ -21,7 +21,9 @@ struct BodyOptions {
   Normalisation normalisation = Normalisation::lattice;
   std::optional<double> critical_stretch = {};
   Model model = Model::ordinary_state;
-  Influence influence = Influence::inverse;  ///< of the linear solid
+  Influence influence = Influence::inverse;  ///< of the linear solid and of correspondence
+  StressLaw law = StressLaw::hencky;
+  Stabilisation stabilisation = Stabilisation::wan;
   PlaneState plane = PlaneState::none;
   Points points = Points::lattice;
   std::optional<FailureSetup> failure = {};
@@ -39,6 +41,13 @@ inline MaterialSetup material_setup(const BodyOptions& options) {
     }
     case Model::bond_based:
       return BondBasedSetup{elastic};
+    case Model::correspondence: {
+      CorrespondenceSetup solid{elastic};
+      solid.law.index = static_cast<int>(options.law);
+      solid.stabilisation.index = static_cast<int>(options.stabilisation);
+      solid.influence.index = static_cast<int>(options.influence);
+      return solid;
+    }
     default:
       return OrdinaryStateSetup{elastic};
   }
@@ -74,12 +83,18 @@ inline Particles as_cloud(const Particles& lattice, double uneven, unsigned seed
 /// The same body with neighbour lists in place of the stencil: same law, corrections made anew from the lists.
 inline Body listed(const Body& body, const std::optional<BreakingRule>& rule_of_breaking, FamilyRule rule = FamilyRule::hu_ha_bobaru) {
   Particles particles = as_cloud(body.particles, 0);
-  const OrdinaryStateForce& force = *body.internal.ordinary_state();
   Family family(find_bonds(rule, body.family.horizon(), particles), particles);
-  CorrectionFactors correction(force.correction().kind(), basis_of(force.law()), family, particles);
   Breaking breaking;
   if (rule_of_breaking) breaking = Breaking(*rule_of_breaking, {}, family, particles);
-  InternalForce internal(OrdinaryStateForce(force.law(), std::move(breaking), std::move(correction), family, particles), particles);
+  const auto force = [&]() -> InternalForce::Kind {
+    if (const OrdinaryStateForce* ordinary = body.internal.ordinary_state())
+      return OrdinaryStateForce(ordinary->law(), breaking, CorrectionFactors(ordinary->correction().kind(), basis_of(ordinary->law()), family, particles),
+                                family, particles);
+    const Correspondence& law = *body.internal.correspondence();
+    if (particles.is_plane()) return CorrespondenceForce<2>(law, breaking, family, particles);
+    return CorrespondenceForce<3>(law, breaking, family, particles);
+  };
+  InternalForce internal(force(), particles);
   return {body.name, std::move(particles), std::move(family), std::move(internal)};
 }
 
@@ -88,7 +103,7 @@ inline Body body(const BodyOptions& options = {}) {
   if (options.points == Points::lattice) return make_body(setup);
   if (options.points == Points::shaken) return make_body(setup, as_cloud(make_particles(setup), 0.2));
   Body lattice = make_body(setup);
-  return listed(lattice, lattice.internal.ordinary_state()->breaking().rule(), options.family);
+  return listed(lattice, lattice.internal.breaking().rule(), options.family);
 }
 
 /// Moves every particle by up to `amount` [m] in each direction, in the plane where the body is plane.
@@ -108,13 +123,20 @@ void deform(Body& body, const Map& map) {
   for (const std::uint32_t slot : body.particles.slot_of()) body.particles.position.set(slot, map(body.particles.reference(slot)));
 }
 
+/// A number from 0 to 1 that both ends of a bond agree upon: to cut bonds at random.
+inline double drawn(std::size_t i, std::size_t j) {
+  std::mt19937_64 random(1000003 * std::min(i, j) + std::max(i, j));
+  random.discard(4);
+  return static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
 struct NamedOptions {
   std::string name;
   BodyOptions options;
 };
 
 /// Every material in every dimension on every kind of points: what the property tests run over.
-inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.012, 0.010, 0.008}) {
+inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.010, 0.007, 0.006}) {
   std::vector<NamedOptions> all;
   const std::pair<const char*, Points> points[] = {{"lattice", Points::lattice}, {"listed", Points::listed}, {"shaken cloud", Points::shaken}};
   const std::pair<const char*, PlaneState> planes[] = {{"space", PlaneState::none}, {"plane stress", PlaneState::stress}, {"plane strain", PlaneState::strain}};
@@ -130,6 +152,10 @@ inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.012, 0.010, 0
       for (const Influence influence : {Influence::one, Influence::inverse, Influence::inverse_square, Influence::parabolic, Influence::gaussian})
         add("linear solid", {.poissons_ratio = 0.3, .model = Model::linear_solid, .influence = influence});
       add("bond-based", {.model = Model::bond_based});
+      for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff})
+        for (const Stabilisation stabilisation : {Stabilisation::wan, Stabilisation::silling})
+          add(law == StressLaw::hencky ? "correspondence, hencky" : "correspondence, st-venant-kirchhoff",
+              {.poissons_ratio = 0.3, .model = Model::correspondence, .law = law, .stabilisation = stabilisation});
     }
   return all;
 }

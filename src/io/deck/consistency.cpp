@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/deck/consistency_boundary.hpp"
 #include "io/deck/consistency_impactor.hpp"
 #include "io/deck/consistency_solid.hpp"
 #include "io/deck/did_you_mean.hpp"
@@ -84,11 +85,17 @@ void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
   make_shape_consistent(body, folder, places);
   check_failure(body, path, places);
   const SurfaceCorrection correction = body.surface_correction.as<SurfaceCorrection>();
-  if (std::holds_alternative<LinearSolidSetup>(body.material) && (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
+  const bool is_correspondence = std::holds_alternative<CorrespondenceSetup>(body.material);
+  if ((is_correspondence || std::holds_alternative<LinearSolidSetup>(body.material)) &&
+      (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
     refuse(places.of(path + ".surface_correction"),
-           fmt::format("surface_correction is {}, but the model linear-peridynamic-solid normalises each particle by its own family, which is its correction; "
-                       "remove surface_correction.",
-                       body.surface_correction.word()));
+           fmt::format(
+               "surface_correction is {}, but the model {} normalises each particle by its own family, which is its correction; remove surface_correction.",
+               body.surface_correction.word(), is_correspondence ? CorrespondenceSetup::name : LinearSolidSetup::name));
+  if (is_correspondence && !body.published && body.normalisation.as<Normalisation>() == Normalisation::continuum)
+    refuse(places.of(path + ".normalisation"),
+           "normalisation is continuum, but in the model correspondence uniform strain has exactly its energy on every lattice and nothing is left to "
+           "normalise; remove normalisation.");
 }
 
 void find_file(FileSurface& surface, const std::string& path, const fs::path& folder, const Places& places) {
@@ -197,6 +204,8 @@ void make_consistent(Setup& setup, const Places& places, const fs::path& folder)
   check_time(setup.time, places);
   check_names(setup, places);
   for (BodySetup& body : setup.bodies) check_body(body, folder, places);
+  for (BodySetup& body : setup.bodies) make_boundaries_consistent(body, folder, places);
+  check_relaxation(setup, places);
   for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
   for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);
   check_contact(setup, places);

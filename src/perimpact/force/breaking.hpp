@@ -102,12 +102,13 @@ class Breaking {
   const std::optional<BreakingRule>& rule() const { return rule_; }
   double bytes() const { return static_cast<double>(sizeof(double) * (half_strength_.slots() + squared_limits_.size() + lengths_.size())); }
 
-  /// Calls f(breaker) with the kind of breaker that does no more than the rule needs. `family`: the one of the constructor.
+  /// Calls f(breaker) with the kind of breaker that does no more than the rule needs. `family`: the one of the constructor; `may_break` false: no bond
+  /// breaks now.
   template <class Bonds, class F>
-  void choose(const Family& family, const F& f) const {
+  void choose(const Family& family, bool may_break, const F& f) const {
     constexpr bool on_stencil = std::is_same_v<Bonds, StencilBonds>;
     using Lengths = std::conditional_t<on_stencil, LengthOnStencil, LengthOnList>;
-    if (!rule_) return f(Unbreakable{});
+    if (!rule_ || !may_break) return f(Unbreakable{});
     if (half_strength_.slots() == 0) {
       if constexpr (on_stencil)
         return f(BreakInTension<TensionOnStencil>{{squared_limits_}});

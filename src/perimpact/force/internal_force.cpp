@@ -20,6 +20,10 @@ double InternalForce::evaluate_with_energy(Particles& particles, Family& family)
   return sum;
 }
 
+void InternalForce::evaluate_unbroken(Particles& particles, Family& family) {
+  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.may_break = false}, rows_); }, kind_);
+}
+
 void InternalForce::evaluate_scalar(Particles& particles, Family& family) {
   std::visit([&](auto& force) { force.template pass<double>(particles, family, {}, rows_); }, kind_);
 }
@@ -28,6 +32,12 @@ std::size_t InternalForce::broken_bonds() const {
   std::size_t ends = 0;
   for (const std::size_t count : rows_.broken_ends) ends += count;
   return ends / 2;
+}
+
+const Correspondence* InternalForce::correspondence() const {
+  if (const auto* space = std::get_if<CorrespondenceForce<3>>(&kind_)) return &space->law();
+  if (const auto* plane = std::get_if<CorrespondenceForce<2>>(&kind_)) return &plane->law();
+  return nullptr;
 }
 
 double InternalForce::bytes() const {

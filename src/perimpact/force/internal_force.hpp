@@ -3,13 +3,14 @@
 
 #include <variant>
 
+#include "perimpact/force/correspondence_force.hpp"
 #include "perimpact/force/ordinary_state_force.hpp"
 
 namespace perimpact {
 
 class InternalForce {
  public:
-  using Kind = std::variant<OrdinaryStateForce>;  // by material
+  using Kind = std::variant<OrdinaryStateForce, CorrespondenceForce<3>, CorrespondenceForce<2>>;  // by material
 
   InternalForce(Kind kind, const Particles& particles);
 
@@ -19,6 +20,9 @@ class InternalForce {
 
   /// The same, and returns the elastic energy at these positions [J].
   double evaluate_with_energy(Particles& particles, Family& family);
+
+  /// The same as evaluate(), and breaks no bond.
+  void evaluate_unbroken(Particles& particles, Family& family);
 
   /// The same as evaluate(), one particle at a time: the oracle of the tests.
   void evaluate_scalar(Particles& particles, Family& family);
@@ -30,8 +34,12 @@ class InternalForce {
     return std::visit([&](const auto& force) { return force.bond_stiffness(slot, bond); }, kind_);
   }
 
+  const Breaking& breaking() const {
+    return std::visit([](const auto& force) -> const Breaking& { return force.breaking(); }, kind_);
+  }
   const OrdinaryStateForce* ordinary_state() const { return std::get_if<OrdinaryStateForce>(&kind_); }
-  double bytes() const;  ///< [bytes] of memory
+  const Correspondence* correspondence() const;  ///< null of other materials
+  double bytes() const;                          ///< [bytes] of memory
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {

@@ -8,6 +8,17 @@ namespace perimpact {
 using namespace fccda;  // the ranges
 using enum Presence;
 
+std::span<const Field<RelaxSetup>> RelaxSetup::fields() {
+  using S = RelaxSetup;
+  static const Field<S> all[] = {
+      {"increments", &S::increments, "1", between(1, 1e6), optional,
+       "Number of states of equilibrium, evenly spread to the end of the run. At each, courses and loads are as at its time."},
+      {"tolerance", &S::tolerance, "1", strictly_between(0, 1), optional,
+       "An increment is done when the forces that are out of balance are less than this share of the applied ones and those that hold."},
+      {"most_iterations", &S::most_iterations, "1", between(1, 1e9), optional, "An increment that takes more iterations ends the run."}};
+  return all;
+}
+
 std::span<const Field<TimeSetup>> TimeSetup::fields() {
   static const Field<TimeSetup> all[] = {
       {"end", &TimeSetup::end, "s", positive(), required, "Time at which the run ends."},
@@ -41,6 +52,17 @@ std::vector<Field<S>> elastic_fields(WithPoissonsRatio poisson, std::vector<Fiel
   return all;
 }
 
+template <class S>
+Field<S> influence_field() {
+  return {"influence",
+          &S::influence,
+          "",
+          {},
+          optional,
+          "How much a bond counts by its length, r = |ξ|/δ: one, inverse (1/r), inverse-square, parabolic (1 up to 1/2, then 4 r (1 - r)) or gaussian "
+          "(exp(-(r/0.4)²))."};
+}
+
 }  // namespace
 
 std::span<const Field<OrdinaryStateSetup>> OrdinaryStateSetup::fields() {
@@ -49,21 +71,35 @@ std::span<const Field<OrdinaryStateSetup>> OrdinaryStateSetup::fields() {
 }
 
 std::span<const Field<LinearSolidSetup>> LinearSolidSetup::fields() {
-  using S = LinearSolidSetup;
-  static const auto all = elastic_fields<S>(
-      WithPoissonsRatio::yes,
-      {{"influence",
-        &S::influence,
-        "",
-        {},
-        optional,
-        "How much a bond counts by its length, r = |ξ|/δ: one, inverse (1/r), inverse-square, parabolic (1 up to 1/2, then 4 r (1 - r)) or gaussian "
-        "(exp(-(r/0.4)²))."}});
+  static const auto all = elastic_fields<LinearSolidSetup>(WithPoissonsRatio::yes, {influence_field<LinearSolidSetup>()});
   return all;
 }
 
 std::span<const Field<BondBasedSetup>> BondBasedSetup::fields() {
   static const auto all = elastic_fields<BondBasedSetup>(WithPoissonsRatio::no);
+  return all;
+}
+
+std::span<const Field<CorrespondenceSetup>> CorrespondenceSetup::fields() {
+  using S = CorrespondenceSetup;
+  static const auto all = elastic_fields<S>(
+      WithPoissonsRatio::yes,
+      {{"law",
+        &S::law,
+        "",
+        {},
+        optional,
+        "Stress of a finite strain: hencky (linear in the logarithmic strain) or st-venant-kirchhoff (linear in Green's strain, which grows soft where the "
+        "material is squeezed to 0.58 of its length)."},
+       {"stabilisation",
+        &S::stabilisation,
+        "",
+        {},
+        optional,
+        "What resists the patterns of displacement that deformation gradients do not see: wan (from each particle's own family) or silling (the same for "
+        "all)."},
+       {"stabilisation_factor", &S::stabilisation_factor, "1", positive(), optional, "Multiplies the stiffness of the stabilisation."},
+       influence_field<S>()});
   return all;
 }
 
@@ -116,7 +152,7 @@ std::span<const Field<BodySetup>> BodySetup::fields() {
        {},
        optional,
        "What makes up for the missing bonds near a surface: energy (Madenci and Oterkus, interpolated), volume (Le and Bobaru) or none. automatic: energy; "
-       "none for the model linear-peridynamic-solid, which normalises each particle by its own family."},
+       "none for the models linear-peridynamic-solid and correspondence, which normalise each particle by its own family."},
       {"plane",
        &S::plane,
        "",

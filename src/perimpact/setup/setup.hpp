@@ -11,6 +11,8 @@
 
 #include "fccda/core/parameter.hpp"
 #include "fccda/core/vec3.hpp"
+#include "perimpact/setup/boundaries.hpp"
+#include "perimpact/setup/motion_table.hpp"
 #include "perimpact/setup/solids.hpp"
 
 namespace perimpact {
@@ -36,6 +38,10 @@ enum class CompressionFailure { none, symmetric, limit };
 
 inline constexpr std::string_view influence_words[] = {"one", "inverse", "inverse-square", "parabolic", "gaussian"};  // as perimpact::Influence
 
+inline constexpr std::string_view stress_law_words[] = {"hencky", "st-venant-kirchhoff"};  // as perimpact::StressLaw
+
+inline constexpr std::string_view stabilisation_words[] = {"wan", "silling"};  // as perimpact::Stabilisation
+
 inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
 enum class PanelKind { triangles, quads };
 
@@ -55,9 +61,18 @@ inline constexpr std::string_view fragment_law_words[] = {"none"};
 
 // ---- time ----
 
+/// From one state of equilibrium to the next, instead of dynamics (docs/theory/relaxation.md).
+struct RelaxSetup {
+  int increments = 1;           ///< from t = 0 to the end
+  double tolerance = 1e-4;      ///< [-] unbalanced force over applied force
+  int most_iterations = 10000;  ///< of an increment
+  static std::span<const Field<RelaxSetup>> fields();
+};
+
 struct TimeSetup {
   double end{};                ///< [s]
   std::optional<double> step;  ///< [s]; the stable estimate where absent
+  std::optional<RelaxSetup> relax;
   static std::span<const Field<TimeSetup>> fields();
 };
 
@@ -93,7 +108,18 @@ struct BondBasedSetup : ElasticSetup {
   static constexpr std::string_view name = "bond-based";
   static std::span<const Field<BondBasedSetup>> fields();
 };
-using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBasedSetup>;  // chosen by the key `model`
+
+/// A classical law of stress, through the deformation gradients of the particles (docs/theory/correspondence.md).
+struct CorrespondenceSetup : ElasticSetup {
+  static constexpr std::string_view name = "correspondence";
+  Choice law{stress_law_words};
+  Choice stabilisation{stabilisation_words};
+  double stabilisation_factor = 1;
+  Choice influence{influence_words, 1};
+  static std::span<const Field<CorrespondenceSetup>> fields();
+};
+
+using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBasedSetup, CorrespondenceSetup>;  // chosen by the key `model`
 
 /// Which bonds break, beside the critical stretch of the material.
 struct FailureSetup {
@@ -124,6 +150,7 @@ struct BodySetup {
   std::vector<SolidSetup> holes;    ///< taken out of it
   std::vector<SolidSetup> regions;  ///< names for what is in them
   std::vector<CrackSetup> cracks;
+  std::vector<BoundarySetup> boundaries;
   static std::span<const Field<BodySetup>> fields();
 
   bool is_plane() const { return plane.as<PlaneState>() != PlaneState::none; }
@@ -236,13 +263,7 @@ struct GaugeSetup {
   static std::span<const Field<GaugeSetup>> fields();
 };
 
-/// Motion of one degree of freedom against time: `times` with either `velocities` or `displacements`. A deck may name a file instead,
-/// whose numbers are put here when it is read.
-struct MotionTable {
-  std::vector<double> times;                      ///< [s]
-  std::vector<double> velocities, displacements;  ///< [m/s] and [m], or [rad/s] and [rad]
-  std::string file;
-};
+/// Motion of one degree of freedom.
 struct TranslationTable : MotionTable {
   static std::span<const Field<TranslationTable>> fields();
 };

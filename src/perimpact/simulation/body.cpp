@@ -38,8 +38,10 @@ double poissons_ratio_of(const BodySetup& setup) {
 }
 
 Influences influences_of(const BodySetup& setup) {
-  const auto* solid = std::get_if<LinearSolidSetup>(&setup.material);
-  return solid ? Influences{solid->influence.as<Influence>(), solid->influence.as<Influence>()} : madenci_oterkus_influences;
+  const auto both = [](const fccda::Choice& influence) { return Influences{influence.as<Influence>(), influence.as<Influence>()}; };
+  if (const auto* solid = std::get_if<LinearSolidSetup>(&setup.material)) return both(solid->influence);
+  if (const auto* solid = std::get_if<CorrespondenceSetup>(&setup.material)) return both(solid->influence);
+  return madenci_oterkus_influences;
 }
 
 CorrectionKind correction_of(const BodySetup& setup) {
@@ -52,6 +54,27 @@ CorrectionKind correction_of(const BodySetup& setup) {
     default:
       return CorrectionKind::energy;
   }
+}
+
+CorrespondenceOptions options_of(const CorrespondenceSetup& setup) {
+  return {setup.law.as<StressLaw>(), setup.stabilisation.as<Stabilisation>(), setup.stabilisation_factor, setup.influence.as<Influence>()};
+}
+
+/// Throws SetupError where no particle has a deformation gradient.
+template <std::size_t D>
+CorrespondenceForce<D> spanning(CorrespondenceForce<D> force, const Particles& particles, const BodySetup& setup) {
+  const auto slots = particles.slot_of();
+  if (std::any_of(slots.begin(), slots.end(), [&](std::size_t slot) { return force.remaining(slot) > 0; })) return force;
+  throw SetupError(
+      "bodies." + setup.name + ".material.model",
+      fmt::format("body {} is so thin that its particles have neighbours in one {} only, from which the model correspondence knows no strain; take "
+                  "a smaller spacing{}.",
+                  setup.name, D == 3 ? "plane" : "line", D == 3 ? ", or plane: stress" : ""));
+}
+
+InternalForce::Kind correspondence_force(const Correspondence& law, Breaking breaking, Family& family, const Particles& particles, const BodySetup& setup) {
+  if (particles.is_plane()) return spanning(CorrespondenceForce<2>(law, std::move(breaking), family, particles), particles, setup);
+  return spanning(CorrespondenceForce<3>(law, std::move(breaking), family, particles), particles, setup);
 }
 
 /// Sums f(slot) over the particles, in rows, so that rounding does not grow with their number.
@@ -79,6 +102,10 @@ std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& 
 
 }  // namespace
 
+IsotropicElastic elastic_of(const BodySetup& setup) {
+  return IsotropicElastic::in(setup.plane.as<Plane>(), setup.elastic().youngs_modulus, poissons_ratio_of(setup));
+}
+
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation) {
   const auto* cloud = std::get_if<Cloud>(&discretisation);
   Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation));
@@ -87,7 +114,7 @@ Particles make_particles(const BodySetup& setup, const Discretisation& discretis
 }
 
 Body make_body(const BodySetup& setup, Particles particles) {
-  const IsotropicElastic elastic = IsotropicElastic::in(setup.plane.as<Plane>(), setup.elastic().youngs_modulus, poissons_ratio_of(setup));
+  const IsotropicElastic elastic = elastic_of(setup);
   const Influences influences = influences_of(setup);
   const double horizon = setup.horizon_ratio * particles.spacing();
 
@@ -107,6 +134,13 @@ Body make_body(const BodySetup& setup, Particles particles) {
   if (failure)
     breaking = Breaking(breaking_rule(setup.failure, *failure), strength_of(setup.failure, particles, never_failing(setup, particles)), *family, particles);
 
+  if (const auto* correspondence = std::get_if<CorrespondenceSetup>(&setup.material)) {
+    InternalForce internal(correspondence_force({elastic, options_of(*correspondence), horizon, particles.thickness().value_or(1)}, std::move(breaking),
+                                                *family, particles, setup),
+                           particles);
+    std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);  // after: stress fades as it does along cracks that grow
+    return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks)};
+  }
   CorrectionFactors correction(correction_of(setup), basis_of(law), *family, particles);
   std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);
   InternalForce internal(OrdinaryStateForce(law, std::move(breaking), std::move(correction), *family, particles), particles);

@@ -18,10 +18,16 @@ double bytes_of(const BodySetup& setup, const Discretisation& discretisation, st
   const Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing.value_or(1), setup.horizon_ratio, setup.is_plane() ? std::optional(1.0) : std::nullopt);
   const SurfaceCorrection correction = setup.surface_correction.as<SurfaceCorrection>();
   const bool own_family = std::holds_alternative<LinearSolidSetup>(setup.material);
+  const bool correspondence = std::holds_alternative<CorrespondenceSetup>(setup.material);
   // of the dilatation only the material knows, so the least is counted
-  const double vectors = 3 + (!own_family && correction <= SurfaceCorrection::energy ? 2 : 0);
-  const double scalars = 1 + (own_family || correction == SurfaceCorrection::volume ? 1 : 0);
-  const double of_bond = 1.0 / 8 + (is_list ? 1.0 / 8 + sizeof(std::int32_t) + 2 * sizeof(double) : 0);
+  const double vectors = 3 + (!own_family && !correspondence && correction <= SurfaceCorrection::energy ? 2 : 0);
+  const double scalars = 1 + (own_family || (!correspondence && correction == SurfaceCorrection::volume) ? 1 : 0) +
+                         (!correspondence    ? 0
+                          : setup.is_plane() ? 10
+                                             : 18) +
+                         (correspondence && is_list ? 3 : 0);
+  const double of_bond =
+      1.0 / 8 + (correspondence ? 1.0 / 8 + (is_list ? sizeof(double) : 0) : 0) + (is_list ? 1.0 / 8 + sizeof(std::int32_t) + 2 * sizeof(double) : 0);
   const double of_place = is_list ? 2 * sizeof(Vec3d) + sizeof(double) + sizeof(std::uint32_t) : 0;
   const double of_slot = sizeof(double) * (3 * vectors + scalars) + static_cast<double>(stencil.size()) * of_bond + 2 * sizeof(std::uint32_t) + of_place;
   // a detector keeps a due distance and a guess for each slot

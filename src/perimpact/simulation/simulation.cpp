@@ -12,6 +12,7 @@
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
+#include "perimpact/solid/region.hpp"
 
 namespace perimpact {
 
@@ -23,13 +24,28 @@ std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particl
   return bodies;
 }
 
+std::vector<Boundaries> make_boundaries(const Setup& setup, std::span<const Body> bodies) {
+  std::vector<Boundaries> boundaries;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodySetup& body = setup.bodies[b];
+    const Particles& particles = bodies[b].particles;
+    boundaries.emplace_back(body, elastic_of(body), particles,
+                            [&](const std::string& region, const std::string& key) { return slots_in(region, body, particles, key); });
+  }
+  return boundaries;
+}
+
 constexpr double safety = 0.9;  // of the estimate, which errs on the safe side by a factor near two
 
 Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vector<std::string>& warnings) {
   Stability stability{0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const Body& body : bodies) {
     stability.estimate = std::min(stability.estimate, silling_askari_step(body));
-    stability.exact = std::min(stability.exact, exact_stable_step(body).value_or(std::numeric_limits<double>::infinity()));
+    stability.exact = std::min(stability.exact, exact_stable_step(body));
+  }
+  if (setup.time.relax) {
+    stability.step = setup.time.end / setup.time.relax->increments;
+    return stability;
   }
   const double automatic = safety * stability.estimate;
   if (!setup.time.step && !std::isfinite(automatic))
@@ -39,7 +55,7 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
     throw SetupError("time.step", fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; make it shorter, or leave it out.",
                                               stability.step, setup.time.end));
   if (stability.step >= stability.exact)
-    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of this lattice ({:.4g} s): the run would blow "
+    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of these bodies ({:.4g} s): the run would blow "
                                               "up. Take at most {:.4g} s, or leave the step out.",
                                               stability.step, stability.step / stability.exact, stability.exact, automatic));
   constexpr double most_steps = 1e15;  // are counted without rounding, and would take thirty years at a million a second
@@ -48,10 +64,27 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
                                              setup.time.end / stability.step, stability.step));
   if (stability.step > automatic * (1 + 1e-9))
     warnings.push_back(
-        fmt::format("The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times the exact limit of the lattice; near surfaces it "
+        fmt::format("The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times the exact limit; near surfaces it "
                     "may be unstable.",
                     stability.step, stability.step / automatic, automatic, stability.step / stability.exact));
   return stability;
+}
+
+std::optional<Relaxation> make_relaxation(const Setup& setup, std::span<Body> bodies, double dt) {
+  if (!setup.time.relax) return std::nullopt;
+  if (!setup.impactors.empty())
+    throw SetupError(
+        "impactors." + setup.impactors.front().name,
+        fmt::format("impactor {} cannot take part where bodies are relaxed; lead the particles it would touch with a boundary, or remove time.relax.",
+                    setup.impactors.front().name));
+  return Relaxation(*setup.time.relax, bodies, dt);
+}
+
+/// Increments are few, and each is a row.
+OutputSetup output_of(const Setup& setup, double dt) {
+  OutputSetup output = setup.output;
+  if (setup.time.relax) output.history = dt;
+  return output;
 }
 
 /// A bond reaches three particles: thinner bodies are all surface, and no correction makes up for that.
@@ -137,10 +170,12 @@ Simulation::Simulation(const Setup& setup, Start start)
       inside_at_start_(std::move(start.inside)),
       filled_masses_(std::move(start.filled_masses)),
       bodies_(make_bodies(setup, std::move(start.particles))),
+      boundaries_(make_boundaries(setup, bodies_)),
       stability_(find_step(setup, bodies_, warnings_)),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
+      relaxation_(make_relaxation(setup, bodies_, clock_.dt)),
       impactors_(std::move(start.impactors)),
-      monitors_(setup.output, bodies_, clock_) {
+      monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
   warn_of_thin_bodies(bodies_, warnings_);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     warn_of_mass(bodies_[b].name, filled_masses_[b], warnings_);
@@ -151,12 +186,16 @@ Simulation::Simulation(const Setup& setup, Start start)
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
   for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));
   warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
-  evaluate_forces();
+  if (!relaxation_) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) boundaries_[b].place(bodies_[b].particles, 0, Held::Pace::moving);
+    evaluate_forces();
+  }
   record();
 }
 
 void Simulation::step() {
   ++clock_.step;
+  if (relaxation_) return relax();
   timers_.timed("predict", [&] { advance_bodies(); });
   timers_.timed("contact", [&] { strike(); });
   timers_.timed("forces", [&] { evaluate_forces(); });
@@ -166,7 +205,10 @@ void Simulation::step() {
 }
 
 void Simulation::advance_bodies() {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) advance(bodies_[b].particles, clock_.dt, travel_[b]);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    advance(bodies_[b].particles, clock_.dt, travel_[b]);
+    boundaries_[b].lead(bodies_[b].particles, clock_.latest(), travel_[b]);
+  }
 }
 
 void Simulation::strike() {
@@ -177,6 +219,8 @@ void Simulation::strike() {
     for (Impactor& impactor : impactors_) strikers.push_back({impactor, b});
     const auto pinched = fccda::strike_together(std::span(strikers), particles);
     for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[i].size(), clock_.time());
+    for (const std::uint32_t slot : boundaries_[b].lead_back(bodies_[b].particles, clock_.latest()))
+      for (Impactor& impactor : impactors_) impactor.moved(b, slot);
   }
 }
 
@@ -187,11 +231,17 @@ void Simulation::evaluate_forces() {
       monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family);
     else
       body.internal.evaluate(body.particles, body.family);
+    boundaries_[b].add_forces(body.particles, clock_.next());
   }
 }
 
+void Simulation::relax() {
+  timers_.timed("relax", [&] { monitors_.elastic_energy() = relaxation_->relax(bodies_, boundaries_, clock_.step, clock_.time()); });
+  timers_.timed("monitors", [&] { record(); });
+}
+
 void Simulation::record() {
-  monitors_.record(bodies_, impactors_, clock_);
+  monitors_.record(bodies_, boundaries_, impactors_, clock_, relaxation_ ? &relaxation_->latest() : nullptr);
   encounters_.look(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
 }
 

@@ -2,18 +2,21 @@
 /// (run.hpp has the loop).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "fccda/core/state.hpp"
 #include "fccda/core/timers.hpp"
+#include "perimpact/boundary/boundaries.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/setup/setup.hpp"
 #include "perimpact/simulation/body.hpp"
 #include "perimpact/simulation/clock.hpp"
 #include "perimpact/simulation/encounters.hpp"
 #include "perimpact/simulation/monitors.hpp"
+#include "perimpact/simulation/relax.hpp"
 #include "perimpact/simulation/start.hpp"
 
 namespace perimpact {
@@ -29,7 +32,10 @@ class Simulation {
  public:
   /// Throws SetupError where the Setup cannot be simulated.
   explicit Simulation(const Setup& setup);
+  /// The same from a start that has been made of the set-up, and perhaps been changed.
+  Simulation(const Setup& setup, Start start);
 
+  /// One step in time or, where the set-up relaxes, one increment. Throws RunError.
   void step();
 
   const Setup& setup() const { return setup_; }
@@ -41,9 +47,11 @@ class Simulation {
   std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
   std::span<const Body> bodies() const { return bodies_; }
   const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
+  std::span<const Boundaries> boundaries() const { return boundaries_; }  ///< of each body
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
-  std::size_t contacts() const;  ///< of the last step
+  std::size_t contacts() const;                                                ///< of the last step
+  const std::optional<Relaxation>& relaxation() const { return relaxation_; }  ///< in place of dynamics
 
   /// What the next step depends on, as fccda/core/state.hpp says. A simulation of the same Setup that is given another's state and record
   /// goes on as the other would have.
@@ -51,6 +59,7 @@ class Simulation {
   void visit_state(Visitor&& visit) {
     visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
+    for (Boundaries& boundaries : boundaries_) boundaries.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
   }
   std::uint64_t state_hash();
@@ -64,10 +73,10 @@ class Simulation {
   }
 
  private:
-  Simulation(const Setup& setup, Start start);
   void advance_bodies();
   void strike();
   void evaluate_forces();
+  void relax();
   void record();
 
   Setup setup_;
@@ -75,8 +84,10 @@ class Simulation {
   std::vector<InsideAtStart> inside_at_start_;
   std::vector<std::optional<FilledMass>> filled_masses_;
   std::vector<Body> bodies_;
+  std::vector<Boundaries> boundaries_;  // of each body
   Stability stability_;
-  Clock clock_;
+  Clock clock_;  // counts increments where bodies are relaxed
+  std::optional<Relaxation> relaxation_;
   std::vector<Impactor> impactors_;
   std::vector<std::vector<double>> travel_;  // [m] of each body's blocks in this step
   Monitors monitors_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fccda/core/parallel.hpp"
+#include "perimpact/simulation/stiffest_mode.hpp"
 
 namespace perimpact {
 
@@ -44,9 +45,12 @@ double largest_eigenvalue(const double (&m)[3][3]) {
 
 }  // namespace
 
-std::optional<double> exact_stable_step(const Body& body) {
+double exact_stable_step(const Body& body) {
   const OrdinaryStateForce* force = body.internal.ordinary_state();
-  if (!force || !body.family.stencil()) return {};
+  if (!force || !body.family.stencil()) {
+    const double stiffest = stiffest_mode(body);
+    return stiffest > 0 ? 2 / std::sqrt(stiffest) : std::numeric_limits<double>::infinity();
+  }
   constexpr int intervals = 24;
   const OrdinaryState& law = force->law();
   const Stencil& stencil = *body.family.stencil();

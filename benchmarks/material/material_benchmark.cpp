@@ -1,0 +1,82 @@
+/// What each material costs: nanoseconds for each directed bond of Simulation::step(), on a plate that is a lattice and on the same plate as a
+/// cloud of uneven points. CSV on standard output.
+///
+///   material_benchmark --cells 160 160 6 --threads 1 --steps 20
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "fccda/core/parallel.hpp"
+#include "perimpact/bodies.hpp"
+#include "perimpact/simulation/simulation.hpp"
+
+namespace {
+
+using namespace perimpact;
+using fixtures::BodyOptions;
+using fixtures::Model;
+
+struct Arguments {
+  std::vector<int> cells{160, 160, 6};
+  int threads = 1, steps = 20, rounds = 5;
+};
+
+struct Case {
+  std::string material;
+  BodyOptions options;
+};
+
+std::vector<Case> cases() {
+  return {{"ordinary-state, nu = 0.25", {.poissons_ratio = 0.25}},
+          {"ordinary-state, nu = 0.3", {.poissons_ratio = 0.3}},
+          {"linear-peridynamic-solid, nu = 0.3", {.poissons_ratio = 0.3, .model = Model::linear_solid}},
+          {"correspondence, hencky", {.poissons_ratio = 0.3, .model = Model::correspondence}},
+          {"correspondence, st-venant-kirchhoff", {.poissons_ratio = 0.3, .model = Model::correspondence, .law = StressLaw::st_venant_kirchhoff}}};
+}
+
+void measure(const Arguments& arguments, const Case& which, PlaneState plane, bool as_lattice) {
+  BodyOptions options = which.options;
+  options.plane = plane;
+  options.critical_stretch = 0.5;  // is asked for at every bond, and never met
+  const auto length = [&](int axis) { return options.spacing * arguments.cells[static_cast<std::size_t>(axis)]; };
+  options.size = {length(0), plane == PlaneState::none ? length(1) : length(1) * arguments.cells[2], plane == PlaneState::none ? length(2) : options.spacing};
+  Setup setup;
+  setup.bodies.push_back(fixtures::body_setup(options));
+  setup.time.end = 1;
+  setup.time.step = 1e-12;  // nothing moves, so that what is timed does not depend on what happens
+  Start start(setup);
+  if (!as_lattice) start.particles[0] = fixtures::as_cloud(start.particles[0], 0.2);
+  Simulation simulation(setup, std::move(start));
+  double best = 1e300;
+  for (int round = 0; round < arguments.rounds; ++round) {
+    const auto before = std::chrono::steady_clock::now();
+    for (int step = 0; step < arguments.steps; ++step) simulation.step();
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count() / arguments.steps);
+  }
+  const Body& body = simulation.bodies().front();
+  const double bonds = 2.0 * static_cast<double>(body.family.intact_bonds());
+  fmt::print("\"{}\",{},{},{},{},{:.0f},{:.4g},{:.4g},{}\n", which.material, plane == PlaneState::none ? "space" : "plane", as_lattice ? "lattice" : "cloud",
+             arguments.threads, body.particles.size(), bonds, 1 / best, 1e9 * best / bonds, body.internal.bytes() + body.family.bytes());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Times Simulation::step() for each material on a lattice and on a cloud; prints CSV.");
+  app.add_option("--cells", arguments.cells, "cells of the plate in x, y and z; in the plane, y times z in y")->expected(3);
+  app.add_option("--threads", arguments.threads, "number of threads")->check(CLI::PositiveNumber);
+  app.add_option("--steps", arguments.steps, "steps of a round")->check(CLI::PositiveNumber);
+  app.add_option("--rounds", arguments.rounds, "of which the fastest counts")->check(CLI::PositiveNumber);
+  CLI11_PARSE(app, argc, argv);
+  fccda::use_threads(arguments.threads);
+  fmt::print("material,dimensions,points,threads,particles,directed_bonds,steps/s,ns/directed_bond,bytes\n");
+  for (const PlaneState plane : {PlaneState::none, PlaneState::stress})
+    for (const bool as_lattice : {true, false})
+      for (const Case& which : cases()) measure(arguments, which, plane, as_lattice);
+}

@@ -1,0 +1,269 @@
+#include "perimpact/force/correspondence_force.hpp"
+
+#include <cstring>
+#include <limits>
+
+#include "fccda/core/parallel.hpp"
+#include "perimpact/force/bond_loop.hpp"
+
+namespace perimpact {
+
+using namespace fccda;
+
+namespace {
+
+/// ξ and ω v V of the bonds of a stencil.
+struct StencilShapes {
+  std::span<const Vec3d> bonds;
+  std::span<const double> weighted_volume;
+
+  template <class Pack>
+  struct OfParticle {};
+  template <class Pack>
+  OfParticle<Pack> of_particle(std::size_t) const {
+    return {};
+  }
+  template <class Pack, class Bond>
+  Vec3<Pack> reference(const Bond& bond, const OfParticle<Pack>&) const {
+    const Vec3d& xi = bonds[bond.index];
+    return {Pack(xi.x), Pack(xi.y), Pack(xi.z)};
+  }
+  template <class Pack>
+  Pack weight(std::size_t index) const {
+    return Pack(weighted_volume[index]);
+  }
+};
+
+/// Those of the bonds of a list.
+struct ListShapes {
+  std::array<const double*, 3> X;
+  const double* weighted_volume;
+
+  template <class Pack>
+  using OfParticle = Vec3<Pack>;
+  template <class Pack>
+  OfParticle<Pack> of_particle(std::size_t slot) const {
+    return {load<Pack>(X[0] + slot), load<Pack>(X[1] + slot), load<Pack>(X[2] + slot)};
+  }
+  template <class Pack, class Bond>
+  Vec3<Pack> reference(const Bond& bond, const OfParticle<Pack>& of_i) const {
+    return {bond.neighbour.of(X[0]) - of_i.x, bond.neighbour.of(X[1]) - of_i.y, bond.neighbour.of(X[2]) - of_i.z};
+  }
+  template <class Pack>
+  Pack weight(std::size_t index) const {
+    return load<Pack>(weighted_volume + index);
+  }
+};
+
+/// What all passes over one body read and write.
+template <std::size_t D, class Bonds, class Shapes>
+struct BodyView {
+  std::array<const double*, 3> x;
+  Bonds bonds;
+  Shapes shapes;
+  const Correspondence& law;
+  std::array<double*, D*(D + 1) / 2 + 1> shape;
+  const double* bound_at_first;
+  std::array<double*, D * D + 1> response;
+};
+
+/// Σ ω a⊗b v V over the bonds of a pack.
+template <std::size_t D, class Pack>
+void add_outer(SmallMatrix<Pack, D>& sum, const Vec3<Pack>& a, const Vec3<Pack>& b, Pack weight) {
+  for (std::size_t s = 0; s < D; ++s) {
+    const Pack weighted = weight * b[s];
+    for (std::size_t r = 0; r < D; ++r) sum.m[r][s] = fused(a[r], weighted, sum.m[r][s]);
+  }
+}
+
+template <std::size_t D, class Pack, class View>
+SmallMatrix<Pack, D> inverse_shape_of(const View& body, std::size_t slot) {
+  SmallMatrix<Pack, D> inverse;
+  std::size_t n = 0;
+  for (std::size_t r = 0; r < D; ++r)
+    for (std::size_t s = r; s < D; ++s) inverse.m[r][s] = inverse.m[s][r] = load<Pack>(body.shape[n++] + slot);
+  return inverse;
+}
+
+/// K⁻¹ and χ of the particles of one pack, from the bonds that they have now.
+template <std::size_t D, class Pack, class View>
+void make_shape(const View& body, std::size_t slot) {
+  const auto of_i = body.shapes.template of_particle<Pack>(slot);
+  SmallMatrix<Pack, D> shape;
+  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+    const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
+    add_outer(shape, xi, xi, keep_where(bond.intact, body.shapes.template weight<Pack>(bond.index)));
+  });
+  const SmallMatrix<Pack, D> inverse = Correspondence::inverse_shape(shape);
+  std::size_t n = 0;
+  for (std::size_t r = 0; r < D; ++r)
+    for (std::size_t s = r; s < D; ++s) store(body.shape[n++] + slot, inverse.m[r][s]);
+  for (std::size_t i = slot; i < slot + lanes<Pack>; ++i)
+    body.shape[n][i] = Correspondence::remaining(body.bound_at_first[i], body.law.spring_bound(inverse_shape_of<D, double>(body, i)));
+}
+
+/// Makes K⁻¹ and χ of the particles of one pack anew if their bonds are not those that they are of.
+template <std::size_t D, class Pack, class View>
+void follow_bonds(const View& body, std::size_t slot, std::uint8_t* known) {
+  const std::size_t eight = slot / byte_lanes, rows = body.bonds.rows(eight);
+  const std::uint8_t* now = body.bonds.bytes(eight);
+  if (std::memcmp(known, now, rows) == 0) return;
+  const unsigned own = ((1u << lanes<Pack>)-1u) << (slot % byte_lanes);
+  for (std::size_t row = 0; row < rows; ++row) known[row] = static_cast<std::uint8_t>((known[row] & ~own) | (now[row] & own));
+  make_shape<D, Pack>(body, slot);
+}
+
+/// What F leaves of the bonds of a pack: Σ ω |z|² v V [m⁵].
+template <std::size_t D, class Pack, class View>
+Pack remainder_of_pack(const View& body, std::size_t slot, const SmallMatrix<Pack, D>& gradient) {
+  const auto of_i = body.shapes.template of_particle<Pack>(slot);
+  Pack sum(0.0);
+  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+    const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
+    Pack squares(0.0);
+    for (std::size_t r = 0; r < D; ++r) {
+      Pack z = bond.between[r];
+      for (std::size_t s = 0; s < D; ++s) z = z - gradient.m[r][s] * xi[s];
+      squares = fused(z, z, squares);
+    }
+    sum = fused(keep_where(bond.intact, body.shapes.template weight<Pack>(bond.index)), squares, sum);
+  });
+  return sum;
+}
+
+/// B and c of the particles of one pack; returns their energy density [J/m³], if asked to.
+template <std::size_t D, class Pack, class View, class Breaking>
+Pack response_of_pack(const View& body, std::size_t slot, const Breaking& breaking, std::uint8_t* known, bool with_energy) {
+  const auto of_i = body.shapes.template of_particle<Pack>(slot);
+  SmallMatrix<Pack, D> moment;
+  for_each_bond<Pack>(body.bonds, body.x, slot, breaking, [&](const auto& bond) {
+    add_outer(moment, bond.between, body.shapes.template reference<Pack>(bond, of_i), keep_where(bond.intact, body.shapes.template weight<Pack>(bond.index)));
+  });
+  follow_bonds<D, Pack>(body, slot, known);
+  const auto response = body.law.respond(moment, inverse_shape_of<D, Pack>(body, slot), load<Pack>(body.shape[D * (D + 1) / 2] + slot));
+  for (std::size_t r = 0; r < D; ++r)
+    for (std::size_t s = 0; s < D; ++s) store(body.response[r * D + s] + slot, response.through.m[r][s]);
+  store(body.response[D * D] + slot, response.along);
+  if (!with_energy) return Pack(0.0);
+  return fused(Pack(0.5) * response.along, remainder_of_pack<D, Pack>(body, slot, response.gradient), response.energy);
+}
+
+/// Force density of the particles of one pack.
+template <std::size_t D, class Pack, class View>
+void force_of_pack(const View& body, std::size_t slot, VectorArray& force_density) {
+  const auto of_i = body.shapes.template of_particle<Pack>(slot);
+  Pack own[D * D + 1], force[3]{};
+  for (std::size_t n = 0; n <= D * D; ++n) own[n] = load<Pack>(body.response[n] + slot);
+  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+    const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
+    const Pack weight = keep_where(bond.intact, body.shapes.template weight<Pack>(bond.index));
+    const Pack along = own[D * D] + bond.neighbour.of(body.response[D * D]);
+    for (std::size_t r = 0; r < D; ++r) {
+      Pack pull = along * bond.between[r];
+      for (std::size_t s = 0; s < D; ++s) pull = fused(own[r * D + s] + bond.neighbour.of(body.response[r * D + s]), xi[s], pull);
+      force[r] = fused(weight, pull, force[r]);
+    }
+  });
+  for (std::size_t c = 0; c < 3; ++c) store(force_density.component(c) + slot, force[c]);
+}
+
+}  // namespace
+
+template <std::size_t D>
+template <class Visit>
+void CorrespondenceForce<D>::with_bonds(const Particles& particles, Family& family, const Visit& visit) {
+  const auto view = [&]<class Bonds, class Shapes>(const Bonds& bonds, const Shapes& shapes) {
+    BodyView<D, Bonds, Shapes> body{particles.position.pointers(), bonds, shapes, law_, {}, bound_at_first_.data(), {}};
+    for (std::size_t n = 0; n <= symmetric; ++n) body.shape[n] = shape_.component(n);
+    for (std::size_t n = 0; n < loads; ++n) body.response[n] = response_.component(n);
+    visit(body);
+  };
+  if (family.list())
+    view(ListedBonds(family), ListShapes{reference_.pointers(), listed_weighted_volume_.data()});
+  else
+    view(StencilBonds(family), StencilShapes{bonds_, weighted_volume_});
+}
+
+template <std::size_t D>
+CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking breaking, Family& family, const Particles& particles)
+    : law_(law),
+      breaking_(std::move(breaking)),
+      known_(family.begin(particles.slots() / byte_lanes), 0),
+      shape_(particles.slots(), 0),
+      bound_at_first_(particles.slots(), std::numeric_limits<double>::infinity()),
+      response_(particles.slots(), particles.slack()) {
+  EXPECTS(D == (particles.is_plane() ? 2 : 3));
+  if (const Stencil* stencil = family.stencil()) {
+    for (const StencilBond& bond : stencil->bonds()) {
+      bonds_.push_back(bond.length * bond.direction);
+      weighted_volume_.push_back(law_.weight(bond.length) * bond.volume);
+    }
+  } else {
+    reference_ = VectorArray(particles.slots(), particles.slack());
+    for (std::size_t slot = 0; slot < particles.slots(); ++slot) reference_.set(slot, particles.reference(slot));
+    const BondList& list = *family.list();
+    for (std::size_t entry = 0; entry < list.length.size(); ++entry) listed_weighted_volume_.push_back(law_.weight(list.length[entry]) * list.volume[entry]);
+  }
+  with_bonds(particles, family, [&](const auto& body) {
+    parallel_for(static_cast<std::ptrdiff_t>(particles.slots() / lanes<NativePack>), [&](std::ptrdiff_t pack) {
+      const std::size_t slot = static_cast<std::size_t>(pack) * lanes<NativePack>;
+      follow_bonds<D, NativePack>(body, slot, known_.data() + family.begin(slot / byte_lanes));
+    });
+  });
+  for (std::size_t slot = 0; slot < particles.slots(); ++slot) bound_at_first_[slot] = law_.spring_bound(inverse_shape(slot));
+}
+
+template <std::size_t D>
+template <class Pack>
+void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+  const std::ptrdiff_t row_count = static_cast<std::ptrdiff_t>(particles.rows());
+  const auto for_each_pack = [&](std::size_t row, const auto& per_pack) {
+    const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
+    for (std::size_t slot = begin; slot < end; slot += lanes<Pack>) per_pack(slot);
+  };
+  with_bonds(particles, family, [&](const auto& body) {
+    const auto responses = [&](std::size_t row, const auto& breaking) {
+      double energy = 0;
+      for_each_pack(row, [&](std::size_t slot) {
+        const Pack density = response_of_pack<D, Pack>(body, slot, breaking, known_.data() + family.begin(slot / byte_lanes), options.with_energy);
+        if (options.with_energy) energy += energy_of_pack(density, particles, slot);
+      });
+      if (options.with_energy) rows.energy[row] = energy;
+    };
+    breaking_.template choose<std::decay_t<decltype(body.bonds)>>(family, options.may_break, [&](const auto& breaker) {
+      parallel_for(row_count, [&](std::ptrdiff_t r) {
+        const std::size_t row = static_cast<std::size_t>(r);
+        responses(row, breaker.counting(rows.broken_ends[row]));
+      });
+    });
+    parallel_for(row_count, [&](std::ptrdiff_t r) {
+      for_each_pack(static_cast<std::size_t>(r), [&](std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
+    });
+  });
+}
+
+template <std::size_t D>
+SmallMatrix<double, D> CorrespondenceForce<D>::inverse_shape(std::size_t slot) const {
+  SmallMatrix<double, D> inverse;
+  std::size_t n = 0;
+  for (std::size_t r = 0; r < D; ++r)
+    for (std::size_t s = r; s < D; ++s) inverse.m[r][s] = inverse.m[s][r] = shape_.component(n++)[slot];
+  return inverse;
+}
+
+template <std::size_t D>
+double CorrespondenceForce<D>::bytes() const {
+  const std::size_t doubles = shape_.slots() * (symmetric + 2 + loads) + 3 * reference_.slots() + listed_weighted_volume_.size();
+  return breaking_.bytes() + static_cast<double>(sizeof(double) * doubles + known_.size());
+}
+
+template class CorrespondenceForce<2>;
+template class CorrespondenceForce<3>;
+template void CorrespondenceForce<2>::pass<double>(Particles&, Family&, const PassOptions&, RowSums&);
+template void CorrespondenceForce<3>::pass<double>(Particles&, Family&, const PassOptions&, RowSums&);
+#if defined(__AVX2__) && !defined(FCCDA_SCALAR_PACK)
+template void CorrespondenceForce<2>::pass<NativePack>(Particles&, Family&, const PassOptions&, RowSums&);
+template void CorrespondenceForce<3>::pass<NativePack>(Particles&, Family&, const PassOptions&, RowSums&);
+#endif
+
+}  // namespace perimpact
