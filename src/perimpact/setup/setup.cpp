@@ -36,7 +36,9 @@ std::vector<Field<S>> elastic_fields(WithPoissonsRatio poisson, std::vector<Fiel
   std::vector<Field<S>> all{{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), required, "Young's modulus E."}};
   if (poisson == WithPoissonsRatio::yes)
     all.push_back({"poissons_ratio", &S::poissons_ratio, "1", strictly_between(-1, 0.5), optional,
-                   "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest."});
+                   std::is_same_v<S, CorrespondenceSetup>
+                       ? "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35."
+                       : "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest."});
   all.push_back({"density", &S::density, "kg/m3", positive(), required, "Mass density ρ."});
   all.push_back({"critical_stretch", &S::critical_stretch, "1", positive(), optional,
                  "A bond longer than (1 + this) times its first length breaks for ever. Where this, fracture_energy and flexural_strength are absent, bonds "

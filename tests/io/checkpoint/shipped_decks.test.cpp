@@ -43,6 +43,9 @@ const std::vector<Variant> variants = {
     {"plate_impact", {"bodies.plate.plane=stress"}},
     {"plate_impact", {"bodies.plate.material.model=linear-peridynamic-solid", "bodies.plate.material.influence=gaussian"}},
     {"plate_impact", {"bodies.plate.material={model: bond-based, youngs_modulus: 191 GPa, density: 8000, critical_stretch: 1e-3}"}},
+    {"plate_impact", {"bodies.plate.material.model=correspondence"}},
+    {"plate_impact",
+     {"bodies.plate.material={model: correspondence, youngs_modulus: 191 GPa, density: 8000, critical_stretch: 1e-3}", "bodies.plate.plane=stress"}},
     {"plate_impact", {"contact.impactors.detector=published", "contact.impactors.radius_ratio=0", "impactors.cylinder.surface.cylinder.panels=quads", nearer}},
     {"plate_impact", by_the_letter},
     // a blade turned to just above the ice; the feeder touches it from the start

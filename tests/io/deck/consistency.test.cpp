@@ -63,6 +63,23 @@ TEST_CASE("consistency: the linear peridynamic solid has its own correction") {
                                 "its correction; remove surface_correction."));
 }
 
+TEST_CASE("consistency: correspondence has nothing to correct or to normalise") {
+  const auto with = [](const std::string& line) {
+    std::string text = plate_with("    spacing:", "    " + line + "\n    spacing:");
+    text.replace(text.find("ordinary-state"), 14, "correspondence");
+    return complaint(text);
+  };
+  CHECK(with("surface_correction: volume")
+            .ends_with("surface_correction is volume, but the model correspondence normalises each particle by its own family, which is its correction; "
+                       "remove surface_correction."));
+  CHECK(with("normalisation: continuum")
+            .ends_with("normalisation is continuum, but in the model correspondence uniform strain has exactly its energy on every lattice and nothing is left "
+                       "to normalise; remove normalisation."));
+  CHECK(with("surface_correction: none") == "");
+  CHECK(with("normalisation: lattice") == "");
+  CHECK(with("published: true") == "");
+}
+
 TEST_CASE("consistency: bodies, impactors and probes share the columns of history.csv") {
   check_complaint({"  cylinder:\n", "  plate:\n", "plate:\n    surface",
                    "the name plate is already taken, but bodies, impactors and probes name columns of history.csv (as does total); choose another."});
