@@ -59,7 +59,6 @@ class Simulation {
   void visit_state(Visitor&& visit) {
     visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
-    for (Boundaries& boundaries : boundaries_) boundaries.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
   }
   std::uint64_t state_hash();
@@ -67,6 +66,7 @@ class Simulation {
   /// Likewise what was noted of the run so far: no step depends on it, but history, warnings and run.json do.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
+    for (Boundaries& boundaries : boundaries_) boundaries.visit_record(visit);
     for (Impactor& impactor : impactors_) impactor.visit_record(visit);
     monitors_.visit_state(fccda::under("monitors", visit));
     encounters_.visit_state(fccda::under("encounters", visit));
