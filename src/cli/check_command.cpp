@@ -37,6 +37,9 @@ void print_body(const Body& body) {
     fmt::print("  {:<18}{} (a cloud; the mean particle has edges of {:.4g} m)\n", "particles", body.particles.size(), body.particles.spacing());
   fmt::print("  {:<18}{} ({:.0f} {} particle, horizon {:.4g} m)\n", "bonds", body.family.initial_bonds(), bonds_of_particle(body),
              body.family.stencil() ? "an interior" : "a mean", body.family.horizon());
+  if (const auto& failure = body.failure)
+    fmt::print("  {:<18}beyond a stretch of {:.4g}: fracture energy {:.4g} J/m2, flexural strength {:.4g} Pa with {} layers\n", "bonds break", failure->stretch,
+               failure->fracture_energy, failure->flexural_strength, failure->layers);
   fmt::print("  {:<18}{:.5g} kg\n", "mass", body.particles.total_mass());
   fmt::print("  {:<18}{}\n", "memory", bytes_in_words(body.memory()));
 }

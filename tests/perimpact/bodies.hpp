@@ -24,6 +24,7 @@ struct BodyOptions {
   Influence influence = Influence::inverse;  ///< of the linear solid
   PlaneState plane = PlaneState::none;
   Points points = Points::lattice;
+  FailureSetup failure = {};
 };
 
 inline constexpr double youngs_modulus = 191e9, density = 8000;
@@ -53,6 +54,7 @@ inline BodySetup body_setup(const BodyOptions& options = {}) {
   setup.surface_correction.index = static_cast<int>(options.correction);
   setup.plane.index = static_cast<int>(options.plane);
   setup.material = material_setup(options);
+  setup.failure = options.failure;
   return setup;
 }
 
@@ -70,12 +72,14 @@ inline Particles as_cloud(const Particles& lattice, double uneven, unsigned seed
 }
 
 /// The same body with neighbour lists in place of the stencil: same law, corrections made anew from the lists.
-inline Body listed(const Body& body, const std::optional<CriticalStretch>& breaking, FamilyRule rule = FamilyRule::hu_ha_bobaru) {
+inline Body listed(const Body& body, const std::optional<BreakingRule>& rule_of_breaking, FamilyRule rule = FamilyRule::hu_ha_bobaru) {
   Particles particles = as_cloud(body.particles, 0);
   const OrdinaryStateForce& force = *body.internal.ordinary_state();
   Family family(find_bonds(rule, body.family.horizon(), particles), particles);
   CorrectionFactors correction(force.correction().kind(), basis_of(force.law()), family, particles);
-  InternalForce internal(OrdinaryStateForce(force.law(), breaking, std::move(correction), family, particles), particles);
+  Breaking breaking;
+  if (rule_of_breaking) breaking = Breaking(*rule_of_breaking, {}, family, particles);
+  InternalForce internal(OrdinaryStateForce(force.law(), std::move(breaking), std::move(correction), family, particles), particles);
   return {body.name, std::move(particles), std::move(family), std::move(internal)};
 }
 
@@ -83,8 +87,8 @@ inline Body body(const BodyOptions& options = {}) {
   const BodySetup setup = body_setup(options);
   if (options.points == Points::lattice) return make_body(setup);
   if (options.points == Points::shaken) return make_body(setup, as_cloud(make_particles(setup), 0.2));
-  const auto breaking = options.critical_stretch ? std::optional(CriticalStretch(*options.critical_stretch)) : std::nullopt;
-  return listed(make_body(setup), breaking, options.family);
+  Body lattice = make_body(setup);
+  return listed(lattice, lattice.internal.ordinary_state()->breaking().rule(), options.family);
 }
 
 /// Moves every particle by up to `amount` [m] in each direction, in the plane where the body is plane.

@@ -45,6 +45,7 @@ template <class Walker>
 void sections(Walker& walk, BodySetup& body) {
   walk.one_of("shape", body.shape, Presence::required, "The solid that is filled with particles.");
   walk.by_word("material", "model", body.material, "What the body is made of.");
+  walk.section("failure", body.failure, Presence::optional, "Which bonds break, beside the critical stretch of the material.");
 }
 
 template <class Walker>

@@ -21,6 +21,12 @@ Json body_report(const Body& body) {
   json["intact_bonds"] = body.family.intact_bonds();
   if (const Stencil* stencil = body.family.stencil()) json["interior_family"] = stencil->size();
   json["horizon [m]"] = body.family.horizon();
+  if (const auto& failure = body.failure) {
+    json["failure"]["critical_stretch"] = failure->stretch;
+    json["failure"]["fracture_energy [J/m2]"] = failure->fracture_energy;
+    json["failure"]["flexural_strength [Pa]"] = failure->flexural_strength;
+    json["failure"]["layers"] = failure->layers;
+  }
   json["memory [byte]"] = body.memory();
   json["mass [kg]"] = body.particles.total_mass();
   return json;

@@ -73,22 +73,15 @@ struct BondNow {
 /// Says of no bond that it breaks.
 struct Unbreakable {
   static constexpr bool is_armed = false;
-};
-
-/// Breaks bonds longer than their limit, and counts them. Limits: `of<Pack>(index)`, squared [m²].
-template <class Limits>
-struct BreakBeyond {
-  static constexpr bool is_armed = true;
-  Limits limits;
-  std::size_t& broken;  ///< bond ends broken
-
+  Unbreakable counting(std::size_t&) const { return {}; }
   template <class Pack>
-  unsigned bits(std::size_t index, Pack squared_length) const {
-    return fccda::bits_where_greater(squared_length, limits.template of<Pack>(index));
+  Pack of(std::size_t) const {
+    return Pack(0.0);
   }
 };
 
-/// Calls per_bond(BondNow) for every bond that at least one particle of the pack still has. `x`: components of the current positions.
+/// Calls per_bond(BondNow) for every bond that at least one particle of the pack still has. `x`: components of the current
+/// positions; `breaking`: force/breaking.hpp.
 ///
 /// Breaking is done here, where the squared length is at hand: a pass of its own costs 45 % more, this one 10 to 20 %. Both ends of a bond
 /// compute the same squared length to the last bit, so that they break together.
@@ -98,6 +91,7 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
   const Vec3<Pack> xi{load<Pack>(x[0] + slot), load<Pack>(x[1] + slot), load<Pack>(x[2] + slot)};
   const std::size_t eight = slot / byte_lanes, first = slot % byte_lanes, rows = bonds.rows(eight);
   std::uint8_t* bytes = bonds.bytes(eight);
+  [[maybe_unused]] const Pack strength = breaking.template of<Pack>(slot);
   for (std::size_t row = 0; row < rows; ++row) {
     unsigned intact = pack_bits<Pack>(bytes[row], first);
     if (intact == 0) continue;
@@ -106,10 +100,10 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
     const Vec3<Pack> between{neighbour.of(x[0]) - xi.x, neighbour.of(x[1]) - xi.y, neighbour.of(x[2]) - xi.z};
     const Pack squared_length = fused(between.z, between.z, fused(between.y, between.y, between.x * between.x));
     if constexpr (Breaking::is_armed) {
-      const unsigned broken = intact & breaking.template bits<Pack>(index, squared_length);
+      const unsigned broken = intact & breaking.bits(index, squared_length, strength, neighbour);
       if (broken) [[unlikely]] {
         bytes[row] = static_cast<std::uint8_t>(bytes[row] & ~(broken << first));
-        breaking.broken += static_cast<std::size_t>(__builtin_popcount(broken));
+        breaking.count(broken);
         intact &= ~broken;
       }
     }

@@ -10,18 +10,13 @@ using namespace fccda;
 
 namespace {
 
-/// The constants and limits of the bonds of a stencil.
+/// The constants of the bonds of a stencil.
 struct StencilConstants {
   std::span<const OrdinaryState::Folded<double>> folded;
-  std::span<const double> squared_limits;
 
   template <class Pack>
   const OrdinaryState::Folded<double>& constants(std::size_t index) const {
     return folded[index];
-  }
-  template <class Pack>
-  Pack of(std::size_t index) const {
-    return Pack(squared_limits[index]);
   }
 };
 
@@ -29,16 +24,10 @@ struct StencilConstants {
 struct ListConstants {
   const OrdinaryState& law;
   const double *length, *stretch, *dilatation;
-  double longest;  // 1 + s_c
 
   template <class Pack>
   OrdinaryState::Folded<Pack> constants(std::size_t index) const {
     return law.fold(load<Pack>(length + index), load<Pack>(stretch + index), load<Pack>(dilatation + index));
-  }
-  template <class Pack>
-  Pack of(std::size_t index) const {
-    const Pack limit = Pack(longest) * load<Pack>(length + index);
-    return limit * limit;
   }
 };
 
@@ -57,8 +46,8 @@ struct BodyView {
 };
 
 /// θ of the particles of one pack.
-template <class Pack, class View, class Breaking, class Correction>
-void dilatation_of_pack(const View& body, std::size_t slot, const Breaking& breaking, const Correction& correction) {
+template <class Pack, class View, class Breaker, class Correction>
+void dilatation_of_pack(const View& body, std::size_t slot, const Breaker& breaking, const Correction& correction) {
   const auto of_i = correction.dilatation.template of<Pack>(slot);
   Pack theta(0.0);
   for_each_bond<Pack>(body.bonds, body.x, slot, breaking, [&](const auto& bond) {
@@ -69,8 +58,8 @@ void dilatation_of_pack(const View& body, std::size_t slot, const Breaking& brea
 }
 
 /// Force density of the particles of one pack; returns their energy [J], summed, if asked to.
-template <class Pack, bool has_dilatation, bool with_energy, class View, class Breaking, class Correction>
-double force_of_pack(const View& body, std::size_t slot, const Breaking& breaking, const Correction& correction) {
+template <class Pack, bool has_dilatation, bool with_energy, class View, class Breaker, class Correction>
+double force_of_pack(const View& body, std::size_t slot, const Breaker& breaking, const Correction& correction) {
   const auto stretch_of_i = correction.stretch.template of<Pack>(slot);
   const auto dilatation_of_i = correction.dilatation.template of<Pack>(slot);
   const Pack theta_i = has_dilatation ? load<Pack>(body.theta + slot) : Pack(0.0);
@@ -112,19 +101,13 @@ void for_each_pack(const View& body, std::size_t row, const Correction& correcti
   }
 }
 
-template <class Pack, bool has_dilatation, bool breaks, bool with_energy, class View, class Correction>
-void all_rows(const View& body, const Correction& corrections) {
-  const auto breaking_in = [&body](std::size_t row) {
-    if constexpr (breaks)
-      return BreakBeyond<decltype(body.constants)>{body.constants, body.rows.broken_ends[row]};
-    else
-      return Unbreakable{};
-  };
+template <class Pack, bool has_dilatation, bool with_energy, class View, class Breaker, class Correction>
+void all_rows(const View& body, const Breaker& breaker, const Correction& corrections) {
   const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(body.particles.rows());
   if constexpr (has_dilatation) {
     parallel_for(rows, [&](std::ptrdiff_t r) {
       const std::size_t row = static_cast<std::size_t>(r);
-      const auto breaking = breaking_in(row);
+      const auto breaking = breaker.counting(body.rows.broken_ends[row]);
       for_each_pack<Pack>(body, row, corrections, [&](std::size_t slot, const auto& factors) { dilatation_of_pack<Pack>(body, slot, breaking, factors); });
     });
   }
@@ -139,17 +122,15 @@ void all_rows(const View& body, const Correction& corrections) {
     if constexpr (has_dilatation)
       forces(Unbreakable{});  // the dilatation pass has broken what breaks
     else
-      forces(breaking_in(row));
+      forces(breaker.counting(body.rows.broken_ends[row]));
     if constexpr (with_energy) body.rows.energy[row] = energy;
   });
 }
 
-template <class Pack, class View, class Correction>
-void run(const View& body, bool breaks, const PassOptions& options, const Correction& corrections) {
+template <class Pack, class View, class Breaker, class Correction>
+void run(const View& body, const Breaker& breaker, const PassOptions& options, const Correction& corrections) {
   with_constant(body.law.needs_dilatation(), [&](auto has_dilatation) {
-    with_constant(breaks, [&](auto breaking) {
-      with_constant(options.with_energy, [&](auto energy) { all_rows<Pack, has_dilatation.value, breaking.value, energy.value>(body, corrections); });
-    });
+    with_constant(options.with_energy, [&](auto energy) { all_rows<Pack, has_dilatation.value, energy.value>(body, breaker, corrections); });
   });
 }
 
@@ -166,15 +147,13 @@ CorrectionBasis basis_of(const OrdinaryState& law) {
           whole.energy};
 }
 
-OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, const std::optional<CriticalStretch>& breaking, CorrectionFactors correction, const Family& family,
-                                       const Particles& particles)
-    : law_(law), breaking_(breaking), correction_(std::move(correction)) {
+OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, Breaking breaking, CorrectionFactors correction, const Family& family, const Particles& particles)
+    : law_(law), breaking_(std::move(breaking)), correction_(std::move(correction)) {
   if (law_.needs_dilatation()) theta_ = ScalarArray(particles.slots(), particles.slack());
   if (const Stencil* stencil = family.stencil()) {
     for (const StencilBond& bond : stencil->bonds()) {
       const BondWeights weights = law_.weights(bond.length);
       folded_.push_back(law_.fold(bond.length, weights.stretch * bond.volume, weights.dilatation * bond.volume));
-      if (breaking) squared_limits_.push_back(breaking->squared_limit(bond.length));
       half_squares_.push_back(interpolation_weights(bond.direction));
     }
     return;
@@ -196,16 +175,16 @@ OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, const std::optional<Cr
 template <class Pack>
 void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
   const auto over = [&](const auto& bonds, const auto& constants, const auto& corrections) {
-    run<Pack>(BodyView<std::decay_t<decltype(bonds)>, std::decay_t<decltype(constants)>>{particles, particles.position.pointers(), particles.force_density,
-                                                                                         theta_.component(0), bonds, constants, correction_, law_, rows},
-              breaking_.has_value(), options, corrections);
+    using Bonds = std::decay_t<decltype(bonds)>;
+    const BodyView<Bonds, std::decay_t<decltype(constants)>> body{
+        particles, particles.position.pointers(), particles.force_density, theta_.component(0), bonds, constants, correction_, law_, rows};
+    breaking_.template choose<Bonds>(family, [&](const auto& breaker) { run<Pack>(body, breaker, options, corrections); });
   };
   const double* half = correction_.own_family().component(0);
   const FamilyFactor own{half};
   const Corrections<FamilyFactor, PlainBonds, true> by_family{own, {}, half};
   if (family.list()) {
-    const ListConstants constants{law_, family.list()->length.data(), stretch_.data(), law_.needs_dilatation() ? dilatation_.data() : stretch_.data(),
-                                  breaking_ ? breaking_->longest() : 1.0};
+    const ListConstants constants{law_, family.list()->length.data(), stretch_.data(), law_.needs_dilatation() ? dilatation_.data() : stretch_.data()};
     if (correction_.kind() == CorrectionKind::family)
       over(ListedBonds(family), constants, by_family);
     else
@@ -213,7 +192,7 @@ void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOp
     return;
   }
   const StencilBonds bonds(family);
-  const StencilConstants constants{folded_, squared_limits_};
+  const StencilConstants constants{folded_};
   switch (correction_.kind()) {
     case CorrectionKind::none:
       over(bonds, constants, NoCorrections{});
@@ -239,7 +218,7 @@ template void OrdinaryStateForce::pass<NativePack>(Particles&, Family&, const Pa
 #endif
 
 double OrdinaryStateForce::bytes() const {
-  return correction_.bytes() + static_cast<double>(sizeof(double) * (theta_.slots() + stretch_.size() + dilatation_.size()));
+  return correction_.bytes() + breaking_.bytes() + static_cast<double>(sizeof(double) * (theta_.slots() + stretch_.size() + dilatation_.size()));
 }
 
 }  // namespace perimpact

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "perimpact/damage/critical_stretch.hpp"
 #include "perimpact/family/family.hpp"
 #include "perimpact/family/surface_correction.hpp"
+#include "perimpact/force/breaking.hpp"
 #include "perimpact/force/pass.hpp"
 #include "perimpact/material/ordinary_state.hpp"
 
@@ -16,13 +16,13 @@ CorrectionBasis basis_of(const OrdinaryState& law);
 
 class OrdinaryStateForce {
  public:
-  OrdinaryStateForce(OrdinaryState law, const std::optional<CriticalStretch>& breaking, CorrectionFactors correction, const Family& family,
-                     const Particles& particles);
+  OrdinaryStateForce(OrdinaryState law, Breaking breaking, CorrectionFactors correction, const Family& family, const Particles& particles);
 
   /// Writes particles.force_density and the sums of the rows.
   template <class Pack>
   void pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
 
+  const Breaking& breaking() const { return breaking_; }
   const OrdinaryState& law() const { return law_; }
   const CorrectionFactors& correction() const { return correction_; }
   /// [N/m⁷] what the force density of a bond gains by each metre of its length, its dilatation left aside.
@@ -33,13 +33,12 @@ class OrdinaryStateForce {
 
  private:
   OrdinaryState law_;
-  std::optional<CriticalStretch> breaking_;
+  Breaking breaking_;
   CorrectionFactors correction_;
   ScalarArray theta_;  // [-] of each particle; empty where the material needs none
 
   // of each bond of the stencil
   std::vector<OrdinaryState::Folded<double>> folded_;
-  std::vector<double> squared_limits_;  // [m²]
   std::vector<Vec3d> half_squares_;
 
   // of each entry of the list [m⁵], with the factors of the surface correction

@@ -33,7 +33,15 @@ std::vector<Field<S>> elastic_fields(WithPoissonsRatio poisson, std::vector<Fiel
                    "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest."});
   all.push_back({"density", &S::density, "kg/m3", positive(), required, "Mass density ρ."});
   all.push_back({"critical_stretch", &S::critical_stretch, "1", positive(), optional,
-                 "A bond longer than (1 + this) times its first length breaks for ever. Where absent, bonds never break."});
+                 "A bond longer than (1 + this) times its first length breaks for ever. Where this, fracture_energy and flexural_strength are absent, bonds "
+                 "never break."});
+  all.push_back({"fracture_energy", &S::fracture_energy, "J/m2", positive(), optional,
+                 "In place of critical_stretch: the energy G₀ that it takes to part the body, for each area of crack."});
+  all.push_back({"flexural_strength", &S::flexural_strength, "Pa", positive(), optional,
+                 "In place of critical_stretch: the stress at the surface of a bent plate at which it breaks; critical stretch (1 - 1/n) σ/E with n layers of "
+                 "particles."});
+  all.push_back({"layers", &S::layers, "1", between(2, 1000), optional,
+                 "Layers of particles through the thickness that bends, for flexural_strength. Where absent, those of the thinnest direction."});
   all.insert(all.end(), own.begin(), own.end());
   return all;
 }
@@ -61,6 +69,25 @@ std::span<const Field<LinearSolidSetup>> LinearSolidSetup::fields() {
 
 std::span<const Field<BondBasedSetup>> BondBasedSetup::fields() {
   static const auto all = elastic_fields<BondBasedSetup>(WithPoissonsRatio::no);
+  return all;
+}
+
+std::span<const Field<FailureSetup>> FailureSetup::fields() {
+  using S = FailureSetup;
+  static const Field<S> all[] = {
+      {"compression",
+       &S::compression,
+       "",
+       {},
+       optional,
+       "Whether bonds break in compression: none, symmetric (at the critical stretch too) or limit (at critical_compression)."},
+      {"critical_compression", &S::critical_compression, "1", strictly_between(0, 1), optional,
+       "A bond shorter than (1 - this) times its first length breaks, with compression: limit."},
+      {"weibull_modulus", &S::weibull_modulus, "1", between(1, 1000), optional,
+       "Scatter: the critical stretch of each particle is multiplied by a random factor of Weibull's distribution with this modulus and mean 1; a bond takes "
+       "the mean of its two. Where absent, no scatter."},
+      {"seed", &S::seed, "1", between(0, 2147483647), optional, "Chooses the random factors; the same seed gives the same body."},
+      {"no_fail", &S::no_fail, "", {}, optional, "Names of regions of the body whose particles never lose a bond."}};
   return all;
 }
 

@@ -30,6 +30,9 @@ enum class Normalisation { lattice, continuum };
 inline constexpr std::string_view plane_words[] = {"none", "stress", "strain"};
 enum class PlaneState { none, stress, strain };  // as perimpact::Plane
 
+inline constexpr std::string_view compression_words[] = {"none", "symmetric", "limit"};
+enum class CompressionFailure { none, symmetric, limit };
+
 inline constexpr std::string_view influence_words[] = {"one", "inverse", "inverse-square", "parabolic", "gaussian"};  // as perimpact::Influence
 
 inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
@@ -78,8 +81,12 @@ using Solid = std::variant<BoxSolid>;
 struct ElasticSetup {
   double youngs_modulus{};  ///< [Pa]
   double poissons_ratio = 0.25;
-  double density{};                        ///< [kg/m³]
-  std::optional<double> critical_stretch;  ///< [-]; bonds never break where absent
+  double density{};  ///< [kg/m³]
+  // at most one of these three says when bonds break; never where all are absent
+  std::optional<double> critical_stretch;   ///< [-]
+  std::optional<double> fracture_energy;    ///< [J/m²]
+  std::optional<double> flexural_strength;  ///< [Pa]
+  std::optional<int> layers;                ///< particles through the thickness that bends
 };
 
 /// Ordinary state-based, linear, isotropic, after Madenci and Oterkus (docs/theory/ordinary_state.md).
@@ -102,6 +109,16 @@ struct BondBasedSetup : ElasticSetup {
 };
 using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBasedSetup>;  // chosen by the key `model`
 
+/// Which bonds break, beside the critical stretch of the material.
+struct FailureSetup {
+  Choice compression{compression_words};
+  std::optional<double> critical_compression;  ///< [-] positive, where compression is `limit`
+  std::optional<double> weibull_modulus;       ///< [-] scatter of the strength of particles; none where absent
+  int seed = 1;                                ///< of the scatter
+  std::vector<std::string> no_fail;            ///< names of regions
+  static std::span<const Field<FailureSetup>> fields();
+};
+
 struct BodySetup {
   std::string name;
   Solid shape;
@@ -115,6 +132,7 @@ struct BodySetup {
   bool published = false;     ///< the seed paper's discretisation: madenci-oterkus, continuum, none
   Choice plane{plane_words};  ///< of a body of two dimensions, a single layer in z
   MaterialSetup material;
+  FailureSetup failure;
   static std::span<const Field<BodySetup>> fields();
 
   const ElasticSetup& elastic() const {

@@ -96,12 +96,13 @@ Body make_body(const BodySetup& setup, Particles particles) {
   }
   const OrdinaryState law(elastic, influences, horizon, particles.thickness().value_or(1), lattice);
 
-  std::optional<CriticalStretch> breaking;
-  if (setup.elastic().critical_stretch) breaking = CriticalStretch(*setup.elastic().critical_stretch);
+  const auto failure = failure_criterion(setup, law, *family, particles);
+  Breaking breaking;
+  if (failure) breaking = Breaking(breaking_rule(setup.failure, *failure), strength_of(setup.failure, particles, {}), *family, particles);
 
   CorrectionFactors correction(correction_of(setup), basis_of(law), *family, particles);
-  InternalForce internal(OrdinaryStateForce(law, breaking, std::move(correction), *family, particles), particles);
-  return {setup.name, std::move(particles), std::move(*family), std::move(internal)};
+  InternalForce internal(OrdinaryStateForce(law, std::move(breaking), std::move(correction), *family, particles), particles);
+  return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure};
 }
 
 Vec3d Body::momentum() const {

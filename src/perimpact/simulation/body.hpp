@@ -8,6 +8,7 @@
 #include "perimpact/force/internal_force.hpp"
 #include "perimpact/particles/particles.hpp"
 #include "perimpact/setup/setup.hpp"
+#include "perimpact/simulation/failure.hpp"
 
 namespace perimpact {
 
@@ -16,6 +17,7 @@ struct Body {
   Particles particles;
   Family family;
   InternalForce internal;
+  std::optional<FailureCriterion> failure = {};  ///< nothing where bonds never break
 
   /// Momentum [kg m/s] of all particles, summed in blocks, in order.
   Vec3d momentum() const;

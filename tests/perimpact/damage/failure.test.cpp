@@ -1,0 +1,189 @@
+#include "perimpact/simulation/failure.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "perimpact/bodies.hpp"
+#include "perimpact/damage/strength.hpp"
+#include "perimpact/material/fracture_energy.hpp"
+
+using namespace perimpact;
+using fixtures::body;
+using fixtures::BodyOptions;
+
+namespace {
+
+constexpr double E = fixtures::youngs_modulus, horizon = 3.015e-3, thickness = 2e-3;
+
+OrdinaryState continuum_law(Plane plane, double nu) {
+  return OrdinaryState(IsotropicElastic::in(plane, E, nu), madenci_oterkus_influences, horizon, plane == Plane::none ? 1 : thickness, std::nullopt);
+}
+
+double unit_energy(Plane plane, double nu) {
+  const OrdinaryState law = continuum_law(plane, nu);
+  return fracture_energy_of_bonds(law, horizon, thickness) + fracture_energy_of_dilatation(law, horizon);
+}
+
+FailureSetup in_compression(CompressionFailure kind, std::optional<double> limit = {}) {
+  FailureSetup failure;
+  failure.compression.index = static_cast<int>(kind);
+  failure.critical_compression = limit;
+  return failure;
+}
+
+/// Broken bonds after the whole body was stretched by s.
+std::size_t broken_at(double s, const BodyOptions& options) {
+  Body solid = body(options);
+  fixtures::deform(solid, [&](const Vec3d& X) { return (1 + s) * X; });
+  solid.internal.evaluate(solid.particles, solid.family);
+  return solid.internal.broken_bonds();
+}
+
+}  // namespace
+
+TEST_CASE("failure: the fracture energy of the continuum is that of the literature, in space and in the plane") {
+  // physics notes 1.9; Simpson's rule is exact for these powers
+  const auto [mu, kappa] = std::pair(E / 2.6, E / (3 * 0.4));                                                              // ν = 0.3
+  CHECK(unit_energy(Plane::none, 0.25) == doctest::Approx(9 * (E / 1.5) * horizon / 5).epsilon(1e-10));                    // 9 κ δ/5, bond-based
+  CHECK(unit_energy(Plane::stress, 1.0 / 3) == doctest::Approx(9 * E * horizon / (4 * std::numbers::pi)).epsilon(1e-10));  // bond-based
+  CHECK(unit_energy(Plane::strain, 0.25) == doctest::Approx(12 * E * horizon / (5 * std::numbers::pi)).epsilon(1e-10));    // bond-based
+  CHECK(unit_energy(Plane::none, 0.3) == doctest::Approx((3 * mu + 81.0 / 256 * (kappa - 5 * mu / 3)) * horizon).epsilon(1e-10));
+}
+
+TEST_CASE("failure: the lattice costs what the notes' table says, so that a crack along its cells costs exactly the given energy") {
+  for (const auto& [plane, ratio] : {std::pair(PlaneState::none, 1.07), std::pair(PlaneState::stress, 1.04)}) {
+    BodyOptions options{.size = {0.02, 0.02, plane == PlaneState::none ? 0.008 : thickness},
+                        .poissons_ratio = plane == PlaneState::none ? 0.25 : 1.0 / 3,
+                        .normalisation = Normalisation::continuum,
+                        .critical_stretch = 1e-3,
+                        .plane = plane};
+    const Body solid = body(options);
+    // table 1.9: 1.07 in space, 1.03 to 1.05 in the plane, two digits, for constants of the continuum
+    CHECK(solid.failure->fracture_energy / (1e-6 * unit_energy(options.plane == PlaneState::none ? Plane::none : Plane::stress, options.poissons_ratio)) ==
+          doctest::Approx(ratio).epsilon(0.011));
+  }
+}
+
+TEST_CASE("failure: parting a body by hand along a plane of cells takes the fracture energy that it was given") {
+  // bonds across x = 0 at the critical stretch, one by one: Σ ½ (2 W_bond) over the pairs, from energies of pairs alone (a = 0)
+  BodySetup setup = fixtures::body_setup({.size = {0.016, 0.012, 0.012}});
+  auto& material = std::get<OrdinaryStateSetup>(setup.material);
+  material.fracture_energy = 42.0;
+  const Body solid = make_body(setup);
+  const OrdinaryStateForce& force = *solid.internal.ordinary_state();
+  double energy = 0;
+  std::size_t columns = 0;
+  for (const std::uint32_t slot : solid.particles.slot_of()) {
+    const Vec3d X = solid.particles.reference(slot);
+    if (X.x > 0 || std::fabs(X.y) > 0.001 || std::fabs(X.z) > 0.001) continue;  // the middle columns, whose families across are whole
+    columns += std::fabs(X.x) < 0.001;
+    solid.family.for_each_bond(slot, [&](const FamilyBond& bond) {
+      if (solid.particles.reference(bond.j).x < 0) return;
+      const double e = solid.failure->stretch * bond.length;
+      energy += 2 * (force.law().bond_stiffness(bond.length) / 4) * e * e * bond.volume * solid.particles.volume(slot);
+    });
+  }
+  CHECK(columns == 4);
+  CHECK(energy / (static_cast<double>(columns) * 1e-6) == doctest::Approx(42.0).epsilon(1e-9));  // per area of crack; the same sums in another order
+}
+
+TEST_CASE("failure: whichever of the three is given, the two others follow, there and back") {
+  const auto criterion = [](const auto& give) {
+    BodySetup setup = fixtures::body_setup({.size = {0.02, 0.02, 0.006}, .poissons_ratio = 0.3});
+    give(std::get<OrdinaryStateSetup>(setup.material));
+    return *make_body(setup).failure;
+  };
+  const FailureCriterion by_stretch = criterion([](auto& m) { m.critical_stretch = 2e-3; });
+  CHECK(by_stretch.layers == 6);
+  CHECK(by_stretch.flexural_strength == doctest::Approx(2e-3 * E / (1 - 1.0 / 6)).epsilon(1e-14));
+  const FailureCriterion by_energy = criterion([&](auto& m) { m.fracture_energy = by_stretch.fracture_energy; });
+  const FailureCriterion by_strength = criterion([&](auto& m) { m.flexural_strength = by_stretch.flexural_strength; });
+  CHECK(by_energy.stretch == doctest::Approx(2e-3).epsilon(1e-14));
+  CHECK(by_strength.stretch == doctest::Approx(2e-3).epsilon(1e-14));
+  const FailureCriterion ten = criterion([&](auto& m) { m.flexural_strength = 1e6, m.layers = 10; });
+  CHECK(ten.stretch == doctest::Approx(0.9e6 / E).epsilon(1e-14));
+}
+
+TEST_CASE("failure: compression breaks no bond, all of them at the critical stretch, or all at a limit of their own, as asked") {
+  for (const auto points : {fixtures::Points::lattice, fixtures::Points::shaken}) {
+    const auto options = [&](const FailureSetup& failure) {
+      return BodyOptions{.size = {0.008, 0.006, 0.005}, .critical_stretch = 1e-3, .points = points, .failure = failure};
+    };
+    const std::size_t all = body(options({})).family.initial_bonds();
+    CHECK(broken_at(-0.5, options({})) == 0);
+    CHECK(broken_at(-0.9e-3, options(in_compression(CompressionFailure::symmetric))) == 0);
+    CHECK(broken_at(-1.1e-3, options(in_compression(CompressionFailure::symmetric))) == all);
+    CHECK(broken_at(1.1e-3, options(in_compression(CompressionFailure::symmetric))) == all);
+    CHECK(broken_at(-1.9e-2, options(in_compression(CompressionFailure::limit, 2e-2))) == 0);
+    CHECK(broken_at(-2.1e-2, options(in_compression(CompressionFailure::limit, 2e-2))) == all);
+    CHECK(broken_at(1.1e-3, options(in_compression(CompressionFailure::limit, 2e-2))) == all);
+  }
+}
+
+TEST_CASE("failure: with scatter a bond breaks where its own two particles say, at both of its ends, and as often as Weibull says") {
+  for (const auto points : {fixtures::Points::lattice, fixtures::Points::shaken}) {
+    FailureSetup failure;
+    failure.weibull_modulus = 5.0, failure.seed = 3;
+    const BodyOptions options{.critical_stretch = 1e-3, .points = points, .failure = failure};
+    const double s = 1.02e-3;
+    Body solid = body(options), intact = body(options);
+    fixtures::deform(solid, [&](const Vec3d& X) { return (1 + s) * X; });
+    solid.internal.evaluate(solid.particles, solid.family);
+    std::size_t wrong = 0, bonds = 0;
+    for (const std::uint32_t slot : solid.particles.slot_of()) {
+      std::vector<bool> has(solid.particles.slots(), false);
+      solid.family.for_each_bond(slot, [&](const FamilyBond& bond) { has[bond.j] = true; });
+      intact.family.for_each_bond(slot, [&](const FamilyBond& bond) {
+        const double k = 0.5 * (weibull_factor(5, 3, slot) + weibull_factor(5, 3, bond.j));
+        ++bonds;
+        if (std::fabs(k * 1e-3 - s) > 1e-12) wrong += has[bond.j] != (s < k * 1e-3);
+      });
+    }
+    CHECK(wrong == 0);
+    CHECK(solid.internal.broken_bonds() > bonds / 8);  // about half of the pairs: the mean of two factors has its median near 1
+    CHECK(solid.internal.broken_bonds() < bonds / 2 * 3 / 4);
+  }
+}
+
+TEST_CASE("failure: Weibull factors have mean 1, the scatter of their modulus, and differ with the seed") {
+  for (const double m : {2.0, 5.0, 20.0}) {
+    double sum = 0, squares = 0;
+    constexpr int count = 100'000;
+    for (int n = 0; n < count; ++n) {
+      const double k = weibull_factor(m, 1, static_cast<std::uint64_t>(n));
+      sum += k, squares += k * k;
+    }
+    const double mean = sum / count, variance = squares / count - mean * mean;
+    const double exact = std::tgamma(1 + 2 / m) / std::pow(std::tgamma(1 + 1 / m), 2) - 1;
+    CHECK(mean == doctest::Approx(1).epsilon(4 * std::sqrt(exact / count)));  // four standard errors
+    CHECK(variance == doctest::Approx(exact).epsilon(0.03));                  // standard error about 1 %
+  }
+  CHECK(weibull_factor(5, 1, 7) != weibull_factor(5, 2, 7));
+}
+
+TEST_CASE("failure: particles that may not fail keep all their bonds, whatever the stretch") {
+  Body solid = body({.critical_stretch = 1e-3});
+  std::vector<std::size_t> never;
+  for (const std::uint32_t slot : solid.particles.slot_of())
+    if (solid.particles.reference(slot).x < 0) never.push_back(slot);
+  const std::vector<double> strength = strength_of({}, solid.particles, never);
+  const OrdinaryStateForce& force = *solid.internal.ordinary_state();
+  for (const std::optional<double> compression : {std::optional<double>(), std::optional<double>(1e-3)}) {
+    Family family = solid.family;
+    InternalForce internal(
+        OrdinaryStateForce(force.law(), Breaking({1e-3, compression}, strength, family, solid.particles), force.correction(), family, solid.particles),
+        solid.particles);
+    for (const double s : {0.5, -0.5}) {
+      fixtures::deform(solid, [&](const Vec3d& X) { return (1 + s) * X; });
+      internal.evaluate(solid.particles, family);
+    }
+    std::size_t expected = 0;
+    for (const std::uint32_t slot : solid.particles.slot_of())
+      solid.family.for_each_bond(
+          slot, [&](const FamilyBond& bond) { expected += solid.particles.reference(slot).x >= 0 && solid.particles.reference(bond.j).x >= 0; });
+    CHECK(internal.broken_bonds() == expected / 2);
+  }
+}
