@@ -74,7 +74,7 @@ ShortRange::Got ShortRange::add_to(std::size_t m, std::span<const TouchingBody> 
   return got;
 }
 
-ShortRange::Bound ShortRange::bound(const ShortRangeLaw& law, std::span<const TouchingBody> bodies, std::size_t b) {
+ShortRange::Bound ShortRange::bound(std::span<const TouchingBody> bodies, std::size_t b) const {
   struct Largest {
     double volume = 0, mass = 0;
   };
@@ -90,7 +90,7 @@ ShortRange::Bound ShortRange::bound(const ShortRangeLaw& law, std::span<const To
     const double k = in_series(bodies[b].stiffness, bodies[other].stiffness);
     const double mass = own.mass * its.mass / (own.mass + its.mass);
     bound.stiffness = std::max(bound.stiffness, most_touching * k * its.volume);
-    bound.damping = std::max(bound.damping, most_touching * 2 * law.damping_ratio * std::sqrt(k * its.volume * mass / own.volume));
+    bound.damping = std::max(bound.damping, most_touching * 2 * law_.damping_ratio * std::sqrt(k * its.volume * mass / own.volume));
   }
   return bound;
 }

@@ -35,7 +35,7 @@ class ShortRange {
     double stiffness;  ///< [N/m⁶] Σ k V_j
     double damping;    ///< [N s/m⁴] Σ 2 ζ √(K m)/V_i
   };
-  static Bound bound(const ShortRangeLaw& law, std::span<const TouchingBody> bodies, std::size_t body);
+  Bound bound(std::span<const TouchingBody> bodies, std::size_t body) const;
 
   template <class Visitor>
   void visit_state(Visitor&& visit) {

@@ -65,6 +65,10 @@ double slots_of(const BodySetup& setup) {
   return std::ceil(size.x / setup.spacing / fccda::byte_lanes) * fccda::byte_lanes * (size.y / setup.spacing) * (is_plane(setup) ? 1 : size.z / setup.spacing);
 }
 
+IsotropicElastic elastic_of(const BodySetup& setup) {
+  return IsotropicElastic::in(setup.plane.as<Plane>(), setup.elastic().youngs_modulus, poissons_ratio_of(setup));
+}
+
 Particles make_particles(const BodySetup& setup) {
   const int reach = stencil_of(setup).reach();
   const double density = setup.elastic().density;
@@ -81,7 +85,7 @@ Particles make_particles(const BodySetup& setup) {
 }
 
 Body make_body(const BodySetup& setup, Particles particles) {
-  const IsotropicElastic elastic = IsotropicElastic::in(setup.plane.as<Plane>(), setup.elastic().youngs_modulus, poissons_ratio_of(setup));
+  const IsotropicElastic elastic = elastic_of(setup);
   const Influences influences = influences_of(setup);
   const double horizon = setup.horizon_ratio * particles.spacing();
 

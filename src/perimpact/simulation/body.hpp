@@ -36,6 +36,9 @@ struct Body {
 /// How many slots the lattice that fills the solid has: its cells, rows rounded up. A double, for there may be too many to count.
 double slots_of(const BodySetup& setup);
 
+/// Elastic constants of its material, in space or in its plane.
+IsotropicElastic elastic_of(const BodySetup& setup);
+
 /// The particles that fill the solid, with their first velocities. Throws SetupError where there are too many to be numbered.
 Particles make_particles(const BodySetup& setup);
 

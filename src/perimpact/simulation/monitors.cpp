@@ -51,7 +51,7 @@ void Monitors::add_vector(const std::string& owner, const char* quantity, const 
   for (std::size_t c = 0; c < 3; ++c) add(fmt::format("{}.{}_{} [{}]", owner, quantity, axes[c], unit), value[c]);
 }
 
-void Monitors::record(std::span<const Body> bodies, std::span<Impactor> impactors, const Clock& clock) {
+void Monitors::record(std::span<const Body> bodies, std::span<Impactor> impactors, const Clock& clock, const std::optional<ShortRange>& fragments) {
   row_.clear();
   add("time [s]", clock.time());
   const double interval = clock.time() - row_time_;  // forces are means over it; nothing has acted before the first row
@@ -89,6 +89,12 @@ void Monitors::record(std::span<const Body> bodies, std::span<Impactor> impactor
     add(bodies[b].name + ".broken_bonds [-]", static_cast<double>(bodies[b].internal.broken_bonds()));
     momentum += bodies[b].momentum();
     energy += kinetic + elastic_[b];
+  }
+  if (fragments) {
+    add("total.contact_energy [J]", fragments->energy());
+    add("total.friction_work [J]", fragments->friction_work());
+    add("total.restitution_work [J]", fragments->restitution_work());
+    energy += fragments->energy();
   }
   add_vector("total", "momentum", "kg m/s", momentum);
   add("total.energy [J]", energy);

@@ -1,10 +1,12 @@
 /// What is watched while a run goes on: one row of history.csv at a time, and the checks that end a run that has gone wrong.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "perimpact/force/short_range.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/simulation/body.hpp"
 #include "perimpact/simulation/clock.hpp"
@@ -24,7 +26,7 @@ class Monitors {
   std::vector<double>& elastic_energy() { return elastic_; }
 
   /// Makes the row of this step and checks it. Throws RunError where numbers are not finite or energy appeared from nowhere.
-  void record(std::span<const Body> bodies, std::span<Impactor> impactors, const Clock& clock);
+  void record(std::span<const Body> bodies, std::span<Impactor> impactors, const Clock& clock, const std::optional<ShortRange>& fragments = {});
 
   const std::vector<std::string>& columns() const { return columns_; }  ///< "cylinder.velocity_y [m/s]"
   std::span<const double> row() const { return row_; }                  ///< the latest

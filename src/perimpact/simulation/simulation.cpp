@@ -10,6 +10,7 @@
 #include "perimpact/impact/diagnosis.hpp"
 #include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
 
@@ -25,11 +26,12 @@ std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particl
 
 constexpr double safety = 0.9;  // of the estimate, which errs on the safe side by a factor near two
 
-Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vector<std::string>& warnings) {
+Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optional<ShortRange>& fragments, std::vector<std::string>& warnings) {
   Stability stability{0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  for (const Body& body : bodies) {
-    stability.estimate = std::min(stability.estimate, silling_askari_step(body));
-    stability.exact = std::min(stability.exact, exact_stable_step(body).value_or(std::numeric_limits<double>::infinity()));
+  const std::vector<TouchingBody> touching = touching_bodies(setup, bodies);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    stability.estimate = std::min(stability.estimate, silling_askari_step(bodies[b], fragments ? fragments->bound(touching, b) : ShortRange::Bound{}));
+    stability.exact = std::min(stability.exact, exact_stable_step(bodies[b]).value_or(std::numeric_limits<double>::infinity()));
   }
   const double automatic = safety * stability.estimate;
   if (!setup.time.step && !std::isfinite(automatic))
@@ -116,7 +118,8 @@ Simulation::Simulation(const Setup& setup, Start start)
     : setup_(setup),
       inside_at_start_(std::move(start.inside)),
       bodies_(make_bodies(setup, std::move(start.particles))),
-      stability_(find_step(setup, bodies_, warnings_)),
+      fragments_(short_range_of(setup, bodies_)),
+      stability_(find_step(setup, bodies_, fragments_, warnings_)),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
       impactors_(std::move(start.impactors)),
       monitors_(setup.output, bodies_, clock_) {
@@ -126,6 +129,8 @@ Simulation::Simulation(const Setup& setup, Start start)
   for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));
   warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
   evaluate_forces();
+  if (fragments_) touch();
+  if (fragments_ && fragments_->touching() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
   record();
 }
 
@@ -134,6 +139,7 @@ void Simulation::step() {
   timers_.timed("predict", [&] { advance_bodies(); });
   timers_.timed("contact", [&] { strike(); });
   timers_.timed("forces", [&] { evaluate_forces(); });
+  if (fragments_) timers_.timed("fragments", [&] { touch(); });
   timers_.timed("monitors", [&] {
     if (monitors_.is_due(clock_)) record();
   });
@@ -164,8 +170,10 @@ void Simulation::evaluate_forces() {
   }
 }
 
+void Simulation::touch() { fragments_->add_forces(touching_bodies(setup_, bodies_), clock_.dt); }
+
 void Simulation::record() {
-  monitors_.record(bodies_, impactors_, clock_);
+  monitors_.record(bodies_, impactors_, clock_, fragments_);
   encounters_.look(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
 }
 

@@ -2,11 +2,13 @@
 /// (run.hpp has the loop).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "fccda/core/timers.hpp"
+#include "perimpact/force/short_range.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/setup/setup.hpp"
 #include "perimpact/simulation/body.hpp"
@@ -41,6 +43,10 @@ class Simulation {
   std::span<const Body> bodies() const { return bodies_; }
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
+  const std::optional<ShortRange>& fragments() const { return fragments_; }  ///< where the deck has their particles touch
+  void forget_near_pairs() {
+    if (fragments_) fragments_->forget();
+  }                              ///< has them looked for anew; changes no result
   std::size_t contacts() const;  ///< of the last step
 
   /// Calls visit(name, span) for every array of the state.
@@ -48,6 +54,7 @@ class Simulation {
   void visit_state(Visitor&& visit) {
     for (Body& body : bodies_) body.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
+    if (fragments_) fragments_->visit_state(visit);
   }
   std::uint64_t state_hash();
 
@@ -56,12 +63,14 @@ class Simulation {
   void advance_bodies();
   void strike();
   void evaluate_forces();
+  void touch();
   void record();
 
   Setup setup_;
   std::vector<std::string> warnings_;
   std::vector<InsideAtStart> inside_at_start_;
   std::vector<Body> bodies_;
+  std::optional<ShortRange> fragments_;
   Stability stability_;
   Clock clock_;
   std::vector<Impactor> impactors_;

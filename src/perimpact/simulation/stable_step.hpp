@@ -3,13 +3,16 @@
 
 #include <optional>
 
+#include "perimpact/force/short_range.hpp"
 #include "perimpact/simulation/body.hpp"
 
 namespace perimpact {
 
 /// Silling and Askari (Comput. Struct. 83 (2005) 1526): √(2 ρ/Σ_j C_ij V_j), C_ij = 4 b ω_e G_ij, least over all particles [s]. It is safe by a
 /// factor near two in three dimensions for 0.1 <= ν <= 0.4 (physics notes 2.3), and knows of the surface correction.
-double silling_askari_step(const Body& body);
+/// Where the short-range force is on, a particle has besides as many contacts as can be: with ω² = 2 Σ/ρ of all springs and D = 2 Σ/ρ of all
+/// dashpots the step is (√(D² + 4 ω²) - D)/ω², at which a damped oscillation of symplectic Euler begins to grow.
+double silling_askari_step(const Body& body, const ShortRange::Bound& contact = {});
 
 /// The step at which the infinite lattice becomes unstable: 2/ω of its stiffest plane wave [s], found over wave vectors of the first
 /// Brillouin zone (24 intervals to π/Δ along each axis). M(k) = Σ 4 b ω_e v V n nᵀ (1 - cos k·ξ) + 2a T Tᵀ, T = d Σ ω_θ |ξ| v V n sin(k·ξ),
