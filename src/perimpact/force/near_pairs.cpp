@@ -1,6 +1,7 @@
 #include "perimpact/force/near_pairs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fccda/core/parallel.hpp"
@@ -31,10 +32,6 @@ void for_each_block(std::size_t count, const F& f) {
   });
 }
 
-double distance(const ShortRangeLaw& law, const NearPairs::Member& i, const NearPairs::Member& j) {
-  return i.body == j.body ? contact_distance(law, i.size, j.size, norm(j.reference - i.reference)) : contact_distance(law, i.size, j.size);
-}
-
 }  // namespace
 
 NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const TouchingBody> bodies) : law_(law) {
@@ -46,14 +43,13 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const TouchingBody> bod
     std::vector<std::uint32_t>& at = particle_at_.emplace_back(particles.slots(), 0);
     for (const std::uint32_t slot : particles.slot_of()) {
       at[slot] = static_cast<std::uint32_t>(particles_.size());
-      particles_.push_back(
-          {static_cast<std::uint32_t>(b), slot, particles.reference(slot), particles.size_of(slot), particles.volume(slot), particles.mass(slot)});
+      particles_.push_back({static_cast<std::uint32_t>(b), slot, particles.reference(slot), particles.size_of(slot), particles.volume(slot)});
       largest = std::max(largest, particles_.back().size);
     }
   }
   skin_ = skin_ratio * finest;
-  reach_ = std::max(bodies.size() > 1 ? law.distance_ratio : 0, law.debris_distance_ratio) * largest + skin_;
-  then_.resize(particles_.size());
+  longest_ = std::max(bodies.size() > 1 ? law.distance_ratio : 0, law.debris_distance_ratio) * largest;
+  then_ = VectorArray(particles_.size(), 0);
   stirred_.assign(particles_.size(), 0);
   first_pair_.assign(1, 0);
 }
@@ -66,32 +62,40 @@ void NearPairs::update(std::span<const TouchingBody> bodies) {
   if (!holds || has_moved_by_skin(bodies)) make(bodies);
 }
 
-bool NearPairs::has_moved_by_skin(std::span<const TouchingBody> bodies) const {
+bool NearPairs::has_moved_by_skin(std::span<const TouchingBody> bodies) {
   struct Moved {
     Vec3d low{far, far, far}, high{-far, -far, -far};
-    void add(const Vec3d& by) {
-      for (std::size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], by[c]), high[c] = std::max(high[c], by[c]);
-    }
+    double furthest = 0;  // [m²] from the flight
   };
   std::vector<Moved> of_block((particles_.size() + block - 1) / block);
   for_each_block(particles_.size(), [&](std::size_t first, std::size_t last) {
     Moved moved;
-    for (std::size_t p = first; p < last; ++p) moved.add(bodies[particles_[p].body].particles.position.at(particles_[p].slot) - then_[p]);
+    for (std::size_t p = first; p < last; ++p) {
+      const Vec3d by = bodies[particles_[p].body].particles.position.at(particles_[p].slot) - then_.at(p);
+      for (std::size_t c = 0; c < 3; ++c) moved.low[c] = std::min(moved.low[c], by[c]), moved.high[c] = std::max(moved.high[c], by[c]);
+      moved.furthest = std::max(moved.furthest, squared_norm(by - flight_));
+    }
     of_block[first / block] = moved;
   });
   Moved all;
-  for (const Moved& moved : of_block) all.add(moved.low), all.add(moved.high);
-  return !(squared_norm(all.high - all.low) <= skin_ * skin_);
+  for (const Moved& moved : of_block) {
+    for (std::size_t c = 0; c < 3; ++c) all.low[c] = std::min(all.low[c], moved.low[c]), all.high[c] = std::max(all.high[c], moved.high[c]);
+    all.furthest = std::max(all.furthest, moved.furthest);
+  }
+  const double diagonal = squared_norm(all.high - all.low);
+  flight_ = 0.5 * (all.low + all.high);  // the next step's
+  return !(diagonal <= skin_ * skin_ || all.furthest <= 0.25 * skin_ * skin_);
 }
 
 void NearPairs::make(std::span<const TouchingBody> bodies) {
   ++times_made_;
   is_known_ = true;
   for_each_block(particles_.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t p = first; p < last; ++p) then_[p] = bodies[particles_[p].body].particles.position.at(particles_[p].slot);
+    for (std::size_t p = first; p < last; ++p) then_.set(p, bodies[particles_[p].body].particles.position.at(particles_[p].slot));
   });
-  cells_.sort(then_, reach_);
-  mark_cells(bodies);
+  flight_ = {};
+  cells_.sort(then_, longest_ + skin_);
+  mark_cells();
 
   struct Part {
     std::vector<Found> found;
@@ -122,15 +126,21 @@ void NearPairs::make(std::span<const TouchingBody> bodies) {
     members_.push_back(particles_[p]);
     first_pair_.push_back(first_pair_.back() + count);
   }
-  pairs_.resize(first_pair_.back());
+  others_.resize(first_pair_.back() + fccda::byte_lanes);
+  distances_.resize(others_.size());
+  bonds_.resize(first_pair_.back());
   fccda::parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t part) {
     const std::vector<Found>& found = parts[static_cast<std::size_t>(part)].found;
-    Pair* pair = pairs_.data() + begin_of_part[static_cast<std::size_t>(part)];
-    for (const Found& one : found) *pair++ = {member_of[one.particle], one.bond};
+    std::size_t pair = begin_of_part[static_cast<std::size_t>(part)];
+    for (const Found& one : found) {
+      others_[pair] = static_cast<std::int32_t>(member_of[one.particle]);
+      distances_[pair] = one.distance;
+      bonds_[pair++] = one.bond;
+    }
   });
 }
 
-void NearPairs::mark_cells(std::span<const TouchingBody>) {
+void NearPairs::mark_cells() {
   cell_marks_.assign(cells_.size(), 0);
   const auto for_each_cell = [&](const auto& f) {
     for_each_block(cells_.size(), [&](std::size_t first, std::size_t last) {
@@ -165,26 +175,30 @@ void NearPairs::find_of(std::size_t p, std::span<const TouchingBody> bodies, std
   const Member& i = particles_[p];
   const Exposure& exposure = exposures_[i.body];
   const bool stirred = (cell_marks_[cells_.cell_of(p)] & is_stirred) != 0, looks = stirred || exposure.is_exposed(i.slot);
-  const double horizon = bodies[i.body].family.horizon();
+  const double horizon = bodies[i.body].family.horizon(), reach = longest_ + skin_;
   bool may_be_bonded = false;
   cells_.for_each_around(cells_.cell_of(p), [&](std::size_t cell) {
     const bool others_stirred = (cell_marks_[cell] & is_stirred) != 0;
     if (!looks && !others_stirred && !(cell_marks_[cell] & holds_exposed)) return;
-    for (const std::uint32_t q : cells_.points_in(cell)) {
-      const double squared = squared_norm(then_[q] - then_[p]);
-      if (q == p || !(squared < reach_ * reach_)) continue;
+    cells_.for_each_within(cell, then_.at(p), reach * reach, [&](std::uint32_t q) {
+      if (q == p) return;
       const Member& j = particles_[q];
-      if (!looks && !others_stirred && !exposures_[j.body].is_exposed(j.slot)) continue;
-      const double least = distance(law_, i, j) + skin_;
-      if (!(squared < least * least)) continue;
-      if (i.body == j.body) {
-        // neither has lost a bond, and one of them would have had to for theirs to be broken
+      if (!looks && !others_stirred && !exposures_[j.body].is_exposed(j.slot)) return;
+      const bool one_body = i.body == j.body;
+      const double size = 0.5 * (i.size + j.size);
+      double distance = law_.distance_ratio * size;
+      if (one_body) {
+        const double first = norm(j.reference - i.reference);
+        // of two that have lost no bond theirs is intact, if they had one
         constexpr double surely = 1 - 1e-9;
-        if (!stirred && !others_stirred && norm(j.reference - i.reference) < surely * horizon) continue;
-        may_be_bonded = true;
+        if (!stirred && !others_stirred && first < surely * horizon) return;
+        distance = std::fmin(share_of_first_distance * first, law_.debris_distance_ratio * size);
       }
-      found.push_back({q, no_bond});
-    }
+      const double least = distance + skin_;
+      if (!(squared_norm(then_.at(q) - then_.at(p)) < least * least)) return;
+      may_be_bonded = may_be_bonded || one_body;
+      found.push_back({q, no_bond, distance});
+    });
   });
   std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.particle < b.particle; });
   if (may_be_bonded) name_bonds(p, bodies, found);

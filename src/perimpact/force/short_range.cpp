@@ -6,19 +6,47 @@
 
 namespace perimpact {
 
+using namespace fccda;
+
+namespace {
+
+/// Calls visit(other, distance, bond) for those of the pairs that are nearer than their distance, but for rounding, in order.
+template <class Visit>
+void for_each_near(const NearPairs::Pairs& pairs, const VectorArray& position, const Vec3d& place, const Visit& visit) {
+  using Pack = NativePack;
+  const std::array<const double*, 3> x = position.pointers();
+  const Vec3<Pack> at{Pack(place.x), Pack(place.y), Pack(place.z)};
+  for (std::size_t first = 0; first < pairs.count; first += lanes<Pack>) {
+    const std::int32_t* others = pairs.others + first;
+    const Vec3<Pack> between{gather<Pack>(x[0], others) - at.x, gather<Pack>(x[1], others) - at.y, gather<Pack>(x[2], others) - at.z};
+    const Pack squared = fused(between.z, between.z, fused(between.y, between.y, between.x * between.x));
+    const Pack distance = load<Pack>(pairs.distances + first);
+    constexpr double rounding = 1 + 1e-12;
+    unsigned near = bits_where_greater(Pack(rounding) * distance * distance, squared);
+    if (pairs.count - first < lanes<Pack>) near &= (1u << (pairs.count - first)) - 1u;
+    for (; near != 0; near &= near - 1) {
+      const std::size_t lane = static_cast<std::size_t>(__builtin_ctz(near));
+      visit(static_cast<std::size_t>(others[lane]), pairs.distances[first + lane], pairs.bonds[first + lane]);
+    }
+  }
+}
+
+}  // namespace
+
 ShortRange::ShortRange(const ShortRangeLaw& law, std::span<const TouchingBody> bodies) : law_(law), near_pairs_(law, bodies) {}
 
 void ShortRange::add_forces(std::span<const TouchingBody> bodies, double dt) {
   near_pairs_.update(bodies);
   const auto members = near_pairs_.members();
-  position_.resize(members.size()), velocity_.resize(members.size()), got_.resize(members.size());
+  if (position_.slots() != members.size()) position_ = velocity_ = VectorArray(members.size(), 0);
+  got_.resize(members.size());
   const auto for_each_member = [&](const auto& f) {
     fccda::parallel_for(static_cast<std::ptrdiff_t>(members.size()), [&](std::ptrdiff_t m) { f(static_cast<std::size_t>(m)); });
   };
   for_each_member([&](std::size_t m) {
     const Particles& particles = bodies[members[m].body].particles;
-    position_[m] = particles.position.at(members[m].slot);
-    velocity_[m] = particles.velocity.at(members[m].slot);
+    position_.set(m, particles.position.at(members[m].slot));
+    velocity_.set(m, particles.velocity.at(members[m].slot));
   });
   for_each_member([&](std::size_t m) { got_[m] = add_to(m, bodies, dt); });
 
@@ -37,38 +65,34 @@ void ShortRange::add_forces(std::span<const TouchingBody> bodies, double dt) {
 ShortRange::Got ShortRange::add_to(std::size_t m, std::span<const TouchingBody> bodies, double dt) const {
   const NearPairs::Member& i = near_pairs_.members()[m];
   const TouchingBody& body = bodies[i.body];
-  const std::uint8_t* bonds = body.family.bytes(i.slot / fccda::byte_lanes);
+  const std::uint8_t* bonds = body.family.bytes(i.slot / byte_lanes);
+  const Vec3d place = position_.at(m), speed = velocity_.at(m);
   Got got;
   Vec3d spring{}, dashpot{}, friction{};
-  for (const NearPairs::Pair& pair : near_pairs_.pairs_of(m)) {
-    const NearPairs::Member& j = near_pairs_.members()[pair.other];
-    const Vec3d between = position_[pair.other] - position_[m];
-    const double squared = squared_norm(between);
-    const bool one_body = i.body == j.body;
-    double distance = contact_distance(law_, i.size, j.size);
-    if (one_body) {
-      const double most = law_.debris_distance_ratio * (0.5 * (i.size + j.size));
-      if (!(squared < most * most)) continue;
-      if (pair.bond != NearPairs::no_bond && ((bonds[pair.bond] >> (i.slot % fccda::byte_lanes)) & 1u)) continue;
-      distance = contact_distance(law_, i.size, j.size, norm(j.reference - i.reference));
-    }
-    if (!(squared < distance * distance) || squared == 0) continue;  // two in one place are pushed nowhere
-    if (!near_pairs_.is_exposed(i) && !near_pairs_.is_exposed(j)) continue;
-    const double length = std::sqrt(squared), k = one_body ? body.stiffness : in_series(body.stiffness, bodies[j.body].stiffness);
+  for_each_near(near_pairs_.pairs_of(m), position_, place, [&](std::size_t other, double distance, std::uint32_t bond) {
+    const NearPairs::Member& j = near_pairs_.members()[other];
+    const Vec3d between = position_.at(other) - place;
+    const double length = norm(between);
+    if (!(length < distance) || length == 0) return;  // two in one place are pushed nowhere
+    if (bond != NearPairs::no_bond && ((bonds[bond] >> (i.slot % byte_lanes)) & 1u)) return;
+    if (!near_pairs_.is_exposed(i) && !near_pairs_.is_exposed(j)) return;
+    const TouchingBody& its = bodies[j.body];
+    const double k = i.body == j.body ? body.stiffness : in_series(body.stiffness, its.stiffness);
+    const double mass_i = body.particles.density() * i.volume, mass_j = its.particles.density() * j.volume;
     const TouchForce force = force_of({.overlap = distance - length,
                                        .direction = between / length,
-                                       .velocity = velocity_[pair.other] - velocity_[m],
+                                       .velocity = velocity_.at(other) - speed,
                                        .stiffness = k * (i.volume * j.volume),
-                                       .reduced_mass = i.mass * j.mass / (i.mass + j.mass)},
+                                       .reduced_mass = mass_i * mass_j / (mass_i + mass_j)},
                                       law_, dt);
     spring += force.spring, dashpot += force.dashpot, friction += force.friction;
     got.energy += 0.5 * force.energy;
     ++got.touching;
-  }
+  });
   if (got.touching == 0) return got;
   const Vec3d density = body.particles.force_density.at(i.slot) + (spring + dashpot + friction) / i.volume;
   body.particles.force_density.set(i.slot, density);
-  const Vec3d middle = velocity_[m] + (0.5 * dt / body.particles.density()) * density;  // of the step's kick: what its work counts with
+  const Vec3d middle = speed + (0.5 * dt / body.particles.density()) * density;  // of the step's kick: what its work counts with
   got.friction = dot(friction, middle);
   got.restitution = dot(dashpot, middle);
   return got;

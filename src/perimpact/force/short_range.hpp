@@ -53,8 +53,8 @@ class ShortRange {
 
   ShortRangeLaw law_;
   NearPairs near_pairs_;
-  std::vector<Vec3d> position_, velocity_;  // of the members
-  std::vector<Got> got_;                    // of the members
+  VectorArray position_, velocity_;  // of the members
+  std::vector<Got> got_;             // of the members
   double energy_ = 0;
   std::size_t touching_ = 0;
   std::array<double, 2> work_{};  // [J] of friction and dashpots
