@@ -175,7 +175,7 @@ void NearPairs::find_of(std::size_t p, std::span<const TouchingBody> bodies, std
   const Member& i = particles_[p];
   const Exposure& exposure = exposures_[i.body];
   const bool stirred = (cell_marks_[cells_.cell_of(p)] & is_stirred) != 0, looks = stirred || exposure.is_exposed(i.slot);
-  const double horizon = bodies[i.body].family.horizon(), reach = longest_ + skin_;
+  const double horizon = bodies[i.body].family.horizon(), surely_bonded = (1 - 1e-9) * horizon * horizon, reach = longest_ + skin_;
   bool may_be_bonded = false;
   cells_.for_each_around(cells_.cell_of(p), [&](std::size_t cell) {
     const bool others_stirred = (cell_marks_[cell] & is_stirred) != 0;
@@ -188,11 +188,10 @@ void NearPairs::find_of(std::size_t p, std::span<const TouchingBody> bodies, std
       const double size = 0.5 * (i.size + j.size);
       double distance = law_.distance_ratio * size;
       if (one_body) {
-        const double first = norm(j.reference - i.reference);
+        const double first = squared_norm(j.reference - i.reference);
         // of two that have lost no bond theirs is intact, if they had one
-        constexpr double surely = 1 - 1e-9;
-        if (!stirred && !others_stirred && first < surely * horizon) return;
-        distance = std::fmin(share_of_first_distance * first, law_.debris_distance_ratio * size);
+        if (!stirred && !others_stirred && first < surely_bonded) return;
+        distance = std::fmin(share_of_first_distance * std::sqrt(first), law_.debris_distance_ratio * size);
       }
       const double least = distance + skin_;
       if (!(squared_norm(then_.at(q) - then_.at(p)) < least * least)) return;
