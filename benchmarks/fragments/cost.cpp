@@ -23,7 +23,7 @@ using namespace perimpact;
 
 struct Arguments {
   int threads = 1;
-  int warm_up = 20, steps = 200;
+  int warm_up = 20, steps = 100, rounds = 3;
 };
 
 constexpr double youngs_modulus = 9e9, density = 900, spacing = 0.01;
@@ -82,11 +82,11 @@ void loosen(Simulation& simulation, double share) {
 }
 
 struct Times {
-  double step, forces, fragments;  // [s] of one step
-  double lists, touching;          // a step
+  double forces, fragments;  // [s] of one step
+  double lists, touching;    // a step
 };
 
-Times measure(double share, bool touches, const Arguments& arguments) {
+Times measured_once(double share, bool touches, const Arguments& arguments) {
   Simulation simulation(plate(touches));
   loosen(simulation, share);
   for (int step = 0; step < arguments.warm_up; ++step) simulation.step();
@@ -100,8 +100,18 @@ Times measure(double share, bool touches, const Arguments& arguments) {
   }
   const fccda::Timers& after = simulation.timers();
   const auto of_step = [&](std::string_view name) { return (after.seconds(name) - before.seconds(name)) / arguments.steps; };
-  return {(after.total() - before.total()) / arguments.steps, of_step("forces"), of_step("fragments"), (made() - first) / arguments.steps,
-          touching / arguments.steps};
+  return {of_step("forces"), of_step("fragments"), (made() - first) / arguments.steps, touching / arguments.steps};
+}
+
+/// The least of the rounds: what else runs on the machine only adds.
+Times measure(double share, bool touches, const Arguments& arguments) {
+  Times least = measured_once(share, touches, arguments);
+  for (int round = 1; round < arguments.rounds; ++round) {
+    const Times again = measured_once(share, touches, arguments);
+    least.forces = std::min(least.forces, again.forces);
+    least.fragments = std::min(least.fragments, again.fragments);
+  }
+  return least;
 }
 
 }  // namespace
@@ -112,6 +122,7 @@ int main(int argc, char** argv) {
   app.add_option("--threads", arguments.threads, "number of threads")->check(CLI::PositiveNumber);
   app.add_option("--warm-up", arguments.warm_up, "steps before the clock starts")->check(CLI::NonNegativeNumber);
   app.add_option("--steps", arguments.steps, "steps that are timed")->check(CLI::PositiveNumber);
+  app.add_option("--rounds", arguments.rounds, "how often all is done; the least time counts")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   fccda::use_threads(arguments.threads);
   const double whole = measure(0, false, arguments).forces;

@@ -28,7 +28,7 @@ double bonds_of_particle(const Body& body) {
   return 2 * static_cast<double>(body.family.initial_bonds()) / static_cast<double>(body.particles.size());
 }
 
-void print_body(const Body& body) {
+void print_body(const Body& body, const std::optional<FilledMass>& filled) {
   fmt::print("body {}\n", body.name);
   if (const Lattice* lattice = body.particles.lattice())
     fmt::print("  {:<18}{} ({} x {} x {} cells of {:.4g} m)\n", "particles", body.particles.size(), lattice->cells[0], lattice->cells[1], lattice->cells[2],
@@ -40,7 +40,10 @@ void print_body(const Body& body) {
   if (const auto& failure = body.failure)
     fmt::print("  {:<18}beyond a stretch of {:.4g}: fracture energy {:.4g} J/m2, flexural strength {:.4g} Pa with {} layers\n", "bonds break", failure->stretch,
                failure->fracture_energy, failure->flexural_strength, failure->layers);
-  fmt::print("  {:<18}{:.5g} kg\n", "mass", body.particles.total_mass());
+  const bool is_exact = !filled || std::fabs(filled->excess()) < 1e-9;  // a box of whole spacings
+  fmt::print("  {:<18}{:.5g} kg{}\n", "mass", body.particles.total_mass(),
+             is_exact ? "" : fmt::format(", {:+.2g} % against its solid ({:.5g} kg)", 100 * filled->excess(), filled->solid));
+  for (const CrackCut& crack : body.cracks) fmt::print("  {:<18}{} bonds cut\n", "crack " + crack.name, crack.bonds);
   fmt::print("  {:<18}{}\n", "memory", bytes_in_words(body.memory()));
 }
 
@@ -125,7 +128,7 @@ int check_command(const DeckArguments& arguments) {
     Simulation simulation(deck.setup);
     const std::vector<Line> lines = lines_of(simulation);
     fmt::print("{}\n", deck.setup.title);
-    for (const Body& body : simulation.bodies()) print_body(body);
+    for (std::size_t b = 0; b < simulation.bodies().size(); ++b) print_body(simulation.bodies()[b], simulation.filled_mass(b));
     for (const Impactor& impactor : simulation.impactors()) {
       fmt::print("impactor {}\n{}{}", impactor.name(), remesh_text(impactor), surface_text(impactor.surface().report()));
       print_rigid_body(impactor);

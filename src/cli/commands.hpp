@@ -17,7 +17,11 @@ struct DeckArguments {
   int threads = 0;                 ///< 0: all processors
 };
 
-int run_command(const DeckArguments& arguments);
+struct RunArguments : DeckArguments {
+  bool resume = false;  ///< go on from the checkpoint in the results folder
+};
+
+int run_command(const RunArguments& arguments);
 int check_command(const DeckArguments& arguments);
 int describe_command(const std::string& key, bool markdown);
 

@@ -45,11 +45,13 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "perimpact " PERIMPACT_VERSION);
   int code = 0;
 
-  DeckArguments deck;
+  RunArguments run_arguments;
   CLI::App* run = app.add_subcommand("run", "Run a deck");
-  add_deck_arguments(*run, deck);
-  run->callback([&] { code = run_command(deck); });
+  add_deck_arguments(*run, run_arguments);
+  run->add_flag("--resume", run_arguments.resume, "Go on from the checkpoint in the folder of the results, with the same deck and --set");
+  run->callback([&] { code = run_command(run_arguments); });
 
+  DeckArguments deck;
   CLI::App* check = app.add_subcommand("check", "Check a deck, say what would run, and write surfaces and regions as VTP");
   add_deck_arguments(*check, deck);
   check->callback([&] { code = check_command(deck); });

@@ -15,7 +15,7 @@ std::string duration_in_words(double seconds) {
   return fmt::format("{} s", whole);
 }
 
-Progress::Progress() : is_terminal_(isatty(STDOUT_FILENO) != 0) {}
+Progress::Progress(const Simulation& simulation) : first_(simulation.clock().step), is_terminal_(isatty(STDOUT_FILENO) != 0) {}
 
 double Progress::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
 
@@ -32,7 +32,7 @@ void Progress::finish(const Simulation& simulation) {
 void Progress::draw(const Simulation& simulation, double now) {
   const Clock& clock = simulation.clock();
   const double share = static_cast<double>(clock.step) / static_cast<double>(clock.steps);
-  const double rate = now > 0 ? static_cast<double>(clock.step) / now : 0;
+  const double rate = now > 0 ? static_cast<double>(clock.step - first_) / now : 0;
   const double left = rate > 0 ? static_cast<double>(clock.steps - clock.step) / rate : 0;
   const std::string line = fmt::format("{:5.1f} %  step {} of {}  t = {:.4g} s  {:.3g} steps/s  {} left  {} contacts", 100 * share, clock.step, clock.steps,
                                        clock.time(), rate, duration_in_words(left), simulation.contacts());

@@ -9,7 +9,7 @@ namespace perimpact {
 
 class Progress {
  public:
-  Progress();
+  explicit Progress(const Simulation& simulation);
   void after_step(const Simulation& simulation);
   void finish(const Simulation& simulation);  ///< draws a last time and ends the line
   double seconds() const;                     ///< since construction
@@ -18,6 +18,7 @@ class Progress {
   void draw(const Simulation& simulation, double now);
 
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  long first_;  // step
   bool is_terminal_;
   double drawn_ = 0;  // [s] when last
 };

@@ -2,12 +2,15 @@
 
 #include <csignal>
 #include <cstdio>
+#include <optional>
+#include <string>
 
 #include "cli/commands.hpp"
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
 #include "fccda/core/error.hpp"
 #include "fccda/core/parallel.hpp"
+#include "io/checkpoint/checkpoints.hpp"
 #include "io/results/results_writer.hpp"
 
 namespace perimpact {
@@ -23,47 +26,101 @@ void print_timers(const fccda::Timers& timers) {
   for (const auto& row : timers.rows()) fmt::print("{:<12}{:>10.2f}{:>8.1f} %\n", row.name, row.seconds, 100 * row.seconds / timers.total());
 }
 
+/// A word of a command line.
+std::string quoted(const std::string& word) {
+  if (!word.empty() && word.find_first_of(" \t\n\"'\\$`&|;<>()[]{}*?!#~") == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// The command that goes on with this run.
+std::string resuming(const RunArguments& arguments) {
+  std::string command = "perimpact run " + quoted(arguments.deck.string());
+  if (arguments.out) command += " --out " + quoted(*arguments.out);
+  for (const std::string& change : arguments.set) command += " --set " + quoted(change);
+  return command + " --resume";
+}
+
+/// The last checkpoint, behind the sentence of an error; where the error was not of the simulation, how to go on from it.
+std::string about_last(const Checkpoints& checkpoints, const std::string& way_out) {
+  if (!checkpoints.last()) return "";
+  return fmt::format(" The last checkpoint is that of step {}{}.", *checkpoints.last(), way_out.empty() ? "" : "; " + way_out + " goes on from it");
+}
+
+/// A line about the checkpoint that the run is going to replace.
+void tell_of_unfinished(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return;
+  try {
+    const Checkpoint earlier(path);
+    if (!earlier.is_finished())
+      fmt::print("The unfinished run in {} (step {} of {}) is replaced; --resume would have gone on with it.\n", path.parent_path().string(), earlier.step(),
+                 earlier.steps());
+  } catch (const fccda::InputError&) {
+    // not one that could have been resumed
+  }
+}
+
 }  // namespace
 
-int run_command(const DeckArguments& arguments) {
+int run_command(const RunArguments& arguments) {
   const deck::Deck deck = open_deck(arguments);
   const std::filesystem::path folder = results_folder(arguments, deck.setup);
-  output::prepare_folder(folder);
+  const std::filesystem::path checkpoint = output::ResultsFolder::checkpoint_in(folder);
 
   return with_places(deck, folder, [&] {
+    std::optional<Checkpoint> earlier;
+    if (arguments.resume) {
+      earlier.emplace(checkpoint).expect_deck(deck.setup);
+      if (earlier->is_finished() && std::filesystem::exists(folder / "run.json")) {
+        fmt::print("The run in {} is finished (step {} of {}): there is nothing to resume.\n", folder.string(), earlier->step(), earlier->steps());
+        return 0;
+      }
+    }
+    output::prepare_folder(folder);
     Simulation simulation(deck.setup);
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);
-    ResultsWriter results(simulation, folder);
+    Checkpoints checkpoints(checkpoint, simulation);
+    if (!earlier) tell_of_unfinished(checkpoint);
+    ResultsWriter results = earlier ? ResultsWriter(simulation, folder, checkpoints.resume(*earlier, simulation)) : ResultsWriter(simulation, folder);
+    earlier.reset();  // it keeps the file open that the next checkpoint replaces
     remove_pictures_of_defects(simulation, folder);
     fmt::print("{}\n{} threads, {} steps of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
                simulation.clock().dt, folder.string());
+    if (arguments.resume) fmt::print("Resumed at step {} (t = {:.4g} s).\n", simulation.clock().step, simulation.clock().time());
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
 
-    Progress progress;
+    Progress progress(simulation);
+    std::string way_out;
     try {
       while (!simulation.clock().is_finished() && stop_signal == 0) {
+        way_out = "";
         simulation.step();
+        way_out = resuming(arguments);
         results.after_step(simulation);
+        checkpoints.after_step(simulation, results);
         progress.after_step(simulation);
       }
       progress.finish(simulation);
-      results.finish(simulation, stop_signal == 0 ? Outcome::finished : Outcome::interrupted, "", progress.seconds());
+      checkpoints.write(simulation, results);
+      results.finish(simulation, simulation.clock().is_finished() ? Outcome::finished : Outcome::interrupted, "", progress.seconds());
     } catch (const fccda::RunError& error) {
       std::fputs("\n", stdout);
+      const std::string sentence = error.what() + about_last(checkpoints, way_out);
       try {
-        results.finish(simulation, Outcome::failed, error.what(), progress.seconds());
+        results.finish(simulation, Outcome::failed, sentence, progress.seconds());
       } catch (const fccda::RunError&) {
         // nothing more can be written; the first error is the one to report
       }
-      throw;
+      throw fccda::RunError(sentence);
     }
 
     print_timers(simulation.timers());
     for (const std::string& warning : simulation.closing_warnings()) fmt::print("\nwarning: {}\n", warning);
-    if (stop_signal != 0) {
-      fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). What was computed is in {}.\n", simulation.clock().time(), simulation.clock().step,
-                 simulation.clock().steps, folder.string());
+    if (!simulation.clock().is_finished()) {
+      fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). What was computed is in {}; {} goes on from here.\n", simulation.clock().time(),
+                 simulation.clock().step, simulation.clock().steps, folder.string(), resuming(arguments));
       return 128 + static_cast<int>(stop_signal);
     }
     fmt::print("\nResults: {}\n", std::filesystem::absolute(folder).lexically_normal().string());

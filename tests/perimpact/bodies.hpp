@@ -24,7 +24,7 @@ struct BodyOptions {
   Influence influence = Influence::inverse;  ///< of the linear solid
   PlaneState plane = PlaneState::none;
   Points points = Points::lattice;
-  FailureSetup failure = {};
+  std::optional<FailureSetup> failure = {};
 };
 
 inline constexpr double youngs_modulus = 191e9, density = 8000;

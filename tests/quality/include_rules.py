@@ -34,14 +34,15 @@ LAYERS = {
     "perimpact/particles": ["fccda/core"],
     "perimpact/family": ["fccda/core", "perimpact/setup", "perimpact/particles"],
     "perimpact/force": ["fccda/core", "perimpact/setup", "perimpact/particles", "perimpact/family", "perimpact/material", "perimpact/damage"],
-    "perimpact/impact": ["fccda", "perimpact/setup", "perimpact/particles"],
+    "perimpact/solid": ["fccda", "perimpact/setup", "perimpact/particles"],
+    "perimpact/impact": ["fccda", "perimpact/setup", "perimpact/particles", "perimpact/solid"],
     "io": ["fccda", "perimpact", "io"],
     "io/deck": ["fccda/core", "perimpact/setup"],
     "io/output": ["fccda/core", "fccda/surface"],
 }
 
 # Headers of other libraries → what a module that includes them must LINK
-LIBRARIES = {"fmt/": "fmt::fmt", "yaml-cpp/": "yaml-cpp", "udunits2.h": "${UDUNITS2_LIBRARY}", "zlib.h": "ZLIB::ZLIB", "CLI/": "CLI11::CLI11"}
+LIBRARIES = {"fmt/": "fmt::fmt", "yaml-cpp/": "yaml-cpp", "udunits2.h": "${UDUNITS2_LIBRARY}", "zlib.h": "ZLIB::ZLIB", "hdf5.h": "${HDF5_LIBRARY}", "CLI/": "CLI11::CLI11"}
 ONLY_IN = {"omp.h": "fccda/core/parallel.hpp", "CLI/": "cli/main.cpp"}  # the one home of loops over threads, and a header that is slow to compile
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "fccda/body/pose.hpp"
+#include "fccda/core/state.hpp"
 
 namespace fccda {
 
@@ -68,7 +69,7 @@ class RigidBody {
   /// `travel_bound` of pose.hpp for the points within `radius` [m] of the centre of mass.
   double travel_bound(const Motion& motion, double radius) const { return fccda::travel_bound(motion, properties_.centre_of_mass, radius); }
 
-  /// Calls visit(name, span of doubles) for each array of the state; what the visitor writes there is taken over.
+  /// As fccda/core/state.hpp says.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit_vector(visit, "centre_of_mass", com_);
@@ -82,13 +83,6 @@ class RigidBody {
   }
 
  private:
-  template <class Visitor>
-  static void visit_vector(Visitor& visit, std::string_view name, Vec3d& vector) {
-    std::array<double, 3> parts{vector.x, vector.y, vector.z};
-    visit(name, std::span<double>(parts));
-    vector = {parts[0], parts[1], parts[2]};
-  }
-
   void place(const Quaternion& attitude);
   /// The angular velocity whose free components give `angular` along the free axes, the held ones staying as they are.
   Vec3d spin_of(const Vec3d& angular) const;

@@ -66,7 +66,7 @@ struct Choice {
 template <class T>
 struct Field {
   using Member = std::variant<double T::*, std::optional<double> T::*, int T::*, std::optional<int> T::*, bool T::*, std::string T::*, Vec3d T::*,
-                              std::optional<Vec3d> T::*, std::vector<double> T::*, std::vector<std::string> T::*, Choice T::*>;
+                              std::optional<Vec3d> T::*, std::vector<double> T::*, std::vector<std::string> T::*, std::vector<Vec3d> T::*, Choice T::*>;
 
   std::string_view name;  ///< key in the deck
   Member member;          ///< where the value goes; its type says what may be written

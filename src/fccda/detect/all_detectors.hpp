@@ -7,7 +7,8 @@
 ///   nearest_outside(places, pose)                 where those belong, if they are to be put outside
 ///   moved(point), forget()                        what a detector remembers of distances does not hold any more
 ///   effort()                                      work done so far
-///   visit_state(visitor)                          what the next step depends on
+///   visit_state(visitor)                          what the next step depends on (core/state.hpp)
+///   visit_record(visitor)                         what was only counted: effort()
 #pragma once
 
 #include <variant>

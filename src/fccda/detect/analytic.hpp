@@ -90,6 +90,10 @@ class Analytic {
 
   template <class Visitor>
   void visit_state(Visitor&&) {}
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    effort_.visit(visit);
+  }
 
  private:
   struct Found {

@@ -29,6 +29,14 @@ struct Effort {
     points_in_region += b.points_in_region, points_asked += b.points_asked, panels_asked += b.panels_asked;
     return *this;
   }
+
+  /// As core/state.hpp says.
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    visitor("points_in_region", points_in_region);
+    visitor("points_asked", points_asked);
+    visitor("panels_asked", panels_asked);
+  }
 };
 
 }  // namespace fccda

@@ -110,6 +110,14 @@ class Published {
 
   template <class Visitor>
   void visit_state(Visitor&&) {}
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    effort_.visit(visit);
+    visit("rejected_by_eq14", rejections_.by_eq14);
+    visit("rejected_by_eq15", rejections_.by_eq15);
+    visit("rejected_by_eq17", rejections_.by_eq17);
+    visit("rejected_by_eq20", rejections_.by_eq20);
+  }
 
  private:
   /// A panel in the world frame at one time: A x + B y + C z + D = 0 with unit (A, B, C).

@@ -106,6 +106,12 @@ class Swept {
     visit(std::string_view("renumbered"), renumbered_);
   }
 
+  /// The same of what was only counted, which depends on distances known.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    effort_.visit(visit);
+  }
+
  private:
   /// Distances are looked up this many steps ahead: most points met are then not asked again for as long.
   static constexpr double looks_ahead = 64;

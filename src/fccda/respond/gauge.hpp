@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fccda/body/pose.hpp"
+#include "fccda/core/state.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/surface/surface.hpp"
 
@@ -41,6 +42,14 @@ class Gauge {
   const Reading& reading() const { return reading_; }
   bool has_axis() const { return axis_.has_value(); }
   void reset() { reading_ = {}; }
+
+  /// As fccda/core/state.hpp says.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit_vector(visit, "impulse", reading_.impulse);
+    visit_vector(visit, "angular_impulse", reading_.angular_impulse);
+    visit("about_axis", reading_.about_axis);
+  }
 
  private:
   bool feels(int panel) const { return feels_panel_.empty() || (panel >= 0 && feels_panel_[static_cast<std::size_t>(panel)]); }

@@ -65,6 +65,20 @@ void PanelLoads::end_interval(double duration) {
   }
 }
 
+void PanelLoads::take_up() {
+  pressed_.clear();
+  for (std::size_t panel = 0; panel < pressure_.size(); ++panel)
+    if (pressure_[panel] != 0) pressed_.push_back(static_cast<int>(panel));
+  for (Kind& kind : kinds_) {
+    kind.is_hit.assign(faces_.size(), false);
+    for (const int hit : kind.hit) {
+      const auto panel = static_cast<std::size_t>(hit);
+      kind.is_hit[panel] = true;
+      if (kind.shares[panel].empty()) kind.shares[panel] = shares_of(panel, kind.face_area);
+    }
+  }
+}
+
 std::vector<PanelLoad> PanelLoads::since_start() const {
   std::vector<PanelLoad> loads = before_;
   spread([&](std::size_t panel, const PanelLoad& load) { loads[panel] += load; });

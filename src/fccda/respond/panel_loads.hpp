@@ -14,8 +14,10 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "fccda/core/state.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/surface/panel_faces.hpp"
 
@@ -48,6 +50,19 @@ class PanelLoads {
   std::span<const double> peak_pressure() const { return peak_pressure_; }  ///< [Pa] the largest of these so far
   const PanelFaces& faces() const { return faces_; }
 
+  /// As fccda/core/state.hpp says. Which panels share a push is found again.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit_loads(visit, "before", before_);
+    visit("pressure", std::span<double>(pressure_));
+    visit("peak_pressure", std::span<double>(peak_pressure_));
+    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+      visit(std::to_string(k) + ".hit", kinds_[k].hit);  // their order is that of sums
+      visit_loads(visit, std::to_string(k) + ".pushes", kinds_[k].pushes);
+    }
+    take_up();
+  }
+
  private:
   struct Share {
     int panel;
@@ -64,6 +79,15 @@ class PanelLoads {
   std::vector<Share> shares_of(std::size_t panel, double face_area) const;
   template <class Visit>
   void spread(const Visit& visit) const;
+
+  template <class Visitor>
+  static void visit_loads(Visitor& visit, const std::string& name, std::vector<PanelLoad>& loads) {
+    std::vector<double> values;
+    for (const PanelLoad& load : loads) values.insert(values.end(), {load.impulse.x, load.impulse.y, load.impulse.z, load.normal_impulse});
+    visit(name, std::span<double>(values));
+    for (std::size_t k = 0; k < loads.size(); ++k) loads[k] = {{values[4 * k], values[4 * k + 1], values[4 * k + 2]}, values[4 * k + 3]};
+  }
+  void take_up();  // what follows from what a visitor may have written
 
   PanelFaces faces_;
   std::vector<Kind> kinds_;

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "io/deck/consistency_fragments.hpp"
 #include "io/deck/consistency_impactor.hpp"
+#include "io/deck/consistency_solid.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/yaml_node.hpp"
 
@@ -48,21 +50,6 @@ void apply_published(BodySetup& body, const std::string& path, const Places& pla
   body.surface_correction.index = static_cast<int>(SurfaceCorrection::none);
 }
 
-void check_whole_spacings(const BoxSolid& box, double spacing, bool is_plane, const std::string& path, const Places& places) {
-  const std::size_t axes = is_plane ? 2 : 3;  // a plane body is one layer, as thick as it is
-  for (std::size_t axis = 0; axis < axes; ++axis) {
-    const double count = box.size[axis] / spacing;
-    const double nearest = std::round(count);
-    constexpr double tolerance = 1e-6;  // relative: forgives decimal fractions, not a wrong digit
-    if (nearest >= 1 && std::fabs(count - nearest) <= tolerance * nearest) continue;
-    const double fewer = std::floor(count), more = fewer + 1;
-    const std::string nearby = fewer >= 1 ? fmt::format("{:.9g} m or {:.9g} m", fewer * spacing, more * spacing) : fmt::format("{:.9g} m", spacing);
-    refuse(places.of(path + ".shape.box.size"),
-           fmt::format("{} of size is {} m, which is {:.9g} spacings of {} m, but the lattice needs whole ones; take {}, or another spacing.", "xyz"[axis],
-                       box.size[axis], count, spacing, nearby));
-  }
-}
-
 void check_failure(const BodySetup& body, const std::string& path, const Places& places) {
   const ElasticSetup& material = body.elastic();
   const std::pair<const char*, bool> criteria[] = {{"critical_stretch", material.critical_stretch.has_value()},
@@ -78,27 +65,25 @@ void check_failure(const BodySetup& body, const std::string& path, const Places&
   }
   if (material.layers && !material.flexural_strength)
     refuse(places.of(path + ".material.layers"), "layers is given without flexural_strength, which alone needs it; remove it, or give flexural_strength.");
-  for (const char* key : {"compression", "critical_compression", "weibull_modulus", "seed", "no_fail"})
-    if (!first && places.has(fmt::format("{}.failure.{}", path, key)))
-      refuse(
-          places.of(fmt::format("{}.failure.{}", path, key)),
-          fmt::format("{} is given, but the material never breaks; give it a critical_stretch, fracture_energy or flexural_strength, or remove failure.", key));
-  const bool is_limit = body.failure.compression.as<CompressionFailure>() == CompressionFailure::limit;
-  if (is_limit && !body.failure.critical_compression)
+  if (!body.failure) return;
+  if (!first)
+    refuse(places.of(path + ".failure"),
+           "failure is given, but the material never breaks; give it a critical_stretch, fracture_energy or flexural_strength, or remove failure.");
+  const bool is_limit = body.failure->compression.as<CompressionFailure>() == CompressionFailure::limit;
+  if (is_limit && !body.failure->critical_compression)
     refuse(places.of(path + ".failure.compression"), "compression is limit, but there is no critical_compression; give it, such as 0.01.");
-  if (!is_limit && body.failure.critical_compression)
+  if (!is_limit && body.failure->critical_compression)
     refuse(places.of(path + ".failure.critical_compression"),
-           fmt::format("critical_compression is given, but compression is {}; write compression: limit, or remove it.", body.failure.compression.word()));
-  if (places.has(path + ".failure.seed") && !body.failure.weibull_modulus)
+           fmt::format("critical_compression is given, but compression is {}; write compression: limit, or remove it.", body.failure->compression.word()));
+  if (body.failure->seed && !body.failure->weibull_modulus)
     refuse(places.of(path + ".failure.seed"), "seed is given without weibull_modulus, so nothing is random; give both or none.");
 }
 
-void check_body(BodySetup& body, const Places& places) {
+void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
   const std::string path = "bodies." + body.name;
   apply_published(body, path, places);
+  make_shape_consistent(body, folder, places);
   check_failure(body, path, places);
-  const bool is_plane = body.plane.as<PlaneState>() != PlaneState::none;
-  if (const auto* box = std::get_if<BoxSolid>(&body.shape)) check_whole_spacings(*box, body.spacing, is_plane, path, places);
   const SurfaceCorrection correction = body.surface_correction.as<SurfaceCorrection>();
   if (std::holds_alternative<LinearSolidSetup>(body.material) && (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
     refuse(places.of(path + ".surface_correction"),
@@ -212,10 +197,11 @@ void check_output(const Setup& setup, const Places& places) {
 void make_consistent(Setup& setup, const Places& places, const fs::path& folder) {
   check_time(setup.time, places);
   check_names(setup, places);
-  for (BodySetup& body : setup.bodies) check_body(body, places);
+  for (BodySetup& body : setup.bodies) check_body(body, folder, places);
   for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
   for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);
   check_contact(setup, places);
+  check_fragments(setup.contact.fragments, places);
   check_output(setup, places);
 }
 

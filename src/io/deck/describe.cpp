@@ -60,7 +60,8 @@ std::vector<const Entry*> named_by(std::string_view key_path) {
   const auto is_key = [&](Parts path) { return path.back() == query.back(); };
   auto found = found_by([&](Parts path) { return is_key(path) && matches(path, query); });
   if (found.empty()) found = found_by([&](Parts path) { return is_key(path) && ends_in(path, query); });
-  if (found.empty() && suggested_key(query.back()).empty()) found = found_by([&](Parts path) { return path.back() == any_name && matches(path, query); });
+  const bool may_be_name = query.back().size() <= 5 || suggested_key(query.back()).empty();  // short names are near some key by chance
+  if (found.empty() && may_be_name) found = found_by([&](Parts path) { return path.back() == any_name && matches(path, query); });
   return found;
 }
 

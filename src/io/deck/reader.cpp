@@ -1,5 +1,7 @@
 #include "io/deck/reader.hpp"
 
+#include <algorithm>
+
 #include "io/deck/reference.hpp"
 #include "io/deck/units.hpp"
 
@@ -9,12 +11,19 @@ namespace {
 
 std::string called(const std::string& path) { return path.empty() ? "the deck" : path; }
 
-/// "; did you mean …", or where else the key belongs, or what is known here.
-std::string way_out(const std::string& key, const std::vector<std::string>& known) {
+/// How many letters two paths begin with alike.
+std::size_t in_common(std::string_view a, std::string_view b) {
+  return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+}
+
+/// "; did you mean …", or where else the key belongs, nearest to this map, or what is known here.
+std::string way_out(const std::string& key, const std::vector<std::string>& known, const std::string& path) {
   if (key.find(':') != std::string::npos) return "write a space after the colon.";
   if (nearest_word(key, known).empty()) {
+    const Entry* nearest = nullptr;
     for (const Entry& entry : reference())
-      if (entry.key() == key) return fmt::format("it belongs to {}.", entry.parent());
+      if (entry.key() == key && (!nearest || in_common(entry.path, path) > in_common(nearest->path, path))) nearest = &entry;
+    if (nearest) return fmt::format("it belongs to {}.", nearest->parent());
   }
   return suggestion(key, known);
 }
@@ -96,7 +105,7 @@ std::string Reader::other_names(const std::string& name) const {
 void Reader::finish() const {
   for (const YamlNode::Entry& entry : map_.entries) {
     if (std::find(known_.begin(), known_.end(), entry.key) == known_.end())
-      refuse(entry.place, fmt::format("{} is not a key of {}; {}", entry.key, called(path_), way_out(entry.key, known_)));
+      refuse(entry.place, fmt::format("{} is not a key of {}; {}", entry.key, called(path_), way_out(entry.key, known_, path_)));
   }
   if (!missing_.empty()) refuse(place_, may_be_misnamed_.empty() ? missing_ : may_be_misnamed_);
 }

@@ -43,9 +43,18 @@ void sections(Walker& walk, Setup& setup) {
 
 template <class Walker>
 void sections(Walker& walk, BodySetup& body) {
-  walk.one_of("shape", body.shape, Presence::required, "The solid that is filled with particles.");
+  walk.one_of("shape", body.shape, Presence::required, "The solid that is filled with particles, or a file of particles.");
+  walk.named("parts", body.parts, Presence::optional, "A solid that is united with the shape, under a name of your choice.");
+  walk.named("holes", body.holes, Presence::optional, "A solid that is taken out of shape and parts, under a name of your choice.");
+  walk.named("cracks", body.cracks, Presence::optional, "A crack that is there from the start, under a name of your choice.");
+  walk.named("regions", body.regions, Presence::optional, "The particles in a solid, under a name of your choice that boundaries and failure use.");
   walk.by_word("material", "model", body.material, "What the body is made of.");
   walk.section("failure", body.failure, Presence::optional, "Which bonds break, beside the critical stretch of the material.");
+}
+
+template <class Walker>
+void sections(Walker& walk, SolidSetup& solid) {
+  walk.one_of("shape", solid.shape, Presence::required, "What it is.");
 }
 
 template <class Walker>

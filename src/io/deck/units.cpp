@@ -19,10 +19,12 @@ namespace perimpact::deck {
 namespace {
 
 constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
+                              {"m3", "a volume", "1 cm3"},
                               {"s", "a time", "0.1 us"},
                               {"kg", "a mass", "1.57 kg"},
                               {"m/s", "a velocity", "32 m/s"},
                               {"Pa", "a pressure or stiffness", "9.5 GPa"},
+                              {"J/m2", "an energy of an area", "12 J/m2"},
                               {"kg/m3", "a density", "900 kg/m3"},
                               {"kg m2", "a moment of inertia", "0.02 kg m2"},
                               {"rad/s", "an angular velocity", "30 rpm"},

@@ -103,6 +103,15 @@ void read_value(const YamlNode& node, const Rule& rule, std::vector<std::string>
   for (const YamlNode& item : list(node, rule, "[a, b]")) read_value(item, rule, into.emplace_back());
 }
 
+void read_value(const YamlNode& node, const Rule& rule, std::vector<Vec3d>& into) {
+  into.clear();
+  const std::span<const YamlNode> points = list(node, rule, "[[0, 0, 0], [1, 0, 0], [1, 1, 0]]");
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::string name = fmt::format("point {} of {}", k + 1, rule.name);
+    read_value(points[k], {name, rule.unit, rule.range, rule.sentence}, into.emplace_back());
+  }
+}
+
 void read_value(const YamlNode& node, const Rule& rule, Choice& into) {
   const std::vector<std::string> words(into.words.begin(), into.words.end());
   const std::string& text = word(node, rule, fmt::format("one of {}", fmt::join(words, ", ")));

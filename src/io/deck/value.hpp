@@ -33,6 +33,7 @@ void read_value(const YamlNode& node, const Rule& rule, fccda::Vec3d& into);
 void read_value(const YamlNode& node, const Rule& rule, std::optional<fccda::Vec3d>& into);
 void read_value(const YamlNode& node, const Rule& rule, std::vector<double>& into);
 void read_value(const YamlNode& node, const Rule& rule, std::vector<std::string>& into);
+void read_value(const YamlNode& node, const Rule& rule, std::vector<fccda::Vec3d>& into);
 void read_value(const YamlNode& node, const Rule& rule, fccda::Choice& into);
 
 }  // namespace perimpact::deck

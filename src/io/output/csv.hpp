@@ -15,8 +15,12 @@ namespace perimpact::output {
 class CsvWriter {
  public:
   CsvWriter(const std::filesystem::path& path, std::span<const std::string> columns);
+  /// Goes on with a table of so many columns behind its first `size` bytes; the rest is cut off.
+  CsvWriter(const std::filesystem::path& path, std::size_t columns, std::uint64_t size) : columns_(columns), file_(path, size) {}
 
-  void append(std::span<const double> row);  ///< one number a column
+  void append(std::span<const double> row);            ///< one number a column
+  void sync() { file_.sync(); }                        ///< all rows reach the disk
+  std::uint64_t size() const { return file_.size(); }  ///< [byte]
 
  private:
   std::size_t columns_;

@@ -44,12 +44,16 @@ std::string_view way_out(int error) {
 fs::path part_of(const fs::path& path) { return fs::path(path) += ".part"; }
 
 /// -1 where it fails: errno says why.
-int open_empty(const fs::path& path) { return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666); }
+int open_empty(const fs::path& path) { return ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666); }
+
+/// 0, or errno. Not every file system knows how to sync (EINVAL): then there is nothing to wait for.
+int sync_file(int file) { return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno; }
 
 /// 0, or errno. A write may be cut short (by a signal, or where the room ends): the next one continues or gives the reason.
-int write_all(int file, std::span<const std::byte> bytes) {
+template <class Write>
+int all_of(std::span<const std::byte> bytes, const Write& write) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    const ssize_t written = write(bytes);
     if (written >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(written));
     } else if (errno != EINTR) {
@@ -57,6 +61,10 @@ int write_all(int file, std::span<const std::byte> bytes) {
     }
   }
   return 0;
+}
+
+int write_all(int file, std::span<const std::byte> bytes) {
+  return all_of(bytes, [&](std::span<const std::byte> rest) { return ::write(file, rest.data(), rest.size()); });
 }
 
 }  // namespace
@@ -78,9 +86,23 @@ void WholeFile::write(std::span<const std::byte> bytes) {
   if (const int error = write_all(file_.number(), bytes)) fail(path_, error);
 }
 
+void WholeFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
+  const int error = all_of(bytes, [&](std::span<const std::byte> rest) {
+    return ::pwrite(file_.number(), rest.data(), rest.size(), static_cast<off_t>(offset + (bytes.size() - rest.size())));
+  });
+  if (error != 0) fail(path_, error);
+}
+
+void WholeFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
+  if (::pread(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset)) != static_cast<ssize_t>(bytes.size())) fail(path_, EIO);
+}
+
+void WholeFile::resize(std::uint64_t size) {
+  if (::ftruncate(file_.number(), static_cast<off_t>(size)) != 0) fail(path_, errno);
+}
+
 void WholeFile::finish() {
-  // Without the sync a power cut could leave a renamed but empty file. Not every file system knows it (EINVAL): then there is nothing to wait for.
-  if (::fsync(file_.number()) != 0 && errno != EINVAL) fail(path_, errno);
+  if (const int error = sync_file(file_.number())) fail(path_, error);  // or a power cut could leave a renamed but empty file
   int error = file_.close();
   if (error == 0 && std::rename(part_.c_str(), path_.c_str()) != 0) error = errno;
   if (error != 0) {
@@ -103,8 +125,22 @@ std::error_code try_writing(const fs::path& path) {
   return {error, std::generic_category()};
 }
 
+void sync_folder(const fs::path& folder) {
+  Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.is_open()) ::fsync(opened.number());
+}
+
 GrowingFile::GrowingFile(fs::path path) : path_(std::move(path)), file_(open_empty(path_)) {
   if (!file_.is_open()) fail(path_, errno);
+}
+
+GrowingFile::GrowingFile(fs::path path, std::uint64_t size)
+    : path_(std::move(path)), file_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)), size_(size) {
+  if (!file_.is_open() || ::ftruncate(file_.number(), static_cast<off_t>(size)) != 0) fail(path_, errno);
+}
+
+void GrowingFile::sync() {
+  if (const int error = sync_file(file_.number())) fail(path_, error);
 }
 
 void GrowingFile::append(std::string_view record) {

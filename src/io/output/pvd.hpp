@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace perimpact::output {
 
@@ -12,24 +13,28 @@ namespace perimpact::output {
 class Series {
  public:
   Series(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
+  /// Goes on behind the frames of these times [s]: the list is cut back to them, and frames beyond are removed.
+  Series(std::filesystem::path folder, std::string name, std::vector<double> times);
 
   /// write_frame(path) must write the file; then it is listed with its time [s], or removed where the list cannot be written. Throws what
   /// write_frame throws, and RunError.
   template <class WriteFrame>
   void add(double time, const WriteFrame& write_frame) {
-    const std::string file = frame_file();
+    const std::string file = frame_file(times_.size());
     write_frame(folder_ / file);
     list(time, file);
   }
 
+  const std::vector<double>& times() const { return times_; }  ///< [s] of the frames so far
+
  private:
-  std::string frame_file() const;
+  std::string frame_file(std::size_t frame) const;
   void list(double time, const std::string& file);
+  void write_list() const;
 
   std::filesystem::path folder_;
   std::string name_;
-  std::string entries_;  // of the list so far
-  int frames_ = 0;
+  std::vector<double> times_;
 };
 
 }  // namespace perimpact::output

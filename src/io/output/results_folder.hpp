@@ -1,7 +1,7 @@
 /// The folder that a run leaves behind, and the one place that knows its names:
 ///
 ///   run.json   history.csv   lines/<line>_t<seconds>.csv   frames/<body>_00000.vtp, …   frames/<body>.pvd
-///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv
+///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv   checkpoint.h5
 ///
 /// `check` writes into check/, which runs leave alone.
 #pragma once
@@ -15,16 +15,27 @@ namespace perimpact::output {
 /// hour of computing.
 void prepare_folder(const std::filesystem::path& folder);
 
-/// A prepared results folder without the files of an earlier run, so that two runs never mix. Files of any other name are kept.
+enum class EarlierRun { removed, continued };
+
+/// A prepared results folder without the files of an earlier run, so that two runs never mix. Files of any other name are kept. Where
+/// the run is continued, its files stay but for those left in part, and for run.json, which tells how a run ended.
 class ResultsFolder {
  public:
-  explicit ResultsFolder(std::filesystem::path folder);
+  explicit ResultsFolder(std::filesystem::path folder, EarlierRun earlier = EarlierRun::removed);
 
+  const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path run() const { return folder_ / "run.json"; }
-  std::filesystem::path history() const { return folder_ / "history.csv"; }
+  std::filesystem::path history() const { return history_in(folder_); }
   std::filesystem::path frames() const { return folder_ / "frames"; }
-  std::filesystem::path pressure_area() const { return folder_ / "pressure_area"; }
+  std::filesystem::path lines() const { return folder_ / "lines"; }
+  std::filesystem::path pressure_area() const { return pressure_area_in(folder_); }
+  std::filesystem::path checkpoint() const { return checkpoint_in(folder_); }
   std::filesystem::path line(std::string_view name, double time) const;  ///< time in [s]
+
+  // of a folder that may not be prepared
+  static std::filesystem::path history_in(const std::filesystem::path& folder) { return folder / "history.csv"; }
+  static std::filesystem::path pressure_area_in(const std::filesystem::path& folder) { return folder / "pressure_area"; }
+  static std::filesystem::path checkpoint_in(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
 
  private:
   std::filesystem::path folder_;

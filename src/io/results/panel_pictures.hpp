@@ -18,6 +18,13 @@ class PanelPictures {
   /// (analytic) is written without arrays.
   void write(const std::filesystem::path& path, const Impactor& impactor, double time);
 
+  /// As fccda/core/state.hpp says.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit("normal_impulse", normal_impulse_);
+    visit("time", time_);
+  }
+
  private:
   std::vector<double> normal_impulse_;  // [N s] of each panel at the picture before
   double time_ = 0;                     // [s] of the picture before

@@ -6,12 +6,26 @@
 
 namespace perimpact {
 
+namespace {
+
+const std::vector<std::string>& process_columns() {
+  static const std::vector<std::string> all = {"time [s]", "contact_area [m2]", "mean_contact_area [m2]", "normal_force [N]", "mean_pressure [Pa]"};
+  return all;
+}
+
+}  // namespace
+
+PressureArea::PressureArea(const output::ResultsFolder& folder, const std::string& impactor, std::uint64_t size) {
+  if (size > 0) process_.emplace(process_curve(folder.path(), impactor), process_columns().size(), size);
+}
+
+void PressureArea::sync() {
+  if (process_) process_->sync();
+}
+
 void PressureArea::after_interval(const output::ResultsFolder& folder, const Impactor& impactor) {
   if (!impactor.record().touched()) return;
-  if (!process_) {
-    const std::vector<std::string> columns = {"time [s]", "contact_area [m2]", "mean_contact_area [m2]", "normal_force [N]", "mean_pressure [Pa]"};
-    process_.emplace(folder.pressure_area() / (impactor.name() + ".csv"), columns);
-  }
+  if (!process_) process_.emplace(process_curve(folder.path(), impactor.name()), process_columns());
   const ContactRecord::Interval& interval = impactor.record().interval();
   process_->append(std::vector<double>{interval.time, interval.contact_area, interval.mean_contact_area, interval.normal_force, interval.mean_pressure()});
 }

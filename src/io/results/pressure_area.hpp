@@ -4,6 +4,8 @@
 ///   pressure_area/<impactor>_at_peak.csv   spatial curve of the interval of the largest normal force (fccda/respond/nested_areas.hpp)
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -15,10 +17,20 @@ namespace perimpact {
 
 class PressureArea {
  public:
+  PressureArea() = default;
+  /// Goes on behind the first `size` bytes of the process curve; there is none yet where that is 0.
+  PressureArea(const output::ResultsFolder& folder, const std::string& impactor, std::uint64_t size);
+
   /// Call when an interval has ended.
   void after_interval(const output::ResultsFolder& folder, const Impactor& impactor);
   /// Writes the spatial curve.
   void finish(const output::ResultsFolder& folder, const Impactor& impactor) const;
+
+  void sync();                                                            ///< all rows reach the disk
+  std::uint64_t size() const { return process_ ? process_->size() : 0; }  ///< [byte] of the process curve
+  static std::filesystem::path process_curve(const std::filesystem::path& results, const std::string& impactor) {
+    return output::ResultsFolder::pressure_area_in(results) / (impactor + ".csv");
+  }
 
  private:
   std::optional<output::CsvWriter> process_;  // opened by the first contact

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fccda/core/error.hpp"
 #include "io/output/file.hpp"
 #include "io/output/vtp.hpp"
 #include "io/results/run_report.hpp"
@@ -25,6 +26,20 @@ std::vector<float> of_particles(const Body& body, const Value& value) {
   return numbers;
 }
 
+/// The tables that go on must hold what had been written of them.
+void expect_files(const Simulation& simulation, const std::filesystem::path& folder, const Written& written) {
+  const auto expect = [](const std::filesystem::path& path, std::uint64_t size) {
+    std::error_code missing;
+    const std::uintmax_t there = std::filesystem::file_size(path, missing);
+    if (missing || there < size)
+      throw fccda::InputError(fmt::format("{} {}, so the run cannot go on with it; put it back, or start anew without --resume.", path.string(),
+                                          missing ? "is not there" : "holds less than when the checkpoint was written"));
+  };
+  expect(output::ResultsFolder::history_in(folder), written.history);
+  for (std::size_t i = 0; i < written.pressure_area.size(); ++i)
+    if (written.pressure_area[i] > 0) expect(PressureArea::process_curve(folder, simulation.impactors()[i].name()), written.pressure_area[i]);
+}
+
 }  // namespace
 
 void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time) {
@@ -34,13 +49,15 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
   const auto velocity = of_particles(body, [&](std::uint32_t slot) { return particles.velocity.at(slot); });
   std::vector<float> damage;
   for (const std::uint32_t slot : particles.slot_of()) damage.push_back(static_cast<float>(body.family.damage(slot)));
-  output::write_vtp(path,
-                    {.points = std::span<const float>(position),
-                     .point_arrays = {{"displacement", 3, std::span<const float>(displacement)},
-                                      {"velocity", 3, std::span<const float>(velocity)},
-                                      {"damage", 1, std::span<const float>(damage)}},
-                     .time = time},
-                    output::Compression::zlib);
+  std::vector<output::VtpArray> arrays = {{"displacement", 3, std::span<const float>(displacement)},
+                                          {"velocity", 3, std::span<const float>(velocity)},
+                                          {"damage", 1, std::span<const float>(damage)}};
+  std::vector<std::int32_t> numbers;
+  if (!particles.numbers().empty()) {
+    for (const std::uint32_t slot : particles.slot_of()) numbers.push_back(static_cast<std::int32_t>(particles.numbers()[slot]));
+    arrays.push_back({"original", 1, std::span<const std::int32_t>(numbers)});
+  }
+  output::write_vtp(path, {.points = std::span<const float>(position), .point_arrays = std::move(arrays), .time = time}, output::Compression::zlib);
 }
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
@@ -53,6 +70,41 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
   for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name);
   for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name());
   after_step(simulation);
+}
+
+ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder, Written written)
+    : lines_(lines_of(simulation)),
+      folder_((expect_files(simulation, folder, written), folder), output::EarlierRun::continued),
+      history_(folder_.history(), simulation.monitors().columns().size(), written.history),
+      panel_pictures_(std::move(written.panel_pictures)),
+      frames_wanted_(simulation.setup().output.frames),
+      next_frame_(static_cast<int>(written.next_frame)),
+      last_frame_step_(written.last_frame_step),
+      resumed_at_(std::move(written.resumed_at)) {
+  auto times = written.frame_times.begin();
+  for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name, std::move(*times++));
+  for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name(), std::move(*times++));
+  for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
+    pressure_area_.emplace_back(folder_, simulation.impactors()[i].name(), written.pressure_area[i]);
+  resumed_at_.push_back(simulation.clock().step);
+}
+
+Written ResultsWriter::written() {
+  history_.sync();
+  for (PressureArea& curve : pressure_area_) curve.sync();
+  for (const std::filesystem::path& folder : {folder_.frames(), folder_.lines(), folder_.pressure_area()}) output::sync_folder(folder);
+
+  Written written(body_series_.size(), impactor_series_.size());
+  written.history = history_.size();
+  for (std::size_t i = 0; i < pressure_area_.size(); ++i) written.pressure_area[i] = pressure_area_[i].size();
+  written.panel_pictures = panel_pictures_;
+  auto times = written.frame_times.begin();
+  for (const output::Series& series : body_series_) *times++ = series.times();
+  for (const output::Series& series : impactor_series_) *times++ = series.times();
+  written.next_frame = next_frame_;
+  written.last_frame_step = last_frame_step_;
+  written.resumed_at = resumed_at_;
+  return written;
 }
 
 long ResultsWriter::step_of_frame(int frame, const Clock& clock) const {
@@ -95,7 +147,7 @@ void ResultsWriter::write_line(const Simulation& simulation, const Line& line) c
 
 void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds) {
   if (frames_wanted_ > 0 && last_frame_step_ != simulation.clock().step && outcome != Outcome::failed) write_frame(simulation);
-  output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds).text());
+  output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds, resumed_at_).text());
   for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].finish(folder_, simulation.impactors()[i]);
 }
 

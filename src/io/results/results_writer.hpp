@@ -11,6 +11,7 @@
 #include "io/results/lines.hpp"
 #include "io/results/panel_pictures.hpp"
 #include "io/results/pressure_area.hpp"
+#include "io/results/written.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
 namespace perimpact {
@@ -24,11 +25,20 @@ class ResultsWriter {
   /// file of an earlier run is gone, and RunError where a file cannot be written.
   ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder);
 
+  /// Goes on where another left off, which had written so much of a run that is now at this step: what was written later is taken back.
+  /// Throws InputError where the files hold less than that, before anything is changed.
+  ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder, Written written);
+
   /// Call after every step.
   void after_step(const Simulation& simulation);
 
   /// Writes a last frame where none is of this time, and run.json. `failure`: the sentence of the error, if one ended the run.
   void finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds);
+
+  /// What was written so far. It has reached the disk when this returns.
+  Written written();
+
+  const std::vector<std::int64_t>& resumed_at() const { return resumed_at_; }  ///< steps
 
  private:
   void write_frame(const Simulation& simulation);
@@ -44,6 +54,7 @@ class ResultsWriter {
   int frames_wanted_;
   int next_frame_ = 0;
   long last_frame_step_ = -1;
+  std::vector<std::int64_t> resumed_at_;  // steps
 };
 
 /// The particles of a body as ParaView shows them: displacement, velocity, damage.

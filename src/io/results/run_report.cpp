@@ -14,7 +14,7 @@ namespace {
 
 Json vector(const Vec3d& v) { return std::vector<double>{v.x, v.y, v.z}; }
 
-Json body_report(const Body& body) {
+Json body_report(const Body& body, const std::optional<FilledMass>& filled) {
   Json json = Json::object();
   json["particles"] = body.particles.size();
   json["bonds"] = body.family.initial_bonds();
@@ -29,6 +29,8 @@ Json body_report(const Body& body) {
   }
   json["memory [byte]"] = body.memory();
   json["mass [kg]"] = body.particles.total_mass();
+  if (filled) json["mass_of_solid [kg]"] = filled->solid;
+  for (const CrackCut& crack : body.cracks) json["cracks"][crack.name]["bonds"] = crack.bonds;
   return json;
 }
 
@@ -139,7 +141,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
   return json;
 }
 
-Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds) {
+Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds, std::span<const std::int64_t> resumed_at) {
   const Clock& clock = simulation.clock();
   Json json = Json::object();
   json["program"] = "perimpact " PERIMPACT_VERSION;
@@ -148,13 +150,15 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   json["title"] = simulation.setup().title;
   json["steps"] = clock.step;
   json["time [s]"] = clock.time();
+  if (!resumed_at.empty()) json["resumed_at_steps"] = std::vector(resumed_at.begin(), resumed_at.end());
   json["threads"] = fccda::thread_count();
   json["wall [s]"] = wall_seconds;
   json["state_hash"] = fmt::format("{:016x}", simulation.state_hash());
   json["stability"]["step [s]"] = simulation.stability().step;
   json["stability"]["estimate [s]"] = simulation.stability().estimate;
   json["stability"]["exact [s]"] = simulation.stability().exact;
-  for (const Body& body : simulation.bodies()) json["bodies"][body.name] = body_report(body);
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
+    json["bodies"][simulation.bodies()[b].name] = body_report(simulation.bodies()[b], simulation.filled_mass(b));
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json["impactors"][simulation.impactors()[i].name()] = impactor_report(simulation, i);
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
   json["warnings"] = simulation.warnings();

@@ -1,6 +1,8 @@
 /// run.json: what was run, with what, how it went and where the time went.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "fccda/surface/surface.hpp"
@@ -9,7 +11,8 @@
 
 namespace perimpact {
 
-output::Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds);
+/// `wall_seconds` of the run, or of what came since it was resumed last; `resumed_at`: steps.
+output::Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds, std::span<const std::int64_t> resumed_at);
 
 /// What construction of a surface found and mended.
 output::Json surface_report(const fccda::SurfaceReport& report);

@@ -37,9 +37,10 @@ class ShortRange {
   };
   Bound bound(std::span<const TouchingBody> bodies, std::size_t body) const;
 
+  /// What was noted of the run so far; no step depends on it.
   template <class Visitor>
-  void visit_state(Visitor&& visit) {
-    visit(std::string("fragments.work"), std::span<double>(work_));
+  void visit_record(Visitor&& visit) {
+    visit("work", std::span<double>(work_));
   }
 
  private:

@@ -5,8 +5,10 @@
 ///   p = F_n/A,   F_n = Σ J_n/T,   A = Σ Δ² over the particles that touched in the interval, each counted once
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fccda/respond/panel_loads.hpp"
@@ -45,6 +47,26 @@ class ContactRecord {
   const Peak& peak() const { return peak_; }                           ///< without pressures where no normal force was positive
   bool touched(std::size_t body) const { return struck_[body].ever; }  ///< ever
   bool touched() const;                                                ///< ever, any body
+
+  /// As fccda/core/state.hpp says.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    panels_.visit_state(fccda::under("panels", visit));
+    for (std::size_t b = 0; b < struck_.size(); ++b) {
+      Struck& body = struck_[b];
+      const auto named = [&](const char* what) { return std::to_string(b) + "." + what; };
+      fccda::visit_flag(visit, named("touched"), body.ever);
+      visit(named("contacts"), body.contacts);
+      visit(named("particles"), body.particles);
+      visit(named("last_interval"), body.last);
+    }
+    visit("intervals", number_);
+    visit("steps", steps_);
+    visit("normal_impulse", normal_impulse_);
+    fccda::visit_members(visit, "interval", std::array{&interval_.time, &interval_.contact_area, &interval_.mean_contact_area, &interval_.normal_force});
+    fccda::visit_members(visit, "peak", std::array{&peak_.time, &peak_.normal_force});
+    visit("peak_pressure", peak_.panel_pressure);
+  }
 
  private:
   struct Struck {  // of one body

@@ -10,6 +10,7 @@
 #include "fccda/body/applied_load.hpp"
 #include "fccda/body/prescribed_motion.hpp"
 #include "fccda/body/rigid_body.hpp"
+#include "fccda/core/state.hpp"
 #include "fccda/detect/all_detectors.hpp"
 #include "fccda/respond/respond.hpp"
 #include "fccda/surface/surface.hpp"
@@ -100,20 +101,33 @@ class Impactor {
   ContactRecord& record() { return record_; }
   const ContactRecord& record() const { return record_; }
 
+  /// As fccda/core/state.hpp says.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
-    body_.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::string(part), values); });
-    visit(name_ + ".work_of_loads", std::span<double>(&work_of_loads_, 1));
-    for (std::size_t b = 0; b < detectors_.size(); ++b)
-      std::visit(
-          [&](auto& detector) {
-            detector.visit_state([&](std::string_view part, auto values) { visit(name_ + "." + std::to_string(b) + "." + std::string(part), values); });
-          },
-          detectors_[b]);
-    for (std::size_t b = 0; b < pinched_.size(); ++b) {
-      visit(name_ + "." + std::to_string(b) + ".pinched", pinched_[b].count);
-      visit(name_ + "." + std::to_string(b) + ".first_pinched", std::span<double>(&pinched_[b].first, 1));
+    auto its = fccda::under(name_, visit);
+    body_.visit_state(its);
+    its("work_of_loads", work_of_loads_);
+    for (std::size_t b = 0; b < detectors_.size(); ++b) {
+      auto of_body = fccda::under(std::to_string(b), its);
+      std::visit([&](auto& detector) { detector.visit_state(of_body); }, detectors_[b]);
+      of_body("pinched", pinched_[b].count);
+      of_body("first_pinched", pinched_[b].first);
     }
+  }
+
+  /// The same of what was only noted, and changes no step.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    auto its = fccda::under(name_, visit);
+    for (std::size_t b = 0; b < detectors_.size(); ++b)
+      std::visit([&](auto& detector) { detector.visit_record(fccda::under(std::to_string(b), its)); }, detectors_[b]);
+    auto account = fccda::under("account", its);
+    fccda::visit_vector(account, "impulse", account_.impulse);
+    fccda::visit_vector(account, "angular_impulse", account_.angular_impulse);
+    account("contacts", account_.contacts);
+    auto gauges = fccda::under("gauges", its);
+    for (NamedGauge& named : gauges_) named.gauge.visit_state(fccda::under(named.name, gauges));
+    record_.visit_state(fccda::under("record", its));
   }
 
  private:

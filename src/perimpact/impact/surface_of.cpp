@@ -4,8 +4,7 @@
 #include "fccda/shapes/box.hpp"
 #include "fccda/shapes/cylinder.hpp"
 #include "fccda/shapes/sphere.hpp"
-#include "fccda/surface/place.hpp"
-#include "fccda/surface/read/read_panels.hpp"
+#include "perimpact/solid/panels_of_file.hpp"
 
 namespace perimpact {
 
@@ -16,12 +15,7 @@ fccda::PanelKind kind(const Choice& panels) { return panels.as<fccda::PanelKind>
 fccda::Panels panels_of(const CylinderSurface& s) { return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.panel, kind(s.panels)}); }
 fccda::Panels panels_of(const SphereSurface& s) { return fccda::make_sphere({s.diameter, s.panel}); }
 fccda::Panels panels_of(const BoxSurface& s) { return fccda::make_box({s.size, s.panel, kind(s.panels)}); }
-fccda::Panels panels_of(const FileSurface& s) {
-  fccda::Panels panels = fccda::read_panels(s.file, s.parts);
-  const auto plane = [](const Choice& choice) { return choice.as<fccda::MirrorPlane>(); };
-  fccda::place(panels, {s.scale, plane(s.mirror), plane(s.complete), s.rotate, s.translate});
-  return panels;
-}
+fccda::Panels panels_of(const FileSurface& s) { return panels_of_file(s); }
 
 /// Surfaces that we make ourselves are closed; a file says.
 fccda::OutsideIs outside(const SurfaceSetup& setup) {

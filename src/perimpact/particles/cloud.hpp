@@ -1,6 +1,7 @@
 /// Particles that lie anywhere: how bodies are discretised that no lattice fits, from points of a file or the cells of a mesh.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,9 +12,10 @@ namespace perimpact {
 using fccda::Vec3d;
 
 struct Cloud {
-  std::vector<Vec3d> points;        ///< [m] where the particles are at first
-  std::vector<double> volumes;      ///< [m³] of each
-  std::optional<double> thickness;  ///< [m] of a plane body, whose points share one z
+  std::vector<Vec3d> points;           ///< [m] where the particles are at first
+  std::vector<double> volumes;         ///< [m³] of each
+  std::optional<double> thickness;     ///< [m] of a plane body, whose points share one z
+  std::vector<std::uint32_t> numbers;  ///< what the file calls each; empty where the points are called 0, 1, 2 …
 };
 
 }  // namespace perimpact

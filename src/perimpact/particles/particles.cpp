@@ -43,6 +43,7 @@ Particles::Particles(const Cloud& cloud, double density)
       thickness_(cloud.thickness),
       reference_(cloud.points),
       volumes_(cloud.volumes),
+      numbers_(cloud.numbers),
       occupied_(slots_ / fccda::byte_lanes, 0) {
   position = velocity = force_density = VectorArray(slots_, slack_);
   EXPECTS(!cloud.points.empty() && cloud.points.size() == cloud.volumes.size());

@@ -45,6 +45,7 @@ class Particles {
   double size_of(std::size_t slot) const;                                                     ///< [m] edge of a cube of its volume; of a square in a plane body
   bool is_plane() const { return thickness_.has_value(); }                                    ///< all forces and velocities lie in the plane z
   std::optional<double> thickness() const { return thickness_; }                              ///< [m] of a plane body
+  std::span<const std::uint32_t> numbers() const { return numbers_; }                         ///< Cloud::numbers, of the first slots
   std::size_t slack() const { return slack_; }                                                ///< of fields over these slots
   Vec3d reference(std::size_t slot) const { return lattice_ ? lattice_->centre(slot) : reference_[slot]; }  ///< [m] X
   Vec3d displacement(std::size_t slot) const { return position.at(slot) - reference(slot); }                ///< [m] u = x - X
@@ -68,9 +69,10 @@ class Particles {
   std::size_t slots_, row_slots_, slack_;
   double density_, spacing_;
   std::optional<double> thickness_;
-  double cell_volume_ = 0;        // of a lattice
-  std::vector<Vec3d> reference_;  // of a cloud
-  std::vector<double> volumes_;   // of a cloud
+  double cell_volume_ = 0;              // of a lattice
+  std::vector<Vec3d> reference_;        // of a cloud
+  std::vector<double> volumes_;         // of a cloud
+  std::vector<std::uint32_t> numbers_;  // of a cloud
   std::vector<std::uint8_t> occupied_;
   std::vector<std::uint32_t> slot_of_;
 };

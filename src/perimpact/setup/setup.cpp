@@ -15,11 +15,6 @@ std::span<const Field<TimeSetup>> TimeSetup::fields() {
   return all;
 }
 
-std::span<const Field<BoxSolid>> BoxSolid::fields() {
-  static const Field<BoxSolid> all[] = {{"size", &BoxSolid::size, "m", positive(), required, "Edge lengths in x, y and z; whole multiples of the spacing."}};
-  return all;
-}
-
 namespace {
 
 enum class WithPoissonsRatio { no, yes };
@@ -94,9 +89,14 @@ std::span<const Field<FailureSetup>> FailureSetup::fields() {
 std::span<const Field<BodySetup>> BodySetup::fields() {
   using S = BodySetup;
   static const Field<S> all[] = {
-      {"spacing", &S::spacing, "m", positive(), required, "Distance between neighbouring particles of the lattice."},
+      {"spacing", &S::spacing, "m", positive(), optional,
+       "Distance between neighbouring particles of the lattice. Shapes of points and cells have none, all others need it."},
       {"horizon_ratio", &S::horizon_ratio, "1", between(2, 6), optional, "Horizon δ in spacings."},
-      {"position", &S::position, "m", any_number(), optional, "Where the centre of the solid is at t = 0."},
+      {"position", &S::position, "m", any_number(), optional,
+       "Where the centre of the shape is at t = 0, or the origin of its file. Parts, holes, cracks and regions are placed from here."},
+      {"rotate", &S::rotate, "rad", between(-6.2832, 6.2832), optional,
+       "Turns the shape, with parts, holes, cracks and regions, about the axes x, y and z through the position, in this order. The lattice stays along the "
+       "axes."},
       {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of all particles at t = 0."},
       {"family",
        &S::family,
@@ -422,7 +422,10 @@ std::span<const Field<OutputSetup>> OutputSetup::fields() {
   static const Field<S> all[] = {
       {"folder", &S::folder, "", {}, optional, "Folder of the results, from the working folder; --out overrides it."},
       {"frames", &S::frames, "1", between(0, 100000), optional, "Number of pictures after the one at t = 0. 0: none."},
-      {"history", &S::history, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."}};
+      {"history", &S::history, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."},
+      {"checkpoint_every", &S::checkpoint_every, "s", at_least(0), optional,
+       "Time on the clock on the wall, not in the simulation, between checkpoints: from the last one a run that was stopped goes on (perimpact run DECK "
+       "--resume). There is always one at the end and when the run is interrupted; 0: no others."}};
   return all;
 }
 

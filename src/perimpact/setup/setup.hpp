@@ -11,6 +11,7 @@
 
 #include "fccda/core/parameter.hpp"
 #include "fccda/core/vec3.hpp"
+#include "perimpact/setup/solids.hpp"
 
 namespace perimpact {
 
@@ -38,8 +39,6 @@ inline constexpr std::string_view influence_words[] = {"one", "inverse", "invers
 inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
 enum class PanelKind { triangles, quads };
 
-inline constexpr std::string_view axis_words[] = {"x", "y", "z"};
-
 inline constexpr std::string_view detector_words[] = {"swept", "published", "analytic"};
 enum class DetectorKind { swept, published, analytic };
 
@@ -51,11 +50,6 @@ enum class StartingInside { error, remove, project };
 
 inline constexpr std::string_view beyond_region_words[] = {"error", "clip"};
 enum class BeyondRegion { error, clip };
-
-inline constexpr std::string_view open_side_words[] = {"undeclared", "normals", "reversed"};
-enum class OpenSide { undeclared, normals, reversed };
-
-inline constexpr std::string_view mirror_plane_words[] = {"none", "x", "y", "z"};  // as fccda::MirrorPlane
 
 inline constexpr std::string_view fragment_law_words[] = {"none", "repulsive"};
 enum class FragmentLaw { none, repulsive };
@@ -69,14 +63,6 @@ struct TimeSetup {
 };
 
 // ---- bodies ----
-
-/// A box of material, centred on the body's position.
-struct BoxSolid {
-  static constexpr std::string_view name = "box";
-  Vec3d size{};  ///< [m]
-  static std::span<const Field<BoxSolid>> fields();
-};
-using Solid = std::variant<BoxSolid>;
 
 /// What all materials have.
 struct ElasticSetup {
@@ -115,17 +101,18 @@ struct FailureSetup {
   Choice compression{compression_words};
   std::optional<double> critical_compression;  ///< [-] positive, where compression is `limit`
   std::optional<double> weibull_modulus;       ///< [-] scatter of the strength of particles; none where absent
-  int seed = 1;                                ///< of the scatter
+  std::optional<int> seed;                     ///< of the scatter; 1 where absent
   std::vector<std::string> no_fail;            ///< names of regions
   static std::span<const Field<FailureSetup>> fields();
 };
 
 struct BodySetup {
   std::string name;
-  Solid shape;
-  double spacing{};  ///< [m]
+  BodyShape shape;
+  std::optional<double> spacing;  ///< [m] of the lattice that fills the shape; a cloud has none
   double horizon_ratio = 3.015;
-  Vec3d position{};  ///< [m] of the solid's centre
+  Vec3d position{};  ///< [m] of the shape's origin: of a box, cylinder or sphere its centre
+  Vec3d rotate{};    ///< [rad] of all that has a place in the body about x, then y, then z, through its position
   Vec3d velocity{};  ///< [m/s]
   Choice family{family_words};
   Choice normalisation{normalisation_words};
@@ -133,9 +120,14 @@ struct BodySetup {
   bool published = false;     ///< the seed paper's discretisation: madenci-oterkus, continuum, none
   Choice plane{plane_words};  ///< of a body of two dimensions, a single layer in z
   MaterialSetup material;
-  FailureSetup failure;
+  std::optional<FailureSetup> failure;
+  std::vector<SolidSetup> parts;    ///< united with the shape
+  std::vector<SolidSetup> holes;    ///< taken out of it
+  std::vector<SolidSetup> regions;  ///< names for what is in them
+  std::vector<CrackSetup> cracks;
   static std::span<const Field<BodySetup>> fields();
 
+  bool is_plane() const { return plane.as<PlaneState>() != PlaneState::none; }
   const ElasticSetup& elastic() const {
     return std::visit([](const auto& one) -> const ElasticSetup& { return one; }, material);
   }
@@ -168,20 +160,6 @@ struct BoxSurface {
   static std::span<const Field<BoxSurface>> fields();
 };
 
-/// `surface: {file: hull.stl, scale: 0.001}`
-struct FileSurface {
-  static constexpr std::string_view name = "file";
-  std::string file;                ///< path; a relative one starts at the deck's folder
-  std::vector<std::string> parts;  ///< of the file; all where empty
-  double scale = 1;                ///< multiplies the file's coordinates, so that they become metres
-  Choice mirror{mirror_plane_words};
-  Choice complete{mirror_plane_words};  ///< adds the mirror image
-  Vec3d rotate{};                       ///< [rad] about x, then y, then z
-  Vec3d translate{};                    ///< [m]
-  std::optional<double> weld;           ///< [m] vertices nearer than this become one; 1e-9 of the size where absent
-  Choice outside{open_side_words};      ///< which side of an open surface is outside
-  static std::span<const Field<FileSurface>> fields();
-};
 using SurfaceSetup = std::variant<CylinderSurface, SphereSurface, BoxSurface, FileSurface>;
 
 /// One box fixed to the impactor: contact is looked for nowhere else (seed paper, section 3.1, example 1).
@@ -365,6 +343,7 @@ struct OutputSetup {
   std::string folder = "results";
   int frames = 40;                ///< number of pictures after the one at t = 0; 0: none at all
   std::optional<double> history;  ///< [s] between rows; a hundredth of the run where absent
+  double checkpoint_every = 300;  ///< [s] of the clock on the wall; 0: none but the last
   std::vector<ProbeSetup> probes;
   std::vector<LineSetup> lines;
   static std::span<const Field<OutputSetup>> fields();

@@ -2,24 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "perimpact/force/stencil_sums.hpp"
-#include "perimpact/particles/fill.hpp"
 #include "perimpact/setup/setup_error.hpp"
-#include "perimpact/simulation/memory.hpp"
+#include "perimpact/solid/region.hpp"
 
 namespace perimpact {
 
 namespace {
 
-bool is_plane(const BodySetup& setup) { return setup.plane.as<PlaneState>() != PlaneState::none; }
+Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
+  return Stencil(setup.family.as<FamilyRule>(), lattice.spacing, setup.horizon_ratio, lattice.thickness);
+}
 
-Stencil stencil_of(const BodySetup& setup) {
-  const double thickness = std::get<BoxSolid>(setup.shape).size.z;
-  return Stencil(setup.family.as<FamilyRule>(), setup.spacing, setup.horizon_ratio, is_plane(setup) ? std::optional(thickness) : std::nullopt);
+/// One particle in each cell of the lattice whose centre is inside the solid.
+Particles filled(const BodySetup& setup, const BodySolid& solid) {
+  const Lattice lattice = lattice_that_fills(setup, solid);
+  const std::vector<std::uint8_t> inside = cells_inside(lattice, solid);
+  if (std::find(inside.begin(), inside.end(), 1) == inside.end())
+    throw SetupError("bodies." + setup.name + ".spacing",
+                     fmt::format("no particle of a lattice of {} m is inside body {}; take a smaller spacing, or check the units of its shape and holes.",
+                                 lattice.spacing, setup.name));
+  const auto number = [&](double x, std::size_t axis) { return static_cast<int>(std::lround((x - lattice.origin[axis]) / lattice.spacing)); };
+  return Particles(lattice, stencil_of(setup, lattice).reach(), setup.elastic().density,
+                   [&](const Vec3d& X) { return inside[lattice.slot(number(X.x, 0), number(X.y, 1), number(X.z, 2))] != 0; });
 }
 
 /// Bonds that know nothing of one another fix Poisson's ratio.
@@ -58,28 +67,25 @@ Value sum_over(const Particles& particles, Value total, const F& f) {
   return total;
 }
 
-}  // namespace
-
-double slots_of(const BodySetup& setup) {
-  const Vec3d& size = std::get<BoxSolid>(setup.shape).size;
-  return std::ceil(size.x / setup.spacing / fccda::byte_lanes) * fccda::byte_lanes * (size.y / setup.spacing) * (is_plane(setup) ? 1 : size.z / setup.spacing);
+std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& particles) {
+  std::vector<std::size_t> slots;
+  if (!setup.failure) return slots;
+  for (const std::string& region : setup.failure->no_fail) {
+    const auto more = slots_in(region, setup, particles, "bodies." + setup.name + ".failure.no_fail");
+    slots.insert(slots.end(), more.begin(), more.end());
+  }
+  return slots;
 }
+
+}  // namespace
 
 IsotropicElastic elastic_of(const BodySetup& setup) {
   return IsotropicElastic::in(setup.plane.as<Plane>(), setup.elastic().youngs_modulus, poissons_ratio_of(setup));
 }
 
-Particles make_particles(const BodySetup& setup) {
-  const int reach = stencil_of(setup).reach();
-  const double density = setup.elastic().density;
-  const BoxSolid& box = std::get<BoxSolid>(setup.shape);
-  const double slots = slots_of(setup);
-  constexpr double most = std::numeric_limits<std::uint32_t>::max();
-  if (!(slots < most))
-    throw SetupError("bodies." + setup.name + ".spacing",
-                     fmt::format("a spacing of {} m takes {:.3g} cells to fill body {}, more than the {:.2g} that can be numbered; make it larger.",
-                                 setup.spacing, slots, setup.name, most));
-  Particles particles(lattice_of_box(box.size, setup.position, setup.spacing, is_plane(setup)), reach, density, [](const Vec3d&) { return true; });
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation) {
+  const auto* cloud = std::get_if<Cloud>(&discretisation);
+  Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation));
   for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
   return particles;
 }
@@ -92,7 +98,7 @@ Body make_body(const BodySetup& setup, Particles particles) {
   std::optional<FamilySums> lattice;
   std::optional<Family> family;
   if (particles.lattice()) {
-    Stencil stencil = stencil_of(setup);
+    Stencil stencil = stencil_of(setup, *particles.lattice());
     if (setup.normalisation.as<Normalisation>() == Normalisation::lattice) lattice = sums_of(stencil, influences, elastic.poissons_ratio);
     family.emplace(std::move(stencil), particles);
   } else {
@@ -102,11 +108,13 @@ Body make_body(const BodySetup& setup, Particles particles) {
 
   const auto failure = failure_criterion(setup, law, *family, particles);
   Breaking breaking;
-  if (failure) breaking = Breaking(breaking_rule(setup.failure, *failure), strength_of(setup.failure, particles, {}), *family, particles);
+  if (failure)
+    breaking = Breaking(breaking_rule(setup.failure, *failure), strength_of(setup.failure, particles, never_failing(setup, particles)), *family, particles);
 
   CorrectionFactors correction(correction_of(setup), basis_of(law), *family, particles);
+  std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);
   InternalForce internal(OrdinaryStateForce(law, std::move(breaking), std::move(correction), *family, particles), particles);
-  return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure};
+  return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks)};
 }
 
 Vec3d Body::momentum() const {

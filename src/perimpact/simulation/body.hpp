@@ -3,12 +3,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "perimpact/family/family.hpp"
 #include "perimpact/force/internal_force.hpp"
 #include "perimpact/particles/particles.hpp"
 #include "perimpact/setup/setup.hpp"
 #include "perimpact/simulation/failure.hpp"
+#include "perimpact/simulation/first_cracks.hpp"
+#include "perimpact/solid/discretise.hpp"
 
 namespace perimpact {
 
@@ -18,6 +21,7 @@ struct Body {
   Family family;
   InternalForce internal;
   std::optional<FailureCriterion> failure = {};  ///< nothing where bonds never break
+  std::vector<CrackCut> cracks = {};             ///< that were there from the start
 
   /// Momentum [kg m/s] of all particles, summed in blocks, in order.
   Vec3d momentum() const;
@@ -33,16 +37,16 @@ struct Body {
   }
 };
 
-/// How many slots the lattice that fills the solid has: its cells, rows rounded up. A double, for there may be too many to count.
-double slots_of(const BodySetup& setup);
+/// The particles that fill the solid, or those of the cloud, with their first velocities. Throws SetupError where there are none, or too many to be
+/// numbered.
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation);
+inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 
 /// Elastic constants of its material, in space or in its plane.
 IsotropicElastic elastic_of(const BodySetup& setup);
 
-/// The particles that fill the solid, with their first velocities. Throws SetupError where there are too many to be numbered.
-Particles make_particles(const BodySetup& setup);
-
-/// The body of these particles: its bonds and surface corrections are those of the particles that are there.
+/// The body of these particles: its bonds and surface corrections are those of the particles that are there, and cracks are cut after. Throws
+/// SetupError where a crack cannot be cut.
 Body make_body(const BodySetup& setup, Particles particles);
 inline Body make_body(const BodySetup& setup) { return make_body(setup, make_particles(setup)); }
 

@@ -2,12 +2,14 @@
 /// got inside where a surface is not felt.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "fccda/core/state.hpp"
 #include "fccda/search/bvh.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/simulation/body.hpp"
@@ -23,6 +25,19 @@ class Encounters {
 
   /// A sentence each.
   std::vector<std::string> warnings(std::span<const Body> bodies, std::span<const Impactor> impactors) const;
+
+  /// As fccda/core/state.hpp says.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit("time", time_);
+    for (std::size_t i = 0; i < of_impactor_.size(); ++i)
+      for (std::size_t b = 0; b < of_impactor_[i].size(); ++b) {
+        Encounter& encounter = of_impactor_[i][b];
+        auto its = fccda::under(std::to_string(i) + "." + std::to_string(b), visit);
+        fccda::visit_members(its, "nearest", std::array{&encounter.nearest, &encounter.nearest_time});
+        fccda::visit_optional(its, "entered_by", encounter.entered_by);
+      }
+  }
 
  private:
   /// Of one impactor with one body.

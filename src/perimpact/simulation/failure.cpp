@@ -44,23 +44,25 @@ std::optional<FailureCriterion> failure_criterion(const BodySetup& setup, const 
   return FailureCriterion{stretch, k * stretch * stretch, flexural_strength_of_stretch(stretch, modulus, layers), layers};
 }
 
-BreakingRule breaking_rule(const FailureSetup& setup, const FailureCriterion& criterion) {
-  switch (setup.compression.as<CompressionFailure>()) {
+BreakingRule breaking_rule(const std::optional<FailureSetup>& setup, const FailureCriterion& criterion) {
+  if (!setup) return {criterion.stretch, {}};
+  switch (setup->compression.as<CompressionFailure>()) {
     case CompressionFailure::symmetric:
       return {criterion.stretch, criterion.stretch};
     case CompressionFailure::limit:
-      return {criterion.stretch, setup.critical_compression};
+      return {criterion.stretch, setup->critical_compression};
     case CompressionFailure::none:
       break;
   }
   return {criterion.stretch, {}};
 }
 
-std::vector<double> strength_of(const FailureSetup& setup, const Particles& particles, const std::vector<std::size_t>& never) {
-  if (!setup.weibull_modulus && never.empty()) return {};
+std::vector<double> strength_of(const std::optional<FailureSetup>& setup, const Particles& particles, const std::vector<std::size_t>& never) {
+  const std::optional<double> modulus = setup ? setup->weibull_modulus : std::nullopt;
+  if (!modulus && never.empty()) return {};
   std::vector<double> strength(particles.slots(), 1.0);
-  if (setup.weibull_modulus)
-    for (const std::uint32_t slot : particles.slot_of()) strength[slot] = weibull_factor(*setup.weibull_modulus, static_cast<std::uint64_t>(setup.seed), slot);
+  if (modulus)
+    for (const std::uint32_t slot : particles.slot_of()) strength[slot] = weibull_factor(*modulus, static_cast<std::uint64_t>(setup->seed.value_or(1)), slot);
   for (const std::size_t slot : never) strength[slot] = unbreakable;
   return strength;
 }

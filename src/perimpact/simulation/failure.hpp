@@ -24,9 +24,9 @@ struct FailureCriterion {
 std::optional<FailureCriterion> failure_criterion(const BodySetup& setup, const OrdinaryState& law, const Family& family, const Particles& particles);
 
 /// The rule, from the criterion.
-BreakingRule breaking_rule(const FailureSetup& setup, const FailureCriterion& criterion);
+BreakingRule breaking_rule(const std::optional<FailureSetup>& setup, const FailureCriterion& criterion);
 
 /// Strength of each slot (damage/strength.hpp); empty where it is 1 everywhere. `never`: slots of particles whose bonds never break.
-std::vector<double> strength_of(const FailureSetup& setup, const Particles& particles, const std::vector<std::size_t>& never);
+std::vector<double> strength_of(const std::optional<FailureSetup>& setup, const Particles& particles, const std::vector<std::size_t>& never);
 
 }  // namespace perimpact

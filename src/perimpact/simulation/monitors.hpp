@@ -31,6 +31,14 @@ class Monitors {
   const std::vector<std::string>& columns() const { return columns_; }  ///< "cylinder.velocity_y [m/s]"
   std::span<const double> row() const { return row_; }                  ///< the latest
 
+  /// As fccda/core/state.hpp says. The first row has been made.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit("row_time", row_time_);
+    visit("first_energy", first_energy_);
+    visit("row", std::span<double>(row_));
+  }
+
  private:
   void add(const std::string& column, double value);
   void add_vector(const std::string& owner, const char* quantity, const char* unit, const Vec3d& value);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "perimpact/setup/setup_error.hpp"
+
 namespace perimpact {
 
 namespace {
@@ -13,6 +15,24 @@ ShortRangeLaw law_of(const FragmentContactSetup& setup) {
           .friction = setup.friction,
           .friction_speed = setup.friction_speed,
           .damping_ratio = damping_ratio_of(setup.restitution)};
+}
+
+/// Contact acts along the line from particle to particle, which must not lead out of a plane body.
+void expect_one_plane(std::span<const Body> bodies) {
+  constexpr const char* key = "contact.fragments.law";
+  const auto height = [](const Body& body) { return body.particles.reference(body.particles.slot_of().front()).z; };
+  for (const Body& body : bodies) {
+    const Body& first = bodies.front();
+    if (body.particles.is_plane() != first.particles.is_plane())
+      throw SetupError(key,
+                       fmt::format("body {} is plane and body {} is not, but only bodies of the same dimension can touch; write law: none, or give both the "
+                                   "same plane.",
+                                   body.particles.is_plane() ? body.name : first.name, body.particles.is_plane() ? first.name : body.name));
+    if (body.particles.is_plane() && height(body) != height(first))
+      throw SetupError(key, fmt::format("the plane bodies {} and {} lie at z = {} m and {} m, but only bodies in one plane can touch; give them the same z, or "
+                                        "write law: none.",
+                                        first.name, body.name, height(first), height(body)));
+  }
 }
 
 }  // namespace
@@ -30,6 +50,7 @@ std::vector<TouchingBody> touching_bodies(const Setup& setup, std::span<Body> bo
 
 std::optional<ShortRange> short_range_of(const Setup& setup, std::span<Body> bodies) {
   if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) return {};
+  expect_one_plane(bodies);
   return ShortRange(law_of(setup.contact.fragments), touching_bodies(setup, bodies));
 }
 

@@ -15,7 +15,7 @@ namespace perimpact {
 /// `bodies`: made of setup.bodies, in that order.
 std::vector<TouchingBody> touching_bodies(const Setup& setup, std::span<Body> bodies);
 
-/// Nothing where contact.fragments.law is none.
+/// Nothing where contact.fragments.law is none. Throws SetupError where bodies of two dimensions do not lie in one plane, or not all are.
 std::optional<ShortRange> short_range_of(const Setup& setup, std::span<Body> bodies);
 
 /// That particles touch before anything has moved: a sentence.

@@ -70,6 +70,26 @@ void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>&
   }
 }
 
+/// Stairs where a surface is not along the lattice, and thin places between two layers.
+void warn_of_mass(const std::string& body, const std::optional<FilledMass>& mass, std::vector<std::string>& warnings) {
+  constexpr double much = 0.05;
+  if (!mass || std::fabs(mass->excess()) <= much) return;
+  warnings.push_back(
+      fmt::format("The particles of body {} weigh {:.4g} kg, {:+.1f} % against its solid of {:.4g} kg: the lattice is coarse for it. Take a smaller "
+                  "spacing.",
+                  body, mass->particles, 100 * mass->excess(), mass->solid));
+}
+
+void warn_of_loose_particles(const Body& body, std::vector<std::string>& warnings) {
+  std::size_t loose = 0;
+  for (const std::uint32_t slot : body.particles.slot_of()) loose += body.family.initial_volume(slot) > 0 ? 0 : 1;
+  if (loose > 0)
+    warnings.push_back(
+        fmt::format("{} particles of body {} have no bond, the solid is too thin there or they are too far apart: nothing holds them. Take a smaller "
+                    "spacing, or a larger horizon_ratio.",
+                    loose, body.name));
+}
+
 void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, std::vector<std::string>& warnings) {
   for (std::size_t i = 0; i < impactors.size(); ++i) {
     const fccda::Surface& surface = impactors[i].surface();
@@ -117,6 +137,7 @@ Simulation::Simulation(const Setup& setup) : Simulation(setup, Start(setup)) {}
 Simulation::Simulation(const Setup& setup, Start start)
     : setup_(setup),
       inside_at_start_(std::move(start.inside)),
+      filled_masses_(std::move(start.filled_masses)),
       bodies_(make_bodies(setup, std::move(start.particles))),
       fragments_(short_range_of(setup, bodies_)),
       stability_(find_step(setup, bodies_, fragments_, warnings_)),
@@ -124,6 +145,11 @@ Simulation::Simulation(const Setup& setup, Start start)
       impactors_(std::move(start.impactors)),
       monitors_(setup.output, bodies_, clock_) {
   warn_of_thin_bodies(bodies_, warnings_);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    warn_of_mass(bodies_[b].name, filled_masses_[b], warnings_);
+    warn_of_loose_particles(bodies_[b], warnings_);
+    for (std::string& warning : warnings_of(bodies_[b].cracks, bodies_[b].name)) warnings_.push_back(std::move(warning));
+  }
   warn_of_overlaps(setup, impactors_, warnings_);
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
   for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));

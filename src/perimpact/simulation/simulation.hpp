@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fccda/core/state.hpp"
 #include "fccda/core/timers.hpp"
 #include "perimpact/force/short_range.hpp"
 #include "perimpact/impact/impactor.hpp"
@@ -41,6 +42,7 @@ class Simulation {
   const fccda::Timers& timers() const { return timers_; }
   std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
   std::span<const Body> bodies() const { return bodies_; }
+  const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
   const std::optional<ShortRange>& fragments() const { return fragments_; }  ///< where the deck has their particles touch
@@ -49,14 +51,24 @@ class Simulation {
   }                              ///< has them looked for anew; changes no result
   std::size_t contacts() const;  ///< of the last step
 
-  /// Calls visit(name, span) for every array of the state.
+  /// What the next step depends on, as fccda/core/state.hpp says. A simulation of the same Setup that is given another's state and record
+  /// goes on as the other would have.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
+    visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
-    if (fragments_) fragments_->visit_state(visit);
   }
   std::uint64_t state_hash();
+
+  /// Likewise what was noted of the run so far: no step depends on it, but history, warnings and run.json do.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    for (Impactor& impactor : impactors_) impactor.visit_record(visit);
+    if (fragments_) fragments_->visit_record(fccda::under("fragments", visit));
+    monitors_.visit_state(fccda::under("monitors", visit));
+    encounters_.visit_state(fccda::under("encounters", visit));
+  }
 
  private:
   Simulation(const Setup& setup, Start start);
@@ -69,6 +81,7 @@ class Simulation {
   Setup setup_;
   std::vector<std::string> warnings_;
   std::vector<InsideAtStart> inside_at_start_;
+  std::vector<std::optional<FilledMass>> filled_masses_;
   std::vector<Body> bodies_;
   std::optional<ShortRange> fragments_;
   Stability stability_;

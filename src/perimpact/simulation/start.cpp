@@ -12,11 +12,27 @@ namespace perimpact {
 
 namespace {
 
-std::vector<Particles> fill(const Setup& setup) {
-  expect_to_fit(setup, physical_memory());
+std::vector<Discretisation> discretised(const Setup& setup) {
+  std::vector<Discretisation> bodies;
+  for (const BodySetup& body : setup.bodies) bodies.push_back(discretise(body));
+  expect_to_fit(setup, bodies, physical_memory());
+  return bodies;
+}
+
+std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies) {
   std::vector<Particles> particles;
-  for (const BodySetup& body : setup.bodies) particles.push_back(make_particles(body));
+  for (std::size_t b = 0; b < bodies.size(); ++b) particles.push_back(make_particles(setup.bodies[b], bodies[b]));
   return particles;
+}
+
+std::vector<std::optional<FilledMass>> masses_of(std::span<const Discretisation> bodies, std::span<const Particles> particles) {
+  std::vector<std::optional<FilledMass>> masses(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto* solid = std::get_if<BodySolid>(&bodies[b]);
+    const std::optional<double> volume = solid ? solid->volume() : std::nullopt;
+    if (volume) masses[b] = FilledMass{particles[b].density() * *volume, particles[b].total_mass()};
+  }
+  return masses;
 }
 
 std::vector<Impactor> place(const Setup& setup, std::span<Particles> particles) {
@@ -95,7 +111,10 @@ void project(Start& start, const Setup& setup) {
 
 }  // namespace
 
-Start::Start(const Setup& setup) : particles(fill(setup)), impactors(place(setup, particles)) {
+Start::Start(const Setup& setup) : Start(setup, discretised(setup)) {}
+
+Start::Start(const Setup& setup, std::span<const Discretisation> bodies)
+    : particles(fill(setup, bodies)), filled_masses(masses_of(bodies, particles)), impactors(place(setup, particles)) {
   switch (setup.contact.impactors.starting_inside.as<StartingInside>()) {
     case StartingInside::error:
       refuse(*this, setup);

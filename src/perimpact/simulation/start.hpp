@@ -2,6 +2,8 @@
 /// inside one are refused, taken out of their body, or put on its surface (docs/theory/contact.md, "At t = 0").
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,14 +21,26 @@ struct InsideAtStart {
   double furthest = 0;             ///< [m] that any of them was moved
 };
 
+/// How well particles fill a solid.
+struct FilledMass {
+  double solid;      ///< [kg]
+  double particles;  ///< [kg] before any were removed
+
+  double excess() const { return particles / solid - 1; }  ///< [-] of the particles over the solid
+};
+
 struct Start {
-  std::vector<Particles> particles;  ///< of each body
+  std::vector<Particles> particles;                      ///< of each body
+  std::vector<std::optional<FilledMass>> filled_masses;  ///< of each body that fills a solid whose volume is known
   std::vector<Impactor> impactors;
   std::vector<InsideAtStart> inside;
 
   /// Throws SetupError: a set-up too large for the machine, impactors that cannot be made, particles inside where the deck refuses that or
   /// where there is no place for them.
   explicit Start(const Setup& setup);
+
+ private:
+  Start(const Setup& setup, std::span<const Discretisation> bodies);
 };
 
 /// The largest magnitude of stretch (|x_j - x_i| - |ξ|)/|ξ| among the bonds of these particles.

@@ -5,25 +5,21 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <span>
-#include <string>
-#include <vector>
+#include <string_view>
+
+#include "fccda/core/state.hpp"
 
 namespace perimpact {
 
 /// A visitor for visit_state: mixes names and the bytes of the arrays, eight at a time.
 class StateHash {
  public:
-  template <class T>
-  void operator()(const std::string& name, std::span<T> values) {
+  template <class Values>
+  void operator()(std::string_view name, Values&& values) {
+    const auto numbers = fccda::numbers_in(values);
     mix_bytes(name.data(), name.size());
-    mix_bytes(values.data(), values.size_bytes());
+    mix_bytes(numbers.data(), numbers.size_bytes());
   }
-  template <class T>
-  void operator()(const std::string& name, const std::vector<T>& values) {
-    (*this)(name, std::span<const T>(values));
-  }
-  void operator()(const std::string& name, std::uint64_t value) { (*this)(name, std::span<const std::uint64_t>(&value, 1)); }
   std::uint64_t value() const { return hash_; }
 
  private:

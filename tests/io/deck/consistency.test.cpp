@@ -33,6 +33,36 @@ TEST_CASE("consistency: a box holds whole spacings, and the nearest sizes that d
   CHECK(complaint(plate_with("0.1, 0.009", "0.1, 0.00900001")) != "");   // 1.1e-6 of it
 }
 
+TEST_CASE("consistency: one thing says when bonds break, and failure needs it") {
+  const char* const stretch = "critical_stretch: 0.01, density";
+  const auto with_failure = [&](const std::string& keys) { return plate_with("    spacing:", "    failure: {" + keys + "}\n    spacing:"); };
+  check_complaint({"density", "critical_stretch: 0.01, fracture_energy: 12, density", "12,",
+                   "fracture_energy is given beside critical_stretch, but either says alone when bonds break; remove one of the two (perimpact check tells "
+                   "what each implies)."});
+  check_complaint({"density", "critical_stretch: 0.01, layers: 6, density", "6,",
+                   "layers is given without flexural_strength, which alone needs it; remove it, or give flexural_strength."});
+  CHECK(complaint(with_failure("compression: symmetric"))
+            .find("failure is given, but the material never breaks; give it a critical_stretch, "
+                  "fracture_energy or flexural_strength, or remove failure.") != std::string::npos);
+  const auto breaking = [&](const std::string& keys) {
+    std::string text = with_failure(keys);
+    return complaint(text.replace(text.find("density"), 7, stretch));
+  };
+  CHECK(breaking("compression: symmetric") == "");
+  CHECK(breaking("compression: limit").ends_with("compression is limit, but there is no critical_compression; give it, such as 0.01."));
+  CHECK(breaking("critical_compression: 0.1").ends_with("critical_compression is given, but compression is none; write compression: limit, or remove it."));
+  CHECK(breaking("seed: 3").ends_with("seed is given without weibull_modulus, so nothing is random; give both or none."));
+  CHECK(breaking("weibull_modulus: 8, seed: 3") == "");
+}
+
+TEST_CASE("consistency: the linear peridynamic solid has its own correction") {
+  std::string text = plate_with("    spacing:", "    surface_correction: energy\n    spacing:");
+  text.replace(text.find("ordinary-state"), 14, "linear-peridynamic-solid");
+  CHECK(
+      complaint(text).ends_with("surface_correction is energy, but the model linear-peridynamic-solid normalises each particle by its own family, which is "
+                                "its correction; remove surface_correction."));
+}
+
 TEST_CASE("consistency: bodies, impactors and probes share the columns of history.csv") {
   check_complaint({"  cylinder:\n", "  plate:\n", "plate:\n    surface",
                    "the name plate is already taken, but bodies, impactors and probes name columns of history.csv (as does total); choose another."});
@@ -76,6 +106,17 @@ TEST_CASE("consistency: the published detector sees points, without friction") {
        "friction is 0.3, but the published detector answers contact as the seed paper does, without friction; write friction: 0, or detector: swept."});
   check_complaint({"detector: swept", "detector: swept, reading: letter", "letter",
                    "reading is letter, but only the published detector reads the paper, and detector is swept; remove reading, or write detector: published."});
+}
+
+TEST_CASE("consistency: how fragments touch is said only where they do") {
+  check_complaint({"{law: none}", "{law: none, friction: 0.1}", "0.1}\noutput",
+                   "friction is 0.1, but law is none, so fragments do not touch; write law: repulsive, or remove friction."});
+  check_complaint({"{law: none}", "{restitution: 0.5}", "0.5}\noutput",
+                   "restitution is 0.5, but law is none, so fragments do not touch; write law: repulsive, or remove restitution."});
+  const auto fragments = read(plate_with("{law: none}", "{law: repulsive, friction: 0.1, friction_speed: 1 mm/s}")).setup.contact.fragments;
+  CHECK(fragments.friction == 0.1);
+  CHECK(fragments.friction_speed == 0.001);
+  CHECK(complaint(plate_with("{law: none}", "{law: none, friction: 0, distance_ratio: 1}")) == "");  // as run.json writes it
 }
 
 TEST_CASE("consistency: the analytic detector knows cylinders and spheres") {

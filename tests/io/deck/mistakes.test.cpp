@@ -37,13 +37,17 @@ TEST_CASE("mistakes: a key given twice, at any level, with both places") {
 }
 
 TEST_CASE("mistakes: missing keys, at the map that lacks them, with unit and meaning") {
-  check_complaint({"    spacing: 0.001\n", "",
-                   "plate:", "bodies.plate lacks spacing [m], a length; for example spacing: 9 mm. Distance between neighbouring particles of the lattice."});
+  check_complaint({"    spacing: 0.001\n", "", "plate:",
+                   "bodies.plate lacks spacing [m], a length; for example spacing: 9 mm. Distance between neighbouring particles of the lattice. Shapes "
+                   "of points and cells have none, all others need it."});
   check_complaint(
       {"time: {end: 200 us, step: 0.1 us}", "time: {}", "time:", "time lacks end [s], a time; for example end: 0.1 us. Time at which the run ends."});
-  check_complaint({"    shape: {box: {size: [0.2, 0.1, 0.009]}}\n", "", "plate:", "bodies.plate lacks shape. The solid that is filled with particles."});
-  check_complaint({"{box: {size: [0.2, 0.1, 0.009]}}", "{}", "shape:", "bodies.plate.shape does not say which it is; give one of box."});
-  check_complaint({"model: ordinary-state, ", "", "material:", "bodies.plate.material lacks model. It is one of ordinary-state."});
+  check_complaint({"    shape: {box: {size: [0.2, 0.1, 0.009]}}\n", "",
+                   "plate:", "bodies.plate lacks shape. The solid that is filled with particles, or a file of particles."});
+  check_complaint({"{box: {size: [0.2, 0.1, 0.009]}}", "{}",
+                   "shape:", "bodies.plate.shape does not say which it is; give one of box, cylinder, sphere, file, points, cells."});
+  check_complaint(
+      {"model: ordinary-state, ", "", "material:", "bodies.plate.material lacks model. It is one of ordinary-state, linear-peridynamic-solid, bond-based."});
   check_complaint({"body: plate, ", "", "centre:", "output.probes.centre lacks body. Name of the body."});
   CHECK(complaint("time: {end: 1}\n") == "deck.yaml: the deck lacks bodies. The deformable bodies, each under a name of your choice.");
   CHECK(complaint("time: {end: 1}\nbodies: {}\n") == "deck.yaml:2:1: bodies is empty; it needs at least one name with its keys.");
@@ -54,8 +58,9 @@ TEST_CASE("mistakes: a value of another type") {
   check_complaint({"frames: 40", "frames: 40.5", "40.5", "frames is 40.5, but a whole number is needed. Number of pictures after the one at t = 0. 0: none."});
   check_complaint({"0.001\n", "[0.001]\n", "[0.001]", "spacing is a list, but a length is needed, for example 9 mm."});
   check_complaint({"spacing: 0.001", "spacing: thick", "thick", "spacing is thick, but that is not a number; write a length, for example 9 mm."});
-  check_complaint({"spacing: 0.001",
-                   "spacing:", "spacing:", "spacing has no value; write one, or leave the key out. Distance between neighbouring particles of the lattice."});
+  check_complaint({"spacing: 0.001", "spacing:", "spacing:",
+                   "spacing has no value; write one, or leave the key out. Distance between neighbouring particles of the lattice. "
+                   "Shapes of points and cells have none, all others need it."});
   check_complaint(
       {"[0, -32, 0]", "[0, -32]", "[0, -32]",
        "velocity has 2 numbers, but three are needed: [x, y, z]. Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."});
@@ -89,8 +94,8 @@ TEST_CASE("mistakes: a value out of range, with the range in words") {
   check_complaint({"friction: 0", "friction: -0.1", "-0.1",
                    "friction is -0.1, but it must be at least 0. Coulomb's coefficient of friction between particles and impactors. "
                    "The published detector takes 0 only."});
-  check_complaint(
-      {"0.1, 0.009", "0, 0.009", "0, 0.009", "y of size is 0, but it must be above 0. Edge lengths in x, y and z; whole multiples of the spacing."});
+  check_complaint({"0.1, 0.009", "0, 0.009", "0, 0.009",
+                   "y of size is 0, but it must be above 0. Edge lengths in x, y and z. Of a body that is just this box, whole multiples of the spacing."});
   check_complaint({"panel: 0.001", "panel: 0", "0}}   #",
                    "panel is 0, but it must be above 0. Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles "
                    "reach 1.41 times it."});
@@ -103,7 +108,8 @@ TEST_CASE("mistakes: a word that is no choice") {
   check_complaint(
       {"detector: swept", "detector: sweept", "sweept", "detector is sweept, but it must be one of swept, published, analytic; did you mean swept?"});
   check_complaint({"axis: z", "axis: up", "up", "axis is up, but it must be one of x, y, z."});
-  check_complaint({"model: ordinary-state", "model: bond-based", "bond-based", "model is bond-based, which is not known; known here: ordinary-state."});
+  check_complaint({"model: ordinary-state", "model: elastic", "elastic",
+                   "model is elastic, which is not known; known here: ordinary-state, linear-peridynamic-solid, bond-based."});
   check_complaint(
       {"{cylinder: {diameter", "{cone: {diameter", "cone", "cone is not a key of impactors.cylinder.surface; known here: cylinder, sphere, box, file."});
   check_complaint({"{cylinder: {diameter", "{sphere: {diameter: 1, panel: 1}, cylinder: {diameter", "sphere",

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "fixtures/temporary_folder.hpp"
 #include "io/deck/fixtures.hpp"
 #include "io/deck/schema.hpp"
 
@@ -63,6 +64,15 @@ void check_alternative(const std::variant<T...>& a, const std::variant<T...>& b)
       a);
 }
 
+void check_solids(const std::vector<SolidSetup>& a, const std::vector<SolidSetup>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    CHECK(a[k].name == b[k].name);
+    check_fields(a[k], b[k]);
+    check_alternative(a[k].shape, b[k].shape);
+  }
+}
+
 void check_same(const Setup& a, const Setup& b) {
   check_fields(a, b);
   check_fields(a.time, b.time);
@@ -71,6 +81,11 @@ void check_same(const Setup& a, const Setup& b) {
     CHECK(a.bodies[i].name == b.bodies[i].name);
     check_fields(a.bodies[i], b.bodies[i]);
     check_alternative(a.bodies[i].shape, b.bodies[i].shape);
+    check_solids(a.bodies[i].parts, b.bodies[i].parts);
+    check_solids(a.bodies[i].holes, b.bodies[i].holes);
+    check_solids(a.bodies[i].regions, b.bodies[i].regions);
+    REQUIRE(a.bodies[i].cracks.size() == b.bodies[i].cracks.size());
+    for (std::size_t k = 0; k < a.bodies[i].cracks.size(); ++k) check_fields(a.bodies[i].cracks[k], b.bodies[i].cracks[k]);
     check_alternative(a.bodies[i].material, b.bodies[i].material);
   }
   REQUIRE(a.impactors.size() == b.impactors.size());
@@ -165,6 +180,87 @@ void fill_region(Random& random, RegionSetup& region) {
   }
 }
 
+/// A file of one particle.
+std::string point_file() {
+  static const fixtures::TemporaryFolder folder;
+  fixtures::put(folder / "points.csv", "x [m], y [m], z [m], volume [m3]\n0, 0, 0, 1\n");
+  return (folder / "points.csv").string();
+}
+
+template <class Shape>
+void fill_shape(Random& random, Shape& shape) {
+  std::visit(
+      [&]<class Chosen>(Chosen& chosen) {
+        fill_fields(random, chosen);
+        if constexpr (std::is_same_v<Chosen, FileSolid> || std::is_same_v<Chosen, CellsShape>) chosen.file = PROJECT_FOLDER "/LICENSE";  // exists
+        if constexpr (std::is_same_v<Chosen, PointsShape>) chosen.file = point_file();
+      },
+      shape);
+}
+
+std::vector<SolidSetup> some_solids(Random& random) {
+  const SolidShape shapes[] = {BoxSolid{}, CylinderSolid{}, SphereSolid{}, FileSolid{}};
+  std::vector<SolidSetup> solids;
+  for (std::size_t k = random() % 3; k > 0; --k) {
+    SolidSetup& solid = solids.emplace_back();
+    fill_fields(random, solid);
+    solid.name = "solid_" + std::to_string(k);
+    solid.shape = shapes[random() % std::size(shapes)];
+    fill_shape(random, solid.shape);
+  }
+  return solids;
+}
+
+void fill_shapes(Random& random, BodySetup& body) {
+  const BodyShape shapes[] = {BoxSolid{}, CylinderSolid{}, SphereSolid{}, FileSolid{}, PointsShape{}, CellsShape{}};
+  body.shape = shapes[random() % std::size(shapes)];
+  fill_shape(random, body.shape);
+  body.parts = some_solids(random), body.holes = some_solids(random), body.regions = some_solids(random);
+  if (!body.spacing) body.spacing = 0.01;
+  if (body.shape.index() >= 4) body.spacing.reset(), body.parts.clear();  // a cloud has none
+  const auto set_thickness = [&](auto* cloud) {
+    if (cloud) cloud->thickness = body.is_plane() ? std::optional(0.01) : std::nullopt;
+  };
+  set_thickness(std::get_if<PointsShape>(&body.shape)), set_thickness(std::get_if<CellsShape>(&body.shape));
+  if (body.is_plane() && (std::holds_alternative<SphereSolid>(body.shape) || std::holds_alternative<CylinderSolid>(body.shape)))
+    body.shape = BoxSolid{{1, 2, 3}};
+  if (auto* box = std::get_if<BoxSolid>(&body.shape); box && body.parts.empty() && random() % 2) {
+    body.rotate = {};
+    box->size = Vec3d{3, 20, 1} * *body.spacing;
+  } else {
+    body.rotate = {0, 0, 0.5};  // which no lattice fits anyhow, and a plane body may have
+  }
+  for (std::size_t k = random() % 3; k > 0; --k) {
+    CrackSetup& crack = body.cracks.emplace_back();
+    fill_fields(random, crack);
+    crack.name = "crack_" + std::to_string(k);
+  }
+}
+
+/// Any model, with one of the keys that say when bonds break, or none of them.
+void fill_material(Random& random, BodySetup& body) {
+  const MaterialSetup models[] = {OrdinaryStateSetup{}, LinearSolidSetup{}, BondBasedSetup{}};
+  body.material = models[random() % std::size(models)];
+  if (std::holds_alternative<LinearSolidSetup>(body.material) && !body.published) body.surface_correction.index = 0;
+  if (std::holds_alternative<LinearSolidSetup>(body.material)) body.published = false;
+  std::visit(
+      [&](auto& material) {
+        fill_fields(random, material);
+        const auto kept = random() % 4;
+        if (kept != 0) material.critical_stretch.reset();
+        if (kept != 1) material.fracture_energy.reset();
+        if (kept != 2) material.flexural_strength.reset();
+        if (!material.flexural_strength) material.layers.reset();
+        if (kept == 3 || !(material.critical_stretch || material.fracture_energy || material.flexural_strength)) return;
+        FailureSetup& failure = body.failure.emplace();
+        fill_fields(random, failure);
+        const bool is_limit = failure.compression.as<CompressionFailure>() == CompressionFailure::limit;
+        if (is_limit != failure.critical_compression.has_value()) failure.compression.index = 0, failure.critical_compression.reset();
+        if (!failure.weibull_modulus) failure.seed.reset();
+      },
+      body.material);
+}
+
 /// A Setup with values everywhere that a deck could have given.
 Setup some_setup(Random& random) {
   Setup setup;
@@ -176,8 +272,8 @@ Setup some_setup(Random& random) {
     fill_fields(random, body);
     body.name = name;
     if (body.published) body.family.index = 1, body.normalisation.index = 1, body.surface_correction.index = 3;
-    std::get<BoxSolid>(body.shape).size = Vec3d{3, 20, 1} * body.spacing;
-    fill_fields(random, std::get<OrdinaryStateSetup>(body.material));
+    fill_shapes(random, body);
+    fill_material(random, body);
   }
   const SurfaceSetup surfaces[] = {CylinderSurface{}, SphereSurface{}, BoxSurface{}, FileSurface{}};
   for (const SurfaceSetup& surface : surfaces) {
@@ -204,6 +300,8 @@ Setup some_setup(Random& random) {
     contact.radius_ratio = contact.friction = 0;
   else
     contact.detector = contact.reading = {detector_words}, contact.reading = Choice{reading_words};
+  fill_fields(random, setup.contact.fragments);
+  if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) setup.contact.fragments = {};
   fill_fields(random, setup.output);
   ProbeSetup& probe = setup.output.probes.emplace_back();
   fill_fields(random, probe);

@@ -4,7 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
+#include <span>
 #include <string>
 
 #include "fccda/core/error.hpp"
@@ -134,4 +136,32 @@ TEST_CASE("csv: names with commas and quotes stay one column") {
   const TemporaryFolder folder;
   write_csv(folder / "line.csv", std::vector<std::string>{"at 0,0 \"centre\" [m]", "b"}, std::vector{1.0, 2.0, 3.0, 4.5});
   CHECK(text_of(folder / "line.csv") == "\"at 0,0 \"\"centre\"\" [m]\",b\n1,2\n3,4.5\n");
+}
+
+TEST_CASE("file: one that grows can be gone on with behind its first bytes") {
+  const fixtures::TemporaryFolder folder;
+  fixtures::put(folder / "t.csv", "first\nsecond\nhal");
+  GrowingFile file(folder / "t.csv", 6);
+  CHECK(fixtures::text_of(folder / "t.csv") == "first\n");
+  file.append("other\n");
+  file.sync();
+  CHECK(file.size() == 12);
+  CHECK(fixtures::text_of(folder / "t.csv") == "first\nother\n");
+  CHECK_THROWS_AS(GrowingFile(folder / "none.csv", 0), fccda::RunError);
+}
+
+TEST_CASE("file: bytes can be written and read anywhere, and the end cut off") {
+  const fixtures::TemporaryFolder folder;
+  const auto bytes = [](std::string_view text) { return std::as_bytes(std::span(text)); };
+  WholeFile file(folder / "f");
+  file.write_at(3, bytes("def"));
+  file.write_at(0, bytes("abc"));
+  std::array<std::byte, 2> read{};
+  file.read_at(2, read);
+  CHECK(std::to_integer<char>(read[0]) == 'c');
+  CHECK(std::to_integer<char>(read[1]) == 'd');
+  CHECK_THROWS_AS(file.read_at(5, read), fccda::RunError);
+  file.resize(4);
+  file.finish();
+  CHECK(fixtures::text_of(folder / "f") == "abcd");
 }

@@ -27,3 +27,18 @@ TEST_CASE("pvd: after each frame the list names every frame with its time, and n
   CHECK(list() == head + first + second + tail);
   CHECK(fixtures::files_in(folder.path()) == std::set<std::string>{"plate & ice.pvd", "plate & ice_00000.vtp", "plate & ice_00001.vtp"});
 }
+
+TEST_CASE("pvd: a series that goes on lists the frames that it is given and those that follow, and removes later ones") {
+  const fixtures::TemporaryFolder folder, whole;
+  const auto frame = [](const std::filesystem::path& path) { write_whole_file(path, "frame"); };
+  for (const auto* each : {&folder, &whole}) {
+    Series plate(each->path(), "plate");
+    for (const double time : {0.0, 1e-6, 2e-6, 3e-6}) plate.add(time, frame);
+  }
+  fixtures::put(folder / "plate_00003.vtp", "later");
+  Series again(folder.path(), "plate", {0, 1e-6});
+  CHECK(fixtures::files_in(folder.path()) == std::set<std::string>{"plate.pvd", "plate_00000.vtp", "plate_00001.vtp"});
+  for (const double time : {2e-6, 3e-6}) again.add(time, frame);
+  CHECK(again.times() == std::vector<double>{0, 1e-6, 2e-6, 3e-6});
+  for (const std::string& name : fixtures::files_in(whole.path())) CHECK(fixtures::text_of(folder / name) == fixtures::text_of(whole / name));
+}

@@ -61,3 +61,15 @@ TEST_CASE("results: an unusable folder keeps the earlier run") {
   CHECK_THROWS_AS(ResultsFolder(folder.path()), fccda::InputError);
   CHECK(fixtures::text_of(folder / "run.json") == "earlier");
 }
+
+TEST_CASE("results: where an earlier run goes on its files stay, but for those in part and the one that says how it ended") {
+  const TemporaryFolder folder;
+  const Names kept = {"history.csv", "checkpoint.h5", "lines/along_x_t0.0002.csv", "frames/plate.pvd", "frames/plate_00000.vtp", "pressure_area/hull.csv",
+                      "notes.part"};
+  for (const std::string& name : kept) fixtures::put(folder / name, "x");
+  for (const char* name : {"run.json", "checkpoint.h5.part", "frames/plate_00001.vtp.part", "frames/plate.pvd.part"}) fixtures::put(folder / name, "x");
+  const ResultsFolder results(folder.path(), EarlierRun::continued);
+  CHECK(fixtures::files_in(folder.path()) == kept);
+  const ResultsFolder anew(folder.path());
+  CHECK(fixtures::files_in(folder.path()) == Names{"notes.part"});
+}

@@ -3,17 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <span>
 #include <type_traits>
 
 #include "fccda/core/parallel.hpp"
+#include "fixtures/snapshot.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulations.hpp"
 
-using namespace perimpact;
+namespace perimpact {
+
 using fixtures::run;
 using fixtures::value;
 
@@ -204,7 +207,7 @@ TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart,
   setup.impactors = {ball};
   double apart[2];
   for (const bool touches : {false, true}) {
-    setup.contact.fragments.law.index = touches;
+    setup.contact.fragments.law.index = touches ? 1 : 0;
     Simulation simulation(setup);
     const double before = value(simulation, "total.momentum_y [kg m/s]");
     run(simulation);
@@ -214,6 +217,36 @@ TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart,
   }
   CHECK(apart[0] < 0.5 * apart[1]);
   CHECK(apart[1] > 0.4);  // of a spacing; contact begins at 0.9 and gives way
+}
+
+TEST_CASE("fragments: a run left off and taken up by a simulation made anew goes on with the same bits and works") {
+  const Setup setup = shattering();
+  Simulation whole(setup);
+  std::optional<Simulation> resumed(std::in_place, setup);
+  while (!whole.clock().is_finished()) {
+    if (whole.clock().step % 7 == 3) {
+      const ::fixtures::Snapshot snapshot(*resumed);
+      resumed.emplace(setup);
+      snapshot.give(*resumed);
+    }
+    whole.step(), resumed->step();
+    REQUIRE(resumed->state_hash() == whole.state_hash());
+    REQUIRE(resumed->fragments()->friction_work() == whole.fragments()->friction_work());
+  }
+  CHECK(whole.fragments()->friction_work() > 0);
+}
+
+TEST_CASE("fragments: bodies of two dimensions touch others in their plane, and nothing else") {
+  std::string key;
+  Setup mixed = two_bars(PlaneState::none, 10, 1e-6);
+  mixed.bodies[1].plane.index = static_cast<int>(PlaneState::stress);
+  CHECK(fixtures::complaint(mixed, key) ==
+        "body right is plane and body left is not, but only bodies of the same dimension can touch; write law: none, or give both the same plane.");
+  CHECK(key == "contact.fragments.law");
+  Setup apart = two_bars(PlaneState::stress, 10, 1e-6);
+  apart.bodies[1].position.z = 0.001;
+  CHECK(fixtures::complaint(apart, key) ==
+        "the plane bodies left and right lie at z = 0 m and 0.001 m, but only bodies in one plane can touch; give them the same z, or write law: none.");
 }
 
 TEST_CASE("fragments: bodies that start nearer than they may are told of in a warning") {
@@ -238,3 +271,5 @@ TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap o
   CHECK(1 / (with * with) == doctest::Approx(1 / (without * without) + 12 * k * volume / (2 * fixtures::density)).epsilon(1e-9));
   CHECK(damped < with);
 }
+
+}  // namespace perimpact

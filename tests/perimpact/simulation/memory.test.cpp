@@ -3,21 +3,32 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "perimpact/bodies.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
 using namespace perimpact;
 
+namespace {
+
+std::vector<Discretisation> discretised(const Setup& setup) {
+  std::vector<Discretisation> bodies;
+  for (const BodySetup& body : setup.bodies) bodies.push_back(discretise(body));
+  return bodies;
+}
+
+}  // namespace
+
 TEST_CASE("memory: what a set-up is said to take is what its bodies then take, and a distance and a guess a slot for each impactor") {
   for (const SurfaceCorrection correction : {SurfaceCorrection::energy, SurfaceCorrection::volume, SurfaceCorrection::none}) {
     Setup setup;
     setup.bodies = {fixtures::body_setup({.size = {0.021, 0.015, 0.009}, .correction = correction})};
     const Body body = make_body(setup.bodies[0]);
-    const double before = memory_of(setup);
+    const double before = memory_of(setup, discretised(setup));
     CHECK(before == doctest::Approx(body.memory()).epsilon(0.01));  // the same arrays, numbers of particles rounded up; at ν = 1/4 no dilatation
     setup.impactors.resize(2);
-    CHECK(memory_of(setup) - before == doctest::Approx(2 * 12 * static_cast<double>(body.particles.slots())).epsilon(1e-9));
+    CHECK(memory_of(setup, discretised(setup)) - before == doctest::Approx(2 * 12 * static_cast<double>(body.particles.slots())).epsilon(1e-9));
   }
 }
 
@@ -25,10 +36,10 @@ TEST_CASE("memory: a set-up larger than the machine is refused at its largest bo
   Setup setup;
   setup.bodies = {fixtures::body_setup({.size = {1, 1, 0.1}}), fixtures::body_setup({.size = {2, 1, 0.1}})};
   setup.bodies[0].name = "small", setup.bodies[1].name = "large";
-  CHECK_NOTHROW(expect_to_fit(setup, 1.01 * memory_of(setup)));
+  CHECK_NOTHROW(expect_to_fit(setup, discretised(setup), 1.01 * memory_of(setup, discretised(setup))));
   std::string key, sentence;
   try {
-    expect_to_fit(setup, 32e9);
+    expect_to_fit(setup, discretised(setup), 32e9);
   } catch (const SetupError& error) {
     key = error.key(), sentence = error.what();
   }
@@ -36,7 +47,7 @@ TEST_CASE("memory: a set-up larger than the machine is refused at its largest bo
   CHECK(sentence.find("but this machine has 32 GB") != std::string::npos);
   const double spacing = std::stod(sentence.substr(sentence.find("at least ") + 9));
   for (BodySetup& body : setup.bodies) body.spacing = spacing;
-  CHECK(memory_of(setup) < 32e9);
+  CHECK(memory_of(setup, discretised(setup)) < 32e9);
 }
 
 TEST_CASE("memory: this machine has some") { CHECK(physical_memory() > 1e8); }

@@ -32,8 +32,6 @@ constexpr Face wedge_faces[] = {{0, 1, 2, none}, {3, 4, 5, none}, {0, 1, 4, 3}, 
 constexpr Edge hexahedron_edges[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 constexpr Face hexahedron_faces[] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
-bool is_solid(ElementKind kind) { return kind >= ElementKind::tetrahedron; }
-
 Solid solid_of(ElementKind kind) {
   switch (kind) {
     case ElementKind::tetrahedron:
@@ -210,6 +208,12 @@ class Skin {
 };
 
 }  // namespace
+
+bool is_solid(ElementKind kind) { return kind >= ElementKind::tetrahedron; }
+
+std::size_t corners_of(ElementKind kind, std::size_t nodes) { return is_solid(kind) ? solid_of(kind).corners : corners_of_surface(kind, nodes); }
+
+std::span<const std::array<int, 4>> faces_of(ElementKind kind) { return solid_of(kind).faces; }
 
 std::size_t nodes_of(ElementKind kind) {
   switch (kind) {

@@ -2,6 +2,7 @@
 /// formats: surface elements, and the skin of the solid ones.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -39,6 +40,15 @@ enum class ElementKind : std::uint8_t {
 
 /// How many nodes an element of this kind has; 0 for polygons.
 std::size_t nodes_of(ElementKind kind);
+
+bool is_solid(ElementKind kind);
+
+/// How many of an element's nodes, the first ones, are corners. `nodes`: all it has.
+std::size_t corners_of(ElementKind kind, std::size_t nodes);
+
+/// The faces of a solid by corner number, the fourth -1 where there are three. The first face is seen from within, the others from outside,
+/// where the nodes are in the order above.
+std::span<const std::array<int, 4>> faces_of(ElementKind kind);
 
 struct Elements {
   std::vector<Vec3d> vertices;     ///< of the nodes, in the file's unit

@@ -99,4 +99,22 @@ Panels read_panels(const std::filesystem::path& path, std::span<const std::strin
   return parse_panels(contents_of(path), path, parts);
 }
 
+Elements read_elements(const std::filesystem::path& path, std::span<const std::string> parts) {
+  const std::string name = path.string();
+  std::string known;
+  for (const Format& format : formats) {
+    const auto* parse = std::get_if<ElementsParser>(&format.parse);
+    if (!parse) continue;
+    if (!is_word(extension_of(path), format.extension)) {
+      known += (known.empty() ? "" : ", ") + std::string(format.extension);
+      continue;
+    }
+    const std::string contents = contents_of(path);
+    Elements elements = (*parse)(is_gzip(path) ? gunzip(contents, name) : contents, name);
+    keep_parts(elements, parts, name);
+    return elements;
+  }
+  throw InputError(name + ": a file of this kind has no cells that could be read; the formats of meshes are " + known + ".");
+}
+
 }  // namespace fccda

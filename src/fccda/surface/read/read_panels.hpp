@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "fccda/surface/file/elements.hpp"
 #include "fccda/surface/panels.hpp"
 
 namespace fccda {
@@ -19,5 +20,9 @@ Panels read_panels(const std::filesystem::path& path, std::span<const std::strin
 
 /// The same of contents that are in memory already, as of a file of that name. CAD files have to be files.
 Panels parse_panels(std::string_view contents, const std::filesystem::path& file, std::span<const std::string> parts = {});
+
+/// The elements of a mesh file, solid ones too, where its format has them: all parts, or those named. Throws InputError as read_panels does, and
+/// for formats that have surfaces only.
+Elements read_elements(const std::filesystem::path& path, std::span<const std::string> parts = {});
 
 }  // namespace fccda

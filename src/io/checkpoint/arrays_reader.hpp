@@ -1,0 +1,52 @@
+/// Reads what ArraysWriter wrote, and believes nothing that has been damaged.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "fccda/core/state.hpp"
+#include "io/checkpoint/number_type.hpp"
+
+namespace perimpact::checkpoint {
+
+/// Throws InputError where the file is not one of ArraysWriter, or not whole.
+class ArraysReader {
+ public:
+  explicit ArraysReader(const std::filesystem::path& path);
+  ~ArraysReader();
+
+  /// A visitor of state (fccda/core/state.hpp) that writes into it; lists get the length that they have in the file.
+  template <class Values>
+  void operator()(std::string_view name, Values&& values) {
+    using T = typename decltype(fccda::numbers_in(values))::value_type;
+    const std::string named(name);
+    const std::size_t count = length(named, number_type<T>());
+    if constexpr (fccda::is_list<std::remove_cvref_t<Values>>) values.resize(count);
+    const auto numbers = fccda::numbers_in(values);
+    expect(numbers.size() == count, "the array " + named + " has another length than here");
+    read(named, number_type<T>(), numbers.data(), count);
+  }
+
+  std::string text(const std::string& name);
+
+  std::int64_t integer(const char* name);
+  std::uint64_t natural(const char* name);
+  double number(const char* name);
+  std::string word(const char* name);
+
+  /// That all arrays of the file were read.
+  void expect_all_read();
+
+ private:
+  std::size_t length(const std::string& name, NumberType type);
+  void read(const std::string& name, NumberType type, void* numbers, std::size_t count);
+  void expect(bool sound, const std::string& what) const;
+
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace perimpact::checkpoint

@@ -1,0 +1,96 @@
+#include "io/checkpoint/arrays_writer.hpp"
+
+#include <fmt/format.h>
+
+#include "fccda/core/error.hpp"
+#include "io/checkpoint/fingerprint.hpp"
+#include "io/checkpoint/hdf5.hpp"
+#include "io/checkpoint/whole_file_driver.hpp"
+
+namespace perimpact::checkpoint {
+
+struct ArraysWriter::File {
+  explicit File(const std::filesystem::path& its_path) : path(its_path), whole(path), target{whole} {}
+  ~File() { hdf5.close(); }  // while there is still what it writes to
+
+  /// HDF5 fails for want of memory, or for a name that is there; a full disk is told by what the driver met.
+  void expect(bool done) const {
+    target.rethrow();
+    if (!done) throw fccda::RunError(fmt::format("{} cannot be written: HDF5 failed. Everything written before is intact.", path.string()));
+  }
+
+  Quiet quiet;
+  std::filesystem::path path;
+  output::WholeFile whole;
+  DriverTarget target;
+  Handle hdf5, with_groups;
+  std::uint64_t arrays = 0;
+};
+
+namespace {
+
+/// One array, or an attribute of it.
+Handle one_number() { return {H5Screate(H5S_SCALAR), H5Sclose}; }
+
+bool put_attribute(hid_t of, const char* name, hid_t type, const void* value) {
+  const Handle space = one_number();
+  const Handle attribute(H5Acreate2(of, name, type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  return attribute.is_open() && H5Awrite(attribute.id(), type, value) >= 0;
+}
+
+/// HDF5's type for a text of so many bytes; it knows none of length 0.
+Handle text_type(std::size_t bytes) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), bytes + 1);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  return type;
+}
+
+}  // namespace
+
+ArraysWriter::ArraysWriter(const std::filesystem::path& path) : file_(std::make_unique<File>(path)) {
+  const Handle access = file_access();
+  file_->expect(use_driver(access.id(), file_->target));
+  file_->hdf5 = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose);
+  file_->with_groups = Handle(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  file_->expect(file_->hdf5.is_open() && H5Pset_create_intermediate_group(file_->with_groups.id(), 1) >= 0);
+}
+
+ArraysWriter::~ArraysWriter() = default;
+
+void ArraysWriter::write(const std::string& name, NumberType type, const void* numbers, std::size_t count) {
+  const hsize_t length = count;
+  const Handle space(H5Screate_simple(1, &length, nullptr), H5Sclose);
+  const hid_t kind = type_in_memory(type);
+  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), kind, space.id(), file_->with_groups.id(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  const std::uint64_t sum = fingerprint(name, numbers, count * H5Tget_size(kind));
+  file_->expect(array.is_open() && (count == 0 || H5Dwrite(array.id(), kind, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) >= 0) &&
+                put_attribute(array.id(), "fingerprint", H5T_NATIVE_UINT64, &sum));
+  ++file_->arrays;
+}
+
+void ArraysWriter::text(const std::string& name, std::string_view text) {
+  const std::string ended(text);
+  const Handle type = text_type(ended.size()), space = one_number();
+  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  const std::uint64_t sum = fingerprint(name, ended.data(), ended.size());
+  file_->expect(array.is_open() && H5Dwrite(array.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, ended.c_str()) >= 0 &&
+                put_attribute(array.id(), "fingerprint", H5T_NATIVE_UINT64, &sum));
+}
+
+void ArraysWriter::number(const char* name, std::int64_t value) { file_->expect(put_attribute(file_->hdf5.id(), name, H5T_NATIVE_INT64, &value)); }
+void ArraysWriter::number(const char* name, std::uint64_t value) { file_->expect(put_attribute(file_->hdf5.id(), name, H5T_NATIVE_UINT64, &value)); }
+void ArraysWriter::number(const char* name, double value) { file_->expect(put_attribute(file_->hdf5.id(), name, H5T_NATIVE_DOUBLE, &value)); }
+void ArraysWriter::word(const char* name, const std::string& word) {
+  const Handle type = text_type(word.size());
+  file_->expect(put_attribute(file_->hdf5.id(), name, type.id(), word.c_str()));
+}
+
+void ArraysWriter::finish() {
+  number("arrays", file_->arrays);
+  file_->expect(file_->hdf5.close());
+  file_->whole.finish();
+  output::sync_folder(file_->path.has_parent_path() ? file_->path.parent_path() : ".");
+}
+
+}  // namespace perimpact::checkpoint

@@ -1,0 +1,130 @@
+#include "io/deck/point_list.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+#include "io/deck/units.hpp"
+#include "io/deck/yaml_node.hpp"
+
+namespace perimpact::deck {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> column_names = {"x", "y", "z", "volume"};
+constexpr std::string_view header_example = "\"x [m], y [m], z [m], volume [m3]\"";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\"");  // spreadsheets put names in quotes
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+}
+
+/// What stands between the commas of a line.
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    cells.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return cells;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+class Parser {
+ public:
+  explicit Parser(const std::string& file) : file_(file) {}
+
+  void header(std::string_view line) {
+    ++line_;
+    const auto cells = cells_of(line.starts_with("\xEF\xBB\xBF") ? line.substr(3) : line);
+    std::array<bool, 4> is_named{};
+    if (cells.size() != column_names.size()) fail_header(line);
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+      const std::size_t open = cells[cell].find('[');
+      if (open == std::string_view::npos || !cells[cell].ends_with(']')) fail_header(line);
+      const std::string_view name = trimmed(cells[cell].substr(0, open));
+      std::size_t column = 0;
+      while (column < column_names.size() && column_names[column] != name) ++column;
+      if (column == column_names.size() || is_named[column]) fail_header(line);
+      is_named[column] = true;
+      column_of_[cell] = column;
+      factor_[column] = factor(cells[cell].substr(open + 1, cells[cell].size() - open - 2), column < 3 ? "m" : "m3");
+    }
+  }
+
+  void row(std::string_view line) {
+    ++line_;
+    if (trimmed(line).empty()) return;
+    std::array<double, 4> values{};
+    std::string_view rest = line;
+    for (std::size_t cell = 0; cell < values.size(); ++cell) {
+      const std::size_t comma = rest.find(',');
+      if ((comma == std::string_view::npos) != (cell + 1 == values.size())) fail_row(line);
+      values[column_of_[cell]] = factor_[column_of_[cell]] * number(trimmed(rest.substr(0, comma)), line);
+      rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+    }
+    if (!(values[3] > 0)) fail(fmt::format("the volume is {} m3, but a particle needs one above 0; mend the row, or leave it out.", values[3]));
+    list_.points.push_back({values[0], values[1], values[2]});
+    list_.volumes.push_back(values[3]);
+  }
+
+  PointList finish() {
+    if (list_.points.empty()) fail("there is no row of numbers below the first line; write the file again.");
+    return std::move(list_);
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view sentence) const { refuse(fmt::format("{}:{}", file_, line_), sentence); }
+
+  [[noreturn]] void fail_header(std::string_view line) const {
+    fail(fmt::format("the first line is \"{}\", but it must name the four columns with their units: {}.", trimmed(line.substr(0, 60)), header_example));
+  }
+
+  [[noreturn]] void fail_row(std::string_view line) const {
+    fail(fmt::format("\"{}\" is not four numbers with commas between; mend the row.", trimmed(line.substr(0, 60))));
+  }
+
+  double factor(std::string_view unit, std::string_view si) const {
+    const Converted one = to_si(fmt::format("1 {}", unit), si);
+    if (!one.complaint.empty()) fail(fmt::format("the unit of a column is [{}], but {}.", unit, one.complaint));
+    return one.value;
+  }
+
+  double number(std::string_view word, std::string_view line) const {
+    const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
+    double value{};
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) fail_row(line);
+    return value;
+  }
+
+  const std::string& file_;
+  std::size_t line_ = 0;
+  std::array<std::size_t, 4> column_of_{};
+  std::array<double, 4> factor_{1, 1, 1, 1};
+  PointList list_;
+};
+
+}  // namespace
+
+PointList read_point_list(const std::filesystem::path& path, const std::string& place) {
+  const std::string file = std::filesystem::absolute(path).lexically_normal().string();
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) refuse(place, fmt::format("there is no file {}; relative names start at the deck's folder.", file));
+  std::ifstream stream(path);
+  if (!stream) refuse(place, fmt::format("the file {} cannot be opened; check that you may read it.", file));
+  Parser parser(file);
+  std::string line;
+  std::getline(stream, line);
+  parser.header(line);
+  while (std::getline(stream, line)) parser.row(line);
+  return parser.finish();
+}
+
+}  // namespace perimpact::deck

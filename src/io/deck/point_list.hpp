@@ -1,0 +1,26 @@
+/// Particles from a CSV file:
+///
+///   x [m], y [m], z [m], volume [m3]
+///   0, 0, 0, 1e-9
+///   0.001, 0, 0, 1e-9
+///
+/// The first line names the four columns, in any order, with their units, which are converted to SI.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fccda/core/vec3.hpp"
+
+namespace perimpact::deck {
+
+struct PointList {
+  std::vector<fccda::Vec3d> points;  ///< [m]
+  std::vector<double> volumes;       ///< [m³], all above 0
+};
+
+/// Throws InputError: at `place` (of the deck) where there is no such file, else at "file:line" of what cannot be used.
+PointList read_point_list(const std::filesystem::path& file, const std::string& place);
+
+}  // namespace perimpact::deck

@@ -1,0 +1,173 @@
+"""A run that was stopped at any moment goes on from its checkpoint and ends with the very same numbers."""
+
+import random
+import re
+import resource
+import shutil
+import signal
+import time
+
+from claims import claim, main
+
+# 600 steps of 960 particles, whose bonds break; some tenths of a second
+STEPS = ("time: {end: 20 us}", "time: {end: 30 us, step: 0.05 us}")
+BREAKS = ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002")
+MORE = ("  history: 2 us", "  history: 0.7 us\n  checkpoint_every: 10 ms")
+LINE = ("to: [0, 30 mm, 0]}", "to: [0, 30 mm, 0], times: [3 us, 17 us, 30 us]}")
+TIME_DEPENDENT = ("run.json", "checkpoint.h5")  # tell how long it took, and where it was resumed
+
+
+def deck(t, *changes):
+    return t.deck(STEPS, BREAKS, MORE, LINE, *changes)
+
+
+def run(t, *arguments, threads=2):
+    t.environment["OMP_NUM_THREADS"] = str(threads)
+    return t.run_program("run", *arguments)
+
+
+def expect_same(t, folder, whole):
+    """All files but those that tell of wall times are the same, byte for byte, and run.json says the same of the run."""
+    t.assertEqual(t.files(folder), t.files(whole))
+    for name in t.files(whole):
+        if name not in TIME_DEPENDENT:
+            t.assertEqual((t.folder / folder / name).read_bytes(), (t.folder / whole / name).read_bytes(), name)
+    report, wanted = t.report(folder), t.report(whole)
+    for each in report, wanted:
+        for key in ("wall [s]", "timers [s]", "threads", "resumed_at_steps"):
+            each.pop(key, None)
+        for impactor in each["impactors"].values():  # what detectors remember of distances is looked up again
+            for detection in impactor["detection"].values():
+                for key in ("points_in_region", "points_asked", "panels_asked"):
+                    del detection[key]
+    t.assertEqual(report, wanted)
+
+
+def stop(t, which, seconds, *arguments, threads):
+    """Starts the run and sends it the signal after that time. Exit code and output; None where it had ended before."""
+    t.environment["OMP_NUM_THREADS"] = str(threads)
+    process = t.start("run", *arguments)
+    time.sleep(seconds)
+    process.send_signal(which)
+    out, err = process.communicate(timeout=60)
+    t.assertEqual(err, "")
+    return process.returncode, out
+
+
+@claim("resume: stopped by Ctrl-C, SIGTERM or SIGKILL, then resumed with other numbers of threads, a run ends as if nothing had happened")
+def _(t):
+    name, chance = deck(t), random.Random(1)
+    begun = time.monotonic()
+    t.assertEqual(run(t, name, "--out", "whole").code, 0)
+    duration = time.monotonic() - begun
+    resumed = 0
+    for which, code in (signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGKILL, -9):
+        shutil.rmtree(t.folder / "r", ignore_errors=True)
+        resume = []
+        for threads in (1, 3, 2, 4):
+            ended, out = stop(t, which, chance.uniform(0.1, 0.7) * duration, name, "--out", "r", *resume, threads=threads)
+            t.assertIn(ended, (0, code, -which), out)  # a signal may come before there is anybody to hear it
+            if ended == code == 128 + which:
+                t.assertIn("perimpact run deck.yaml --out r --resume goes on from here", out)
+            resume = ["--resume"] if (t.folder / "r/checkpoint.h5").exists() else []
+        done = run(t, name, "--out", "r", *resume, threads=1)
+        t.assertEqual(done.code, 0, done)
+        resumed += len(t.report("r").get("resumed_at_steps", []))
+        expect_same(t, "r", "whole")
+    t.assertGreater(resumed, 3)
+
+
+@claim("resume: an interrupted run says how to go on, and run.json says at which steps it did")
+def _(t):
+    changes = ["--set", "impactors.cylinder.velocity=[0, -30, 0]", "--set", "output.checkpoint_every=0"]
+    name = deck(t)
+    t.assertEqual(run(t, name, "--out", "whole", *changes).code, 0)
+    process = t.start("run", name, "--out", "it is here", *changes)
+    history = t.folder / "it is here/history.csv"
+    while not history.exists() or history.read_bytes().count(b"\n") < 3:
+        t.assertIsNone(process.poll())
+        time.sleep(0.005)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    t.assertEqual((process.returncode, err), (130, ""))
+    step = int(re.search(r"\(step (\d+) of 600\)", out)[1])
+    command = re.search(r"; perimpact (run .*) goes on from here", out)[1]
+    t.assertEqual(command, f"run deck.yaml --out 'it is here' --set 'impactors.cylinder.velocity=[0, -30, 0]' --set output.checkpoint_every=0 --resume")
+    done = run(t, name, "--out", "it is here", *changes, "--resume", threads=1)
+    t.assertEqual((done.code, done.err), (0, ""))
+    t.assertIn(f"Resumed at step {step} (t = ", done.out)
+    t.assertEqual(t.report("it is here")["resumed_at_steps"], [step])
+    t.assertNotIn("resumed_at_steps", t.report("whole"))
+    expect_same(t, "it is here", "whole")
+
+
+@claim("resume: a finished run is left as it is, and where the end was not told yet it is told")
+def _(t):
+    name = deck(t)
+    t.assertEqual(run(t, name, "--out", "r").code, 0)
+    before = {file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}
+    done = run(t, name, "--out", "r", "--resume")
+    t.assertEqual((done.code, done.out), (0, "The run in r is finished (step 600 of 600): there is nothing to resume.\n"))
+    t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}, before)
+    shutil.copytree(t.folder / "r", t.folder / "whole")
+    (t.folder / "r/run.json").unlink()
+    t.assertEqual(run(t, name, "--out", "r", "--resume").code, 0)
+    expect_same(t, "r", "whole")
+
+
+@claim("resume: what cannot be resumed is refused with 2 and a sentence, and nothing of it is lost")
+def _(t):
+    name = deck(t)
+    t.expect_complaint(run(t, name, "--out", "r", "--resume"), 2, "there is no checkpoint r/checkpoint.h5", "run without --resume")
+    t.assertFalse((t.folder / "r").exists())
+    t.assertEqual(run(t, name, "--out", "r", "--set", "output.folder=other").code, 0)
+    (t.folder / "r/run.json").unlink()
+    before = {file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}
+    place = "deck.yaml:6:14: bodies.plate.spacing is 0.01 here, but 0.005 in the run of the checkpoint r/checkpoint.h5"
+    t.expect_complaint(run(t, t.deck(STEPS, BREAKS, MORE, LINE, ("spacing: 5 mm", "spacing: 10 mm")), "--out", "r", "--resume"), 2, place, "same deck")
+    deck(t)
+    t.expect_complaint(run(t, name, "--out", "r", "--resume", "--set", "time.end=40 us"), 2, "--set time.end: time.end is 4e-05 here, but 3e-05 in the run")
+    t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}, before)
+    (t.folder / "r/checkpoint.h5").write_bytes(before["checkpoint.h5"][:-1])
+    t.expect_complaint(run(t, name, "--out", "r", "--resume"), 2, "r/checkpoint.h5 is damaged", "start anew without --resume")
+    del before["checkpoint.h5"]
+    t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in before}, before)
+
+
+@claim("resume: a run begun anew where an unfinished one could go on says so, and one that replaces a finished one does not")
+def _(t):
+    name = t.deck(("end: 20 us", "end: 100 s"), MORE)
+    process = t.start("run", name, "--out", "r")
+    while not (t.folder / "r/checkpoint.h5").exists():
+        t.assertIsNone(process.poll())
+        time.sleep(0.005)
+    process.kill()
+    process.communicate()
+    small = t.deck(name="small.yaml")
+    done = run(t, small, "--out", "r")
+    t.assertRegex(done.out, r"The unfinished run in r \(step \d+ of \d+\) is replaced; --resume would have gone on with it\.")
+    t.assertNotIn("unfinished", run(t, small, "--out", "r").out)
+    t.expect_success("run", small, "--out", "fresh")
+    expect_same(t, "r", "fresh")
+
+
+@claim("resume: an error says which the last checkpoint is, and after a full disk the run goes on from it")
+def _(t):
+    # history.csv outgrows the checkpoint, and the limit
+    name = deck(t, ("[100 mm, 60 mm, 20 mm]", "[30 mm, 60 mm, 20 mm]"), ("history: 0.7 us", "history: 0.05 us"))
+    t.assertEqual(run(t, name, "--out", "whole").code, 0)
+    room = (t.folder / "whole/checkpoint.h5").stat().st_size + 20_000
+    t.assertGreater((t.folder / "whole/history.csv").stat().st_size, room + 10_000)
+    quick = ["--set", "output.checkpoint_every=1 us"]
+    done = t.run_program("run", name, "--out", "r", *quick, limits={resource.RLIMIT_FSIZE: room})
+    t.expect_complaint(done, 3, "r/history.csv cannot be written", "ulimit -f")
+    t.assertRegex(done.err, r"The last checkpoint is that of step \d+; perimpact run deck\.yaml --out r --set 'output.checkpoint_every=1 us' --resume goes on from it\.")
+    t.expect_success("run", name, "--out", "r", "--resume")
+    expect_same(t, "r", "whole")
+    blows_up = t.deck(("end: 20 us", "end: 1 ms, step: 1.87 us"), MORE, ("frames: 4", "frames: 0"))
+    done = t.run_program("run", blows_up, "--out", "r2", *quick)
+    t.expect_complaint(done, 3, "At step ", "The last checkpoint is that of step ")
+    t.assertNotIn("goes on from it", done.err)
+
+
+main()

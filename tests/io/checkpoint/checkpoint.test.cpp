@@ -1,0 +1,191 @@
+#include "io/checkpoint/checkpoint.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <functional>
+
+#include "fccda/core/error.hpp"
+#include "fixtures/temporary_folder.hpp"
+#include "io/checkpoint/arrays_writer.hpp"
+#include "io/checkpoint/checkpoints.hpp"
+#include "io/deck/deck.hpp"
+#include "perimpact/setup/setup_error.hpp"
+
+using namespace perimpact;
+
+namespace {
+
+const std::string small = R"(
+title: Small plate
+time: {end: 20 us, step: 1 us}
+bodies:
+  plate:
+    shape: {box: {size: [40 mm, 40 mm, 20 mm]}}
+    spacing: 5 mm
+    material: {model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000, critical_stretch: 1e-3}
+impactors:
+  block:
+    surface: {file: block.obj}
+    mass: 1
+    position: [0, 36 mm, 0]
+    velocity: [0, -200, 0]
+    free: [y]
+output: {frames: 3, history: 2 us, checkpoint_every: 0}
+)";
+
+/// A box of 2 · 16 mm in y that reaches that far in x; wound outward.
+std::string block(double half_width) {
+  std::string text;
+  for (const double x : {-half_width, half_width})
+    for (const double y : {-0.016, 0.016})
+      for (const double z : {-0.02, 0.02}) text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+  return text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
+}
+
+struct Scene {
+  fixtures::TemporaryFolder folder;
+  std::filesystem::path results = folder / "r", file = folder / "r/checkpoint.h5";
+
+  Scene() { fixtures::put(folder / "block.obj", block(0.02)); }
+  Setup setup(const std::vector<std::string>& changes = {}) const { return deck::read_deck_text(small, "deck.yaml", folder.path(), changes).setup; }
+
+  /// Runs up to a step and leaves a checkpoint.
+  void run_to(long step) const {
+    Simulation simulation(setup());
+    Checkpoints checkpoints(file, simulation);
+    ResultsWriter writer(simulation, results);
+    while (simulation.clock().step < step) simulation.step(), writer.after_step(simulation);
+    checkpoints.write(simulation, writer);
+  }
+
+  /// What a try to resume is refused with, and the key.
+  std::string complaint(const Setup& wanted, std::string* key = nullptr) const {
+    try {
+      Checkpoint checkpoint(file);
+      checkpoint.expect_deck(wanted);
+      Simulation simulation(wanted);
+      const Written written = checkpoint.restore(simulation, fingerprint_at_start(simulation));
+      ResultsWriter writer(simulation, results, written);
+    } catch (const SetupError& error) {
+      if (key) *key = error.key();
+      return error.what();
+    } catch (const fccda::InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+void append(const std::filesystem::path& path, const std::string& text) { std::ofstream(path, std::ios::app) << text; }
+
+}  // namespace
+
+TEST_CASE("checkpoint: a simulation made anew goes on from it to the same state, and the results to the same files") {
+  Scene whole, parted;
+  whole.run_to(20);
+  parted.run_to(9);
+  // what a run wrote behind its checkpoint before it was killed
+  append(parted.results / "history.csv", "1,2,3\n4,5");
+  append(parted.results / "pressure_area/block.csv", "6,7");
+  fixtures::put(parted.results / "frames/plate_00002.vtp", "later");
+  fixtures::put(parted.results / "frames/block_00004.vtp.part", "in part");
+  fixtures::put(parted.results / "run.json", "of a run that was interrupted");
+
+  Checkpoint checkpoint(parted.file);
+  CHECK(checkpoint.step() == 9);
+  CHECK(checkpoint.steps() == 20);
+  CHECK(!checkpoint.is_finished());
+  checkpoint.expect_deck(parted.setup());
+  Simulation simulation(parted.setup());
+  Checkpoints checkpoints(parted.file, simulation);
+  ResultsWriter writer(simulation, parted.results, checkpoints.resume(checkpoint, simulation));
+  CHECK(checkpoints.last() == 9);
+  CHECK(writer.resumed_at() == std::vector<std::int64_t>{9});
+  CHECK(simulation.clock().step == 9);
+  CHECK(!std::filesystem::exists(parted.results / "frames/plate_00002.vtp"));
+  while (!simulation.clock().is_finished()) simulation.step(), writer.after_step(simulation);
+  checkpoints.write(simulation, writer);
+  CHECK(Checkpoint(parted.file).is_finished());
+
+  Simulation other(whole.setup());
+  while (!other.clock().is_finished()) other.step();
+  CHECK(simulation.state_hash() == other.state_hash());
+  CHECK(simulation.bodies()[0].internal.broken_bonds() > 0);
+  std::set<std::string> names = fixtures::files_in(whole.results);
+  CHECK(names.count("pressure_area/block.csv") == 1);
+  CHECK(fixtures::files_in(parted.results) == names);
+  names.erase("checkpoint.h5");  // it knows where the run was resumed, and what detection had to ask again
+  for (const std::string& name : names) CHECK_MESSAGE(fixtures::text_of(parted.results / name) == fixtures::text_of(whole.results / name), name);
+}
+
+TEST_CASE("checkpoint: where there is none, that is said") {
+  const Scene scene;
+  CHECK(scene.complaint(scene.setup()) == "there is no checkpoint " + scene.file.string() + ", so there is nothing to resume; run without --resume.");
+}
+
+TEST_CASE("checkpoint: one of another version is refused") {
+  const Scene scene;
+  std::filesystem::create_directories(scene.results);
+  checkpoint::ArraysWriter file(scene.file);
+  file.word("program", "perimpact 0.0.1");
+  file.finish();
+  CHECK(scene.complaint(scene.setup()) == scene.file.string() + " was written by perimpact 0.0.1, but this is perimpact " PERIMPACT_VERSION
+                                                                ", whose numbers may differ; resume with the version that began, or start "
+                                                                "anew without --resume.");
+}
+
+TEST_CASE("checkpoint: one of another deck is refused with the first key that differs and both values, but folder and interval may") {
+  const Scene scene;
+  scene.run_to(3);
+  std::string key;
+  CHECK(scene.complaint(scene.setup({"impactors.block.mass=2", "output.frames=4"}), &key) ==
+        "impactors.block.mass is 2 here, but 1 in the run of the checkpoint " + scene.file.string() +
+            "; resume with the same deck, or start anew without --resume.");
+  CHECK(key == "impactors.block.mass");
+  CHECK(scene.complaint(scene.setup({"bodies.plate.horizon_ratio=4"}), &key).find("is 4 here, but 3.015 in the run") != std::string::npos);
+  CHECK(scene.complaint(scene.setup({"output.probes.tip={body: plate, at: [0, 0, 0]}"}), &key).find("but not given in the run") != std::string::npos);
+  CHECK(key == "output.probes.tip");
+  CHECK(scene.complaint(scene.setup({"output.folder=elsewhere", "output.checkpoint_every=7 s"})).empty());
+}
+
+TEST_CASE("checkpoint: a surface file that says something else now is seen, and one that lies elsewhere is not") {
+  const Scene scene;
+  scene.run_to(3);
+  fixtures::put(scene.folder / "block.obj", block(0.0201));  // as many panels, the same mass, motion and distance
+  CHECK(scene.complaint(scene.setup()).find("a file that the deck names has changed since") != std::string::npos);
+  fixtures::put(scene.folder / "moved/block.obj", block(0.02));
+  CHECK(scene.complaint(scene.setup({"impactors.block.surface.file=moved/block.obj"})).empty());
+}
+
+TEST_CASE("checkpoint: tables that hold less than they did are refused before anything is changed") {
+  for (const char* name : {"history.csv", "pressure_area/block.csv"}) {
+    const Scene scene;
+    scene.run_to(9);
+    const auto table = scene.results / name;
+    const std::string text = fixtures::text_of(table);
+    append(scene.results / "history.csv", "later");
+    fixtures::put(table, text.substr(0, text.size() - 1));
+    const std::string history = fixtures::text_of(scene.results / "history.csv");
+    CHECK(scene.complaint(scene.setup()) == table.string() +
+                                                " holds less than when the checkpoint was written, so the run cannot go on with it; put it back, or start anew "
+                                                "without --resume.");
+    CHECK(fixtures::text_of(scene.results / "history.csv") == history);
+    std::filesystem::remove(table);
+    CHECK(scene.complaint(scene.setup()).find("is not there, so the run cannot go on") != std::string::npos);
+  }
+}
+
+TEST_CASE("checkpoint: one is written when its time has come, and with interval 0 only when asked for") {
+  const Scene scene;
+  for (const char* every : {"0", "1 h", "1e-9 s"}) {
+    Simulation simulation(scene.setup({std::string("output.checkpoint_every=") + every}));
+    Checkpoints checkpoints(scene.file, simulation);
+    ResultsWriter writer(simulation, scene.results);
+    simulation.step();
+    checkpoints.after_step(simulation, writer);
+    CHECK(checkpoints.last().has_value() == (std::string(every) == "1e-9 s"));
+    checkpoints.write(simulation, writer);
+    CHECK(Checkpoint(scene.file).step() == 1);
+  }
+}
