@@ -66,6 +66,7 @@ ShortRange::Got ShortRange::add_to(std::size_t m, std::span<const TouchingBody> 
   const NearPairs::Member& i = near_pairs_.members()[m];
   const TouchingBody& body = bodies[i.body];
   const std::uint8_t* bonds = body.family.bytes(i.slot / byte_lanes);
+  const bool exposed = near_pairs_.is_exposed(i);
   const Vec3d place = position_.at(m), speed = velocity_.at(m);
   Got got;
   Vec3d spring{}, dashpot{}, friction{};
@@ -75,7 +76,7 @@ ShortRange::Got ShortRange::add_to(std::size_t m, std::span<const TouchingBody> 
     const double length = norm(between);
     if (!(length < distance) || length == 0) return;  // two in one place are pushed nowhere
     if (bond != NearPairs::no_bond && ((bonds[bond] >> (i.slot % byte_lanes)) & 1u)) return;
-    if (!near_pairs_.is_exposed(i) && !near_pairs_.is_exposed(j)) return;
+    if (!exposed && !near_pairs_.is_exposed(j)) return;
     const TouchingBody& its = bodies[j.body];
     const double k = i.body == j.body ? body.stiffness : in_series(body.stiffness, its.stiffness);
     const double mass_i = body.particles.density() * i.volume, mass_j = its.particles.density() * j.volume;
