@@ -20,6 +20,10 @@ double InternalForce::evaluate_with_energy(Particles& particles, Family& family)
   return sum;
 }
 
+void InternalForce::evaluate_unbroken(Particles& particles, Family& family) {
+  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.may_break = false}, rows_); }, kind_);
+}
+
 void InternalForce::evaluate_scalar(Particles& particles, Family& family) {
   std::visit([&](auto& force) { force.template pass<double>(particles, family, {}, rows_); }, kind_);
 }

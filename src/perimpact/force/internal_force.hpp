@@ -20,6 +20,9 @@ class InternalForce {
   /// The same, and returns the elastic energy at these positions [J].
   double evaluate_with_energy(Particles& particles, Family& family);
 
+  /// The same as evaluate(), and breaks no bond.
+  void evaluate_unbroken(Particles& particles, Family& family);
+
   /// The same as evaluate(), one particle at a time: the oracle of the tests.
   void evaluate_scalar(Particles& particles, Family& family);
 

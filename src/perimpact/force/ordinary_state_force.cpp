@@ -178,6 +178,7 @@ void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOp
     using Bonds = std::decay_t<decltype(bonds)>;
     const BodyView<Bonds, std::decay_t<decltype(constants)>> body{
         particles, particles.position.pointers(), particles.force_density, theta_.component(0), bonds, constants, correction_, law_, rows};
+    if (!options.may_break) return run<Pack>(body, Unbreakable{}, options, corrections);
     breaking_.template choose<Bonds>(family, [&](const auto& breaker) { run<Pack>(body, breaker, options, corrections); });
   };
   const double* half = correction_.own_family().component(0);

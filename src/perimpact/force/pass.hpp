@@ -17,6 +17,7 @@ struct RowSums {
 
 struct PassOptions {
   bool with_energy = false;
+  bool may_break = true;  ///< false: bonds that are too long stay
 };
 
 /// Σ of energy density times volume over the particles of a pack [J].

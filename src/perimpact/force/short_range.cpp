@@ -51,15 +51,25 @@ void ShortRange::add_forces(std::span<const TouchingBody> bodies, double dt) {
   for_each_member([&](std::size_t m) { got_[m] = add_to(m, bodies, dt); });
 
   // one after the other: sums of parts would depend on who is in the list
-  Got all;
+  double energy = 0;
   std::size_t touching = 0;
-  for (const Got& got : got_) {
-    all.energy += got.energy, all.friction += got.friction, all.restitution += got.restitution;
-    touching += got.touching;
-  }
-  energy_ = all.energy;
+  for (const Got& got : got_) energy += got.energy, touching += got.touching;
+  energy_ = energy;
   touching_ = touching / 2;
-  work_[0] -= all.friction * dt, work_[1] -= all.restitution * dt;
+}
+
+void ShortRange::note_work(std::span<const TouchingBody> bodies, double dt) {
+  if (law_.friction == 0 && law_.damping_ratio == 0) return;
+  double friction = 0, restitution = 0;  // [W]
+  for (std::size_t m = 0; m < got_.size(); ++m) {
+    if (got_[m].touching == 0) continue;
+    const NearPairs::Member& member = near_pairs_.members()[m];
+    const Particles& particles = bodies[member.body].particles;
+    const Vec3d middle = particles.velocity.at(member.slot) + (0.5 * dt / particles.density()) * particles.force_density.at(member.slot);
+    friction += dot(got_[m].friction, middle);
+    restitution += dot(got_[m].dashpot, middle);
+  }
+  work_[0] -= friction * dt, work_[1] -= restitution * dt;
 }
 
 ShortRange::Got ShortRange::add_to(std::size_t m, std::span<const TouchingBody> bodies, double dt) const {
@@ -69,7 +79,7 @@ ShortRange::Got ShortRange::add_to(std::size_t m, std::span<const TouchingBody> 
   const bool exposed = near_pairs_.is_exposed(i);
   const Vec3d place = position_.at(m), speed = velocity_.at(m);
   Got got;
-  Vec3d spring{}, dashpot{}, friction{};
+  Vec3d spring{};
   for_each_near(near_pairs_.pairs_of(m), position_, place, [&](std::size_t other, double distance, std::uint32_t bond) {
     const NearPairs::Member& j = near_pairs_.members()[other];
     const Vec3d between = position_.at(other) - place;
@@ -86,16 +96,12 @@ ShortRange::Got ShortRange::add_to(std::size_t m, std::span<const TouchingBody> 
                                        .stiffness = k * (i.volume * j.volume),
                                        .reduced_mass = mass_i * mass_j / (mass_i + mass_j)},
                                       law_, dt);
-    spring += force.spring, dashpot += force.dashpot, friction += force.friction;
+    spring += force.spring, got.dashpot += force.dashpot, got.friction += force.friction;
     got.energy += 0.5 * force.energy;
     ++got.touching;
   });
   if (got.touching == 0) return got;
-  const Vec3d density = body.particles.force_density.at(i.slot) + (spring + dashpot + friction) / i.volume;
-  body.particles.force_density.set(i.slot, density);
-  const Vec3d middle = speed + (0.5 * dt / body.particles.density()) * density;  // of the step's kick: what its work counts with
-  got.friction = dot(friction, middle);
-  got.restitution = dot(dashpot, middle);
+  body.particles.force_density.set(i.slot, body.particles.force_density.at(i.slot) + (spring + got.dashpot + got.friction) / i.volume);
   return got;
 }
 

@@ -19,9 +19,11 @@ class ShortRange {
  public:
   ShortRange(const ShortRangeLaw& law, std::span<const TouchingBody> bodies);
 
-  /// Adds to force_density of all bodies, which must hold all other forces: the work of friction and dashpots is that of the step dt [s] that
-  /// follows, from v to v + f dt/ρ, at their mean. The law takes v, which is half a step old.
+  /// Adds to force_density of all bodies. The law takes the velocities as they are, half a step old; `dt` [s] bounds friction.
   void add_forces(std::span<const TouchingBody> bodies, double dt);
+
+  /// Once force_density holds all forces: notes what friction and dashpots take in the step dt [s] that follows, from v to v + f dt/ρ, at their mean.
+  void note_work(std::span<const TouchingBody> bodies, double dt);
 
   double energy() const { return energy_; }             ///< [J] of the springs, at the last evaluation
   std::size_t touching() const { return touching_; }    ///< pairs, at the last evaluation
@@ -44,10 +46,10 @@ class ShortRange {
   }
 
  private:
-  /// What a member gets, and what it does not keep.
+  /// What a member gets, beside its force density.
   struct Got {
-    double energy = 0;                     // [J] its half of the springs'
-    double friction = 0, restitution = 0;  // [W]
+    Vec3d friction{}, dashpot{};  // [N]
+    double energy = 0;            // [J] its half of the springs'
     std::uint32_t touching = 0;
   };
   Got add_to(std::size_t member, std::span<const TouchingBody> bodies, double dt) const;

@@ -8,6 +8,17 @@ namespace perimpact {
 using namespace fccda;  // the ranges
 using enum Presence;
 
+std::span<const Field<RelaxSetup>> RelaxSetup::fields() {
+  using S = RelaxSetup;
+  static const Field<S> all[] = {
+      {"increments", &S::increments, "1", between(1, 1e6), optional,
+       "Number of states of equilibrium, evenly spread to the end of the run. At each, courses and loads are as at its time."},
+      {"tolerance", &S::tolerance, "1", strictly_between(0, 1), optional,
+       "An increment is done when the forces that are out of balance are less than this share of the applied ones and those that hold."},
+      {"most_iterations", &S::most_iterations, "1", between(1, 1e9), optional, "An increment that takes more iterations ends the run."}};
+  return all;
+}
+
 std::span<const Field<TimeSetup>> TimeSetup::fields() {
   static const Field<TimeSetup> all[] = {
       {"end", &TimeSetup::end, "s", positive(), required, "Time at which the run ends."},

@@ -11,6 +11,8 @@
 
 #include "fccda/core/parameter.hpp"
 #include "fccda/core/vec3.hpp"
+#include "perimpact/setup/boundaries.hpp"
+#include "perimpact/setup/motion_table.hpp"
 #include "perimpact/setup/solids.hpp"
 
 namespace perimpact {
@@ -56,9 +58,18 @@ enum class FragmentLaw { none, repulsive };
 
 // ---- time ----
 
+/// From one state of equilibrium to the next, instead of dynamics (docs/theory/relaxation.md).
+struct RelaxSetup {
+  int increments = 1;           ///< from t = 0 to the end
+  double tolerance = 1e-4;      ///< [-] unbalanced force over applied force
+  int most_iterations = 10000;  ///< of an increment
+  static std::span<const Field<RelaxSetup>> fields();
+};
+
 struct TimeSetup {
   double end{};                ///< [s]
   std::optional<double> step;  ///< [s]; the stable estimate where absent
+  std::optional<RelaxSetup> relax;
   static std::span<const Field<TimeSetup>> fields();
 };
 
@@ -125,6 +136,7 @@ struct BodySetup {
   std::vector<SolidSetup> holes;    ///< taken out of it
   std::vector<SolidSetup> regions;  ///< names for what is in them
   std::vector<CrackSetup> cracks;
+  std::vector<BoundarySetup> boundaries;
   static std::span<const Field<BodySetup>> fields();
 
   bool is_plane() const { return plane.as<PlaneState>() != PlaneState::none; }
@@ -237,13 +249,7 @@ struct GaugeSetup {
   static std::span<const Field<GaugeSetup>> fields();
 };
 
-/// Motion of one degree of freedom against time: `times` with either `velocities` or `displacements`. A deck may name a file instead,
-/// whose numbers are put here when it is read.
-struct MotionTable {
-  std::vector<double> times;                      ///< [s]
-  std::vector<double> velocities, displacements;  ///< [m/s] and [m], or [rad/s] and [rad]
-  std::string file;
-};
+/// Motion of one degree of freedom.
 struct TranslationTable : MotionTable {
   static std::span<const Field<TranslationTable>> fields();
 };

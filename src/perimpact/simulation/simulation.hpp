@@ -9,6 +9,7 @@
 
 #include "fccda/core/state.hpp"
 #include "fccda/core/timers.hpp"
+#include "perimpact/boundary/boundaries.hpp"
 #include "perimpact/force/short_range.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/setup/setup.hpp"
@@ -16,6 +17,7 @@
 #include "perimpact/simulation/clock.hpp"
 #include "perimpact/simulation/encounters.hpp"
 #include "perimpact/simulation/monitors.hpp"
+#include "perimpact/simulation/relax.hpp"
 #include "perimpact/simulation/start.hpp"
 
 namespace perimpact {
@@ -32,6 +34,7 @@ class Simulation {
   /// Throws SetupError where the Setup cannot be simulated.
   explicit Simulation(const Setup& setup);
 
+  /// One step in time or, where the set-up relaxes, one increment. Throws RunError.
   void step();
 
   const Setup& setup() const { return setup_; }
@@ -43,13 +46,16 @@ class Simulation {
   std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
   std::span<const Body> bodies() const { return bodies_; }
   const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
+  std::span<const Boundaries> boundaries() const { return boundaries_; }  ///< of each body
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
-  const std::optional<ShortRange>& fragments() const { return fragments_; }  ///< where the deck has their particles touch
+  const std::optional<ShortRange>& fragments() const { return fragments_; }    ///< where the deck has them touch
+  std::size_t contacts() const;                                                ///< of the last step
+  const std::optional<Relaxation>& relaxation() const { return relaxation_; }  ///< in place of dynamics
+  /// Has the pairs of particles that may touch looked for anew; changes no result.
   void forget_near_pairs() {
     if (fragments_) fragments_->forget();
-  }                              ///< has them looked for anew; changes no result
-  std::size_t contacts() const;  ///< of the last step
+  }
 
   /// What the next step depends on, as fccda/core/state.hpp says. A simulation of the same Setup that is given another's state and record
   /// goes on as the other would have.
@@ -57,6 +63,7 @@ class Simulation {
   void visit_state(Visitor&& visit) {
     visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
+    for (Boundaries& boundaries : boundaries_) boundaries.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
   }
   std::uint64_t state_hash();
@@ -74,8 +81,10 @@ class Simulation {
   Simulation(const Setup& setup, Start start);
   void advance_bodies();
   void strike();
-  void evaluate_forces();
+  void pull();
   void touch();
+  void apply_boundaries();
+  void relax();
   void record();
 
   Setup setup_;
@@ -83,9 +92,11 @@ class Simulation {
   std::vector<InsideAtStart> inside_at_start_;
   std::vector<std::optional<FilledMass>> filled_masses_;
   std::vector<Body> bodies_;
+  std::vector<Boundaries> boundaries_;  // of each body
   std::optional<ShortRange> fragments_;
   Stability stability_;
-  Clock clock_;
+  Clock clock_;  // counts increments where bodies are relaxed
+  std::optional<Relaxation> relaxation_;
   std::vector<Impactor> impactors_;
   std::vector<std::vector<double>> travel_;  // [m] of each body's blocks in this step
   Monitors monitors_;

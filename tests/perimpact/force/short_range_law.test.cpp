@@ -43,6 +43,7 @@ double restitution_of_two(double wanted, double steps) {
     for (Body& body : pile.bodies) advance(body.particles, dt, travel);
     pile.clear_forces();
     contact.add_forces(bodies, dt);
+    contact.note_work(bodies, dt);
     touched = touched || contact.touching() > 0;
     energy = std::max(energy, contact.energy());
     if (touched && contact.touching() == 0) break;
