@@ -40,8 +40,8 @@ class Absorbing {
   BoundaryAccount account;
 
   template <class Visitor>
-  void visit_state(const std::string& name, Visitor&& visit) {
-    account.visit_state(name, visit);
+  void visit_record(const std::string& name, Visitor&& visit) {
+    account.visit_record(name, visit);
     visit(name + ".power", std::span<double>(&power_, 1));
   }
 

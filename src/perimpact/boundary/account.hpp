@@ -38,7 +38,7 @@ class BoundaryAccount {
   }
 
   template <class Visitor>
-  void visit_state(const std::string& name, Visitor&& visit) {
+  void visit_record(const std::string& name, Visitor&& visit) {
     std::array<double, 10> all{force_.x, force_.y, force_.z, displacement_.x, displacement_.y, displacement_.z, impulse_.x, impulse_.y, impulse_.z, work_};
     visit(name + ".account", std::span<double>(all));
     force_ = {all[0], all[1], all[2]}, displacement_ = {all[3], all[4], all[5]}, impulse_ = {all[6], all[7], all[8]}, work_ = all[9];

@@ -46,8 +46,8 @@ class Boundaries {
   double work() const;  ///< [J] of all, done on the body so far
 
   template <class Visitor>
-  void visit_state(Visitor&& visit) {
-    for (NamedBoundary& one : all_) std::visit([&](auto& boundary) { boundary.visit_state(one.name, visit); }, one.boundary);
+  void visit_record(Visitor&& visit) {
+    for (NamedBoundary& one : all_) std::visit([&](auto& boundary) { boundary.visit_record(one.name, visit); }, one.boundary);
   }
 
  private:

@@ -38,8 +38,8 @@ class Load {
   BoundaryAccount account;
 
   template <class Visitor>
-  void visit_state(const std::string& name, Visitor&& visit) {
-    account.visit_state(name, visit);
+  void visit_record(const std::string& name, Visitor&& visit) {
+    account.visit_record(name, visit);
   }
 
  private:
