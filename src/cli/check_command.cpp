@@ -47,8 +47,16 @@ void print_body(const Body& body, const std::optional<FilledMass>& filled) {
   fmt::print("  {:<18}{}\n", "memory", bytes_in_words(body.memory()));
 }
 
+void print_boundaries(const Boundaries& boundaries) {
+  for (const NamedBoundary& one : boundaries.all()) fmt::print("  {:<18}{}, {} particles\n", one.name, one.kind, one.particles());
+}
+
 void print_step(const Simulation& simulation) {
   const Stability& stability = simulation.stability();
+  if (simulation.relaxation()) {
+    fmt::print("time\n  {:<18}{} of {:.4g} s\n", "increments", simulation.clock().steps, simulation.clock().dt);
+    return;
+  }
   fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the estimate of Silling and Askari ({:.4g} s), {:.2f} of the exact limit ({:.4g} s)\n", "step",
              stability.step, simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / stability.exact,
              stability.exact);
@@ -128,7 +136,10 @@ int check_command(const DeckArguments& arguments) {
     Simulation simulation(deck.setup);
     const std::vector<Line> lines = lines_of(simulation);
     fmt::print("{}\n", deck.setup.title);
-    for (std::size_t b = 0; b < simulation.bodies().size(); ++b) print_body(simulation.bodies()[b], simulation.filled_mass(b));
+    for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+      print_body(simulation.bodies()[b], simulation.filled_mass(b));
+      print_boundaries(simulation.boundaries()[b]);
+    }
     for (const Impactor& impactor : simulation.impactors()) {
       fmt::print("impactor {}\n{}{}", impactor.name(), remesh_text(impactor), surface_text(impactor.surface().report()));
       print_rigid_body(impactor);
@@ -139,7 +150,7 @@ int check_command(const DeckArguments& arguments) {
     print_lines(lines, simulation);
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
     write_pictures(simulation, folder);
-    print_duration(simulation);
+    if (!simulation.relaxation()) print_duration(simulation);  // of one increment nothing tells how long another takes
     fmt::print("surfaces, regions and bodies are in {} as VTP\n", folder.string());
     return 0;
   });

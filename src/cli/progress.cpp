@@ -34,8 +34,11 @@ void Progress::draw(const Simulation& simulation, double now) {
   const double share = static_cast<double>(clock.step) / static_cast<double>(clock.steps);
   const double rate = now > 0 ? static_cast<double>(clock.step - first_) / now : 0;
   const double left = rate > 0 ? static_cast<double>(clock.steps - clock.step) / rate : 0;
-  const std::string line = fmt::format("{:5.1f} %  step {} of {}  t = {:.4g} s  {:.3g} steps/s  {} left  {} contacts", 100 * share, clock.step, clock.steps,
-                                       clock.time(), rate, duration_in_words(left), simulation.contacts());
+  const std::string line = simulation.relaxation()
+                               ? fmt::format("{:5.1f} %  increment {} of {}  t = {:.4g} s  {} iterations  {} left", 100 * share, clock.step, clock.steps,
+                                             clock.time(), simulation.relaxation()->latest().iterations, duration_in_words(left))
+                               : fmt::format("{:5.1f} %  step {} of {}  t = {:.4g} s  {:.3g} steps/s  {} left  {} contacts", 100 * share, clock.step,
+                                             clock.steps, clock.time(), rate, duration_in_words(left), simulation.contacts());
   // unlike fmt::print, fputs throws nothing where the output is lost, which must not end a run
   std::fputs((is_terminal_ ? "\r\033[K" + line : line + "\n").c_str(), stdout);
   std::fflush(stdout);

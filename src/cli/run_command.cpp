@@ -86,8 +86,8 @@ int run_command(const RunArguments& arguments) {
     ResultsWriter results = earlier ? ResultsWriter(simulation, folder, checkpoints.resume(*earlier, simulation)) : ResultsWriter(simulation, folder);
     earlier.reset();  // it keeps the file open that the next checkpoint replaces
     remove_pictures_of_defects(simulation, folder);
-    fmt::print("{}\n{} threads, {} steps of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
-               simulation.clock().dt, folder.string());
+    fmt::print("{}\n{} threads, {} {} of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
+               simulation.relaxation() ? "increments" : "steps", simulation.clock().dt, folder.string());
     if (arguments.resume) fmt::print("Resumed at step {} (t = {:.4g} s).\n", simulation.clock().step, simulation.clock().time());
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
 

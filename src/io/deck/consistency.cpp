@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "io/deck/consistency_boundary.hpp"
+#include "io/deck/consistency_fragments.hpp"
 #include "io/deck/consistency_impactor.hpp"
 #include "io/deck/consistency_solid.hpp"
 #include "io/deck/did_you_mean.hpp"
@@ -203,9 +205,12 @@ void make_consistent(Setup& setup, const Places& places, const fs::path& folder)
   check_time(setup.time, places);
   check_names(setup, places);
   for (BodySetup& body : setup.bodies) check_body(body, folder, places);
+  for (BodySetup& body : setup.bodies) make_boundaries_consistent(body, folder, places);
+  check_relaxation(setup, places);
   for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
   for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);
   check_contact(setup, places);
+  check_fragments(setup.contact.fragments, places);
   check_output(setup, places);
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/deck/time_series.hpp"
+#include "io/deck/motion_table.hpp"
 #include "io/deck/yaml_node.hpp"
 
 namespace perimpact::deck {
@@ -21,42 +21,7 @@ void check_mass(const ImpactorSetup& impactor, const std::string& path, const Pl
     refuse(places.of(path), fmt::format("{} lacks mass [kg], or in its place density [kg/m3]; for example mass: 1.57 kg.", path));
 }
 
-void check_increasing(const std::vector<double>& times, const std::string& place) {
-  for (std::size_t k = 1; k < times.size(); ++k)
-    if (times[k] <= times[k - 1]) refuse(place, fmt::format("times holds {} s after {} s, but times must increase.", times[k], times[k - 1]));
-}
-
-void check_as_many(std::size_t values, std::size_t times, std::string_view name, const std::string& place) {
-  if (values != times) refuse(place, fmt::format("{} has {} values for {} times; give one for each time.", name, values, times));
-}
-
-/// One of the lists, or a file, and nothing twice.
-void check_table(const MotionTable& table, const std::string& path, const Places& places) {
-  if (!table.file.empty()) {
-    for (const std::string_view list : {"times", "velocities", "displacements"})
-      if (places.has(fmt::format("{}.{}", path, list)))
-        refuse(places.of(fmt::format("{}.{}", path, list)), fmt::format("{} is given beside file, which holds times and values; keep one of the two.", list));
-    return;
-  }
-  if (!table.velocities.empty() && !table.displacements.empty())
-    refuse(places.of(path + ".displacements"), "displacements is given beside velocities, but one of them sets the other; keep one of the two.");
-  const bool has_velocities = !table.velocities.empty();
-  const std::vector<double>& values = has_velocities ? table.velocities : table.displacements;
-  if (table.times.empty() || values.empty()) refuse(places.of(path), fmt::format("{} needs times with velocities or displacements, or a file.", path));
-  const std::string list = has_velocities ? "velocities" : "displacements";
-  check_as_many(values.size(), table.times.size(), list, places.of(path + "." + list));
-  check_increasing(table.times, places.of(path + ".times"));
-}
-
 bool is_rotation(std::size_t degree) { return degree >= 3; }
-
-void read_table(MotionTable& table, std::size_t degree, const std::string& path, const std::filesystem::path& folder, const Places& places) {
-  if (table.file.empty()) return;
-  TimeSeries series = read_time_series(folder / table.file, is_rotation(degree), places.of(path + ".file"));
-  table.times = std::move(series.times);
-  (series.is_displacement ? table.displacements : table.velocities) = std::move(series.values);
-  table.file.clear();
-}
 
 bool is_free(const ImpactorSetup& impactor, std::size_t degree) {
   return std::find(impactor.free.begin(), impactor.free.end(), degree_words[degree]) != impactor.free.end();
@@ -85,7 +50,7 @@ void check_motion(ImpactorSetup& impactor, const std::string& path, const std::f
     const std::string_view word = degree_words[degree];
     const std::string key = fmt::format("{}.motion.{}", path, word);
     check_table(*table, key, places);
-    read_table(*table, degree, key, folder, places);
+    read_table(*table, is_rotation(degree), key, folder, places);
     if (is_free(impactor, degree))
       refuse(places.of(key), fmt::format("{0} is free, so contact and loads move it, and no table can; take {0} out of free, or remove its motion.", word));
     const std::string given = is_rotation(degree) ? "angular_velocity" : "velocity";

@@ -42,6 +42,11 @@ void sections(Walker& walk, Setup& setup) {
 }
 
 template <class Walker>
+void sections(Walker& walk, TimeSetup& time) {
+  walk.section("relax", time.relax, Presence::optional, "Relaxes the bodies from one state of equilibrium to the next, instead of following their motion.");
+}
+
+template <class Walker>
 void sections(Walker& walk, BodySetup& body) {
   walk.one_of("shape", body.shape, Presence::required, "The solid that is filled with particles, or a file of particles.");
   walk.named("parts", body.parts, Presence::optional, "A solid that is united with the shape, under a name of your choice.");
@@ -50,6 +55,20 @@ void sections(Walker& walk, BodySetup& body) {
   walk.named("regions", body.regions, Presence::optional, "The particles in a solid, under a name of your choice that boundaries and failure use.");
   walk.by_word("material", "model", body.material, "What the body is made of.");
   walk.section("failure", body.failure, Presence::optional, "Which bonds break, beside the critical stretch of the material.");
+  walk.named("boundaries", body.boundaries, Presence::optional,
+             "What holds, moves, loads or damps some particles, under a name of your choice; its force and work become columns of history.csv.");
+}
+
+template <class Walker>
+void sections(Walker& walk, BoundarySetup& boundary) {
+  walk.alternatives(boundary.kind);
+}
+
+template <class Walker>
+void sections(Walker& walk, PrescribedSetup& prescribed) {
+  walk.section("x", prescribed.x, Presence::optional, "Course of the particles along x.");
+  walk.section("y", prescribed.y, Presence::optional, "Course of the particles along y.");
+  walk.section("z", prescribed.z, Presence::optional, "Course of the particles along z.");
 }
 
 template <class Walker>

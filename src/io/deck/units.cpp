@@ -32,6 +32,8 @@ constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
                               {"Hz", "a frequency", "3 Hz"},
                               {"N", "a force", "5 kN"},
                               {"N m", "a moment", "3 kN m"},
+                              {"m2", "an area", "4 cm2"},
+                              {"N/m3", "a force density", "-8829 N/m3"},
                               {"1", "a pure number", "0.25"}};
 
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;

@@ -14,7 +14,7 @@ namespace {
 
 Json vector(const Vec3d& v) { return std::vector<double>{v.x, v.y, v.z}; }
 
-Json body_report(const Body& body, const std::optional<FilledMass>& filled) {
+Json body_report(const Body& body, const Boundaries& boundaries, const std::optional<FilledMass>& filled) {
   Json json = Json::object();
   json["particles"] = body.particles.size();
   json["bonds"] = body.family.initial_bonds();
@@ -31,6 +31,12 @@ Json body_report(const Body& body, const std::optional<FilledMass>& filled) {
   json["mass [kg]"] = body.particles.total_mass();
   if (filled) json["mass_of_solid [kg]"] = filled->solid;
   for (const CrackCut& crack : body.cracks) json["cracks"][crack.name]["bonds"] = crack.bonds;
+  for (const NamedBoundary& one : boundaries.all()) {
+    Json& entry = json["boundaries"][one.name.substr(body.name.size() + 1)];
+    entry["kind"] = one.kind;
+    entry["particles"] = one.particles();
+    entry["work [J]"] = one.account().work();
+  }
   return json;
 }
 
@@ -154,11 +160,15 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   json["threads"] = fccda::thread_count();
   json["wall [s]"] = wall_seconds;
   json["state_hash"] = fmt::format("{:016x}", simulation.state_hash());
-  json["stability"]["step [s]"] = simulation.stability().step;
-  json["stability"]["estimate [s]"] = simulation.stability().estimate;
-  json["stability"]["exact [s]"] = simulation.stability().exact;
+  if (simulation.relaxation()) {
+    json["increment [s]"] = clock.dt;
+  } else {
+    json["stability"]["step [s]"] = simulation.stability().step;
+    json["stability"]["estimate [s]"] = simulation.stability().estimate;
+    json["stability"]["exact [s]"] = simulation.stability().exact;
+  }
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
-    json["bodies"][simulation.bodies()[b].name] = body_report(simulation.bodies()[b], simulation.filled_mass(b));
+    json["bodies"][simulation.bodies()[b].name] = body_report(simulation.bodies()[b], simulation.boundaries()[b], simulation.filled_mass(b));
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json["impactors"][simulation.impactors()[i].name()] = impactor_report(simulation, i);
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
   json["warnings"] = simulation.warnings();

@@ -28,6 +28,7 @@ class InternalForce {
   void evaluate_scalar(Particles& particles, Family& family);
 
   std::size_t broken_bonds() const;  ///< since construction, each counted once
+  std::span<const std::size_t> broken_ends() const { return rows_.broken_ends; }  ///< since construction, of the particles of each row
 
   /// [N/m⁷] what the force density of a bond gains by each metre of its length, its family's share left aside.
   double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {

@@ -8,6 +8,17 @@ namespace perimpact {
 using namespace fccda;  // the ranges
 using enum Presence;
 
+std::span<const Field<RelaxSetup>> RelaxSetup::fields() {
+  using S = RelaxSetup;
+  static const Field<S> all[] = {
+      {"increments", &S::increments, "1", between(1, 1e6), optional,
+       "Number of states of equilibrium, evenly spread to the end of the run. At each, courses and loads are as at its time."},
+      {"tolerance", &S::tolerance, "1", strictly_between(0, 1), optional,
+       "An increment is done when the forces that are out of balance are less than this share of the applied ones and those that hold."},
+      {"most_iterations", &S::most_iterations, "1", between(1, 1e9), optional, "An increment that takes more iterations ends the run."}};
+  return all;
+}
+
 std::span<const Field<TimeSetup>> TimeSetup::fields() {
   static const Field<TimeSetup> all[] = {
       {"end", &TimeSetup::end, "s", positive(), required, "Time at which the run ends."},
@@ -405,7 +416,25 @@ std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
 }
 
 std::span<const Field<FragmentContactSetup>> FragmentContactSetup::fields() {
-  static const Field<FragmentContactSetup> all[] = {{"law", &FragmentContactSetup::law, "", {}, optional, "Force between particles without a bond: none."}};
+  using S = FragmentContactSetup;
+  static const Field<S> all[] = {
+      {"law",
+       &S::law,
+       "",
+       {},
+       optional,
+       "Force between particles that no intact bond joins, of one body or of two: none (they pass through one another), or repulsive."},
+      {"distance_ratio", &S::distance_ratio, "1", positive(), optional,
+       "Distance at which particles of different bodies touch, in spacings, the mean of the two. 1: half a spacing each, as impactors have it, so that the "
+       "material's edges meet."},
+      {"debris_distance_ratio", &S::debris_distance_ratio, "1", positive(), optional,
+       "The same within a body, where it is also at most 0.9 times the distance they had at first. 1.35 lets rubble take up more room than the solid did."},
+      {"stiffness_factor", &S::stiffness_factor, "1", positive(), optional, "How much stiffer contact is than a bond: the 15 of EMU."},
+      {"friction", &S::friction, "1", at_least(0), optional, "Coulomb's coefficient of friction between touching particles. Ice on ice has 0.1 to 0.3."},
+      {"friction_speed", &S::friction_speed, "m/s", positive(), optional,
+       "Speed of sliding below which friction grows in proportion to it, so that it does not chatter; slow against what is to be resolved."},
+      {"restitution", &S::restitution, "1", between(0.1, 1), optional,
+       "Speed at which two free particles part, over that of their approach: 1 without loss. Less takes shorter time steps."}};
   return all;
 }
 

@@ -11,6 +11,8 @@
 
 #include "fccda/core/parameter.hpp"
 #include "fccda/core/vec3.hpp"
+#include "perimpact/setup/boundaries.hpp"
+#include "perimpact/setup/motion_table.hpp"
 #include "perimpact/setup/solids.hpp"
 
 namespace perimpact {
@@ -55,13 +57,23 @@ enum class StartingInside { error, remove, project };
 inline constexpr std::string_view beyond_region_words[] = {"error", "clip"};
 enum class BeyondRegion { error, clip };
 
-inline constexpr std::string_view fragment_law_words[] = {"none"};
+inline constexpr std::string_view fragment_law_words[] = {"none", "repulsive"};
+enum class FragmentLaw { none, repulsive };
 
 // ---- time ----
+
+/// From one state of equilibrium to the next, instead of dynamics (docs/theory/relaxation.md).
+struct RelaxSetup {
+  int increments = 1;           ///< from t = 0 to the end
+  double tolerance = 1e-4;      ///< [-] unbalanced force over applied force
+  int most_iterations = 10000;  ///< of an increment
+  static std::span<const Field<RelaxSetup>> fields();
+};
 
 struct TimeSetup {
   double end{};                ///< [s]
   std::optional<double> step;  ///< [s]; the stable estimate where absent
+  std::optional<RelaxSetup> relax;
   static std::span<const Field<TimeSetup>> fields();
 };
 
@@ -139,6 +151,7 @@ struct BodySetup {
   std::vector<SolidSetup> holes;    ///< taken out of it
   std::vector<SolidSetup> regions;  ///< names for what is in them
   std::vector<CrackSetup> cracks;
+  std::vector<BoundarySetup> boundaries;
   static std::span<const Field<BodySetup>> fields();
 
   bool is_plane() const { return plane.as<PlaneState>() != PlaneState::none; }
@@ -251,13 +264,7 @@ struct GaugeSetup {
   static std::span<const Field<GaugeSetup>> fields();
 };
 
-/// Motion of one degree of freedom against time: `times` with either `velocities` or `displacements`. A deck may name a file instead,
-/// whose numbers are put here when it is read.
-struct MotionTable {
-  std::vector<double> times;                      ///< [s]
-  std::vector<double> velocities, displacements;  ///< [m/s] and [m], or [rad/s] and [rad]
-  std::string file;
-};
+/// Motion of one degree of freedom.
 struct TranslationTable : MotionTable {
   static std::span<const Field<TranslationTable>> fields();
 };
@@ -320,6 +327,12 @@ struct ImpactorContactSetup {
 
 struct FragmentContactSetup {
   Choice law{fragment_law_words};
+  double distance_ratio = 1;            ///< between bodies, in mean spacings
+  double debris_distance_ratio = 1.35;  ///< within a body, in mean spacings
+  double stiffness_factor = 15;
+  double friction = 0;
+  double friction_speed = 0.01;  ///< [m/s]
+  double restitution = 1;
   static std::span<const Field<FragmentContactSetup>> fields();
 };
 

@@ -102,6 +102,10 @@ std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& 
 
 }  // namespace
 
+IsotropicElastic elastic_of(const BodySetup& setup) {
+  return IsotropicElastic::in(setup.plane.as<Plane>(), setup.elastic().youngs_modulus, poissons_ratio_of(setup));
+}
+
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation) {
   const auto* cloud = std::get_if<Cloud>(&discretisation);
   Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation));
@@ -110,7 +114,7 @@ Particles make_particles(const BodySetup& setup, const Discretisation& discretis
 }
 
 Body make_body(const BodySetup& setup, Particles particles) {
-  const IsotropicElastic elastic = IsotropicElastic::in(setup.plane.as<Plane>(), setup.elastic().youngs_modulus, poissons_ratio_of(setup));
+  const IsotropicElastic elastic = elastic_of(setup);
   const Influences influences = influences_of(setup);
   const double horizon = setup.horizon_ratio * particles.spacing();
 

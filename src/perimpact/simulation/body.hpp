@@ -42,6 +42,9 @@ struct Body {
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation);
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 
+/// Elastic constants of its material, in space or in its plane.
+IsotropicElastic elastic_of(const BodySetup& setup);
+
 /// The body of these particles: its bonds and surface corrections are those of the particles that are there, and cracks are cut after. Throws
 /// SetupError where a crack cannot be cut.
 Body make_body(const BodySetup& setup, Particles particles);

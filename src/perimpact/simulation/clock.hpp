@@ -13,6 +13,8 @@ struct Clock {
   double time() const { return static_cast<double>(step) * dt; }  ///< [s]
   /// The step that led to now; there must have been one.
   fccda::Step latest() const { return {static_cast<double>(step - 1) * dt, time(), dt}; }
+  /// The step that comes.
+  fccda::Step next() const { return {time(), static_cast<double>(step + 1) * dt, dt}; }
   bool is_finished() const { return step >= steps; }
 };
 

@@ -51,7 +51,8 @@ void Monitors::add_vector(const std::string& owner, const char* quantity, const 
   for (std::size_t c = 0; c < 3; ++c) add(fmt::format("{}.{}_{} [{}]", owner, quantity, axes[c], unit), value[c]);
 }
 
-void Monitors::record(std::span<const Body> bodies, std::span<Impactor> impactors, const Clock& clock) {
+void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> boundaries, std::span<Impactor> impactors, const Clock& clock, const Relaxed* relaxed,
+                      const std::optional<ShortRange>& fragments) {
   row_.clear();
   add("time [s]", clock.time());
   const double interval = clock.time() - row_time_;  // forces are means over it; nothing has acted before the first row
@@ -83,35 +84,53 @@ void Monitors::record(std::span<const Body> bodies, std::span<Impactor> impactor
     work += impactor.work_of_holder() + impactor.work_of_loads();
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const double kinetic = bodies[b].kinetic_energy(clock.dt);
+    const double kinetic = relaxed ? 0 : bodies[b].kinetic_energy(clock.dt);
     add(bodies[b].name + ".kinetic_energy [J]", kinetic);
     add(bodies[b].name + ".elastic_energy [J]", elastic_[b]);
     add(bodies[b].name + ".broken_bonds [-]", static_cast<double>(bodies[b].internal.broken_bonds()));
+    for (NamedBoundary& named : boundaries[b].all()) {
+      add_vector(named.name, "force", "N", per_second * named.account().take_impulse());
+      add(named.name + ".work [J]", named.account().work());
+    }
     momentum += bodies[b].momentum();
     energy += kinetic + elastic_[b];
+    work += boundaries[b].work();
+  }
+  if (fragments) {
+    add("total.contact_energy [J]", fragments->energy());
+    add("total.friction_work [J]", fragments->friction_work());
+    add("total.restitution_work [J]", fragments->restitution_work());
+    energy += fragments->energy();
   }
   add_vector("total", "momentum", "kg m/s", momentum);
   add("total.energy [J]", energy);
+  if (relaxed) {
+    add("total.residual [-]", relaxed->residual);
+    add("total.iterations [-]", static_cast<double>(relaxed->iterations));
+  }
   for (const Probe& probe : probes_) add_vector(probe.name, "displacement", "m", probe.sample.displacement(bodies[probe.body]));
-  check(bodies, clock, energy, work);
+  if (is_first_) first_energy_ = energy - work;
+  check_numbers(bodies, clock, energy);
+  if (!relaxed) check_energy(bodies, clock, energy, work);
   is_first_ = false;
 }
 
-void Monitors::check(std::span<const Body> bodies, const Clock& clock, double energy, double work) {
-  if (is_first_) first_energy_ = energy;
-  if (!std::isfinite(energy)) {
-    for (const Body& body : bodies)
-      for (std::size_t i = 0; i < body.particles.size(); ++i) {
-        const std::uint32_t slot = body.particles.slot_of()[i];
-        if (!is_finite(body.particles.position.at(slot)) || !is_finite(body.particles.force_density.at(slot)))
-          throw fccda::RunError(
-              fmt::format("At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. The rows written before are sound; try a "
-                          "smaller time step.",
-                          clock.step, clock.time(), i, body.name));
-      }
-    throw fccda::RunError(
-        fmt::format("At step {} ({:.6g} s) the energy is not a number. The rows written before are sound; try a smaller time step.", clock.step, clock.time()));
-  }
+void Monitors::check_numbers(std::span<const Body> bodies, const Clock& clock, double energy) const {
+  if (std::isfinite(energy)) return;
+  for (const Body& body : bodies)
+    for (std::size_t i = 0; i < body.particles.size(); ++i) {
+      const std::uint32_t slot = body.particles.slot_of()[i];
+      if (!is_finite(body.particles.position.at(slot)) || !is_finite(body.particles.force_density.at(slot)))
+        throw fccda::RunError(
+            fmt::format("At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. The rows written before are sound; try a "
+                        "smaller time step.",
+                        clock.step, clock.time(), i, body.name));
+    }
+  throw fccda::RunError(
+      fmt::format("At step {} ({:.6g} s) the energy is not a number. The rows written before are sound; try a smaller time step.", clock.step, clock.time()));
+}
+
+void Monitors::check_energy(std::span<const Body> bodies, const Clock& clock, double energy, double work) const {
   // Contact and breaking only take energy. Interpolated velocities leave a ripple of (ω dt)² on the energy of the shortest waves, which hold little of it.
   const double available = first_energy_ + std::fabs(work) + energy_of_rounding(bodies, clock.dt);
   if (energy - work - first_energy_ > 0.05 * available)

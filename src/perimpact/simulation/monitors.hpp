@@ -1,13 +1,17 @@
 /// What is watched while a run goes on: one row of history.csv at a time, and the checks that end a run that has gone wrong.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "perimpact/boundary/boundaries.hpp"
+#include "perimpact/force/short_range.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/simulation/body.hpp"
 #include "perimpact/simulation/clock.hpp"
+#include "perimpact/simulation/relax.hpp"
 #include "perimpact/simulation/sample.hpp"
 
 namespace perimpact {
@@ -23,8 +27,10 @@ class Monitors {
   /// Elastic energy [J] of each body, for the row that is due.
   std::vector<double>& elastic_energy() { return elastic_; }
 
-  /// Makes the row of this step and checks it. Throws RunError where numbers are not finite or energy appeared from nowhere.
-  void record(std::span<const Body> bodies, std::span<Impactor> impactors, const Clock& clock);
+  /// Makes the row of this step and checks it. `relaxed`: how the increment ended, where bodies are relaxed; `fragments`: where they touch. Throws RunError
+  /// where numbers are not finite or energy appeared from nowhere.
+  void record(std::span<const Body> bodies, std::span<Boundaries> boundaries, std::span<Impactor> impactors, const Clock& clock,
+              const Relaxed* relaxed = nullptr, const std::optional<ShortRange>& fragments = {});
 
   const std::vector<std::string>& columns() const { return columns_; }  ///< "cylinder.velocity_y [m/s]"
   std::span<const double> row() const { return row_; }                  ///< the latest
@@ -40,7 +46,8 @@ class Monitors {
  private:
   void add(const std::string& column, double value);
   void add_vector(const std::string& owner, const char* quantity, const char* unit, const Vec3d& value);
-  void check(std::span<const Body> bodies, const Clock& clock, double energy, double work);
+  void check_numbers(std::span<const Body> bodies, const Clock& clock, double energy) const;
+  void check_energy(std::span<const Body> bodies, const Clock& clock, double energy, double work) const;
 
   long interval_;  // steps between rows
   double row_time_ = 0;

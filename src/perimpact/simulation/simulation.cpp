@@ -10,8 +10,10 @@
 #include "perimpact/impact/diagnosis.hpp"
 #include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
+#include "perimpact/solid/region.hpp"
 
 namespace perimpact {
 
@@ -23,13 +25,29 @@ std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particl
   return bodies;
 }
 
+std::vector<Boundaries> make_boundaries(const Setup& setup, std::span<const Body> bodies) {
+  std::vector<Boundaries> boundaries;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodySetup& body = setup.bodies[b];
+    const Particles& particles = bodies[b].particles;
+    boundaries.emplace_back(body, elastic_of(body), particles,
+                            [&](const std::string& region, const std::string& key) { return slots_in(region, body, particles, key); });
+  }
+  return boundaries;
+}
+
 constexpr double safety = 0.9;  // of the estimate, which errs on the safe side by a factor near two
 
-Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vector<std::string>& warnings) {
+Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optional<ShortRange>& fragments, std::vector<std::string>& warnings) {
   Stability stability{0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  for (const Body& body : bodies) {
-    stability.estimate = std::min(stability.estimate, silling_askari_step(body));
-    stability.exact = std::min(stability.exact, exact_stable_step(body));
+  const std::vector<TouchingBody> touching = touching_bodies(setup, bodies);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    stability.estimate = std::min(stability.estimate, silling_askari_step(bodies[b], fragments ? fragments->bound(touching, b) : ShortRange::Bound{}));
+    stability.exact = std::min(stability.exact, exact_stable_step(bodies[b]));
+  }
+  if (setup.time.relax) {
+    stability.step = setup.time.end / setup.time.relax->increments;
+    return stability;
   }
   const double automatic = safety * stability.estimate;
   if (!setup.time.step && !std::isfinite(automatic))
@@ -52,6 +70,23 @@ Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vecto
                     "may be unstable.",
                     stability.step, stability.step / automatic, automatic, stability.step / stability.exact));
   return stability;
+}
+
+std::optional<Relaxation> make_relaxation(const Setup& setup, std::span<Body> bodies, double dt) {
+  if (!setup.time.relax) return std::nullopt;
+  if (!setup.impactors.empty())
+    throw SetupError(
+        "impactors." + setup.impactors.front().name,
+        fmt::format("impactor {} cannot take part where bodies are relaxed; lead the particles it would touch with a boundary, or remove time.relax.",
+                    setup.impactors.front().name));
+  return Relaxation(*setup.time.relax, bodies, dt);
+}
+
+/// Increments are few, and each is a row.
+OutputSetup output_of(const Setup& setup, double dt) {
+  OutputSetup output = setup.output;
+  if (setup.time.relax) output.history = dt;
+  return output;
 }
 
 /// A bond reaches three particles: thinner bodies are all surface, and no correction makes up for that.
@@ -137,10 +172,13 @@ Simulation::Simulation(const Setup& setup, Start start)
       inside_at_start_(std::move(start.inside)),
       filled_masses_(std::move(start.filled_masses)),
       bodies_(make_bodies(setup, std::move(start.particles))),
-      stability_(find_step(setup, bodies_, warnings_)),
+      boundaries_(make_boundaries(setup, bodies_)),
+      fragments_(short_range_of(setup, bodies_)),
+      stability_(find_step(setup, bodies_, fragments_, warnings_)),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
+      relaxation_(make_relaxation(setup, bodies_, clock_.dt)),
       impactors_(std::move(start.impactors)),
-      monitors_(setup.output, bodies_, clock_) {
+      monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
   warn_of_thin_bodies(bodies_, warnings_);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     warn_of_mass(bodies_[b].name, filled_masses_[b], warnings_);
@@ -151,22 +189,34 @@ Simulation::Simulation(const Setup& setup, Start start)
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
   for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));
   warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
-  evaluate_forces();
+  if (!relaxation_) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) boundaries_[b].place(bodies_[b].particles, 0, Held::Pace::moving);
+    pull();
+    touch();
+    apply_boundaries();
+    if (fragments_ && fragments_->touching() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
+  }
   record();
 }
 
 void Simulation::step() {
   ++clock_.step;
+  if (relaxation_) return relax();
   timers_.timed("predict", [&] { advance_bodies(); });
   timers_.timed("contact", [&] { strike(); });
-  timers_.timed("forces", [&] { evaluate_forces(); });
+  timers_.timed("forces", [&] { pull(); });
+  if (fragments_) timers_.timed("fragments", [&] { touch(); });
+  timers_.timed("forces", [&] { apply_boundaries(); });
   timers_.timed("monitors", [&] {
     if (monitors_.is_due(clock_)) record();
   });
 }
 
 void Simulation::advance_bodies() {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) advance(bodies_[b].particles, clock_.dt, travel_[b]);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    advance(bodies_[b].particles, clock_.dt, travel_[b]);
+    boundaries_[b].lead(bodies_[b].particles, clock_.latest(), travel_[b]);
+  }
 }
 
 void Simulation::strike() {
@@ -177,10 +227,12 @@ void Simulation::strike() {
     for (Impactor& impactor : impactors_) strikers.push_back({impactor, b});
     const auto pinched = fccda::strike_together(std::span(strikers), particles);
     for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[i].size(), clock_.time());
+    for (const std::uint32_t slot : boundaries_[b].lead_back(bodies_[b].particles, clock_.latest()))
+      for (Impactor& impactor : impactors_) impactor.moved(b, slot);
   }
 }
 
-void Simulation::evaluate_forces() {
+void Simulation::pull() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
     if (monitors_.is_due(clock_))
@@ -190,8 +242,22 @@ void Simulation::evaluate_forces() {
   }
 }
 
+void Simulation::touch() {
+  if (fragments_) fragments_->add_forces(touching_bodies(setup_, bodies_), clock_.dt);
+}
+
+void Simulation::apply_boundaries() {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) boundaries_[b].add_forces(bodies_[b].particles, clock_.next());
+  if (fragments_) fragments_->note_work(touching_bodies(setup_, bodies_), clock_.dt);
+}
+
+void Simulation::relax() {
+  timers_.timed("relax", [&] { monitors_.elastic_energy() = relaxation_->relax(bodies_, boundaries_, clock_.step, clock_.time()); });
+  timers_.timed("monitors", [&] { record(); });
+}
+
 void Simulation::record() {
-  monitors_.record(bodies_, impactors_, clock_);
+  monitors_.record(bodies_, boundaries_, impactors_, clock_, relaxation_ ? &relaxation_->latest() : nullptr, fragments_);
   encounters_.look(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
 }
 

@@ -2,18 +2,22 @@
 /// (run.hpp has the loop).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "fccda/core/state.hpp"
 #include "fccda/core/timers.hpp"
+#include "perimpact/boundary/boundaries.hpp"
+#include "perimpact/force/short_range.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/setup/setup.hpp"
 #include "perimpact/simulation/body.hpp"
 #include "perimpact/simulation/clock.hpp"
 #include "perimpact/simulation/encounters.hpp"
 #include "perimpact/simulation/monitors.hpp"
+#include "perimpact/simulation/relax.hpp"
 #include "perimpact/simulation/start.hpp"
 
 namespace perimpact {
@@ -32,6 +36,7 @@ class Simulation {
   /// The same from a start that has been made of the set-up, and perhaps been changed.
   Simulation(const Setup& setup, Start start);
 
+  /// One step in time or, where the set-up relaxes, one increment. Throws RunError.
   void step();
 
   const Setup& setup() const { return setup_; }
@@ -43,9 +48,16 @@ class Simulation {
   std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
   std::span<const Body> bodies() const { return bodies_; }
   const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
+  std::span<const Boundaries> boundaries() const { return boundaries_; }  ///< of each body
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
-  std::size_t contacts() const;  ///< of the last step
+  const std::optional<ShortRange>& fragments() const { return fragments_; }    ///< where the deck has them touch
+  std::size_t contacts() const;                                                ///< of the last step
+  const std::optional<Relaxation>& relaxation() const { return relaxation_; }  ///< in place of dynamics
+  /// Has the pairs of particles that may touch looked for anew; changes no result.
+  void forget_near_pairs() {
+    if (fragments_) fragments_->forget();
+  }
 
   /// What the next step depends on, as fccda/core/state.hpp says. A simulation of the same Setup that is given another's state and record
   /// goes on as the other would have.
@@ -60,7 +72,9 @@ class Simulation {
   /// Likewise what was noted of the run so far: no step depends on it, but history, warnings and run.json do.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
+    for (Boundaries& boundaries : boundaries_) boundaries.visit_record(visit);
     for (Impactor& impactor : impactors_) impactor.visit_record(visit);
+    if (fragments_) fragments_->visit_record(fccda::under("fragments", visit));
     monitors_.visit_state(fccda::under("monitors", visit));
     encounters_.visit_state(fccda::under("encounters", visit));
   }
@@ -68,7 +82,10 @@ class Simulation {
  private:
   void advance_bodies();
   void strike();
-  void evaluate_forces();
+  void pull();
+  void touch();
+  void apply_boundaries();
+  void relax();
   void record();
 
   Setup setup_;
@@ -76,8 +93,11 @@ class Simulation {
   std::vector<InsideAtStart> inside_at_start_;
   std::vector<std::optional<FilledMass>> filled_masses_;
   std::vector<Body> bodies_;
+  std::vector<Boundaries> boundaries_;  // of each body
+  std::optional<ShortRange> fragments_;
   Stability stability_;
-  Clock clock_;
+  Clock clock_;  // counts increments where bodies are relaxed
+  std::optional<Relaxation> relaxation_;
   std::vector<Impactor> impactors_;
   std::vector<std::vector<double>> travel_;  // [m] of each body's blocks in this step
   Monitors monitors_;

@@ -15,10 +15,10 @@ struct Variant {
   std::vector<std::string> changes = {};
 };
 
-// fast enough to strike within eight steps, and so hard that bonds break, which the shipped plate's do not
+// fast enough to strike within six steps, and so hard that bonds break, which the shipped plate's do not
 const std::vector<std::string> small_plate = {"bodies.plate.spacing=10 mm",
                                               "bodies.plate.shape.box.size=[100 mm, 100 mm, 20 mm]",
-                                              "time={end: 4 us, step: 0.5 us}",
+                                              "time={end: 3 us, step: 0.5 us}",
                                               "output.history=1.5 us",
                                               "impactors.cylinder.surface.cylinder.panel=5 mm",
                                               "impactors.cylinder.velocity=[0, -500, 0]",
@@ -50,13 +50,13 @@ const std::vector<Variant> variants = {
     {"plate_impact", by_the_letter},
     // a blade turned to just above the ice; the feeder touches it from the start
     {"ice_paddle",
-     {"bodies.ice.spacing=20 mm", "time.end=0.28 ms", "time.step=0.02 ms", "output.history=0.07 ms", "impactors.paddle.surface.rotate=[0, 0, -26 deg]",
+     {"bodies.ice.spacing=20 mm", "time.end=0.22 ms", "time.step=0.02 ms", "output.history=0.07 ms", "impactors.paddle.surface.rotate=[0, 0, -26 deg]",
       "impactors.paddle.motion.rz={times: [0, 1 ms], velocities: [-400 rad/s, -300 rad/s]}"}},
 };
 
 }  // namespace
 
-TEST_CASE("resume: each shipped deck, made small and left off at every step, ends in the same state and rows") {
+TEST_CASE("resume: each shipped deck, made small and left off at every step, is the same to the last bit") {
   for (const Variant& variant : variants) {
     std::vector<std::string> changes = variant.changes;
     if (std::string(variant.deck) == "plate_impact") changes.insert(changes.begin(), small_plate.begin(), small_plate.end());
@@ -69,9 +69,7 @@ TEST_CASE("resume: each shipped deck, made small and left off at every step, end
       resumed.emplace(setup);
       snapshot.give(*resumed);
       whole.step(), resumed->step();
-      REQUIRE(resumed->state_hash() == whole.state_hash());
-      const auto row = whole.monitors().row(), again = resumed->monitors().row();
-      REQUIRE(std::equal(again.begin(), again.end(), row.begin(), row.end()));
+      REQUIRE(fixtures::Snapshot(whole).differences(fixtures::Snapshot(*resumed)) == std::vector<std::string>{});
     }
     CHECK(whole.impactors()[0].record().touched() == (variant.changes != by_the_letter));
     CHECK(resumed->closing_warnings() == whole.closing_warnings());

@@ -125,6 +125,17 @@ TEST_CASE("consistency: the published detector sees points, without friction") {
                    "reading is letter, but only the published detector reads the paper, and detector is swept; remove reading, or write detector: published."});
 }
 
+TEST_CASE("consistency: how fragments touch is said only where they do") {
+  check_complaint({"{law: none}", "{law: none, friction: 0.1}", "0.1}\noutput",
+                   "friction is 0.1, but law is none, so fragments do not touch; write law: repulsive, or remove friction."});
+  check_complaint({"{law: none}", "{restitution: 0.5}", "0.5}\noutput",
+                   "restitution is 0.5, but law is none, so fragments do not touch; write law: repulsive, or remove restitution."});
+  const auto fragments = read(plate_with("{law: none}", "{law: repulsive, friction: 0.1, friction_speed: 1 mm/s}")).setup.contact.fragments;
+  CHECK(fragments.friction == 0.1);
+  CHECK(fragments.friction_speed == 0.001);
+  CHECK(complaint(plate_with("{law: none}", "{law: none, friction: 0, distance_ratio: 1}")) == "");  // as run.json writes it
+}
+
 TEST_CASE("consistency: the analytic detector knows cylinders and spheres") {
   CHECK(complaint(plate_with("swept", "analytic")) == "");
   std::string text = plate_with("swept", "analytic");

@@ -42,7 +42,15 @@ TEST_CASE("describe: a map is told with all below it") {
         "  end: number [s], above 0, required\n"
         "      Time at which the run ends.\n"
         "  step: number [s], above 0, optional\n"
-        "      Time step. Where absent, 0.9 times the stable estimate of Silling and Askari over all bodies.\n");
+        "      Time step. Where absent, 0.9 times the stable estimate of Silling and Askari over all bodies.\n"
+        "  relax: map, optional\n"
+        "      Relaxes the bodies from one state of equilibrium to the next, instead of following their motion.\n"
+        "    increments: whole number, from 1 to 1000000, default 1\n"
+        "        Number of states of equilibrium, evenly spread to the end of the run. At each, courses and loads are as at its time.\n"
+        "    tolerance: number, above 0 and below 1, default 0.0001\n"
+        "        An increment is done when the forces that are out of balance are less than this share of the applied ones and those that hold.\n"
+        "    most_iterations: whole number, from 1 to 1000000000, default 10000\n"
+        "        An increment that takes more iterations ends the run.\n");
   CHECK(describe("impactors").starts_with("impactors: map, optional\n  <name>: map\n"));  // not contact.impactors
   CHECK(describe("bodies.plate") == describe("bodies.<name>"));
   CHECK(describe("bodies.spacing").starts_with("bodies.<name>.spacing: number [m]"));  // a key, not a body of that name

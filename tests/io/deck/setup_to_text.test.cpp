@@ -76,6 +76,8 @@ void check_solids(const std::vector<SolidSetup>& a, const std::vector<SolidSetup
 void check_same(const Setup& a, const Setup& b) {
   check_fields(a, b);
   check_fields(a.time, b.time);
+  REQUIRE(a.time.relax.has_value() == b.time.relax.has_value());
+  if (a.time.relax) check_fields(*a.time.relax, *b.time.relax);
   REQUIRE(a.bodies.size() == b.bodies.size());
   for (std::size_t i = 0; i < a.bodies.size(); ++i) {
     CHECK(a.bodies[i].name == b.bodies[i].name);
@@ -87,6 +89,17 @@ void check_same(const Setup& a, const Setup& b) {
     REQUIRE(a.bodies[i].cracks.size() == b.bodies[i].cracks.size());
     for (std::size_t k = 0; k < a.bodies[i].cracks.size(); ++k) check_fields(a.bodies[i].cracks[k], b.bodies[i].cracks[k]);
     check_alternative(a.bodies[i].material, b.bodies[i].material);
+    REQUIRE(a.bodies[i].boundaries.size() == b.bodies[i].boundaries.size());
+    for (std::size_t k = 0; k < a.bodies[i].boundaries.size(); ++k) {
+      CHECK(a.bodies[i].boundaries[k].name == b.bodies[i].boundaries[k].name);
+      check_alternative(a.bodies[i].boundaries[k].kind, b.bodies[i].boundaries[k].kind);
+      if (const auto* prescribed = std::get_if<PrescribedSetup>(&a.bodies[i].boundaries[k].kind))
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto &one = prescribed->of(axis), &other = std::get<PrescribedSetup>(b.bodies[i].boundaries[k].kind).of(axis);
+          REQUIRE(one.has_value() == other.has_value());
+          if (one) check_fields(*one, *other);
+        }
+    }
   }
   REQUIRE(a.impactors.size() == b.impactors.size());
   for (std::size_t i = 0; i < a.impactors.size(); ++i) {
@@ -129,6 +142,30 @@ void fill_table(Random& random, std::vector<double>& times, std::vector<double>&
     times.push_back(time += 1e-3 * static_cast<double>(1 + random() % 7));
     values.push_back(some_number(random, {}));
   }
+}
+
+/// One of each kind, with nothing along z, which a plane body cannot have.
+void add_boundaries(Random& random, BodySetup& body, bool relaxes) {
+  const auto some = [&]<class Kind>(Kind kind) {
+    fill_fields(random, kind);
+    if constexpr (requires { kind.factors; }) kind.times.clear(), kind.factors.clear();
+    if constexpr (requires { kind.face; }) kind.face.index %= 4;
+    return kind;
+  };
+  FixedSetup fixed = some(FixedSetup{});
+  fixed.directions = {"z", "x"};
+  body.boundaries = {{"grip", fixed}};
+  PrescribedSetup prescribed = some(PrescribedSetup{});
+  if (random() % 2) prescribed.x.emplace().velocity = some_number(random, {});
+  CourseSetup& course = prescribed.y.emplace();
+  fill_table(random, course.times, random() % 2 ? course.velocities : course.displacements);
+  body.boundaries.push_back({"pull", prescribed});
+  BodyForceSetup weight = some(BodyForceSetup{});
+  weight.force_density.z = 0;
+  if (random() % 2) fill_table(random, weight.times, weight.factors);
+  body.boundaries.push_back({"weight", weight});
+  body.boundaries.push_back({"push", some(PressureSetup{})});
+  if (!relaxes) body.boundaries.push_back({"sink", some(AbsorbingSetup{})});
 }
 
 void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
@@ -270,6 +307,8 @@ Setup some_setup(Random& random) {
   fill_fields(random, setup);
   fill_fields(random, setup.time);
   if (setup.time.step) setup.time.step = std::min(*setup.time.step, setup.time.end);
+  const bool relaxes = random() % 4 == 0;
+  if (relaxes) fill_fields(random, setup.time.relax.emplace()), setup.time.step.reset();
   for (const char* name : {"plate", "floe-2"}) {
     BodySetup& body = setup.bodies.emplace_back();
     fill_fields(random, body);
@@ -277,6 +316,8 @@ Setup some_setup(Random& random) {
     if (body.published) body.family.index = 1, body.normalisation.index = 1, body.surface_correction.index = 3;
     fill_shapes(random, body);
     fill_material(random, body);
+    if (relaxes) body.velocity = {};
+    if (random() % 2) add_boundaries(random, body, relaxes);
   }
   const SurfaceSetup surfaces[] = {CylinderSurface{}, SphereSurface{}, BoxSurface{}, FileSurface{}};
   for (const SurfaceSetup& surface : surfaces) {
@@ -303,7 +344,10 @@ Setup some_setup(Random& random) {
     contact.radius_ratio = contact.friction = 0;
   else
     contact.detector = contact.reading = {detector_words}, contact.reading = Choice{reading_words};
+  fill_fields(random, setup.contact.fragments);
+  if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) setup.contact.fragments = {};
   fill_fields(random, setup.output);
+  if (relaxes) setup.output.history.reset();
   ProbeSetup& probe = setup.output.probes.emplace_back();
   fill_fields(random, probe);
   probe.name = "centre", probe.body = "floe-2";

@@ -1,0 +1,62 @@
+/// All boundary conditions of one body, in the order in which they act: loads, then what damps, then what holds, because a holder's force
+/// makes up for all others (docs/theory/boundary.md).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fccda/body/step.hpp"
+#include "perimpact/boundary/all_boundaries.hpp"
+#include "perimpact/boundary/boundary_of.hpp"
+
+namespace perimpact {
+
+class Boundaries {
+ public:
+  /// None.
+  Boundaries() = default;
+  /// Throws SetupError, also where two hold the same particles in the same direction.
+  Boundaries(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of);
+
+  bool is_empty() const { return all_.empty(); }
+  std::span<const NamedBoundary> all() const { return all_; }
+  std::span<NamedBoundary> all() { return all_; }
+
+  /// Puts held particles where they are at that time.
+  void place(Particles& particles, double time, Held::Pace pace);
+
+  /// Forces at the beginning of the step that comes, added to those of the bonds.
+  void add_forces(Particles& particles, const fccda::Step& next);
+
+  /// After the particles were advanced: held ones go where they are led. `travel`: of advance().
+  void lead(Particles& particles, const fccda::Step& step, std::span<double> travel);
+
+  /// After contact: held ones go back. Slots that contact had displaced, in rising order of each boundary.
+  std::vector<std::uint32_t> lead_back(Particles& particles, const fccda::Step& step);
+
+  /// In search of equilibrium: adds the loads of that time to the forces of the bonds, and takes the forces on held directions away.
+  /// Returns how large loads and holding forces are [N], the root of the sum of their squares.
+  double balance(Particles& particles, double time);
+
+  /// Once equilibrium is found after dt [s]: the forces of the latest balance() are those of the state.
+  void settle(const Particles& particles, double time, double dt);
+
+  double work() const;  ///< [J] of all, done on the body so far
+
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    for (NamedBoundary& one : all_) std::visit([&](auto& boundary) { boundary.visit_record(one.name, visit); }, one.boundary);
+  }
+
+ private:
+  template <class Kind, class Act>
+  void for_each(const Act& act);
+  void refuse_held_twice(const BodySetup& body, const Particles& particles) const;
+
+  std::vector<NamedBoundary> all_;
+  std::vector<ForceSum> balanced_;  // of each, of the latest balance()
+};
+
+}  // namespace perimpact

@@ -1,0 +1,143 @@
+#include "perimpact/boundary/boundary_of.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "perimpact/setup/setup_error.hpp"
+
+namespace perimpact {
+
+using namespace fccda;
+
+namespace {
+
+struct Face {
+  std::size_t axis;
+  double sign;  // of its outward normal
+  explicit Face(int index) : axis(static_cast<std::size_t>(index / 2)), sign(index % 2 == 0 ? 1 : -1) {}
+  Vec3d normal() const {
+    Vec3d n{};
+    n[axis] = sign;
+    return n;
+  }
+};
+
+/// Where a boundary stands in the deck, and what it acts on.
+struct Place {
+  const BoundedParticles& of;
+  std::string key;  ///< "bodies.plate.boundaries.grip.fixed"
+
+  std::vector<std::uint32_t> slots(const std::string& region) const {
+    if (region.empty()) return {of.particles.slot_of().begin(), of.particles.slot_of().end()};
+    const std::vector<std::size_t> slots = of.slots_of(region, key + ".region");
+    return {slots.begin(), slots.end()};
+  }
+
+  TimeTable factor(const std::vector<double>& times, const std::vector<double>& factors) const {
+    if (times.empty() && factors.empty()) return TimeTable(1);
+    return table(key, times, factors);
+  }
+
+  static TimeTable table(const std::string& key, const std::vector<double>& times, const std::vector<double>& values) {
+    try {
+      return TimeTable(times, values);
+    } catch (const InputError& error) {
+      throw SetupError(key, error.what());
+    }
+  }
+};
+
+Boundary made(const FixedSetup& fixed, const Place& place) {
+  Held::Courses courses;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (fixed.directions.empty() || std::find(fixed.directions.begin(), fixed.directions.end(), axis_words[axis]) != fixed.directions.end())
+      courses[axis] = Course::rest();
+  return Held(place.slots(fixed.region), std::move(courses));
+}
+
+Course course_of(const CourseSetup& setup, const std::string& key) {
+  if (setup.velocity) return {Course::Of::velocity, TimeTable(*setup.velocity)};
+  if (setup.displacement) return {Course::Of::displacement, TimeTable(*setup.displacement)};
+  if (!setup.velocities.empty()) return {Course::Of::velocity, Place::table(key, setup.times, setup.velocities)};
+  return {Course::Of::displacement, Place::table(key, setup.times, setup.displacements)};
+}
+
+Boundary made(const PrescribedSetup& prescribed, const Place& place) {
+  Held::Courses courses;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (const auto& course = prescribed.of(axis)) courses[axis] = course_of(*course, fmt::format("{}.{}", place.key, axis_words[axis]));
+  return Held(place.slots(prescribed.region), std::move(courses));
+}
+
+Boundary made(const BodyForceSetup& load, const Place& place) {
+  std::vector<std::uint32_t> slots = place.slots(load.region);
+  std::vector<double> volumes;
+  for (const std::uint32_t slot : slots) volumes.push_back(place.of.particles.volume(slot));
+  return Load(std::move(slots), std::move(volumes), load.force_density, place.factor(load.times, load.factors));
+}
+
+/// The outermost particles of a lattice share the area evenly, those of a cloud by volume.
+Boundary made(const PressureSetup& load, const Place& place) {
+  const Face face(load.face.index);
+  const Particles& particles = place.of.particles;
+  std::vector<std::uint32_t> slots = place.slots(load.region);
+  std::vector<double> areas;
+  if (const Lattice* lattice = particles.lattice()) {
+    slots = outermost(*lattice, slots, load.face.index);
+    const double cell = lattice->spacing * particles.thickness().value_or(lattice->spacing);
+    areas.assign(slots.size(), load.area ? *load.area / static_cast<double>(slots.size()) : cell);
+  } else {
+    if (!load.area)
+      throw SetupError(place.key, fmt::format("body {} is a cloud of points, which have no faces; give the area [m2] that the particles of the region share.",
+                                              place.of.body.name));
+    double volume = 0;
+    for (const std::uint32_t slot : slots) volume += particles.volume(slot);
+    for (const std::uint32_t slot : slots) areas.push_back(*load.area * particles.volume(slot) / volume);
+  }
+  return Load(std::move(slots), std::move(areas), -load.value * face.normal(), place.factor(load.times, load.factors));
+}
+
+Boundary made(const AbsorbingSetup& layer, const Place& place) {
+  const Face face(layer.face.index);
+  std::vector<std::uint32_t> slots = place.slots(layer.region);
+  std::vector<double> depths;  // [m] along the face's normal
+  for (const std::uint32_t slot : slots) depths.push_back(face.sign * place.of.particles.reference(slot)[face.axis]);
+  const auto [first, last] = std::minmax_element(depths.begin(), depths.end());
+  const double spacing = place.of.particles.spacing(), inner = *first - 0.5 * spacing, thickness = *last + 0.5 * spacing - inner;
+  const double speed = std::sqrt(place.of.elastic.p_wave_modulus() / place.of.particles.density());
+  std::vector<double> damping;
+  for (const double depth : depths) damping.push_back(layer_damping(depth - inner, thickness, speed, layer.reflection));
+  return Absorbing(std::move(slots), damping);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> outermost(const Lattice& lattice, std::span<const std::uint32_t> slots, int face_index) {
+  const Face face(face_index);
+  std::map<std::array<int, 2>, std::uint32_t> last_of_row;
+  for (const std::uint32_t slot : slots) {
+    const std::array<int, 3> cell = lattice.cell(slot);
+    const std::array<int, 2> row = {cell[(face.axis + 1) % 3], cell[(face.axis + 2) % 3]};
+    const auto [found, is_first] = last_of_row.try_emplace(row, slot);
+    if (!is_first && face.sign * (cell[face.axis] - lattice.cell(found->second)[face.axis]) > 0) found->second = slot;
+  }
+  std::vector<std::uint32_t> all;
+  for (const auto& entry : last_of_row) all.push_back(entry.second);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+NamedBoundary boundary_of(const BoundarySetup& boundary, const BoundedParticles& of) {
+  return std::visit(
+      [&]<class Kind>(const Kind& kind) {
+        const Place place{of, fmt::format("bodies.{}.boundaries.{}.{}", of.body.name, boundary.name, Kind::name)};
+        return NamedBoundary{fmt::format("{}.{}", of.body.name, boundary.name), Kind::name, made(kind, place)};
+      },
+      boundary.kind);
+}
+
+}  // namespace perimpact

@@ -1,0 +1,90 @@
+#include "perimpact/boundary/held.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "perimpact/particles/advance.hpp"
+
+namespace perimpact {
+
+void Held::place(Particles& particles, double time, Pace pace) const {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!courses_[c]) continue;
+    const double displacement = courses_[c]->displacement(time), velocity = pace == Pace::still ? 0 : courses_[c]->velocity(time, time);
+    for (const std::uint32_t slot : slots_) {
+      particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement;
+      particles.velocity.component(c)[slot] = velocity;
+    }
+  }
+}
+
+void Held::lead(Particles& particles, const fccda::Step& step, std::span<double> travel) const {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!courses_[c]) continue;
+    const double displacement = courses_[c]->displacement(step.t1), velocity = courses_[c]->velocity(step.t0, step.t1);
+    for (const std::uint32_t slot : slots_) {
+      particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement;
+      particles.velocity.component(c)[slot] = velocity;
+    }
+  }
+  for (const std::uint32_t slot : slots_) {
+    double& furthest = travel[slot / travel_block];
+    furthest = std::max(furthest, norm(particles.velocity.at(slot)) * step.dt);
+  }
+}
+
+void Held::lead_back(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t>& displaced) {
+  Vec3d displacement{}, velocity{};
+  for (std::size_t c = 0; c < 3; ++c)
+    if (courses_[c]) displacement[c] = courses_[c]->displacement(step.t1), velocity[c] = courses_[c]->velocity(step.t0, step.t1);
+  for (const std::uint32_t slot : slots_) {
+    Vec3d change{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!courses_[c]) continue;
+      change[c] = velocity[c] - particles.velocity.component(c)[slot];
+      particles.velocity.component(c)[slot] = velocity[c];
+      particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement[c];
+    }
+    if (change == Vec3d{}) continue;
+    const Vec3d impulse = particles.mass(slot) * change;
+    account.add(impulse, dot(impulse, velocity));
+    displaced.push_back(slot);
+  }
+}
+
+template <class Target>
+ForceSum Held::take_over(Particles& particles, const Target& target) const {
+  return sum_in_blocks<ForceSum>(slots_.size(), [&](std::size_t k) {
+    const std::size_t slot = slots_[k];
+    Vec3d force{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!courses_[c]) continue;
+      double& density = particles.force_density.component(c)[slot];
+      const double wanted = target(slot, c);
+      force[c] = particles.volume(slot) * (wanted - density);
+      density = wanted;
+    }
+    return ForceSum{force, squared_norm(force)};
+  });
+}
+
+ForceSum Held::hold(Particles& particles, const fccda::Step& next) const {
+  Vec3d velocity{};
+  for (std::size_t c = 0; c < 3; ++c)
+    if (courses_[c]) velocity[c] = courses_[c]->velocity(next.t0, next.t1);
+  const double scale = particles.density() / next.dt;
+  return take_over(particles, [&](std::size_t slot, std::size_t c) { return scale * (velocity[c] - particles.velocity.component(c)[slot]); });
+}
+
+ForceSum Held::hold_still(Particles& particles) const {
+  return take_over(particles, [](std::size_t, std::size_t) { return 0.0; });
+}
+
+Vec3d Held::displacement(double time) const {
+  Vec3d displacement{};
+  for (std::size_t c = 0; c < 3; ++c)
+    if (courses_[c]) displacement[c] = courses_[c]->displacement(time);
+  return displacement;
+}
+
+}  // namespace perimpact

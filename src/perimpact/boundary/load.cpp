@@ -1,0 +1,32 @@
+#include "perimpact/boundary/load.hpp"
+
+#include "fccda/core/contract.hpp"
+
+namespace perimpact {
+
+Load::Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const Vec3d& intensity, fccda::TimeTable factor)
+    : slots_(std::move(slots)),
+      weights_(std::move(weights)),
+      total_weight_(sum_in_blocks<double>(weights_.size(), [&](std::size_t k) { return weights_[k]; })),
+      squared_weights_(sum_in_blocks<double>(weights_.size(), [&](std::size_t k) { return weights_[k] * weights_[k]; })),
+      intensity_(intensity),
+      factor_(std::move(factor)) {
+  EXPECTS(slots_.size() == weights_.size());
+}
+
+ForceSum Load::add_to(Particles& particles, double time) const {
+  const Vec3d now = factor_.at(time) * intensity_;
+  for_each_block(slots_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t slot = slots_[k];
+      particles.force_density.set(slot, particles.force_density.at(slot) + weights_[k] / particles.volume(slot) * now);
+    }
+  });
+  return {total_weight_ * now, squared_weights_ * squared_norm(now)};
+}
+
+Vec3d Load::displacement(const Particles& particles) const {
+  return sum_in_blocks<Vec3d>(slots_.size(), [&](std::size_t k) { return weights_[k] * particles.displacement(slots_[k]); }) / total_weight_;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,91 @@
+"""Bodies that are held, loaded and relaxed, from the deck to the results folder."""
+
+import signal
+import time
+
+from claims import claim, main
+
+BAR = """\
+title: A bar, pulled
+time: {end: 1, relax: {increments: 4, tolerance: 1e-5}}
+bodies:
+  bar:
+    shape: {box: {size: [40 mm, 5 mm, 5 mm]}}
+    spacing: 1 mm
+    material: {model: ordinary-state, youngs_modulus: 200 GPa, density: 7850}
+    regions:
+      left: {shape: {box: {size: [3 mm, 5 mm, 5 mm]}}, position: [-18.5 mm, 0, 0]}
+      right: {shape: {box: {size: [3 mm, 5 mm, 5 mm]}}, position: [18.5 mm, 0, 0]}
+    boundaries:
+      clamp: {fixed: {region: left}}
+      pull: {prescribed: {region: right, x: {file: pull.csv}}}
+output: {folder: results, frames: 2, probes: {middle: {body: bar, at: [0, 0, 0]}}}
+"""
+
+
+def bar(t, *changes):
+    (t.folder / "pull.csv").write_text("time [s], displacement [mm]\n0, 0\n1, 0.04\n")
+    text = BAR
+    for old, new in changes:
+        t.assertIn(old, text)
+        text = text.replace(old, new)
+    (t.folder / "bar.yaml").write_text(text)
+    return "bar.yaml"
+
+
+@claim("boundaries: a bar that is relaxed leaves a row an increment, and says how each ended")
+def _(t):
+    out = t.expect_success("run", bar(t), "--out", "r").out
+    t.assertRegex(out, r"\n\d+ threads, 4 increments of 0\.25 s; results go to r\n")
+    t.assertRegex(out, r"\n100\.0 %  increment 4 of 4  t = 1 s  \d+ iterations  0 s left\n")
+    history, report = t.history("r"), t.report("r")
+    t.assertEqual(history["time [s]"], [0, 0.25, 0.5, 0.75, 1])
+    t.assertTrue(all(residual <= 1e-5 for residual in history["total.residual [-]"]))
+    force = history["bar.pull.force_x [N]"]
+    # 34 of 40 mm are free and about as long is what strains: E A u/L, within the length of the clamps
+    t.assertTrue(200e9 * 25e-6 * 0.04 / 40 < force[-1] < 200e9 * 25e-6 * 0.04 / 34, force)
+    t.assertAlmostEqual(history["bar.clamp.force_x [N]"][-1] / force[-1], -1, 3)  # the residual adds up along the bar
+    t.assertAlmostEqual(history["middle.displacement_x [m]"][-1] / 2e-5, 1, 2)  # half of the way, but for that and the bar's contraction
+    t.assertEqual(report["bodies"]["bar"]["boundaries"]["clamp"]["kind"], "fixed")
+    t.assertEqual(report["bodies"]["bar"]["boundaries"]["pull"]["particles"], 75)
+    t.assertEqual(report["increment [s]"], 0.25)
+
+
+@claim("boundaries: check tells what each acts on, and how many increments there are")
+def _(t):
+    out = t.expect_success("check", bar(t), "--out", "r").out
+    t.assertIn("  bar.clamp         fixed, 75 particles\n  bar.pull          prescribed, 75 particles\n", out)
+    t.assertIn("time\n  increments        4 of 0.25 s\n", out)
+
+
+@claim("boundaries: a relaxed bar that is stopped between increments goes on and ends in the same state, with the same rows")
+def _(t):
+    many = ("increments: 4", "increments: 40")
+    t.expect_success("run", bar(t, many), "--out", "whole")
+    process = t.start("run", "bar.yaml", "--out", "stopped")
+    time.sleep(0.3)
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=60)
+    if process.returncode != 0:
+        t.assertEqual(process.returncode, 130)
+        t.expect_success("run", "bar.yaml", "--out", "stopped", "--resume")
+    t.assertEqual(t.report("stopped")["state_hash"], t.report("whole")["state_hash"])
+    t.assertEqual((t.folder / "stopped/history.csv").read_bytes(), (t.folder / "whole/history.csv").read_bytes())
+
+
+@claim("boundaries: a region that is not there is refused with its place in the deck")
+def _(t):
+    done = t.run_program("run", bar(t, ("clamp: {fixed: {region: left}}", "clamp: {fixed: {region: lef}}")))
+    t.expect_complaint(done, 2, "bar.yaml:12:", "body bar has no region lef; did you mean left?")
+
+
+@claim("boundaries: a run that finds no equilibrium ends with exit code 3, the increment and its residual")
+def _(t):
+    loose = ("clamp: {fixed: {region: left}}", "clamp: {body_force: {force_density: [0, 1 MN/m3, 0]}}")
+    done = t.run_program("run", bar(t, loose, ("tolerance: 1e-5", "most_iterations: 50")), "--out", "r")
+    t.assertEqual(done.code, 3)
+    t.assertIn("Increment 1 (t = 0.25 s) is not in equilibrium after 50 iterations", done.err)
+    t.assertEqual(t.report("r")["outcome"], "failed")
+
+
+main()

@@ -1,0 +1,158 @@
+// Boundaries in whole simulations: regions of the deck, columns, contact on held particles, threads.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "fccda/core/parallel.hpp"
+#include "perimpact/bodies.hpp"
+#include "perimpact/simulations.hpp"
+
+using namespace perimpact;
+using fixtures::complaint;
+using fixtures::run;
+using fixtures::value;
+
+namespace {
+
+/// A box as a region.
+SolidSetup region(const std::string& name, const Vec3d& size, const Vec3d& position) {
+  return {.name = name, .shape = BoxSolid{.size = size}, .position = position};
+}
+
+/// A plate of 20 × 10 × 4 mm, of which the last two layers at the left are clamped.
+Setup clamped_plate() {
+  Setup setup;
+  setup.time = {.end = 20e-6, .step = 2e-7};
+  BodySetup plate = fixtures::body_setup({.size = {0.02, 0.01, 0.004}, .spacing = 0.001});
+  plate.name = "plate";
+  plate.regions = {region("left", {0.002, 0.01, 0.004}, {-0.009, 0, 0}), region("right", {0.002, 0.01, 0.004}, {0.009, 0, 0})};
+  plate.boundaries = {{"clamp", FixedSetup{.region = "left", .directions = {}}}};
+  setup.bodies = {plate};
+  setup.output.history = 1e-6;
+  return setup;
+}
+
+/// A sphere that strikes the plate from above at x.
+ImpactorSetup sphere(double x) {
+  ImpactorSetup impactor;
+  impactor.name = "sphere";
+  impactor.surface = SphereSurface{.diameter = 0.006, .panel = 0.0008};
+  impactor.mass = 0.01;
+  impactor.position = {x, 0, 0.0052};
+  impactor.velocity = {0, 0, -20};
+  impactor.free = {"z"};
+  return impactor;
+}
+
+}  // namespace
+
+TEST_CASE("boundaries: force and work of each are columns of the history, and with the impactor's they balance the momentum") {
+  Setup setup = clamped_plate();
+  setup.impactors = {sphere(0)};
+  Simulation simulation(setup);
+  const double before = value(simulation, "total.momentum_z [kg m/s]");
+  double impulse = 0;
+  while (!simulation.clock().is_finished()) {
+    const double row = simulation.clock().time();
+    simulation.step();
+    if (!simulation.monitors().is_due(simulation.clock())) continue;
+    impulse += value(simulation, "plate.clamp.force_z [N]") * 1e-6;
+    CHECK(row < value(simulation, "time [s]"));
+  }
+  CHECK(value(simulation, "sphere.velocity_z [m/s]") > -19.9);  // it did strike
+  CHECK(impulse > 0);                                           // and the clamp felt it
+  // exact but for rounding: all momentum that leaves goes through the clamp
+  CHECK(value(simulation, "total.momentum_z [kg m/s]") - before == doctest::Approx(impulse).epsilon(1e-9));
+  CHECK(value(simulation, "plate.clamp.work [J]") == 0);
+}
+
+TEST_CASE("boundaries: an impactor does not move particles that are held, and bounces off them as if the clamp were stiff") {
+  Setup setup = clamped_plate();
+  setup.impactors = {sphere(-0.009)};  // above the clamped layers, whose contact is the whole of it
+  setup.impactors[0].surface = SphereSurface{.diameter = 0.001, .panel = 0.0002};
+  setup.impactors[0].position = {-0.009, 0, 0.0026};
+  setup.time.end = 40e-6;
+  Simulation simulation(setup);
+  const double before = value(simulation, "total.momentum_z [kg m/s]");
+  std::size_t displaced = 0;
+  double impulse = 0;
+  while (!simulation.clock().is_finished()) {
+    simulation.step();
+    const Particles& particles = simulation.bodies()[0].particles;
+    for (const std::uint32_t slot : particles.slot_of())
+      if (particles.reference(slot).x < -0.008) displaced += particles.position.at(slot) != particles.reference(slot);
+    if (simulation.monitors().is_due(simulation.clock())) impulse += value(simulation, "plate.clamp.force_z [N]") * 1e-6;
+  }
+  CHECK(displaced == 0);
+  // each step pushes it by mass times depth over the step, a spring, whose energy it gets back but for the steps in which it enters and leaves
+  CHECK(value(simulation, "sphere.velocity_z [m/s]") == doctest::Approx(20).epsilon(0.05));
+  CHECK(value(simulation, "total.momentum_z [kg m/s]") - before == doctest::Approx(impulse).epsilon(1e-9));
+}
+
+TEST_CASE("boundaries: one, two and four threads end in the same state to the last bit, with one of each kind") {
+  const auto hash = [](int threads) {
+    fccda::use_threads(threads);
+    Setup setup = clamped_plate();
+    setup.time.end = 4e-6;
+    CourseSetup course;
+    course.velocity = 2;
+    setup.bodies[0].boundaries.push_back({"pull", PrescribedSetup{.region = "right", .x = course}});
+    setup.bodies[0].boundaries.push_back({"weight", BodyForceSetup{.force_density = {0, 0, -1e7}}});
+    setup.bodies[0].boundaries.push_back({"push", PressureSetup{.face = Choice{face_words, 2}, .value = 1e7}});
+    setup.bodies[0].boundaries.push_back({"sink", AbsorbingSetup{.region = "right", .face = Choice{face_words, 0}}});
+    setup.impactors = {sphere(0)};
+    Simulation simulation(setup);
+    run(simulation);
+    return simulation.state_hash();
+  };
+  const std::uint64_t one = hash(1);
+  CHECK(hash(2) == one);
+  CHECK(hash(4) == one);
+}
+
+TEST_CASE("boundaries: a region that the body does not have is refused with its key") {
+  Setup setup = clamped_plate();
+  setup.bodies[0].boundaries[0].kind = FixedSetup{.region = "lefft"};
+  std::string key;
+  CHECK(complaint(setup, key) == "body plate has no region lefft; did you mean left?");
+  CHECK(key == "bodies.plate.boundaries.clamp.fixed.region");
+}
+
+TEST_CASE("relax: each increment is a row with its residual and iterations, and loads follow their factors") {
+  Setup setup = clamped_plate();
+  setup.time = {.end = 2, .relax = RelaxSetup{.increments = 4, .tolerance = 1e-5}};
+  setup.output.history.reset();
+  setup.bodies[0].boundaries.push_back(
+      {"pull", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = -1e6, .times = {0, 2}, .factors = {0, 1}}});
+  setup.output.probes = {{"end", "plate", {0.0095, 0, 0}}};
+  fccda::use_threads(1);
+  Simulation simulation(setup);
+  double first = 0;
+  for (int increment = 1; increment <= 4; ++increment) {
+    simulation.step();
+    CAPTURE(increment);
+    CHECK(value(simulation, "time [s]") == 0.5 * increment);
+    CHECK(value(simulation, "total.residual [-]") <= 1e-5);
+    CHECK(value(simulation, "total.iterations [-]") > 0);
+    CHECK(value(simulation, "plate.pull.force_x [N]") == doctest::Approx(0.25 * increment * 1e6 * 0.01 * 0.004).epsilon(1e-12));
+    CHECK(value(simulation, "plate.clamp.force_x [N]") == doctest::Approx(-value(simulation, "plate.pull.force_x [N]")).epsilon(1e-4));
+    CHECK(value(simulation, "plate.kinetic_energy [J]") == 0);
+    const double end = value(simulation, "end.displacement_x [m]");
+    if (increment == 1) first = end;
+    CHECK(end == doctest::Approx(increment * first).epsilon(1e-3));  // linear, but for the tolerance and strains of 1e-5
+  }
+  CHECK(simulation.clock().is_finished());
+  CHECK(value(simulation, "plate.pull.work [J]") == doctest::Approx(value(simulation, "plate.elastic_energy [J]")).epsilon(1e-3));
+}
+
+TEST_CASE("relax: impactors are refused") {
+  Setup setup = clamped_plate();
+  setup.time = {.end = 1, .relax = RelaxSetup{}};
+  setup.output.history.reset();
+  setup.impactors = {sphere(0)};
+  std::string key;
+  CHECK(complaint(setup, key) ==
+        "impactor sphere cannot take part where bodies are relaxed; lead the particles it would touch with a boundary, or remove time.relax.");
+  CHECK(key == "impactors.sphere");
+}
