@@ -17,7 +17,7 @@ double silling_askari_step(const Body& body, const ShortRange::Bound& contact = 
 ///
 /// Ordinary state-based materials on a lattice: that of the infinite lattice, found over wave vectors of the first Brillouin zone (24 intervals to
 /// π/Δ along each axis). M(k) = Σ 4 b ω_e v V n nᵀ (1 - cos k·ξ) + 2a T Tᵀ, T = d Σ ω_θ |ξ| v V n sin(k·ξ), ω² = largest eigenvalue of M/ρ.
-/// All others: that of this body with its surfaces (simulation/stiffest_mode.hpp), too long by less than 1 %, for 40 evaluations of its forces.
+/// All others: that of this body with its surfaces (simulation/stiffest_mode.hpp), too long by 0.1 % or so, for 40 evaluations of its forces.
 double exact_stable_step(const Body& body);
 
 }  // namespace perimpact
