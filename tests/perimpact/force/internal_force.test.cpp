@@ -286,7 +286,7 @@ TEST_CASE("internal force: a bond breaks at both of its ends, for ever, and no o
     for (const std::uint32_t slot : solid.particles.slot_of())
       for (const FamilyBond& bond : initial[slot]) {
         const auto has = [&](std::size_t of, std::size_t other) {
-          return std::any_of(now[of].begin(), now[of].end(), [&](const FamilyBond& one) { return one.j == other; });
+          return std::any_of(now[of].begin(), now[of].end(), [&](const FamilyBond& it) { return it.j == other; });
         };
         const bool intact = has(slot, bond.j);
         one_sided += intact != has(bond.j, slot);
