@@ -344,7 +344,7 @@ Setup some_setup(Random& random) {
     contact.radius_ratio = contact.friction = 0;
   else
     contact.detector = contact.reading = {detector_words}, contact.reading = Choice{reading_words};
-  fill_fields(random, setup.contact.fragments);
+  if (!relaxes) fill_fields(random, setup.contact.fragments);
   if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) setup.contact.fragments = {};
   fill_fields(random, setup.output);
   if (relaxes) setup.output.history.reset();
