@@ -95,8 +95,8 @@ void print_row(const Arguments& arguments, const Simulation& simulation, const M
       "particles,family,nu,correction,threads,isa,steps,steps/s,directed_bonds/step,directed_bonds/s,root_and_division/s,share_of_core,"
       "predict,contact,forces,monitors,contacts/step,broken_bonds,cpu_use,compiler\n");
   fmt::print("{},{},{},{},{},{},{},{:.4g},{:.0f},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.1f},{},{:.3f},{}\n", body.particles.size(),
-             body.family.stencil()->size(), setup.elastic().poissons_ratio, setup.surface_correction.word(), arguments.threads,
-             benchmark::instruction_set, arguments.steps, steps_per_second, directed_bonds, directed_bonds * steps_per_second, rate,
+             body.family.stencil()->size(), setup.elastic().poissons_ratio, setup.surface_correction.word(), arguments.threads, benchmark::instruction_set,
+             arguments.steps, steps_per_second, directed_bonds, directed_bonds * steps_per_second, rate,
              directed_bonds * steps_per_second / (rate * arguments.threads), share("predict"), share("contact"), share("forces"), share("monitors"),
              measured.contacts, body.internal.broken_bonds(), measured.cpu / (measured.wall * arguments.threads), compiler());
 }

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <vector>
+
 #include "fccda/core/error.hpp"
 #include "io/checkpoint/arrays_writer.hpp"
 #include "io/deck/difference.hpp"
+#include "io/deck/named_files.hpp"
 #include "io/deck/setup_to_text.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/state_hash.hpp"
@@ -31,13 +35,11 @@ std::string in_words(const std::string& value) { return value.empty() ? "not giv
 std::uint64_t fingerprint_at_start(Simulation& simulation) {
   StateHash hash;
   simulation.visit_state(hash);
-  for (const Impactor& impactor : simulation.impactors()) {
-    const fccda::Panels& panels = impactor.surface().panels();
-    for (const Vec3d& vertex : panels.vertices) {
-      const double coordinates[] = {vertex.x, vertex.y, vertex.z};
-      hash(impactor.name(), std::span<const double>(coordinates));
-    }
-    for (const std::array<int, 4>& corners : panels.panels) hash(impactor.name(), std::span<const int>(corners));
+  for (const std::filesystem::path& path : deck::named_files(deck::setup_to_text(simulation.setup()))) {
+    std::ifstream file(path, std::ios::binary);
+    std::vector<char> bytes(std::size_t{1} << 20);
+    while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0)
+      hash("file", std::span<const char>(bytes.data(), static_cast<std::size_t>(file.gcount())));
   }
   return hash.value();
 }

@@ -11,8 +11,8 @@
 
 namespace perimpact {
 
-/// A fingerprint of a simulation that was just made: of its first state and its surfaces. The files that a deck names are not part of it;
-/// whether they say the same is seen here.
+/// A fingerprint of a simulation that was just made: of its first state and of what the files hold that its deck names. So a file that was
+/// changed is seen, and a program that was built otherwise.
 std::uint64_t fingerprint_at_start(Simulation& simulation);
 
 /// Replaces the file as a whole, so that there is always one. Throws RunError where it cannot be written; the one before then stays.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/deck/consistency_boundary.hpp"
+#include "io/deck/consistency_fragments.hpp"
 #include "io/deck/consistency_impactor.hpp"
 #include "io/deck/consistency_solid.hpp"
 #include "io/deck/did_you_mean.hpp"
@@ -209,6 +210,7 @@ void make_consistent(Setup& setup, const Places& places, const fs::path& folder)
   for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
   for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);
   check_contact(setup, places);
+  check_fragments(setup.contact.fragments, places);
   check_output(setup, places);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fccda/core/parallel.hpp"
+#include "fccda/core/vec3.hpp"
 
 namespace perimpact {
 

@@ -27,7 +27,8 @@ class InternalForce {
   /// The same as evaluate(), one particle at a time: the oracle of the tests.
   void evaluate_scalar(Particles& particles, Family& family);
 
-  std::size_t broken_bonds() const;  ///< since construction, each counted once
+  std::size_t broken_bonds() const;                                               ///< since construction, each counted once
+  std::span<const std::size_t> broken_ends() const { return rows_.broken_ends; }  ///< since construction, of the particles of each row
 
   /// [N/m⁷] what the force density of a bond gains by each metre of its length, its family's share left aside.
   double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {

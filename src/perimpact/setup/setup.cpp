@@ -36,7 +36,9 @@ std::vector<Field<S>> elastic_fields(WithPoissonsRatio poisson, std::vector<Fiel
   std::vector<Field<S>> all{{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), required, "Young's modulus E."}};
   if (poisson == WithPoissonsRatio::yes)
     all.push_back({"poissons_ratio", &S::poissons_ratio, "1", strictly_between(-1, 0.5), optional,
-                   "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest."});
+                   std::is_same_v<S, CorrespondenceSetup>
+                       ? "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35."
+                       : "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest."});
   all.push_back({"density", &S::density, "kg/m3", positive(), required, "Mass density ρ."});
   all.push_back({"critical_stretch", &S::critical_stretch, "1", positive(), optional,
                  "A bond longer than (1 + this) times its first length breaks for ever. Where this, fracture_energy and flexural_strength are absent, bonds "
@@ -414,7 +416,25 @@ std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
 }
 
 std::span<const Field<FragmentContactSetup>> FragmentContactSetup::fields() {
-  static const Field<FragmentContactSetup> all[] = {{"law", &FragmentContactSetup::law, "", {}, optional, "Force between particles without a bond: none."}};
+  using S = FragmentContactSetup;
+  static const Field<S> all[] = {
+      {"law",
+       &S::law,
+       "",
+       {},
+       optional,
+       "Force between particles that no intact bond joins, of one body or of two: none (they pass through one another), or repulsive."},
+      {"distance_ratio", &S::distance_ratio, "1", positive(), optional,
+       "Distance at which particles of different bodies touch, in spacings, the mean of the two. 1: half a spacing each, as impactors have it, so that the "
+       "material's edges meet."},
+      {"debris_distance_ratio", &S::debris_distance_ratio, "1", positive(), optional,
+       "The same within a body, where it is also at most 0.9 times the distance they had at first. 1.35 lets rubble take up more room than the solid did."},
+      {"stiffness_factor", &S::stiffness_factor, "1", positive(), optional, "How much stiffer contact is than a bond: the 15 of EMU."},
+      {"friction", &S::friction, "1", at_least(0), optional, "Coulomb's coefficient of friction between touching particles. Ice on ice has 0.1 to 0.3."},
+      {"friction_speed", &S::friction_speed, "m/s", positive(), optional,
+       "Speed of sliding below which friction grows in proportion to it, so that it does not chatter; slow against what is to be resolved."},
+      {"restitution", &S::restitution, "1", between(0.1, 1), optional,
+       "Speed at which two free particles part, over that of their approach: 1 without loss. Less takes shorter time steps."}};
   return all;
 }
 

@@ -57,7 +57,8 @@ enum class StartingInside { error, remove, project };
 inline constexpr std::string_view beyond_region_words[] = {"error", "clip"};
 enum class BeyondRegion { error, clip };
 
-inline constexpr std::string_view fragment_law_words[] = {"none"};
+inline constexpr std::string_view fragment_law_words[] = {"none", "repulsive"};
+enum class FragmentLaw { none, repulsive };
 
 // ---- time ----
 
@@ -326,6 +327,12 @@ struct ImpactorContactSetup {
 
 struct FragmentContactSetup {
   Choice law{fragment_law_words};
+  double distance_ratio = 1;            ///< between bodies, in mean spacings
+  double debris_distance_ratio = 1.35;  ///< within a body, in mean spacings
+  double stiffness_factor = 15;
+  double friction = 0;
+  double friction_speed = 0.01;  ///< [m/s]
+  double restitution = 1;
   static std::span<const Field<FragmentContactSetup>> fields();
 };
 

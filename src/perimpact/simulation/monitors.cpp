@@ -51,8 +51,8 @@ void Monitors::add_vector(const std::string& owner, const char* quantity, const 
   for (std::size_t c = 0; c < 3; ++c) add(fmt::format("{}.{}_{} [{}]", owner, quantity, axes[c], unit), value[c]);
 }
 
-void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> boundaries, std::span<Impactor> impactors, const Clock& clock,
-                      const Relaxed* relaxed) {
+void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> boundaries, std::span<Impactor> impactors, const Clock& clock, const Relaxed* relaxed,
+                      const std::optional<ShortRange>& fragments) {
   row_.clear();
   add("time [s]", clock.time());
   const double interval = clock.time() - row_time_;  // forces are means over it; nothing has acted before the first row
@@ -95,6 +95,12 @@ void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> bounda
     momentum += bodies[b].momentum();
     energy += kinetic + elastic_[b];
     work += boundaries[b].work();
+  }
+  if (fragments) {
+    add("total.contact_energy [J]", fragments->energy());
+    add("total.friction_work [J]", fragments->friction_work());
+    add("total.restitution_work [J]", fragments->restitution_work());
+    energy += fragments->energy();
   }
   add_vector("total", "momentum", "kg m/s", momentum);
   add("total.energy [J]", energy);

@@ -1,11 +1,13 @@
 /// What is watched while a run goes on: one row of history.csv at a time, and the checks that end a run that has gone wrong.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "perimpact/boundary/boundaries.hpp"
+#include "perimpact/force/short_range.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/simulation/body.hpp"
 #include "perimpact/simulation/clock.hpp"
@@ -25,10 +27,10 @@ class Monitors {
   /// Elastic energy [J] of each body, for the row that is due.
   std::vector<double>& elastic_energy() { return elastic_; }
 
-  /// Makes the row of this step and checks it. `relaxed`: how the increment ended, where bodies are relaxed. Throws RunError where numbers are not finite or
-  /// energy appeared from nowhere.
+  /// Makes the row of this step and checks it. `relaxed`: how the increment ended, where bodies are relaxed; `fragments`: where they touch. Throws RunError
+  /// where numbers are not finite or energy appeared from nowhere.
   void record(std::span<const Body> bodies, std::span<Boundaries> boundaries, std::span<Impactor> impactors, const Clock& clock,
-              const Relaxed* relaxed = nullptr);
+              const Relaxed* relaxed = nullptr, const std::optional<ShortRange>& fragments = {});
 
   const std::vector<std::string>& columns() const { return columns_; }  ///< "cylinder.velocity_y [m/s]"
   std::span<const double> row() const { return row_; }                  ///< the latest

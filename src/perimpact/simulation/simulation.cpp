@@ -10,6 +10,7 @@
 #include "perimpact/impact/diagnosis.hpp"
 #include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
 #include "perimpact/solid/region.hpp"
@@ -37,11 +38,12 @@ std::vector<Boundaries> make_boundaries(const Setup& setup, std::span<const Body
 
 constexpr double safety = 0.9;  // of the estimate, which errs on the safe side by a factor near two
 
-Stability find_step(const Setup& setup, std::span<const Body> bodies, std::vector<std::string>& warnings) {
+Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optional<ShortRange>& fragments, std::vector<std::string>& warnings) {
   Stability stability{0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  for (const Body& body : bodies) {
-    stability.estimate = std::min(stability.estimate, silling_askari_step(body));
-    stability.exact = std::min(stability.exact, exact_stable_step(body));
+  const std::vector<TouchingBody> touching = touching_bodies(setup, bodies);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    stability.estimate = std::min(stability.estimate, silling_askari_step(bodies[b], fragments ? fragments->bound(touching, b) : ShortRange::Bound{}));
+    stability.exact = std::min(stability.exact, exact_stable_step(bodies[b]));
   }
   if (setup.time.relax) {
     stability.step = setup.time.end / setup.time.relax->increments;
@@ -171,7 +173,8 @@ Simulation::Simulation(const Setup& setup, Start start)
       filled_masses_(std::move(start.filled_masses)),
       bodies_(make_bodies(setup, std::move(start.particles))),
       boundaries_(make_boundaries(setup, bodies_)),
-      stability_(find_step(setup, bodies_, warnings_)),
+      fragments_(short_range_of(setup, bodies_)),
+      stability_(find_step(setup, bodies_, fragments_, warnings_)),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
       relaxation_(make_relaxation(setup, bodies_, clock_.dt)),
       impactors_(std::move(start.impactors)),
@@ -188,7 +191,10 @@ Simulation::Simulation(const Setup& setup, Start start)
   warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
   if (!relaxation_) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) boundaries_[b].place(bodies_[b].particles, 0, Held::Pace::moving);
-    evaluate_forces();
+    pull();
+    touch();
+    apply_boundaries();
+    if (fragments_ && fragments_->touching() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
   }
   record();
 }
@@ -198,7 +204,9 @@ void Simulation::step() {
   if (relaxation_) return relax();
   timers_.timed("predict", [&] { advance_bodies(); });
   timers_.timed("contact", [&] { strike(); });
-  timers_.timed("forces", [&] { evaluate_forces(); });
+  timers_.timed("forces", [&] { pull(); });
+  if (fragments_) timers_.timed("fragments", [&] { touch(); });
+  timers_.timed("forces", [&] { apply_boundaries(); });
   timers_.timed("monitors", [&] {
     if (monitors_.is_due(clock_)) record();
   });
@@ -224,15 +232,23 @@ void Simulation::strike() {
   }
 }
 
-void Simulation::evaluate_forces() {
+void Simulation::pull() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
     if (monitors_.is_due(clock_))
       monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family);
     else
       body.internal.evaluate(body.particles, body.family);
-    boundaries_[b].add_forces(body.particles, clock_.next());
   }
+}
+
+void Simulation::touch() {
+  if (fragments_) fragments_->add_forces(touching_bodies(setup_, bodies_), clock_.dt);
+}
+
+void Simulation::apply_boundaries() {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) boundaries_[b].add_forces(bodies_[b].particles, clock_.next());
+  if (fragments_) fragments_->note_work(touching_bodies(setup_, bodies_), clock_.dt);
 }
 
 void Simulation::relax() {
@@ -241,7 +257,7 @@ void Simulation::relax() {
 }
 
 void Simulation::record() {
-  monitors_.record(bodies_, boundaries_, impactors_, clock_, relaxation_ ? &relaxation_->latest() : nullptr);
+  monitors_.record(bodies_, boundaries_, impactors_, clock_, relaxation_ ? &relaxation_->latest() : nullptr, fragments_);
   encounters_.look(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
 }
 

@@ -10,6 +10,7 @@
 #include "fccda/core/state.hpp"
 #include "fccda/core/timers.hpp"
 #include "perimpact/boundary/boundaries.hpp"
+#include "perimpact/force/short_range.hpp"
 #include "perimpact/impact/impactor.hpp"
 #include "perimpact/setup/setup.hpp"
 #include "perimpact/simulation/body.hpp"
@@ -50,8 +51,13 @@ class Simulation {
   std::span<const Boundaries> boundaries() const { return boundaries_; }  ///< of each body
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
+  const std::optional<ShortRange>& fragments() const { return fragments_; }    ///< where the deck has them touch
   std::size_t contacts() const;                                                ///< of the last step
   const std::optional<Relaxation>& relaxation() const { return relaxation_; }  ///< in place of dynamics
+  /// Has the pairs of particles that may touch looked for anew; changes no result.
+  void forget_near_pairs() {
+    if (fragments_) fragments_->forget();
+  }
 
   /// What the next step depends on, as fccda/core/state.hpp says. A simulation of the same Setup that is given another's state and record
   /// goes on as the other would have.
@@ -68,6 +74,7 @@ class Simulation {
   void visit_record(Visitor&& visit) {
     for (Boundaries& boundaries : boundaries_) boundaries.visit_record(visit);
     for (Impactor& impactor : impactors_) impactor.visit_record(visit);
+    if (fragments_) fragments_->visit_record(fccda::under("fragments", visit));
     monitors_.visit_state(fccda::under("monitors", visit));
     encounters_.visit_state(fccda::under("encounters", visit));
   }
@@ -75,7 +82,9 @@ class Simulation {
  private:
   void advance_bodies();
   void strike();
-  void evaluate_forces();
+  void pull();
+  void touch();
+  void apply_boundaries();
   void relax();
   void record();
 
@@ -85,6 +94,7 @@ class Simulation {
   std::vector<std::optional<FilledMass>> filled_masses_;
   std::vector<Body> bodies_;
   std::vector<Boundaries> boundaries_;  // of each body
+  std::optional<ShortRange> fragments_;
   Stability stability_;
   Clock clock_;  // counts increments where bodies are relaxed
   std::optional<Relaxation> relaxation_;

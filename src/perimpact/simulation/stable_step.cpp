@@ -11,7 +11,7 @@
 
 namespace perimpact {
 
-double silling_askari_step(const Body& body) {
+double silling_askari_step(const Body& body, const ShortRange::Bound& contact) {
   std::vector<double> stiffness(body.particles.size());
   fccda::parallel_for(static_cast<std::ptrdiff_t>(stiffness.size()), [&](std::ptrdiff_t particle) {
     const std::size_t slot = body.particles.slot_of()[static_cast<std::size_t>(particle)];
@@ -19,8 +19,11 @@ double silling_askari_step(const Body& body) {
     body.family.for_each_bond(slot, [&](const FamilyBond& bond) { sum += body.internal.bond_stiffness(slot, bond) * bond.volume; });
     stiffness[static_cast<std::size_t>(particle)] = sum;
   });
-  const double stiffest = *std::max_element(stiffness.begin(), stiffness.end());
-  return stiffest > 0 ? std::sqrt(2 * body.particles.density() / stiffest) : std::numeric_limits<double>::infinity();
+  const double stiffest = *std::max_element(stiffness.begin(), stiffness.end()) + contact.stiffness;
+  if (!(stiffest > 0)) return std::numeric_limits<double>::infinity();
+  if (contact.damping == 0) return std::sqrt(2 * body.particles.density() / stiffest);
+  const double squared = 2 * stiffest / body.particles.density(), damping = 2 * contact.damping / body.particles.density();
+  return (std::sqrt(damping * damping + 4 * squared) - damping) / squared;
 }
 
 namespace {

@@ -11,8 +11,8 @@ namespace perimpact {
 /// method (Golub and Van Loan, Matrix Computations, ch. 10) from a seeded random start; the product with the stiffness is one evaluation of
 /// the body's own forces, on a copy of it, in which no bond breaks. Held particles are taken as free, which errs on the safe side.
 ///
-/// `products` evaluations are made. The result never exceeds ω²; it is below by less than 1 % with 40 for bodies of up to a million particles
-/// (tests/perimpact/simulation/stiffest_mode.test.cpp). 0 where the body has no bonds.
+/// `products` evaluations are made, and three fields of displacements are kept. The result never exceeds ω²; with 40 it is below by 0.1 % for
+/// plates of 19 000 and 145 000 particles (with 20, by 0.7 %). 0 where the body has no bonds.
 double stiffest_mode(const Body& body, int products = 40);
 
 /// The same where its particles had these densities [kg/m³], one of each slot.

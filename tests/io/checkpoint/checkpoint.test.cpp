@@ -158,6 +158,13 @@ TEST_CASE("checkpoint: a surface file that says something else now is seen, and 
   CHECK(scene.complaint(scene.setup({"impactors.block.surface.file=moved/block.obj"})).empty());
 }
 
+TEST_CASE("checkpoint: so is a file that changes nothing at the start, but may later") {
+  const Scene scene;
+  scene.run_to(3);
+  append(scene.folder / "block.obj", "# a comment\n");  // stands for a region that nothing has used yet
+  CHECK(scene.complaint(scene.setup()).find("a file that the deck names has changed since") != std::string::npos);
+}
+
 TEST_CASE("checkpoint: tables that hold less than they did are refused before anything is changed") {
   for (const char* name : {"history.csv", "pressure_area/block.csv"}) {
     const Scene scene;

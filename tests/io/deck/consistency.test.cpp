@@ -63,6 +63,23 @@ TEST_CASE("consistency: the linear peridynamic solid has its own correction") {
                                 "its correction; remove surface_correction."));
 }
 
+TEST_CASE("consistency: correspondence has nothing to correct or to normalise") {
+  const auto with = [](const std::string& line) {
+    std::string text = plate_with("    spacing:", "    " + line + "\n    spacing:");
+    text.replace(text.find("ordinary-state"), 14, "correspondence");
+    return complaint(text);
+  };
+  CHECK(with("surface_correction: volume")
+            .ends_with("surface_correction is volume, but the model correspondence normalises each particle by its own family, which is its correction; "
+                       "remove surface_correction."));
+  CHECK(with("normalisation: continuum")
+            .ends_with("normalisation is continuum, but in the model correspondence uniform strain has exactly its energy on every lattice and nothing is left "
+                       "to normalise; remove normalisation."));
+  CHECK(with("surface_correction: none") == "");
+  CHECK(with("normalisation: lattice") == "");
+  CHECK(with("published: true") == "");
+}
+
 TEST_CASE("consistency: bodies, impactors and probes share the columns of history.csv") {
   check_complaint({"  cylinder:\n", "  plate:\n", "plate:\n    surface",
                    "the name plate is already taken, but bodies, impactors and probes name columns of history.csv (as does total); choose another."});
@@ -106,6 +123,17 @@ TEST_CASE("consistency: the published detector sees points, without friction") {
        "friction is 0.3, but the published detector answers contact as the seed paper does, without friction; write friction: 0, or detector: swept."});
   check_complaint({"detector: swept", "detector: swept, reading: letter", "letter",
                    "reading is letter, but only the published detector reads the paper, and detector is swept; remove reading, or write detector: published."});
+}
+
+TEST_CASE("consistency: how fragments touch is said only where they do") {
+  check_complaint({"{law: none}", "{law: none, friction: 0.1}", "0.1}\noutput",
+                   "friction is 0.1, but law is none, so fragments do not touch; write law: repulsive, or remove friction."});
+  check_complaint({"{law: none}", "{restitution: 0.5}", "0.5}\noutput",
+                   "restitution is 0.5, but law is none, so fragments do not touch; write law: repulsive, or remove restitution."});
+  const auto fragments = read(plate_with("{law: none}", "{law: repulsive, friction: 0.1, friction_speed: 1 mm/s}")).setup.contact.fragments;
+  CHECK(fragments.friction == 0.1);
+  CHECK(fragments.friction_speed == 0.001);
+  CHECK(complaint(plate_with("{law: none}", "{law: none, friction: 0, distance_ratio: 1}")) == "");  // as run.json writes it
 }
 
 TEST_CASE("consistency: the analytic detector knows cylinders and spheres") {

@@ -15,7 +15,9 @@ constexpr std::string_view poissons_ratio =
     "bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25, with model: ordinary-state\n"
     "    Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest.\n"
     "bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25, with model: linear-peridynamic-solid\n"
-    "    Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest.\n";
+    "    Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest.\n"
+    "bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25, with model: correspondence\n"
+    "    Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35.\n";
 
 std::string complaint(std::string_view path) {
   try {

@@ -46,8 +46,8 @@ TEST_CASE("mistakes: missing keys, at the map that lacks them, with unit and mea
                    "plate:", "bodies.plate lacks shape. The solid that is filled with particles, or a file of particles."});
   check_complaint({"{box: {size: [0.2, 0.1, 0.009]}}", "{}",
                    "shape:", "bodies.plate.shape does not say which it is; give one of box, cylinder, sphere, file, points, cells."});
-  check_complaint(
-      {"model: ordinary-state, ", "", "material:", "bodies.plate.material lacks model. It is one of ordinary-state, linear-peridynamic-solid, bond-based."});
+  check_complaint({"model: ordinary-state, ", "",
+                   "material:", "bodies.plate.material lacks model. It is one of ordinary-state, linear-peridynamic-solid, bond-based, correspondence."});
   check_complaint({"body: plate, ", "", "centre:", "output.probes.centre lacks body. Name of the body."});
   CHECK(complaint("time: {end: 1}\n") == "deck.yaml: the deck lacks bodies. The deformable bodies, each under a name of your choice.");
   CHECK(complaint("time: {end: 1}\nbodies: {}\n") == "deck.yaml:2:1: bodies is empty; it needs at least one name with its keys.");
@@ -109,7 +109,7 @@ TEST_CASE("mistakes: a word that is no choice") {
       {"detector: swept", "detector: sweept", "sweept", "detector is sweept, but it must be one of swept, published, analytic; did you mean swept?"});
   check_complaint({"axis: z", "axis: up", "up", "axis is up, but it must be one of x, y, z."});
   check_complaint({"model: ordinary-state", "model: elastic", "elastic",
-                   "model is elastic, which is not known; known here: ordinary-state, linear-peridynamic-solid, bond-based."});
+                   "model is elastic, which is not known; known here: ordinary-state, linear-peridynamic-solid, bond-based, correspondence."});
   check_complaint(
       {"{cylinder: {diameter", "{cone: {diameter", "cone", "cone is not a key of impactors.cylinder.surface; known here: cylinder, sphere, box, file."});
   check_complaint({"{cylinder: {diameter", "{sphere: {diameter: 1, panel: 1}, cylinder: {diameter", "sphere",

@@ -276,10 +276,13 @@ void fill_shapes(Random& random, BodySetup& body) {
 
 /// Any model, with one of the keys that say when bonds break, or none of them.
 void fill_material(Random& random, BodySetup& body) {
-  const MaterialSetup models[] = {OrdinaryStateSetup{}, LinearSolidSetup{}, BondBasedSetup{}};
+  const MaterialSetup models[] = {OrdinaryStateSetup{}, LinearSolidSetup{}, BondBasedSetup{}, CorrespondenceSetup{}};
   body.material = models[random() % std::size(models)];
-  if (std::holds_alternative<LinearSolidSetup>(body.material) && !body.published) body.surface_correction.index = 0;
-  if (std::holds_alternative<LinearSolidSetup>(body.material)) body.published = false;
+  const bool is_correspondence = std::holds_alternative<CorrespondenceSetup>(body.material);
+  const bool own_family = is_correspondence || std::holds_alternative<LinearSolidSetup>(body.material);
+  if (own_family && !body.published) body.surface_correction.index = 0;
+  if (own_family) body.published = false;
+  if (is_correspondence) body.normalisation.index = 0;
   std::visit(
       [&](auto& material) {
         fill_fields(random, material);
@@ -341,6 +344,8 @@ Setup some_setup(Random& random) {
     contact.radius_ratio = contact.friction = 0;
   else
     contact.detector = contact.reading = {detector_words}, contact.reading = Choice{reading_words};
+  if (!relaxes) fill_fields(random, setup.contact.fragments);
+  if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) setup.contact.fragments = {};
   fill_fields(random, setup.output);
   if (relaxes) setup.output.history.reset();
   ProbeSetup& probe = setup.output.probes.emplace_back();

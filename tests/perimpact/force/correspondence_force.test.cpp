@@ -78,8 +78,9 @@ void check_gradient(Body& solid, double h, double tolerance) {
 TEST_CASE("correspondence: uniform strain, however large, has exactly the energy of the classical law, on every kind of points") {
   const Mat3 dilated = Mat3::diagonal({1.1, 1.1, 1.1}), drawn = Mat3::diagonal({1.2, 0.95, 1.0}), sheared{{{1, 0.3, 0}, {0, 1, 0}, {0, 0, 1}}},
              turned{{{0, -1.05, 0}, {1, 0, 0}, {0, 0, 1}}};
-  for (const auto& [name, options] : every_correspondence({0.006, 0.005, 0.004})) {
-    CAPTURE(name);
+  for (const fixtures::NamedOptions& one : every_correspondence({0.006, 0.005, 0.004})) {
+    const BodyOptions& options = one.options;
+    CAPTURE(one.name);
     Body solid = body(options);
     for (Mat3 F : {dilated, drawn, sheared, turned}) {
       const bool plane = solid.particles.is_plane();
@@ -156,8 +157,9 @@ TEST_CASE("correspondence: Wan's number is his tensor in a whole family, and Sil
 }
 
 TEST_CASE("correspondence: forces follow the bonds, whoever took them away or put them back") {
-  for (const auto& [name, options] : every_correspondence({0.006, 0.005, 0.004})) {
-    CAPTURE(name);
+  for (const fixtures::NamedOptions& one : every_correspondence({0.006, 0.005, 0.004})) {
+    const BodyOptions& options = one.options;
+    CAPTURE(one.name);
     Body solid = body(options);
     const auto whole = bonds_of(solid);
     fixtures::shake(solid, 1e-5);
@@ -175,8 +177,9 @@ TEST_CASE("correspondence: forces follow the bonds, whoever took them away or pu
 }
 
 TEST_CASE("correspondence: a body without nine tenths of its bonds still has the gradient of its energy for a force") {
-  for (const auto& [name, options] : every_correspondence({0.006, 0.005, 0.004})) {
-    CAPTURE(name);
+  for (const fixtures::NamedOptions& one : every_correspondence({0.006, 0.005, 0.004})) {
+    const BodyOptions& options = one.options;
+    CAPTURE(one.name);
     Body solid = body(options);
     cut_at_random(solid, 0.9);
     fixtures::shake(solid, 1e-5);

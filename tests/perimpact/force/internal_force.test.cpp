@@ -128,8 +128,9 @@ double largest(const std::vector<double>& values) {
 }  // namespace
 
 TEST_CASE("internal force: the wide kernel and the one-particle kernel agree for every material, dimension and kind of points") {
-  for (const auto& [name, options] : fixtures::every_body()) {
-    CAPTURE(name);
+  for (const fixtures::NamedOptions& one : fixtures::every_body()) {
+    const BodyOptions& options = one.options;
+    CAPTURE(one.name);
     Body wide = body(options), scalar = body(options);
     fixtures::shake(wide, 1e-6), fixtures::shake(scalar, 1e-6);
     wide.internal.evaluate(wide.particles, wide.family);
@@ -145,8 +146,9 @@ TEST_CASE("internal force: the wide kernel and the one-particle kernel agree for
 }
 
 TEST_CASE("internal force: it is the gradient of the energy that a loop over all pairs gives, for every material, dimension and kind of points") {
-  for (const auto& [name, options] : fixtures::every_body({0.006, 0.005, 0.004})) {
-    CAPTURE(name);
+  for (const fixtures::NamedOptions& one : fixtures::every_body({0.006, 0.005, 0.004})) {
+    const BodyOptions& options = one.options;
+    CAPTURE(one.name);
     Body solid = body(options);
     fixtures::shake(solid, 1e-5);
     const double reported = solid.internal.evaluate_with_energy(solid.particles, solid.family);
@@ -170,8 +172,9 @@ TEST_CASE("internal force: it is the gradient of the energy that a loop over all
 }
 
 TEST_CASE("internal force: a rigid motion, however large its rotation, gives no force") {
-  for (const auto& [name, options] : fixtures::every_body()) {
-    CAPTURE(name);
+  for (const fixtures::NamedOptions& one : fixtures::every_body()) {
+    const BodyOptions& options = one.options;
+    CAPTURE(one.name);
     Body solid = body(options);
     const double angle = 1.1;
     fixtures::deform(solid, [&](const Vec3d& X) {
@@ -185,8 +188,9 @@ TEST_CASE("internal force: a rigid motion, however large its rotation, gives no 
 }
 
 TEST_CASE("internal force: forces and moments sum to zero, to rounding") {
-  for (const auto& [name, options] : fixtures::every_body()) {
-    CAPTURE(name);
+  for (const fixtures::NamedOptions& one : fixtures::every_body()) {
+    const BodyOptions& options = one.options;
+    CAPTURE(one.name);
     Body solid = body(options);
     fixtures::shake(solid, 1e-5);
     solid.internal.evaluate(solid.particles, solid.family);
@@ -205,7 +209,8 @@ TEST_CASE("internal force: forces and moments sum to zero, to rounding") {
 }
 
 TEST_CASE("internal force: a plane body is never pushed out of its plane") {
-  for (const auto& [name, options] : fixtures::every_body()) {
+  for (const fixtures::NamedOptions& one : fixtures::every_body()) {
+    const BodyOptions& options = one.options;
     if (options.plane == PlaneState::none) continue;
     Body solid = body(options);
     fixtures::shake(solid, 1e-5);
@@ -215,9 +220,10 @@ TEST_CASE("internal force: a plane body is never pushed out of its plane") {
 }
 
 TEST_CASE("internal force: on the points of a lattice the stencil and the neighbour lists give the same forces, to rounding") {
-  for (const auto& [name, options] : fixtures::every_body()) {
+  for (const fixtures::NamedOptions& one : fixtures::every_body()) {
+    const BodyOptions& options = one.options;
     if (options.points != fixtures::Points::lattice) continue;
-    CAPTURE(name);
+    CAPTURE(one.name);
     BodyOptions with_lists = options;
     with_lists.points = fixtures::Points::listed;
     Body lattice = body(options), listed = body(with_lists);
@@ -239,7 +245,8 @@ TEST_CASE("internal force: one, two and four threads give the same bits") {
   for (const int threads : {1, 2, 4}) {
     fccda::use_threads(threads);
     std::vector<double> all;
-    for (auto [name, options] : fixtures::every_body()) {
+    for (fixtures::NamedOptions one : fixtures::every_body()) {
+      BodyOptions& options = one.options;
       options.critical_stretch = 5e-3;
       Body solid = body(options);
       fixtures::shake(solid, 3e-6);
@@ -255,8 +262,9 @@ TEST_CASE("internal force: one, two and four threads give the same bits") {
 }
 
 TEST_CASE("internal force: a bond breaks at both of its ends, for ever, and no other breaks") {
-  for (auto [name, options] : fixtures::every_body()) {
-    CAPTURE(name);
+  for (fixtures::NamedOptions one : fixtures::every_body()) {
+    BodyOptions& options = one.options;
+    CAPTURE(one.name);
     const double critical = 5e-3;
     options.critical_stretch = critical;
     Body solid = body(options);
@@ -278,7 +286,7 @@ TEST_CASE("internal force: a bond breaks at both of its ends, for ever, and no o
     for (const std::uint32_t slot : solid.particles.slot_of())
       for (const FamilyBond& bond : initial[slot]) {
         const auto has = [&](std::size_t of, std::size_t other) {
-          return std::any_of(now[of].begin(), now[of].end(), [&](const FamilyBond& one) { return one.j == other; });
+          return std::any_of(now[of].begin(), now[of].end(), [&](const FamilyBond& it) { return it.j == other; });
         };
         const bool intact = has(slot, bond.j);
         one_sided += intact != has(bond.j, slot);

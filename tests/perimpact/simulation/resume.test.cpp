@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
-#include <functional>
+#include <algorithm>
+#include <optional>
 
 #include "fixtures/snapshot.hpp"
+#include "fixtures/temporary_folder.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulations.hpp"
 
@@ -10,11 +12,11 @@ namespace perimpact {
 
 namespace {
 
-/// Two bodies between three impactors: one that spins and rubs and has a gauge, one driven by a table and pushed by a load, an open one
-/// with a region. Bonds break, panels share pushes, and the row of history that is open at most steps holds pushes.
-Setup lively() {
+/// Two bodies among three impactors: one that spins and rubs and has a gauge and a region that clips it, one driven by a table and pushed by
+/// a load, and an open sheet. Bonds break, panels share pushes, and the row of history that is open at most steps holds pushes.
+Setup lively(const ::fixtures::TemporaryFolder& folder) {
   Setup setup;
-  setup.time = {.end = 6e-6, .step = 2e-7};
+  setup.time = {.end = 4.4e-6, .step = 2e-7};
   setup.output.history = 1.4e-6;
   BodySetup plate = fixtures::body_setup({.size = {0.032, 0.016, 0.008}, .spacing = 0.002, .poissons_ratio = 0.3, .critical_stretch = 1e-3});
   plate.name = "plate";
@@ -41,7 +43,16 @@ Setup lively() {
   ball.motion.z = TranslationTable{{{0, 8e-6}, {-50, -150}, {}, {}}};
   ball.free = {"y"};
   ball.loads = {{.name = "push", .force = {0, 1e4, 0}, .times = {0, 8e-6}, .factors = {0, 1}}};
-  setup.impactors = {cylinder, ball};
+  ImpactorSetup sheet;
+  sheet.name = "sheet";
+  ::fixtures::put(folder / "sheet.obj", "v -0.01 0 -0.01\nv -0.01 0 0.01\nv 0.01 0 0.01\nv 0.01 0 -0.01\nf 1 2 3 4\n");
+  sheet.surface = FileSurface{.file = (folder / "sheet.obj").string(), .outside = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
+  sheet.mass = 0.01;
+  sheet.inertia = Vec3d{1e-6, 1e-6, 1e-6};
+  sheet.centre_of_mass = Vec3d{};
+  sheet.position = {0.006, -0.0166, 0};
+  sheet.velocity = {0, 100, 0};
+  setup.impactors = {cylinder, ball, sheet};
   setup.contact.impactors.friction = 0.2;
   setup.output.probes = {{"centre", "plate", {0, 0, 0}}};
   return setup;
@@ -57,19 +68,12 @@ void expect_same_when_resumed_at_every_step(const Setup& setup) {
     snapshot.give(*resumed);
     whole.step(), resumed->step();
     CAPTURE(whole.clock().step);
-    REQUIRE(resumed->clock().step == whole.clock().step);
-    REQUIRE(resumed->state_hash() == whole.state_hash());
-    const auto row = whole.monitors().row(), again = resumed->monitors().row();
-    REQUIRE(std::vector(again.begin(), again.end()) == std::vector(row.begin(), row.end()));
+    REQUIRE(::fixtures::Snapshot(whole).differences(::fixtures::Snapshot(*resumed)) == std::vector<std::string>{});
     for (std::size_t i = 0; i < whole.impactors().size(); ++i) {
-      const fccda::PanelLoads &loads = whole.impactors()[i].record().panels(), &loads_again = resumed->impactors()[i].record().panels();
-      const auto impulses = loads.since_start(), impulses_again = loads_again.since_start();
-      for (std::size_t panel = 0; panel < impulses.size(); ++panel) {
-        const bool same = impulses_again[panel].impulse == impulses[panel].impulse &&
-                          loads_again.interval_pressure()[panel] == loads.interval_pressure()[panel] &&
-                          loads_again.peak_pressure()[panel] == loads.peak_pressure()[panel];
-        REQUIRE(same);
-      }
+      const auto impulses = whole.impactors()[i].record().panels().since_start(), again = resumed->impactors()[i].record().panels().since_start();
+      const bool same =
+          std::equal(impulses.begin(), impulses.end(), again.begin(), again.end(), [](const auto& a, const auto& b) { return a.impulse == b.impulse; });
+      REQUIRE(same);
     }
   }
   CHECK(resumed->closing_warnings() == whole.closing_warnings());
@@ -78,7 +82,8 @@ void expect_same_when_resumed_at_every_step(const Setup& setup) {
 }  // namespace
 
 TEST_CASE("resume: a run left off after every step and taken up by a simulation made anew is the same to the last bit") {
-  const Setup setup = lively();
+  const ::fixtures::TemporaryFolder folder;
+  const Setup setup = lively(folder);
   Simulation simulation(setup);
   fixtures::run(simulation);
   CHECK(fixtures::value(simulation, "plate.broken_bonds [-]") > 0);  // there is something to lose
@@ -86,21 +91,26 @@ TEST_CASE("resume: a run left off after every step and taken up by a simulation 
   CHECK(simulation.impactors()[0].entered_inside(0) > 0);
   CHECK(simulation.impactors()[1].record().touched(0));
   CHECK(simulation.impactors()[1].work_of_loads() > 0);
+  CHECK(simulation.impactors()[2].record().touched(1));
   expect_same_when_resumed_at_every_step(setup);
 }
 
 TEST_CASE("resume: likewise with the published and the analytic detector") {
+  const ::fixtures::TemporaryFolder folder;
   for (const DetectorKind kind : {DetectorKind::published, DetectorKind::analytic}) {
-    Setup setup = lively();
+    Setup setup = lively(folder);
+    setup.impactors.pop_back();  // they know closed surfaces only
     setup.contact.impactors.detector.index = static_cast<int>(kind);
     if (kind == DetectorKind::published) setup.contact.impactors.radius_ratio = 0, setup.contact.impactors.friction = 0;
-    setup.time.end = 3e-6;
+    setup.time.end = 2e-6;
     expect_same_when_resumed_at_every_step(setup);
   }
 }
 
 TEST_CASE("resume: counts of the work of detection go on") {
-  Setup setup = lively();
+  const ::fixtures::TemporaryFolder folder;
+  Setup setup = lively(folder);
+  setup.impactors.pop_back();
   setup.contact.impactors.detector.index = static_cast<int>(DetectorKind::analytic);  // remembers no distances, so its counts are the same
   Simulation whole(setup), first(setup), second(setup);
   fixtures::run(whole);

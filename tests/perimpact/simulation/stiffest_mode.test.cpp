@@ -58,8 +58,9 @@ TEST_CASE("stiffest mode: two particles and their bond swing as a spring with tw
 }
 
 TEST_CASE("stiffest mode: forty products come from below and within one per cent of two hundred") {
-  for (const auto& [name, options] : some_bodies()) {
-    CAPTURE(name);
+  for (const fixtures::NamedOptions& one : some_bodies()) {
+    const BodyOptions& options = one.options;
+    CAPTURE(one.name);
     const Body solid = fixtures::body(options);
     const double forty = stiffest_mode(solid), many = stiffest_mode(solid, 200);
     CHECK(forty <= many * (1 + 1e-6));  // of rounding, and of forces that are linear to 1e-6
@@ -90,8 +91,9 @@ TEST_CASE("exact stable step: just below it a body keeps its energy, just above 
 }
 
 TEST_CASE("stable step: the estimate is below the exact limit of every body, and of correspondence by less than half") {
-  for (const auto& [name, options] : some_bodies()) {
-    CAPTURE(name);
+  for (const fixtures::NamedOptions& one : some_bodies()) {
+    const BodyOptions& options = one.options;
+    CAPTURE(one.name);
     const Body solid = fixtures::body(options);
     const double ratio = exact_stable_step(solid) / silling_askari_step(solid);
     CHECK(ratio > 1);

@@ -1,0 +1,136 @@
+/// What contact between fragments costs beside the bonds, by how much of a body is loose: CSV rows on standard output.
+///
+///   fragments_cost --threads 1
+///
+/// A plate of 100 × 60 × 12 particles; 0, 5, 25 and 100 % of it, from one end on, have no bonds any more and fly about at a hundredth of the speed of
+/// sound, to and fro and into one another and the rest. The steps are those of Simulation::step(), and the times those of its timers.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <random>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "fccda/core/parallel.hpp"
+#include "perimpact/simulation/simulation.hpp"
+
+namespace {
+
+using namespace perimpact;
+
+struct Arguments {
+  int threads = 1;
+  int warm_up = 20, steps = 100, rounds = 3;
+};
+
+constexpr double youngs_modulus = 9e9, density = 900, spacing = 0.01;
+
+Setup plate(bool touches) {
+  Setup setup;
+  setup.time.end = 1;
+  BodySetup body;
+  body.name = "plate";
+  body.shape = BoxSolid{{100 * spacing, 60 * spacing, 12 * spacing}};
+  body.spacing = spacing;
+  OrdinaryStateSetup material;
+  material.youngs_modulus = youngs_modulus, material.density = density;
+  material.critical_stretch = 0.5;
+  body.material = material;
+  setup.bodies = {body};
+  setup.contact.fragments.law.index = static_cast<int>(touches ? FragmentLaw::repulsive : FragmentLaw::none);
+  setup.contact.fragments.friction = 0.1;
+  setup.output.history = 0.5;
+  return setup;
+}
+
+/// Calls f(values) with that array of the state.
+template <class T, class F>
+void with_state(Simulation& simulation, const std::string& wanted, const F& f) {
+  simulation.visit_state([&](const std::string& name, auto&& values) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<T>>)
+      if (name == wanted) f(values);
+  });
+}
+
+/// Cuts that share of the plate loose, from low x on, and has it fly about.
+void loosen(Simulation& simulation, double share) {
+  const Body& body = simulation.bodies().front();
+  const Particles& particles = body.particles;
+  std::vector<std::uint8_t> loose(particles.slots(), 0);
+  for (const std::uint32_t slot : particles.slot_of()) loose[slot] = particles.reference(slot).x < (share - 0.5) * 100 * spacing;
+  with_state<std::uint8_t>(simulation, "plate.bonds", [&](std::span<std::uint8_t> bits) {
+    for (const std::uint32_t slot : particles.slot_of()) {
+      const std::size_t eight = slot / fccda::byte_lanes, first = body.family.begin(eight);
+      body.family.for_each_bond(slot, [&](const FamilyBond& bond) {
+        if (loose[slot] || loose[bond.j]) bits[first + bond.index] = static_cast<std::uint8_t>(bits[first + bond.index] & ~(1u << slot % fccda::byte_lanes));
+      });
+    }
+  });
+  with_state<std::size_t>(simulation, "plate.broken_ends_of_row", [&](std::span<std::size_t> ends) {
+    for (std::size_t& count : ends) count += share > 0;
+  });
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> speed(0, 0.01 * std::sqrt(youngs_modulus / density));
+  for (const char* axis : {"x", "y", "z"})
+    with_state<double>(simulation, std::string("plate.velocity_") + axis, [&](std::span<double> velocity) {
+      for (const std::uint32_t slot : particles.slot_of())
+        if (loose[slot]) velocity[slot] = speed(random);
+    });
+}
+
+struct Times {
+  double forces, fragments;  // [s] of one step
+  double lists, touching;    // a step
+};
+
+Times measured_once(double share, bool touches, const Arguments& arguments) {
+  Simulation simulation(plate(touches));
+  loosen(simulation, share);
+  for (int step = 0; step < arguments.warm_up; ++step) simulation.step();
+  const fccda::Timers before = simulation.timers();
+  const auto made = [&] { return touches ? static_cast<double>(simulation.fragments()->near_pairs().times_made()) : 0; };
+  const double first = made();
+  double touching = 0;
+  for (int step = 0; step < arguments.steps; ++step) {
+    simulation.step();
+    if (touches) touching += static_cast<double>(simulation.fragments()->touching());
+  }
+  const fccda::Timers& after = simulation.timers();
+  const auto of_step = [&](std::string_view name) { return (after.seconds(name) - before.seconds(name)) / arguments.steps; };
+  return {of_step("forces"), of_step("fragments"), (made() - first) / arguments.steps, touching / arguments.steps};
+}
+
+/// The least of the rounds: what else runs on the machine only adds.
+Times measure(double share, bool touches, const Arguments& arguments) {
+  Times least = measured_once(share, touches, arguments);
+  for (int round = 1; round < arguments.rounds; ++round) {
+    const Times again = measured_once(share, touches, arguments);
+    least.forces = std::min(least.forces, again.forces);
+    least.fragments = std::min(least.fragments, again.fragments);
+  }
+  return least;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Times contact between fragments beside the bonds; prints CSV.");
+  app.add_option("--threads", arguments.threads, "number of threads")->check(CLI::PositiveNumber);
+  app.add_option("--warm-up", arguments.warm_up, "steps before the clock starts")->check(CLI::NonNegativeNumber);
+  app.add_option("--steps", arguments.steps, "steps that are timed")->check(CLI::PositiveNumber);
+  app.add_option("--rounds", arguments.rounds, "how often all is done; the least time counts")->check(CLI::PositiveNumber);
+  CLI11_PARSE(app, argc, argv);
+  fccda::use_threads(arguments.threads);
+  const double whole = measure(0, false, arguments).forces;
+  fmt::print("loose,threads,steps,bonds [ms/step],fragments [ms/step],fragments/bonds of the whole plate,lists/step,touching pairs\n");
+  for (const double share : {0.0, 0.05, 0.25, 1.0}) {
+    const Times times = measure(share, true, arguments);
+    fmt::print("{},{},{},{:.4g},{:.4g},{:.3g},{:.3g},{:.0f}\n", share, arguments.threads, arguments.steps, 1e3 * times.forces, 1e3 * times.fragments,
+               times.fragments / whole, times.lists, times.touching);
+  }
+  return 0;
+}

@@ -1,0 +1,13 @@
+/// The files that a deck names: surfaces, clouds, tables.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace perimpact::deck {
+
+/// The values of all keys `file` of a text of setup_to_text, in its order.
+std::vector<std::filesystem::path> named_files(std::string_view setup);
+
+}  // namespace perimpact::deck

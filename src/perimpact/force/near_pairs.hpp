@@ -1,0 +1,92 @@
+/// Pairs of particles that may touch before the list is made anew: a cache, of which no result depends.
+///
+/// A pair touches where its particles are nearer than their contact distance, have no intact bond, and at least one of them is exposed
+/// (force/exposure.hpp). The list holds every such pair, as long as
+///   no two particles have come nearer to one another by more than the skin: no displacement since differs by more than half of it from one
+///     that is near the middle of all, so that a flight of all together costs nothing;
+///   bonds broke only near particles that had lost one before, where the list holds bonded pairs too.
+/// It is made anew in the step in which either ends. Which pairs it holds besides is never felt: pairs that do not touch are skipped, and those
+/// that do are in the order of body and slot.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "fccda/core/aligned.hpp"
+#include "perimpact/force/exposure.hpp"
+#include "perimpact/force/short_range_law.hpp"
+#include "perimpact/force/touching_body.hpp"
+#include "perimpact/force/wrapped_cells.hpp"
+
+namespace perimpact {
+
+class NearPairs {
+ public:
+  /// A particle that has pairs.
+  struct Member {
+    std::uint32_t body, slot;
+    Vec3d reference;  ///< [m] X
+    double size;      ///< [m] Δ_i
+    double volume;    ///< [m³]
+  };
+  /// Those that a member may touch, by body and slot. Eight more than `count` may be read.
+  struct Pairs {
+    std::size_t count;
+    const std::int32_t* others;  ///< members
+    const double* distances;     ///< [m] below which they touch
+    const std::uint32_t* bonds;  ///< row of the family of the member's eight slots where their bond is, if it was intact; else no_bond
+  };
+  static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max();
+
+  NearPairs(const ShortRangeLaw& law, std::span<const TouchingBody> bodies);
+
+  /// Makes the list anew where that is needed.
+  void update(std::span<const TouchingBody> bodies);
+  /// Has it made anew at the next update.
+  void forget() { is_known_ = false; }
+
+  std::span<const Member> members() const { return members_; }  ///< by body and slot
+  Pairs pairs_of(std::size_t member) const {
+    const std::size_t first = first_pair_[member];
+    return {first_pair_[member + 1] - first, others_.data() + first, distances_.data() + first, bonds_.data() + first};
+  }
+  bool is_exposed(const Member& member) const { return exposures_[member.body].is_exposed(member.slot); }
+  std::size_t times_made() const { return times_made_; }
+
+ private:
+  struct Found {
+    std::uint32_t particle, bond;
+    double distance;
+  };
+  bool has_moved_by_skin(std::span<const TouchingBody> bodies);
+  void make(std::span<const TouchingBody> bodies);
+  void mark_cells();
+  void find_of(std::size_t particle, std::span<const TouchingBody> bodies, std::vector<Found>& found) const;
+  void name_bonds(std::size_t particle, std::span<const TouchingBody> bodies, std::span<Found> found) const;
+
+  ShortRangeLaw law_;
+  double skin_ = 0, longest_ = 0;  // [m] skin, contact distance
+  std::vector<Exposure> exposures_;
+
+  // of all particles of all bodies, by body and slot
+  std::vector<Member> particles_;
+  VectorArray then_;                                     // [m] where they were when the list was made
+  Vec3d flight_{};                                       // [m] about how far they have gone since, all together
+  std::vector<std::uint8_t> stirred_;                    // near one that has lost a bond
+  std::vector<std::vector<std::uint32_t>> particle_at_;  // of body and slot
+
+  WrappedCells cells_;
+  std::vector<std::uint8_t> cell_marks_;
+
+  std::vector<Member> members_;
+  std::vector<std::size_t> first_pair_;
+  fccda::AlignedVector<std::int32_t> others_;
+  fccda::AlignedVector<double> distances_;
+  std::vector<std::uint32_t> bonds_;
+  bool is_known_ = false;
+  std::size_t times_made_ = 0;
+};
+
+}  // namespace perimpact

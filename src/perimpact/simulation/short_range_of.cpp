@@ -1,0 +1,64 @@
+#include "perimpact/simulation/short_range_of.hpp"
+
+#include <fmt/format.h>
+
+#include "perimpact/setup/setup_error.hpp"
+
+namespace perimpact {
+
+namespace {
+
+ShortRangeLaw law_of(const FragmentContactSetup& setup) {
+  return {.stiffness_factor = setup.stiffness_factor,
+          .distance_ratio = setup.distance_ratio,
+          .debris_distance_ratio = setup.debris_distance_ratio,
+          .friction = setup.friction,
+          .friction_speed = setup.friction_speed,
+          .damping_ratio = damping_ratio_of(setup.restitution)};
+}
+
+/// Contact acts along the line from particle to particle, which must not lead out of a plane body.
+void expect_one_plane(std::span<const Body> bodies) {
+  constexpr const char* key = "contact.fragments.law";
+  const auto height = [](const Body& body) { return body.particles.reference(body.particles.slot_of().front()).z; };
+  for (const Body& body : bodies) {
+    const Body& first = bodies.front();
+    if (body.particles.is_plane() != first.particles.is_plane())
+      throw SetupError(key,
+                       fmt::format("body {} is plane and body {} is not, but only bodies of the same dimension can touch; write law: none, or give both the "
+                                   "same plane.",
+                                   body.particles.is_plane() ? body.name : first.name, body.particles.is_plane() ? first.name : body.name));
+    if (body.particles.is_plane() && height(body) != height(first))
+      throw SetupError(key, fmt::format("the plane bodies {} and {} lie at z = {} m and {} m, but only bodies in one plane can touch; give them the same z, or "
+                                        "write law: none.",
+                                        first.name, body.name, height(first), height(body)));
+  }
+}
+
+}  // namespace
+
+std::vector<TouchingBody> touching_bodies(const Setup& setup, std::span<Body> bodies) {
+  const ShortRangeLaw law = law_of(setup.contact.fragments);
+  std::vector<TouchingBody> all;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Body& body = bodies[b];
+    const double thickness = body.particles.thickness().value_or(1);
+    all.push_back({body.particles, body.family, body.internal.broken_ends(), law.stiffness(elastic_of(setup.bodies[b]), body.family.horizon(), thickness)});
+  }
+  return all;
+}
+
+std::optional<ShortRange> short_range_of(const Setup& setup, std::span<Body> bodies) {
+  if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) return {};
+  expect_one_plane(bodies);
+  return ShortRange(law_of(setup.contact.fragments), touching_bodies(setup, bodies));
+}
+
+std::string warning_of_overlap(const ShortRange& fragments) {
+  return fmt::format(
+      "{} pairs of particles start nearer to one another than their contact distance, and the {:.3g} J of their springs will push them apart. Move the "
+      "bodies apart, or take a smaller contact.fragments.distance_ratio.",
+      fragments.touching(), fragments.energy());
+}
+
+}  // namespace perimpact

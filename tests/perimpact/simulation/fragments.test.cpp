@@ -1,0 +1,275 @@
+// Whole runs with contact between fragments: bodies that collide, break and rub.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <span>
+#include <type_traits>
+
+#include "fccda/core/parallel.hpp"
+#include "fixtures/snapshot.hpp"
+#include "perimpact/bodies.hpp"
+#include "perimpact/simulation/short_range_of.hpp"
+#include "perimpact/simulation/stable_step.hpp"
+#include "perimpact/simulations.hpp"
+
+namespace perimpact {
+
+using fixtures::run;
+using fixtures::value;
+
+namespace {
+
+BodySetup block(const std::string& name, const Vec3d& size, const Vec3d& position, const Vec3d& velocity, fixtures::BodyOptions options = {}) {
+  options.size = size;
+  BodySetup setup = fixtures::body_setup(options);
+  setup.name = name, setup.position = position, setup.velocity = velocity;
+  return setup;
+}
+
+Setup with_contact(std::vector<BodySetup> bodies, double end) {
+  Setup setup;
+  setup.time.end = end;
+  setup.bodies = std::move(bodies);
+  setup.contact.fragments.law.index = static_cast<int>(FragmentLaw::repulsive);
+  return setup;
+}
+
+/// Two bars end to end that fly at one another, apart by a hundredth of a spacing.
+Setup two_bars(PlaneState plane, double speed, double end) {
+  const Vec3d size = plane == PlaneState::none ? Vec3d{0.024, 0.004, 0.004} : Vec3d{0.024, 0.004, 0.002};
+  return with_contact(
+      {block("left", size, {-0.012005, 0, 0}, {speed, 0, 0}, {.plane = plane}), block("right", size, {0.012005, 0, 0}, {-speed, 0, 0}, {.plane = plane})}, end);
+}
+
+/// Two brittle blocks, one of another material and spacing, which shatter one another askew.
+Setup shattering() {
+  fixtures::BodyOptions brittle{.critical_stretch = 1e-3}, other{.spacing = 0.00125, .poissons_ratio = 0.3, .critical_stretch = 2e-3};
+  Setup setup = with_contact(
+      {block("block", {0.010, 0.008, 0.006}, {}, {}, brittle), block("bullet", {0.005, 0.005, 0.005}, {0.0085, 0.002, 0.001}, {-600, 0, 20}, other)}, 1.5e-5);
+  setup.contact.fragments.friction = 0.2;
+  setup.contact.fragments.friction_speed = 1;
+  setup.contact.fragments.restitution = 0.8;
+  return setup;
+}
+
+/// Breaks all bonds of a body, as the bond pass would.
+void break_all(Simulation& simulation, const std::string& body) {
+  simulation.visit_state([&](const std::string& name, auto&& values) {
+    using Values = std::remove_cvref_t<decltype(values)>;
+    if constexpr (std::is_same_v<Values, std::span<std::uint8_t>>) {
+      if (name == body + ".bonds") std::fill(values.begin(), values.end(), std::uint8_t{0});
+    } else if constexpr (std::is_same_v<Values, std::span<std::size_t>>) {
+      if (name == body + ".broken_ends_of_row")
+        for (std::size_t& ends : values) ++ends;
+    }
+  });
+}
+
+/// The shortest distance of two particles without a bond, in spacings; |X_j - X_i| where that is shorter.
+double nearest(const Body& body) {
+  double least = 1e9;
+  const Particles& p = body.particles;
+  for (const std::uint32_t i : p.slot_of())
+    for (const std::uint32_t j : p.slot_of())
+      if (i < j) least = std::min(least, norm(p.position.at(j) - p.position.at(i)) / p.spacing());
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("fragments: two equal bars that meet head on exchange their velocities, keep momentum and the energy to one per cent, in space and in the plane") {
+  for (const PlaneState plane : {PlaneState::none, PlaneState::stress}) {
+    CAPTURE(static_cast<int>(plane));
+    Setup setup = two_bars(plane, 10, 30e-6);  // the wave needs 10 µs to the far end and back
+    Simulation simulation(setup);
+    CHECK(simulation.warnings().empty());
+    const double energy = value(simulation, "total.energy [J]"), mass = simulation.bodies()[0].particles.total_mass();
+    double most = 0;
+    while (!simulation.clock().is_finished()) {
+      simulation.step();
+      most = std::max(most, simulation.fragments()->energy());
+    }
+    CHECK(most > 0.01 * energy);                                // they did touch
+    CHECK(value(simulation, "total.contact_energy [J]") == 0);  // and have parted
+    CHECK(value(simulation, "total.energy [J]") == doctest::Approx(energy).epsilon(0.01));
+    CHECK(std::fabs(value(simulation, "total.momentum_x [kg m/s]")) <= 1e-12 * mass * 10);
+    // a wave without dispersion would turn all of it round; the lattice and the bars' thickness keep a little as vibration
+    CHECK(simulation.bodies()[0].momentum().x / mass == doctest::Approx(-10).epsilon(0.05));
+    CHECK(simulation.bodies()[1].momentum().x / mass == doctest::Approx(10).epsilon(0.05));
+  }
+}
+
+TEST_CASE("fragments: without contact the same bars pass through one another, and history has no columns of it") {
+  Setup setup = two_bars(PlaneState::none, 10, 30e-6);
+  setup.contact.fragments.law.index = static_cast<int>(FragmentLaw::none);
+  Simulation simulation(setup);
+  run(simulation);
+  CHECK(simulation.bodies()[0].momentum().x == doctest::Approx(simulation.bodies()[0].particles.total_mass() * 10).epsilon(1e-12));
+  for (const std::string& column : simulation.monitors().columns()) CHECK(column.find("contact_energy") == std::string::npos);
+}
+
+TEST_CASE(
+    "fragments: blocks that shatter one another end in the same state to the last bit on one, two and four threads, and whenever the pairs are looked for") {
+  const int before = fccda::thread_count();
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2, 4})
+    for (const bool forgets : {false, true}) {
+      if (threads == 4 && !forgets) continue;
+      fccda::use_threads(threads);
+      Simulation simulation(shattering());
+      std::mt19937_64 random(static_cast<std::uint64_t>(threads));
+      std::size_t most = 0;
+      while (!simulation.clock().is_finished()) {
+        if (forgets && random() % 3 == 0) simulation.forget_near_pairs();
+        simulation.step();
+        most = std::max(most, simulation.fragments()->touching());
+      }
+      CHECK(value(simulation, "block.broken_bonds [-]") > 1000);
+      CHECK(most > 30);
+      CHECK(simulation.fragments()->friction_work() > 0);
+      hashes.push_back(simulation.state_hash());
+    }
+  fccda::use_threads(before);
+  for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
+}
+
+TEST_CASE("fragments: what friction and dashpots take is what rubble loses when it collides") {
+  // no bonds: the springs alone hold energy, and the works are those of the scheme, so only its ripple of (ω dt)² is left
+  Setup setup = with_contact(
+      {block("left", {0.006, 0.006, 0.006}, {-0.0035, 0.0004, 0}, {40, 3, 0}), block("right", {0.006, 0.006, 0.006}, {0.0035, 0, 0.0003}, {-40, 0, 5})}, 3e-5);
+  setup.contact.fragments.friction = 0.3;
+  setup.contact.fragments.restitution = 0.6;
+  Simulation simulation(setup);
+  break_all(simulation, "left"), break_all(simulation, "right");
+  const double first = value(simulation, "total.energy [J]");
+  double furthest = 0;
+  while (!simulation.clock().is_finished()) {
+    simulation.step();
+    const ShortRange& contact = *simulation.fragments();
+    if (!simulation.monitors().is_due(simulation.clock())) continue;
+    const double left = value(simulation, "total.energy [J]") + contact.friction_work() + contact.restitution_work();
+    furthest = std::max(furthest, std::fabs(left / first - 1));
+  }
+  CHECK(furthest <= 0.02);
+  CHECK(simulation.fragments()->friction_work() > 0.01 * first);
+  CHECK(simulation.fragments()->restitution_work() > 0.05 * first);
+}
+
+TEST_CASE("fragments: a pressed slider is braked by µ times the pressure, and stays where it stops") {
+  // particles right above one another, and a way so short that they stay so; the slab below is held
+  const double spacing = 0.001, acceleration = 3e4, friction = 0.3, speed = 0.3;
+  Setup setup = with_contact({block("slab", {0.004, 0.004, 0.003}, {0, 0, -0.0015}, {}), block("slider", {0.004, 0.004, 0.002}, {0, 0, 0.001}, {})}, 1);
+  setup.contact.fragments.friction = friction;
+  setup.contact.fragments.friction_speed = 0.003;
+  std::vector<Body> bodies;
+  for (const BodySetup& body : setup.bodies) bodies.push_back(make_body(body));
+  Particles &slab = bodies[0].particles, &slider = bodies[1].particles;
+  const auto touching = touching_bodies(setup, bodies);
+  ShortRange contact = *short_range_of(setup, bodies);
+  const double dt = 0.3 * silling_askari_step(bodies[1], contact.bound(touching, 1));
+  std::vector<double> travel(std::max(travel_blocks(slab), travel_blocks(slider)));
+  const auto step = [&](double damping) {
+    advance(slider, dt, std::span(travel).first(travel_blocks(slider)));
+    bodies[1].internal.evaluate(slider, bodies[1].family);
+    contact.add_forces(touching, dt);
+    for (const std::uint32_t slot : slider.slot_of()) {
+      const double density = slider.density();
+      slider.force_density.set(slot, slider.force_density.at(slot) - Vec3d{0, 0, density * acceleration} - damping * density * slider.velocity.at(slot));
+    }
+  };
+  const auto mean_speed = [&] { return bodies[1].momentum().x / slider.total_mass(); };
+  for (int settling = 0; settling < 4000; ++settling) step(2e5);  // near critical for the layer on its contact
+  REQUIRE(std::fabs(bodies[1].momentum().z / slider.total_mass()) < 0.01 * speed);
+  REQUIRE(contact.touching() == 16);
+  for (const std::uint32_t slot : slider.slot_of()) slider.velocity.set(slot, slider.velocity.at(slot) + Vec3d{speed, 0, 0});
+  const double brake = friction * acceleration;
+  double time = 0, way = 0;
+  while (time < 0.8 * speed / brake) step(0), time += dt, way += mean_speed() * dt;
+  CHECK(way < 0.01 * spacing);
+  CHECK(speed - mean_speed() == doctest::Approx(brake * time).epsilon(0.05));  // tilted by a hundredth, the normals push back by a thirtieth of it
+  while (time < 3 * speed / brake) step(0), time += dt;
+  CHECK(std::fabs(mean_speed()) < 0.05 * speed);
+}
+
+TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart, and all together keep their momentum") {
+  fixtures::BodyOptions brittle{.critical_stretch = 1e-3};
+  Setup setup = with_contact({block("block", {0.010, 0.008, 0.005}, {}, {}, brittle)}, 2e-5);
+  ImpactorSetup ball;
+  ball.name = "ball";
+  ball.surface = SphereSurface{.diameter = 0.006, .panel = 0.0007};
+  ball.mass = 2e-3;
+  ball.position = {0, 0.0071, 0};
+  ball.velocity = {0, -200, 0};
+  ball.free = {"x", "y", "z"};
+  setup.impactors = {ball};
+  double apart[2];
+  for (const bool touches : {false, true}) {
+    setup.contact.fragments.law.index = touches ? 1 : 0;
+    Simulation simulation(setup);
+    const double before = value(simulation, "total.momentum_y [kg m/s]");
+    run(simulation);
+    CHECK(value(simulation, "block.broken_bonds [-]") > 0.1 * static_cast<double>(simulation.bodies()[0].family.initial_bonds()));
+    CHECK(value(simulation, "total.momentum_y [kg m/s]") == doctest::Approx(before).epsilon(1e-12));
+    apart[touches] = nearest(simulation.bodies()[0]);
+  }
+  CHECK(apart[0] < 0.5 * apart[1]);
+  CHECK(apart[1] > 0.4);  // of a spacing; contact begins at 0.9 and gives way
+}
+
+TEST_CASE("fragments: a run left off and taken up by a simulation made anew goes on with the same bits and works") {
+  const Setup setup = shattering();
+  Simulation whole(setup);
+  std::optional<Simulation> resumed(std::in_place, setup);
+  while (!whole.clock().is_finished()) {
+    if (whole.clock().step % 7 == 3) {
+      const ::fixtures::Snapshot snapshot(*resumed);
+      resumed.emplace(setup);
+      snapshot.give(*resumed);
+    }
+    whole.step(), resumed->step();
+    REQUIRE(resumed->state_hash() == whole.state_hash());
+    REQUIRE(resumed->fragments()->friction_work() == whole.fragments()->friction_work());
+  }
+  CHECK(whole.fragments()->friction_work() > 0);
+}
+
+TEST_CASE("fragments: bodies of two dimensions touch others in their plane, and nothing else") {
+  std::string key;
+  Setup mixed = two_bars(PlaneState::none, 10, 1e-6);
+  mixed.bodies[1].plane.index = static_cast<int>(PlaneState::stress);
+  CHECK(fixtures::complaint(mixed, key) ==
+        "body right is plane and body left is not, but only bodies of the same dimension can touch; write law: none, or give both the same plane.");
+  CHECK(key == "contact.fragments.law");
+  Setup apart = two_bars(PlaneState::stress, 10, 1e-6);
+  apart.bodies[1].position.z = 0.001;
+  CHECK(fixtures::complaint(apart, key) ==
+        "the plane bodies left and right lie at z = 0 m and 0.001 m, but only bodies in one plane can touch; give them the same z, or write law: none.");
+}
+
+TEST_CASE("fragments: bodies that start nearer than they may are told of in a warning") {
+  Setup setup = two_bars(PlaneState::none, 0, 1e-6);
+  setup.bodies[1].position.x = 0.0116;
+  const std::vector<std::string> warnings = Simulation(setup).warnings();
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].starts_with("16 pairs of particles start nearer to one another than their contact distance, and the "));
+}
+
+TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap of rubble is quiet at it") {
+  Setup setup = two_bars(PlaneState::none, 10, 30e-6);
+  const auto step = [&] { return Simulation(setup).stability().estimate; };
+  const double with = step();
+  setup.contact.fragments.restitution = 0.5;
+  const double damped = step();
+  setup.contact.fragments.law.index = static_cast<int>(FragmentLaw::none);
+  const double without = step();
+  // 1/dt² is a sum: what contact adds is 12 · 15 c V/(2 ρ δ)
+  const Body body = make_body(setup.bodies[0]);
+  const double k = touching_bodies(setup, std::span(const_cast<Body*>(&body), 1)).front().stiffness, volume = 1e-9;
+  CHECK(1 / (with * with) == doctest::Approx(1 / (without * without) + 12 * k * volume / (2 * fixtures::density)).epsilon(1e-9));
+  CHECK(damped < with);
+}
+
+}  // namespace perimpact
