@@ -1,6 +1,6 @@
 #include "perimpact/force/correspondence_force.hpp"
 
-#include <cstring>
+#include <algorithm>
 #include <limits>
 
 #include "fccda/core/parallel.hpp"
@@ -107,7 +107,7 @@ template <std::size_t D, class Pack, class View>
 void follow_bonds(const View& body, std::size_t slot, std::uint8_t* known) {
   const std::size_t eight = slot / byte_lanes, rows = body.bonds.rows(eight);
   const std::uint8_t* now = body.bonds.bytes(eight);
-  if (std::memcmp(known, now, rows) == 0) return;
+  if (std::equal(known, known + rows, now)) return;
   const unsigned own = ((1u << lanes<Pack>)-1u) << (slot % byte_lanes);
   for (std::size_t row = 0; row < rows; ++row) known[row] = static_cast<std::uint8_t>((known[row] & ~own) | (now[row] & own));
   make_shape<D, Pack>(body, slot);

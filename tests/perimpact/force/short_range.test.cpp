@@ -158,6 +158,28 @@ TEST_CASE("short range: bonds that break and particles that wander are felt in t
   CHECK(contact.near_pairs().times_made() < 12);
 }
 
+TEST_CASE("short range: the first bonds of a whole block that break are felt in the same step, though nothing moved by the skin") {
+  Pile pile{.law = {}, .bodies = {}};
+  pile.bodies.push_back(fixtures::body({.size = {0.011, 0.009, 0.009}, .spacing = spacing}));
+  Body& body = pile.bodies[0];
+  const auto bodies = pile.touching();
+  ShortRange contact(pile.law, bodies);
+  contact.add_forces(bodies, 1e-8);
+  REQUIRE(contact.touching() == 0);
+  const Lattice& lattice = *body.particles.lattice();
+  const std::size_t where = lattice.slot(5, 4, 4);  // deep inside
+  body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
+  body.internal.visit_state("", [&](const std::string&, std::span<std::size_t> ends) {
+    for (std::size_t& end : ends) ++end;  // as the bond pass counts them
+  });
+  body.particles.position.set(where,
+                              body.particles.position.at(where) + Vec3d{0.2 * spacing, 0, 0});  // within the skin; nearer than 0.9 of a spacing to the next
+  pile.clear_forces();
+  contact.add_forces(bodies, 1e-8);
+  CHECK(contact.touching() >= 1);
+  CHECK(difference(pile, sum_over_all_pairs(pile, 1e-8)) <= 1e-12);
+}
+
 TEST_CASE("short range: linear momentum is kept to rounding, angular momentum only without friction") {
   for (const double friction : {0.0, 0.3}) {
     Pile pile = wreck(fixtures::Points::shaken, PlaneState::none, 0.5);
