@@ -1,5 +1,7 @@
 """Bodies from files, with holes and cracks, and clouds, from the deck to the pictures."""
 
+import unittest
+
 from claims import DECK, changed, claim, main, place_of
 from shapes import Shape, grid_box
 
@@ -56,6 +58,50 @@ def _(t):
     t.assertIn(b'Name="original"', (t.folder / "r/frames/plate_00004.vtp").read_bytes())
 
 
+@claim("points that meshio writes as VTU and VTK, plain, packed and text, run as the same points of a CSV file do, to the last bit")
+def _(t):
+    try:
+        import meshio
+        import numpy as np
+    except ImportError:
+        raise unittest.SkipTest("meshio is not installed") from None
+    points = np.array(centres())
+    volumes = np.linspace(1.0, 1.1, len(points)) * 1.25e-7
+    (t.folder / "cloud.csv").write_text(
+        "x [m], y [m], z [m], volume [m3]\n" + "".join(f"{x!r}, {y!r}, {z!r}, {v!r}\n" for (x, y, z), v in zip(points.tolist(), volumes.tolist()))
+    )
+    cloud = meshio.Mesh(points, [("vertex", np.arange(len(points))[:, None])], point_data={"noise": points[:, 0], "speed": points, "volume": volumes})
+    forms = {
+        "packed.vtu": dict(binary=True, compression="zlib"),
+        "plain.vtu": dict(binary=True, compression=None),
+        "binary.vtk": dict(binary=True, file_format="vtk42"),
+        "text.vtk": dict(binary=False, file_format="vtk42"),
+        "newer.vtk": dict(binary=True, file_format="vtk51"),
+    }
+    t.expect_success("run", t.deck((SHAPE, "shape: {points: {file: cloud.csv}}")), "--out", "csv")
+    for name, options in forms.items():
+        cloud.write(t.folder / name, **options)
+        t.expect_success("run", t.deck((SHAPE, f"shape: {{points: {{file: {name}}}}}")), "--out", name + "_run")
+        t.assertEqual(t.report(name + "_run")["state_hash"], t.report("csv")["state_hash"], name)
+
+
+@claim("a VTK file without volumes is told with the arrays that it has")
+def _(t):
+    header = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 0\nPOINT_DATA 2\nSCALARS mass float\nLOOKUP_TABLE default\n1 2\n"
+    for text, sentence in [
+        (header, "there is no point array `volume` of one number a point; there are `mass`"),
+        (header + "SCALARS volume float\nLOOKUP_TABLE default\n1 -2\n", " the volume of point 1, counted from 0, is -2 m3"),
+        (header[: header.index("POINT_DATA")], "there is no point array `volume` of one number a point; there is none at all"),
+    ]:
+        (t.folder / "cloud.vtk").write_text(text)
+        done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.vtk}}")))
+        t.expect_complaint(done, 2, str(t.folder.resolve() / "cloud.vtk") + ":", sentence)
+    vtu = '<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="1" NumberOfCells="0"><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0</DataArray></Points><PointData><DataArray type="Float32" Name="mass" format="ascii">1</DataArray></PointData></Piece></UnstructuredGrid></VTKFile>'
+    (t.folder / "cloud.vtu").write_text(vtu)
+    done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.vtu}}")))
+    t.expect_complaint(done, 2, str(t.folder.resolve() / "cloud.vtu") + ":1: the piece has no point array `volume` of one number a point; it has `mass`.")
+
+
 @claim("what is wrong with a file of a solid or a cloud is told at its key, and in the file at its line")
 def _(t):
     cube = grid_box((100.0, 60.0, 20.0), (1, 1, 1))
@@ -66,7 +112,6 @@ def _(t):
     (t.folder / "cloud.csv").write_text("x [m], y [m], z [m], volume [m3]\n0, 0, 0, 1\n0, 0, 1, zero\n")
     done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.csv}}")))
     t.expect_complaint(done, 2, str(t.folder.resolve() / "cloud.csv") + ":3: ", '"0, 0, 1, zero" is not four numbers with commas between')
-
 
 
 main()

@@ -27,7 +27,9 @@ class StruckParticles {
   std::size_t block_end(std::size_t block) const { return std::min((block + 1) * travel_block, size()); }
   double block_travel(std::size_t block) const { return travel_[block]; }
 
-  void set(std::size_t slot, const Vec3d& position, const Vec3d& velocity) {
+  /// The particles of a plane body stay in it: surfaces that they meet stand upright (in_plane.hpp), to rounding, which is left out here.
+  void set(std::size_t slot, Vec3d position, Vec3d velocity) {
+    if (particles_.is_plane()) position.z = particles_.position.at(slot).z, velocity.z = particles_.velocity.at(slot).z;
     particles_.position.set(slot, position);
     particles_.velocity.set(slot, velocity);
   }

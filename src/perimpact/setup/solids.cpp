@@ -75,8 +75,8 @@ std::span<const Field<PointsShape>> PointsShape::fields() {
                                   "",
                                   {},
                                   required,
-                                  "A CSV file with a particle a row and a first line that names the columns with units, \"x [m], y [m], z [m], volume [m3]\". "
-                                  "The origin of its coordinates is "
+                                  "A CSV file with a particle a row and a first line that names the columns with units, \"x [m], y [m], z [m], volume [m3]\"; "
+                                  "or the points of a VTK file (.vtk, .vtp, .vtu) in metres with a point array volume in m3. The origin of its coordinates is "
                                   "the body's position. A relative path starts at the deck's folder."},
                                  {"thickness", &S::thickness, "m", positive(), optional, "Of a plane body: its thickness, which the volumes are divided by."}};
   return all;

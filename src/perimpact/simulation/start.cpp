@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perimpact/impact/in_plane.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/memory.hpp"
 
@@ -39,7 +40,11 @@ std::vector<Impactor> place(const Setup& setup, std::span<Particles> particles) 
   std::vector<Particles*> bodies;
   for (Particles& body : particles) bodies.push_back(&body);
   std::vector<Impactor> impactors;
-  for (const ImpactorSetup& impactor : setup.impactors) impactors.emplace_back(impactor, setup.contact.impactors, bodies);
+  for (const ImpactorSetup& impactor : setup.impactors) {
+    impactors.emplace_back(impactor, setup.contact.impactors, bodies);
+    for (const Particles& body : particles)
+      if (body.is_plane()) expect_in_plane(impactor, impactors.back(), body, (1 + setup.contact.impactors.radius_ratio) * body.spacing());
+  }
   return impactors;
 }
 

@@ -31,11 +31,25 @@ constexpr Attribute attributes[] = {{"vectors", 3},  {"normals", 3},    {"textur
 
 class LegacyVtk {
  public:
-  LegacyVtk(std::string_view contents, const std::string& file) : file_(file), words_(contents, file), numbers_(at_third_line(words_), file) {}
+  /// `wanted`: an array of point data, where points are to be read.
+  LegacyVtk(std::string_view contents, const std::string& file, std::string_view wanted = {})
+      : file_(file), words_(contents, file), numbers_(at_third_line(words_), file), wanted_(wanted) {}
+
+  PointValues points() {
+    parse_sections();
+    if (!values_)
+      numbers_.fail("there is no point array " + shown(wanted_) + " of one number a point; there " +
+                    (point_arrays_.empty() ? "is none at all." : "are" + point_arrays_ + "."));
+    if (3 * values_->size() != points_.size())
+      numbers_.fail("the array " + shown(wanted_) + " has " + std::to_string(values_->size()) + " numbers for " + std::to_string(points_.size() / 3) +
+                    " points; write the file again.");
+    PointValues out{.values = std::move(*values_)};
+    for (std::size_t k = 0; k < points_.size(); k += 3) out.points.push_back({points_[k], points_[k + 1], points_[k + 2]});
+    return out;
+  }
 
   Elements parse() {
-    parse_kind();
-    for (std::string_view section = words_.next(); !section.empty(); section = words_.next()) parse_section(section);
+    parse_sections();
     VtkElements out(file_);
     out.begin_piece(points_);
     is_grid_ ? add_grid(out) : add_polydata(out);
@@ -43,6 +57,11 @@ class LegacyVtk {
   }
 
  private:
+  void parse_sections() {
+    parse_kind();
+    for (std::string_view section = words_.next(); !section.empty(); section = words_.next()) parse_section(section);
+  }
+
   void parse_kind() {
     if (!is_word(words_.next(), "dataset")) words_.fail("the fourth line must name the DATASET; write the file again.");
     const std::string_view kind = words_.next_in_line();
@@ -142,11 +161,18 @@ class LegacyVtk {
     while (!words_.next_in_line().empty());
   }
 
-  /// Takes the array as the parts where it is one that numbers them, better than the one so far.
+  /// Takes the array as the parts where it is one that numbers them, better than the one so far, or as the one that is wanted.
   void parse_array(std::string_view name, std::string_view type, std::size_t tuples, std::size_t components) {
     const int rank = is_of_cells_ && components == 1 ? vtk_part_rank(name) : -1;
     const std::string what = "the array " + shown(name);
     const std::optional<NumberType> number = vtk_number_type(type);
+    if (!is_of_cells_ && components == 1 && number) {
+      point_arrays_ += " " + shown(name);
+      if (!wanted_.empty() && name == wanted_ && !values_) {
+        values_ = numbers_.reals(tuples, *number, what);
+        return;
+      }
+    }
     if (rank < 0 || !number || !is_whole(*number) || (part_rank_ >= 0 && part_rank_ <= rank)) return numbers_.skip(tuples, components, type, what);
     part_rank_ = rank;
     part_array_ = what;
@@ -233,10 +259,15 @@ class LegacyVtk {
   int part_rank_ = -1;
   std::string part_array_;
   std::vector<std::int64_t> parts_;
+  std::string_view wanted_;
+  std::optional<std::vector<double>> values_;  // of the wanted array
+  std::string point_arrays_;                   // names of those with a number a point
 };
 
 }  // namespace
 
 Elements parse_vtk(std::string_view contents, const std::string& file) { return LegacyVtk(contents, file).parse(); }
+
+PointValues parse_vtk_points(std::string_view contents, const std::string& file, std::string_view array) { return LegacyVtk(contents, file, array).points(); }
 
 }  // namespace fccda

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "fccda/surface/file/elements.hpp"
+#include "fccda/surface/read/vtk/point_values.hpp"
 
 namespace fccda {
 
@@ -15,5 +16,8 @@ namespace fccda {
 ///
 /// Format: VTK File Formats, Simple Legacy Formats, https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html
 Elements parse_vtk(std::string_view contents, const std::string& file);
+
+/// Its points, and of the array of point data of that name (of one component, SCALARS or in a FIELD) a number for each.
+PointValues parse_vtk_points(std::string_view contents, const std::string& file, std::string_view array);
 
 }  // namespace fccda

@@ -32,11 +32,31 @@ struct Piece {
   std::vector<FoundArray> arrays;
   int part_rank = -1;
   VtpArray part;
+  std::string point_arrays;  // ", " and the name of each that has a number a point
 };
 
 class VtkXml {
  public:
-  VtkXml(std::string_view contents, const std::string& file) : file_(file), size_(contents.size()), tags_(contents, file) {}
+  /// `wanted`: an array of PointData, where points are to be read.
+  VtkXml(std::string_view contents, const std::string& file, std::string_view wanted = {})
+      : file_(file), size_(contents.size()), tags_(contents, file), wanted_(wanted) {}
+
+  PointValues points() {
+    parse_tags();
+    PointValues out;
+    VtpArrays arrays(encoding_, file_, size_);
+    for (const Piece& piece : pieces_) {
+      if (piece.points == 0) continue;
+      const VtpArray* wanted = find(piece, "PointData", wanted_);
+      if (wanted == nullptr)
+        tags_.fail(piece.line, "the piece has no point array " + shown(wanted_) + " of one number a point; it has " +
+                                   (piece.point_arrays.empty() ? "none at all." : piece.point_arrays.substr(2) + "."));
+      const std::vector<double> values = arrays.reals(*wanted, piece.points), places = arrays.reals(array(piece, "Points", ""), 3 * piece.points);
+      out.values.insert(out.values.end(), values.begin(), values.end());
+      for (std::size_t k = 0; k < places.size(); k += 3) out.points.push_back({places[k], places[k + 1], places[k + 2]});
+    }
+    return out;
+  }
 
   Elements parse() {
     parse_tags();
@@ -138,6 +158,7 @@ class VtkXml {
     Piece& piece = pieces_.back();
     const std::string_view section = open_.back();
     if (section == "CellData") return begin_part(tag, piece);
+    if (section == "PointData") return begin_wanted(tag, piece);
     const bool is_list = section == "Cells" || section == "Polys" || section == "Strips";
     const std::string_view name = is_list ? tag["Name"] : std::string_view{};
     const bool is_needed = section == "Points" || (is_list && (name == "connectivity" || name == "offsets" || (name == "types" && is_grid_)));
@@ -145,6 +166,14 @@ class VtkXml {
     if (section == "Points" && count(tag, "NumberOfComponents") != 3)
       tags_.fail(tag.line, "the points have " + shown(tag["NumberOfComponents"]) + " components, but need 3; write the file again.");
     piece.arrays.push_back({section, name, described(tag, name.empty() ? std::string(section) : std::string(section) + "/" + std::string(name))});
+    return &piece.arrays.back().array;
+  }
+
+  VtpArray* begin_wanted(const XmlTag& tag, Piece& piece) {
+    if (count(tag, "NumberOfComponents") > 1) return nullptr;
+    piece.point_arrays += ", " + shown(tag["Name"]);
+    if (wanted_.empty() || tag["Name"] != wanted_ || find(piece, "PointData", wanted_) != nullptr) return nullptr;
+    piece.arrays.push_back({"PointData", wanted_, described(tag, "PointData/" + std::string(wanted_))});
     return &piece.arrays.back().array;
   }
 
@@ -251,10 +280,13 @@ class VtkXml {
   VtpEncoding encoding_;
   std::vector<std::string_view> open_;  // elements, from outside in
   std::vector<Piece> pieces_;
+  std::string_view wanted_;
 };
 
 }  // namespace
 
 Elements parse_vtp(std::string_view contents, const std::string& file) { return VtkXml(contents, file).parse(); }
+
+PointValues parse_vtp_points(std::string_view contents, const std::string& file, std::string_view array) { return VtkXml(contents, file, array).points(); }
 
 }  // namespace fccda

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "fccda/surface/file/elements.hpp"
+#include "fccda/surface/read/vtk/point_values.hpp"
 
 namespace fccda {
 
@@ -16,5 +17,8 @@ namespace fccda {
 ///
 /// Format: VTK File Formats, XML File Formats, https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html
 Elements parse_vtp(std::string_view contents, const std::string& file);
+
+/// Its points, and of the array of PointData of that name (of one component) a number for each.
+PointValues parse_vtp_points(std::string_view contents, const std::string& file, std::string_view array);
 
 }  // namespace fccda
