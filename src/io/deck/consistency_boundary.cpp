@@ -87,6 +87,8 @@ void check(PressureSetup& load, const Context& context) {
   context.check_factors(load.times, load.factors);
 }
 
+void check(FloatingSetup&, const Context& context) { context.refuse_along_z("gravity"); }
+
 void check(AbsorbingSetup& layer, const Context& context) { refuse_face_along_z(layer.face, context); }
 
 }  // namespace

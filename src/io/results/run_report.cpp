@@ -36,6 +36,10 @@ Json body_report(const Body& body, const Boundaries& boundaries, const std::opti
     entry["kind"] = one.kind;
     entry["particles"] = one.particles();
     entry["work [J]"] = one.account().work();
+    if (const auto* floating = std::get_if<Floating>(&one.boundary)) {
+      entry["level [m]"] = floating->water().level;
+      entry["floats_at [m]"] = floating->floats_at();
+    }
   }
   return json;
 }

@@ -6,12 +6,13 @@
 #include <variant>
 
 #include "perimpact/boundary/absorbing.hpp"
+#include "perimpact/boundary/floating.hpp"
 #include "perimpact/boundary/held.hpp"
 #include "perimpact/boundary/load.hpp"
 
 namespace perimpact {
 
-using Boundary = std::variant<Held, Load, Absorbing>;
+using Boundary = std::variant<Held, Load, Floating, Absorbing>;
 
 struct NamedBoundary {
   std::string name;       ///< "plate.grip"

@@ -23,6 +23,10 @@ Boundaries::Boundaries(const BodySetup& body, const IsotropicElastic& elastic, c
       for (std::size_t axis = 0; axis < 3; ++axis)
         if (held.holds(axis)) layer.leave_out(held.slots(), axis);
     });
+    for_each<Floating>([&](Floating& water) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (held.holds(axis)) water.leave_out(held.slots(), axis);
+    });
   });
 }
 
@@ -52,9 +56,17 @@ void Boundaries::place(Particles& particles, double time, Held::Pace pace) {
   for_each<Held>([&](const Held& held) { held.place(particles, time, pace); });
 }
 
+void Boundaries::look(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
+  for_each<Floating>([&](Floating& water) { water.look(particles, family, broken_ends); });
+}
+
 void Boundaries::add_forces(Particles& particles, const fccda::Step& next) {
   for_each<Load>([&](Load& load) { load.account.note(load.add_to(particles, next.t0).force, load.displacement(particles)); });
+  std::vector<Vec3d> lifts;
+  for_each<Floating>([&](Floating& water) { lifts.push_back(water.add_to(particles).force); });
   for_each<Absorbing>([&](Absorbing& layer) { layer.damp(particles, next.dt); });
+  auto lift = lifts.begin();
+  for_each<Floating>([&](Floating& water) { water.account.note(*lift++ + water.resist(particles, next.dt), {}); });
   for_each<Held>([&](Held& held) { held.account.note(held.hold(particles, next).force, held.displacement(next.t0)); });
 }
 
@@ -74,6 +86,8 @@ double Boundaries::balance(Particles& particles, double time) {
   for (std::size_t k = 0; k < all_.size(); ++k)
     if (const auto* load = std::get_if<Load>(&all_[k].boundary)) balanced_[k] = load->add_to(particles, time);
   for (std::size_t k = 0; k < all_.size(); ++k)
+    if (auto* water = std::get_if<Floating>(&all_[k].boundary)) balanced_[k] = water->add_to(particles);
+  for (std::size_t k = 0; k < all_.size(); ++k)
     if (const auto* held = std::get_if<Held>(&all_[k].boundary)) balanced_[k] = held->hold_still(particles);
   double squared = 0;
   for (const ForceSum& sum : balanced_) squared += sum.squared;
@@ -84,6 +98,7 @@ void Boundaries::settle(const Particles& particles, double time, double dt) {
   for (std::size_t k = 0; k < all_.size(); ++k) {
     BoundaryAccount& account = all_[k].account();
     if (auto* load = std::get_if<Load>(&all_[k].boundary)) account.note(balanced_[k].force, load->displacement(particles));
+    if (std::holds_alternative<Floating>(all_[k].boundary)) account.note(balanced_[k].force, {});
     if (auto* held = std::get_if<Held>(&all_[k].boundary)) account.note(balanced_[k].force, held->displacement(time));
     account.act(dt);
   }

@@ -27,6 +27,9 @@ class Boundaries {
   /// Puts held particles where they are at that time.
   void place(Particles& particles, double time, Held::Pace pace);
 
+  /// Which bonds there are now: `broken_ends` as InternalForce counts them. Before add_forces().
+  void look(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+
   /// Forces at the beginning of the step that comes, added to those of the bonds.
   void add_forces(Particles& particles, const fccda::Step& next);
 

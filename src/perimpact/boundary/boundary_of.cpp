@@ -101,6 +101,27 @@ Boundary made(const PressureSetup& load, const Place& place) {
   return Load(std::move(slots), std::move(areas), -load.value * face.normal(), place.factor(load.times, load.factors));
 }
 
+Boundary made(const FloatingSetup& floating, const Place& place) {
+  const Particles& particles = place.of.particles;
+  std::vector<std::uint32_t> slots = place.slots(floating.region);
+  Water water{.level = floating.level.value_or(0),
+              .density = floating.density,
+              .gravity = floating.gravity,
+              .drag = floating.drag,
+              .added_mass = floating.added_mass,
+              .damping = floating.damping};
+  if (!floating.level) {
+    const std::optional<double> level = floating_level(particles, slots, water);
+    if (!level)
+      throw SetupError(place.key,
+                       fmt::format("body {} of {} kg/m3 sinks in water of {} kg/m3, so there is no level at which it floats; give the level, or mend "
+                                   "a density.",
+                                   place.of.body.name, particles.density(), floating.density));
+    water.level = *level;
+  }
+  return Floating(std::move(slots), particles, water);
+}
+
 Boundary made(const AbsorbingSetup& layer, const Place& place) {
   const Face face(layer.face.index);
   std::vector<std::uint32_t> slots = place.slots(layer.region);

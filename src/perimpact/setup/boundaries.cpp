@@ -72,6 +72,22 @@ std::span<const Field<PressureSetup>> PressureSetup::fields() {
   return all;
 }
 
+std::span<const Field<FloatingSetup>> FloatingSetup::fields() {
+  using S = FloatingSetup;
+  static const Field<S> all[] = {
+      {"region", &S::region, "", {}, optional, region_sentence},
+      {"level", &S::level, "m", any_number(), optional,
+       "Height z of the water's surface. Where absent, the one at which the particles float as they are placed; run.json says it."},
+      {"density", &S::density, "kg/m3", positive(), optional, "Density of the water."},
+      {"gravity", &S::gravity, "m/s2", positive(), optional, "Gravity, along -z. It gives the particles their weight, too."},
+      {"drag", &S::drag, "1", at_least(0), optional,
+       "Drag coefficient C_d of particles under water at the body's surface, on the area of one face of a cube of their volume."},
+      {"added_mass", &S::added_mass, "1", at_least(0), optional,
+       "Mass of the water that comes along with a particle's vertical motion, in masses of the water that it displaces."},
+      {"damping", &S::damping, "1/s", at_least(0), optional, "Damping of all velocities v: the force -ρ damping v, in air as in water."}};
+  return all;
+}
+
 std::span<const Field<AbsorbingSetup>> AbsorbingSetup::fields() {
   using S = AbsorbingSetup;
   static const Field<S> all[] = {

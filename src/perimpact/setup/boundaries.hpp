@@ -70,6 +70,19 @@ struct PressureSetup {
   static std::span<const Field<PressureSetup>> fields();
 };
 
+/// Weight, and still water that a body floats in (docs/theory/water.md).
+struct FloatingSetup {
+  static constexpr std::string_view name = "floating";
+  std::string region;           ///< the whole body where empty
+  std::optional<double> level;  ///< [m] z of the water's surface; that at which the body floats as it is placed where absent
+  double density = 1025;        ///< [kg/m³] of the water
+  double gravity = 9.81;        ///< [m/s²]
+  double drag = 1;              ///< [-] of particles at the body's surface, on the area of one of their faces
+  double added_mass = 0;        ///< [-] of the water that a particle displaces, for its vertical motion
+  double damping = 0;           ///< [1/s] of all velocities
+  static std::span<const Field<FloatingSetup>> fields();
+};
+
 /// A layer that swallows waves on their way out.
 struct AbsorbingSetup {
   static constexpr std::string_view name = "absorbing";
@@ -82,7 +95,7 @@ struct AbsorbingSetup {
 /// `boundaries: {grip: {fixed: {region: left}}}`
 struct BoundarySetup {
   std::string name;
-  std::variant<FixedSetup, PrescribedSetup, BodyForceSetup, PressureSetup, AbsorbingSetup> kind;
+  std::variant<FixedSetup, PrescribedSetup, BodyForceSetup, PressureSetup, FloatingSetup, AbsorbingSetup> kind;
 };
 
 }  // namespace perimpact

@@ -247,7 +247,11 @@ void Simulation::touch() {
 }
 
 void Simulation::apply_boundaries() {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) boundaries_[b].add_forces(bodies_[b].particles, clock_.next());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Body& body = bodies_[b];
+    boundaries_[b].look(body.particles, body.family, body.internal.broken_ends());
+    boundaries_[b].add_forces(body.particles, clock_.next());
+  }
   if (fragments_) fragments_->note_work(touching_bodies(setup_, bodies_), clock_.dt);
 }
 

@@ -1,0 +1,85 @@
+/// Weight and still water, of which a body may hold some under its surface: the boundary `floating`.
+///
+///   F_z/V = -ρ g + ρ_w g S(z),   S = clamp((z_w - z)/Δ + 1/2, 0, 1)                  [N/m³]
+///   F/V   = -ρ (α + α_d) v,      α_d = ½ ρ_w C_d Δ² S |v|/(ρ V)                       [N/m³], C_d of particles at the surface alone
+///   a_z   = F_z/(m + C_a ρ_w S V)                                                     [m/s²]
+///
+/// S is the share of a particle's height Δ (the edge of a cube of its volume) that is below the level z_w. In an intact sheet of which the level
+/// stays inside, the sum over a column is Winkler's foundation of the modulus ρ_w g, exactly; a loose particle or fragment floats freely. α is
+/// a damping of all velocities; water that is displaced and comes along weighs C_a times what it would fill. Buoyancy and weight have the
+/// potential U = V (ρ g z + ρ_w g Δ q(t)), t = (z_w - z)/Δ + 1/2, q = 0, t²/2, t - 1/2 for t below 0, up to 1, above; their work is
+/// its decrease. Docs: docs/theory/water.md.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "perimpact/boundary/account.hpp"
+#include "perimpact/boundary/slot_sum.hpp"
+#include "perimpact/force/exposure.hpp"
+#include "perimpact/particles/particles.hpp"
+
+namespace perimpact {
+
+/// Still water, and what it does to what moves in it.
+struct Water {
+  double level;       ///< [m] z of its surface
+  double density;     ///< [kg/m³]
+  double gravity;     ///< [m/s²] along -z
+  double drag;        ///< [-] C_d
+  double added_mass;  ///< [-] C_a
+  double damping;     ///< [1/s] α
+
+  /// Share of a particle of that height [m] at z [m] that is under water.
+  double submerged(double z, double height) const;
+};
+
+/// The level [m] at which the particles would float where they are now: that of no resultant force. Nothing where they are heavier than water.
+std::optional<double> floating_level(const Particles& particles, std::span<const std::uint32_t> slots, const Water& water);
+
+class Floating {
+ public:
+  Floating(std::vector<std::uint32_t> slots, const Particles& particles, const Water& water);
+
+  std::span<const std::uint32_t> slots() const { return slots_; }
+  const Water& water() const { return water_; }
+  double floats_at() const { return floats_at_; }  ///< [m] the level at which it would be at rest as it was placed; not a number where it sinks
+
+  /// A direction in which particles are held has no velocity to lose, and no inertia. `held` ascending.
+  void leave_out(std::span<const std::uint32_t> held, std::size_t axis);
+
+  /// Takes up which particles are at the body's surface now. Only where there is drag need it be called.
+  void look(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+
+  /// Adds weight and buoyancy to the force densities, and takes up their work and power.
+  ForceSum add_to(Particles& particles);
+
+  /// Drag, damping and added mass for the coming step of dt [s], after all other forces but those that hold. Returns the force [N].
+  Vec3d resist(Particles& particles, double dt);
+
+  /// Heard of both: the force on the body at this instant.
+  BoundaryAccount account;
+
+  template <class Visitor>
+  void visit_record(const std::string& name, Visitor&& visit) {
+    account.visit_record(name, visit);
+    double all[] = {potential_, power_, has_begun_ ? 1.0 : 0.0};
+    visit(name + ".water", std::span<double>(all));
+    potential_ = all[0], power_ = all[1], has_begun_ = all[2] != 0;
+  }
+
+ private:
+  std::vector<std::uint32_t> slots_;
+  std::vector<std::array<bool, 3>> moves_;  // of each slot along x, y, z
+  Water water_;
+  double floats_at_;
+  std::optional<Exposure> exposure_;
+  double potential_ = 0;    // [J] at the latest instant
+  double power_ = 0;        // [W] of drag, damping and added mass
+  bool has_begun_ = false;  // potential_ is known
+};
+
+}  // namespace perimpact

@@ -1,0 +1,175 @@
+// Bodies that float: weight, buoyancy, drag and added mass in whole simulations, against the hydrostatics of rigid bodies.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "perimpact/bodies.hpp"
+#include "perimpact/boundary/floating.hpp"
+#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulations.hpp"
+
+using namespace perimpact;
+using fixtures::complaint;
+using fixtures::value;
+
+namespace {
+
+constexpr double ice = 900, sea = 1025, gravity = 9.81;  // [kg/m³], [m/s²]
+constexpr double side = 2, spacing = 0.5;                // [m]
+constexpr double afloat = side / 2 - side * ice / sea;   // [m] z of the middle of a block of that height whose water is at 0
+
+/// A block of soft ice, so that few steps make a second, with its middle at z.
+Setup block(double z, const FloatingSetup& water, double end, double density = ice) {
+  Setup setup;
+  setup.time = {.end = end};
+  BodySetup body = fixtures::body_setup({.size = {side, side, side}, .spacing = spacing});
+  body.name = "ice";
+  body.position = {0, 0, z};
+  body.material = OrdinaryStateSetup{ElasticSetup{.youngs_modulus = 2e6, .poissons_ratio = 0.25, .density = density}};
+  body.boundaries = {{"sea", water}};
+  setup.bodies = {body};
+  setup.output.history = 0.01;
+  return setup;
+}
+
+FloatingSetup calm() { return {.level = 0, .density = sea, .gravity = gravity, .drag = 0}; }
+
+double middle(const Simulation& simulation) {
+  const Particles& particles = simulation.bodies()[0].particles;
+  double sum = 0;
+  for (const std::uint32_t slot : particles.slot_of()) sum += particles.position.at(slot).z;
+  return sum / static_cast<double>(particles.size());
+}
+
+/// [s] between the first and the last time that the middle goes up through z, over the number of bobs between.
+double period(Simulation& simulation, double z) {
+  std::vector<double> times;
+  double before = middle(simulation);
+  while (!simulation.clock().is_finished()) {
+    simulation.step();
+    const double now = middle(simulation);
+    if (before < z && now >= z) times.push_back(simulation.clock().time() - simulation.clock().dt * (now - z) / (now - before));
+    before = now;
+  }
+  REQUIRE(times.size() >= 2);
+  return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
+}  // namespace
+
+TEST_CASE("floating: as long as the level is inside a sheet, its columns are Winkler springs of the modulus ρ g, whatever the number of layers") {
+  for (const double layer : {2.0, 1.0, 0.5, 0.25}) {
+    const Body body = fixtures::body({.size = {2, 2, 2}, .spacing = layer});
+    const std::vector<std::uint32_t> slots(body.particles.slot_of().begin(), body.particles.slot_of().end());
+    for (const double level : {-0.99, -0.7, 0.0, 0.33, 1.0}) {
+      Particles particles = body.particles;
+      particles.force_density = VectorArray(particles.slots(), 0);
+      Floating water(slots, particles, {.level = level, .density = sea, .gravity = gravity, .drag = 0, .added_mass = 0, .damping = 0});
+      const double lift = sea * gravity * 4 * (level + 1), weight = fixtures::density * gravity * 8;
+      CHECK(water.add_to(particles).force.z == doctest::Approx(lift - weight).epsilon(1e-13));  // rounding of 512 particles
+    }
+  }
+}
+
+TEST_CASE("floating: the level at which bodies float is that of Archimedes, exactly for a box, to the lattice for a sphere, and none for iron") {
+  Simulation box(block(0.4, {.density = sea, .gravity = gravity}, 0.1));
+  const auto& water = std::get<Floating>(box.boundaries()[0].all()[0].boundary);
+  CHECK(water.water().level == doctest::Approx(0.4 - afloat).epsilon(1e-12));
+  CHECK(water.floats_at() == doctest::Approx(water.water().level).epsilon(1e-12));
+
+  Setup setup = block(0, {.density = 2 * ice, .gravity = gravity}, 0.1);
+  setup.bodies[0].shape = SphereSolid{.diameter = 4};
+  setup.bodies[0].spacing = 0.2;
+  Simulation sphere(setup);
+  CHECK(std::fabs(std::get<Floating>(sphere.boundaries()[0].all()[0].boundary).water().level) < 1e-12);  // of half the density: to its middle
+
+  std::string key;
+  const std::string sentence = complaint(block(0, {.density = sea}, 0.1, 7800), key);
+  CHECK(key == "bodies.ice.boundaries.sea.floating");
+  CHECK(sentence.find("body ice of 7800 kg/m3 sinks in water of 1025 kg/m3") != std::string::npos);
+}
+
+TEST_CASE("floating: a block put where it floats stays there, and one let go beside it bobs with the period of its hydrostatic stiffness") {
+  Simulation still(block(afloat, calm(), 0.5));
+  while (!still.clock().is_finished()) still.step();
+  // layers settle on one another by ρ g H²/(2 E) = 9 mm of 2 m at this modulus; of the middle a quarter of that, both ways
+  CHECK(std::fabs(middle(still) - afloat) < 0.005);
+
+  Simulation bobs(block(afloat + 0.05, calm(), 8));
+  const double expected = 2 * std::numbers::pi * std::sqrt(side * ice / (sea * gravity));
+  // 1 %: the block's own springs, ω² of its first mode being 400 times that of the bob, and a step of its period/1000
+  CHECK(period(bobs, afloat) == doctest::Approx(expected).epsilon(0.01));
+}
+
+TEST_CASE("floating: added mass makes the bob slower by the root of one and its coefficient") {
+  FloatingSetup water = calm();
+  water.added_mass = 0.8;
+  Simulation bobs(block(afloat + 0.05, water, 10));
+  const double expected = 2 * std::numbers::pi * std::sqrt(side * ice / (sea * gravity)) * std::sqrt(1.8);
+  CHECK(period(bobs, afloat) == doctest::Approx(expected).epsilon(0.01));  // as above
+}
+
+TEST_CASE("floating: a heavy block sinks at the speed at which drag on the particles of its surface carries the rest of its weight") {
+  constexpr double heavy = 2000;
+  FloatingSetup water = calm();
+  water.drag = 1.2;
+  Setup setup = block(-5, water, 4, heavy);
+  setup.bodies[0].velocity = {0, 0, -3};
+  Simulation sinks(setup);
+  while (!sinks.clock().is_finished()) sinks.step();
+  constexpr double outside = 4 * 4 * 4 - 2 * 2 * 2;  // particles of the surface
+  const double expected = std::sqrt((heavy - sea) * gravity * side * side * side / (0.5 * sea * 1.2 * outside * spacing * spacing));
+  double speed = 0;
+  for (const std::uint32_t slot : sinks.bodies()[0].particles.slot_of()) speed -= sinks.bodies()[0].particles.velocity.at(slot).z / 64;
+  // from 3 m/s it comes within e⁻⁸ in 4 s; the rest is the shaking of its springs
+  CHECK(speed == doctest::Approx(expected).epsilon(0.005));
+}
+
+TEST_CASE("floating: what weight, buoyancy, drag, damping and added mass do to a body is its boundary's work, and its impulse the change of momentum") {
+  FloatingSetup water = calm();
+  water.drag = 1, water.damping = 0.3, water.added_mass = 0.5;
+  Simulation splash(block(1.5, water, 3));
+  const double before = value(splash, "total.energy [J]");
+  double impulse = 0, largest = 0, off = 0;
+  while (!splash.clock().is_finished()) {
+    const double row = value(splash, "time [s]");
+    splash.step();
+    if (!splash.monitors().is_due(splash.clock())) continue;
+    impulse += value(splash, "ice.sea.force_z [N]") * (value(splash, "time [s]") - row);
+    const double work = value(splash, "ice.sea.work [J]");
+    largest = std::max(largest, std::fabs(work));
+    off = std::max(off, std::fabs(value(splash, "total.energy [J]") - before - work));
+  }
+  const double fall = ice * side * side * side * gravity * (1.5 - side / 2);
+  CHECK(largest > 0.8 * fall);   // it fell freely till it met the water; damping takes some
+  CHECK(off < 0.005 * largest);  // second order in the step but where the level passes the corners of S
+  CHECK(value(splash, "total.momentum_z [kg m/s]") == doctest::Approx(impulse).epsilon(1e-9));  // it began at rest
+}
+
+TEST_CASE("floating: in search of equilibrium a block comes to float where Archimedes says, from above and from below") {
+  for (const double away : {0.15, -0.1}) {
+    Setup setup = block(afloat + away, calm(), 1);
+    setup.time.relax = RelaxSetup{.increments = 1, .tolerance = 1e-6};
+    setup.output.history.reset();
+    Simulation simulation(setup);
+    while (!simulation.clock().is_finished()) simulation.step();
+    CHECK(std::fabs(middle(simulation) - afloat) < 0.005);  // the layers' own settlement, as above
+  }
+}
+
+TEST_CASE("floating: held particles neither drag nor sink, and their holder carries them") {
+  Setup setup = block(afloat + 0.3, calm(), 0.2);
+  FloatingSetup& water = std::get<FloatingSetup>(setup.bodies[0].boundaries[0].kind);
+  water.damping = 2, water.drag = 1;
+  setup.bodies[0].boundaries.push_back({"crane", FixedSetup{}});
+  Simulation held(setup);
+  while (!held.clock().is_finished()) held.step();
+  CHECK(middle(held) == doctest::Approx(afloat + 0.3).epsilon(1e-14));
+  CHECK(value(held, "ice.sea.work [J]") == doctest::Approx(0).epsilon(1e-9));
+  const double out_of_water = sea * gravity * side * side * 0.3;
+  CHECK(value(held, "ice.crane.force_z [N]") == doctest::Approx(out_of_water).epsilon(1e-9));
+}
