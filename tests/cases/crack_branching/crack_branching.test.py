@@ -28,8 +28,8 @@ def coarse(scene):
     wanted = measure.measure(reference.simulate(spacing, ratio * spacing, "hu-ha-bobaru", "lattice"))
     measure.show("perimpact", found)
     measure.show("reference", wanted)
-    # The reference has no surface correction and another step. The deck itself, with these changed one at a time (README.md), moves its
-    # branching by 0.25 mm and 0.2 us, its times by 0.4 us; three times that is allowed, and a picture of 0.5 us.
+    # The reference has no surface correction and another step. The deck itself, with these changed one at a time (README.md), moves
+    # places by 0.5 mm and times by 0.4 us: three times that is allowed.
     for name, allowed in {
         "starts [s]": 1.5e-6,
         "branches at [m]": 3 * spacing,
