@@ -11,7 +11,8 @@ than 0.35, the zone in front of it less.
 angle     Between the notch line and the straight line with the least squares of distances through the particles of the crack that are 5 mm to 50 mm
           away from the tip, in the first picture in which the crack is 50 mm long (else the last, if it is 25 mm long); mean of left and right.
 secant    In the same picture, from the tip of the notch straight to the crack's front (the mean of what is within 2.5 mm of it).
-starts    The first row of history.csv in which more bonds are broken than at t = 0.
+starts    The first row of history.csv in which more bonds are broken than at t = 0. At a small critical stretch or spacing those are
+          under the projectile.
 speed     Of the front, a straight line through the pictures in which it is 10 mm to 60 mm away from the tip.
 length    Straight from the tip to the front, at the end.
 """
