@@ -31,8 +31,8 @@ def main():
         axis.set_title(f"{1e6 * time:.0f} µs", loc="left", fontsize=11)
     split = 1e3 * found["branches at [m]"]
     last = axes.flat[-1]
-    last.annotate(f"branches {split:.1f} mm\npast the notch, at {1e6 * found['branches [s]']:.1f} µs", (split, 0), (-22, 11), fontsize=9.5, ha="center", va="center",
-                  arrowprops={"arrowstyle": "-", "lw": 0.7})  # fmt: skip
+    said = f"branches {split:.1f} mm\npast the notch, at {1e6 * found['branches [s]']:.1f} µs"
+    last.annotate(said, (split, 0), (-22, 11), fontsize=9.5, ha="center", va="center", arrowprops={"arrowstyle": "-", "lw": 0.7})
     for axis in axes[1]:
         axis.set_xlabel("x [mm]")
     for axis in axes[:, 0]:
