@@ -1,11 +1,18 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Where and when the crack of a run of this case went:
 
-    cases/crack_branching/measure.py results/crack_branching      prints start, branching, arrival, speed
+    cases/crack_branching/measure.py results/crack_branching [more folders]      prints the rows of expected.csv, and more
 
-The crack's front is the particle furthest along x whose damage is above 0.35 (a plane through a full family cuts about half of its bonds; the
-front of the process zone has less). It has branched at the first place x where the damaged particles of a column leave an undamaged
-gap of at least three spacings between an upper and a lower branch, and the gap widens to the end.
+Particles with a damage above 0.35 are the wake of the crack: a plane through a full family cuts 0.40 of the bonds of the particles beside it,
+the zone in front of the crack has lost fewer.
+
+starts        the front, the damaged particle furthest along x, is 1 mm past the end of the notch (times are interpolated between pictures)
+branches at   smallest x from which on, at the end, each column of particles has damaged ones above and below with three or more undamaged
+              ones between them; in time, when the front was there
+far edge      the front is 1 mm from the edge, where the crack leaves the plate
+exit          mean distance from the middle of the damaged particles that are at most 1 mm from the far edge; "up minus down" is the difference
+              between the upper and the lower branch
+speeds        of the front, straight lines: before, from 2 mm past the notch to 2 mm before the branching, after, from 4 mm behind it to 5 mm before the edge
 """
 
 import sys
@@ -19,47 +26,72 @@ sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
 from vtp_reader import read_vtp  # noqa: E402
 
 DAMAGED = 0.35
+NOTCH, EDGE = 0.0, 0.05  # [m] x of the notch's end, of the far edge
 
 
 def frames(folder):
-    """(time [s], undeformed points [m], damage) of each picture."""
+    """(time [s], places [m] in the undeformed plate, damage) of each picture."""
     for entry in xml.parse(folder / "frames/glass.pvd").getroot().iter("DataSet"):
         body = read_vtp(folder / "frames" / entry.get("file"))
         yield float(entry.get("timestep")), body.points - body.point["displacement"], body.point["damage"]
 
 
-def measure(folder, notch=0.0, edge=0.05):
-    times, fronts = [], []
-    for time, points, damage in frames(folder):
-        cut = points[damage > DAMAGED]
-        times.append(time)
-        fronts.append(cut[:, 0].max() if len(cut) else notch)
-        last = points, damage
-    times, fronts = np.array(times), np.array(fronts)
-    points, damage = last
-    spacing = np.diff(np.unique(np.round(points[:, 0], 7))).min()
-    columns = np.round((points[:, 0] - points[:, 0].min()) / spacing).astype(int)
-    split = None
-    for column in np.unique(columns[points[:, 0] > notch])[::-1]:
-        y = np.sort(points[(columns == column) & (damage > DAMAGED), 1])
-        if len(y) < 2 or np.diff(y).max() < 4 * spacing:
+def branching(cut, spacing):
+    """x [m] at which the crack is two from there on; None where it is not."""
+    columns = np.round(cut[:, 0] / spacing, 3)
+    found = None
+    for column in np.unique(columns)[::-1]:
+        y = np.sort(cut[columns == column, 1])
+        is_tip = column * spacing > cut[:, 0].max() - 0.002  # where one of two branches may be ahead
+        if np.diff(y).max(initial=0) > 3.5 * spacing:
+            found = column * spacing
+        elif not is_tip:
             break
-        split = points[:, 0].min() + column * spacing
-    running = fronts > notch + 2 * spacing
-    start = times[running][0] if running.any() else None
-    arrived = times[fronts > edge - 2 * spacing]
-    result = {"spacing [m]": spacing, "starts [s]": start, "branches at [m past the notch]": None if split is None else split - notch}
-    if split is not None:
-        result["branches [s]"] = np.interp(split, fronts[running], times[running])
-        tips = points[(damage > DAMAGED) & (points[:, 0] > points[:, 0].max() - 3 * spacing)]
-        if len(tips):
-            result["distance of the branches at the far edge [m]"] = np.abs(tips[:, 1]).mean()
-    if len(arrived):
-        result["far edge [s]"] = arrived[0]
-        result["mean speed [m/s]"] = (edge - notch) / (arrived[0] - start)
-    return result
+    return found
+
+
+def speed(times, fronts, low, high):
+    between = (fronts > low) & (fronts < high)
+    return np.polyfit(times[between], fronts[between], 1)[0] if between.sum() > 2 else None
+
+
+def measure(pictures):
+    """Name with unit, and value (None: it did not happen), from what `frames` gives."""
+    times, fronts = [], []
+    for time, points, damage in pictures:
+        cut = points[(damage > DAMAGED) & (points[:, 0] > NOTCH)]
+        times.append(time)
+        fronts.append(cut[:, 0].max(initial=NOTCH))
+    times, fronts = np.array(times), np.array(fronts)
+
+    def when(x):
+        """Time at which the front was at x [m]; None before."""
+        return np.interp(x, fronts, times) if fronts[-1] >= x else None
+
+    spacing = np.diff(np.unique(np.round(points[:, 0], 7))).min()
+    split = branching(cut, spacing)
+    start, arrival = when(NOTCH + 0.001), when(EDGE - 0.001)
+    exits = [np.abs(cut[(cut[:, 0] > EDGE - 0.001) & (side * cut[:, 1] > 0), 1]) for side in (1, -1)]
+    left_on_both = min(map(len, exits)) > 0
+    return {
+        "starts [s]": start,
+        "branches at [m]": None if split is None else split - NOTCH,
+        "branches [s]": None if split is None else when(split),
+        "far edge [s]": arrival,
+        "exit [m]": np.mean([y.mean() for y in exits]) if left_on_both else None,
+        "exit up minus down [m]": exits[0].mean() - exits[1].mean() if left_on_both else None,
+        "speed before [m/s]": None if split is None else speed(times, fronts, NOTCH + 0.002, split - 0.002),
+        "speed after [m/s]": None if split is None else speed(times, fronts, split + 0.004, EDGE - 0.005),
+        "mean speed [m/s]": None if arrival is None else (EDGE - NOTCH - 0.002) / (arrival - start),
+    }
+
+
+def show(title, values):
+    print(title)
+    for name, value in values.items():
+        print(f"    {name:<28}{'–' if value is None else f'{value:.4g}'}")
 
 
 if __name__ == "__main__":
-    for name, value in measure(Path(sys.argv[1])).items():
-        print(f"{name:<48}{'never' if value is None else f'{value:.4g}'}")
+    for folder in map(Path, sys.argv[1:]):
+        show(folder, measure(frames(folder)))
