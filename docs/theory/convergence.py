@@ -108,8 +108,8 @@ def measure(program, folder):
 
 
 def order(body, error, before):
-    """How the error falls with the spacing, between two rows; with the same spacing there is none to tell."""
-    if before is None or before[0].layers == body.layers or error == 0 or before[1] == 0:
+    """How the error falls with the spacing, between two rows; where the spacing is the same or the sign changes there is none."""
+    if before is None or before[0].layers == body.layers or error * before[1] <= 0:
         return ""
     return f"{log(abs(before[1] / error)) / log(body.layers / before[0].layers):.2f}"
 
@@ -168,7 +168,7 @@ def comparison(rows, problem, names, quantity):
     lines = [f"| {quantity} | " + " | ".join(f"{n} layers" for n in layers) + " | last order |", "|---" * (len(layers) + 2) + "|"]
     for name in names:
         of = {row["layers"]: row for row in rows[problem, name][quantity]}
-        lines.append(f"| {name} | " + " | ".join(percent(of[n]) if n in of else "" for n in layers) + f" | {[*of.values()][-1]['order'].replace('-', '−')} |")
+        lines.append(f"| {name} | " + " | ".join(percent(of[n]) if n in of else "" for n in layers) + f" | {[*of.values()][-1]['order'].replace('-', '−') or '–'} |")
     return lines
 
 
@@ -211,7 +211,7 @@ def tables(rows):
 
 FIGURES = {
     "convergence_bar": (
-        "A bar in tension: error of its strain",
+        "A bar in tension: what surface corrections leave of a first-order error",
         "strain",
         "one over the layers through the height",
         (1, 2),
@@ -224,7 +224,7 @@ FIGURES = {
         ],
     ),
     "convergence_contraction": (
-        "A bar in tension: error of its contraction",
+        "Contraction of a bar in tension: it goes to that of the lattice, which m sets",
         "contraction",
         "one over the layers through the height",
         (1,),
@@ -235,7 +235,7 @@ FIGURES = {
         ],
     ),
     "convergence_pulse": (
-        "A pulse that has run 12 heights of a bar: error of displacements",
+        "A pulse that has run through 0.7 of a bar: displacements",
         "love",
         "one over the layers through the height",
         (1, 2),
@@ -247,7 +247,7 @@ FIGURES = {
         ],
     ),
     "convergence_cantilever": (
-        "A cantilever: error of its stiffness EI",
+        "Stiffness EI of a cantilever: of second order with the energy correction",
         "stiffness",
         "one over the layers through the height",
         (1, 2),
@@ -260,7 +260,7 @@ FIGURES = {
         ],
     ),
     "convergence_hole": (
-        "A plate with a hole: error of displacements",
+        "Displacements of a plate with a hole: m says where they stop",
         "field",
         "one over the spacings in the hole's radius",
         (1,),
@@ -281,23 +281,26 @@ def figures(rows):
 
     plt.rcParams.update({"font.size": 13})
     for name, (title, quantity, along, slopes, curves) in FIGURES.items():
-        figure, axes = plt.subplots(figsize=(10, 6.5))
-        for (problem, which, label), marker in zip(curves, "osD^v<>"):
+        figure, axes = plt.subplots(figsize=(10, 7.5))
+        for (problem, which, label), marker in zip(curves, "osD^v"):
             of = rows[problem, which][quantity]
             axes.loglog([1 / int(row["layers"]) for row in of], [100 * abs(float(row["error"])) for row in of], marker=marker, lw=2, ms=8, label=label)
-        ticks = sorted({int(row["layers"]) for problem, which, _ in curves for row in rows[problem, which][quantity]})
-        top = axes.get_ylim()[1]
-        for slope in slopes:
-            axes.loglog([1 / ticks[0], 1 / ticks[-1]], [top, top * (ticks[0] / ticks[-1]) ** slope], color="0.6", ls="--", lw=1.2)
-            axes.annotate(f"order {slope}", (1 / ticks[-1], top * (ticks[0] / ticks[-1]) ** slope), color="0.4", ha="left", va="bottom", fontsize=12)
+        layers = sorted({int(row["layers"]) for problem, which, _ in curves for row in rows[problem, which][quantity]})
+        bottom, top = axes.get_ylim()
+        for slope in slopes:  # from the upper left corner down
+            end = 1.3 * top * (layers[0] / layers[-1]) ** slope
+            axes.loglog([1 / layers[0], 1 / layers[-1]], [1.3 * top, end], color="0.6", ls="--", lw=1.2)
+            axes.annotate(f"order {slope}", (1 / layers[-1], end), xytext=(-4, 8), textcoords="offset points", color="0.4", ha="right", fontsize=12)
+        axes.set_ylim(bottom, 1.5 * top)
         axes.invert_xaxis()
-        axes.set_xticks([1 / n for n in ticks], [f"1/{n}" for n in ticks])
+        axes.set_xticks([1 / n for n in layers], [f"1/{n}" for n in layers])
+        levels = [digit * 10.0**power for power in range(-3, 4) for digit in (1, 2, 5)]
+        axes.set_yticks(levels := [level for level in levels if bottom < level < 1.5 * top], [f"{level:g}" for level in levels])
         axes.minorticks_off()
-        axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
-        axes.set(title=title, xlabel=f"spacing: {along}", ylabel="error [%]")
+        axes.set(title=title, xlabel=f"spacing: {along}", ylabel="size of the error [%]")
         axes.grid(alpha=0.3)
-        axes.legend(fontsize=12)
-        figure.tight_layout()
+        figure.legend(*axes.get_legend_handles_labels(), loc="lower center", ncols=2, fontsize=12, frameon=False)
+        figure.tight_layout(rect=(0, 0.035 * ((len(curves) + 1) // 2) + 0.01, 1, 1))
         figure.savefig(HERE / f"figures/{name}.png", dpi=100)
         plt.close(figure)
 
