@@ -144,10 +144,15 @@ def read():
 NORMS = ("field", "love")
 
 
+def signed(number, digits):
+    text = f"{number:+.{digits}f}"
+    return ("0" if float(text) == 0 else text.replace("-", "−")) + " %"
+
+
 def percent(row):
     error = 100 * float(row["error"])
     digits = 1 if abs(error) >= 10 else 2 if abs(error) >= 0.1 else 3
-    return f"{error:.{digits}f} %" if row["quantity"] in NORMS else f"{error:+.{digits}f} %".replace("-", "−")
+    return f"{error:.{digits}f} %" if row["quantity"] in NORMS else signed(error, digits)
 
 
 def table(rows, problem, name, quantities):
@@ -185,11 +190,12 @@ def horizons(rows, name, columns):
 def moduli():
     """What is left of ν and µ inside a lattice, less 1."""
     kinds = [(plane, poisson) for plane in ("none", "stress") for poisson in (0.25, 0.3)]
-    heads = [f"{'3-D' if plane == 'none' else 'plane stress'}, ν = {poisson}: {what}" for plane, poisson in kinds for what in "Eνµ"]
+    heads = [f"{'3-D' if plane == 'none' else 'plane stress'}, ν = {poisson}: {what}" for plane, poisson in kinds for what in "νµ"]
     lines = ["| m | " + " | ".join(heads) + " |", "|---" * (1 + len(heads)) + "|"]
     for m in (2, 3, 3.015, 4, 5, 6):
-        values = [100 * (value - 1) for plane, poisson in kinds for value in lattice_moduli(m, poisson, plane).values()]
-        lines.append(f"| {m:g} | " + " | ".join(f"{value:+.1f} %".replace("-", "−").replace("−0.0", "0.0").replace("+0.0", "0.0") for value in values) + " |")
+        found = [lattice_moduli(m, poisson, plane) for plane, poisson in kinds]
+        assert all(abs(of["E"] - 1) < 0.001 for of in found)  # as the page says
+        lines.append(f"| {m:g} | " + " | ".join(signed(100 * (of[what] - 1), 1) for of in found for what in "νµ") + " |")
     return lines
 
 
@@ -290,7 +296,7 @@ def figures(rows):
         for slope in slopes:  # from the upper left corner down
             end = 1.3 * top * (layers[0] / layers[-1]) ** slope
             axes.loglog([1 / layers[0], 1 / layers[-1]], [1.3 * top, end], color="0.6", ls="--", lw=1.2)
-            axes.annotate(f"order {slope}", (1 / layers[-1], end), xytext=(-4, 8), textcoords="offset points", color="0.4", ha="right", fontsize=12)
+            axes.annotate(f"order {slope}", (1 / layers[-1], end), xytext=(0, 14), textcoords="offset points", color="0.4", ha="right", fontsize=12)
         axes.set_ylim(bottom, 1.5 * top)
         axes.invert_xaxis()
         axes.set_xticks([1 / n for n in layers], [f"1/{n}" for n in layers])
