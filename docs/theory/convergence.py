@@ -292,6 +292,11 @@ def figures(rows):
             of = rows[problem, which][quantity]
             axes.loglog([1 / int(row["layers"]) for row in of], [100 * abs(float(row["error"])) for row in of], marker=marker, lw=2, ms=8, label=label)
         layers = sorted({int(row["layers"]) for problem, which, _ in curves for row in rows[problem, which][quantity]})
+        if quantity == "contraction":
+            for m, color in ((3.015, "C1"), (5, "C2")):
+                limit = 100 * abs(lattice_moduli(m, 0.3, "stress")["ν"] - 1)
+                axes.axhline(limit, color=color, ls=":")
+                axes.annotate(f"ν of the lattice, m = {m:g}", (1 / layers[-1], limit), ha="right", xytext=(0, -18), textcoords="offset points", fontsize=12, color=color)
         bottom, top = axes.get_ylim()
         for slope in slopes:  # from the upper left corner down
             end = 1.3 * top * (layers[0] / layers[-1]) ** slope
