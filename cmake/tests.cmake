@@ -43,8 +43,6 @@ function(add_tests name)
   add_executable(${name}_tests ${sources})
   target_include_directories(${name}_tests PRIVATE ${root}/tests)
   target_compile_definitions(${name}_tests PRIVATE PROJECT_FOLDER="${root}")
-  # what is tested is optimised; the tests themselves would only take longer to build
-  target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(${name}_tests PRIVATE test_main ${ARG_LINK})
   doctest_discover_tests(${name}_tests TEST_PREFIX "${name}: ")
 endfunction()

@@ -88,6 +88,7 @@ void make_cloud_consistent(BodySetup& body, const std::string& path, const fs::p
     check_thickness(points->thickness, body.is_plane(), path + ".shape.points", places);
     const std::string key = path + ".shape.points.file";
     points->file = found(points->file, key, folder, places);
+    if (points->is_vtk()) return;  // read where the body is filled
     PointList list = read_point_list(points->file, places.of(key));
     points->points = std::move(list.points);
     points->volumes = std::move(list.volumes);

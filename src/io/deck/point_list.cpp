@@ -9,9 +9,6 @@
 #include <optional>
 #include <string_view>
 
-#include "fccda/core/error.hpp"
-#include "fccda/surface/file/contents.hpp"
-#include "fccda/surface/read/vtk/point_values.hpp"
 #include "io/deck/units.hpp"
 #include "io/deck/yaml_node.hpp"
 
@@ -114,30 +111,12 @@ class Parser {
   PointList list_;
 };
 
-bool is_vtk(const std::filesystem::path& path) {
-  const std::filesystem::path extension = (fccda::is_gzip(path) ? path.stem() : path).extension();
-  return extension == ".vtk" || extension == ".vtp" || extension == ".vtu";
-}
-
-PointList particles_of_vtk(const std::filesystem::path& path) {
-  fccda::PointValues read = fccda::read_point_values(path, "volume");
-  if (read.points.empty()) throw fccda::InputError(fmt::format("{}: the file has no points; write it again.", path.string()));
-  for (std::size_t k = 0; k < read.values.size(); ++k)
-    if (!(read.values[k] > 0))
-      throw fccda::InputError(
-          fmt::format("{}: the volume of point {}, counted from 0, is {} m3, but a particle needs one above 0; mend the array, or leave the "
-                      "point out.",
-                      path.string(), k, read.values[k]));
-  return {std::move(read.points), std::move(read.values)};
-}
-
 }  // namespace
 
 PointList read_point_list(const std::filesystem::path& path, const std::string& place) {
   const std::string file = std::filesystem::absolute(path).lexically_normal().string();
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) refuse(place, fmt::format("there is no file {}; relative names start at the deck's folder.", file));
-  if (is_vtk(path)) return particles_of_vtk(file);
   std::ifstream stream(path);
   if (!stream) refuse(place, fmt::format("the file {} cannot be opened; check that you may read it.", file));
   Parser parser(file);

@@ -1,4 +1,4 @@
-/// Particles from a file: the points of a VTK file (.vtk, .vtp, .vtu) in metres with a point array `volume` in m³, or CSV:
+/// Particles from a CSV file:
 ///
 ///   x [m], y [m], z [m], volume [m3]
 ///   0, 0, 0, 1e-9
@@ -20,7 +20,7 @@ struct PointList {
   std::vector<double> volumes;       ///< [m³], all above 0
 };
 
-/// By its extension; any but VTK's is CSV. Throws InputError: at `place` (of the deck) where there is no such file, else at "file:line" of what cannot be used.
+/// Throws InputError: at `place` (of the deck) where there is no such file, else at "file:line" of what cannot be used.
 PointList read_point_list(const std::filesystem::path& file, const std::string& place);
 
 }  // namespace perimpact::deck

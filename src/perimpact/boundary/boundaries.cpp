@@ -104,6 +104,13 @@ void Boundaries::settle(const Particles& particles, double time, double dt) {
   }
 }
 
+double Boundaries::half_kick(double time, double dt) const {
+  double energy = 0;
+  for (const NamedBoundary& one : all_)
+    if (const auto* load = std::get_if<Load>(&one.boundary)) energy += load->half_kick(time, dt);
+  return energy;
+}
+
 double Boundaries::work() const {
   double work = 0;
   for (const NamedBoundary& one : all_) work += one.account().work();

@@ -46,6 +46,9 @@ class Boundaries {
   /// Once equilibrium is found after dt [s]: the forces of the latest balance() are those of the state.
   void settle(const Particles& particles, double time, double dt);
 
+  /// [J] of all loads, as Load::half_kick() says.
+  double half_kick(double time, double dt) const;
+
   double work() const;  ///< [J] of all, done on the body so far
 
   template <class Visitor>

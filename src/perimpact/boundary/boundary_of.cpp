@@ -77,7 +77,7 @@ Boundary made(const BodyForceSetup& load, const Place& place) {
   std::vector<std::uint32_t> slots = place.slots(load.region);
   std::vector<double> volumes;
   for (const std::uint32_t slot : slots) volumes.push_back(place.of.particles.volume(slot));
-  return Load(std::move(slots), std::move(volumes), load.force_density, place.factor(load.times, load.factors));
+  return Load(std::move(slots), std::move(volumes), place.of.particles, load.force_density, place.factor(load.times, load.factors));
 }
 
 /// The outermost particles of a lattice share the area evenly, those of a cloud by volume.
@@ -98,7 +98,7 @@ Boundary made(const PressureSetup& load, const Place& place) {
     for (const std::uint32_t slot : slots) volume += particles.volume(slot);
     for (const std::uint32_t slot : slots) areas.push_back(*load.area * particles.volume(slot) / volume);
   }
-  return Load(std::move(slots), std::move(areas), -load.value * face.normal(), place.factor(load.times, load.factors));
+  return Load(std::move(slots), std::move(areas), particles, -load.value * face.normal(), place.factor(load.times, load.factors));
 }
 
 Boundary made(const FloatingSetup& floating, const Place& place) {

@@ -23,7 +23,7 @@ namespace perimpact {
 class Load {
  public:
   /// `weights`: w_i of each slot; `factor`: f [-].
-  Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const Vec3d& intensity, fccda::TimeTable factor);
+  Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const Particles& particles, const Vec3d& intensity, fccda::TimeTable factor);
 
   std::span<const std::uint32_t> slots() const { return slots_; }
   std::span<const double> weights() const { return weights_; }
@@ -31,6 +31,10 @@ class Load {
 
   /// Adds to the force densities what the load is at that time.
   ForceSum add_to(Particles& particles, double time) const;
+
+  /// [J] kinetic energy that the load alone gives the particles in the half of a step before `time`, which no displacement has paid for yet:
+  /// Σ m (a dt/2)²/2.
+  double half_kick(double time, double dt) const;
 
   /// [m] Σ w u/Σ w
   Vec3d displacement(const Particles& particles) const;
@@ -45,7 +49,7 @@ class Load {
  private:
   std::vector<std::uint32_t> slots_;
   std::vector<double> weights_;
-  double total_weight_, squared_weights_;  // Σ w, Σ w²
+  double total_weight_, squared_weights_, weights_by_mass_;  // Σ w, Σ w², Σ w²/m
   Vec3d intensity_;
   fccda::TimeTable factor_;
 };

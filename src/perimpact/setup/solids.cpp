@@ -68,6 +68,11 @@ std::span<const Field<CrackSetup>> CrackSetup::fields() {
   return all;
 }
 
+bool PointsShape::is_vtk() const {
+  const std::string_view name = std::string_view(file).substr(0, file.ends_with(".gz") ? file.size() - 3 : file.size());
+  return name.ends_with(".vtk") || name.ends_with(".vtp") || name.ends_with(".vtu");
+}
+
 std::span<const Field<PointsShape>> PointsShape::fields() {
   using S = PointsShape;
   static const Field<S> all[] = {{"file",

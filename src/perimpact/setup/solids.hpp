@@ -57,13 +57,15 @@ struct CrackSetup {
   static std::span<const Field<CrackSetup>> fields();
 };
 
-/// Particles as a file lists them, each with its volume. The numbers of the file are put here when the deck is read.
+/// Particles as a file lists them, each with its volume. The numbers of a CSV file are put here when the deck is read, those of a VTK file
+/// (.vtk, .vtp, .vtu, with .gz behind it or not) are read when the body is filled.
 struct PointsShape {
   static constexpr std::string_view name = "points";
   std::string file;
   std::optional<double> thickness;  ///< [m] of a plane body
   std::vector<Vec3d> points;        ///< [m] from the body's position
   std::vector<double> volumes;      ///< [m³]
+  bool is_vtk() const;
   static std::span<const Field<PointsShape>> fields();
 };
 

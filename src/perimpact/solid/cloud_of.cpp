@@ -12,6 +12,7 @@
 #include "fccda/core/error.hpp"
 #include "fccda/surface/file/cells.hpp"
 #include "fccda/surface/read/read_panels.hpp"
+#include "fccda/surface/read/vtk/point_values.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/solid/body_solid.hpp"
 #include "perimpact/solid/space_order.hpp"
@@ -22,9 +23,22 @@ using fccda::InputError;
 
 namespace {
 
+Cloud listed(const PointsShape& shape) {
+  if (!shape.is_vtk()) return {.points = shape.points, .volumes = shape.volumes, .thickness = shape.thickness};
+  fccda::PointValues read = fccda::read_point_values(shape.file, "volume");
+  if (read.points.empty()) throw InputError(fmt::format("{}: the file has no points; write it again.", shape.file));
+  for (std::size_t k = 0; k < read.values.size(); ++k)
+    if (!(read.values[k] > 0))
+      throw InputError(
+          fmt::format("{}: the volume of point {}, counted from 0, is {} m3, but a particle needs one above 0; mend the array, or leave the "
+                      "point out.",
+                      shape.file, k, read.values[k]));
+  return {.points = std::move(read.points), .volumes = std::move(read.values), .thickness = shape.thickness};
+}
+
 /// Points as their file has them, from the body's position. Throws InputError.
 Cloud given(const PointsShape& shape) {
-  Cloud cloud{.points = shape.points, .volumes = shape.volumes, .thickness = shape.thickness};
+  Cloud cloud = listed(shape);
   if (!shape.thickness) return cloud;
   for (std::size_t k = 0; k < cloud.points.size(); ++k)
     if (cloud.points[k].z != cloud.points[0].z)

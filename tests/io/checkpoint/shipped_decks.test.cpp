@@ -43,6 +43,9 @@ const std::vector<std::string> pulled_glass = {
     "bodies.glass.spacing=2 mm", "time={end: 1 s, relax: {increments: 4, tolerance: 0.01}}", "output={}",
     "bodies.glass.boundaries={hold: {fixed: {region: bottom}}, pull: {prescribed: {region: top, y: {times: [0, 1], displacements: [0, 14 um]}}}}"};
 
+/// The coarse plate is wide: a plane body is struck by what stands upright from a spacing and a half below it to as much above.
+const std::string upright = "impactors.cylinder.surface.cylinder.height=80 mm";
+
 /// The variants of cases/plate_impact/variants.sh with those of the body and its material, and the paddle.
 const std::vector<Variant> of_impact = {
     {"plate_impact"},
@@ -52,12 +55,12 @@ const std::vector<Variant> of_impact = {
     {"plate_impact", {"bodies.plate.surface_correction=volume"}},
     {"plate_impact", {"bodies.plate.surface_correction=none", "bodies.plate.material.poissons_ratio=0.3"}},
     {"plate_impact", {"bodies.plate.published=true"}},
-    {"plate_impact", {"bodies.plate.plane=stress"}},
+    {"plate_impact", {"bodies.plate.plane=stress", upright}},
     {"plate_impact", {"bodies.plate.material.model=linear-peridynamic-solid", "bodies.plate.material.influence=gaussian"}},
     {"plate_impact", {"bodies.plate.material={model: bond-based, youngs_modulus: 191 GPa, density: 8000, critical_stretch: 1e-3}"}},
     {"plate_impact", {"bodies.plate.material.model=correspondence"}},
     {"plate_impact",
-     {"bodies.plate.material={model: correspondence, youngs_modulus: 191 GPa, density: 8000, critical_stretch: 1e-3}", "bodies.plate.plane=stress"}},
+     {"bodies.plate.material={model: correspondence, youngs_modulus: 191 GPa, density: 8000, critical_stretch: 1e-3}", "bodies.plate.plane=stress", upright}},
     {"plate_impact", {"contact.impactors.detector=published", "contact.impactors.radius_ratio=0", "impactors.cylinder.surface.cylinder.panels=quads", nearer}},
     {"plate_impact", by_the_letter},
     {"plate_impact", {"bodies.plate.material.model=correspondence"}},

@@ -156,3 +156,13 @@ TEST_CASE("relax: impactors are refused") {
         "impactor sphere cannot take part where bodies are relaxed; lead the particles it would touch with a boundary, or remove time.relax.");
   CHECK(key == "impactors.sphere");
 }
+
+TEST_CASE("boundaries: a load that begins at nothing is not taken for an unstable step") {
+  Setup setup = clamped_plate();
+  setup.bodies[0].boundaries = {
+      {"push", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = 2e5, .times = {0, 80e-6}, .factors = {0, 1}}}};
+  setup.output.history = 2e-7;  // a row a step: in the first ones the load has pushed, but nothing has gone anywhere
+  Simulation simulation(setup);
+  CHECK_NOTHROW(run(simulation));
+  CHECK(value(simulation, "plate.push.work [J]") > 0);
+}

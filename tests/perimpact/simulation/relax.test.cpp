@@ -28,7 +28,7 @@ struct RelaxedBody {
   const BoundaryAccount& account(std::size_t k) const { return boundaries.front().all()[k].account(); }
 
   struct How {
-    double tolerance = 1e-4;
+    double tolerance = 1e-4;  // enough for most of these
     int most_iterations = 20000;
     double dt = 1;  // [s]
     double safety = Relaxation::usual_safety;
