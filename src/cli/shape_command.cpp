@@ -82,7 +82,7 @@ Rows facts_of(const HullSurface& setup, const Surface& surface) {
   const double displaced = volume_below(surface, 0);
   return {{"bow, stern", fmt::format("{:.5g} and {:.5g} m long", form.bow_length(), form.stern_length())},
           {"displacement", fmt::format("{:.5g} m3 below z = 0", displaced)},
-          {"block coefficient", fmt::format("{:.4g}", displaced / (setup.length * setup.breadth * setup.draft))}};
+          {"block coeff.", fmt::format("{:.4g}", displaced / (setup.length * setup.breadth * setup.draft))}};
 }
 
 Rows facts_of(const PropellerSurface& setup, const Surface&) {

@@ -5,7 +5,7 @@
 ///
 ///   r/R              0.2   0.3   0.4   0.5   0.6   0.7   0.8   0.9   1.0
 ///   chord        K = (c/D)(Z/A), A the expanded area ratio
-///   leading part a/c     of the chord, before the generator line
+///   leading part a/c     of the chord, before the generator line; at the tip, where a = c = 0, continued in a straight line
 ///   thickest     b/c     where the thickness is greatest, from the leading edge
 ///   thickness    t/D = A_r - Z B_r
 ///   pitch        P(r)/P: 1, but less towards the hub of four blades

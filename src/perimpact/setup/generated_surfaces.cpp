@@ -15,7 +15,6 @@ using fccda::strictly_between;
 namespace {
 
 constexpr auto required = Presence::required, optional = Presence::optional;
-constexpr double quarter_turn = std::numbers::pi / 2;  // [rad]
 
 /// Up to 90 deg, of which rounding may make somewhat more.
 constexpr Range up_to_upright() { return {.low = 0, .high = 1.5708, .low_included = false}; }
@@ -30,7 +29,7 @@ std::span<const Field<HullSurface>> HullSurface::fields() {
       {"draft", &S::draft, "m", positive(), required, "Draft T: how deep the flat bottom lies below the waterline."},
       {"stem_angle", &S::stem_angle, "rad", up_to_upright(), required,
        "Stem angle φ between the straight stem and the waterline: 24 deg. 90 deg is upright. Without flare the normals of the whole bow have n_x/n_z = tan φ."},
-      {"waterline_angle", &S::waterline_angle, "rad", strictly_between(0, quarter_turn), required,
+      {"waterline_angle", &S::waterline_angle, "rad", strictly_between(0, 1.57), required,
        "Half angle of entrance α between waterline and centreline at the stem: 22 deg."},
       {"fullness", &S::fullness, "1", between(1, 4), optional,
        "Power p of the bow's waterlines, 1 - (1 - t)^p of the half-breadth: 1 is a wedge, more is rounder and longer. The bow is p B/2 / tan α long."},
@@ -38,7 +37,7 @@ std::span<const Field<HullSurface>> HullSurface::fields() {
        "Radius R of the bilge between side and bottom, at most the draft; 0 is a sharp edge. Where absent, a third of the draft."},
       {"freeboard", &S::freeboard, "m", positive(), optional, "Height F of the flat deck above the waterline. Where absent, two thirds of the draft."},
       {"stern_angle", &S::stern_angle, "rad", up_to_upright(), optional, "Angle between the straight stern and the waterline. Where absent, 35 deg."},
-      {"stern_waterline_angle", &S::stern_waterline_angle, "rad", strictly_between(0, quarter_turn), optional,
+      {"stern_waterline_angle", &S::stern_waterline_angle, "rad", strictly_between(0, 1.57), optional,
        "Half angle between waterline and centreline at the stern. Where absent, 30 deg."},
       {"flare", &S::flare, "rad", between(-0.5236, 1.0472), optional,
        "Angle of the sides from the vertical, outward as they rise; below 0 they fall inward. With flare the angles of the bow hold on the waterline only."},
@@ -75,9 +74,8 @@ std::span<const Field<PropellerSurface>> PropellerSurface::fields() {
        "Expanded area ratio: area of the blades laid flat over that of the disc, counted from the series' hub, r/R = 0.167. Needed without sections."},
       {"hub_ratio", &S::hub_ratio, "1", between(0.1, 0.6), optional, "Diameter of the hub over that of the propeller. The blades begin at 0.83 of its radius."},
       {"hub_length", &S::hub_length, "m", positive(), optional, "Length of the hub, its rims rounded. Where absent, 0.3 of the diameter."},
-      {"rake", &S::rake, "rad", between(-quarter_turn / 2, quarter_turn / 2), optional,
-       "Angle by which the blades lean aft: 15 deg in the series as published."},
-      {"skew", &S::skew, "rad", between(-quarter_turn, quarter_turn), optional,
+      {"rake", &S::rake, "rad", between(-0.7854, 0.7854), optional, "Angle by which the blades lean aft: 15 deg in the series as published."},
+      {"skew", &S::skew, "rad", between(-1.5708, 1.5708), optional,
        "Angle by which the tip lags behind the root along its helix, beside what the series has; it grows with the square of the distance from the hub."},
       {"thickness_factor", &S::thickness_factor, "1", between(0.1, 5), optional,
        "Multiplies all thicknesses; blades for ice are thicker than those of the series."},

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "fccda/shapes/box.hpp"
@@ -28,4 +29,13 @@ TEST_CASE("volume below: of a sphere that floats askew, the cap's formula") {
     CHECK(volume_below(surface, height) == doctest::Approx(std::numbers::pi * h * h * (3 * radius - h) / 3).epsilon(2e-3));
   }
   CHECK(volume_below(surface, 100) == doctest::Approx(surface.report().volume).epsilon(1e-12));  // all of it; another sum
+}
+
+TEST_CASE("volume below: of a tetrahedron whose faces are each cut in two, upright and on its tip") {
+  const Surface upright(fixtures::tetrahedron());
+  const Surface on_tip(fixtures::moved(fixtures::tetrahedron(), [](const Vec3d& p) { return Vec3d{p.y, p.x, 1 - p.z}; }));
+  for (const double height : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+    CHECK(volume_below(upright, height) == doctest::Approx((1 - std::pow(1 - height, 3)) / 6).epsilon(1e-14));  // a few roundings
+    CHECK(volume_below(on_tip, height) == doctest::Approx(std::pow(height, 3) / 6).epsilon(1e-14));
+  }
 }

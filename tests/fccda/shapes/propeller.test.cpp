@@ -144,6 +144,20 @@ TEST_CASE("wageningen: integrated from the hub of the series the expanded area r
   CHECK(4 * sum / (pi * 2.06 * 2.06) == doctest::Approx(form.expanded_area_ratio(0.167)).epsilon(1e-6));  // midpoints at the root-like end of the chord
 }
 
+TEST_CASE("wageningen: at every radius the face falls from the edges to the crest and the bulge rises to it, and neither changes abruptly outward") {
+  for (double r = 0.15; r <= 1; r += 0.01) {
+    for (int k = 0; k < 200; ++k) {
+      const double p = -1 + 0.01 * k, q = p + 0.01;
+      const bool is_behind = q <= 1e-9;  // of the crest, towards the trailing edge
+      CHECK((wageningen::rise(r, q) - wageningen::rise(r, p)) * (is_behind ? 1 : -1) >= -1e-12);
+      CHECK((wageningen::face(r, q) - wageningen::face(r, p)) * (is_behind ? -1 : 1) >= -1e-12);
+      // outward the tables change by less than 0.12 a tenth of the radius, at the leading edge of the face between 0.2 and 0.5
+      CHECK(std::fabs(wageningen::rise(r + 0.01, p) - wageningen::rise(r, p)) < 0.018);
+      CHECK(std::fabs(wageningen::face(r + 0.01, p) - wageningen::face(r, p)) < 0.018);
+    }
+  }
+}
+
 TEST_CASE("propeller: the panels have the chord and thickness of the table at 0.7 R") {
   const BladeForm form(b4(0.2, 0.2));
   const BladeForm::Section section = form.section(0.7 * 2.06);
