@@ -1,5 +1,6 @@
 """`perimpact shape`: surfaces from their dimensions, as files and in decks."""
 
+import csv
 import math
 import re
 
@@ -72,6 +73,33 @@ def _(t):
     bad = hull.replace("draft: 9 mm", "draft: 9 mm, bilge_radius: 10 mm")
     deck = t.deck((old, bad))
     t.expect_complaint(t.run_program("check", deck), 2, "deck.yaml:", "hull: bilge_radius is 0.01 m")
+
+
+@claim("shape: without friction the force of ice on the bow of a generated ship is in the ratio cot φ, whatever the panels")
+def _(t):
+    (t.folder / "ship.yaml").write_text(
+        """\
+time: {end: 0.3 s}
+bodies:
+  floe:
+    shape: {box: {size: [30, 36, 2]}}
+    spacing: 1
+    position: [-17, 0, -0.7]
+    material: {model: ordinary-state, youngs_modulus: 1.8 GPa, poissons_ratio: 0.25, density: 900, critical_stretch: 3.2e-4}
+impactors:
+  ship:
+    surface: {hull: {length: 155, breadth: 23, draft: 9, stem_angle: 24 deg, waterline_angle: 22 deg, panel: 8, bow_panel: 3}}
+    mass: 22171 t
+    velocity: [-20, 0, 0]
+    gauges: {bow: {parts: [bow]}}
+output: {folder: results, frames: 0, history: 0.3 s}
+"""
+    )
+    t.expect_success("run", "ship.yaml", "--threads", "1")
+    last = list(csv.DictReader((t.folder / "results/history.csv").open()))[-1]
+    along, up = (float(last[f"ship.bow.force_{axis} [N]"]) for axis in "xz")
+    t.assertGreater(along, 1e4)
+    t.assertAlmostEqual(up / along / (1 / math.tan(math.radians(24))), 1, delta=1e-9)  # rounding of a few hundred impulses
 
 
 main()
