@@ -200,7 +200,7 @@ def propeller_parameters():
                      arrowprops={"arrowstyle": "->", "color": NOTE})
     section.text(*(turn @ np.array([0.27, 0.14])), "back", fontsize=10, rotation=35, ha="center")
     section.text(*(turn @ np.array([0.33, -0.055])), "face", fontsize=10, rotation=19, ha="center")
-    section.set_title("section at 0.7 R, three times as thick", fontsize=12)
+    section.set_title("section at 0.7 R, drawn thicker than it is", fontsize=12)
     section.set(xlim=(-0.06, 1.2), ylim=(-0.62, 0.78))
 
     for axis in (outline, side, section):

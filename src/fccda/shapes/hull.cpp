@@ -35,7 +35,7 @@ enum class Stretch { bow, side, stern };  // of the ship's length
 /// A line from the deck to the bottom: all points of a stretch at the same share of it.
 struct Column {
   Stretch stretch;  ///< that begins here, going aft
-  double share;     ///< in the bow from the stem, else from the shoulder or to the stern's end: 0 to 1
+  double share;     ///< of the stretch, 0 to 1 going aft
   double size;      ///< [m] of edges here
 };
 

@@ -104,11 +104,11 @@ double blade_volume(const BladeForm& form) {
       return std::pair{r * std::atan2(p.y, p.x), p.z};
     };
     double area = 0;
-    auto [u0, w0] = unrolled(-1, 0);
+    auto from = unrolled(-1, 0);
     const auto go_to = [&](double along, double through) {
       const auto to = unrolled(along, through);
-      area += 0.5 * (u0 * to.second - to.first * w0);
-      u0 = to.first, w0 = to.second;
+      area += 0.5 * (from.first * to.second - to.first * from.second);
+      from = to;
     };
     for (int k = 1; k <= strips; ++k) go_to(-1 + 2.0 * k / strips, 0);
     for (int k = strips; k >= 0; --k) go_to(-1 + 2.0 * k / strips, 1);
