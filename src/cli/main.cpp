@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "cli/commands.hpp"
+#include "cli/shape_command.hpp"
 #include "fccda/core/error.hpp"
 
 namespace {
@@ -21,6 +22,27 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
   command.add_option("--out", arguments.out, "Folder of the results, in place of output.folder");
   command.add_option("--set", arguments.set, "Change a value of the deck: --set key.path=value (may be repeated)")->allow_extra_args(false);
   command.add_option("--threads", arguments.threads, "Number of threads; all processors where absent")->check(CLI::Range(1, 1024));
+}
+
+/// A sub-command for each shape, whose options are the keys of the deck.
+void add_shapes(CLI::App& command, ShapeArguments& arguments, int& code) {
+  command.require_subcommand(0, 1);
+  command.add_flag("--list")->description("The shapes there are");
+  for (const ShapeKind& kind : shape_kinds()) {
+    CLI::App* shape = command.add_subcommand(kind.name, std::string(kind.sentence));
+    shape->add_option("-o,--out", arguments.out, "Writes the surface: an .stl or .obj file");
+    for (const ShapeOption& option : kind.options) {
+      shape->add_option_function<std::string>(
+          option.name, [&arguments, option](const std::string& text) { arguments.values.emplace_back(option, text); }, option.help);
+    }
+    shape->callback([&arguments, &code, name = kind.name] {
+      arguments.shape = name;
+      code = shape_command(arguments);
+    });
+  }
+  command.callback([&code, &command] {
+    if (command.get_subcommands().empty()) code = list_shapes();
+  });
 }
 
 void complain(const std::string& sentence) { std::fprintf(stderr, "error: %s\n", sentence.c_str()); }
@@ -72,6 +94,10 @@ int run(int argc, char** argv) {
   mesh_app->add_option("--spacing", mesh.spacing, "Spacing of the particles it shall strike, such as 0.5 or \"20 mm\"");
   mesh_app->add_option("--out", mesh.out, "Writes the surface as made fit: an .stl or .obj file");
   mesh_app->callback([&] { code = mesh_command(mesh); });
+
+  ShapeArguments shape;
+  add_shapes(*app.add_subcommand("shape", "Make a surface from its dimensions, report on it and write it: hull, propeller, cylinder, sphere, box"), shape,
+             code);
 
   CLI::App* version = app.add_subcommand("version", "Print the version");
   version->callback([] { fmt::print("perimpact {}\n", PERIMPACT_VERSION); });

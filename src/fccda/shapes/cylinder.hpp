@@ -1,12 +1,11 @@
 /// A closed circular cylinder about an axis through the origin, its height centred there.
 #pragma once
 
+#include "fccda/shapes/axis.hpp"
 #include "fccda/shapes/divisions.hpp"
 #include "fccda/surface/panels.hpp"
 
 namespace fccda {
-
-enum class Axis { x, y, z };
 
 struct CylinderShape {
   double diameter = 0;  ///< [m]

@@ -90,6 +90,12 @@ void sections(Walker& walk, ImpactorSetup& impactor) {
 }
 
 template <class Walker>
+void sections(Walker& walk, PropellerSurface& propeller) {
+  walk.section("sections", propeller.sections, Presence::optional,
+               "Blade sections at some radii, in place of the Wageningen series, with smooth curves between them. All lists are as long as radius.");
+}
+
+template <class Walker>
 void sections(Walker& walk, RefinementSetup& refinement) {
   walk.section("box", refinement.box, Presence::optional, "Only panels that reach into this box. Where absent, wherever they are.");
 }

@@ -4,6 +4,7 @@
 #include "fccda/shapes/box.hpp"
 #include "fccda/shapes/cylinder.hpp"
 #include "fccda/shapes/sphere.hpp"
+#include "perimpact/impact/generated_shape.hpp"
 #include "perimpact/solid/panels_of_file.hpp"
 
 namespace perimpact {
@@ -15,6 +16,8 @@ fccda::PanelKind kind(const Choice& panels) { return panels.as<fccda::PanelKind>
 fccda::Panels panels_of(const CylinderSurface& s) { return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.panel, kind(s.panels)}); }
 fccda::Panels panels_of(const SphereSurface& s) { return fccda::make_sphere({s.diameter, s.panel}); }
 fccda::Panels panels_of(const BoxSurface& s) { return fccda::make_box({s.size, s.panel, kind(s.panels)}); }
+fccda::Panels panels_of(const HullSurface& s) { return fccda::make_hull(shape_of(s)); }
+fccda::Panels panels_of(const PropellerSurface& s) { return fccda::make_propeller(shape_of(s)); }
 fccda::Panels panels_of(const FileSurface& s) { return panels_of_file(s); }
 
 /// Surfaces that we make ourselves are closed; a file says.

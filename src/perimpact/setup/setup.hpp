@@ -12,6 +12,7 @@
 #include "fccda/core/parameter.hpp"
 #include "fccda/core/vec3.hpp"
 #include "perimpact/setup/boundaries.hpp"
+#include "perimpact/setup/generated_surfaces.hpp"
 #include "perimpact/setup/motion_table.hpp"
 #include "perimpact/setup/solids.hpp"
 
@@ -187,7 +188,7 @@ struct BoxSurface {
   static std::span<const Field<BoxSurface>> fields();
 };
 
-using SurfaceSetup = std::variant<CylinderSurface, SphereSurface, BoxSurface, FileSurface>;
+using SurfaceSetup = std::variant<CylinderSurface, SphereSurface, BoxSurface, HullSurface, PropellerSurface, FileSurface>;
 
 /// One box fixed to the impactor: contact is looked for nowhere else (seed paper, section 3.1, example 1).
 struct BoxRegionSetup {

@@ -54,7 +54,7 @@ TEST_CASE("describe: a map is told with all below it") {
   CHECK(describe("impactors").starts_with("impactors: map, optional\n  <name>: map\n"));  // not contact.impactors
   CHECK(describe("bodies.plate") == describe("bodies.<name>"));
   CHECK(describe("bodies.spacing").starts_with("bodies.<name>.spacing: number [m]"));  // a key, not a body of that name
-  CHECK(describe("surface").find("one of cylinder, sphere, box, file") != std::string::npos);
+  CHECK(describe("surface").find("one of cylinder, sphere, box, hull, propeller, file") != std::string::npos);
 }
 
 TEST_CASE("describe: a key that stands in several places is told for each") {

@@ -110,8 +110,8 @@ TEST_CASE("mistakes: a word that is no choice") {
   check_complaint({"axis: z", "axis: up", "up", "axis is up, but it must be one of x, y, z."});
   check_complaint({"model: ordinary-state", "model: elastic", "elastic",
                    "model is elastic, which is not known; known here: ordinary-state, linear-peridynamic-solid, bond-based, correspondence."});
-  check_complaint(
-      {"{cylinder: {diameter", "{cone: {diameter", "cone", "cone is not a key of impactors.cylinder.surface; known here: cylinder, sphere, box, file."});
+  check_complaint({"{cylinder: {diameter", "{cone: {diameter", "cone",
+                   "cone is not a key of impactors.cylinder.surface; known here: cylinder, sphere, box, hull, propeller, file."});
   check_complaint({"{cylinder: {diameter", "{sphere: {diameter: 1, panel: 1}, cylinder: {diameter", "sphere",
                    "impactors.cylinder.surface is both cylinder and sphere; keep one of the two."});
 }

@@ -106,6 +106,11 @@ void check_same(const Setup& a, const Setup& b) {
     CHECK(a.impactors[i].name == b.impactors[i].name);
     check_fields(a.impactors[i], b.impactors[i]);
     check_alternative(a.impactors[i].surface, b.impactors[i].surface);
+    if (const auto* propeller = std::get_if<PropellerSurface>(&a.impactors[i].surface)) {
+      const auto& again = std::get<PropellerSurface>(b.impactors[i].surface).sections;
+      REQUIRE(propeller->sections.has_value() == again.has_value());
+      if (again) check_fields(*propeller->sections, *again);
+    }
     check_fields(a.impactors[i].region, b.impactors[i].region);
     check_alternative(a.impactors[i].region.shape, b.impactors[i].region.shape);
     for (std::size_t degree = 0; degree < 6; ++degree) {
@@ -319,13 +324,14 @@ Setup some_setup(Random& random) {
     if (relaxes) body.velocity = {};
     if (random() % 2) add_boundaries(random, body, relaxes);
   }
-  const SurfaceSetup surfaces[] = {CylinderSurface{}, SphereSurface{}, BoxSurface{}, FileSurface{}};
+  const SurfaceSetup surfaces[] = {CylinderSurface{}, SphereSurface{}, BoxSurface{}, HullSurface{}, PropellerSurface{}, PropellerSurface{}, FileSurface{}};
   for (const SurfaceSetup& surface : surfaces) {
     ImpactorSetup& impactor = setup.impactors.emplace_back();
     fill_fields(random, impactor);
     impactor.name = "impactor_" + std::to_string(setup.impactors.size());
     impactor.surface = surface;
     std::visit([&](auto& chosen) { fill_fields(random, chosen); }, impactor.surface);
+    if (auto* propeller = std::get_if<PropellerSurface>(&impactor.surface); propeller && random() % 2) fill_fields(random, propeller->sections.emplace());
     if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = PROJECT_FOLDER "/LICENSE";  // exists
     impactor.free.resize(random() % 4);
     for (std::size_t i = 0; i < impactor.free.size(); ++i) impactor.free[i] = std::array{"rz", "x", "ry"}[i];

@@ -1,0 +1,140 @@
+#include "cli/shape_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <type_traits>
+
+#include "cli/mesh_report.hpp"
+#include "cli/surface_text.hpp"
+#include "fccda/inspect/volume_below.hpp"
+#include "fccda/shapes/wageningen.hpp"
+#include "io/deck/reader.hpp"
+#include "io/deck/reference.hpp"
+#include "io/output/surface_file.hpp"
+#include "perimpact/impact/generated_shape.hpp"
+#include "perimpact/impact/surface_of.hpp"
+
+namespace perimpact {
+
+using namespace fccda;
+
+namespace {
+
+std::string_view sentence_of(std::string_view shape) {
+  constexpr std::pair<std::string_view, std::string_view> known[] = {{"cylinder", "A circular cylinder."},
+                                                                     {"sphere", "A sphere, from an icosahedron."},
+                                                                     {"box", "A box."},
+                                                                     {"hull", "The hull of an icebreaker, by its main dimensions and angles."},
+                                                                     {"propeller", "A propeller: Wageningen B-series, or sections of your own."}};
+  const auto found = std::find_if(std::begin(known), std::end(known), [&](const auto& one) { return one.first == shape; });
+  return found == std::end(known) ? "" : found->second;
+}
+
+std::string option_name(std::string key) {
+  std::replace_if(
+      key.begin(), key.end(), [](char c) { return c == '_' || c == '.'; }, '-');
+  return "--" + key;
+}
+
+std::string help_of(const deck::Entry& entry) {
+  const std::string range = entry.range.empty() ? "" : ", " + entry.range;
+  return fmt::format("{}{}; {}. {}", entry.form, range, entry.need, entry.sentence);
+}
+
+/// The map that a deck would hold below `surface`.
+deck::YamlNode map_of(const ShapeArguments& arguments) {
+  deck::YamlNode map{.kind = deck::YamlNode::Kind::map, .place = "perimpact shape " + arguments.shape};
+  for (const auto& [option, text] : arguments.values) {
+    deck::YamlNode* node = &map;
+    std::string_view rest = option.key;
+    for (std::size_t dot; (dot = rest.find('.')) != std::string_view::npos; rest.remove_prefix(dot + 1)) {
+      const std::string key(rest.substr(0, dot));
+      deck::YamlNode::Entry* entry = node->find(key);
+      if (!entry) entry = &node->entries.emplace_back(deck::YamlNode::Entry{key, option.name, {.kind = deck::YamlNode::Kind::map, .place = option.name}});
+      node = &entry->value;
+    }
+    node->entries.push_back({std::string(rest), option.name, deck::parse_value(text, option.name)});
+  }
+  return map;
+}
+
+SurfaceSetup setup_of(const ShapeArguments& arguments) {
+  const deck::YamlNode map = map_of(arguments);
+  deck::Places places("perimpact shape " + arguments.shape);
+  SurfaceSetup setup;
+  deck::for_each_alternative(SurfaceSetup{}, [&]<class T>(const T& alternative) {
+    if (T::name == arguments.shape) deck::Reader(map, arguments.shape, map.place, places).read(setup.emplace<T>(alternative));
+  });
+  return setup;
+}
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+template <class Setup>
+Rows facts_of(const Setup&, const Surface&) {
+  return {};
+}
+
+Rows facts_of(const HullSurface& setup, const Surface& surface) {
+  const HullForm form(shape_of(setup));
+  const double displaced = volume_below(surface, 0);
+  return {{"bow, stern", fmt::format("{:.5g} and {:.5g} m long", form.bow_length(), form.stern_length())},
+          {"displacement", fmt::format("{:.5g} m3 below z = 0", displaced)},
+          {"block coeff.", fmt::format("{:.4g}", displaced / (setup.length * setup.breadth * setup.draft))}};
+}
+
+Rows facts_of(const PropellerSurface& setup, const Surface&) {
+  const PropellerShape shape = shape_of(setup);
+  const BladeForm form(shape);
+  const BladeForm::Section section = form.section(0.7 * form.tip_radius());
+  const double from = shape.sections ? shape.hub_ratio : wageningen::hub;
+  const std::string beyond = fmt::format("{:.4g} beyond r/R = {:.4g}", form.expanded_area_ratio(from), from);
+  return {{"area ratio", "expanded " + beyond + (shape.sections ? "" : fmt::format(", {:.4g} beyond this hub", form.expanded_area_ratio(shape.hub_ratio)))},
+          {"at 0.7 R", fmt::format("chord {:.4g} m, thickness {:.4g} m, pitch angle {:.4g} deg", section.chord, section.thickness,
+                                   section.pitch_angle * 180 / std::numbers::pi)},
+          {"blades", fmt::format("from {:.4g} to {:.4g} m", form.root_radius(), form.tip_radius())}};
+}
+
+}  // namespace
+
+const std::vector<ShapeKind>& shape_kinds() {
+  static const std::vector<ShapeKind> kinds = [] {
+    std::vector<ShapeKind> all;
+    deck::for_each_alternative(SurfaceSetup{}, [&]<class T>(const T&) {
+      if constexpr (!std::is_same_v<T, FileSurface>) {
+        ShapeKind& kind = all.emplace_back(ShapeKind{std::string(T::name), sentence_of(T::name), {}});
+        const std::string path = fmt::format("impactors.{}.surface.{}.", deck::any_name, T::name);
+        for (const deck::Entry& entry : deck::reference()) {
+          if (entry.is_map || !entry.path.starts_with(path)) continue;
+          const std::string key = entry.path.substr(path.size());
+          kind.options.push_back({key, option_name(key), help_of(entry)});
+        }
+      }
+    });
+    return all;
+  }();
+  return kinds;
+}
+
+int shape_command(const ShapeArguments& arguments) {
+  const SurfaceSetup setup = setup_of(arguments);
+  const Surface surface = surface_of(setup, arguments.shape).surface;
+  fmt::print("{}\n{}{}", arguments.shape, surface_text(surface.report()), defects_text(surface, self_intersections(surface, Bvh(surface))));
+  const Rows facts = std::visit([&](const auto& chosen) { return facts_of(chosen, surface); }, setup);
+  for (const auto& [name, value] : facts) fmt::print("  {:<18}{}\n", name, value);
+  if (!arguments.out.empty()) {
+    output::write_surface(arguments.out, surface);
+    fmt::print("  the surface is in {}\n", arguments.out.string());
+  }
+  return 0;
+}
+
+int list_shapes() {
+  for (const ShapeKind& kind : shape_kinds()) fmt::print("{:<12}{}\n", kind.name, kind.sentence);
+  fmt::print("perimpact shape NAME --help lists the options of each.\n");
+  return 0;
+}
+
+}  // namespace perimpact
