@@ -69,8 +69,8 @@ std::span<const Field<CrackSetup>> CrackSetup::fields() {
 }
 
 bool PointsShape::is_vtk() const {
-  const std::string_view name = std::string_view(file).substr(0, file.ends_with(".gz") ? file.size() - 3 : file.size());
-  return name.ends_with(".vtk") || name.ends_with(".vtp") || name.ends_with(".vtu");
+  const std::string_view words = std::string_view(file).substr(0, file.ends_with(".gz") ? file.size() - 3 : file.size());
+  return words.ends_with(".vtk") || words.ends_with(".vtp") || words.ends_with(".vtu");
 }
 
 std::span<const Field<PointsShape>> PointsShape::fields() {
