@@ -24,8 +24,8 @@ add_library(test_main OBJECT ${CMAKE_CURRENT_LIST_DIR}/../tests/main.cpp)
 target_link_libraries(test_main PUBLIC doctest::doctest)
 target_compile_definitions(test_main PUBLIC DOCTEST_CONFIG_SUPER_FAST_ASSERTS)
 
-# add_tests(fccda LINK fccda): one program of all tests/fccda/**/*.test.cpp; with PERIMPACT_TESTS_ABOUT, of those files alone that have such
-# a word in a title, where the whole program would take long to build (thread sanitizer).
+# add_tests(fccda LINK fccda): one program of all tests/fccda/**/*.test.cpp; with PERIMPACT_TESTS_ABOUT, of those files alone that have it, a
+# regular expression, in their path or in a title, where the whole program would take long to build (sanitizers).
 function(add_tests name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   get_filename_component(root "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.." ABSOLUTE)
@@ -35,7 +35,7 @@ function(add_tests name)
     set(sources)
     foreach(source ${all})
       file(STRINGS ${source} titles REGEX "^TEST_CASE\\(\".*${PERIMPACT_TESTS_ABOUT}")
-      if(titles)
+      if(titles OR source MATCHES "tests/.*(${PERIMPACT_TESTS_ABOUT})")
         list(APPEND sources ${source})
       endif()
     endforeach()

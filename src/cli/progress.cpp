@@ -21,22 +21,28 @@ double Progress::seconds() const { return std::chrono::duration<double>(std::chr
 
 void Progress::after_step(const Simulation& simulation) {
   const double now = seconds();
-  if (now - drawn_ >= (is_terminal_ ? 0.25 : 10.0)) draw(simulation, now);
+  if (now - drawn_ >= (is_terminal_ ? 0.25 : 10.0)) draw(simulation, now, simulation.clock().step);
+}
+
+void Progress::in_increment(const Simulation& simulation) {
+  const double now = seconds();
+  if (now - drawn_ >= (is_terminal_ ? 0.25 : 10.0)) draw(simulation, now, simulation.clock().step - 1);
 }
 
 void Progress::finish(const Simulation& simulation) {
-  draw(simulation, seconds());
+  draw(simulation, seconds(), simulation.clock().step);
   if (is_terminal_) std::fputs("\n", stdout);
 }
 
-void Progress::draw(const Simulation& simulation, double now) {
+void Progress::draw(const Simulation& simulation, double now, long done) {
   const Clock& clock = simulation.clock();
-  const double share = static_cast<double>(clock.step) / static_cast<double>(clock.steps);
-  const double rate = now > 0 ? static_cast<double>(clock.step - first_) / now : 0;
-  const double left = rate > 0 ? static_cast<double>(clock.steps - clock.step) / rate : 0;
+  const double share = static_cast<double>(done) / static_cast<double>(clock.steps);
+  const double rate = now > 0 ? static_cast<double>(done - first_) / now : 0;
+  const double left = rate > 0 ? static_cast<double>(clock.steps - done) / rate : 0;
   const std::string line = simulation.relaxation()
-                               ? fmt::format("{:5.1f} %  increment {} of {}  t = {:.4g} s  {} iterations  {} left", 100 * share, clock.step, clock.steps,
-                                             clock.time(), simulation.relaxation()->latest().iterations, duration_in_words(left))
+                               ? fmt::format("{:5.1f} %  increment {} of {}  t = {:.4g} s  {} iterations  residual {:.2g}{}", 100 * share, clock.step,
+                                             clock.steps, clock.time(), simulation.relaxation()->latest().iterations,
+                                             simulation.relaxation()->latest().residual, rate > 0 ? "  " + duration_in_words(left) + " left" : "")
                                : fmt::format("{:5.1f} %  step {} of {}  t = {:.4g} s  {:.3g} steps/s  {} left  {} contacts", 100 * share, clock.step,
                                              clock.steps, clock.time(), rate, duration_in_words(left), simulation.contacts());
   // unlike fmt::print, fputs throws nothing where the output is lost, which must not end a run

@@ -11,11 +11,12 @@ class Progress {
  public:
   explicit Progress(const Simulation& simulation);
   void after_step(const Simulation& simulation);
-  void finish(const Simulation& simulation);  ///< draws a last time and ends the line
-  double seconds() const;                     ///< since construction
+  void in_increment(const Simulation& simulation);  ///< of a relaxation, which may take long
+  void finish(const Simulation& simulation);        ///< draws a last time and ends the line
+  double seconds() const;                           ///< since construction
 
  private:
-  void draw(const Simulation& simulation, double now);
+  void draw(const Simulation& simulation, double now, long done);
 
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   long first_;  // step

@@ -96,7 +96,12 @@ int run_command(const RunArguments& arguments) {
     try {
       while (!simulation.clock().is_finished() && stop_signal == 0) {
         way_out = "";
-        simulation.step();
+        const long step = simulation.clock().step;
+        simulation.step([&](const Relaxed&) {
+          progress.in_increment(simulation);
+          return stop_signal == 0;
+        });
+        if (simulation.clock().step == step) break;  // in the middle of an increment
         way_out = resuming(arguments);
         results.after_step(simulation);
         checkpoints.after_step(simulation, results);

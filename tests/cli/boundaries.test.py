@@ -37,7 +37,7 @@ def bar(t, *changes):
 def _(t):
     out = t.expect_success("run", bar(t), "--out", "r").out
     t.assertRegex(out, r"\n\d+ threads, 4 increments of 0\.25 s; results go to r\n")
-    t.assertRegex(out, r"\n100\.0 %  increment 4 of 4  t = 1 s  \d+ iterations  0 s left\n")
+    t.assertRegex(out, r"\n100\.0 %  increment 4 of 4  t = 1 s  \d+ iterations  residual \S+  0 s left\n")
     history, report = t.history("r"), t.report("r")
     t.assertEqual(history["time [s]"], [0, 0.25, 0.5, 0.75, 1])
     t.assertTrue(all(residual <= 1e-5 for residual in history["total.residual [-]"]))
@@ -69,6 +69,28 @@ def _(t):
     if process.returncode != 0:
         t.assertEqual(process.returncode, 130)
         t.expect_success("run", "bar.yaml", "--out", "stopped", "--resume")
+    t.assertEqual(t.report("stopped")["state_hash"], t.report("whole")["state_hash"])
+    t.assertEqual((t.folder / "stopped/history.csv").read_bytes(), (t.folder / "whole/history.csv").read_bytes())
+
+
+@claim("boundaries: a relaxed bar that is stopped in the middle of increments goes on there and ends in the same state, with the same rows")
+def _(t):
+    slow = (("increments: 4", "increments: 2"), ("tolerance: 1e-5", "tolerance: 1e-9"), ("spacing: 1 mm", "spacing: 0.5 mm"))
+    t.expect_success("run", bar(t, *slow), "--out", "whole")
+    stops = 0
+    code = None
+    while code != 0:
+        t.assertLess(stops, 50)
+        resume = ["--resume"] if stops else []
+        process = t.start("run", "bar.yaml", "--out", "stopped", *resume)
+        time.sleep(0.15 + 0.05 * (stops % 3))
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        code = process.returncode
+        t.assertIn(code, (0, 130, -signal.SIGINT))
+        if code == 130:
+            stops += 1
+    t.assertGreater(stops, 0)
     t.assertEqual(t.report("stopped")["state_hash"], t.report("whole")["state_hash"])
     t.assertEqual((t.folder / "stopped/history.csv").read_bytes(), (t.folder / "whole/history.csv").read_bytes())
 

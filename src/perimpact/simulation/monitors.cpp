@@ -133,7 +133,7 @@ void Monitors::check_numbers(std::span<const Body> bodies, const Clock& clock, d
 
 void Monitors::check_energy(std::span<const Body> bodies, const Clock& clock, double energy, double work, double unpaid) const {
   // Contact and breaking only take energy. Interpolated velocities leave a ripple of (ω dt)² on the energy of the shortest waves, which hold little of it.
-  const double available = first_energy_ + std::fabs(work) + energy_of_rounding(bodies, clock.dt);
+  const double available = first_energy_ + std::fabs(work) + energy_of_rounding(bodies, clock.dt) + unpaid;
   if (energy - work - first_energy_ - unpaid > 0.05 * available)
     throw fccda::RunError(
         fmt::format("At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the {:.4g} J there were plus the {:.4g} J put in from outside: the time "

@@ -26,6 +26,8 @@ double largest_row(const Body& body, std::size_t slot) {
   return std::max({rows.x, rows.y, rows.z});
 }
 
+Vec3d vector_at(const std::vector<double>& numbers, std::size_t k) { return {numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]}; }
+
 /// A sum over particles of two things.
 struct Quotient {
   double over = 0, under = 0;
@@ -69,17 +71,21 @@ Relaxation::Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, do
   }
 }
 
-std::vector<double> Relaxation::relax(std::span<Body> bodies, std::span<Boundaries> boundaries, long increment, double time) {
-  for (std::size_t b = 0; b < bodies.size(); ++b) boundaries[b].place(bodies[b].particles, time, Held::Pace::still);
+std::optional<std::vector<double>> Relaxation::relax(std::span<Body> bodies, std::span<Boundaries> boundaries, long increment, double time,
+                                                     const KeepRelaxing& keep_on) {
+  if (!under_way_) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) boundaries[b].place(bodies[b].particles, time, Held::Pace::still);
+    latest_ = {};
+    under_way_ = measures_anew_ = true;
+  }
   std::vector<double> energy(bodies.size());
   const auto broken_bonds = [&] {
     std::size_t sum = 0;
     for (const Body& body : bodies) sum += body.internal.broken_bonds();
     return sum;
   };
-  latest_ = {};
-  bool starts = true;
   while (true) {
+    if (keep_on && !keep_on(latest_)) return std::nullopt;
     for (Body& body : bodies) body.internal.evaluate_unbroken(body.particles, body.family);
     latest_.residual = residual(bodies, boundaries, time);
     if (latest_.residual <= setup_.tolerance) {
@@ -87,7 +93,7 @@ std::vector<double> Relaxation::relax(std::span<Body> bodies, std::span<Boundari
       for (std::size_t b = 0; b < bodies.size(); ++b) energy[b] = bodies[b].internal.evaluate_with_energy(bodies[b].particles, bodies[b].family);
       latest_.residual = residual(bodies, boundaries, time);
       if (broken_bonds() == before) break;
-      starts = true;
+      measures_anew_ = true;
     }
     if (!std::isfinite(latest_.residual))
       throw fccda::RunError(
@@ -99,15 +105,17 @@ std::vector<double> Relaxation::relax(std::span<Body> bodies, std::span<Boundari
           "Increment {} (t = {:.6g} s) is not in equilibrium after {} iterations: the residual is {:.3g}, but the tolerance {:.3g}. Perhaps there is "
           "no equilibrium, because something is not held, or has broken off; else allow more iterations, or take smaller increments.",
           increment, time, latest_.iterations, latest_.residual, setup_.tolerance));
-    if (starts) start(bodies);
-    starts = false;
+    if (measures_anew_) start(bodies);
+    measures_anew_ = false;
     for (std::size_t b = 0; b < bodies.size(); ++b) move(bodies[b], searches_[b]);
     ++latest_.iterations;
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (const std::uint32_t slot : bodies[b].particles.slot_of()) bodies[b].particles.velocity.set(slot, {});
     boundaries[b].settle(bodies[b].particles, time, dt_);
+    searches_[b].position0.clear(), searches_[b].force0.clear();
   }
+  under_way_ = false;
   return energy;
 }
 
@@ -131,8 +139,9 @@ void Relaxation::start(std::span<const Body> bodies) {
     Search& search = searches_[b];
     search.position0.clear(), search.force0.clear();
     for (const std::uint32_t slot : bodies[b].particles.slot_of()) {
-      search.position0.push_back(bodies[b].particles.position.at(slot));
-      search.force0.push_back(bodies[b].particles.force_density.at(slot));
+      const Vec3d position = bodies[b].particles.position.at(slot), force = bodies[b].particles.force_density.at(slot);
+      search.position0.insert(search.position0.end(), {position.x, position.y, position.z});
+      search.force0.insert(search.force0.end(), {force.x, force.y, force.z});
     }
   }
 }
@@ -141,8 +150,8 @@ double Relaxation::damping(const Body& body, const Search& search) const {
   const Particles& particles = body.particles;
   const Quotient rayleigh = sum_in_blocks<Quotient>(particles.size(), [&](std::size_t k) {
     const std::size_t slot = particles.slot_of()[k];
-    const Vec3d u = particles.position.at(slot) - search.position0[k];
-    return Quotient{dot(u, search.force0[k] - particles.force_density.at(slot)), search.density[slot] * squared_norm(u)};
+    const Vec3d u = particles.position.at(slot) - vector_at(search.position0, k);
+    return Quotient{dot(u, vector_at(search.force0, k) - particles.force_density.at(slot)), search.density[slot] * squared_norm(u)};
   });
   if (!(rayleigh.over > 0)) return 0;
   return std::min(2 * std::sqrt(rayleigh.over / rayleigh.under), 1.9 / dt_);

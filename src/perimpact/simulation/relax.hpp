@@ -15,9 +15,13 @@
 /// on the way there has no meaning.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "fccda/core/state.hpp"
 #include "perimpact/boundary/boundaries.hpp"
 #include "perimpact/setup/setup.hpp"
 #include "perimpact/simulation/body.hpp"
@@ -33,6 +37,9 @@ struct Relaxed {
 /// The fictitious densities of the particles of a body, by slot, for steps of dt [s]: `safety` times what is just stable.
 std::vector<double> fictitious_density(const Body& body, double dt, double safety);
 
+/// Asked before each iteration, with how far it is; false: leave off here.
+using KeepRelaxing = std::function<bool(const Relaxed&)>;
+
 class Relaxation {
  public:
   static constexpr double usual_safety = 1.2;  // the stiffest mode is found to 1 %; large strains stiffen
@@ -41,17 +48,30 @@ class Relaxation {
   Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, double dt, double safety = usual_safety);
 
   /// Leads the bodies to equilibrium under loads and courses of that time [s]; returns the elastic energy of each [J].
-  /// Throws RunError where it takes too long.
-  std::vector<double> relax(std::span<Body> bodies, std::span<Boundaries> boundaries, long increment, double time);
+  /// Nothing where it was told to leave off; the next call, of the same increment, goes on from there. Throws RunError where it takes too long.
+  std::optional<std::vector<double>> relax(std::span<Body> bodies, std::span<Boundaries> boundaries, long increment, double time, const KeepRelaxing& keep_on);
 
   const Relaxed& latest() const { return latest_; }
+
+  /// As fccda/core/state.hpp says. Empty between increments, but for flags.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    fccda::visit_flag(visit, "under_way", under_way_);
+    fccda::visit_flag(visit, "measures_anew", measures_anew_);
+    visit("iterations", latest_.iterations);
+    for (std::size_t b = 0; b < searches_.size(); ++b) {
+      auto its = fccda::under(std::to_string(b), visit);
+      its("position0", searches_[b].position0);
+      its("force0", searches_[b].force0);
+    }
+  }
 
  private:
   /// What the iterations of one body need.
   struct Search {
-    std::vector<double> density;           // [kg/m³] D of each slot
-    double rounding = 0;                   // [N]
-    std::vector<Vec3d> position0, force0;  // [m] [N/m³] of each particle where the deflection is measured from
+    std::vector<double> density;            // [kg/m³] D of each slot
+    double rounding = 0;                    // [N]
+    std::vector<double> position0, force0;  // [m] [N/m³] three of each particle, where the deflection is measured from
   };
 
   double residual(std::span<Body> bodies, std::span<Boundaries> boundaries, double time) const;
@@ -63,6 +83,8 @@ class Relaxation {
   double dt_;
   std::vector<Search> searches_;  // of each body
   Relaxed latest_;
+  bool under_way_ = false;      // an increment was left off
+  bool measures_anew_ = false;  // deflections are measured from where the bodies are now
 };
 
 }  // namespace perimpact

@@ -199,9 +199,9 @@ Simulation::Simulation(const Setup& setup, Start start)
   record();
 }
 
-void Simulation::step() {
+void Simulation::step(const KeepRelaxing& keep_on) {
   ++clock_.step;
-  if (relaxation_) return relax();
+  if (relaxation_) return relax(keep_on);
   timers_.timed("predict", [&] { advance_bodies(); });
   timers_.timed("contact", [&] { strike(); });
   timers_.timed("forces", [&] { pull(); });
@@ -255,8 +255,14 @@ void Simulation::apply_boundaries() {
   if (fragments_) fragments_->note_work(touching_bodies(setup_, bodies_), clock_.dt);
 }
 
-void Simulation::relax() {
-  timers_.timed("relax", [&] { monitors_.elastic_energy() = relaxation_->relax(bodies_, boundaries_, clock_.step, clock_.time()); });
+void Simulation::relax(const KeepRelaxing& keep_on) {
+  std::optional<std::vector<double>> energy;
+  timers_.timed("relax", [&] { energy = relaxation_->relax(bodies_, boundaries_, clock_.step, clock_.time(), keep_on); });
+  if (!energy) {
+    --clock_.step;
+    return;
+  }
+  monitors_.elastic_energy() = std::move(*energy);
   timers_.timed("monitors", [&] { record(); });
 }
 

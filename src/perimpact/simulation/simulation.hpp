@@ -36,8 +36,9 @@ class Simulation {
   /// The same from a start that has been made of the set-up, and perhaps been changed.
   Simulation(const Setup& setup, Start start);
 
-  /// One step in time or, where the set-up relaxes, one increment. Throws RunError.
-  void step();
+  /// One step in time or, where the set-up relaxes, one increment; the clock stays where it was where that is told to leave off, and the next
+  /// call goes on. Throws RunError.
+  void step(const KeepRelaxing& keep_on = {});
 
   const Setup& setup() const { return setup_; }
   const Clock& clock() const { return clock_; }
@@ -66,6 +67,7 @@ class Simulation {
     visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
+    if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
   }
   std::uint64_t state_hash();
 
@@ -85,7 +87,7 @@ class Simulation {
   void pull();
   void touch();
   void apply_boundaries();
-  void relax();
+  void relax(const KeepRelaxing& keep_on);
   void record();
 
   Setup setup_;

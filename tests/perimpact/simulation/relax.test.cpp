@@ -35,7 +35,7 @@ struct RelaxedBody {
   };
   Relaxed to(double time, const How& how) {
     Relaxation relaxation({.tolerance = how.tolerance, .most_iterations = how.most_iterations}, bodies, how.dt, how.safety);
-    energy = relaxation.relax(bodies, boundaries, 1, time).front();
+    energy = relaxation.relax(bodies, boundaries, 1, time, {}).value().front();
     return relaxation.latest();
   }
   double energy = 0;  // [J]

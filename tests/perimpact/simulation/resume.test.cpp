@@ -123,4 +123,34 @@ TEST_CASE("resume: counts of the work of detection go on") {
   CHECK(second.impactors()[1].effort(1).points_in_region == whole.impactors()[1].effort(1).points_in_region);
 }
 
+TEST_CASE("resume: a body left off in the middle of the search for equilibrium goes on to the same state, to the last bit") {
+  Setup setup;
+  setup.time = {.end = 1, .relax = RelaxSetup{.increments = 2, .tolerance = 1e-8}};
+  BodySetup bar = fixtures::body_setup({.size = {0.02, 0.004, 0.004}});
+  bar.name = "bar";
+  bar.regions = {{.name = "left", .shape = BoxSolid{.size = {0.003, 0.004, 0.004}}, .position = {-0.0085, 0, 0}}};
+  bar.boundaries = {{"clamp", FixedSetup{.region = "left"}},
+                    {"pull", PressureSetup{.face = Choice{face_words, 0}, .value = -1e8, .times = {0, 1}, .factors = {0, 1}}}};
+  setup.bodies = {bar};
+  setup.output.history.reset();
+  Simulation whole(setup);
+  std::optional<Simulation> resumed(std::in_place, setup);
+  long iterations = 0, parts = 0;
+  while (!whole.clock().is_finished()) {
+    const long increment = whole.clock().step;
+    whole.step();
+    iterations += whole.relaxation()->latest().iterations;
+    while (resumed->clock().step == increment) {
+      long left = 23;  // iterations at a time
+      resumed->step([&](const Relaxed&) { return left-- > 0; });
+      const ::fixtures::Snapshot snapshot(*resumed);
+      resumed.emplace(setup);
+      snapshot.give(*resumed);
+      ++parts;
+    }
+    REQUIRE(::fixtures::Snapshot(whole).differences(::fixtures::Snapshot(*resumed)) == std::vector<std::string>{});
+  }
+  CHECK(parts > iterations / 23);
+}
+
 }  // namespace perimpact
