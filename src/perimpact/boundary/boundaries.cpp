@@ -18,6 +18,7 @@ void Boundaries::for_each(const Act& act) {
 Boundaries::Boundaries(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of) {
   for (const BoundarySetup& boundary : body.boundaries) all_.push_back(boundary_of(boundary, {body, elastic, particles, slots_of}));
   refuse_held_twice(body, particles);
+  refuse_afloat_twice(body, particles);
   for_each<Held>([&](const Held& held) {
     for_each<Absorbing>([&](Absorbing& layer) {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -48,6 +49,22 @@ void Boundaries::refuse_held_twice(const BodySetup& body, const Particles& parti
                         "of one.",
                         name, body.name, axis_words[axis], body.boundaries[static_cast<std::size_t>(holder[slot])].name));
       }
+    }
+  }
+}
+
+void Boundaries::refuse_afloat_twice(const BodySetup& body, const Particles& particles) const {
+  std::vector<std::uint8_t> afloat(particles.slots(), 0);
+  for (std::size_t k = 0; k < all_.size(); ++k) {
+    const auto* water = std::get_if<Floating>(&all_[k].boundary);
+    if (!water) continue;
+    for (const std::uint32_t slot : water->slots()) {
+      if (afloat[slot] != 0)
+        throw SetupError(fmt::format("bodies.{}.boundaries.{}", body.name, body.boundaries[k].name),
+                         fmt::format("{} gives particles of body {} weight and water that another floating boundary gives them already; let their regions not "
+                                     "overlap, or remove one.",
+                                     body.boundaries[k].name, body.name));
+      afloat[slot] = 1;
     }
   }
 }

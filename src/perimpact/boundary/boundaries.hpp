@@ -59,6 +59,7 @@ class Boundaries {
  private:
   template <class Kind, class Act>
   void for_each(const Act& act);
+  void refuse_afloat_twice(const BodySetup& body, const Particles& particles) const;
   void refuse_held_twice(const BodySetup& body, const Particles& particles) const;
 
   std::vector<NamedBoundary> all_;

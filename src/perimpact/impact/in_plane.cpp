@@ -39,6 +39,16 @@ void expect_in_plane(const ImpactorSetup& setup, const Impactor& impactor, const
     const Vec3d corners[] = {pose.to_world(surface.corner(t, 0)), pose.to_world(surface.corner(t, 1)), pose.to_world(surface.corner(t, 2))};
     const auto [low, high] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
     if (low > plane + reach || high < plane - reach) continue;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const Vec3d &a = corners[e], &b = corners[(e + 1) % 3];
+      const bool is_near = std::min(a.z, b.z) < plane + reach && std::max(a.z, b.z) > plane - reach;
+      if (!is_near || surface.neighbour(t, e) >= 0 || std::fabs(b.z - a.z) >= (1 - upright) * norm(b - a)) continue;
+      throw SetupError(
+          key + ".surface",
+          fmt::format("a body that {} may strike is plane, at z = {:.6g} m, but the surface ends near there: at ({:.4g}, {:.4g}, {:.4g}) m. A plane "
+                      "body stands for one that goes on along z; let the surface reach from {:.3g} m below the plane to as much above it.",
+                      setup.name, plane, a.x, a.y, a.z, reach));
+    }
     const double lean = std::fabs(pose.turn_to_world(surface.normal(t)).z);
     if (lean <= upright) continue;
     const Vec3d at = (corners[0] + corners[1] + corners[2]) / 3;

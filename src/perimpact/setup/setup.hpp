@@ -67,7 +67,7 @@ enum class FragmentLaw { none, repulsive };
 struct RelaxSetup {
   int increments = 1;           ///< from t = 0 to the end
   double tolerance = 1e-6;      ///< [-] unbalanced force over applied force
-  int most_iterations = 10000;  ///< of an increment
+  int most_iterations = 100000;  ///< of an increment
   static std::span<const Field<RelaxSetup>> fields();
 };
 

@@ -27,7 +27,8 @@ double energy_of_rounding(std::span<const Body> bodies, double dt) {
 }  // namespace
 
 Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock)
-    : interval_(std::max(1L, setup.history ? std::lround(*setup.history / clock.dt) : clock.steps / 100)), elastic_(bodies.size(), 0.0) {
+    : interval_(std::max(1L, setup.history ? std::lround(std::min(*setup.history / clock.dt, static_cast<double>(clock.steps))) : clock.steps / 100)),
+      elastic_(bodies.size(), 0.0) {
   for (const ProbeSetup& probe : setup.probes) {
     const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const Body& candidate) { return candidate.name == probe.body; });
     const std::string key = "output.probes." + probe.name;

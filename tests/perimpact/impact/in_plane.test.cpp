@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "fixtures/temporary_folder.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/simulation.hpp"
@@ -19,7 +20,7 @@ constexpr double spacing = 0.002, height = 0.03;  // [m]; `height`: of the plane
 Setup struck_plate() {
   Setup setup;
   setup.time = {.end = 30e-6, .step = 1e-7};
-  BodySetup plate = fixtures::body_setup({.size = {0.04, 0.02, 0.003}, .spacing = spacing, .plane = PlaneState::stress});
+  BodySetup plate = perimpact::fixtures::body_setup({.size = {0.04, 0.02, 0.003}, .spacing = spacing, .plane = PlaneState::stress});
   plate.name = "plate";
   plate.position = {0, 0, height};
   setup.bodies = {plate};
@@ -82,6 +83,22 @@ TEST_CASE("in plane: an impactor that leaves the plane, or may, is refused") {
   setup.impactors[0].free = {"x", "y"};
   setup.impactors[0].angular_velocity = {1, 0, 0};
   CHECK(holds(complaint(setup), "is free in rx"));
+}
+
+TEST_CASE("in plane: an open surface must go on through the plane") {
+  const ::fixtures::TemporaryFolder folder;
+  Setup setup = struck_plate();
+  const auto wall = [&](double low) {
+    ::fixtures::put(folder / "wall.obj",
+                    "v -0.01 0 " + std::to_string(low) + "\nv 0.01 0 " + std::to_string(low) + "\nv 0.01 0 0.04\nv -0.01 0 0.04\nf 1 2 3 4\n");
+    setup.impactors[0].surface = FileSurface{.file = (folder / "wall.obj").string(), .outside = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
+    setup.impactors[0].position = {0, 0.0121, 0};
+    setup.impactors[0].inertia = Vec3d{1e-6, 1e-6, 1e-6};
+    return complaint(setup);
+  };
+  CHECK(wall(0.026).empty());
+  CHECK(holds(wall(0.0285), "but the surface ends near there: at ("));
+  CHECK(holds(wall(0.0303), "but the surface ends near there: at ("));
 }
 
 TEST_CASE("in plane: a surface must stand upright wherever contact spheres can meet it, and nowhere else") {

@@ -161,6 +161,15 @@ TEST_CASE("floating: in search of equilibrium a block comes to float where Archi
   }
 }
 
+TEST_CASE("floating: weight and water that would count twice are refused") {
+  Setup setup = block(0, calm(), 0.1);
+  setup.bodies[0].boundaries.push_back({"lake", calm()});
+  std::string key;
+  const std::string sentence = complaint(setup, key);
+  CHECK(key == "bodies.ice.boundaries.lake");
+  CHECK(sentence.starts_with("lake gives particles of body ice weight and water that another floating boundary gives them already"));
+}
+
 TEST_CASE("floating: held particles neither drag nor sink, and their holder carries them") {
   Setup setup = block(afloat + 0.3, calm(), 0.2);
   FloatingSetup& water = std::get<FloatingSetup>(setup.bodies[0].boundaries[0].kind);
