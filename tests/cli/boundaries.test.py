@@ -75,15 +75,15 @@ def _(t):
 
 @claim("boundaries: a relaxed bar that is stopped in the middle of increments goes on there and ends in the same state, with the same rows")
 def _(t):
-    slow = (("increments: 4", "increments: 2"), ("tolerance: 1e-5", "tolerance: 1e-9"), ("spacing: 1 mm", "spacing: 0.5 mm"))
+    slow = (("increments: 4", "increments: 2"), ("tolerance: 1e-5", "tolerance: 1e-7"), ("spacing: 1 mm", "spacing: 0.5 mm"))
     t.expect_success("run", bar(t, *slow), "--out", "whole")
     stops = 0
     code = None
     while code != 0:
-        t.assertLess(stops, 50)
+        t.assertLess(stops, 14)
         resume = ["--resume"] if stops else []
         process = t.start("run", "bar.yaml", "--out", "stopped", *resume)
-        time.sleep(0.15 + 0.05 * (stops % 3))
+        time.sleep(0.3 * 1.5**stops)  # longer each time, so that it ends on a busy machine too
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
         code = process.returncode

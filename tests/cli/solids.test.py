@@ -95,11 +95,11 @@ def _(t):
     ]:
         (t.folder / "cloud.vtk").write_text(text)
         done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.vtk}}")))
-        t.expect_complaint(done, 2, str(t.folder.resolve() / "cloud.vtk") + ":", sentence)
+        t.expect_complaint(done, 2, "deck.yaml:", f"{t.folder.resolve() / 'cloud.vtk'}:", sentence)
     vtu = '<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="1" NumberOfCells="0"><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0</DataArray></Points><PointData><DataArray type="Float32" Name="mass" format="ascii">1</DataArray></PointData></Piece></UnstructuredGrid></VTKFile>'
     (t.folder / "cloud.vtu").write_text(vtu)
     done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.vtu}}")))
-    t.expect_complaint(done, 2, str(t.folder.resolve() / "cloud.vtu") + ":1: the piece has no point array `volume` of one number a point; it has `mass`.")
+    t.expect_complaint(done, 2, "deck.yaml:", "cloud.vtu:1: the piece has no point array `volume` of one number a point; it has `mass`.")
 
 
 @claim("what is wrong with a file of a solid or a cloud is told at its key, and in the file at its line")
