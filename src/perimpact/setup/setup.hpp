@@ -65,8 +65,8 @@ enum class FragmentLaw { none, repulsive };
 
 /// From one state of equilibrium to the next, instead of dynamics (docs/theory/relaxation.md).
 struct RelaxSetup {
-  int increments = 1;           ///< from t = 0 to the end
-  double tolerance = 1e-6;      ///< [-] unbalanced force over applied force
+  int increments = 1;            ///< from t = 0 to the end
+  double tolerance = 1e-6;       ///< [-] unbalanced force over applied force
   int most_iterations = 100000;  ///< of an increment
   static std::span<const Field<RelaxSetup>> fields();
 };
