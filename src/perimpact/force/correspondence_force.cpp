@@ -205,9 +205,11 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking 
     for (std::size_t entry = 0; entry < list.length.size(); ++entry) listed_weighted_volume_.push_back(law_.weight(list.length[entry]) * list.volume[entry]);
   }
   with_bonds(particles, family, [&](const auto& body) {
-    parallel_for(static_cast<std::ptrdiff_t>(particles.slots() / lanes<NativePack>), [&](std::ptrdiff_t pack) {
-      const std::size_t slot = static_cast<std::size_t>(pack) * lanes<NativePack>;
-      follow_bonds<D, NativePack>(body, slot, known_.data() + family.begin(slot / byte_lanes));
+    // packs of fewer lanes than a byte share what is known of their bonds: one thread takes all of a byte
+    parallel_for(static_cast<std::ptrdiff_t>(particles.slots() / byte_lanes), [&](std::ptrdiff_t eight) {
+      const std::size_t begin = static_cast<std::size_t>(eight) * byte_lanes;
+      for (std::size_t slot = begin; slot < begin + byte_lanes; slot += lanes<NativePack>)
+        follow_bonds<D, NativePack>(body, slot, known_.data() + family.begin(begin / byte_lanes));
     });
   });
   for (std::size_t slot = 0; slot < particles.slots(); ++slot) bound_at_first_[slot] = law_.spring_bound(inverse_shape(slot));
