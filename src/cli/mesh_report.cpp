@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/row.hpp"
 #include "fccda/inspect/rims.hpp"
 #include "fccda/inspect/surface_measures.hpp"
 #include "fccda/surface/panel_faces.hpp"
@@ -15,8 +16,7 @@ using namespace fccda;
 
 namespace {
 
-std::string row(const char* name, const std::string& value) { return fmt::format("  {:<18}{}\n", name, value); }
-std::string place(const Vec3d& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p.x, p.y, p.z); }
+std::string place_in_metres(const Vec3d& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", p.x, p.y, p.z); }
 std::string counted(std::size_t count, const char* one, const char* many) { return fmt::format("{} {}", count, count == 1 ? one : many); }
 
 }  // namespace
@@ -71,7 +71,7 @@ std::string defects_text(const Surface& surface, const SelfIntersections& folds)
   for (std::size_t k = 0; k < std::min(most, all.size()); ++k) {
     const Vec3d size = all[k].bounds.size();
     text += row(k == 0 ? "rims" : "", fmt::format("{}, {:.4g} m around, {:.4g} x {:.4g} x {:.4g} m about {}", counted(all[k].edges, "edge", "edges"),
-                                                  all[k].length, size.x, size.y, size.z, place(all[k].bounds.centre())));
+                                                  all[k].length, size.x, size.y, size.z, place_in_metres(all[k].bounds.centre())));
   }
   if (all.size() > most) text += row("", fmt::format("and {} more, all shorter", all.size() - most));
   const SurfaceReport& report = surface.report();
@@ -99,14 +99,15 @@ std::string spacing_text(const Surface& surface, const Bvh& bvh, double spacing)
   text += row("  median panel", fmt::format("{:.4g} m, {:.3g} spacings: {}", median, median / spacing, verdict));
   const Facet facet = coarsest_facet(surface);
   if (facet.panel >= 0)
-    text += row("  off the curve", fmt::format("at most {:.3g} m, {:.2g} spacings, at panel {}, {}: {}", facet.sagitta, facet.sagitta / spacing, facet.panel,
-                                               place(facet.place), facet.sagitta > spacing / 2 ? "too coarse there, if it is meant to be round" : "fine"));
+    text += row("  off the curve",
+                fmt::format("at most {:.3g} m, {:.2g} spacings, at panel {}, {}: {}", facet.sagitta, facet.sagitta / spacing, facet.panel,
+                            place_in_metres(facet.place), facet.sagitta > spacing / 2 ? "too coarse there, if it is meant to be round" : "fine"));
   constexpr std::size_t most_rays = 3000;
   const std::vector<Thickness> all = thicknesses(surface, bvh, most_rays);
   const auto thinnest = std::min_element(all.begin(), all.end(), [](const Thickness& a, const Thickness& b) { return a.thickness < b.thickness; });
   if (thinnest != all.end())
     text += row("  thinnest place", fmt::format("{:.3g} m, {:.2g} spacings, at panel {}, {}; a step must move less than that", thinnest->thickness,
-                                                thinnest->thickness / spacing, thinnest->panel, place(thinnest->place)));
+                                                thinnest->thickness / spacing, thinnest->panel, place_in_metres(thinnest->place)));
   return text;
 }
 

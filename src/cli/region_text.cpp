@@ -4,13 +4,12 @@
 
 #include <numbers>
 
+#include "cli/row.hpp"
 #include "io/results/region_report.hpp"
 
 namespace perimpact {
 
 namespace {
-
-std::string row(const char* name, const std::string& value) { return fmt::format("  {:<18}{}\n", name, value); }
 
 std::string place(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 

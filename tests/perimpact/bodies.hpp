@@ -7,7 +7,9 @@
 
 #include "perimpact/simulation/body.hpp"
 
-namespace perimpact::fixtures {
+namespace fixtures {
+
+using namespace perimpact;
 
 enum class Model { ordinary_state, linear_solid, bond_based, correspondence };
 enum class Points { lattice, listed, shaken };  ///< of the lattice; the same points with neighbour lists; a cloud of uneven points and volumes
@@ -160,4 +162,4 @@ inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.010, 0.007, 0
   return all;
 }
 
-}  // namespace perimpact::fixtures
+}  // namespace fixtures

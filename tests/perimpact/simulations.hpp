@@ -9,7 +9,9 @@
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
-namespace perimpact::fixtures {
+namespace fixtures {
+
+using namespace perimpact;
 
 inline void run(Simulation& simulation) {
   while (!simulation.clock().is_finished()) simulation.step();
@@ -34,4 +36,4 @@ inline std::string complaint(const Setup& setup, std::string& key) {
   return "";
 }
 
-}  // namespace perimpact::fixtures
+}  // namespace fixtures

@@ -8,7 +8,9 @@
 
 #include "fccda/core/vec3.hpp"
 
-namespace perimpact::fixtures {
+namespace fixtures {
+
+using namespace perimpact;
 
 /// By cross products of the rows.
 inline fccda::Mat3 inverse_of(const fccda::Mat3& m) {
@@ -29,4 +31,4 @@ inline std::array<double, 3> eigenvalues_of(const fccda::Mat3& m) {
   return {mean + 2 * p * std::cos(angle), mean + 2 * p * std::cos(angle + third), mean + 2 * p * std::cos(angle - third)};
 }
 
-}  // namespace perimpact::fixtures
+}  // namespace fixtures

@@ -110,7 +110,7 @@ std::vector<std::vector<bool>> AnglesTaken::taken_beyond(const std::vector<doubl
 }
 
 // Exactly: the pieces' own angles, folded by the distance of blades.
-Fan AnglesTaken::fan_around(double hub_radius, int blades) const {
+SectorFan AnglesTaken::fan_around(double hub_radius, int blades) const {
   const double period = turn / blades;
   std::vector<std::pair<double, double>> runs;
   for (const Piece& piece : pieces_)
@@ -127,7 +127,7 @@ Fan AnglesTaken::fan_around(double hub_radius, int blades) const {
   return {.hub_radius = hub_radius, .blades = blades, .sector_angle = period - gap, .start_angle = after_gap};
 }
 
-Fan AnglesTaken::smallest_fan(std::optional<double> hub_radius, std::optional<int> blades) const {
+SectorFan AnglesTaken::smallest_fan(std::optional<double> hub_radius, std::optional<int> blades) const {
   std::vector<double> hubs;
   for (int k = 0; k < hub_steps; ++k) hubs.push_back(radius_ * k / hub_steps);
   if (hub_radius) hubs = {*hub_radius};

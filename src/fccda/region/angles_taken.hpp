@@ -10,7 +10,7 @@
 namespace fccda {
 
 /// Sectors that hold everything beyond a radius, at equal angles.
-struct Fan {
+struct SectorFan {
   double hub_radius = 0;  ///< [m]
   int blades = 1;
   double sector_angle = 0;  ///< [rad]
@@ -27,7 +27,7 @@ class AnglesTaken {
 
   /// The smallest fan: the one whose cross-section is least, of hubs that are whole 64ths of the radius (or the given one) and of
   /// one to ten blades (or the given number). Where blades lie one behind the other in angle, its sectors cover the circle.
-  Fan smallest_fan(std::optional<double> hub_radius, std::optional<int> blades) const;
+  SectorFan smallest_fan(std::optional<double> hub_radius, std::optional<int> blades) const;
 
  private:
   /// A piece of the surface, short against the radius.
@@ -38,7 +38,7 @@ class AnglesTaken {
 
   void add(const Vec3d& a, const Vec3d& b, const Vec3d& c);
   std::vector<std::vector<bool>> taken_beyond(const std::vector<double>& hubs, std::size_t bins) const;
-  Fan fan_around(double hub_radius, int blades) const;
+  SectorFan fan_around(double hub_radius, int blades) const;
 
   double radius_ = 0, low_, high_;
   double longest_;  // [m] of pieces

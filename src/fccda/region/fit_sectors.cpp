@@ -22,7 +22,7 @@ CylinderSectors::Shape fit_about(const Vec3d& axis, const Vec3d& centroid, const
                                .point = on_axis + middle * normalised(axis),
                                .radius = known.radius.value_or(taken.radius()),
                                .length = known.length.value_or(2 * std::max(taken.high() - middle, middle - taken.low()))};
-  const Fan fan = taken.smallest_fan(known.hub_radius, known.blades);
+  const SectorFan fan = taken.smallest_fan(known.hub_radius, known.blades);
   shape.hub_radius = fan.hub_radius, shape.blades = fan.blades, shape.sector_angle = fan.sector_angle, shape.start_angle = fan.start_angle;
   if (known.sector_angle) {
     shape.sector_angle = *known.sector_angle;

@@ -16,7 +16,7 @@ bool same(const YamlNode& a, const YamlNode& b) {
                     [](const auto& x, const auto& y) { return x.key == y.key && same(x.value, y.value); });
 }
 
-std::string in_words(const YamlNode* node) {
+std::string value_in_words(const YamlNode* node) {
   if (!node) return "";
   if (node->kind != YamlNode::Kind::list) return node->in_words();
   std::string text;
@@ -49,7 +49,7 @@ std::optional<Difference> difference_of(const YamlNode* before, const YamlNode* 
   if (may_differ(key)) return std::nullopt;
   if (is_map(before) && is_map(now)) return difference_of_maps(*before, *now, key, may_differ);
   if (before && now && same(*before, *now)) return std::nullopt;
-  return Difference{key, in_words(before), in_words(now)};
+  return Difference{key, value_in_words(before), value_in_words(now)};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "io/deck/trimmed.hpp"
 #include "io/deck/units.hpp"
 #include "io/deck/yaml_node.hpp"
 
@@ -19,18 +20,12 @@ namespace {
 constexpr std::array<std::string_view, 4> column_names = {"x", "y", "z", "volume"};
 constexpr std::string_view header_example = "\"x [m], y [m], z [m], volume [m3]\"";
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\"");  // spreadsheets put names in quotes
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
 /// What stands between the commas of a line.
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
   for (;;) {
     const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
+    cells.push_back(trimmed_cell(line.substr(0, comma)));
     if (comma == std::string_view::npos) return cells;
     line.remove_prefix(comma + 1);
   }
@@ -48,7 +43,7 @@ class Parser {
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
       const std::size_t open = cells[cell].find('[');
       if (open == std::string_view::npos || !cells[cell].ends_with(']')) fail_header(line);
-      const std::string_view name = trimmed(cells[cell].substr(0, open));
+      const std::string_view name = trimmed_cell(cells[cell].substr(0, open));
       std::size_t column = 0;
       while (column < column_names.size() && column_names[column] != name) ++column;
       if (column == column_names.size() || is_named[column]) fail_header(line);
@@ -60,13 +55,13 @@ class Parser {
 
   void row(std::string_view line) {
     ++line_;
-    if (trimmed(line).empty()) return;
+    if (trimmed_cell(line).empty()) return;
     std::array<double, 4> values{};
     std::string_view rest = line;
     for (std::size_t cell = 0; cell < values.size(); ++cell) {
       const std::size_t comma = rest.find(',');
       if ((comma == std::string_view::npos) != (cell + 1 == values.size())) fail_row(line);
-      values[column_of_[cell]] = factor_[column_of_[cell]] * number(trimmed(rest.substr(0, comma)), line);
+      values[column_of_[cell]] = factor_[column_of_[cell]] * number(trimmed_cell(rest.substr(0, comma)), line);
       rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
     }
     if (!(values[3] > 0)) fail(fmt::format("the volume is {} m3, but a particle needs one above 0; mend the row, or leave it out.", values[3]));
@@ -83,11 +78,11 @@ class Parser {
   [[noreturn]] void fail(std::string_view sentence) const { refuse(fmt::format("{}:{}", file_, line_), sentence); }
 
   [[noreturn]] void fail_header(std::string_view line) const {
-    fail(fmt::format("the first line is \"{}\", but it must name the four columns with their units: {}.", trimmed(line.substr(0, 60)), header_example));
+    fail(fmt::format("the first line is \"{}\", but it must name the four columns with their units: {}.", trimmed_cell(line.substr(0, 60)), header_example));
   }
 
   [[noreturn]] void fail_row(std::string_view line) const {
-    fail(fmt::format("\"{}\" is not four numbers with commas between; mend the row.", trimmed(line.substr(0, 60))));
+    fail(fmt::format("\"{}\" is not four numbers with commas between; mend the row.", trimmed_cell(line.substr(0, 60))));
   }
 
   double factor(std::string_view unit, std::string_view si) const {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "io/deck/trimmed.hpp"
 #include "io/deck/units.hpp"
 #include "io/deck/yaml_node.hpp"
 
@@ -14,17 +15,11 @@ namespace perimpact::deck {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\"");  // spreadsheets put names in quotes
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
 /// The two columns of a line; a second comma stays in the second.
 std::pair<std::string_view, std::string_view> columns_of(std::string_view line) {
   const std::size_t comma = line.find(',');
-  return comma == std::string_view::npos ? std::pair(trimmed(line), std::string_view())
-                                         : std::pair(trimmed(line.substr(0, comma)), trimmed(line.substr(comma + 1)));
+  return comma == std::string_view::npos ? std::pair(trimmed_cell(line), std::string_view())
+                                         : std::pair(trimmed_cell(line.substr(0, comma)), trimmed_cell(line.substr(comma + 1)));
 }
 
 class Parser {
@@ -44,7 +39,7 @@ class Parser {
 
   void row(std::string_view line) {
     ++line_;
-    if (trimmed(line).empty()) return;
+    if (trimmed_cell(line).empty()) return;
     const auto [time, value] = columns_of(line);
     const double at = time_factor_ * number(time, line);
     if (!series_.times.empty() && at <= series_.times.back())
@@ -63,14 +58,14 @@ class Parser {
 
   [[noreturn]] void fail_header(std::string_view line) const {
     fail(fmt::format("the first line is \"{}\", but it must name the two columns: \"time [s], velocity [{}]\" or \"time [s], displacement [{}]\".",
-                     trimmed(line.substr(0, 60)), of_rotation_ ? "rad/s" : "m/s", of_rotation_ ? "rad" : "m"));
+                     trimmed_cell(line.substr(0, 60)), of_rotation_ ? "rad/s" : "m/s", of_rotation_ ? "rad" : "m"));
   }
 
   /// "velocity [m/s]" to its name and unit.
   static std::pair<std::string_view, std::string_view> named(std::string_view column) {
     const std::size_t open = column.find('[');
     if (open == std::string_view::npos || !column.ends_with(']')) return {};
-    return {trimmed(column.substr(0, open)), trimmed(column.substr(open + 1, column.size() - open - 2))};
+    return {trimmed_cell(column.substr(0, open)), trimmed_cell(column.substr(open + 1, column.size() - open - 2))};
   }
 
   double factor(std::string_view unit, std::string_view si) const {
@@ -84,7 +79,7 @@ class Parser {
     double value{};
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-      fail(fmt::format("\"{}\" is not two numbers with a comma between; mend the row.", trimmed(line.substr(0, 60))));
+      fail(fmt::format("\"{}\" is not two numbers with a comma between; mend the row.", trimmed_cell(line.substr(0, 60))));
     return value;
   }
 

@@ -13,6 +13,7 @@
 
 #include "fccda/core/contract.hpp"
 #include "fccda/core/error.hpp"
+#include "io/deck/trimmed.hpp"
 
 namespace perimpact::deck {
 
@@ -106,12 +107,6 @@ double scaled(std::string_view digits, double number, double by) {
   double value{};
   const auto [end, error] = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
   return error == std::errc{} ? value : number * by;
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
 }
 
 /// "a mass", where a field could have this unit; otherwise "kg2".

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fccda/region/boxes.hpp"
+#include "io/results/json_vector.hpp"
 
 namespace perimpact {
 
@@ -10,23 +11,21 @@ using output::Json;
 
 namespace {
 
-Json vector(const Vec3d& v) { return std::vector<double>{v.x, v.y, v.z}; }
-
 void describe(const fccda::Unbounded&, Json&) {}
 
 void describe(const fccda::BoxUnion& region, Json& json) {
   std::size_t number = 0;
   for (const fccda::Box& box : region.boxes()) {
     Json& its = json["boxes"][std::to_string(++number)];
-    its["low [m]"] = vector(box.low);
-    its["high [m]"] = vector(box.high);
+    its["low [m]"] = json_vector(box.low);
+    its["high [m]"] = json_vector(box.high);
   }
 }
 
 void describe(const fccda::CylinderSectors& region, Json& json) {
   const fccda::CylinderSectors::Shape& shape = region.shape();
-  json["axis"] = vector(shape.axis);
-  json["point [m]"] = vector(shape.point);
+  json["axis"] = json_vector(shape.axis);
+  json["point [m]"] = json_vector(shape.point);
   json["radius [m]"] = shape.radius;
   json["length [m]"] = shape.length;
   json["gaps"] = shape.has_gaps();

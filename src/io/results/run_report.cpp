@@ -4,6 +4,7 @@
 
 #include "fccda/core/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
+#include "io/results/json_vector.hpp"
 #include "io/results/region_report.hpp"
 
 namespace perimpact {
@@ -11,8 +12,6 @@ namespace perimpact {
 using output::Json;
 
 namespace {
-
-Json vector(const Vec3d& v) { return std::vector<double>{v.x, v.y, v.z}; }
 
 Json body_report(const Body& body, const Boundaries& boundaries, const std::optional<FilledMass>& filled) {
   Json json = Json::object();
@@ -66,9 +65,9 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   const fccda::RigidBodyProperties& properties = impactor.body().properties();
   const fccda::Mat3& inertia = properties.inertia;
   json["mass [kg]"] = properties.mass;
-  json["centre_of_mass [m]"] = vector(properties.centre_of_mass);
-  json["inertia [kg m2]"] = vector({inertia.row[0].x, inertia.row[1].y, inertia.row[2].z});
-  json["products_of_inertia [kg m2]"] = vector(fccda::products_of_inertia(properties));
+  json["centre_of_mass [m]"] = json_vector(properties.centre_of_mass);
+  json["inertia [kg m2]"] = json_vector({inertia.row[0].x, inertia.row[1].y, inertia.row[2].z});
+  json["products_of_inertia [kg m2]"] = json_vector(fccda::products_of_inertia(properties));
   json["region"] = region_report(impactor);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
@@ -143,11 +142,11 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["rim_edges"] = report.rim_edges;
   json["area [m2]"] = report.area;
   json["volume [m3]"] = report.volume;
-  json["centroid [m]"] = vector(report.centroid);
+  json["centroid [m]"] = json_vector(report.centroid);
   json["shortest_edge [m]"] = report.shortest_edge;
   json["longest_edge [m]"] = report.longest_edge;
-  json["low [m]"] = vector(report.bounds.low);
-  json["high [m]"] = vector(report.bounds.high);
+  json["low [m]"] = json_vector(report.bounds.low);
+  json["high [m]"] = json_vector(report.bounds.high);
   return json;
 }
 

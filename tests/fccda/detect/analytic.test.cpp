@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "fccda/detect/scene.hpp"
 #include "fccda/detect/swept.hpp"
-#include "scene.hpp"
 
 using namespace fccda;
 using fixtures::detect;

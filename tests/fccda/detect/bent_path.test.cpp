@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "fccda/body/rigid_body.hpp"
-#include "scene.hpp"
+#include "fccda/detect/scene.hpp"
 
 using namespace fccda;
 

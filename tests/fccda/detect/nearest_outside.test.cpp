@@ -5,7 +5,7 @@
 #include <random>
 
 #include "fccda/detect/all_detectors.hpp"
-#include "scene.hpp"
+#include "fccda/detect/scene.hpp"
 
 using namespace fccda;
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "scene.hpp"
+#include "fccda/detect/scene.hpp"
 
 using namespace fccda;
 using fixtures::detect;

@@ -3,8 +3,8 @@
 
 #include <cstring>
 
+#include "fccda/detect/scene.hpp"
 #include "fccda/region/scenes.hpp"
-#include "scene.hpp"
 
 using namespace fccda;
 

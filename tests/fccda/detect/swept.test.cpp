@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "fccda/body/rigid_body.hpp"
-#include "scene.hpp"
+#include "fccda/detect/scene.hpp"
 
 using namespace fccda;
 using fixtures::detect;

@@ -3,8 +3,8 @@
 
 #include <random>
 
+#include "fccda/detect/scene.hpp"
 #include "fccda/detect/swept.hpp"
-#include "scene.hpp"
 
 using namespace fccda;
 using fixtures::detect;

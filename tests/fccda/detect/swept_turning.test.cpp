@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "fccda/body/rigid_body.hpp"
+#include "fccda/detect/scene.hpp"
 #include "fccda/detect/swept.hpp"
-#include "scene.hpp"
 
 using namespace fccda;
 using fixtures::detect;

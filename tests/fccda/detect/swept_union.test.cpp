@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "fccda/detect/scene.hpp"
 #include "fccda/detect/swept.hpp"
-#include "scene.hpp"
 
 using namespace fccda;
 using fixtures::detect;

@@ -1,7 +1,7 @@
 // What thousands of steps of contact keep: linear momentum to rounding, angular momentum to first order in the step, Coulomb's bound.
 #include <doctest/doctest.h>
 
-#include "swarm.hpp"
+#include "fccda/evidence/swarm.hpp"
 
 using namespace evidence;
 

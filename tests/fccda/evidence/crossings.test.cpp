@@ -2,8 +2,8 @@
 // detection_table.cpp does the same with more paths, and for the seed paper's detector.
 #include <doctest/doctest.h>
 
-#include "score.hpp"
-#include "shapes.hpp"
+#include "fccda/evidence/score.hpp"
+#include "fccda/evidence/shapes.hpp"
 
 using namespace evidence;
 

@@ -7,8 +7,8 @@
 #include <cstdio>
 
 #include "fccda/detect/published.hpp"
-#include "score.hpp"
-#include "shapes.hpp"
+#include "fccda/evidence/score.hpp"
+#include "fccda/evidence/shapes.hpp"
 
 using namespace evidence;
 

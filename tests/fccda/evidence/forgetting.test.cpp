@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "swarm.hpp"
+#include "fccda/evidence/swarm.hpp"
 
 using namespace evidence;
 

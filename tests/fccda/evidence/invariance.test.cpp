@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "fccda/detect/analytic.hpp"
-#include "score.hpp"
-#include "shapes.hpp"
+#include "fccda/evidence/score.hpp"
+#include "fccda/evidence/shapes.hpp"
 
 using namespace evidence;
 

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "fccda/body/rigid_body.hpp"
-#include "shapes.hpp"
-#include "truth.hpp"
+#include "fccda/evidence/shapes.hpp"
+#include "fccda/evidence/truth.hpp"
 
 using namespace evidence;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fccda/core/parallel.hpp"
-#include "truth.hpp"
+#include "fccda/evidence/truth.hpp"
 
 namespace evidence {
 

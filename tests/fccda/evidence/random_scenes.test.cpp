@@ -2,8 +2,8 @@
 // speeds drawn by lot, several bodies, fast debris, step after step with what detectors remember in between.
 #include <doctest/doctest.h>
 
-#include "shapes.hpp"
-#include "truth.hpp"
+#include "fccda/evidence/shapes.hpp"
+#include "fccda/evidence/truth.hpp"
 
 using namespace evidence;
 

@@ -1,7 +1,7 @@
 /// What a detector made of passages whose truth is known.
 #pragma once
 
-#include "passages.hpp"
+#include "fccda/evidence/passages.hpp"
 
 namespace evidence {
 

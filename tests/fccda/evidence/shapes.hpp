@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../detect/scene.hpp"
+#include "fccda/detect/scene.hpp"
 
 namespace evidence {
 

@@ -2,8 +2,8 @@
 /// the line to the centre of mass and acts on both alike: it changes neither linear nor angular momentum.
 #pragma once
 
+#include "fccda/evidence/shapes.hpp"
 #include "fccda/respond/respond.hpp"
-#include "shapes.hpp"
 
 namespace evidence {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "../detect/scene.hpp"
+#include "fccda/detect/scene.hpp"
 
 namespace evidence {
 

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "../detect/scene.hpp"
 #include "fccda/core/error.hpp"
 #include "fccda/core/parallel.hpp"
+#include "fccda/detect/scene.hpp"
 #include "fccda/plain/respond_arrays.hpp"
 
 using namespace fccda;

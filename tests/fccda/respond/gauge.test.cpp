@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "../detect/scene.hpp"
 #include "fccda/core/error.hpp"
+#include "fccda/detect/scene.hpp"
 #include "fccda/respond/respond.hpp"
 
 using namespace fccda;

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "../detect/scene.hpp"
+#include "fccda/detect/scene.hpp"
 #include "fccda/respond/nested_areas.hpp"
 #include "fccda/respond/respond.hpp"
 

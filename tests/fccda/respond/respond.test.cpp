@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "../detect/scene.hpp"
 #include "fccda/detect/all_detectors.hpp"
+#include "fccda/detect/scene.hpp"
 
 using namespace fccda;
 using fixtures::detect;

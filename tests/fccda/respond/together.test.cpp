@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "../detect/scene.hpp"
 #include "fccda/core/parallel.hpp"
 #include "fccda/detect/all_detectors.hpp"
+#include "fccda/detect/scene.hpp"
 #include "fccda/respond/respond.hpp"
 
 using namespace fccda;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "../detect/scene.hpp"
+#include "fccda/detect/scene.hpp"
 
 using namespace fccda;
 

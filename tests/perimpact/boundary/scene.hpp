@@ -10,7 +10,9 @@
 #include "perimpact/particles/advance.hpp"
 #include "perimpact/simulation/clock.hpp"
 
-namespace perimpact::fixtures {
+namespace fixtures {
+
+using namespace perimpact;
 
 /// Regions by what lies in them.
 using Regions = std::map<std::string, std::function<bool(const Vec3d&)>>;
@@ -55,4 +57,4 @@ struct BoundedBody {
   double energy() const { return elastic_energy + body.kinetic_energy(clock.dt); }  ///< [J]
 };
 
-}  // namespace perimpact::fixtures
+}  // namespace fixtures

@@ -8,7 +8,9 @@
 #include "perimpact/force/short_range.hpp"
 #include "perimpact/particles/advance.hpp"
 
-namespace perimpact::fixtures {
+namespace fixtures {
+
+using namespace perimpact;
 
 /// Several bodies and what makes them touch; the force sees their states, nothing else.
 struct Pile {
@@ -78,4 +80,4 @@ inline Body lone_particle(double size, const Vec3d& place, const Vec3d& velocity
   return body;
 }
 
-}  // namespace perimpact::fixtures
+}  // namespace fixtures

@@ -17,7 +17,7 @@ namespace {
 
 /// A ball of 16 mm with a bore along z, cut along y = 0 from its rim to the bore's axis.
 BodySetup ball() {
-  BodySetup setup = perimpact::fixtures::body_setup({.spacing = 0.001});
+  BodySetup setup = fixtures::body_setup({.spacing = 0.001});
   setup.shape = SphereSolid{0.016};
   setup.position = {0.1, 0, 0};
   setup.holes = {{"bore", CylinderSolid{0.004, 0.1, {axis_words, 2}}, {}, {}}};
@@ -80,7 +80,7 @@ TEST_CASE("solid bodies: the mass of the solid is known, and a lattice too coars
   setup.holes.clear(), setup.cracks.clear();
   const Simulation fine(run_of(setup));
   REQUIRE(fine.filled_mass(0).has_value());
-  CHECK(fine.filled_mass(0)->solid == doctest::Approx(perimpact::fixtures::density * std::numbers::pi / 6 * 0.016 * 0.016 * 0.016).epsilon(1e-12));
+  CHECK(fine.filled_mass(0)->solid == doctest::Approx(fixtures::density * std::numbers::pi / 6 * 0.016 * 0.016 * 0.016).epsilon(1e-12));
   CHECK(fine.filled_mass(0)->particles == doctest::Approx(fine.bodies()[0].particles.total_mass()));
   CHECK(!warns_of(fine, "against its solid"));
   setup.spacing = 0.0065;  // two by two by two cells, 2197 mm³ of 3217 mm³
@@ -116,8 +116,8 @@ TEST_CASE("solid bodies: cracks that are none, or nowhere, are refused at their 
 }
 
 TEST_CASE("solid bodies: a crack in a layer of particles parts it from the one below, and says so") {
-  BodySetup setup = perimpact::fixtures::body_setup({.size = {0.005, 0.005, 0.005}, .spacing = 0.001});  // the middle layer is at z = 0
-  setup.cracks = {{"middle", {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}};                         // normal up
+  BodySetup setup = fixtures::body_setup({.size = {0.005, 0.005, 0.005}, .spacing = 0.001});  // the middle layer is at z = 0
+  setup.cracks = {{"middle", {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}};              // normal up
   const Simulation simulation(run_of(setup));
   const Body& body = simulation.bodies()[0];
   for (const std::uint32_t i : body.particles.slot_of())
@@ -149,7 +149,7 @@ TEST_CASE("solid bodies: the cells of a Gmsh mesh are a body that flies as it is
   mesh.vertices = block.vertices;
   for (std::size_t e = 0; e < block.size(); ++e) mesh.elements.push_back({4, {block.nodes_of_element(e).begin(), block.nodes_of_element(e).end()}});
   ::fixtures::put(folder / "block.msh", ::fixtures::gmsh_file(mesh));
-  BodySetup setup = perimpact::fixtures::body_setup({});
+  BodySetup setup = fixtures::body_setup({});
   CellsShape cells;
   cells.file = (folder / "block.msh").string(), cells.scale = 0.001;
   setup.shape = cells, setup.spacing.reset(), setup.velocity = {3, 0, 0};
@@ -157,7 +157,7 @@ TEST_CASE("solid bodies: the cells of a Gmsh mesh are a body that flies as it is
   Simulation simulation(run_of(setup));
   const Body& body = simulation.bodies()[0];
   CHECK(body.particles.size() == 6 * 64);
-  CHECK(body.particles.total_mass() == doctest::Approx(perimpact::fixtures::density * 64e-9).epsilon(1e-12));
+  CHECK(body.particles.total_mass() == doctest::Approx(fixtures::density * 64e-9).epsilon(1e-12));
   CHECK(body.particles.numbers().size() == 6 * 64);
   CHECK(body.cracks[0].bonds > 0);
   for (int step = 0; step < 5; ++step) simulation.step();
