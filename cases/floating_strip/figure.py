@@ -12,9 +12,11 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
 from measure import Run, broken, read_vtp  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
+SHADES = LinearSegmentedColormap.from_list("ice", ["0.62", "C1", "C3", "k"])
 SHOWN, RAISED = 45.0, 3.5  # of the strip, and one picture over the next [m]
 
 
@@ -34,11 +36,11 @@ def main():
         up = -RAISED * number
         places = pictures[i].points[seen]
         side.axhspan(up - 2.2, up + level, color="C0", alpha=0.12, lw=0)
-        map_ = side.scatter(places[:, 0], places[:, 2] + up, c=pictures[i].point["damage"][seen], s=9, marker="s", lw=0, cmap="inferno_r", vmin=0, vmax=0.6)
-        side.annotate(f"{pictures[i].time:.1f} s, {loads[i] / 1e3:.1f} kN/m", (SHOWN + 0.4, up), va="center", fontsize=11)
+        map_ = side.scatter(places[:, 0], places[:, 2] + up, c=pictures[i].point["damage"][seen], s=22, marker="s", lw=0, cmap=SHADES, vmin=0, vmax=0.5)
+        side.annotate(f"{pictures[i].time:.1f} s\n{loads[i] / 1e3:.1f} kN/m", (SHOWN + 1, up), va="center", fontsize=11)
     side.axvline(strip.breaking_distance, color="0.3", ls=":", lw=1.5)
     side.annotate("largest moment by theory", (strip.breaking_distance, 1.55), xytext=(5, 0), textcoords="offset points", fontsize=11, color="0.3")
-    side.set(title="A strip of ice, pressed down at its edge", xlim=(-1, SHOWN + 9), yticks=[], xlabel="from the edge [m]")
+    side.set(title="A strip of ice, pressed down at its edge (heights drawn larger)", xlim=(-1, SHOWN + 9.5), yticks=[], xlabel="from the edge [m]")
     figure.colorbar(map_, ax=side, label="damage", shrink=0.8)
 
     grid = np.linspace(0, max(found["crack [N/m]"], strip.breaking_load), 9)

@@ -29,7 +29,7 @@ HALF = 107.0  # 4/λ [m]: what costs most is half as long, and compared with a t
 
 LIFTED = [Variant(n) for n in (3, 4, 6, 8)] + [Variant(12, length=HALF)] + [Variant(n, calibration="z") for n in (3, 4, 6)]
 LIFTED += [Variant(n, plate=False) for n in (4, 6)] + [Variant(n, correction="volume") for n in (3, 4, 6)]
-PRESSED = [Variant(3, length=HALF), Variant(4, length=HALF), Variant(4, calibration="z", length=HALF), Variant(6)]
+PRESSED = [Variant(3, length=106.0), Variant(4, length=HALF), Variant(4, calibration="z", length=HALF), Variant(6)]
 DRAWN = [Variant(3), Variant(4), Variant(6), Variant(4, calibration="z")]
 
 
