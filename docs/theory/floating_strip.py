@@ -90,7 +90,7 @@ def read():
 
 
 def percent(ratio):
-    return f"{100 * (ratio - 1):+.1f} %".replace("-", "−")
+    return f"{100 * (ratio - 1):+.1f} %".replace("-0.0", "0.0").replace("-", "−")
 
 
 def bending(rows, name):
@@ -102,7 +102,7 @@ def bending(rows, name):
 
 
 def breaking(rows):
-    lines = ["| layers | | first bond breaks at | against theory with water on the ice | against 38.7 kN/m | first crack through all layers at |", "|---|---|---|---|---|---|"]
+    lines = ["| layers | | first bond breaks at | against theory with water on the ice | against 38.7 kN/m | first crack at |", "|---|---|---|---|---|---|"]
     for (test, name), by_layers in rows.items():
         for layers, of in sorted(by_layers.items()):
             if test == "ramp":
