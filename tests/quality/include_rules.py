@@ -37,7 +37,7 @@ LAYERS = {
     "perimpact/solid": ["fccda", "perimpact/setup", "perimpact/particles"],
     "perimpact/impact": ["fccda", "perimpact/setup", "perimpact/particles", "perimpact/solid"],
     "io": ["fccda", "perimpact", "io"],
-    "io/deck": ["fccda/core", "perimpact/setup"],
+    "io/deck": ["fccda/core", "perimpact/material", "perimpact/setup"],
     "io/output": ["fccda/core", "fccda/surface"],
 }
 

@@ -20,6 +20,7 @@ Json body_report(const Body& body, const Boundaries& boundaries, const std::opti
   json["intact_bonds"] = body.family.intact_bonds();
   if (const Stencil* stencil = body.family.stencil()) json["interior_family"] = stencil->size();
   json["horizon [m]"] = body.family.horizon();
+  if (body.bending) json["bending_calibration"] = *body.bending;
   if (const auto& failure = body.failure) {
     json["failure"]["critical_stretch"] = failure->stretch;
     json["failure"]["fracture_energy [J/m2]"] = failure->fracture_energy;

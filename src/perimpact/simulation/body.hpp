@@ -22,6 +22,7 @@ struct Body {
   InternalForce internal;
   std::optional<FailureCriterion> failure = {};  ///< nothing where bonds never break
   std::vector<CrackCut> cracks = {};             ///< that were there from the start
+  std::optional<double> bending = {};            ///< k_b that all bonds are stiffer by, where the set-up has the bending stiffness made right
 
   /// Momentum [kg m/s] of all particles, summed in blocks, in order.
   Vec3d momentum() const;
@@ -44,6 +45,16 @@ inline Particles make_particles(const BodySetup& setup) { return make_particles(
 
 /// Elastic constants of its material, in space or in its plane.
 IsotropicElastic elastic_of(const BodySetup& setup);
+
+/// How a body that is thin along an axis bends, before any calibration.
+struct BendingOfLayers {
+  std::size_t axis;
+  int layers;
+  double relative;  ///< bending stiffness over that of a plate
+};
+
+/// Of a body on a lattice, four times as wide as thick; nothing of others, and none of the model correspondence.
+std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Particles& particles);
 
 /// The body of these particles: its bonds and surface corrections are those of the particles that are there, and cracks are cut after. Throws
 /// SetupError where a crack cannot be cut.
