@@ -81,6 +81,10 @@ void check_failure(const BodySetup& body, const std::string& path, const Places&
   if (!is_limit && body.failure->critical_compression)
     refuse(places.of(path + ".failure.critical_compression"),
            fmt::format("critical_compression is given, but compression is {}; write compression: limit, or remove it.", body.failure->compression.word()));
+  if (body.failure->compression_hardening > 0 && body.failure->compression.as<CompressionFailure>() != CompressionFailure::none)
+    refuse(places.of(path + ".failure.compression_hardening"),
+           fmt::format("compression_hardening makes pressed bonds stronger, but compression is {}, which breaks them; keep one of the two.",
+                       body.failure->compression.word()));
   if (body.failure->seed && !body.failure->weibull_modulus)
     refuse(places.of(path + ".failure.seed"), "seed is given without weibull_modulus, so nothing is random; give both or none.");
 }

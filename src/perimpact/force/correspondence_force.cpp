@@ -218,6 +218,7 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking 
 template <std::size_t D>
 template <class Pack>
 void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+  if (options.may_break) breaking_.follow<Pack>(particles, family);
   const std::ptrdiff_t row_count = static_cast<std::ptrdiff_t>(particles.rows());
   const auto for_each_pack = [&](std::size_t row, const auto& per_pack) {
     const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());

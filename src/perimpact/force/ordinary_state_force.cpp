@@ -174,6 +174,7 @@ OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, Breaking breaking, Cor
 
 template <class Pack>
 void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+  if (options.may_break) breaking_.follow<Pack>(particles, family);
   const auto over = [&](const auto& bonds, const auto& constants, const auto& corrections) {
     using Bonds = std::decay_t<decltype(bonds)>;
     const BodyView<Bonds, std::decay_t<decltype(constants)>> body{

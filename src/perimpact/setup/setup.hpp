@@ -140,6 +140,7 @@ using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBas
 struct FailureSetup {
   Choice compression{compression_words};
   std::optional<double> critical_compression;  ///< [-] positive, where compression is `limit`
+  double compression_hardening = 0;            ///< [-] α: pressed together, particles stand more pull across
   std::optional<double> weibull_modulus;       ///< [-] scatter of the strength of particles; none where absent
   std::optional<int> seed;                     ///< of the scatter; 1 where absent
   std::vector<std::string> no_fail;            ///< names of regions
