@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fccda/core/contract.hpp"
+#include "perimpact/boundary/damped.hpp"
 #include "perimpact/boundary/slot_sum.hpp"
 
 namespace perimpact {
@@ -23,29 +24,15 @@ void Absorbing::leave_out(std::span<const std::uint32_t> held, std::size_t axis)
     if (std::binary_search(held.begin(), held.end(), slots_[k])) damping_[k][axis] = 0;
 }
 
-namespace {
-
-struct Damped {
-  Vec3d force{};     // [N]
-  double power = 0;  // [W]
-  Damped& operator+=(const Damped& other) {
-    force += other.force, power += other.power;
-    return *this;
-  }
-};
-
-}  // namespace
-
 void Absorbing::damp(Particles& particles, double dt) {
   const double density = particles.density();
-  const Damped sum = sum_in_blocks<Damped>(slots_.size(), [&](std::size_t k) {
+  const Resistance sum = sum_in_blocks<Resistance>(slots_.size(), [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d before = particles.force_density.at(slot), velocity = particles.velocity.at(slot);
     Vec3d after{};
-    for (std::size_t c = 0; c < 3; ++c) after[c] = (before[c] - density * damping_[k][c] * velocity[c]) / (1 + 0.5 * damping_[k][c] * dt);
+    for (std::size_t c = 0; c < 3; ++c) after[c] = damped(before[c], velocity[c], density, damping_[k][c], dt);
     particles.force_density.set(slot, after);
-    const Vec3d force = particles.volume(slot) * (after - before);
-    return Damped{force, dot(force, velocity + 0.5 * dt / density * after)};
+    return resistance(before, after, velocity, particles.volume(slot), density, dt);
   });
   account.note(sum.force, {});
   account.add({}, 0.5 * dt * (power_ + sum.power));

@@ -7,7 +7,7 @@
 /// free end and the way out the share R of its amplitude is left. The profile and how R sets it are those of Collino and Tsogka
 /// (Geophysics 66 (2001) 294), with α/2 in place of their damping, because only the velocity is damped here, not the strain as well.
 ///
-/// The damping is implicit in the velocity, v_{n+1/2} (1 + α dt/2) = v_{n-1/2} (1 - α dt/2) + F dt/(ρ V), so that it limits no time step.
+/// The damping is implicit in the velocity (damped.hpp), so that it limits no time step.
 #pragma once
 
 #include <cstdint>
