@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fccda/core/contract.hpp"
-#include "perimpact/boundary/damped.hpp"
 #include "perimpact/boundary/slot_sum.hpp"
 
 namespace perimpact {
@@ -14,7 +13,7 @@ double layer_damping(double depth, double thickness, double wave_speed, double r
   return 3 * wave_speed * std::log(1 / reflection) / thickness * share * share;
 }
 
-Absorbing::Absorbing(std::vector<std::uint32_t> slots, std::span<const double> damping) : slots_(std::move(slots)) {
+Absorbing::Absorbing(std::vector<std::uint32_t> slots, std::span<const double> damping) : slots_(std::move(slots)), forces_(slots_.size()) {
   EXPECTS(slots_.size() == damping.size());
   for (const double each : damping) damping_.push_back({each, each, each});
 }
@@ -32,11 +31,10 @@ void Absorbing::damp(Particles& particles, double dt) {
     Vec3d after{};
     for (std::size_t c = 0; c < 3; ++c) after[c] = damped(before[c], velocity[c], density, damping_[k][c], dt);
     particles.force_density.set(slot, after);
-    return resistance(before, after, velocity, particles.volume(slot), density, dt);
+    return forces_.note(k, particles.volume(slot) * (after - before), dt * velocity);
   });
   account.note(sum.force, {});
-  account.add({}, 0.5 * dt * (power_ + sum.power));
-  power_ = sum.power;
+  account.add({}, sum.work);
 }
 
 }  // namespace perimpact

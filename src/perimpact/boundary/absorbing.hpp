@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "perimpact/boundary/account.hpp"
+#include "perimpact/boundary/damped.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {
@@ -42,13 +43,13 @@ class Absorbing {
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     account.visit_record(name, visit);
-    visit(name + ".power", std::span<double>(&power_, 1));
+    forces_.visit_record(name, visit);
   }
 
  private:
   std::vector<std::uint32_t> slots_;
   std::vector<Vec3d> damping_;
-  double power_ = 0;  // [W] at the latest instant
+  ForcesOnTheWay forces_;
 };
 
 }  // namespace perimpact

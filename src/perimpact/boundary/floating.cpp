@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "perimpact/boundary/damped.hpp"
-
 namespace perimpact {
 
 namespace {
@@ -42,7 +40,7 @@ std::optional<double> floating_level(const Particles& particles, std::span<const
 }
 
 Floating::Floating(std::vector<std::uint32_t> slots, const Water& water, double floats_at)
-    : slots_(std::move(slots)), moves_(slots_.size(), {true, true, true}), water_(water), floats_at_(floats_at) {}
+    : slots_(std::move(slots)), moves_(slots_.size(), {true, true, true}), water_(water), floats_at_(floats_at), forces_(resists() ? slots_.size() : 0) {}
 
 void Floating::leave_out(std::span<const std::uint32_t> held, std::size_t axis) {
   for (std::size_t k = 0; k < slots_.size(); ++k)
@@ -80,7 +78,7 @@ ForceSum Floating::add_to(Particles& particles) {
 }
 
 Vec3d Floating::resist(Particles& particles, double dt) {
-  if (water_.drag == 0 && water_.damping == 0 && water_.added_mass == 0) return {};
+  if (!resists()) return {};
   const double density = particles.density();
   const Resistance sum = sum_in_blocks<Resistance>(slots_.size(), [&](std::size_t k) {
     const std::size_t slot = slots_[k];
@@ -94,11 +92,10 @@ Vec3d Floating::resist(Particles& particles, double dt) {
       if (moves_[k][c]) after[c] = damped(before[c], velocity[c], density, damping, dt);
     if (moves_[k][2]) after.z *= density / (density + water_.added_mass * water_.density * wet);
     particles.force_density.set(slot, after);
-    return resistance(before, after, velocity, particles.volume(slot), density, dt);
+    return forces_.note(k, particles.volume(slot) * (after - before), dt * velocity);
   });
-  const double work = 0.5 * dt * (power_ + sum.power);
-  account.add({}, work);
-  work_of_drag_ += work, power_ = sum.power;
+  account.add({}, sum.work);
+  work_of_drag_ += sum.work;
   return sum.force;
 }
 

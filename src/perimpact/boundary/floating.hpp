@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "perimpact/boundary/account.hpp"
+#include "perimpact/boundary/damped.hpp"
 #include "perimpact/boundary/slot_sum.hpp"
 #include "perimpact/force/exposure.hpp"
 #include "perimpact/particles/particles.hpp"
@@ -70,19 +71,22 @@ class Floating {
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     account.visit_record(name, visit);
-    double all[] = {potential_, power_, has_begun_ ? 1.0 : 0.0, work_of_weight_and_buoyancy_, work_of_drag_};
+    forces_.visit_record(name, visit);
+    double all[] = {potential_, has_begun_ ? 1.0 : 0.0, work_of_weight_and_buoyancy_, work_of_drag_};
     visit(name + ".water", std::span<double>(all));
-    potential_ = all[0], power_ = all[1], has_begun_ = all[2] != 0, work_of_weight_and_buoyancy_ = all[3], work_of_drag_ = all[4];
+    potential_ = all[0], has_begun_ = all[1] != 0, work_of_weight_and_buoyancy_ = all[2], work_of_drag_ = all[3];
   }
 
  private:
+  bool resists() const { return water_.drag != 0 || water_.damping != 0 || water_.added_mass != 0; }
+
   std::vector<std::uint32_t> slots_;
   std::vector<std::array<bool, 3>> moves_;  // of each slot along x, y, z
   Water water_;
   double floats_at_;
   std::optional<Exposure> exposure_;
+  ForcesOnTheWay forces_;                                      // of drag, damping and added mass; of no particle where there is none of them
   double potential_ = 0;                                       // [J] at the latest instant
-  double power_ = 0;                                           // [W] of drag, damping and added mass
   bool has_begun_ = false;                                     // potential_ is known
   double work_of_weight_and_buoyancy_ = 0, work_of_drag_ = 0;  // [J]
 };
