@@ -22,11 +22,15 @@ def columns_of_the_deck():
         *vector("cylinder", "force", "N"),
         *vector("cylinder", "moment", "N m"),
         "cylinder.contacts [-]",
+        "cylinder.contact_work [J]",
         "plate.kinetic_energy [J]",
         "plate.elastic_energy [J]",
         "plate.broken_bonds [-]",
+        "plate.fracture_energy [J]",
         *vector("total", "momentum", "kg m/s"),
         "total.energy [J]",
+        "total.contact_loss [J]",
+        "total.closing_error [J]",
         *vector("centre", "displacement", "m"),
     ]
 
@@ -76,7 +80,7 @@ def _(t):
     t.expect_success("run", t.deck(("free: [y]", f"free: [y]\n    {gauges}")), "--out", "r")
     history = t.history("r")
     names = list(history)
-    first = names.index("cylinder.contacts [-]") + 1
+    first = names.index("cylinder.contact_work [J]") + 1
     wanted = [f"cylinder.{gauge}.{quantity}_{axis} [{unit}]" for gauge in ("rim", "caps", "hub") for quantity, unit in (("force", "N"), ("moment", "N m")) for axis in AXES]
     t.assertEqual(names[first : first + 19], wanted + ["cylinder.hub.torque [N m]"])
     t.assertEqual(names[first + 19], "plate.kinetic_energy [J]")

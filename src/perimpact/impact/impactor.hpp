@@ -97,6 +97,8 @@ class Impactor {
   bool coasts() const { return prescribed_.is_empty() && loads_.empty(); }
   double work_of_holder() const { return body_.work_of_holder(); }  ///< [J] done so far by what holds and drives the degrees of freedom that are not free
   double work_of_loads() const { return work_of_loads_; }           ///< [J] done so far by the applied loads
+  double work_of_contact() const { return work_of_contact_; }       ///< [J] done on it so far by contact
+  double work_on_particles() const { return work_on_particles_; }   ///< [J] done so far on the particles that it struck (docs/theory/energy.md)
 
   ContactRecord& record() { return record_; }
   const ContactRecord& record() const { return record_; }
@@ -125,6 +127,8 @@ class Impactor {
     fccda::visit_vector(account, "impulse", account_.impulse);
     fccda::visit_vector(account, "angular_impulse", account_.angular_impulse);
     account("contacts", account_.contacts);
+    account("work_of_contact", work_of_contact_);
+    account("work_on_particles", work_on_particles_);
     auto gauges = fccda::under("gauges", its);
     for (NamedGauge& named : gauges_) named.gauge.visit_state(fccda::under(named.name, gauges));
     record_.visit_state(fccda::under("record", its));
@@ -154,7 +158,8 @@ class Impactor {
   std::vector<std::size_t> struck_;       // particles of the body struck last, in rising order
   Account account_;
   std::vector<NamedGauge> gauges_;
-  double work_of_loads_ = 0;  // [J]
+  double work_of_loads_ = 0;                            // [J]
+  double work_of_contact_ = 0, work_on_particles_ = 0;  // [J]
   ContactRecord record_;
 };
 

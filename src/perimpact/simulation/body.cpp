@@ -209,6 +209,14 @@ double Body::kinetic_energy(double dt) const {
          });
 }
 
+double Body::kinetic_energy_of_scheme(double dt) const {
+  const double kick = dt / particles.density();
+  return 0.5 * sum_over(particles, 0.0, [&](std::size_t slot) {
+           const Vec3d velocity = particles.velocity.at(slot);
+           return particles.mass(slot) * dot(velocity, velocity + kick * particles.force_density.at(slot));
+         });
+}
+
 double Body::memory() const {
   const double arrays = static_cast<double>(particles.slots() * 3 * sizeof(Vec3d) + particles.size() * sizeof(std::uint32_t));
   return arrays + family.bytes() + internal.bytes();

@@ -28,6 +28,9 @@ struct Body {
   Vec3d momentum() const;
   /// [J]; velocities are brought from the middle of the step to its end with the present forces: v + f dt/(2ρ).
   double kinetic_energy(double dt) const;
+  /// [J] ½ Σ m v_{n-1/2}·v_{n+1/2}: with the elastic energy of linear bonds this is constant to rounding, where the other has a ripple of (ω dt)²
+  /// (docs/theory/energy.md).
+  double kinetic_energy_of_scheme(double dt) const;
   double memory() const;  ///< [bytes] of its arrays
 
   template <class Visitor>
@@ -35,6 +38,12 @@ struct Body {
     particles.visit_state(name, visit);
     family.visit_state(name, visit);
     internal.visit_state(name, visit);
+  }
+
+  /// What was only noted, and changes no step.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    internal.visit_record(name, visit);
   }
 };
 

@@ -237,12 +237,13 @@ void Simulation::strike() {
 }
 
 void Simulation::pull() {
+  const double dt = clock_.step > 0 ? clock_.dt : 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
     if (monitors_.is_due(clock_))
-      monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family);
+      monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family, dt);
     else
-      body.internal.evaluate(body.particles, body.family);
+      body.internal.evaluate(body.particles, body.family, dt);
   }
 }
 
