@@ -35,7 +35,7 @@ std::optional<double> quantity_of_option(const char* option, const std::string& 
   return converted.value;
 }
 
-void tell_of_channel(const StatisticsArguments& arguments, std::optional<double> latest) {
+std::string channel_text(const StatisticsArguments& arguments, std::optional<double> latest) {
   const StatisticsArguments::Channel& wanted = arguments.channel;
   const auto [body, axis] = body_and_axis(wanted.of);
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -60,18 +60,18 @@ void tell_of_channel(const StatisticsArguments& arguments, std::optional<double>
                                           "width [m]", "all_broken [m]"};
   output::write_csv(file, names, rows);
 
-  fmt::print("\nchannel along {} in body {} at {:.6g} s ({})\n", along, body, picture.time, picture.file.string());
+  std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, picture.time, picture.file.string());
   if (widths.length == 0) {
-    fmt::print("{}", row("none", fmt::format("the body is nowhere broken through there; pieces of {:.3g} % of the particles count as the sheet that remains",
-                                             100 * wanted.sheet)));
+    text +=
+        row("none", fmt::format("nowhere broken through there; pieces of {:.3g} % of the particles or more are the sheet that remains", 100 * wanted.sheet));
   } else {
-    fmt::print("{}", row("length", fmt::format("{:.5g} m of columns that are broken through", widths.length)));
-    fmt::print("{}", row("width", fmt::format("mean {:.5g} m, standard deviation {:.3g} m", widths.mean, widths.deviation)));
-    fmt::print("{}", row("narrowest", fmt::format("{:.5g} m at {} = {:.5g} m", widths.narrowest, along, widths.narrowest_at)));
-    fmt::print("{}", row("widest", fmt::format("{:.5g} m at {} = {:.5g} m", widths.widest, along, widths.widest_at)));
-    fmt::print("{}", row("area", fmt::format("{:.5g} m2 of the channel, {:.5g} m2 of all that is broken through", widths.area, widths.all_broken)));
+    text += row("length", fmt::format("{:.5g} m of columns that are broken through", widths.length));
+    text += row("width", fmt::format("mean {:.5g} m, standard deviation {:.3g} m", widths.mean, widths.deviation));
+    text += row("narrowest", fmt::format("{:.5g} m at {} = {:.5g} m", widths.narrowest, along, widths.narrowest_at));
+    text += row("widest", fmt::format("{:.5g} m at {} = {:.5g} m", widths.widest, along, widths.widest_at));
+    text += row("area", fmt::format("{:.5g} m2 of the channel, {:.5g} m2 of all that is broken through", widths.area, widths.all_broken));
   }
-  fmt::print("{}", row("in", file.string()));
+  return text + row("in", file.string());
 }
 
 }  // namespace perimpact

@@ -191,8 +191,9 @@ void print_windows(const std::vector<Summary>& summaries, const Window& window, 
 }
 
 void print_spectrum(const Window& window, const Spectrum& spectrum) {
-  fmt::print("\nspectrum: {} Hann windows of {:.6g} s ({} intervals of {:.6g} s), half overlapping; resolution {:.4g} Hz, up to {:.4g} Hz\n", spectrum.segments,
-             static_cast<double>(spectrum.segment) * spectrum.interval, spectrum.segment, window.interval, spectrum.resolution(), 0.5 / spectrum.interval);
+  fmt::print("\nspectrum: {} Hann window{} of {:.6g} s ({} intervals of {:.6g} s), half overlapping; resolution {:.4g} Hz, up to {:.4g} Hz\n",
+             spectrum.segments, spectrum.segments == 1 ? "" : "s", static_cast<double>(spectrum.segment) * spectrum.interval, spectrum.segment, window.interval,
+             spectrum.resolution(), 0.5 / spectrum.interval);
 }
 
 void tell_of_columns(const StatisticsArguments& arguments, const Table& table, const std::vector<std::size_t>& columns, const Window& window) {
@@ -228,8 +229,9 @@ int statistics_command(const StatisticsArguments& arguments) {
   const std::vector<std::size_t> columns = arguments.columns.empty() ? columns_of_loads(table) : columns_named(table, arguments.columns);
   if (columns.empty() && arguments.channel.of.empty())
     throw InputError(fmt::format("{} tells of no impactor, so there are no loads; choose columns with --columns.", table.file.string()));
+  const std::string channel = arguments.channel.of.empty() ? "" : channel_text(arguments, to);  // before anything is printed: it may be refused
   if (!columns.empty()) tell_of_columns(arguments, table, columns, window);
-  if (!arguments.channel.of.empty()) tell_of_channel(arguments, to);
+  if (!channel.empty()) fmt::print("{}{}", columns.empty() ? "" : "\n", channel);
   return 0;
 }
 

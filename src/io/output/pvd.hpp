@@ -43,7 +43,8 @@ struct Picture {
   std::filesystem::path file;
 };
 
-/// Those that a list of Series names, in its order. Throws InputError where the file is no such list.
+/// Those that a list of Series names, in its order; of names that needed no escape, as those of bodies and impactors. Throws InputError where the file is no
+/// such list.
 std::vector<Picture> pictures_of(const std::filesystem::path& list);
 
 }  // namespace perimpact::output

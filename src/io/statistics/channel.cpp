@@ -86,7 +86,9 @@ std::vector<ChannelColumn> channel_columns(std::span<const Vec3d> places, std::s
   Vec3d low = places[0], high = low;
   for (const Vec3d& place : places)
     for (std::size_t c = 0; c < 2; ++c) low[c] = std::min(low[c], place[c]), high[c] = std::max(high[c], place[c]);
-  const auto cell = [&](const Vec3d& place, std::size_t c) { return static_cast<std::size_t>(std::lround((place[c] - low[c]) / spacing)); };
+  // pictures hold single precision
+  for (std::size_t c = 0; c < 2; ++c) low[c] = std::round(low[c] / (1e-3 * spacing)) * 1e-3 * spacing;
+  const auto cell = [&](const Vec3d& place, std::size_t c) { return static_cast<std::size_t>(std::lround(std::max(0.0, place[c] - low[c]) / spacing)); };
   const std::size_t columns = cell(high, axis) + 1, rows = cell(high, across) + 1;
 
   std::vector<Cell> cells(columns * rows, Cell::empty);

@@ -119,9 +119,8 @@ TEST_CASE("pieces: a body that is cut twice has three, with the masses, places, 
 TEST_CASE("pieces: particles without a bond are counted apart from pieces") {
   Body body = fixtures::body({.size = {0.020, 0.010, 0.001}, .plane = PlaneState::stress});
   const std::size_t lost[] = {body.particles.slot_of()[0], body.particles.slot_of()[77], body.particles.slot_of()[150]};
-  body.family.cut([&](std::size_t i, std::size_t j) {
-    return std::any_of(std::begin(lost), std::end(lost), [&](std::size_t slot) { return slot == i || slot == j; });
-  });
+  body.family.cut(
+      [&](std::size_t i, std::size_t j) { return std::any_of(std::begin(lost), std::end(lost), [&](std::size_t slot) { return slot == i || slot == j; }); });
   const Pieces pieces(body.particles, body.family);
   const PieceCount count = pieces.count();
   CHECK(count.pieces == 1);
