@@ -55,7 +55,7 @@ void add_statistics(CLI::App& command, StatisticsArguments& arguments) {
                   "Columns of history.csv in place of the loads: whole names or beginnings such as ship.force, with commas between")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--windows", arguments.windows, "Means and maxima over so many equal parts of the time too")->check(CLI::Range(1, 100000));
+  command.add_option("--windows", arguments.windows, "Means and extremes over so many equal parts of the time too")->check(CLI::Range(1, 100000));
   command.add_option("--segment", arguments.segment, "Length of the spectrum's windows, a time; a power of two of rows is taken from it");
   command.add_option("--channel", arguments.channel.of, "Width of the channel in a broken sheet, of a body and along an axis: ice:x");
   command.add_option("--channel-from", arguments.channel.from, "Leaves out what is below this on the axis, a length");

@@ -30,12 +30,18 @@ struct Window {
   double interval;           // [s] the median between them
 };
 
+/// One of the equal parts of the window.
+struct Part {
+  double from, to;  // [s]
+  double mean, maximum, minimum;
+};
+
 /// What is told of a column.
 struct Summary {
   std::string name;
   double mean, deviation;
   Extreme maximum, minimum;
-  std::vector<double> window_means, window_maxima;
+  std::vector<Part> parts;
   std::optional<Spectrum> spectrum;
 
   /// [s]; not a number where there is none
@@ -114,12 +120,11 @@ Summary summary_of(const Table& table, std::size_t column, const Window& window,
                   .deviation = series.standard_deviation(window.from, window.to),
                   .maximum = series.maximum(window.from, window.to),
                   .minimum = series.minimum(window.from, window.to),
-                  .window_means = {},
-                  .window_maxima = {},
+                  .parts = {},
                   .spectrum = {}};
   for (int k = 0; k < windows; ++k) {
-    summary.window_means.push_back(series.mean(edge_of(window, windows, k), edge_of(window, windows, k + 1)));
-    summary.window_maxima.push_back(series.maximum(edge_of(window, windows, k), edge_of(window, windows, k + 1)).value);
+    const double begin = edge_of(window, windows, k), end = edge_of(window, windows, k + 1);
+    summary.parts.push_back({begin, end, series.mean(begin, end), series.maximum(begin, end).value, series.minimum(begin, end).value});
   }
   if (segment > 0) summary.spectrum = welch(series.resampled(window.from, window.interval, intervals_in(window)), window.interval, segment);
   return summary;
@@ -140,15 +145,14 @@ void write_statistics(const std::filesystem::path& file, const std::vector<Summa
   output::write_whole_file(file, text);
 }
 
-void write_windows(const std::filesystem::path& file, const std::vector<Summary>& summaries, const Window& window, int windows) {
+void write_windows(const std::filesystem::path& file, const std::vector<Summary>& summaries) {
   std::vector<std::string> names = {"from [s]", "to [s]"};
   for (const Summary& one : summaries)
-    for (const char* what : {"mean", "maximum"}) names.push_back(fmt::format("{}.{} [{}]", quantity_of(one.name), what, unit_of(one.name)));
+    for (const char* what : {"mean", "maximum", "minimum"}) names.push_back(fmt::format("{}.{} [{}]", quantity_of(one.name), what, unit_of(one.name)));
   std::vector<double> rows;
-  for (int k = 0; k < windows; ++k) {
-    rows.insert(rows.end(), {edge_of(window, windows, k), edge_of(window, windows, k + 1)});
-    for (const Summary& one : summaries)
-      rows.insert(rows.end(), {one.window_means[static_cast<std::size_t>(k)], one.window_maxima[static_cast<std::size_t>(k)]});
+  for (std::size_t k = 0; k < summaries.front().parts.size(); ++k) {
+    rows.insert(rows.end(), {summaries.front().parts[k].from, summaries.front().parts[k].to});
+    for (const Summary& one : summaries) rows.insert(rows.end(), {one.parts[k].mean, one.parts[k].maximum, one.parts[k].minimum});
   }
   output::write_csv(file, names, rows);
 }
@@ -181,12 +185,11 @@ void print_table(const std::vector<Summary>& summaries) {
                one.maximum.time, one.minimum.value, one.minimum.time, period_text(one));
 }
 
-void print_windows(const std::vector<Summary>& summaries, const Window& window, int windows) {
+void print_windows(const std::vector<Summary>& summaries) {
   for (const Summary& one : summaries) {
-    fmt::print("\n{:<26} {:>11} {:>11}\n", one.name, "mean", "maximum");
-    for (int k = 0; k < windows; ++k)
-      fmt::print("{:<26} {:>11.4g} {:>11.4g}\n", fmt::format("  {:.5g} to {:.5g} s", edge_of(window, windows, k), edge_of(window, windows, k + 1)),
-                 one.window_means[static_cast<std::size_t>(k)], one.window_maxima[static_cast<std::size_t>(k)]);
+    fmt::print("\n{:<26} {:>11} {:>11} {:>11}\n", one.name, "mean", "maximum", "minimum");
+    for (const Part& part : one.parts)
+      fmt::print("{:<26} {:>11.4g} {:>11.4g} {:>11.4g}\n", fmt::format("  {:.5g} to {:.5g} s", part.from, part.to), part.mean, part.maximum, part.minimum);
   }
 }
 
@@ -208,8 +211,8 @@ void tell_of_columns(const StatisticsArguments& arguments, const Table& table, c
   std::error_code ignored;  // what an earlier command wrote of other columns or times
   for (const char* name : {"windows.csv", "spectrum.csv"}) std::filesystem::remove(arguments.folder / name, ignored);
   if (arguments.windows > 1) {
-    print_windows(summaries, window, arguments.windows);
-    write_windows(arguments.folder / written.emplace_back("windows.csv"), summaries, window, arguments.windows);
+    print_windows(summaries);
+    write_windows(arguments.folder / written.emplace_back("windows.csv"), summaries);
   }
   if (segment > 0) {
     print_spectrum(window, *summaries.front().spectrum);

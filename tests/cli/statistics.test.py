@@ -49,19 +49,20 @@ def _(t):
         t.assertEqual(told["unit"], "N")
 
 
-@claim("statistics: windows tell mean and maximum of equal parts of the time")
+@claim("statistics: windows tell mean and extremes of equal parts of the time")
 def _(t):
     t.expect_success("run", t.deck(("history: 2 us", "history: 0.3 us")), "--out", "r")
     out = t.expect_success("statistics", "r", "--columns", "cylinder.force_y,cylinder.position_y", "--windows", "7").out
     t.assertIn("Written to r: statistics.csv, windows.csv, spectrum.csv", out)
     history, windows = t.history("r"), table(t.folder / "r/windows.csv")
     t.assertEqual(list(windows), ["from [s]", "to [s]"] + [f"cylinder.{which}.{what} [{unit}]" for which, unit in (("position_y", "m"), ("force_y", "N"))
-                                                           for what in ("mean", "maximum")])
+                                                           for what in ("mean", "maximum", "minimum")])
     for k, (begin, end) in enumerate(zip(windows["from [s]"], windows["to [s]"], strict=True)):
         t.assertAlmostEqual(begin, 20e-6 * k / 7, delta=1e-18)
         rows = list(rows_of(history, FORCE, begin, end))
         t.assertAlmostEqual(windows["cylinder.force_y.mean [N]"][k], mean_of(rows), delta=1e-9 * max(history[FORCE]))  # parts of rows at the ends
-        t.assertEqual(windows["cylinder.force_y.maximum [N]"][k], max(value for _, value, _ in rows))
+        for word, choose in (("maximum", max), ("minimum", min)):
+            t.assertEqual(windows[f"cylinder.force_y.{word} [N]"][k], choose(value for _, value, _ in rows))
         # the cylinder goes down: its highest place is that at the beginning, on the line between two rows
         row = next(n for n in range(1, len(history["time [s]"])) if history["time [s]"][n] > begin)
         (t0, t1), (y0, y1) = history["time [s]"][row - 1 : row + 1], history["cylinder.position_y [m]"][row - 1 : row + 1]

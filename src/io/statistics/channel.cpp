@@ -131,7 +131,8 @@ ChannelWidths widths_of(std::span<const ChannelColumn> columns, double spacing, 
   const auto narrower = [](const ChannelColumn* a, const ChannelColumn* b) { return a->width < b->width; };
   const ChannelColumn &narrowest = **std::min_element(with_channel.begin(), with_channel.end(), narrower),
                       &widest = **std::max_element(with_channel.begin(), with_channel.end(), narrower);
-  for (const ChannelColumn* column : with_channel) widths.mean += column->width / count;
+  widths.mean = narrowest.width;  // added to, so that equal widths have exactly their mean
+  for (const ChannelColumn* column : with_channel) widths.mean += (column->width - narrowest.width) / count;
   for (const ChannelColumn* column : with_channel) widths.deviation += (column->width - widths.mean) * (column->width - widths.mean) / count;
   widths.deviation = std::sqrt(widths.deviation);
   widths.length = count * spacing;

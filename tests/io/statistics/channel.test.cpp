@@ -89,6 +89,7 @@ TEST_CASE("channel: broken places beside it are no part of its width, but of all
   const Sheet sheet([](int i, int j, int k) {
     if (j == 3 && i < 40) return 100 + i;   // single particles along a crack in one half, through both layers
     if (j == 50 && k == 0) return 200 + i;  // spalled off below only: the sheet remains above
+    if (j == 52 && k == 1) return 300 + i;  // and the other way round
     return of_channel(i, j, 30, 40);
   });
   const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
