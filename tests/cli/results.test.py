@@ -183,7 +183,7 @@ def _(t):
     deck = t.deck()
     t.expect_success("run", deck, "--set", "time.end=5 us", "--set", "output.frames=0", "--set", "output.folder=elsewhere",
                      "--set", "impactors.cylinder.velocity=[0, -10, 0]", "--set", "bodies.plate.material.critical_stretch=0.01")
-    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "lines/along_y_t5e-06.csv", "run.json"])
+    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "lines/along_y_t5e-06.csv", "pieces/plate_end.csv", "run.json"])
     setup = t.report("elsewhere")["setup"]
     t.assertEqual((setup["time"]["end"], setup["impactors"]["cylinder"]["velocity"]), (5e-6, [0, -10, 0]))
     t.assertEqual(setup["bodies"]["plate"]["material"]["critical_stretch"], 0.01)
