@@ -72,6 +72,13 @@ void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> bounda
     add_vector(impactor.name(), "moment", "N m", per_second * account.angular_impulse);
     add(impactor.name() + ".contacts [-]", static_cast<double>(account.contacts));
     account.impulse = {}, account.angular_impulse = {};
+    if (impactor.water()) {
+      add(impactor.name() + ".water_force_z [N]", per_second * account.water_impulse);
+      add(impactor.name() + ".water_moment_x [N m]", per_second * account.water_angular_impulse.x);
+      add(impactor.name() + ".water_moment_y [N m]", per_second * account.water_angular_impulse.y);
+      add(impactor.name() + ".displaced_mass [kg]", impactor.water()->density * impactor.afloat().volume);
+      account.water_impulse = 0, account.water_angular_impulse = {};
+    }
     for (NamedGauge& named : impactor.gauges()) {
       const fccda::Gauge::Reading& reading = named.gauge.reading();
       add_vector(named.name, "force", "N", per_second * reading.impulse);
@@ -82,7 +89,7 @@ void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> bounda
     impactor.record().end_interval(clock.time(), interval);
     momentum += body.momentum();
     energy += body.kinetic_energy();
-    work += impactor.work_of_holder() + impactor.work_of_loads();
+    work += impactor.work_of_holder() + impactor.work_of_loads() + impactor.work_of_water();
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double kinetic = relaxed ? 0 : bodies[b].kinetic_energy(clock.dt);
