@@ -30,7 +30,7 @@ def sail_half_breadth(x):
     """An ellipse of two halves, fullest at 60 % of the sail's length."""
     fullest = SAIL_ASTERN + 0.6 * (SAIL_AHEAD - SAIL_ASTERN)
     reach = SAIL_AHEAD - fullest if x > fullest else fullest - SAIL_ASTERN
-    return SAIL_BREADTH / 2 * math.sqrt(max(0, 1 - ((x - fullest) / reach) ** 2))
+    return SAIL_BREADTH / 2 * math.sqrt(max(0, round(1 - ((x - fullest) / reach) ** 2, 9)))
 
 
 def spread(start, end, longest):
@@ -39,9 +39,9 @@ def spread(start, end, longest):
 
 
 def stations():
-    """Dense where nose, tail and the edges of the sail curve."""
+    """Dense where the nose and the edges of the sail curve."""
     ahead, astern = LENGTH / 2 - NOSE, -LENGTH / 2 + TAIL
-    tail = [astern - TAIL * math.sin(angle) for angle in spread(math.pi / 2, 0, PANEL / TAIL * 1.2)]
+    tail = spread(astern - TAIL, astern, PANEL)
     nose = [ahead + NOSE * math.sin(angle) for angle in spread(0, math.pi / 2, PANEL / NOSE)]
     middle, reach = (SAIL_AHEAD + SAIL_ASTERN) / 2, (SAIL_AHEAD - SAIL_ASTERN) / 2
     sail = [middle + reach * math.sin(angle) for angle in spread(-math.pi / 2, math.pi / 2, PANEL / reach)]
@@ -72,6 +72,8 @@ class Mesh:
         return self.number[key]
 
     def panel(self, *corners):
+        if all(abs(y) < 1e-9 for _, y, _ in corners):
+            return  # at the edges of the sail its two sides are one
         corners = [self.vertex(*corner) for corner in corners]
         corners = [c for k, c in enumerate(corners) if c != corners[k - 1]]  # at nose, tail and edges two are one
         if len(corners) > 2:
