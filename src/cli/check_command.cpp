@@ -80,8 +80,9 @@ void print_afloat(const Impactor& impactor) {
   if (!impactor.water()) return;
   const PlacedInWater& placed = *impactor.placed_in_water();
   constexpr double none = 1e-6;  // of the weight
-  const double force = placed.afloat.force, weight = impactor.body().mass() * impactor.water()->gravity;
-  const char* const does = std::fabs(force) <= none * weight ? "floats at rest" : force > 0 ? "rises" : placed.rise ? "settles" : "sinks";
+  const double weight = impactor.body().mass() * impactor.water()->gravity;
+  const double force = std::fabs(placed.afloat.force) <= none * weight ? 0 : placed.afloat.force;
+  const char* const does = force == 0 ? "floats at rest" : force > 0 ? "rises" : placed.rise ? "settles" : "sinks";
   const std::string at_rest = placed.rise ? fmt::format("as it is turned, it rests at a draught of {:.4g} m", placed.draught - *placed.rise)
                                           : "it is heavier than all the water that it can displace";
   fmt::print("  {:<18}{}: displaces {:.5g} kg with a draught of {:.4g} m, net force {:+.4g} N upward; {}\n", "in water", does,

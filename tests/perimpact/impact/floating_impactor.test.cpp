@@ -86,22 +86,27 @@ TEST_CASE("floating impactor: what is heavier than its water has the added mass 
   CHECK(raft.placed_in_water()->afloat.force == doctest::Approx((0.5 * 1025 - 3000) * 9.81).epsilon(1e-12));
 }
 
-TEST_CASE("floating impactor: a block set down on a raft sinks it by its weight") {
+TEST_CASE("floating impactor: a load at the rail of a raft sinks it by its weight and heels it against its stiffness") {
   Setup setup = block_and_raft();
-  setup.time = {.end = 8, .step = 5e-4};
-  setup.impactors[0].floating->damping = 4;
-  BodySetup& block = setup.bodies[0];
-  std::get<OrdinaryStateSetup>(block.material).density = 1000;
-  block.position = {0, 0, 0.25 + 0.2};  // on the deck
-  BoundarySetup weight;
-  weight.name = "weight", weight.kind = FloatingSetup{.level = -100.0, .drag = 0, .damping = 2};  // far over its water
-  block.boundaries = {weight};
+  setup.time.end = 12;
+  ImpactorSetup& raft = setup.impactors[0];
+  raft.free = {"z", "rx"};
+  raft.floating->damping = 4;
+  const double force = 200, beside = 0.1, above = 0.25;
+  LoadSetup cargo;
+  cargo.name = "cargo", cargo.force = {0, 0, -force}, cargo.point = Vec3d{0, beside, above};
+  raft.loads = {cargo};
   Simulation simulation(setup);
   fixtures::run(simulation);
-  const double deeper = 64 / (1025.0 * 2);  // 64 kg on 2 m²
-  // the raft's force is the mean of the blows of 16 particles; the block breathes a little on it still
-  CHECK(simulation.impactors()[0].draught() == doctest::Approx(0.25 + deeper).epsilon(2e-3));
-  CHECK(value(simulation, "raft.displaced_mass [kg]") == doctest::Approx(512.5 + 64).epsilon(2e-3));
+  const double lift = 1025 * 9.81, volume = 0.5 + force / lift, draught = 0.5 * volume;
+  const fccda::Pose& pose = simulation.impactors()[0].body().pose();
+  CHECK(pose.position().z == doctest::Approx(0.25 - draught).epsilon(0.01));  // -1 cm; a heeled box lies 0.02² × 0.1 m² / 2 higher
+  // per radian: the waterplane's second moment B³ L/12 = 1/6 m⁴, less what buoyancy under and cargo over the centre of mass turn with it
+  const double stiffness = lift * (1.0 / 6 + volume * (0.5 * draught - 0.25)) - force * above;
+  const double angle = std::asin(pose.rotation().row[2].y);
+  CHECK(angle == doctest::Approx(-force * beside / stiffness).epsilon(2e-3));  // 0.02 rad, to its square
+  // damping took what cargo and water gave, but for a rest that decays with 2/s: e^-24 of 2 J; rounding is more
+  CHECK(simulation.impactors()[0].body().kinetic_energy() < 1e-9);
 }
 
 TEST_CASE("floating impactor: an open surface is refused with its key") {
