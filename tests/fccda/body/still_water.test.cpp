@@ -158,7 +158,7 @@ TEST_CASE("still water: the work is what kinetic energy gains, and what the pote
       body.advance(dt);
     }
     CHECK(worst < 1e-3 * std::fabs(first));
-    if (last > 0) CHECK(last / worst == doctest::Approx(4).epsilon(0.1));  // second order, and nothing piles up over eight periods
+    if (last > 0) CHECK(last / worst == doctest::Approx(4).epsilon(0.1));  // second order, and nothing piles up over a dozen periods
     last = worst;
   }
 }
