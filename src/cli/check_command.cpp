@@ -85,6 +85,20 @@ void print_rigid_body(const Impactor& impactor) {
                inertia.row[2].z, products.x, products.y, products.z);
 }
 
+/// One line: what water and weight make of it, first and last.
+void print_afloat(const Impactor& impactor) {
+  if (!impactor.water()) return;
+  const PlacedInWater& placed = *impactor.placed_in_water();
+  constexpr double none = 1e-6;  // of the weight
+  const double weight = impactor.body().mass() * impactor.water()->gravity;
+  const double force = std::fabs(placed.afloat.force) <= none * weight ? 0 : placed.afloat.force;
+  const char* const does = force == 0 ? "floats at rest" : force > 0 ? "rises" : placed.rise ? "settles" : "sinks";
+  const std::string at_rest = placed.rise ? fmt::format("as it is turned, it rests at a draught of {:.4g} m", placed.draught - *placed.rise)
+                                          : "it is heavier than all the water that it can displace";
+  fmt::print("  {:<18}{}: displaces {:.5g} kg with a draught of {:.4g} m, net force {:+.4g} N upward; {}\n", "in water", does,
+             impactor.water()->density * placed.afloat.volume, placed.draught, force, at_rest);
+}
+
 void print_approach(const Simulation& simulation, const Impactor& impactor) {
   const double end = static_cast<double>(simulation.clock().steps) * simulation.clock().dt;
   for (const Body& body : simulation.bodies()) {
@@ -153,6 +167,7 @@ int check_command(const DeckArguments& arguments) {
     for (const Impactor& impactor : simulation.impactors()) {
       fmt::print("impactor {}\n{}{}", impactor.name(), remesh_text(impactor), surface_text(impactor.surface().report()));
       print_rigid_body(impactor);
+      print_afloat(impactor);
       fmt::print("{}", region_text(impactor));
       print_approach(simulation, impactor);
     }

@@ -53,6 +53,25 @@ std::size_t particles_inside_at_start(const Simulation& simulation, std::size_t 
   return 0;
 }
 
+Json floating_report(const Impactor& impactor) {
+  const double density = impactor.water()->density;
+  const PlacedInWater& placed = *impactor.placed_in_water();
+  const fccda::Afloat now = impactor.afloat();
+  Json json = Json::object();
+  json["level [m]"] = impactor.water()->level;
+  json["mass [kg]"] = impactor.body().mass();
+  json["added_mass [kg]"] = impactor.body().properties().added_mass.z;
+  json["displaced_at_start [kg]"] = density * placed.afloat.volume;
+  json["force_at_start [N]"] = placed.afloat.force;
+  json["draught_at_start [m]"] = placed.draught;
+  if (placed.rise) json["draught_at_rest [m]"] = placed.draught - *placed.rise;
+  json["displaced [kg]"] = density * now.volume;
+  json["draught [m]"] = impactor.draught();
+  json["potential [J]"] = now.potential;
+  json["work [J]"] = impactor.work_of_water();
+  return json;
+}
+
 Json impactor_report(const Simulation& simulation, std::size_t number) {
   const Impactor& impactor = simulation.impactors()[number];
   Json json = Json::object();
@@ -92,6 +111,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
   json["work_of_loads [J]"] = impactor.work_of_loads();
+  if (impactor.water()) json["floating"] = floating_report(impactor);
   return json;
 }
 

@@ -389,6 +389,19 @@ std::span<const Field<LoadSetup>> LoadSetup::fields() {
   return all;
 }
 
+std::span<const Field<FloatingImpactorSetup>> FloatingImpactorSetup::fields() {
+  using S = FloatingImpactorSetup;
+  static const Field<S> all[] = {
+      {"level", &S::level, "m", any_number(), optional, "Height z of the water's surface."},
+      {"density", &S::density, "kg/m3", positive(), optional, "Density of the water."},
+      {"gravity", &S::gravity, "m/s2", positive(), optional, "Acceleration of gravity, along -z."},
+      {"added_mass", &S::added_mass, "1", at_least(0), optional,
+       "Water that comes along with vertical motion, as a share of the water that the impactor displaces at rest: of its mass, or of all that its surface "
+       "holds where it is heavier."},
+      {"damping", &S::damping, "1/s", at_least(0), optional, "While in the water, v_z, ω_x and ω_y lose this share of themselves per second."}};
+  return all;
+}
+
 std::span<const Field<ImpactorSetup>> ImpactorSetup::fields() {
   using S = ImpactorSetup;
   static const Field<S> all[] = {

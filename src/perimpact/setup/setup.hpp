@@ -310,6 +310,16 @@ struct LoadSetup {
   static std::span<const Field<LoadSetup>> fields();
 };
 
+/// Weight, and still water that the impactor floats in (docs/theory/water.md).
+struct FloatingImpactorSetup {
+  double level = 0;       ///< [m] z of the water's surface
+  double density = 1025;  ///< [kg/m³] of the water
+  double gravity = 9.81;  ///< [m/s²]
+  double added_mass = 0;  ///< [-] of the water displaced at rest, for vertical motion
+  double damping = 0;     ///< [1/s] of heave, roll and pitch
+  static std::span<const Field<FloatingImpactorSetup>> fields();
+};
+
 struct ImpactorSetup {
   std::string name;
   SurfaceSetup surface;
@@ -326,6 +336,7 @@ struct ImpactorSetup {
   RegionSetup region;
   MotionSetup motion;
   std::vector<LoadSetup> loads;
+  std::optional<FloatingImpactorSetup> floating;
   std::vector<GaugeSetup> gauges;
   static std::span<const Field<ImpactorSetup>> fields();
 };

@@ -82,6 +82,13 @@ void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> bounda
     add(impactor.name() + ".contacts [-]", static_cast<double>(account.contacts));
     add(impactor.name() + ".contact_work [J]", impactor.work_of_contact());
     account.impulse = {}, account.angular_impulse = {};
+    if (impactor.water()) {
+      add(impactor.name() + ".water_force_z [N]", per_second * account.water_impulse);
+      add(impactor.name() + ".water_moment_x [N m]", per_second * account.water_angular_impulse.x);
+      add(impactor.name() + ".water_moment_y [N m]", per_second * account.water_angular_impulse.y);
+      add(impactor.name() + ".displaced_mass [kg]", impactor.water()->density * impactor.afloat().volume);
+      account.water_impulse = 0, account.water_angular_impulse = {};
+    }
     for (NamedGauge& named : impactor.gauges()) {
       const fccda::Gauge::Reading& reading = named.gauge.reading();
       add_vector(named.name, "force", "N", per_second * reading.impulse);
@@ -92,7 +99,7 @@ void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> bounda
     impactor.record().end_interval(clock.time(), interval);
     momentum += body.momentum();
     energy += body.kinetic_energy();
-    work += impactor.work_of_holder() + impactor.work_of_loads();
+    work += impactor.work_of_holder() + impactor.work_of_loads() + impactor.work_of_water();
     contact_loss -= impactor.work_of_contact() + impactor.work_on_particles();
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
