@@ -93,15 +93,15 @@ def fig22(folder):
         time, ice = at(folder, "ice", wanted)
         _, screw = at(folder, "propeller", wanted)
         for axis, view in zip(column, (AHEAD, SIDE)):
-            picture = scene(view, 270, 270, 96, (0.25, 0, -1.05))
+            picture = scene(view, 260, 270, 80, (0.35, 0, -1.15))
             picture.add_shells(shells(screw), SAND)
             picture.add_balls(ice.points, BALL, DAMAGE(ice.point["damage"])[:, :3])
             show(axis, picture.picture(2), f"{1e3 * time:.1f} ms" if view is AHEAD else None)
     figure.text(0.008, 0.73, "from ahead", rotation=90, va="center", fontsize=11)
     figure.text(0.008, 0.26, "from the side, ahead is right", rotation=90, va="center", fontsize=11)
-    figure.subplots_adjust(left=0.025, right=0.93, top=0.95, bottom=0.01, wspace=0.02, hspace=0.02)
-    bar = figure.add_axes([0.945, 0.2, 0.012, 0.6])
-    figure.colorbar(plt.cm.ScalarMappable(cmap=DAMAGE), cax=bar, label="damage: share of the bonds that are broken")
+    figure.subplots_adjust(left=0.025, right=0.915, top=0.95, bottom=0.01, wspace=0.02, hspace=0.02)
+    bar = figure.add_axes([0.93, 0.2, 0.012, 0.6])
+    figure.colorbar(plt.cm.ScalarMappable(cmap=DAMAGE), cax=bar, label="share of the bonds that are broken")
     save(figure, "fig22")
 
 
@@ -117,14 +117,15 @@ def forces(folder):
     axes[0].plot(1e3 * times, mean("shaft.force_x [N]"), color="#b3312c")
     axes[0].set_ylabel("thrust [MN]\n(+: ahead)")
     axes[1].plot(1e3 * times, mean("shaft.torque [N m]"), color="#b3312c")
-    axes[1].set_ylabel("torque on the shaft\n[MN m] (+: brakes)")
-    for blade, colour in zip(BLADES, ("#4477aa", "#228833", "#ccbb44", "#aa3377")):
-        axes[2].plot(1e3 * times, mean(f"blade_{blade}.torque [N m]"), color=colour, label=f"blade {blade}")
+    axes[1].set_ylabel("torque [MN m]\n(+: brakes)")
+    for blade in BLADES:
+        colour, label = ("#b3312c", "blade 4") if blade == 4 else ("#7c8ba1", "blades 1 to 3" if blade == 1 else None)
+        axes[2].plot(1e3 * times, mean(f"blade_{blade}.torque [N m]"), color=colour, label=label)
     axes[2].set(xlabel="time [ms]", ylabel="spindle torque\n[MN m]", xlim=(4, 20))
-    axes[2].legend(frameon=False, ncol=2)
+    axes[2].legend(frameon=False)
     for axis in axes:
         axis.grid(alpha=0.25)
-    axes[0].set_title("One blow, on the back of blade 4; means over 1 ms", fontsize=12)
+    axes[0].set_title("One blow, on the back of blade 4 (means over 1 ms)", fontsize=12)
     save(figure, "forces")
 
 
