@@ -34,6 +34,7 @@ constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
                               {"rad", "an angle", "45 deg"},
                               {"Hz", "a frequency", "3 Hz"},
                               {"1/s", "a rate", "0.5 1/s"},
+                              {"m/s2", "an acceleration", "9.81 m/s2"},
                               {"N", "a force", "5 kN"},
                               {"N m", "a moment", "3 kN m"},
                               {"m2", "an area", "4 cm2"},
@@ -156,9 +157,9 @@ Converted to_si(std::string_view text, std::string_view unit) {
   if (unit_text.empty()) return {.value = number};
   const std::lock_guard turn(udunits_turn());
   const char first = unit_text.front();
-  const bool is_one_over = unit_text.size() > 2 && unit_text.starts_with("1/") && std::isalpha(static_cast<unsigned char>(unit_text[2])) != 0;  // "1/s"
-  const bool is_number_again = !is_one_over && ((first >= '0' && first <= '9') || first == '.' || first == ',' || first == '-' ||
-                                                first == '+');  // "1,5 m", which UDUNITS would multiply
+  const bool is_rate = unit_text.size() > 2 && unit_text.starts_with("1/") && std::isalpha(static_cast<unsigned char>(unit_text[2])) != 0;  // "2 1/s"
+  const bool is_number_again =
+      !is_rate && ((first >= '0' && first <= '9') || first == '.' || first == ',' || first == '-' || first == '+');  // "1,5 m", which UDUNITS would multiply
   const Unit given = is_number_again ? Unit(nullptr, ut_free) : parse_unit(unit_text);
   if (!given) return {.complaint = fmt::format("{} is not a unit; write {}, for example {}", unit_text, wanted.what, wanted.example)};
   const std::optional<double> by = factor(given.get(), parse_unit(wanted.unit).get());

@@ -2,10 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <thread>
 #include <vector>
+
+#include "io/deck/reference.hpp"
 
 using perimpact::deck::to_si;
 
@@ -54,6 +57,20 @@ TEST_CASE("units: kn is the knot, kN the kilonewton, and angles turn into radian
   CHECK(si("30 rpm", "rad/s") == doctest::Approx(std::numbers::pi).epsilon(1e-15));
   CHECK(si("90 deg/s", "rad/s") == doctest::Approx(std::numbers::pi / 2).epsilon(1e-15));
   CHECK(si("45 deg", "rad") == doctest::Approx(std::numbers::pi / 4).epsilon(1e-15));
+}
+
+TEST_CASE("units: that of every key of the deck is known") {
+  for (const perimpact::deck::Entry& entry : perimpact::deck::reference()) {
+    const std::size_t open = entry.form.find('['), close = entry.form.find(']');
+    if (open == std::string::npos || close == std::string::npos) continue;
+    const std::string unit = entry.form.substr(open + 1, close - open - 1);
+    const auto kinds = perimpact::deck::unit_kinds();
+    CHECK_MESSAGE(std::any_of(kinds.begin(), kinds.end(), [&](const perimpact::deck::UnitKind& kind) { return kind.unit == unit; }), entry.path, " [", unit,
+                  "]");
+  }
+  CHECK(si("9.81 m/s2", "m/s2") == 9.81);
+  CHECK(si("30 1/min", "1/s") == doctest::Approx(0.5).epsilon(1e-15));
+  CHECK(complaint("3 1/2 s", "s") == "1/2 s is not a unit; write a time, for example 0.1 us");  // not 1.5 s
 }
 
 TEST_CASE("units: cycles and angle are not taken for each other") {
