@@ -20,6 +20,8 @@ namespace perimpact::deck {
 
 namespace {
 
+constexpr std::string_view temperature = "degC";  // the one unit with an origin
+
 constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
                               {"m3", "a volume", "1 cm3"},
                               {"s", "a time", "0.1 us"},
@@ -38,7 +40,9 @@ constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
                               {"N m", "a moment", "3 kN m"},
                               {"m2", "an area", "4 cm2"},
                               {"N/m3", "a force density", "-8829 N/m3"},
-                              {"1", "a pure number", "0.25"}};
+                              {"1", "a pure number", "0.25"},
+                              {temperature, "a temperature", "-5 degC"},
+                              {"g/kg", "a salinity", "5 g/kg"}};
 
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
@@ -161,6 +165,11 @@ Converted to_si(std::string_view text, std::string_view unit) {
       !is_rate && ((first >= '0' && first <= '9') || first == '.' || first == ',' || first == '-' || first == '+');  // "1,5 m", which UDUNITS would multiply
   const Unit given = is_number_again ? Unit(nullptr, ut_free) : parse_unit(unit_text);
   if (!given) return {.complaint = fmt::format("{} is not a unit; write {}, for example {}", unit_text, wanted.what, wanted.example)};
+  if (wanted.unit == temperature) {
+    const Converter converter(ut_get_converter(given.get(), parse_unit(temperature).get()), cv_free);
+    if (!converter) return {.complaint = wrong_kind(unit_text, given.get(), wanted)};
+    return {.value = cv_convert_double(converter.get(), number)};
+  }
   const std::optional<double> by = factor(given.get(), parse_unit(wanted.unit).get());
   if (!by) return {.complaint = wrong_kind(unit_text, given.get(), wanted)};
   return {.value = scaled(digits.substr(0, static_cast<std::size_t>(end - digits.data())), number, *by)};
