@@ -16,14 +16,13 @@ speeds        of the front, straight lines: before, from 2 mm past the notch to 
 """
 
 import sys
-import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import numpy as np
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
-from vtp_reader import read_vtp  # noqa: E402
+from vtp_reader import pictures  # noqa: E402
 
 DAMAGED = 0.35
 NOTCH, EDGE = 0.0, 0.05  # [m] x of the notch's end, of the far edge
@@ -31,9 +30,8 @@ NOTCH, EDGE = 0.0, 0.05  # [m] x of the notch's end, of the far edge
 
 def frames(folder):
     """(time [s], places [m] in the undeformed plate, damage) of each picture."""
-    for entry in xml.parse(folder / "frames/glass.pvd").getroot().iter("DataSet"):
-        body = read_vtp(folder / "frames" / entry.get("file"))
-        yield float(entry.get("timestep")), body.points - body.point["displacement"], body.point["damage"]
+    for time, body in pictures(folder, "glass"):
+        yield time, body.points - body.point["displacement"], body.point["damage"]
 
 
 def branching(cut, spacing):

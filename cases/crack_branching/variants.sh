@@ -1,19 +1,9 @@
 #!/usr/bin/env bash
-# Runs the variants of README.md's tables, one after the other, and measures them: cases/crack_branching/variants.sh [RESULTS [PERIMPACT]]
-# RESULTS: folder of the results (default: results/crack_branching); variants that are finished there are not run again.
-# PERIMPACT: the program (default: build/release/perimpact, as run.sh builds it). Under a minute each on two cores, spacing_0.125 five.
+# Runs the variants of README.md's tables, one after the other, and measures them: cases/crack_branching/variants.sh [RESULTS [PERIMPACT]], as
+# scripts/variants.bash says. Under a minute each on two cores, spacing_0.125 five.
 set -euo pipefail
-case=$(cd "$(dirname "$0")" && pwd)
-results=${1:-results/crack_branching}
-perimpact=${2:-$case/../../build/release/perimpact}
+source "$(dirname "$0")/../../scripts/variants.bash"
 
-# variant NAME [key=value ...]: results in $results/NAME
-variant() {
-  local folder="$results/$1" settings=()
-  for setting in "${@:2}"; do settings+=(--set "$setting"); done
-  grep -qs '"outcome": "finished"' "$folder/run.json" || nice "$perimpact" run "$case/deck.yaml" --out "$folder" "${settings[@]}"
-  /usr/bin/python3 "$case/measure.py" "$folder"
-}
 glass=bodies.glass
 breaks_at() { echo "$glass.material={model: bond-based, youngs_modulus: 72 GPa, density: 2440 kg/m3, critical_stretch: $1}"; }
 spread() { echo "body_force: {region: $1, force_density: [0, ${2}12 GN/m3, 0]}"; }  # over the thickness of the region, 1 mm

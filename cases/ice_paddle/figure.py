@@ -8,7 +8,6 @@
 import csv
 import re
 import sys
-import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import matplotlib
@@ -21,17 +20,10 @@ from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
 from render import Scene  # noqa: E402
-from vtp_reader import read_vtp  # noqa: E402
+from vtp_reader import picture_at  # noqa: E402
 
 INSTANTS = 0.026, 0.029, 0.036  # [s] just before the blade strikes, while it cuts, and after
 COLOURS = LinearSegmentedColormap.from_list("damage", ["#dbe9f4", "#8fb8d8", "#e8a15a", "#b3312c"])
-
-
-def frame(folder, name, time):
-    """The picture nearest to that time."""
-    series = xml.parse(folder / "frames" / f"{name}.pvd").getroot().iter("DataSet")
-    nearest = min(series, key=lambda entry: abs(float(entry.get("timestep")) - time))
-    return read_vtp(folder / "frames" / nearest.get("file")), float(nearest.get("timestep"))
 
 
 def picture(ice, paddle, feeder, fold=3):
@@ -52,8 +44,8 @@ def main():
     figure = plt.figure(figsize=(11, 6.4), layout="constrained")
     above, below = figure.subfigures(2, 1, height_ratios=(1.75, 1))
     for axis, time in zip(above.subplots(1, 3), INSTANTS):
-        ice, at = frame(folder, "ice", time)
-        axis.imshow(picture(ice, frame(folder, "paddle", time)[0], frame(folder, "feeder", time)[0]), interpolation="none")
+        at, ice = picture_at(folder, "ice", time)
+        axis.imshow(picture(ice, picture_at(folder, "paddle", time)[1], picture_at(folder, "feeder", time)[1]), interpolation="none")
         axis.text(0.97, 0.93, f"{1e3 * at:.0f} ms", transform=axis.transAxes, fontsize=12, ha="right")
         axis.axis("off")
     left, right = below.subplots(1, 2)

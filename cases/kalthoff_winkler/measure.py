@@ -19,14 +19,13 @@ length    Straight from the tip to the front, at the end.
 
 import csv
 import sys
-import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import numpy as np
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
-from vtp_reader import read_vtp  # noqa: E402
+from vtp_reader import pictures  # noqa: E402
 
 DAMAGED = 0.35
 TIP = 0.025  # [m] |x| of both notches; they end at y = 0
@@ -37,14 +36,13 @@ LEFT, RIGHT = -1, 1
 def frames(folder):
     """(time [s], places x, y [m] in the undeformed plate, growth of damage) in the middle of the thickness, of each picture."""
     notched = None
-    for entry in xml.parse(folder / "frames/plate.pvd").getroot().iter("DataSet"):
-        body = read_vtp(folder / "frames" / entry.get("file"))
+    for time, body in pictures(folder, "plate"):
         points = body.points - body.point["displacement"]
         depth = np.abs(points[:, 2])
         middle = depth < depth.min() + 1e-6
         damage = body.point["damage"][middle]
         notched = damage if notched is None else notched
-        yield float(entry.get("timestep")), points[middle, :2], damage - notched
+        yield time, points[middle, :2], damage - notched
 
 
 def crack(points, damage, side):

@@ -1,19 +1,9 @@
 #!/usr/bin/env bash
-# Runs the variants of README.md's table, one after the other, and measures them: cases/kalthoff_winkler/variants.sh [RESULTS [PERIMPACT]]
-# RESULTS: folder of the results (default: results/kalthoff_winkler); variants that are finished there are not run again.
-# PERIMPACT: the program (default: build/release/perimpact, as run.sh builds it). About a minute each on two cores, spacing_0.75 three.
+# Runs the variants of README.md's table, one after the other, and measures them: cases/kalthoff_winkler/variants.sh [RESULTS [PERIMPACT]], as
+# scripts/variants.bash says. About a minute each on two cores, spacing_0.75 three.
 set -euo pipefail
-case=$(cd "$(dirname "$0")" && pwd)
-results=${1:-results/kalthoff_winkler}
-perimpact=${2:-$case/../../build/release/perimpact}
+source "$(dirname "$0")/../../scripts/variants.bash"
 
-# variant NAME [key=value ...]: results in $results/NAME
-variant() {
-  local folder="$results/$1" settings=()
-  for setting in "${@:2}"; do settings+=(--set "$setting"); done
-  grep -qs '"outcome": "finished"' "$folder/run.json" || nice "$perimpact" run "$case/deck.yaml" --out "$folder" "${settings[@]}"
-  /usr/bin/python3 "$case/measure.py" "$folder"
-}
 plate=bodies.plate
 stretch=$plate.material.critical_stretch
 steel="youngs_modulus: 191 GPa, density: 8000 kg/m3"

@@ -3,14 +3,13 @@
 import csv
 import re
 import sys
-import xml.etree.ElementTree as xml
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/pictures"))
-from vtp_reader import read_vtp  # noqa: E402
+from vtp_reader import picture_at, read_vtp  # noqa: E402
 
 
 def read_table(path):
@@ -43,9 +42,7 @@ class Results:
 
     def frame(self, name, time):
         """The frame nearest to that time [s]."""
-        frames = xml.parse(self.folder / "frames" / f"{name}.pvd").findall("./Collection/DataSet")
-        nearest = min(frames, key=lambda frame: abs(float(frame.get("timestep")) - time))
-        return read_vtp(self.folder / "frames" / nearest.get("file"))
+        return picture_at(self.folder, name, time)[1]
 
     def checked(self, name):
         """A picture of the set-up, written by `perimpact check`."""

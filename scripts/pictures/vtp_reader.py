@@ -61,3 +61,20 @@ def read_vtp(path):
     if time is not None:
         picture.time = float(time.text)
     return picture
+
+
+def series(folder, name):
+    """(time [s], file) of each picture of a body or impactor, in the results folder of a run."""
+    entries = xml.parse(Path(folder) / "frames" / f"{name}.pvd").getroot().iter("DataSet")
+    return [(float(entry.get("timestep")), Path(folder) / "frames" / entry.get("file")) for entry in entries]
+
+
+def pictures(folder, name):
+    """The pictures of a body or impactor in order, each as (time [s], Picture)."""
+    return ((time, read_vtp(file)) for time, file in series(folder, name))
+
+
+def picture_at(folder, name, time):
+    """(time [s], Picture) nearest to that time."""
+    nearest, file = min(series(folder, name), key=lambda entry: abs(entry[0] - time))
+    return nearest, read_vtp(file)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fccda/body/rigid_body.hpp"         // RigidBody, Motion, Pose
+#include "fccda/body/still_water.hpp"        // StillWater, apply: weight and buoyancy of a rigid body
 #include "fccda/core/error.hpp"              // InputError, RunError
 #include "fccda/detect/points.hpp"           // Points: the interface for solvers that have blocks and bounds of their own
 #include "fccda/detect/swept.hpp"            // Swept: the detector behind it
@@ -15,4 +16,5 @@
 #include "fccda/shapes/propeller.hpp"
 #include "fccda/shapes/sphere.hpp"
 #include "fccda/surface/read/read_panels.hpp"  // read_panels: STL, OBJ
+#include "fccda/surface/submerged.hpp"         // submerged: what lies under a plane
 #include "fccda/surface/surface.hpp"           // Surface

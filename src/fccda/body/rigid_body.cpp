@@ -32,7 +32,17 @@ RigidBody::RigidBody(const RigidBodyProperties& properties, const Pose& pose, co
 
 Mat3 RigidBody::inertia() const { return pose_.rotation() * properties_.inertia * transpose(pose_.rotation()); }
 
-double RigidBody::kinetic_energy() const { return 0.5 * (properties_.mass * squared_norm(velocity_) + dot(spin_, inertia() * spin_)); }
+double RigidBody::kinetic_energy() const {
+  double twice = properties_.mass * squared_norm(velocity_) + dot(spin_, inertia() * spin_);
+  for (std::size_t axis = 0; axis < 3; ++axis) twice += properties_.added_mass[axis] * velocity_[axis] * velocity_[axis];
+  return 0.5 * twice;
+}
+
+Vec3d RigidBody::momentum() const {
+  Vec3d momentum = properties_.mass * velocity_;
+  for (std::size_t axis = 0; axis < 3; ++axis) momentum[axis] += properties_.added_mass[axis] * velocity_[axis];
+  return momentum;
+}
 
 Vec3d RigidBody::angular_momentum(const Vec3d& point) const { return inertia() * spin_ + cross(com_ - point, momentum()); }
 
@@ -77,7 +87,7 @@ Motion RigidBody::advance(double dt) {
 void RigidBody::add_impulse(const Vec3d& linear, const Vec3d& angular) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (degrees_.translation(axis))
-      velocity_[axis] += linear[axis] / properties_.mass;
+      velocity_[axis] += linear[axis] / (properties_.mass + properties_.added_mass[axis]);
     else
       work_of_holder_ -= linear[axis] * velocity_[axis];
   const Vec3d before = inertia() * spin_;

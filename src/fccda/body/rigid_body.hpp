@@ -1,9 +1,9 @@
 /// A rigid body of six degrees of freedom, each free, or held at a velocity that stays or is driven.
 ///
 /// Free components follow
-///   m dv = J,    I_ff dω_f = (angular impulse)_f,    I = R I_body Rᵀ about the centre of mass,
-/// where f are the free world axes; held components keep their velocity whatever strikes the body. Between impulses the angular
-/// momentum along the free axes is constant: that is the gyroscopic term of Euler's equations in its conserved form.
+///   (m + a) dv = J,    I_ff dω_f = (angular impulse)_f,    I = R I_body Rᵀ about the centre of mass,
+/// where a is the added mass of each axis and f are the free world axes; held components keep their velocity whatever strikes the body. Between impulses the
+/// angular momentum along the free axes is constant: that is the gyroscopic term of Euler's equations in its conserved form.
 ///
 /// What holds a component takes the impulse that would change it. Its work, v·(change of momentum - impulse from outside) and likewise
 /// for rotations, balances the energy.
@@ -22,6 +22,7 @@ struct RigidBodyProperties {
   double mass = 0;         ///< [kg]
   Vec3d centre_of_mass{};  ///< [m] in the body frame
   Mat3 inertia{};          ///< [kg m²] about the centre of mass, along the axes of the body frame
+  Vec3d added_mass{};      ///< [kg] of what comes along with translation along the world's axes, as water does
 };
 
 /// ∫yz dm, ∫zx dm, ∫xy dm about the centre of mass [kg m²].
@@ -59,12 +60,12 @@ class RigidBody {
   const Vec3d& angular_velocity() const { return spin_; }  ///< [rad/s] about world axes
   const RigidBodyProperties& properties() const { return properties_; }
   const FreeDegrees& degrees() const { return degrees_; }
-  double mass() const { return properties_.mass; }                 ///< [kg]
-  Mat3 inertia() const;                                            ///< [kg m²] about the centre of mass, along world axes
-  double kinetic_energy() const;                                   ///< [J]
-  double work_of_holder() const { return work_of_holder_; }        ///< [J] so far, of what holds and drives the degrees that are not free
-  Vec3d momentum() const { return properties_.mass * velocity_; }  ///< [kg m/s]
-  Vec3d angular_momentum(const Vec3d& point) const;                ///< [kg m²/s] about a point of the world
+  double mass() const { return properties_.mass; }           ///< [kg] without what is added
+  Mat3 inertia() const;                                      ///< [kg m²] about the centre of mass, along world axes
+  double kinetic_energy() const;                             ///< [J]
+  double work_of_holder() const { return work_of_holder_; }  ///< [J] so far, of what holds and drives the degrees that are not free
+  Vec3d momentum() const;                                    ///< [kg m/s] with that of the added mass, as energy and angular momentum
+  Vec3d angular_momentum(const Vec3d& point) const;          ///< [kg m²/s] about a point of the world
 
   /// `travel_bound` of pose.hpp for the points within `radius` [m] of the centre of mass.
   double travel_bound(const Motion& motion, double radius) const { return fccda::travel_bound(motion, properties_.centre_of_mass, radius); }

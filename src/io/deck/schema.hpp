@@ -76,6 +76,12 @@ void sections(Walker& walk, SolidSetup& solid) {
   walk.one_of("shape", solid.shape, Presence::required, "What it is.");
 }
 
+template <class Walker, std::derived_from<ElasticSetup> Material>
+void sections(Walker& walk, Material& material) {
+  walk.section("ice", material.ice, Presence::optional,
+               "Ice as engineers state it: sets youngs_modulus and, where no other criterion is given, flexural_strength.");
+}
+
 template <class Walker>
 void sections(Walker& walk, ImpactorSetup& impactor) {
   walk.one_of("surface", impactor.surface, Presence::required, "The surface of panels that particles strike.");
@@ -85,6 +91,8 @@ void sections(Walker& walk, ImpactorSetup& impactor) {
   walk.section("region", impactor.region, Presence::optional, "Where contact is looked for. Where absent, wherever the surface is.");
   walk.section("motion", impactor.motion, Presence::optional, "Motion against time of degrees of freedom that are not free.");
   walk.named("loads", impactor.loads, Presence::optional, "A force or moment on the impactor besides contact, under a name of your choice.");
+  walk.section("floating", impactor.floating, Presence::optional,
+               "Weight, and still water that lifts what is under its level of the closed surface. {} takes every default.");
   walk.named("gauges", impactor.gauges, Presence::optional,
              "A gauge, under a name of your choice: force and moment of contact on parts of the surface become columns of history.csv.");
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -24,6 +25,7 @@ constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
                               {"s", "a time", "0.1 us"},
                               {"kg", "a mass", "1.57 kg"},
                               {"m/s", "a velocity", "32 m/s"},
+                              {"m/s2", "an acceleration", "9.81 m/s2"},
                               {"Pa", "a pressure or stiffness", "9.5 GPa"},
                               {"J/m2", "an energy of an area", "12 J/m2"},
                               {"kg/m3", "a density", "900 kg/m3"},
@@ -31,6 +33,8 @@ constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
                               {"rad/s", "an angular velocity", "30 rpm"},
                               {"rad", "an angle", "45 deg"},
                               {"Hz", "a frequency", "3 Hz"},
+                              {"1/s", "a rate", "0.5 1/s"},
+                              {"m/s2", "an acceleration", "9.81 m/s2"},
                               {"N", "a force", "5 kN"},
                               {"N m", "a moment", "3 kN m"},
                               {"m2", "an area", "4 cm2"},
@@ -153,8 +157,9 @@ Converted to_si(std::string_view text, std::string_view unit) {
   if (unit_text.empty()) return {.value = number};
   const std::lock_guard turn(udunits_turn());
   const char first = unit_text.front();
+  const bool is_rate = unit_text.size() > 2 && unit_text.starts_with("1/") && std::isalpha(static_cast<unsigned char>(unit_text[2])) != 0;  // "2 1/s"
   const bool is_number_again =
-      (first >= '0' && first <= '9') || first == '.' || first == ',' || first == '-' || first == '+';  // "1,5 m", which UDUNITS would multiply
+      !is_rate && ((first >= '0' && first <= '9') || first == '.' || first == ',' || first == '-' || first == '+');  // "1,5 m", which UDUNITS would multiply
   const Unit given = is_number_again ? Unit(nullptr, ut_free) : parse_unit(unit_text);
   if (!given) return {.complaint = fmt::format("{} is not a unit; write {}, for example {}", unit_text, wanted.what, wanted.example)};
   const std::optional<double> by = factor(given.get(), parse_unit(wanted.unit).get());

@@ -5,6 +5,7 @@
 #include "fccda/core/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
 #include "io/results/json_vector.hpp"
+#include "io/results/piece_tables.hpp"
 #include "io/results/region_report.hpp"
 
 namespace perimpact {
@@ -19,12 +20,15 @@ Json body_report(const Body& body, const Boundaries& boundaries, const std::opti
   json["bonds"] = body.family.initial_bonds();
   json["intact_bonds"] = body.family.intact_bonds();
   if (const Stencil* stencil = body.family.stencil()) json["interior_family"] = stencil->size();
+  json["spacing [m]"] = body.particles.spacing();
   json["horizon [m]"] = body.family.horizon();
+  if (body.bending) json["bending_calibration"] = *body.bending;
   if (const auto& failure = body.failure) {
     json["failure"]["critical_stretch"] = failure->stretch;
     json["failure"]["fracture_energy [J/m2]"] = failure->fracture_energy;
     json["failure"]["flexural_strength [Pa]"] = failure->flexural_strength;
     json["failure"]["layers"] = failure->layers;
+    json["pieces"] = piece_report(Pieces(body.particles, body.family).count());
   }
   json["memory [byte]"] = body.memory();
   json["mass [kg]"] = body.particles.total_mass();
@@ -47,6 +51,25 @@ std::size_t particles_inside_at_start(const Simulation& simulation, std::size_t 
   for (const InsideAtStart& inside : simulation.inside_at_start())
     if (inside.impactor == impactor && inside.body == body) return inside.slots.size();
   return 0;
+}
+
+Json floating_report(const Impactor& impactor) {
+  const double density = impactor.water()->density;
+  const PlacedInWater& placed = *impactor.placed_in_water();
+  const fccda::Afloat now = impactor.afloat();
+  Json json = Json::object();
+  json["level [m]"] = impactor.water()->level;
+  json["mass [kg]"] = impactor.body().mass();
+  json["added_mass [kg]"] = impactor.body().properties().added_mass.z;
+  json["displaced_at_start [kg]"] = density * placed.afloat.volume;
+  json["force_at_start [N]"] = placed.afloat.force;
+  json["draught_at_start [m]"] = placed.draught;
+  if (placed.rise) json["draught_at_rest [m]"] = placed.draught - *placed.rise;
+  json["displaced [kg]"] = density * now.volume;
+  json["draught [m]"] = impactor.draught();
+  json["potential [J]"] = now.potential;
+  json["work [J]"] = impactor.work_of_water();
+  return json;
 }
 
 Json impactor_report(const Simulation& simulation, std::size_t number) {
@@ -88,6 +111,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   }
   json["work_of_holder [J]"] = impactor.work_of_holder();
   json["work_of_loads [J]"] = impactor.work_of_loads();
+  if (impactor.water()) json["floating"] = floating_report(impactor);
   return json;
 }
 

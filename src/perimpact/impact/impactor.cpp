@@ -40,6 +40,13 @@ Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& c
   return Swept(std::move(surface), region, radius);
 }
 
+std::optional<PlacedInWater> how_placed(const std::optional<StillWater>& water, const RigidBody& body, const Surface& surface) {
+  if (!water) return std::nullopt;
+  PlacedInWater placed{afloat(body, surface, *water), water->level - keel(body, surface), std::nullopt};
+  if (const std::optional<double> level = level_at_rest(body, surface, *water)) placed.rise = water->level - *level;
+  return placed;
+}
+
 std::vector<double> spacings_of(std::span<Particles* const> bodies) {
   std::vector<double> spacings;
   for (const Particles* particles : bodies) spacings.push_back(particles->spacing());
@@ -68,6 +75,8 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       friction_(contact.friction),
       pinched_(bodies.size()),
       gauges_(gauges_of(setup, *surface_, body_)),
+      water_(water_of(setup)),
+      placed_in_water_(how_placed(water_, body_, *surface_)),
       record_(*surface_, spacings_of(bodies)) {
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, region_.region, particles->spacing()));
 }
@@ -97,9 +106,17 @@ fccda::Effort Impactor::effort(std::size_t body) const {
 void Impactor::advance(const Step& step) {
   prescribed_.impose(body_, step);
   work_of_loads_ += apply(loads_, body_, step);
+  if (water_) float_in_water(step);
   motion_ = body_.advance(step.dt);
   account_.contacts = 0;
   record_.begin_step();
+}
+
+void Impactor::float_in_water(const Step& step) {
+  const WaterTally tally = apply(*water_, *surface_, body_, step);
+  account_.water_impulse += tally.impulse;
+  account_.water_angular_impulse += tally.angular_impulse;
+  work_of_water_ += tally.work;
 }
 
 Vec3d Impactor::fastest_velocity() const {
@@ -130,10 +147,13 @@ std::span<const Contact> Impactor::strike_again(std::size_t body, StruckParticle
 }
 
 std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, StruckParticles& particles) {
+  const Vec3d velocity = body_.velocity(), spin = body_.angular_velocity();
   const Tally tally = respond(particles, contacts_, motion_, body_, friction_, [&](const Contact& contact, const Vec3d& impulse) {
     for (NamedGauge& named : gauges_) named.gauge.add(contact, particles.position_t1(contact.point), impulse, motion_);
     record_.add(body, contact, impulse);
+    work_on_particles_ += particles.work_of(contact.point, -impulse);
   });
+  work_of_contact_ += 0.5 * (dot(tally.impulse, velocity + body_.velocity()) + dot(tally.angular_impulse_about_com, spin + body_.angular_velocity()));
   account_.impulse += tally.impulse;
   account_.angular_impulse += tally.angular_impulse_about_com;
   const std::size_t fresh = add_struck();

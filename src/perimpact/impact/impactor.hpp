@@ -10,6 +10,7 @@
 #include "fccda/body/applied_load.hpp"
 #include "fccda/body/prescribed_motion.hpp"
 #include "fccda/body/rigid_body.hpp"
+#include "fccda/body/still_water.hpp"
 #include "fccda/core/state.hpp"
 #include "fccda/detect/all_detectors.hpp"
 #include "fccda/respond/respond.hpp"
@@ -24,11 +25,21 @@
 
 namespace perimpact {
 
-/// What contact did to an impactor since somebody last looked.
+/// What contact and water did to an impactor since somebody last looked.
 struct Account {
   Vec3d impulse{};           ///< [N s]
   Vec3d angular_impulse{};   ///< [N m s] about the centre of mass
   std::size_t contacts = 0;  ///< particles struck in the last step
+
+  double water_impulse = 0;       ///< [N s] of weight, buoyancy and damping, upward
+  Vec3d water_angular_impulse{};  ///< [N m s] of these about the centre of mass
+};
+
+/// How an impactor lay in the water at t = 0.
+struct PlacedInWater {
+  fccda::Afloat afloat;
+  double draught;              ///< [m] of its lowest place; negative where that is above water
+  std::optional<double> rise;  ///< [m] to where it would be at rest as it is turned; nothing where it sinks
 };
 
 /// Particles of a body that found no place outside of all impactors.
@@ -93,10 +104,18 @@ class Impactor {
   Vec3d fastest_velocity() const;          ///< [m/s] of the centre of mass
   Vec3d fastest_angular_velocity() const;  ///< [rad/s]
 
-  /// False where a table or a load changes the velocity without any contact.
-  bool coasts() const { return prescribed_.is_empty() && loads_.empty(); }
+  /// False where a table, a load or water changes the velocity without any contact.
+  bool coasts() const { return prescribed_.is_empty() && loads_.empty() && !water_; }
   double work_of_holder() const { return body_.work_of_holder(); }  ///< [J] done so far by what holds and drives the degrees of freedom that are not free
   double work_of_loads() const { return work_of_loads_; }           ///< [J] done so far by the applied loads
+  double work_of_contact() const { return work_of_contact_; }       ///< [J] done on it so far by contact
+  double work_on_particles() const { return work_on_particles_; }   ///< [J] done so far on the particles that it struck (docs/theory/energy.md)
+  double work_of_water() const { return work_of_water_; }           ///< [J] done so far by weight, buoyancy and their damping
+
+  const std::optional<fccda::StillWater>& water() const { return water_; }
+  fccda::Afloat afloat() const { return fccda::afloat(body_, *surface_, *water_); }  ///< now, where there is water
+  double draught() const { return water_->level - keel(body_, *surface_); }          ///< [m] now, likewise; negative above water
+  const std::optional<PlacedInWater>& placed_in_water() const { return placed_in_water_; }
 
   ContactRecord& record() { return record_; }
   const ContactRecord& record() const { return record_; }
@@ -107,6 +126,7 @@ class Impactor {
     auto its = fccda::under(name_, visit);
     body_.visit_state(its);
     its("work_of_loads", work_of_loads_);
+    if (water_) its("work_of_water", work_of_water_);
     for (std::size_t b = 0; b < detectors_.size(); ++b) {
       auto of_body = fccda::under(std::to_string(b), its);
       std::visit([&](auto& detector) { detector.visit_state(of_body); }, detectors_[b]);
@@ -125,6 +145,12 @@ class Impactor {
     fccda::visit_vector(account, "impulse", account_.impulse);
     fccda::visit_vector(account, "angular_impulse", account_.angular_impulse);
     account("contacts", account_.contacts);
+    account("work_of_contact", work_of_contact_);
+    account("work_on_particles", work_on_particles_);
+    if (water_) {
+      account("water_impulse", account_.water_impulse);
+      fccda::visit_vector(account, "water_angular_impulse", account_.water_angular_impulse);
+    }
     auto gauges = fccda::under("gauges", its);
     for (NamedGauge& named : gauges_) named.gauge.visit_state(fccda::under(named.name, gauges));
     record_.visit_state(fccda::under("record", its));
@@ -134,6 +160,7 @@ class Impactor {
   Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, GivenSurface given);
   Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, std::size_t crossing_panels, Remeshed remeshed);
 
+  void float_in_water(const fccda::Step& step);
   std::span<const fccda::Contact> respond_to_contacts(std::size_t body, StruckParticles& particles);
   std::size_t add_struck();
 
@@ -154,7 +181,10 @@ class Impactor {
   std::vector<std::size_t> struck_;       // particles of the body struck last, in rising order
   Account account_;
   std::vector<NamedGauge> gauges_;
-  double work_of_loads_ = 0;  // [J]
+  std::optional<fccda::StillWater> water_;
+  std::optional<PlacedInWater> placed_in_water_;
+  double work_of_loads_ = 0, work_of_water_ = 0;        // [J]
+  double work_of_contact_ = 0, work_on_particles_ = 0;  // [J]
   ContactRecord record_;
 };
 

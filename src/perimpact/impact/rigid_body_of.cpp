@@ -27,12 +27,23 @@ double mass_of(const ImpactorSetup& setup, const Surface& surface) {
   return *setup.density * surface.report().volume;
 }
 
+/// [kg] of the water that comes along with heave: a share of what the body displaces at rest, all that it holds where it sinks.
+double added_mass_of(const ImpactorSetup& setup, const Surface& surface, double mass) {
+  if (!surface.is_closed())
+    throw SetupError(key_of(setup) + ".floating",
+                     fmt::format("the surface of {} is open, so nothing says what it displaces; close the surface (`perimpact mesh` says where it is open), or "
+                                 "remove floating and give the force as a load.",
+                                 setup.name));
+  return setup.floating->added_mass * std::min(mass, setup.floating->density * surface.report().volume);
+}
+
 RigidBodyProperties properties_of(const ImpactorSetup& setup, const Surface& surface) {
   const double mass = mass_of(setup, surface);
   RigidBodyProperties properties =
       surface.is_closed() ? solid_of_mass(surface.report(), mass) : RigidBodyProperties{.mass = mass, .centre_of_mass = surface.report().centroid};
   if (setup.centre_of_mass) properties.centre_of_mass = *setup.centre_of_mass;
   if (setup.inertia) properties.inertia = Mat3::diagonal(*setup.inertia);
+  if (setup.floating) properties.added_mass.z = added_mass_of(setup, surface, mass);
   return properties;
 }
 
@@ -97,6 +108,12 @@ std::vector<AppliedLoad> loads_of(const ImpactorSetup& setup) {
     made.factor = placed(fmt::format("{}.loads.{}", key_of(setup), load.name), [&] { return TimeTable(load.times, load.factors); });
   }
   return loads;
+}
+
+std::optional<StillWater> water_of(const ImpactorSetup& setup) {
+  if (!setup.floating) return std::nullopt;
+  const FloatingImpactorSetup& floating = *setup.floating;
+  return StillWater{.level = floating.level, .density = floating.density, .gravity = floating.gravity, .damping = floating.damping};
 }
 
 bool is_weighed_by_volume(const ImpactorSetup& setup) {

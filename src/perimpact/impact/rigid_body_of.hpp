@@ -1,11 +1,13 @@
 /// The rigid body that a Setup asks for, and what moves it besides contact.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fccda/body/applied_load.hpp"
 #include "fccda/body/prescribed_motion.hpp"
 #include "fccda/body/rigid_body.hpp"
+#include "fccda/body/still_water.hpp"
 #include "fccda/surface/surface.hpp"
 #include "perimpact/setup/setup.hpp"
 
@@ -17,6 +19,9 @@ fccda::RigidBody rigid_body_of(const ImpactorSetup& setup, const fccda::Surface&
 /// Throw SetupError where a table cannot be used.
 fccda::PrescribedMotion motion_of(const ImpactorSetup& setup);
 std::vector<fccda::AppliedLoad> loads_of(const ImpactorSetup& setup);
+
+/// The water that it floats in, where it does.
+std::optional<fccda::StillWater> water_of(const ImpactorSetup& setup);
 
 /// True where the mass, the centre of mass, or the inertia that a free rotation needs, comes from the volume inside the surface.
 bool is_weighed_by_volume(const ImpactorSetup& setup);

@@ -2,10 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <thread>
 #include <vector>
+
+#include "io/deck/reference.hpp"
 
 using perimpact::deck::to_si;
 
@@ -31,6 +34,10 @@ TEST_CASE("units: powers of ten give the very double that the plain number is") 
   CHECK(si("32 m/s", "m/s") == 32);
   CHECK(si("2 t", "kg") == 2000);
   CHECK(si("35 g cm2", "kg m2") == 35e-7);
+  CHECK(si("0.5 1/s", "1/s") == 0.5);
+  CHECK(si("2 1/ms", "1/s") == 2000);
+  CHECK(si("3 Hz", "1/s") == 3);
+  CHECK(si("981 cm/s2", "m/s2") == 9.81);
 }
 
 TEST_CASE("units: plain numbers are SI, and signs, points and missing blanks do not matter") {
@@ -50,6 +57,20 @@ TEST_CASE("units: kn is the knot, kN the kilonewton, and angles turn into radian
   CHECK(si("30 rpm", "rad/s") == doctest::Approx(std::numbers::pi).epsilon(1e-15));
   CHECK(si("90 deg/s", "rad/s") == doctest::Approx(std::numbers::pi / 2).epsilon(1e-15));
   CHECK(si("45 deg", "rad") == doctest::Approx(std::numbers::pi / 4).epsilon(1e-15));
+}
+
+TEST_CASE("units: that of every key of the deck is known") {
+  for (const perimpact::deck::Entry& entry : perimpact::deck::reference()) {
+    const std::size_t open = entry.form.find('['), close = entry.form.find(']');
+    if (open == std::string::npos || close == std::string::npos) continue;
+    const std::string unit = entry.form.substr(open + 1, close - open - 1);
+    const auto kinds = perimpact::deck::unit_kinds();
+    CHECK_MESSAGE(std::any_of(kinds.begin(), kinds.end(), [&](const perimpact::deck::UnitKind& kind) { return kind.unit == unit; }), entry.path, " [", unit,
+                  "]");
+  }
+  CHECK(si("9.81 m/s2", "m/s2") == 9.81);
+  CHECK(si("30 1/min", "1/s") == doctest::Approx(0.5).epsilon(1e-15));
+  CHECK(complaint("3 1/2 s", "s") == "1/2 s is not a unit; write a time, for example 0.1 us");  // not 1.5 s
 }
 
 TEST_CASE("units: cycles and angle are not taken for each other") {
@@ -78,6 +99,7 @@ TEST_CASE("units: what is no number or no unit is refused") {
   CHECK(complaint("5 mn", "m") == "mn is not a unit; write a length, for example 9 mm");
   CHECK(complaint("1,5 m", "m") == ",5 m is not a unit; write a length, for example 9 mm");
   CHECK(complaint("2 3 m", "m") != "");  // UDUNITS would multiply
+  CHECK(complaint("2 1/2 m", "m") != "");
   CHECK(complaint("5 m/", "m") != "");
   CHECK(complaint("1e999 m", "m") == "no double is that large or that small; write a number between 1e-300 and 1e300");
   CHECK(complaint("5 " + std::string(100'000, '('), "m") != "");

@@ -13,7 +13,7 @@ namespace perimpact {
 namespace {
 
 /// Two bodies among three impactors: one that spins and rubs and has a gauge and a region that clips it, one driven by a table and pushed by
-/// a load, and an open sheet. Bonds break, panels share pushes, and the row of history that is open at most steps holds pushes.
+/// a load, and an open sheet. The first floats. Bonds break, panels share pushes, and the row of history that is open at most steps holds pushes.
 Setup lively(const ::fixtures::TemporaryFolder& folder) {
   Setup setup;
   setup.time = {.end = 4.4e-6, .step = 2e-7};
@@ -35,6 +35,7 @@ Setup lively(const ::fixtures::TemporaryFolder& folder) {
   cylinder.free = {"x", "y", "z", "rx", "ry", "rz"};
   cylinder.region = {BoxRegionSetup{.size = {0.02, 0.02, 0.006}}, Choice{beyond_region_words, 1}};
   cylinder.gauges = {{.name = "shaft", .axis = Vec3d{0, 0, 1}}};
+  cylinder.floating = {.level = 0.002, .added_mass = 0.5, .damping = 100};
   ImpactorSetup ball;
   ball.name = "ball";
   ball.surface = SphereSurface{.diameter = 0.01, .panel = 0.002};
@@ -90,6 +91,7 @@ TEST_CASE("resume: a run left off after every step and taken up by a simulation 
   CHECK(simulation.impactors()[0].record().touched(0));
   CHECK(simulation.impactors()[0].entered_inside(0) > 0);
   CHECK(simulation.impactors()[1].record().touched(0));
+  CHECK(simulation.impactors()[0].work_of_water() != 0);
   CHECK(simulation.impactors()[1].work_of_loads() > 0);
   CHECK(simulation.impactors()[2].record().touched(1));
   expect_same_when_resumed_at_every_step(setup);

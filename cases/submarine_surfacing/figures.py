@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Draws the figures of this case from the results of variants.sh:
+
+    cases/submarine_surfacing/figures.py results/submarine_surfacing
+
+writes figures/surfacing.png, figures/forces.png and figures/equilibrium.png beside this script.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.colors import LinearSegmentedColormap, Normalize  # noqa: E402
+from measure import GRAVITY, history, ice_on  # noqa: E402
+
+CASE = Path(__file__).resolve().parent
+sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+from render import Scene  # noqa: E402
+from vtp_reader import picture_at  # noqa: E402
+
+INSTANTS = 0.6, 2.4, 4.4, 10.0  # [s] of the free rise: the sail has cracked the ice, it stands in it, the hull lifts it, at rest
+COLOURS = LinearSegmentedColormap.from_list("damage", ["#eaf3fa", "#a9cbe3", "#e8a15a", "#b3312c"])
+RED, BLUE, GREY = "#b3312c", "#2f6f9f", "0.45"
+
+plt.rcParams.update({"font.size": 12, "axes.spines.top": False, "axes.spines.right": False})
+
+
+def scene_at(folder, time, spacing, fold=2):
+    at, ice = picture_at(folder, "ice", time)
+    boat = picture_at(folder, "submarine", time)[1]
+    scene = Scene(direction=(0.75, -0.95, 0.75), up=(0, 0, 1), pixels_per_metre=9.6 * fold, width=640 * fold, height=330 * fold, centre=(1, 0, -1))
+    scene.add_panels(boat.points, boat.panels, colour=(0.36, 0.40, 0.44), edge_colour=(0.30, 0.33, 0.37), edge_width=0.03)
+    scene.add_balls(ice.points, 0.62 * spacing, COLOURS(ice.point["damage"])[:, :3])
+    return at, scene.picture(fold)
+
+
+def draw_surfacing(folder, spacing):
+    figure, axes = plt.subplots(2, 2, figsize=(11.5, 6.9), layout="constrained")
+    for axis, time in zip(axes.flat, INSTANTS):
+        at, image = scene_at(folder, time, spacing)
+        axis.imshow(image, interpolation="none")
+        axis.text(0.06, 0.9, f"{at:.1f} s", transform=axis.transAxes, fontsize=14)
+        axis.axis("off")
+    scale = matplotlib.cm.ScalarMappable(Normalize(0, 1), COLOURS)
+    figure.colorbar(scale, ax=axes, location="bottom", shrink=0.3, aspect=25, pad=0.01, label="damage of particles")
+    figure.savefig(CASE / "figures/surfacing.png", dpi=95)
+    plt.close(figure)
+
+
+def draw_forces(given, mass):
+    """Over the height of the submarine, which is its speed times time."""
+    rise = given["submarine.position_z [m]"] - given["submarine.position_z [m]"][0]
+    figure, axis = plt.subplots(figsize=(10.5, 4.6), layout="constrained")
+    for part, colour in ((".sail", BLUE), (".hull", RED)):
+        axis.plot(rise, ice_on(given, part) / 1e6, color=colour, lw=2, label=f"ice on the {part[1:]}, downward")
+    lift = GRAVITY * (given["submarine.displaced_mass [kg]"] - mass)
+    axis.plot(rise, lift / 1e6, color=GREY, lw=1.5, ls="--", label="buoyancy − weight, upward")
+    axis.axhline(0, color="0.8", lw=0.8)
+    axis.set(xlabel="rise [m]", ylabel="force [MN]", title="What the ice takes to give way, and what the water has to give")
+    axis.legend(frameon=False)
+    figure.savefig(CASE / "figures/forces.png", dpi=95)
+    plt.close(figure)
+
+
+def draw_equilibrium(free, mass):
+    figure, axis = plt.subplots(figsize=(10.5, 4.6), layout="constrained")
+    time = free["time [s]"]
+    axis.plot(time, free["submarine.displaced_mass [kg]"] / 1e3, color=BLUE, lw=2.2, label="displaced water")
+    axis.plot(time, (mass + ice_on(free) / GRAVITY) / 1e3, color=RED, lw=1.6, label="mass + force of the ice / g")
+    axis.axhline(mass / 1e3, color=GREY, lw=1, ls="--", label="mass")
+    axis.set(xlabel="time [s]", ylabel="mass [t]", title="Free in heave, the submarine comes to displace itself and the ice on it")
+    axis.legend(frameon=False)
+    figure.savefig(CASE / "figures/equilibrium.png", dpi=95)
+    plt.close(figure)
+
+
+def main():
+    given, free = (Path(sys.argv[1]) / name for name in ("given", "free"))
+    (CASE / "figures").mkdir(exist_ok=True)
+    report = json.loads((free / "run.json").read_text())
+    mass = report["impactors"]["submarine"]["mass [kg]"]
+    draw_forces(history(given), mass)
+    draw_equilibrium(history(free), mass)
+    draw_surfacing(free, report["setup"]["bodies"]["ice"]["spacing"])
+
+
+main()

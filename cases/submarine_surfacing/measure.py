@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""Prints the numbers of README.md from a results folder of this case: cases/submarine_surfacing/measure.py FOLDER"""
+
+import csv
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+
+MEAN = 0.1  # [s] that forces are averaged over: each push of a particle is a single blow
+GRAVITY = 9.81
+
+
+def history(folder):
+    with open(folder / "history.csv", newline="") as file:
+        names, *rows = csv.reader(file)
+    return dict(zip(names, np.array(rows, float).T))
+
+
+def ice_on(columns, part=""):
+    """Force of the ice, downward [N], averaged about each row; rows are means already, so impulses stay."""
+    force = -columns[f"submarine{part}.force_z [N]"]
+    rows = max(1, round(MEAN / (columns["time [s]"][2] - columns["time [s]"][1])))
+    return np.convolve(force, np.ones(rows), "same") / np.convolve(np.ones_like(force), np.ones(rows), "same")
+
+
+def main():
+    folder = Path(sys.argv[1])
+    columns, report = history(folder), json.loads((folder / "run.json").read_text())
+    time, height = columns["time [s]"], columns["submarine.position_z [m]"]
+    for part in (".sail", ".hull"):
+        force = ice_on(columns, part)
+        most = force.argmax()
+        print(f"{folder.name}: {part[1:]} {force[most] / 1e6:.2f} MN at {time[most]:.2f} s, after a rise of {height[most] - height[0]:.2f} m")
+    share = columns["ice.broken_bonds [-]"][-1] / report["bodies"]["ice"]["bonds"]
+    timers = sum(report["timers [s]"].values())
+    print(f"{folder.name}: {100 * share:.0f} % of the bonds broken; {report['steps']} steps in {timers:.0f} s on {report['threads']} thread")
+    if columns["submarine.velocity_z [m/s]"].ptp() == 0:
+        return
+    floating = report["impactors"]["submarine"]["floating"]
+    last = time > time[-1] - 1
+    pushed = -columns["submarine.force_z [N]"][last].mean() / GRAVITY
+    displaced, mass = columns["submarine.displaced_mass [kg]"][last].mean(), floating["mass [kg]"]
+    print(f"{folder.name}, last second: displaces {displaced / 1e3:.1f} t; mass {mass / 1e3:.1f} t, the ice pushes like {pushed / 1e3:.1f} t, "
+          f"{(displaced - mass - pushed) / 1e3:+.1f} t left over ({100 * (displaced - mass - pushed) / mass:+.2f} %); it rises at "
+          f"{columns['submarine.velocity_z [m/s]'][last].mean() * 1e3:.0f} mm/s")
+    print(f"{folder.name}: draught at the end {floating['draught [m]']:.3f} m, of the submarine alone {floating['draught_at_rest [m]']:.3f} m")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,14 @@
+# For a case's variants.sh, which sources this: variant NAME [key=value ...] runs the deck with these settings, results in $results/NAME, and measures it.
+#   variants.sh [RESULTS [PERIMPACT]]
+# RESULTS: folder of the results (default: results/<case>); variants that are finished there are not run again.
+# PERIMPACT: the program (default: build/release/perimpact, as run.sh builds it).
+case=$(cd "$(dirname "$0")" && pwd)
+results=${1:-results/$(basename "$case")}
+perimpact=${2:-$case/../../build/release/perimpact}
+
+variant() {
+  local folder="$results/$1" settings=()
+  for setting in "${@:2}"; do settings+=(--set "$setting"); done
+  grep -qs '"outcome": "finished"' "$folder/run.json" || nice "$perimpact" run "${deck:-$case/deck.yaml}" --out "$folder" "${settings[@]}"
+  /usr/bin/python3 "$case/measure.py" "$folder"
+}
