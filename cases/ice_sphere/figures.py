@@ -66,10 +66,10 @@ def draw_impulse(results):
     for ending, label, colour, style in kinds:
         ratios = [measure(results / f"stretch_{stretch}{ending}")["impulse [-]"] for stretch in STRETCHES]
         axis.plot([float(stretch) for stretch in STRETCHES], ratios, style, color=colour, label=label)
-    for name, label, side in (("unbroken", "never breaks", "bottom"), ("dust", "dust", "top")):
+    for name, label, side, place in (("unbroken", "never breaks", "bottom", 2.6e-3), ("dust", "dust", "top", 2.6e-2)):
         ratio = measure(results / name)["impulse [-]"]
         axis.axhline(ratio, color="#555555", lw=0.9, ls="--")
-        axis.text(2.6e-4, ratio, f" {label}: {ratio:.2f}", fontsize=10, va=side)
+        axis.text(place, ratio, f"{label}: {ratio:.2f}", fontsize=10, va=side)
     axis.set(xscale="log", xlabel="critical stretch", ylabel="impulse/(m v)", xlim=(2.5e-4, 0.04), ylim=(0.7, 2.1))
     axis.legend(frameon=False, loc="upper left", bbox_to_anchor=(0.0, 0.92))
     save(figure, "impulse")

@@ -18,7 +18,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
-from measure import BLADES, CASE, WINDOW, history, mean_over, pictures, pieces, report  # noqa: E402
+from measure import BLADES, CASE, WINDOW, history, mean_over, pictures, report  # noqa: E402
 from render import Scene  # noqa: E402
 
 SAND, LINE, REGION = np.array([0.84, 0.74, 0.52]), (0.45, 0.38, 0.24), "#2a6fb0"
@@ -135,7 +135,7 @@ def fragments(results):
         folder = results / ("deck" if stretch == "0.003" else f"stretch_{stretch}")
         time, ice = at(folder, "ice", 1)
         _, screw = at(folder, "propeller", 1)
-        piece, _ = pieces(folder, report(folder)["setup"])
+        piece = ice.point["piece"]
         size = np.bincount(piece)
         largest = [number for number in np.argsort(-size) if size[number] > 0.01 * len(piece)]
         colours = np.tile([0.62, 0.62, 0.62], (len(piece), 1))

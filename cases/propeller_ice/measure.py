@@ -5,9 +5,7 @@
 
 thrust, torque   of the whole propeller, along and about +x. The peak is the mean over the millisecond in which its amount is largest, the mean that
                  over the time in which the thrust's impulse goes from 5 % to 95 %. Spindle torque: about a blade's own radial axis.
-pieces           particles that hang together by intact bonds. Where the pictures hold the array `piece` it is used. Else a bond is taken as intact
-                 if in no picture it was beyond the limits of the deck and neither end has lost all; peaks between pictures are missed, so that
-                 some hang together that do not: "bonds missed" says how many broken bonds it takes for intact.
+pieces           particles that hang together by intact bonds at the end, as run.json and pieces/ice_end.csv have them
 inside           of all particles in all pictures, those around which the panels wind: each is looked at along a ray in +x, and the panels that
                  the ray leaves through, less those that it enters through, say how many of the overlapping parts hold it. The nearest is the
                  smallest distance of any particle from any triangle. Nothing of the program is used for it: the places of particles and of
@@ -77,79 +75,18 @@ def forces(column):
 # ---- pieces
 
 
-def bonds(places, spacing, reach):
-    """Both ends and the length [m] of every pair nearer than `reach` [m]."""
-    cells = np.round((places - places.min(axis=0)) / spacing).astype(int)
-    box = cells.max(axis=0) + 1
-    number = np.full(box, -1)
-    number[tuple(cells.T)] = np.arange(len(places))
-    most = int(reach / spacing)
-    span = np.arange(-most, most + 1)
-    ends, lengths = [], []
-    for offset in np.stack(np.meshgrid(span, span, span), axis=-1).reshape(-1, 3):
-        length = spacing * np.linalg.norm(offset)
-        if tuple(offset) <= (0, 0, 0) or length >= reach:
-            continue
-        other = cells + offset
-        first = np.flatnonzero(((other >= 0) & (other < box)).all(axis=1))
-        second = number[tuple(other[first].T)]
-        ends.append(np.column_stack([first, second])[second >= 0])
-        lengths.append(np.full((second >= 0).sum(), length))
-    return np.concatenate(ends), np.concatenate(lengths)
-
-
-def hanging_together(count, ends):
-    """A number for each particle, equal for those that the pairs join."""
-    label = np.arange(count)
-    while True:
-        least, before = np.minimum(*label[ends.T]), label.copy()
-        for end in ends.T:
-            np.minimum.at(label, end, least)
-        label = label[label]
-        if (label == before).all():
-            return label
-
-
-def pieces(folder, setup, until=np.inf):
-    """Number of the piece of each particle in the last picture up to that time, and how many bonds are taken as intact (None: told by the run)."""
-    body = setup["bodies"]["ice"]
-    failure = body.get("failure", {})
-    most = body["material"]["critical_stretch"]
-    least = {"none": -np.inf, "symmetric": -most, "limit": -failure.get("critical_compression", np.inf)}[failure.get("compression", "none")]
-    ends = None
-    for time, ice in pictures(folder, "ice"):
-        if time > until + 1e-9:
-            break
-        if "piece" in ice.point:
-            piece, intact = ice.point["piece"], None
-            continue
-        moved = ice.point["displacement"].astype(float)
-        if ends is None:
-            places = ice.points.astype(float) - moved
-            ends, lengths = bonds(places, body["spacing"], (body["horizon_ratio"] + 0.5) * body["spacing"])
-        vectors = (places + moved)[ends]
-        stretch = np.linalg.norm(vectors[:, 1] - vectors[:, 0], axis=1) / lengths - 1
-        whole = (ice.point["damage"] < 1 - 1e-6)[ends].all(axis=1)
-        kept = (stretch <= most) & (stretch >= least) & whole
-        ends, lengths = ends[kept], lengths[kept]
-        piece, intact = hanging_together(len(places), ends), len(ends)
-    return piece, intact
-
-
 def fragments(folder, run):
-    piece, intact = pieces(folder, run["setup"])
-    sizes = np.sort(np.bincount(piece))[::-1] / len(piece)
     body = run["bodies"]["ice"]
-    found = {
-        "pieces above 1 % of the mass [-]": int((sizes > 0.01).sum()),
-        "largest piece [-]": sizes[0],
-        "second [-]": sizes[1] if len(sizes) > 1 else 0.0,
-        "in pieces below 1 % [-]": sizes[sizes <= 0.01].sum(),
+    whole, pieces = body["mass [kg]"], body["pieces"]
+    with open(Path(folder) / "pieces/ice_end.csv", newline="") as file:
+        masses = [float(row["mass [kg]"]) / whole for row in csv.DictReader(file)]
+    return {
+        "pieces above 1 % of the mass [-]": pieces["above_1_percent"],
+        "largest piece [-]": pieces["largest [kg]"] / whole,
+        "second [-]": pieces["second_largest [kg]"] / whole,
+        "in pieces below 1 % [-]": 1 - sum(mass for mass in masses if mass > 0.01),
         "broken bonds [-]": 1 - body["intact_bonds"] / body["bonds"],
     }
-    if intact is not None:
-        found["bonds missed [-]"] = (intact - body["intact_bonds"]) / body["bonds"]
-    return found
 
 
 # ---- inside
