@@ -76,6 +76,7 @@ class Scene:
         shades = 0.45 + 0.55 * np.maximum(0, normals @ LIGHT)
         longest = np.linalg.norm([along, across, across - along], axis=2).max(axis=0)
         steps = np.ceil(1.6 * self.scale * longest).astype(int) + 1
+        steps = np.where(steps > 8, -(-steps // 8) * 8, steps)  # few sizes, so that many triangles go together
         for count in np.unique(steps):  # those of one size together
             own = np.flatnonzero(steps == count)
             s, t = (grid.ravel() for grid in np.meshgrid(np.linspace(0, 1, count), np.linspace(0, 1, count)))

@@ -28,7 +28,12 @@ double bonds_of_particle(const Body& body) {
   return 2 * static_cast<double>(body.family.initial_bonds()) / static_cast<double>(body.particles.size());
 }
 
-void print_body(const Body& body, const std::optional<FilledMass>& filled) {
+std::string advice(const BendingOfLayers& thin) {
+  constexpr double good = 0.95;  // eight layers
+  return thin.relative >= good ? "" : fmt::format("; eight have 0.95, or bending_calibration: {} makes up for it", "xyz"[thin.axis]);
+}
+
+void print_body(const BodySetup& setup, const Body& body, const std::optional<FilledMass>& filled) {
   fmt::print("body {}\n", body.name);
   if (const Lattice* lattice = body.particles.lattice())
     fmt::print("  {:<18}{} ({} x {} x {} cells of {:.4g} m)\n", "particles", body.particles.size(), lattice->cells[0], lattice->cells[1], lattice->cells[2],
@@ -37,6 +42,11 @@ void print_body(const Body& body, const std::optional<FilledMass>& filled) {
     fmt::print("  {:<18}{} (a cloud; the mean particle has edges of {:.4g} m)\n", "particles", body.particles.size(), body.particles.spacing());
   fmt::print("  {:<18}{} ({:.0f} {} particle, horizon {:.4g} m)\n", "bonds", body.family.initial_bonds(), bonds_of_particle(body),
              body.family.stencil() ? "an interior" : "a mean", body.family.horizon());
+  if (body.bending)
+    fmt::print("  {:<18}all bonds {:.4g} times as stiff, so that these layers bend as a plate does\n", "bending", *body.bending);
+  else if (const auto thin = bending_of_thin(setup, body.particles))
+    fmt::print("  {:<18}{} layers along {} have {:.2f} of a plate's stiffness{}\n", "bending", thin->layers, "xyz"[thin->axis], thin -> relative,
+               advice(*thin));
   if (const auto& failure = body.failure)
     fmt::print("  {:<18}beyond a stretch of {:.4g}: fracture energy {:.4g} J/m2, flexural strength {:.4g} Pa with {} layers\n", "bonds break", failure->stretch,
                failure->fracture_energy, failure->flexural_strength, failure->layers);
@@ -151,7 +161,7 @@ int check_command(const DeckArguments& arguments) {
     const std::vector<Line> lines = lines_of(simulation);
     fmt::print("{}\n", deck.setup.title);
     for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
-      print_body(simulation.bodies()[b], simulation.filled_mass(b));
+      print_body(simulation.setup().bodies[b], simulation.bodies()[b], simulation.filled_mass(b));
       print_boundaries(simulation.boundaries()[b]);
     }
     for (const Impactor& impactor : simulation.impactors()) {

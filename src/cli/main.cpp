@@ -11,6 +11,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/shape_command.hpp"
+#include "cli/statistics_command.hpp"
 #include "fccda/core/error.hpp"
 
 namespace {
@@ -43,6 +44,24 @@ void add_shapes(CLI::App& command, ShapeArguments& arguments, int& code) {
   command.callback([&code, &command] {
     if (command.get_subcommands().empty()) code = list_shapes();
   });
+}
+
+void add_statistics(CLI::App& command, StatisticsArguments& arguments) {
+  command.add_option("folder", arguments.folder, "Folder of the results")->required();
+  command.add_option("--from", arguments.from, "Leaves out what was before this time, such as 5 or \"20 ms\"");
+  command.add_option("--to", arguments.to, "Leaves out what was after this time; --channel takes the last picture up to it");
+  command
+      .add_option("--columns", arguments.columns,
+                  "Columns of history.csv in place of the loads: whole names or beginnings such as ship.force, with commas between")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--windows", arguments.windows, "Means and extremes over so many equal parts of the time too")->check(CLI::Range(1, 100000));
+  command.add_option("--segment", arguments.segment, "Length of the spectrum's windows, a time; a power of two of rows is taken from it");
+  command.add_option("--channel", arguments.channel.of, "Width of the channel in a broken sheet, of a body and along an axis: ice:x");
+  command.add_option("--channel-from", arguments.channel.from, "Leaves out what is below this on the axis, a length");
+  command.add_option("--channel-to", arguments.channel.to, "Leaves out what is above this on the axis, a length");
+  command.add_option("--sheet", arguments.channel.sheet, "Pieces of this share of the body's particles at least are the sheet that remains beside the channel")
+      ->capture_default_str();
 }
 
 void complain(const std::string& sentence) { std::fprintf(stderr, "error: %s\n", sentence.c_str()); }
@@ -98,6 +117,11 @@ int run(int argc, char** argv) {
   ShapeArguments shape;
   add_shapes(*app.add_subcommand("shape", "Make a surface from its dimensions, report on it and write it: hull, propeller, cylinder, sphere, box"), shape,
              code);
+
+  StatisticsArguments statistics;
+  CLI::App* statistics_app = app.add_subcommand("statistics", "Statistics and spectrum of the forces of a run, and the width of a channel in broken ice");
+  add_statistics(*statistics_app, statistics);
+  statistics_app->callback([&] { code = statistics_command(statistics); });
 
   CLI::App* version = app.add_subcommand("version", "Print the version");
   version->callback([] { fmt::print("perimpact {}\n", PERIMPACT_VERSION); });

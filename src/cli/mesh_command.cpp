@@ -30,10 +30,7 @@ double length_of(const char* option, const std::string& text) {
 }
 
 /// hull_defects.vtp, in the folder that the command runs in, for hull.stl.gz.
-std::filesystem::path defects_file(const std::filesystem::path& surface) {
-  const std::filesystem::path unpacked = is_gzip(surface) ? surface.stem() : surface;
-  return unpacked.stem().string() + "_defects.vtp";
-}
+std::filesystem::path defects_file(const std::filesystem::path& surface) { return fccda::unpacked(surface).stem().string() + "_defects.vtp"; }
 
 Surface fit_surface(const Panels& panels, double weld, const std::filesystem::path& file) {
   try {

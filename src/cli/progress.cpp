@@ -19,14 +19,13 @@ Progress::Progress(const Simulation& simulation) : first_(simulation.clock().ste
 
 double Progress::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
 
-void Progress::after_step(const Simulation& simulation) {
-  const double now = seconds();
-  if (now - drawn_ >= (is_terminal_ ? 0.25 : 10.0)) draw(simulation, now, simulation.clock().step);
-}
+void Progress::after_step(const Simulation& simulation) { draw_if_due(simulation, simulation.clock().step); }
 
-void Progress::in_increment(const Simulation& simulation) {
+void Progress::in_increment(const Simulation& simulation) { draw_if_due(simulation, simulation.clock().step - 1); }
+
+void Progress::draw_if_due(const Simulation& simulation, long done) {
   const double now = seconds();
-  if (now - drawn_ >= (is_terminal_ ? 0.25 : 10.0)) draw(simulation, now, simulation.clock().step - 1);
+  if (now - drawn_ >= (is_terminal_ ? 0.25 : 10.0)) draw(simulation, now, done);
 }
 
 void Progress::finish(const Simulation& simulation) {

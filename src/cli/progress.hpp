@@ -16,6 +16,7 @@ class Progress {
   double seconds() const;                           ///< since construction
 
  private:
+  void draw_if_due(const Simulation& simulation, long done);
   void draw(const Simulation& simulation, double now, long done);
 
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

@@ -10,6 +10,7 @@
 #include "cli/surface_text.hpp"
 #include "fccda/inspect/volume_below.hpp"
 #include "fccda/shapes/wageningen.hpp"
+#include "io/deck/overrides.hpp"
 #include "io/deck/reader.hpp"
 #include "io/deck/reference.hpp"
 #include "io/output/surface_file.hpp"
@@ -46,17 +47,7 @@ std::string help_of(const deck::Entry& entry) {
 /// The map that a deck would hold below `surface`.
 deck::YamlNode map_of(const ShapeArguments& arguments) {
   deck::YamlNode map{.kind = deck::YamlNode::Kind::map, .place = "perimpact shape " + arguments.shape};
-  for (const auto& [option, text] : arguments.values) {
-    deck::YamlNode* node = &map;
-    std::string_view rest = option.key;
-    for (std::size_t dot; (dot = rest.find('.')) != std::string_view::npos; rest.remove_prefix(dot + 1)) {
-      const std::string key(rest.substr(0, dot));
-      deck::YamlNode::Entry* entry = node->find(key);
-      if (!entry) entry = &node->entries.emplace_back(deck::YamlNode::Entry{key, option.name, {.kind = deck::YamlNode::Kind::map, .place = option.name}});
-      node = &entry->value;
-    }
-    node->entries.push_back({std::string(rest), option.name, deck::parse_value(text, option.name)});
-  }
+  for (const auto& [option, text] : arguments.values) deck::set_value(map, option.key, text, option.name);
   return map;
 }
 

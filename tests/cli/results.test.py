@@ -22,11 +22,15 @@ def columns_of_the_deck():
         *vector("cylinder", "force", "N"),
         *vector("cylinder", "moment", "N m"),
         "cylinder.contacts [-]",
+        "cylinder.contact_work [J]",
         "plate.kinetic_energy [J]",
         "plate.elastic_energy [J]",
         "plate.broken_bonds [-]",
+        "plate.fracture_energy [J]",
         *vector("total", "momentum", "kg m/s"),
         "total.energy [J]",
+        "total.contact_loss [J]",
+        "total.closing_error [J]",
         *vector("centre", "displacement", "m"),
     ]
 
@@ -76,7 +80,7 @@ def _(t):
     t.expect_success("run", t.deck(("free: [y]", f"free: [y]\n    {gauges}")), "--out", "r")
     history = t.history("r")
     names = list(history)
-    first = names.index("cylinder.contacts [-]") + 1
+    first = names.index("cylinder.contact_work [J]") + 1
     wanted = [f"cylinder.{gauge}.{quantity}_{axis} [{unit}]" for gauge in ("rim", "caps", "hub") for quantity, unit in (("force", "N"), ("moment", "N m")) for axis in AXES]
     t.assertEqual(names[first : first + 19], wanted + ["cylinder.hub.torque [N m]"])
     t.assertEqual(names[first + 19], "plate.kinetic_energy [J]")
@@ -179,7 +183,7 @@ def _(t):
     deck = t.deck()
     t.expect_success("run", deck, "--set", "time.end=5 us", "--set", "output.frames=0", "--set", "output.folder=elsewhere",
                      "--set", "impactors.cylinder.velocity=[0, -10, 0]", "--set", "bodies.plate.material.critical_stretch=0.01")
-    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "lines/along_y_t5e-06.csv", "run.json"])
+    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "lines/along_y_t5e-06.csv", "pieces/plate_end.csv", "run.json"])
     setup = t.report("elsewhere")["setup"]
     t.assertEqual((setup["time"]["end"], setup["impactors"]["cylinder"]["velocity"]), (5e-6, [0, -10, 0]))
     t.assertEqual(setup["bodies"]["plate"]["material"]["critical_stretch"], 0.01)

@@ -36,4 +36,11 @@ inline std::string complaint(const Setup& setup, std::string& key) {
   return "";
 }
 
+/// The same in one line, "key: sentence".
+inline std::string complaint(const Setup& setup) {
+  std::string key;
+  const std::string sentence = complaint(setup, key);
+  return sentence.empty() ? "" : key + ": " + sentence;
+}
+
 }  // namespace fixtures

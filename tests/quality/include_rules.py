@@ -33,11 +33,13 @@ LAYERS = {
     "perimpact/setup": ["fccda/core"],
     "perimpact/particles": ["fccda/core"],
     "perimpact/family": ["fccda/core", "perimpact/setup", "perimpact/particles"],
+    "perimpact/pieces": ["fccda/core", "perimpact/setup", "perimpact/particles", "perimpact/family"],
     "perimpact/force": ["fccda/core", "perimpact/setup", "perimpact/particles", "perimpact/family", "perimpact/material", "perimpact/damage"],
     "perimpact/solid": ["fccda", "perimpact/setup", "perimpact/particles"],
     "perimpact/impact": ["fccda", "perimpact/setup", "perimpact/particles", "perimpact/solid"],
     "io": ["fccda", "perimpact", "io"],
-    "io/deck": ["fccda/core", "perimpact/setup"],
+    "io/deck": ["fccda/core", "perimpact/material", "perimpact/setup"],
+    "io/statistics": ["fccda", "perimpact/setup", "io/output", "io/deck"],
     "io/output": ["fccda/core", "fccda/surface"],
 }
 

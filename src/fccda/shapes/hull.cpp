@@ -4,15 +4,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "fccda/core/contract.hpp"
-#include "fccda/core/error.hpp"
 #include "fccda/shapes/divisions.hpp"
+#include "fccda/shapes/refuse.hpp"
 #include "fccda/shapes/strip.hpp"
 #include "fccda/surface/part_naming.hpp"
 
@@ -23,11 +22,7 @@ constexpr double growth = 0.2;  // of the edges behind the bow, [m] a metre: 1.2
 
 template <class... Words>
 [[noreturn]] void refuse(const Words&... words) {
-  std::ostringstream sentence;
-  sentence.precision(4);
-  sentence << "hull: ";
-  (sentence << ... << words);
-  throw InputError(sentence.str());
+  refuse_shape("hull", words...);
 }
 
 enum class Stretch { bow, side, stern };  // of the ship's length

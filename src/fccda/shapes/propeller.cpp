@@ -4,14 +4,13 @@
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include "fccda/core/contract.hpp"
-#include "fccda/core/error.hpp"
 #include "fccda/shapes/divisions.hpp"
 #include "fccda/shapes/halve_edges.hpp"
+#include "fccda/shapes/refuse.hpp"
 #include "fccda/shapes/rings.hpp"
 #include "fccda/shapes/strip.hpp"
 #include "fccda/shapes/wageningen.hpp"
@@ -26,11 +25,7 @@ constexpr double pi = std::numbers::pi;
 
 template <class... Words>
 [[noreturn]] void refuse(const Words&... words) {
-  std::ostringstream sentence;
-  sentence.precision(4);
-  sentence << "propeller: ";
-  (sentence << ... << words);
-  throw InputError(sentence.str());
+  refuse_shape("propeller", words...);
 }
 
 void check_list(const std::vector<double>& list, const PropellerSections& sections, const char* name, bool may_be_empty) {

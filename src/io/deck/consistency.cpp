@@ -11,6 +11,7 @@
 #include "io/deck/consistency_boundary.hpp"
 #include "io/deck/consistency_fragments.hpp"
 #include "io/deck/consistency_impactor.hpp"
+#include "io/deck/consistency_material.hpp"
 #include "io/deck/consistency_solid.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/yaml_node.hpp"
@@ -51,40 +52,11 @@ void apply_published(BodySetup& body, const std::string& path, const Places& pla
   body.surface_correction.index = static_cast<int>(SurfaceCorrection::none);
 }
 
-void check_failure(const BodySetup& body, const std::string& path, const Places& places) {
-  const ElasticSetup& material = body.elastic();
-  const std::pair<const char*, bool> criteria[] = {{"critical_stretch", material.critical_stretch.has_value()},
-                                                   {"fracture_energy", material.fracture_energy.has_value()},
-                                                   {"flexural_strength", material.flexural_strength.has_value()}};
-  const char* first = nullptr;
-  for (const auto& [key, is_given] : criteria) {
-    if (is_given && first)
-      refuse(places.of(fmt::format("{}.material.{}", path, key)),
-             fmt::format("{} is given beside {}, but either says alone when bonds break; remove one of the two (perimpact check tells what each implies).", key,
-                         first));
-    if (is_given) first = key;
-  }
-  if (material.layers && !material.flexural_strength)
-    refuse(places.of(path + ".material.layers"), "layers is given without flexural_strength, which alone needs it; remove it, or give flexural_strength.");
-  if (!body.failure) return;
-  if (!first)
-    refuse(places.of(path + ".failure"),
-           "failure is given, but the material never breaks; give it a critical_stretch, fracture_energy or flexural_strength, or remove failure.");
-  const bool is_limit = body.failure->compression.as<CompressionFailure>() == CompressionFailure::limit;
-  if (is_limit && !body.failure->critical_compression)
-    refuse(places.of(path + ".failure.compression"), "compression is limit, but there is no critical_compression; give it, such as 0.01.");
-  if (!is_limit && body.failure->critical_compression)
-    refuse(places.of(path + ".failure.critical_compression"),
-           fmt::format("critical_compression is given, but compression is {}; write compression: limit, or remove it.", body.failure->compression.word()));
-  if (body.failure->seed && !body.failure->weibull_modulus)
-    refuse(places.of(path + ".failure.seed"), "seed is given without weibull_modulus, so nothing is random; give both or none.");
-}
-
 void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
   const std::string path = "bodies." + body.name;
   apply_published(body, path, places);
+  make_material_consistent(body, places);
   make_shape_consistent(body, folder, places);
-  check_failure(body, path, places);
   const SurfaceCorrection correction = body.surface_correction.as<SurfaceCorrection>();
   const bool is_correspondence = std::holds_alternative<CorrespondenceSetup>(body.material);
   if ((is_correspondence || std::holds_alternative<LinearSolidSetup>(body.material)) &&

@@ -21,18 +21,10 @@ std::vector<std::string> parts_of(std::string_view path) {
 
 }  // namespace
 
-void apply_override(YamlNode& deck, const std::string& override_text) {
-  const std::size_t equals = override_text.find('=');
-  const std::string path = override_text.substr(0, equals);
-  const std::string place = "--set " + path;
-  const std::vector<std::string> parts = parts_of(path);
-  const bool has_empty_part = std::find(parts.begin(), parts.end(), std::string()) != parts.end();
-  if (equals == std::string::npos || has_empty_part)
-    refuse("--set " + override_text, "a key path, = and a value are needed, for example --set output.frames=0.");
-
-  YamlNode* node = &deck;
+void set_value(YamlNode& tree, const std::string& path, std::string_view text, const std::string& place) {
+  YamlNode* node = &tree;
   std::string way;
-  for (const std::string& part : parts) {
+  for (const std::string& part : parts_of(path)) {
     if (node->kind == YamlNode::Kind::nothing) node->kind = YamlNode::Kind::map;
     if (node->kind != YamlNode::Kind::map)
       refuse(place, fmt::format("{} is {}, not a map, so nothing in it can be set; set {} itself.", way, node->in_words(), way));
@@ -42,7 +34,19 @@ void apply_override(YamlNode& deck, const std::string& override_text) {
     way += (way.empty() ? "" : ".") + part;
     if (way == path) entry->place = place;
   }
-  *node = parse_value(std::string_view(override_text).substr(equals + 1), place);
+  *node = parse_value(text, place);
+}
+
+void apply_override(YamlNode& deck, const std::string& override_text) {
+  const std::size_t equals = override_text.find('=');
+  const std::string path = override_text.substr(0, equals);
+  const std::string place = "--set " + path;
+  const std::vector<std::string> parts = parts_of(path);
+  const bool has_empty_part = std::find(parts.begin(), parts.end(), std::string()) != parts.end();
+  if (equals == std::string::npos || has_empty_part)
+    refuse("--set " + override_text, "a key path, = and a value are needed, for example --set output.frames=0.");
+
+  set_value(deck, path, std::string_view(override_text).substr(equals + 1), place);
 }
 
 }  // namespace perimpact::deck

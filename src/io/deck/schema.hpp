@@ -76,6 +76,12 @@ void sections(Walker& walk, SolidSetup& solid) {
   walk.one_of("shape", solid.shape, Presence::required, "What it is.");
 }
 
+template <class Walker, std::derived_from<ElasticSetup> Material>
+void sections(Walker& walk, Material& material) {
+  walk.section("ice", material.ice, Presence::optional,
+               "Ice as engineers state it: sets youngs_modulus and, where no other criterion is given, flexural_strength.");
+}
+
 template <class Walker>
 void sections(Walker& walk, ImpactorSetup& impactor) {
   walk.one_of("surface", impactor.surface, Presence::required, "The surface of panels that particles strike.");

@@ -37,4 +37,14 @@ class Series {
   std::vector<double> times_;
 };
 
+/// A frame of a series that is there.
+struct Picture {
+  double time;  ///< [s]
+  std::filesystem::path file;
+};
+
+/// Those that a list of Series names, in its order; of names that needed no escape, as those of bodies and impactors. Throws InputError where the file is no
+/// such list.
+std::vector<Picture> pictures_of(const std::filesystem::path& list);
+
 }  // namespace perimpact::output

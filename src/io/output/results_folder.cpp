@@ -71,7 +71,7 @@ void prepare_folder(const fs::path& folder) {
 }
 
 ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std::move(folder)) {
-  for (const fs::path& each : {folder_, frames(), lines(), pressure_area()}) prepare_folder(each);
+  for (const fs::path& each : {folder_, frames(), lines(), pressure_area(), pieces()}) prepare_folder(each);
   const auto remove_from = [earlier](const fs::path& from, const auto& is_ours) {
     std::vector<fs::path> files = our_files(from, is_ours);
     if (earlier == EarlierRun::continued)
@@ -81,10 +81,11 @@ ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std:
   // the checkpoint first: what it goes on from must not be there without the rest
   remove_from(folder_, [](std::string_view name) { return name == "checkpoint.h5"; });
   remove_from(folder_, [](std::string_view name) { return name == "run.json" || name == "history.csv"; });
+  remove_from(folder_, [](std::string_view name) { return name == "statistics.csv" || name == "windows.csv" || name == "spectrum.csv"; });
   remove_from(frames(), [&](std::string_view name) { return is_series(frames(), name); });
   remove_from(frames(), is_frame);
   remove_from(lines(), is_line);
-  remove_from(pressure_area(), [](std::string_view name) { return name.ends_with(".csv"); });
+  for (const fs::path& tables : {pressure_area(), pieces()}) remove_from(tables, [](std::string_view name) { return name.ends_with(".csv"); });
 }
 
 fs::path ResultsFolder::line(std::string_view name, double time) const { return lines() / fmt::format("{}_t{}.csv", name, time); }

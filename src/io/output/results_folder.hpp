@@ -1,9 +1,10 @@
 /// The folder that a run leaves behind, and the one place that knows its names:
 ///
 ///   run.json   history.csv   lines/<line>_t<seconds>.csv   frames/<body>_00000.vtp, …   frames/<body>.pvd
-///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv   checkpoint.h5
+///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv   pieces/<body>.csv, <body>_end.csv   checkpoint.h5
 ///
-/// `check` writes into check/, which runs leave alone.
+/// `perimpact statistics` adds statistics.csv, windows.csv, spectrum.csv and pieces/<body>_channel_x.csv, which go with the run that they tell
+/// of. `check` writes into check/, which runs leave alone.
 #pragma once
 
 #include <filesystem>
@@ -24,17 +25,21 @@ class ResultsFolder {
   explicit ResultsFolder(std::filesystem::path folder, EarlierRun earlier = EarlierRun::removed);
 
   const std::filesystem::path& path() const { return folder_; }
-  std::filesystem::path run() const { return folder_ / "run.json"; }
+  std::filesystem::path run() const { return run_in(folder_); }
   std::filesystem::path history() const { return history_in(folder_); }
-  std::filesystem::path frames() const { return folder_ / "frames"; }
+  std::filesystem::path frames() const { return frames_in(folder_); }
   std::filesystem::path lines() const { return folder_ / "lines"; }
   std::filesystem::path pressure_area() const { return pressure_area_in(folder_); }
+  std::filesystem::path pieces() const { return pieces_in(folder_); }
   std::filesystem::path checkpoint() const { return checkpoint_in(folder_); }
   std::filesystem::path line(std::string_view name, double time) const;  ///< time in [s]
 
   // of a folder that may not be prepared
   static std::filesystem::path history_in(const std::filesystem::path& folder) { return folder / "history.csv"; }
   static std::filesystem::path pressure_area_in(const std::filesystem::path& folder) { return folder / "pressure_area"; }
+  static std::filesystem::path frames_in(const std::filesystem::path& folder) { return folder / "frames"; }
+  static std::filesystem::path run_in(const std::filesystem::path& folder) { return folder / "run.json"; }
+  static std::filesystem::path pieces_in(const std::filesystem::path& folder) { return folder / "pieces"; }
   static std::filesystem::path checkpoint_in(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
 
  private:

@@ -10,6 +10,7 @@
 #include "io/output/results_folder.hpp"
 #include "io/results/lines.hpp"
 #include "io/results/panel_pictures.hpp"
+#include "io/results/piece_tables.hpp"
 #include "io/results/pressure_area.hpp"
 #include "io/results/written.hpp"
 #include "perimpact/simulation/simulation.hpp"
@@ -51,13 +52,14 @@ class ResultsWriter {
   std::vector<output::Series> body_series_, impactor_series_;
   std::vector<PanelPictures> panel_pictures_;  // of each impactor
   std::vector<PressureArea> pressure_area_;    // of each impactor
+  std::vector<PieceTable> piece_tables_;       // of each body
   int frames_wanted_;
   int next_frame_ = 0;
   long last_frame_step_ = -1;
   std::vector<std::int64_t> resumed_at_;  // steps
 };
 
-/// The particles of a body as ParaView shows them: displacement, velocity, damage.
-void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time);
+/// The particles of a body as ParaView shows them: displacement, velocity, damage and, where they are known, its pieces.
+void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Pieces* pieces = nullptr);
 
 }  // namespace perimpact

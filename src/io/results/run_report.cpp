@@ -5,6 +5,7 @@
 #include "fccda/core/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
 #include "io/results/json_vector.hpp"
+#include "io/results/piece_tables.hpp"
 #include "io/results/region_report.hpp"
 
 namespace perimpact {
@@ -19,12 +20,15 @@ Json body_report(const Body& body, const Boundaries& boundaries, const std::opti
   json["bonds"] = body.family.initial_bonds();
   json["intact_bonds"] = body.family.intact_bonds();
   if (const Stencil* stencil = body.family.stencil()) json["interior_family"] = stencil->size();
+  json["spacing [m]"] = body.particles.spacing();
   json["horizon [m]"] = body.family.horizon();
+  if (body.bending) json["bending_calibration"] = *body.bending;
   if (const auto& failure = body.failure) {
     json["failure"]["critical_stretch"] = failure->stretch;
     json["failure"]["fracture_energy [J/m2]"] = failure->fracture_energy;
     json["failure"]["flexural_strength [Pa]"] = failure->flexural_strength;
     json["failure"]["layers"] = failure->layers;
+    json["pieces"] = piece_report(Pieces(body.particles, body.family).count());
   }
   json["memory [byte]"] = body.memory();
   json["mass [kg]"] = body.particles.total_mass();

@@ -13,7 +13,7 @@ double layer_damping(double depth, double thickness, double wave_speed, double r
   return 3 * wave_speed * std::log(1 / reflection) / thickness * share * share;
 }
 
-Absorbing::Absorbing(std::vector<std::uint32_t> slots, std::span<const double> damping) : slots_(std::move(slots)) {
+Absorbing::Absorbing(std::vector<std::uint32_t> slots, std::span<const double> damping) : slots_(std::move(slots)), forces_(slots_.size()) {
   EXPECTS(slots_.size() == damping.size());
   for (const double each : damping) damping_.push_back({each, each, each});
 }
@@ -23,33 +23,18 @@ void Absorbing::leave_out(std::span<const std::uint32_t> held, std::size_t axis)
     if (std::binary_search(held.begin(), held.end(), slots_[k])) damping_[k][axis] = 0;
 }
 
-namespace {
-
-struct Damped {
-  Vec3d force{};     // [N]
-  double power = 0;  // [W]
-  Damped& operator+=(const Damped& other) {
-    force += other.force, power += other.power;
-    return *this;
-  }
-};
-
-}  // namespace
-
 void Absorbing::damp(Particles& particles, double dt) {
   const double density = particles.density();
-  const Damped sum = sum_in_blocks<Damped>(slots_.size(), [&](std::size_t k) {
+  const Resistance sum = sum_in_blocks<Resistance>(slots_.size(), [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d before = particles.force_density.at(slot), velocity = particles.velocity.at(slot);
     Vec3d after{};
-    for (std::size_t c = 0; c < 3; ++c) after[c] = (before[c] - density * damping_[k][c] * velocity[c]) / (1 + 0.5 * damping_[k][c] * dt);
+    for (std::size_t c = 0; c < 3; ++c) after[c] = damped(before[c], velocity[c], density, damping_[k][c], dt);
     particles.force_density.set(slot, after);
-    const Vec3d force = particles.volume(slot) * (after - before);
-    return Damped{force, dot(force, velocity + 0.5 * dt / density * after)};
+    return forces_.note(k, particles.volume(slot) * (after - before), dt * velocity);
   });
   account.note(sum.force, {});
-  account.add({}, 0.5 * dt * (power_ + sum.power));
-  power_ = sum.power;
+  account.add({}, sum.work);
 }
 
 }  // namespace perimpact

@@ -7,7 +7,7 @@
 /// free end and the way out the share R of its amplitude is left. The profile and how R sets it are those of Collino and Tsogka
 /// (Geophysics 66 (2001) 294), with α/2 in place of their damping, because only the velocity is damped here, not the strain as well.
 ///
-/// The damping is implicit in the velocity, v_{n+1/2} (1 + α dt/2) = v_{n-1/2} (1 - α dt/2) + F dt/(ρ V), so that it limits no time step.
+/// The damping is implicit in the velocity (damped.hpp), so that it limits no time step.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "perimpact/boundary/account.hpp"
+#include "perimpact/boundary/damped.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {
@@ -42,13 +43,13 @@ class Absorbing {
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     account.visit_record(name, visit);
-    visit(name + ".power", std::span<double>(&power_, 1));
+    forces_.visit_record(name, visit);
   }
 
  private:
   std::vector<std::uint32_t> slots_;
   std::vector<Vec3d> damping_;
-  double power_ = 0;  // [W] at the latest instant
+  ForcesOnTheWay forces_;
 };
 
 }  // namespace perimpact

@@ -134,4 +134,11 @@ double Boundaries::work() const {
   return work;
 }
 
+double Boundaries::undone() const {
+  double sum = 0;
+  for (const NamedBoundary& one : all_)
+    if (const auto* held = std::get_if<Held>(&one.boundary)) sum += held->undone();
+  return sum;
+}
+
 }  // namespace perimpact

@@ -49,7 +49,8 @@ class Boundaries {
   /// [J] of all loads, as Load::half_kick() says.
   double half_kick(double time, double dt) const;
 
-  double work() const;  ///< [J] of all, done on the body so far
+  double work() const;    ///< [J] of all, done on the body so far
+  double undone() const;  ///< [J] of all holders, as Held::undone() says
 
   template <class Visitor>
   void visit_record(Visitor&& visit) {

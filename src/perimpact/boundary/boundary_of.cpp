@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -110,16 +111,16 @@ Boundary made(const FloatingSetup& floating, const Place& place) {
               .drag = floating.drag,
               .added_mass = floating.added_mass,
               .damping = floating.damping};
+  const std::optional<double> floats_at = floating_level(particles, slots, water);
   if (!floating.level) {
-    const std::optional<double> level = floating_level(particles, slots, water);
-    if (!level)
+    if (!floats_at)
       throw SetupError(place.key,
                        fmt::format("body {} of {} kg/m3 sinks in water of {} kg/m3, so there is no level at which it floats; give the level, or mend "
                                    "a density.",
                                    place.of.body.name, particles.density(), floating.density));
-    water.level = *level;
+    water.level = *floats_at;
   }
-  return Floating(std::move(slots), particles, water);
+  return Floating(std::move(slots), water, floats_at.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
 Boundary made(const AbsorbingSetup& layer, const Place& place) {

@@ -17,15 +17,6 @@ struct Afloat {
   }
 };
 
-struct Resisted {
-  Vec3d force{};     // [N]
-  double power = 0;  // [W]
-  Resisted& operator+=(const Resisted& other) {
-    force += other.force, power += other.power;
-    return *this;
-  }
-};
-
 }  // namespace
 
 double Water::submerged(double z, double height) const { return std::clamp((level - z) / height + 0.5, 0.0, 1.0); }
@@ -48,11 +39,8 @@ std::optional<double> floating_level(const Particles& particles, std::span<const
   return 0.5 * (low + high);
 }
 
-Floating::Floating(std::vector<std::uint32_t> slots, const Particles& particles, const Water& water)
-    : slots_(std::move(slots)),
-      moves_(slots_.size(), {true, true, true}),
-      water_(water),
-      floats_at_(floating_level(particles, slots_, water).value_or(std::numeric_limits<double>::quiet_NaN())) {}
+Floating::Floating(std::vector<std::uint32_t> slots, const Water& water, double floats_at)
+    : slots_(std::move(slots)), moves_(slots_.size(), {true, true, true}), water_(water), floats_at_(floats_at), forces_(resists() ? slots_.size() : 0) {}
 
 void Floating::leave_out(std::span<const std::uint32_t> held, std::size_t axis) {
   for (std::size_t k = 0; k < slots_.size(); ++k)
@@ -75,21 +63,24 @@ ForceSum Floating::add_to(Particles& particles) {
     const double t = (water_.level - z) / height + 0.5;
     const double column = t <= 0 ? 0 : t < 1 ? 0.5 * t * t : t - 0.5;  // ∫ S dz/Δ from the particle upward
     Vec3d density = particles.force_density.at(slot);
-    const double own = lift * std::clamp(t, 0.0, 1.0) - weight;
+    const double own = lift * water_.submerged(z, height) - weight;
     density.z += own;
     particles.force_density.set(slot, density);
     const double force = volume * own;
     return Afloat{{{0, 0, force}, force * force}, volume * (weight * z + lift * height * column)};
   });
-  if (has_begun_) account.add({}, potential_ - sum.potential);
+  if (has_begun_) {
+    account.add({}, potential_ - sum.potential);
+    work_of_weight_and_buoyancy_ += potential_ - sum.potential;
+  }
   potential_ = sum.potential, has_begun_ = true;
   return sum.forces;
 }
 
 Vec3d Floating::resist(Particles& particles, double dt) {
-  if (water_.drag == 0 && water_.damping == 0 && water_.added_mass == 0) return {};
+  if (!resists()) return {};
   const double density = particles.density();
-  const Resisted sum = sum_in_blocks<Resisted>(slots_.size(), [&](std::size_t k) {
+  const Resistance sum = sum_in_blocks<Resistance>(slots_.size(), [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d before = particles.force_density.at(slot), velocity = particles.velocity.at(slot);
     const double height = particles.size_of(slot), wet = water_.submerged(particles.position.at(slot).z, height);
@@ -98,14 +89,13 @@ Vec3d Floating::resist(Particles& particles, double dt) {
         water_.damping + (drags ? 0.5 * water_.density * water_.drag * height * height * wet * norm(velocity) / (density * particles.volume(slot)) : 0);
     Vec3d after = before;
     for (std::size_t c = 0; c < 3; ++c)
-      if (moves_[k][c]) after[c] = (before[c] - density * damping * velocity[c]) / (1 + 0.5 * damping * dt);
+      if (moves_[k][c]) after[c] = damped(before[c], velocity[c], density, damping, dt);
     if (moves_[k][2]) after.z *= density / (density + water_.added_mass * water_.density * wet);
     particles.force_density.set(slot, after);
-    const Vec3d force = particles.volume(slot) * (after - before);
-    return Resisted{force, dot(force, velocity + 0.5 * dt / density * after)};
+    return forces_.note(k, particles.volume(slot) * (after - before), dt * velocity);
   });
-  account.add({}, 0.5 * dt * (power_ + sum.power));
-  power_ = sum.power;
+  account.add({}, sum.work);
+  work_of_drag_ += sum.work;
   return sum.force;
 }
 

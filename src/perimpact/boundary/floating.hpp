@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "perimpact/boundary/account.hpp"
+#include "perimpact/boundary/damped.hpp"
 #include "perimpact/boundary/slot_sum.hpp"
 #include "perimpact/force/exposure.hpp"
 #include "perimpact/particles/particles.hpp"
@@ -42,7 +43,8 @@ std::optional<double> floating_level(const Particles& particles, std::span<const
 
 class Floating {
  public:
-  Floating(std::vector<std::uint32_t> slots, const Particles& particles, const Water& water);
+  /// `floats_at` [m]: floating_level() of the slots, not a number where they sink.
+  Floating(std::vector<std::uint32_t> slots, const Water& water, double floats_at);
 
   std::span<const std::uint32_t> slots() const { return slots_; }
   const Water& water() const { return water_; }
@@ -60,26 +62,33 @@ class Floating {
   /// Drag, damping and added mass for the coming step of dt [s], after all other forces but those that hold. Returns the force [N].
   Vec3d resist(Particles& particles, double dt);
 
-  /// Heard of both: the force on the body at this instant.
+  double work_of_weight_and_buoyancy() const { return work_of_weight_and_buoyancy_; }  ///< [J] done on the body so far
+  double work_of_drag() const { return work_of_drag_; }                                ///< [J] likewise, of drag, damping and added mass
+
+  /// Heard of both: the force on the body at this instant, and the sum of the two works.
   BoundaryAccount account;
 
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     account.visit_record(name, visit);
-    double all[] = {potential_, power_, has_begun_ ? 1.0 : 0.0};
+    forces_.visit_record(name, visit);
+    double all[] = {potential_, has_begun_ ? 1.0 : 0.0, work_of_weight_and_buoyancy_, work_of_drag_};
     visit(name + ".water", std::span<double>(all));
-    potential_ = all[0], power_ = all[1], has_begun_ = all[2] != 0;
+    potential_ = all[0], has_begun_ = all[1] != 0, work_of_weight_and_buoyancy_ = all[2], work_of_drag_ = all[3];
   }
 
  private:
+  bool resists() const { return water_.drag != 0 || water_.damping != 0 || water_.added_mass != 0; }
+
   std::vector<std::uint32_t> slots_;
   std::vector<std::array<bool, 3>> moves_;  // of each slot along x, y, z
   Water water_;
   double floats_at_;
   std::optional<Exposure> exposure_;
-  double potential_ = 0;    // [J] at the latest instant
-  double power_ = 0;        // [W] of drag, damping and added mass
-  bool has_begun_ = false;  // potential_ is known
+  ForcesOnTheWay forces_;                                      // of drag, damping and added mass; of no particle where there is none of them
+  double potential_ = 0;                                       // [J] at the latest instant
+  bool has_begun_ = false;                                     // potential_ is known
+  double work_of_weight_and_buoyancy_ = 0, work_of_drag_ = 0;  // [J]
 };
 
 }  // namespace perimpact

@@ -38,16 +38,18 @@ void Held::lead_back(Particles& particles, const fccda::Step& step, std::vector<
   for (std::size_t c = 0; c < 3; ++c)
     if (courses_[c]) displacement[c] = courses_[c]->displacement(step.t1), velocity[c] = courses_[c]->velocity(step.t0, step.t1);
   for (const std::uint32_t slot : slots_) {
-    Vec3d change{};
+    Vec3d change{}, unpaid{};  // [m/s]
     for (std::size_t c = 0; c < 3; ++c) {
       if (!courses_[c]) continue;
       change[c] = velocity[c] - particles.velocity.component(c)[slot];
+      unpaid[c] = -0.5 * (change[c] + step.dt / particles.density() * particles.force_density.component(c)[slot]);
       particles.velocity.component(c)[slot] = velocity[c];
       particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement[c];
     }
     if (change == Vec3d{}) continue;
     const Vec3d impulse = particles.mass(slot) * change;
     account.add(impulse, dot(impulse, velocity));
+    undone_ += dot(impulse, unpaid);
     displaced.push_back(slot);
   }
 }

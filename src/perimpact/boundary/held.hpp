@@ -40,7 +40,7 @@ class Held {
   /// After the particles were advanced. `travel`: what advance() wrote, raised where the course is longer.
   void lead(Particles& particles, const fccda::Step& step, std::span<double> travel) const;
 
-  /// After contact. Adds the slots that it had displaced to `displaced`.
+  /// After contact, in the same step. Adds the slots that it had displaced to `displaced`.
   void lead_back(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t>& displaced);
 
   /// Takes over the force density of the held directions for the step that comes: the last of all forces.
@@ -52,11 +52,15 @@ class Held {
   /// [m] of the held directions at that time.
   Vec3d displacement(double time) const;
 
+  /// [J] what leading back did to particles beyond the work of the holder, so far: it undoes what contact is said to have done to them.
+  double undone() const { return undone_; }
+
   BoundaryAccount account;
 
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     account.visit_record(name, visit);
+    visit(name + ".undone", std::span<double>(&undone_, 1));
   }
 
  private:
@@ -65,6 +69,7 @@ class Held {
 
   std::vector<std::uint32_t> slots_;
   Courses courses_;
+  double undone_ = 0;
 };
 
 }  // namespace perimpact

@@ -80,13 +80,20 @@ struct Unbreakable {
   }
 };
 
+/// What to do with bonds as they break: nothing.
+struct LeaveBroken {
+  template <class Bond>
+  void operator()(const Bond&) const {}
+};
+
 /// Calls per_bond(BondNow) for every bond that at least one particle of the pack still has. `x`: components of the current
-/// positions; `breaking`: force/breaking.hpp.
+/// positions; `breaking`: force/breaking.hpp; per_broken(BondNow) is called for those that break, with the lanes in which they do in place of the intact ones.
 ///
 /// Breaking is done here, where the squared length is at hand: a pass of its own costs 45 % more, this one 10 to 20 %. Both ends of a bond
 /// compute the same squared length to the last bit, so that they break together.
-template <class Pack, class Bonds, class Breaking, class PerBond>
-inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>& x, std::size_t slot, const Breaking& breaking, PerBond&& per_bond) {
+template <class Pack, class Bonds, class Breaking, class PerBond, class PerBroken = LeaveBroken>
+inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>& x, std::size_t slot, const Breaking& breaking, PerBond&& per_bond,
+                          [[maybe_unused]] const PerBroken& per_broken = {}) {
   using namespace fccda;
   const Vec3<Pack> xi{load<Pack>(x[0] + slot), load<Pack>(x[1] + slot), load<Pack>(x[2] + slot)};
   const std::size_t eight = slot / byte_lanes, first = slot % byte_lanes, rows = bonds.rows(eight);
@@ -105,6 +112,7 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
         bytes[row] = static_cast<std::uint8_t>(bytes[row] & ~(broken << first));
         breaking.count(broken);
         intact &= ~broken;
+        per_broken(BondNow<Pack, Bonds>{index, neighbour, broken, between, squared_length});
       }
     }
     per_bond(BondNow<Pack, Bonds>{index, neighbour, intact, between, squared_length});

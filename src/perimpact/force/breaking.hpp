@@ -98,9 +98,15 @@ class Breaking {
   /// `strength` [-] of each slot (damage/strength.hpp); where empty, 1 everywhere.
   Breaking(const BreakingRule& rule, const std::vector<double>& strength, const Family& family, const Particles& particles);
 
+  /// Takes up how far the particles are pressed together where they are now, for rules that ask for it. Before each pass in which bonds may break.
+  template <class Pack>
+  void follow(const Particles& particles, Family& family);
+
   bool is_armed() const { return rule_.has_value(); }
   const std::optional<BreakingRule>& rule() const { return rule_; }
-  double bytes() const { return static_cast<double>(sizeof(double) * (half_strength_.slots() + squared_limits_.size() + lengths_.size())); }
+  double bytes() const {
+    return static_cast<double>(sizeof(double) * (half_strength_.slots() + first_half_strength_.size() + squared_limits_.size() + lengths_.size()));
+  }
 
   /// Calls f(breaker) with the kind of breaker that does no more than the rule needs. `family`: the one of the constructor; `may_break` false: no bond
   /// breaks now.
@@ -129,7 +135,8 @@ class Breaking {
  private:
   std::optional<BreakingRule> rule_;
   std::vector<double> squared_limits_, lengths_;  // [m²] [m] of each bond of the stencil
-  ScalarArray half_strength_;                     // [-] k/2; empty where all are 1 and compression breaks nothing
+  ScalarArray half_strength_;                     // [-] k/2; empty where all are 1 and compression changes nothing
+  std::vector<double> first_half_strength_;       // [-] where the rule hardens: the same of particles that are not pressed together
 };
 
 }  // namespace perimpact

@@ -58,6 +58,7 @@ struct ListShapes {
 /// What all passes over one body read and write.
 template <std::size_t D, class Bonds, class Shapes>
 struct BodyView {
+  const Particles& particles;
   std::array<const double*, 3> x;
   Bonds bonds;
   Shapes shapes;
@@ -131,20 +132,67 @@ Pack remainder_of_pack(const View& body, std::size_t slot, const SmallMatrix<Pac
   return sum;
 }
 
-/// B and c of the particles of one pack; returns their energy density [J/m³], if asked to.
-template <std::size_t D, class Pack, class View, class Breaking>
-Pack response_of_pack(const View& body, std::size_t slot, const Breaking& breaking, std::uint8_t* known, bool with_energy) {
+/// Bonds as they were when K⁻¹ was made.
+template <class Bonds>
+struct KnownBonds : Bonds {
+  std::uint8_t* known;
+  std::uint8_t* bytes(std::size_t) const { return known; }
+};
+
+/// W - dt W'/2 [J] of the particles of a pack, from these bonds and the K⁻¹ and χ that are kept: their energy in the middle of the step that led here.
+template <std::size_t D, class Pack, class View>
+[[gnu::noinline, gnu::cold]] double energy_amid_step(const View& body, std::size_t slot, double dt) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
   SmallMatrix<Pack, D> moment;
-  for_each_bond<Pack>(body.bonds, body.x, slot, breaking, [&](const auto& bond) {
+  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
     add_outer(moment, bond.between, body.shapes.template reference<Pack>(bond, of_i), keep_where(bond.intact, body.shapes.template weight<Pack>(bond.index)));
   });
+  const auto response = body.law.respond(moment, inverse_shape_of<D, Pack>(body, slot), load<Pack>(body.shape[D * (D + 1) / 2] + slot));
+  const std::array<const double*, 3> v = body.particles.velocity.pointers();
+  Pack power(0.0);  // Σ t·(v_j - v_i) [W/m³]
+  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+    const Vec3<Pack> xi = body.shapes.template reference<Pack>(bond, of_i);
+    Pack sum(0.0);
+    for (std::size_t r = 0; r < 3; ++r) {
+      Pack pull = response.along * bond.between[r];
+      if (r < D)
+        for (std::size_t s = 0; s < D; ++s) pull = fused(response.through.m[r][s], xi[s], pull);
+      sum = fused(pull, bond.neighbour.of(v[r]) - load<Pack>(v[r] + slot), sum);
+    }
+    power = fused(keep_where(bond.intact, body.shapes.template weight<Pack>(bond.index)), sum, power);
+  });
+  const Pack energy = fused(Pack(0.5) * response.along, remainder_of_pack<D, Pack>(body, slot, response.gradient), response.energy);
+  return energy_of_pack(fused(Pack(-0.5 * dt), power, energy), body.particles, slot);
+}
+
+/// B and c of the particles of one pack; returns their energy density [J/m³], if asked to. Adds to `fracture` [J].
+template <std::size_t D, class Pack, class View, class Breaking>
+Pack response_of_pack(const View& body, std::size_t slot, const Breaking& breaking, std::uint8_t* known, const PassOptions& options, double& fracture) {
+  if constexpr (Breaking::is_armed) follow_bonds<D, Pack>(body, slot, known);  // such as a checkpoint brought: what breaks now is counted from there
+  const auto of_i = body.shapes.template of_particle<Pack>(slot);
+  [[maybe_unused]] bool broke = false;
+  SmallMatrix<Pack, D> moment;
+  for_each_bond<Pack>(
+      body.bonds, body.x, slot, breaking,
+      [&](const auto& bond) {
+        add_outer(moment, bond.between, body.shapes.template reference<Pack>(bond, of_i),
+                  keep_where(bond.intact, body.shapes.template weight<Pack>(bond.index)));
+      },
+      [&](const auto&) { broke = true; });
+  if (broke) [[unlikely]] {
+    using Bonds = std::decay_t<decltype(body.bonds)>;
+    BodyView<D, KnownBonds<Bonds>, std::decay_t<decltype(body.shapes)>> before{
+        body.particles, body.x, KnownBonds<Bonds>{body.bonds, known}, body.shapes, body.law, body.shape, body.bound_at_first, body.response};
+    fracture += energy_amid_step<D, Pack>(before, slot, options.dt);
+  }
   follow_bonds<D, Pack>(body, slot, known);
+  if (broke) [[unlikely]]
+    fracture -= energy_amid_step<D, Pack>(body, slot, options.dt);
   const auto response = body.law.respond(moment, inverse_shape_of<D, Pack>(body, slot), load<Pack>(body.shape[D * (D + 1) / 2] + slot));
   for (std::size_t r = 0; r < D; ++r)
     for (std::size_t s = 0; s < D; ++s) store(body.response[r * D + s] + slot, response.through.m[r][s]);
   store(body.response[D * D] + slot, response.along);
-  if (!with_energy) return Pack(0.0);
+  if (!options.with_energy) return Pack(0.0);
   return fused(Pack(0.5) * response.along, remainder_of_pack<D, Pack>(body, slot, response.gradient), response.energy);
 }
 
@@ -173,7 +221,7 @@ template <std::size_t D>
 template <class Visit>
 void CorrespondenceForce<D>::with_bonds(const Particles& particles, Family& family, const Visit& visit) {
   const auto view = [&]<class Bonds, class Shapes>(const Bonds& bonds, const Shapes& shapes) {
-    BodyView<D, Bonds, Shapes> body{particles.position.pointers(), bonds, shapes, law_, {}, bound_at_first_.data(), {}};
+    BodyView<D, Bonds, Shapes> body{particles, particles.position.pointers(), bonds, shapes, law_, {}, bound_at_first_.data(), {}};
     for (std::size_t n = 0; n <= symmetric; ++n) body.shape[n] = shape_.component(n);
     for (std::size_t n = 0; n < loads; ++n) body.response[n] = response_.component(n);
     visit(body);
@@ -218,6 +266,7 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking 
 template <std::size_t D>
 template <class Pack>
 void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+  if (options.may_break) breaking_.follow<Pack>(particles, family);
   const std::ptrdiff_t row_count = static_cast<std::ptrdiff_t>(particles.rows());
   const auto for_each_pack = [&](std::size_t row, const auto& per_pack) {
     const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
@@ -227,7 +276,8 @@ void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const Pa
     const auto responses = [&](std::size_t row, const auto& breaking) {
       double energy = 0;
       for_each_pack(row, [&](std::size_t slot) {
-        const Pack density = response_of_pack<D, Pack>(body, slot, breaking, known_.data() + family.begin(slot / byte_lanes), options.with_energy);
+        const Pack density =
+            response_of_pack<D, Pack>(body, slot, breaking, known_.data() + family.begin(slot / byte_lanes), options, rows.fracture_energy[row]);
         if (options.with_energy) energy += energy_of_pack(density, particles, slot);
       });
       if (options.with_energy) rows.energy[row] = energy;

@@ -7,14 +7,15 @@ using fccda::NativePack;
 InternalForce::InternalForce(Kind kind, const Particles& particles) : kind_(std::move(kind)) {
   rows_.energy.assign(particles.rows(), 0);
   rows_.broken_ends.assign(particles.rows(), 0);
+  rows_.fracture_energy.assign(particles.rows(), 0);
 }
 
-void InternalForce::evaluate(Particles& particles, Family& family) {
-  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {}, rows_); }, kind_);
+void InternalForce::evaluate(Particles& particles, Family& family, double dt) {
+  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.dt = dt}, rows_); }, kind_);
 }
 
-double InternalForce::evaluate_with_energy(Particles& particles, Family& family) {
-  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.with_energy = true}, rows_); }, kind_);
+double InternalForce::evaluate_with_energy(Particles& particles, Family& family, double dt) {
+  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.with_energy = true, .dt = dt}, rows_); }, kind_);
   double sum = 0;
   for (const double energy : rows_.energy) sum += energy;
   return sum;
@@ -24,14 +25,20 @@ void InternalForce::evaluate_unbroken(Particles& particles, Family& family) {
   std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.may_break = false}, rows_); }, kind_);
 }
 
-void InternalForce::evaluate_scalar(Particles& particles, Family& family) {
-  std::visit([&](auto& force) { force.template pass<double>(particles, family, {}, rows_); }, kind_);
+void InternalForce::evaluate_scalar(Particles& particles, Family& family, double dt) {
+  std::visit([&](auto& force) { force.template pass<double>(particles, family, {.dt = dt}, rows_); }, kind_);
 }
 
 std::size_t InternalForce::broken_bonds() const {
   std::size_t ends = 0;
   for (const std::size_t count : rows_.broken_ends) ends += count;
   return ends / 2;
+}
+
+double InternalForce::fracture_energy() const {
+  double sum = 0;
+  for (const double energy : rows_.fracture_energy) sum += energy;
+  return sum;
 }
 
 const Correspondence* InternalForce::correspondence() const {

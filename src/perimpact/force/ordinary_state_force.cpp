@@ -43,29 +43,89 @@ struct BodyView {
   const CorrectionFactors& correction;
   const OrdinaryState& law;
   RowSums& rows;
+  double dt;  // [s], as in PassOptions
 };
 
-/// θ of the particles of one pack.
-template <class Pack, class View, class Breaker, class Correction>
-void dilatation_of_pack(const View& body, std::size_t slot, const Breaker& breaking, const Correction& correction) {
+/// y_j' - y_i' [m/s] of the bonds of a pack.
+template <class Pack, class View, class Bond>
+Vec3<Pack> parting(const View& body, std::size_t slot, const Bond& bond) {
+  const std::array<const double*, 3> v = body.particles.velocity.pointers();
+  return {bond.neighbour.of(v[0]) - load<Pack>(v[0] + slot), bond.neighbour.of(v[1]) - load<Pack>(v[1] + slot),
+          bond.neighbour.of(v[2]) - load<Pack>(v[2] + slot)};
+}
+
+/// What the stretch of bonds that just broke held in the middle of the step, u - dt u'/2 [J], at this end, summed over the lanes that `bond.intact` names.
+template <class Pack, class View, class Bond, class Correction>
+[[gnu::noinline, gnu::cold]] double held_by_broken(const View& body, std::size_t slot, const Bond& bond, const Correction& correction) {
+  const auto& folded = body.constants.template constants<Pack>(bond.index);
+  const Pack inverse_length = inverse_square_root(bond.squared_length);
+  const Pack pull = OrdinaryState::stretch_force(folded, inverse_length);  // a bond's energy is shared by its ends: so is the power of its force
+  const Pack rate = Pack(0.5) * pull * dot(bond.between, parting<Pack>(body, slot, bond));
+  const Pack held = OrdinaryState::stretch_energy(folded, bond.squared_length * inverse_length) - Pack(0.5 * body.dt) * rate;
+  const Pack density = correction.stretch.corrected(held, correction.stretch.template of<Pack>(slot), bond.index, bond.neighbour);
+  return energy_of_pack(keep_where(bond.intact, density), body.particles, slot);
+}
+
+/// What bonds of a pack add to the rate of θ [1/s].
+template <class Pack, class View, class Bond>
+Pack dilatation_rate(const View& body, std::size_t slot, const Bond& bond) {
+  return Pack(body.constants.template constants<Pack>(bond.index).theta_slope) * inverse_square_root(bond.squared_length) *
+         dot(bond.between, parting<Pack>(body, slot, bond));
+}
+
+/// What the dilatation of the particles of a pack gave up, a θ² - dt (a θ²)'/2 before less after [J]. Of the broken bonds: `gone` [-] what they had added to
+/// the sum θ, `gone_rate` [1/s] to its rate; `sum`: what is left.
+template <class Pack, class View, class Correction>
+[[gnu::noinline, gnu::cold]] double given_up_by_dilatation(const View& body, std::size_t slot, Pack sum, Pack gone, Pack gone_rate,
+                                                           const Correction& correction) {
   const auto of_i = correction.dilatation.template of<Pack>(slot);
-  Pack theta(0.0);
-  for_each_bond<Pack>(body.bonds, body.x, slot, breaking, [&](const auto& bond) {
-    const Pack term = OrdinaryState::dilatation(body.constants.template constants<Pack>(bond.index), length_of(bond.squared_length));
-    theta += keep_where(bond.intact, correction.dilatation.corrected(term, of_i, bond.index, bond.neighbour));
+  Pack rate(0.0);
+  for_each_bond<Pack>(body.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
+    const Pack slope = dilatation_rate<Pack>(body, slot, bond);
+    rate += keep_where(bond.intact, correction.dilatation.corrected(slope, of_i, bond.index, bond.neighbour));
   });
+  const auto density = [&](Pack of_sum, Pack of_rate) {
+    const Pack theta = correction.dilatation_of(correction.pushing(of_sum, slot), slot),
+               change = correction.dilatation_of(correction.pushing(of_rate, slot), slot);
+    return body.law.dilatation_energy(theta) - Pack(body.dt * body.law.a()) * theta * change;
+  };
+  return energy_of_pack(density(sum + gone, rate + gone_rate) - density(sum, rate), body.particles, slot);
+}
+
+/// θ of the particles of one pack. Adds to `fracture` [J].
+template <class Pack, class View, class Breaker, class Correction>
+void dilatation_of_pack(const View& body, std::size_t slot, const Breaker& breaking, const Correction& correction, double& fracture) {
+  const auto of_i = correction.dilatation.template of<Pack>(slot);
+  const auto term_of = [&](const auto& bond) {
+    const Pack term = OrdinaryState::dilatation(body.constants.template constants<Pack>(bond.index), length_of(bond.squared_length));
+    return keep_where(bond.intact, correction.dilatation.corrected(term, of_i, bond.index, bond.neighbour));
+  };
+  Pack theta(0.0);
+  [[maybe_unused]] Pack gone(0.0), gone_rate(0.0);
+  [[maybe_unused]] bool broke = false;
+  for_each_bond<Pack>(
+      body.bonds, body.x, slot, breaking, [&](const auto& bond) { theta += term_of(bond); },
+      [&](const auto& bond) {
+        fracture += held_by_broken<Pack>(body, slot, bond, correction);
+        gone += term_of(bond);
+        gone_rate += keep_where(bond.intact, correction.dilatation.corrected(dilatation_rate<Pack>(body, slot, bond), of_i, bond.index, bond.neighbour));
+        broke = true;
+      });
+  if constexpr (Breaker::is_armed)
+    if (broke) [[unlikely]]
+      fracture += given_up_by_dilatation(body, slot, theta, gone, gone_rate, correction);
   store(body.theta + slot, correction.pushing(theta, slot));
 }
 
-/// Force density of the particles of one pack; returns their energy [J], summed, if asked to.
+/// Force density of the particles of one pack; returns their energy [J], summed, if asked to. Adds to `fracture` [J].
 template <class Pack, bool has_dilatation, bool with_energy, class View, class Breaker, class Correction>
-double force_of_pack(const View& body, std::size_t slot, const Breaker& breaking, const Correction& correction) {
+double force_of_pack(const View& body, std::size_t slot, const Breaker& breaking, const Correction& correction, double& fracture) {
   const auto stretch_of_i = correction.stretch.template of<Pack>(slot);
   const auto dilatation_of_i = correction.dilatation.template of<Pack>(slot);
   const Pack theta_i = has_dilatation ? load<Pack>(body.theta + slot) : Pack(0.0);
   Vec3<Pack> force{Pack(0.0), Pack(0.0), Pack(0.0)};
   Pack energy(0.0);
-  for_each_bond<Pack>(body.bonds, body.x, slot, breaking, [&](const auto& bond) {
+  const auto add = [&](const auto& bond) {
     const auto& folded = body.constants.template constants<Pack>(bond.index);
     const Pack inverse_length = inverse_square_root(bond.squared_length);
     Pack pull = correction.stretch.corrected(OrdinaryState::stretch_force(folded, inverse_length), stretch_of_i, bond.index, bond.neighbour);
@@ -81,7 +141,8 @@ double force_of_pack(const View& body, std::size_t slot, const Breaker& breaking
       const Pack stored = OrdinaryState::stretch_energy(folded, bond.squared_length * inverse_length);
       energy += keep_where(bond.intact, correction.stretch.corrected(stored, stretch_of_i, bond.index, bond.neighbour));
     }
-  });
+  };
+  for_each_bond<Pack>(body.bonds, body.x, slot, breaking, add, [&](const auto& bond) { fracture += held_by_broken<Pack>(body, slot, bond, correction); });
   store(body.force.component(0) + slot, force.x);
   store(body.force.component(1) + slot, force.y);
   store(body.force.component(2) + slot, force.z);
@@ -108,7 +169,9 @@ void all_rows(const View& body, const Breaker& breaker, const Correction& correc
     parallel_for(rows, [&](std::ptrdiff_t r) {
       const std::size_t row = static_cast<std::size_t>(r);
       const auto breaking = breaker.counting(body.rows.broken_ends[row]);
-      for_each_pack<Pack>(body, row, corrections, [&](std::size_t slot, const auto& factors) { dilatation_of_pack<Pack>(body, slot, breaking, factors); });
+      for_each_pack<Pack>(body, row, corrections, [&](std::size_t slot, const auto& factors) {
+        dilatation_of_pack<Pack>(body, slot, breaking, factors, body.rows.fracture_energy[row]);
+      });
     });
   }
   parallel_for(rows, [&](std::ptrdiff_t r) {
@@ -116,7 +179,7 @@ void all_rows(const View& body, const Breaker& breaker, const Correction& correc
     double energy = 0;
     const auto forces = [&](const auto& breaking) {
       for_each_pack<Pack>(body, row, corrections, [&](std::size_t slot, const auto& factors) {
-        energy += force_of_pack<Pack, has_dilatation, with_energy>(body, slot, breaking, factors);
+        energy += force_of_pack<Pack, has_dilatation, with_energy>(body, slot, breaking, factors, body.rows.fracture_energy[row]);
       });
     };
     if constexpr (has_dilatation)
@@ -174,10 +237,11 @@ OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, Breaking breaking, Cor
 
 template <class Pack>
 void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+  if (options.may_break) breaking_.follow<Pack>(particles, family);
   const auto over = [&](const auto& bonds, const auto& constants, const auto& corrections) {
     using Bonds = std::decay_t<decltype(bonds)>;
     const BodyView<Bonds, std::decay_t<decltype(constants)>> body{
-        particles, particles.position.pointers(), particles.force_density, theta_.component(0), bonds, constants, correction_, law_, rows};
+        particles, particles.position.pointers(), particles.force_density, theta_.component(0), bonds, constants, correction_, law_, rows, options.dt};
     breaking_.template choose<Bonds>(family, options.may_break, [&](const auto& breaker) { run<Pack>(body, breaker, options, corrections); });
   };
   const double* half = correction_.own_family().component(0);

@@ -13,11 +13,13 @@ namespace perimpact {
 struct RowSums {
   std::vector<double> energy;            ///< [J] of the last pass that was asked for it
   std::vector<std::size_t> broken_ends;  ///< since construction
+  std::vector<double> fracture_energy;   ///< [J] since construction: what breaking took of the elastic energy (docs/theory/energy.md)
 };
 
 struct PassOptions {
   bool with_energy = false;
   bool may_break = true;  ///< false: bonds that are too long stay
+  double dt = 0;          ///< [s] of the step that led to these positions with the particles' velocities; 0: of a state of equilibrium
 };
 
 /// Σ of energy density times volume over the particles of a pack [J].

@@ -147,10 +147,13 @@ std::span<const Contact> Impactor::strike_again(std::size_t body, StruckParticle
 }
 
 std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, StruckParticles& particles) {
+  const Vec3d velocity = body_.velocity(), spin = body_.angular_velocity();
   const Tally tally = respond(particles, contacts_, motion_, body_, friction_, [&](const Contact& contact, const Vec3d& impulse) {
     for (NamedGauge& named : gauges_) named.gauge.add(contact, particles.position_t1(contact.point), impulse, motion_);
     record_.add(body, contact, impulse);
+    work_on_particles_ += particles.work_of(contact.point, -impulse);
   });
+  work_of_contact_ += 0.5 * (dot(tally.impulse, velocity + body_.velocity()) + dot(tally.angular_impulse_about_com, spin + body_.angular_velocity()));
   account_.impulse += tally.impulse;
   account_.angular_impulse += tally.angular_impulse_about_com;
   const std::size_t fresh = add_struck();

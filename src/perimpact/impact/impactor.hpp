@@ -108,6 +108,8 @@ class Impactor {
   bool coasts() const { return prescribed_.is_empty() && loads_.empty() && !water_; }
   double work_of_holder() const { return body_.work_of_holder(); }  ///< [J] done so far by what holds and drives the degrees of freedom that are not free
   double work_of_loads() const { return work_of_loads_; }           ///< [J] done so far by the applied loads
+  double work_of_contact() const { return work_of_contact_; }       ///< [J] done on it so far by contact
+  double work_on_particles() const { return work_on_particles_; }   ///< [J] done so far on the particles that it struck (docs/theory/energy.md)
   double work_of_water() const { return work_of_water_; }           ///< [J] done so far by weight, buoyancy and their damping
 
   const std::optional<fccda::StillWater>& water() const { return water_; }
@@ -143,6 +145,8 @@ class Impactor {
     fccda::visit_vector(account, "impulse", account_.impulse);
     fccda::visit_vector(account, "angular_impulse", account_.angular_impulse);
     account("contacts", account_.contacts);
+    account("work_of_contact", work_of_contact_);
+    account("work_on_particles", work_on_particles_);
     if (water_) {
       account("water_impulse", account_.water_impulse);
       fccda::visit_vector(account, "water_angular_impulse", account_.water_angular_impulse);
@@ -179,7 +183,8 @@ class Impactor {
   std::vector<NamedGauge> gauges_;
   std::optional<fccda::StillWater> water_;
   std::optional<PlacedInWater> placed_in_water_;
-  double work_of_loads_ = 0, work_of_water_ = 0;  // [J]
+  double work_of_loads_ = 0, work_of_water_ = 0;        // [J]
+  double work_of_contact_ = 0, work_on_particles_ = 0;  // [J]
   ContactRecord record_;
 };
 

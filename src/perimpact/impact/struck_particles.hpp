@@ -21,6 +21,12 @@ class StruckParticles {
   Vec3d position_t0(std::size_t slot) const { return particles_.position.at(slot) - dt_ * particles_.velocity.at(slot); }
   Vec3d velocity(std::size_t slot) const { return particles_.velocity.at(slot); }
   double mass(std::size_t slot) const { return particles_.mass(slot); }
+  /// [J] what an impulse [N s] that led to the present velocity did: kick and drift pair it with the mean of this velocity and that of the step before, which
+  /// is half the ways before and after it. So the work of all other forces on the way that contact added is in it (docs/theory/energy.md).
+  double work_of(std::size_t slot, const Vec3d& impulse) const {
+    const Vec3d kick = (dt_ / particles_.density()) * particles_.force_density.at(slot);
+    return dot(impulse, particles_.velocity.at(slot) - 0.5 * (impulse / particles_.mass(slot) + kick));
+  }
 
   std::size_t block_count() const { return travel_.size(); }
   std::size_t block_begin(std::size_t block) const { return block * travel_block; }

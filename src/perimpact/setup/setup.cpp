@@ -33,7 +33,7 @@ enum class WithPoissonsRatio { no, yes };
 /// The fields of what all materials have.
 template <class S>
 std::vector<Field<S>> elastic_fields(WithPoissonsRatio poisson, std::vector<Field<S>> own = {}) {
-  std::vector<Field<S>> all{{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), required, "Young's modulus E."}};
+  std::vector<Field<S>> all{{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), optional, "Young's modulus E. Needed, unless ice gives it."}};
   if (poisson == WithPoissonsRatio::yes)
     all.push_back({"poissons_ratio", &S::poissons_ratio, "1", strictly_between(-1, 0.5), optional,
                    std::is_same_v<S, CorrespondenceSetup>
@@ -66,6 +66,18 @@ Field<S> influence_field() {
 }
 
 }  // namespace
+
+std::span<const Field<IceSetup>> IceSetup::fields() {
+  using S = IceSetup;
+  static const Field<S> all[] = {
+      {"temperature", &S::temperature, "degC", between(-22.9, -0.5), optional, "Temperature of the ice, the mean over its thickness."},
+      {"salinity", &S::salinity, "g/kg", between(0, 35), optional, "Salinity of the ice; 0 is fresh-water ice."},
+      {"brine_volume", &S::brine_volume, "1", between(0, 0.25), optional,
+       "In place of temperature and salinity: share of the ice's volume that is brine, 0.05 for 50 parts in a thousand."},
+      {"thickness", &S::thickness, "m", positive(), optional,
+       "Thickness of the ice that bends, in place of layers. Where both are absent, the body's thinnest direction."}};
+  return all;
+}
 
 std::span<const Field<OrdinaryStateSetup>> OrdinaryStateSetup::fields() {
   static const auto all = elastic_fields<OrdinaryStateSetup>(WithPoissonsRatio::yes);
@@ -116,6 +128,9 @@ std::span<const Field<FailureSetup>> FailureSetup::fields() {
        "Whether bonds break in compression: none, symmetric (at the critical stretch too) or limit (at critical_compression)."},
       {"critical_compression", &S::critical_compression, "1", strictly_between(0, 1), optional,
        "A bond shorter than (1 - this) times its first length breaks, with compression: limit."},
+      {"compression_hardening", &S::compression_hardening, "1", between(0, 1), optional,
+       "α: the critical stretch grows by this times the largest compression of a bond of the two particles (their mean). Squeezed along one axis, "
+       "a body is then 1/(ν - α) times as strong as pulled: 0.1 for 6.7 with ν = 0.25. Ice has 5 to 10. Costs half a force evaluation a step."},
       {"weibull_modulus", &S::weibull_modulus, "1", between(1, 1000), optional,
        "Scatter: the critical stretch of each particle is multiplied by a random factor of Weibull's distribution with this modulus and mean 1; a bond takes "
        "the mean of its two. Where absent, no scatter."},
@@ -155,6 +170,13 @@ std::span<const Field<BodySetup>> BodySetup::fields() {
        optional,
        "What makes up for the missing bonds near a surface: energy (Madenci and Oterkus, interpolated), volume (Le and Bobaru) or none. automatic: energy; "
        "none for the models linear-peridynamic-solid and correspondence, which normalise each particle by its own family."},
+      {"bending_calibration",
+       &S::bending_calibration,
+       "",
+       {},
+       optional,
+       "x, y or z: the axis across a thin plate. All bonds are made stiffer by one factor, so that the bending stiffness of its few layers is that of a "
+       "plate; stretched in its plane it is too stiff by the same factor. For three to six layers. none: no factor."},
       {"plane",
        &S::plane,
        "",

@@ -31,6 +31,9 @@ enum class FamilyRule { hu_ha_bobaru, madenci_oterkus };
 inline constexpr std::string_view normalisation_words[] = {"lattice", "continuum"};
 enum class Normalisation { lattice, continuum };
 
+inline constexpr std::string_view thin_axis_words[] = {"none", "x", "y", "z"};
+enum class ThinAxis { none, x, y, z };
+
 inline constexpr std::string_view plane_words[] = {"none", "stress", "strain"};
 enum class PlaneState { none, stress, strain };  // as perimpact::Plane
 
@@ -80,6 +83,15 @@ struct TimeSetup {
 
 // ---- bodies ----
 
+/// Ice as engineers state it, in place of modulus and strength (docs/theory/ice.md).
+struct IceSetup {
+  std::optional<double> temperature;   ///< [°C] mean over the thickness
+  std::optional<double> salinity;      ///< [g/kg]
+  std::optional<double> brine_volume;  ///< [-] share of the volume; in place of the other two
+  std::optional<double> thickness;     ///< [m] that bends; gives the layers
+  static std::span<const Field<IceSetup>> fields();
+};
+
 /// What all materials have.
 struct ElasticSetup {
   double youngs_modulus{};  ///< [Pa]
@@ -90,6 +102,7 @@ struct ElasticSetup {
   std::optional<double> fracture_energy;    ///< [J/m²]
   std::optional<double> flexural_strength;  ///< [Pa]
   std::optional<int> layers;                ///< particles through the thickness that bends
+  std::optional<IceSetup> ice;              ///< has set what was not given
 };
 
 /// Ordinary state-based, linear, isotropic, after Madenci and Oterkus (docs/theory/ordinary_state.md).
@@ -127,6 +140,7 @@ using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBas
 struct FailureSetup {
   Choice compression{compression_words};
   std::optional<double> critical_compression;  ///< [-] positive, where compression is `limit`
+  double compression_hardening = 0;            ///< [-] α: pressed together, particles stand more pull across
   std::optional<double> weibull_modulus;       ///< [-] scatter of the strength of particles; none where absent
   std::optional<int> seed;                     ///< of the scatter; 1 where absent
   std::vector<std::string> no_fail;            ///< names of regions
@@ -144,8 +158,9 @@ struct BodySetup {
   Choice family{family_words};
   Choice normalisation{normalisation_words};
   Choice surface_correction{surface_correction_words};
-  bool published = false;     ///< the seed paper's discretisation: madenci-oterkus, continuum, none
-  Choice plane{plane_words};  ///< of a body of two dimensions, a single layer in z
+  Choice bending_calibration{thin_axis_words};  ///< the axis across a thin plate whose bending stiffness is made right
+  bool published = false;                       ///< the seed paper's discretisation: madenci-oterkus, continuum, none
+  Choice plane{plane_words};                    ///< of a body of two dimensions, a single layer in z
   MaterialSetup material;
   std::optional<FailureSetup> failure;
   std::vector<SolidSetup> parts;    ///< united with the shape

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "perimpact/force/stencil_sums.hpp"
 #include "perimpact/setup/setup_error.hpp"
+#include "perimpact/simulation/bending.hpp"
 #include "perimpact/solid/region.hpp"
 
 namespace perimpact {
@@ -17,6 +19,8 @@ namespace {
 Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
   return Stencil(setup.family.as<FamilyRule>(), lattice.spacing, setup.horizon_ratio, lattice.thickness);
 }
+
+int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
 /// One particle in each cell of the lattice whose centre is inside the solid.
 Particles filled(const BodySetup& setup, const BodySolid& solid) {
@@ -90,6 +94,36 @@ Value sum_over(const Particles& particles, Value total, const F& f) {
   return total;
 }
 
+constexpr int most_layers_that_bend = 40;  // from there on they lack less than a hundredth
+
+double relative_bending_stiffness(const BodySetup& setup, std::size_t axis, int layers) {
+  const IsotropicElastic elastic = elastic_of(setup);
+  const std::optional<double> thickness = setup.is_plane() ? std::optional(1.0) : std::nullopt;  // which cancels
+  const ThinLattice plate{*setup.spacing, thickness, axis, layers};
+  const Stencil stencil(setup.family.as<FamilyRule>(), plate.spacing, setup.horizon_ratio, thickness);
+  std::optional<FamilySums> sums;
+  if (setup.normalisation.as<Normalisation>() == Normalisation::lattice) sums = sums_of(stencil, influences_of(setup), elastic.poissons_ratio);
+  const OrdinaryState law(elastic, influences_of(setup), stencil.horizon(), thickness.value_or(1), sums);
+  return perimpact::relative_bending_stiffness(plate, law, correction_of(setup), stencil);
+}
+
+/// Throws SetupError where the layers across the axis of bending_calibration cannot be made to bend as a plate.
+double bending_calibration(const BodySetup& setup, const Particles& particles) {
+  const std::size_t axis = static_cast<std::size_t>(setup.bending_calibration.index) - 1;
+  const int layers = layers_along(axis, particles);
+  const auto refuse = [&](const std::string& reason) { throw SetupError("bodies." + setup.name + ".bending_calibration", reason); };
+  if (layers < 2 || layers > most_layers_that_bend)
+    refuse(fmt::format("body {} has {} layers of particles along {}, but bending_calibration is for plates of 2 to {} layers; {}.", setup.name, layers,
+                       setup.bending_calibration.word(), most_layers_that_bend,
+                       layers < 2 ? "take a smaller spacing" : "remove it, or name the thin direction"));
+  const double relative = relative_bending_stiffness(setup, axis, layers);
+  constexpr double least = 0.2;  // two layers have 0.11
+  if (relative < least)
+    refuse(fmt::format("{} layers of body {} have only {:.2g} of the bending stiffness of a plate, too little to be made up for; take three layers or more.",
+                       layers, setup.name, relative));
+  return 1 / relative;
+}
+
 std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& particles) {
   std::vector<std::size_t> slots;
   if (!setup.failure) return slots;
@@ -101,6 +135,21 @@ std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& 
 }
 
 }  // namespace
+
+std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Particles& particles) {
+  if (!particles.lattice() || std::holds_alternative<CorrespondenceSetup>(setup.material)) return {};
+  const Vec3d size = extent(particles);
+  std::size_t thin = 0;
+  for (std::size_t axis = 1; axis < (particles.is_plane() ? 2u : 3u); ++axis)
+    if (size[axis] < size[thin]) thin = axis;
+  double next = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < (particles.is_plane() ? 2u : 3u); ++axis)
+    if (axis != thin) next = std::min(next, size[axis]);
+  constexpr double slender = 4;  // bodies less wide hardly bend
+  const int layers = layers_along(thin, particles);
+  if (layers < 2 || layers > most_layers_that_bend || next < slender * size[thin]) return {};
+  return BendingOfLayers{thin, layers, relative_bending_stiffness(setup, thin, layers)};
+}
 
 IsotropicElastic elastic_of(const BodySetup& setup) {
   return IsotropicElastic::in(setup.plane.as<Plane>(), setup.elastic().youngs_modulus, poissons_ratio_of(setup));
@@ -114,7 +163,7 @@ Particles make_particles(const BodySetup& setup, const Discretisation& discretis
 }
 
 Body make_body(const BodySetup& setup, Particles particles) {
-  const IsotropicElastic elastic = elastic_of(setup);
+  IsotropicElastic elastic = elastic_of(setup);
   const Influences influences = influences_of(setup);
   const double horizon = setup.horizon_ratio * particles.spacing();
 
@@ -127,6 +176,8 @@ Body make_body(const BodySetup& setup, Particles particles) {
   } else {
     family.emplace(find_bonds(setup.family.as<FamilyRule>(), horizon, particles), particles);
   }
+  std::optional<double> bending;
+  if (setup.bending_calibration.as<ThinAxis>() != ThinAxis::none) elastic.youngs_modulus *= bending.emplace(bending_calibration(setup, particles));
   const OrdinaryState law(elastic, influences, horizon, particles.thickness().value_or(1), lattice);
 
   const auto failure = failure_criterion(setup, law, *family, particles);
@@ -144,7 +195,7 @@ Body make_body(const BodySetup& setup, Particles particles) {
   CorrectionFactors correction(correction_of(setup), basis_of(law), *family, particles);
   std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);
   InternalForce internal(OrdinaryStateForce(law, std::move(breaking), std::move(correction), *family, particles), particles);
-  return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks)};
+  return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks), bending};
 }
 
 Vec3d Body::momentum() const {
@@ -155,6 +206,14 @@ double Body::kinetic_energy(double dt) const {
   const double half_kick = 0.5 * dt / particles.density();
   return 0.5 * sum_over(particles, 0.0, [&](std::size_t slot) {
            return particles.mass(slot) * fccda::squared_norm(particles.velocity.at(slot) + half_kick * particles.force_density.at(slot));
+         });
+}
+
+double Body::kinetic_energy_of_scheme(double dt) const {
+  const double kick = dt / particles.density();
+  return 0.5 * sum_over(particles, 0.0, [&](std::size_t slot) {
+           const Vec3d velocity = particles.velocity.at(slot);
+           return particles.mass(slot) * dot(velocity, velocity + kick * particles.force_density.at(slot));
          });
 }
 

@@ -45,16 +45,16 @@ std::optional<FailureCriterion> failure_criterion(const BodySetup& setup, const 
 }
 
 BreakingRule breaking_rule(const std::optional<FailureSetup>& setup, const FailureCriterion& criterion) {
-  if (!setup) return {criterion.stretch, {}};
+  if (!setup) return {criterion.stretch, {}, 0};
   switch (setup->compression.as<CompressionFailure>()) {
     case CompressionFailure::symmetric:
-      return {criterion.stretch, criterion.stretch};
+      return {criterion.stretch, criterion.stretch, 0};
     case CompressionFailure::limit:
-      return {criterion.stretch, setup->critical_compression};
+      return {criterion.stretch, setup->critical_compression, 0};
     case CompressionFailure::none:
       break;
   }
-  return {criterion.stretch, {}};
+  return {criterion.stretch, {}, setup->compression_hardening};
 }
 
 std::vector<double> strength_of(const std::optional<FailureSetup>& setup, const Particles& particles, const std::vector<std::size_t>& never) {

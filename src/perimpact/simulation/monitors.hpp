@@ -40,6 +40,7 @@ class Monitors {
   void visit_state(Visitor&& visit) {
     visit("row_time", row_time_);
     visit("first_energy", first_energy_);
+    visit("first_balance", first_balance_);
     visit("row", std::span<double>(row_));
   }
 
@@ -61,7 +62,8 @@ class Monitors {
   std::vector<std::string> columns_;
   std::vector<double> row_;
   bool is_first_ = true;
-  double first_energy_ = 0;  // [J]
+  double first_energy_ = 0;   // [J]
+  double first_balance_ = 0;  // [J]
 };
 
 }  // namespace perimpact

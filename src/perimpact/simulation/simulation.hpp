@@ -74,6 +74,7 @@ class Simulation {
   /// Likewise what was noted of the run so far: no step depends on it, but history, warnings and run.json do.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
+    for (Body& body : bodies_) body.visit_record(visit);
     for (Boundaries& boundaries : boundaries_) boundaries.visit_record(visit);
     for (Impactor& impactor : impactors_) impactor.visit_record(visit);
     if (fragments_) fragments_->visit_record(fccda::under("fragments", visit));

@@ -48,6 +48,10 @@ TEST_CASE("consistency of boundaries: each kind is read with its units and defau
   CHECK(prescribed.y->displacements == std::vector{0.0, 0.002});
   CHECK(!prescribed.z);
   CHECK(boundary<BodyForceSetup>("body_force: {force_density: [0, 0, -8 kN/m3]}").force_density == Vec3d{0, 0, -8000});
+  const auto floating = boundary<FloatingSetup>("floating: {level: -20 mm, gravity: 981 cm/s2, damping: 2 1/s}");
+  CHECK(*floating.level == -0.02);
+  CHECK(floating.gravity == 9.81);
+  CHECK(floating.damping == 2);
   const auto pressure = boundary<PressureSetup>("pressure: {face: -y, value: 2 bar, area: 4 cm2, times: [0, 1 s], factors: [0, 1]}");
   CHECK(pressure.face.word() == "-y");
   CHECK(pressure.value == 2e5);

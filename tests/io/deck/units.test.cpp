@@ -34,6 +34,10 @@ TEST_CASE("units: powers of ten give the very double that the plain number is") 
   CHECK(si("32 m/s", "m/s") == 32);
   CHECK(si("2 t", "kg") == 2000);
   CHECK(si("35 g cm2", "kg m2") == 35e-7);
+  CHECK(si("0.5 1/s", "1/s") == 0.5);
+  CHECK(si("2 1/ms", "1/s") == 2000);
+  CHECK(si("3 Hz", "1/s") == 3);
+  CHECK(si("981 cm/s2", "m/s2") == 9.81);
 }
 
 TEST_CASE("units: plain numbers are SI, and signs, points and missing blanks do not matter") {
@@ -95,6 +99,7 @@ TEST_CASE("units: what is no number or no unit is refused") {
   CHECK(complaint("5 mn", "m") == "mn is not a unit; write a length, for example 9 mm");
   CHECK(complaint("1,5 m", "m") == ",5 m is not a unit; write a length, for example 9 mm");
   CHECK(complaint("2 3 m", "m") != "");  // UDUNITS would multiply
+  CHECK(complaint("2 1/2 m", "m") != "");
   CHECK(complaint("5 m/", "m") != "");
   CHECK(complaint("1e999 m", "m") == "no double is that large or that small; write a number between 1e-300 and 1e300");
   CHECK(complaint("5 " + std::string(100'000, '('), "m") != "");

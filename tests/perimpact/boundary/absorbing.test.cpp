@@ -66,6 +66,24 @@ TEST_CASE("absorbing: damping rises as the square of the depth to 3 c ln(1/R)/L,
   CHECK(std::exp(-integral) == doctest::Approx(0.01).epsilon(1e-5));  // the rule's error is 1/pieces²
 }
 
+TEST_CASE("absorbing: velocities fall by (1 - α dt/2)/(1 + α dt/2) a step, whatever the damping, so that it limits no time step") {
+  Body body = make_body(fixtures::body_setup({.size = {0.004, 0.004, 0.004}}));
+  for (const std::uint32_t slot : body.particles.slot_of()) body.particles.velocity.set(slot, {3, 0, 0});
+  const std::vector<std::uint32_t> slots(body.particles.slot_of().begin(), body.particles.slot_of().end());
+  Absorbing layer(slots, std::vector<double>(slots.size(), 10 / dt));
+  layer.damp(body.particles, dt);
+  const double before = body.kinetic_energy_of_scheme(dt), work_before = layer.account.work();
+  std::vector<double> travel(travel_blocks(body.particles));
+  advance(body.particles, dt, travel);
+  for (const std::uint32_t slot : slots) CHECK(body.particles.velocity.at(slot).x == doctest::Approx(3 * (1. - 5) / (1 + 5)).epsilon(1e-14));  // rounding
+
+  for (const std::uint32_t slot : slots) body.particles.force_density.set(slot, {});
+  layer.damp(body.particles, dt);
+  const double kinetic = 0.5 * body.particles.total_mass() * 9;  // [J] at first
+  // rounding of sums over 64 particles
+  CHECK(std::fabs(body.kinetic_energy_of_scheme(dt) - before - (layer.account.work() - work_before)) < 1e-12 * kinetic);
+}
+
 TEST_CASE("absorbing: a direction in which particles are held loses nothing to the layer") {
   BodySetup setup = fixtures::body_setup({.size = {0.01, 0.004, 0.004}});
   setup.boundaries = {{"sink", AbsorbingSetup{.region = "right", .face = Choice{face_words, 0}}}, {"end", FixedSetup{.region = "last", .directions = {"x"}}}};

@@ -13,6 +13,7 @@
 using namespace perimpact;
 using fixtures::body;
 using fixtures::BodyOptions;
+using fixtures::Points;
 
 namespace {
 
@@ -186,4 +187,58 @@ TEST_CASE("failure: particles that may not fail keep all their bonds, whatever t
           slot, [&](const FamilyBond& bond) { expected += solid.particles.reference(slot).x >= 0 && solid.particles.reference(bond.j).x >= 0; });
     CHECK(internal.broken_bonds() == expected / 2);
   }
+}
+
+namespace {
+
+FailureSetup hardening(double alpha) {
+  FailureSetup failure;
+  failure.compression_hardening = alpha;
+  return failure;
+}
+
+/// Broken bonds of a body squeezed by ε along x that is free to grow across by ν ε.
+std::size_t broken_when_squeezed(double strain, double nu, const BodyOptions& options) {
+  Body solid = body(options);
+  fixtures::deform(solid, [&](const Vec3d& X) { return Vec3d{(1 - strain) * X.x, (1 + nu * strain) * X.y, (1 + nu * strain) * X.z}; });
+  solid.internal.evaluate(solid.particles, solid.family);
+  return solid.internal.broken_bonds();
+}
+
+}  // namespace
+
+TEST_CASE("failure: with compression hardening a squeezed body breaks across at s_c/(ν - α), and for α of ν and more never") {
+  constexpr double stretch = 1e-3, nu = 0.25;
+  for (const double alpha : {0.0, 0.1, 0.2}) {
+    const BodyOptions options{.critical_stretch = stretch, .failure = hardening(alpha)};
+    const double limit = stretch / (nu - alpha);
+    CAPTURE(alpha);
+    // lengths are exact but for rounding; bonds that lie across have the largest stretch, those along x the least
+    CHECK(broken_when_squeezed((1 - 1e-6) * limit, nu, options) == 0);
+    CHECK(broken_when_squeezed((1 + 1e-6) * limit, nu, options) > 0);
+  }
+  CHECK(broken_when_squeezed(0.5, nu, {.critical_stretch = stretch, .failure = hardening(0.25)}) == 0);
+}
+
+TEST_CASE("failure: compression hardening changes nothing where nothing is pressed") {
+  constexpr double stretch = 1e-3;
+  const BodyOptions options{.critical_stretch = stretch, .failure = hardening(0.2)};
+  CHECK(broken_at((1 - 1e-9) * stretch, options) == 0);
+  CHECK(broken_at((1 + 1e-9) * stretch, options) > 0);
+}
+
+TEST_CASE("failure: compression hardening breaks the same bonds on a lattice, in lists, and one particle at a time") {
+  const auto broken = [](Points points, bool one_at_a_time) {
+    Body solid = body({.critical_stretch = 1e-3, .points = points, .failure = hardening(0.15)});
+    fixtures::shake(solid, 2e-6);
+    if (one_at_a_time)
+      solid.internal.evaluate_scalar(solid.particles, solid.family);
+    else
+      solid.internal.evaluate(solid.particles, solid.family);
+    return solid.internal.broken_bonds();
+  };
+  const std::size_t lattice = broken(Points::lattice, false);
+  CHECK(lattice > 100);
+  CHECK(broken(Points::lattice, true) == lattice);
+  CHECK(broken(Points::listed, false) == lattice);
 }

@@ -7,10 +7,10 @@
 
 #include "fixtures/temporary_folder.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/setup/setup_error.hpp"
-#include "perimpact/simulation/simulation.hpp"
+#include "perimpact/simulations.hpp"
 
 using namespace perimpact;
+using fixtures::complaint;
 
 namespace {
 
@@ -35,15 +35,6 @@ Setup struck_plate() {
   setup.contact.impactors.friction = 0.3;
   setup.output.history = 5e-6;
   return setup;
-}
-
-std::string complaint(const Setup& setup) {
-  try {
-    Simulation simulation(setup);
-  } catch (const SetupError& error) {
-    return error.key() + ": " + error.what();
-  }
-  return "";
 }
 
 bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }

@@ -8,10 +8,10 @@
 #include "fixtures/keyword_files.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/setup/setup_error.hpp"
-#include "perimpact/simulation/simulation.hpp"
+#include "perimpact/simulations.hpp"
 
 using namespace perimpact;
+using fixtures::complaint;
 
 namespace {
 
@@ -23,16 +23,6 @@ BodySetup ball() {
   setup.holes = {{"bore", CylinderSolid{0.004, 0.1, {axis_words, 2}}, {}, {}}};
   setup.cracks = {{"notch", {{0, 0, -0.02}, {0.02, 0, -0.02}, {0.02, 0, 0.02}, {0, 0, 0.02}}}};
   return setup;
-}
-
-std::string complaint(const Setup& setup, std::string& key) {
-  try {
-    Simulation simulation(setup);
-  } catch (const SetupError& error) {
-    key = error.key();
-    return error.what();
-  }
-  return "";
 }
 
 bool warns_of(const Simulation& simulation, std::string_view words) {

@@ -6,6 +6,7 @@
 
 #include "perimpact/bodies.hpp"
 #include "perimpact/particles/advance.hpp"
+#include "perimpact/simulation/stiffest_mode.hpp"
 
 using namespace perimpact;
 
@@ -35,6 +36,19 @@ TEST_CASE("stable step: the exact limit of the infinite lattice is that of the B
 TEST_CASE("stable step: the estimate of Silling and Askari is that of the table, for an interior particle") {
   CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::madenci_oterkus, 0.25))) == doctest::Approx(0.924).epsilon(0.001));  // three digits
   CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::hu_ha_bobaru, 0.25))) == doctest::Approx(0.888).epsilon(0.001));
+}
+
+TEST_CASE("stable step: what a body surely stands is longer than the estimate and no longer than its own stiffest mode allows") {
+  const Body solid = fixtures::body({.size = {0.012, 0.012, 0.012}});
+  const double own = own_stable_step(solid, {}), estimate = silling_askari_step(solid);
+  CHECK(own > 1.1 * estimate);
+  CHECK(own < 2 / std::sqrt(stiffest_mode(solid, 80)));
+  // contact as stiff as all bonds of the stiffest particle halves the square of the estimate; the bound must not be more lenient than that of its own modes
+  const double all_bonds = 2 * fixtures::density / (estimate * estimate);
+  const ShortRange::Bound contact{.stiffness = all_bonds};
+  CHECK(silling_askari_step(solid, contact) == doctest::Approx(estimate / std::sqrt(2.0)).epsilon(1e-12));  // the same sums
+  const double squared = 4 / (own * own) + 4 / (estimate * estimate);                                       // Weyl: both at their stiffest
+  CHECK(own_stable_step(solid, contact) == doctest::Approx(2 / std::sqrt(squared)).epsilon(1e-12));
 }
 
 TEST_CASE("stable step: below the exact limit a shaken block keeps its energy, above it the energy grows") {

@@ -12,6 +12,7 @@
 #include "perimpact/simulations.hpp"
 
 using namespace perimpact;
+using fixtures::complaint;
 using fixtures::value;
 
 namespace {
@@ -47,15 +48,6 @@ std::size_t particles_within(double radius) {
 
 bool warns_of(const Simulation& simulation, const std::string& words) {
   return std::any_of(simulation.warnings().begin(), simulation.warnings().end(), [&](const std::string& w) { return w.find(words) != std::string::npos; });
-}
-
-std::string complaint(const Setup& setup) {
-  try {
-    Simulation simulation(setup);
-  } catch (const SetupError& error) {
-    return error.key() + ": " + error.what();
-  }
-  return "";
 }
 
 }  // namespace

@@ -24,4 +24,6 @@ std::string contents_of(const std::filesystem::path& path) {
 
 bool is_gzip(const std::filesystem::path& path) { return is_word(path.extension().string(), ".gz"); }
 
+std::filesystem::path unpacked(const std::filesystem::path& path) { return is_gzip(path) ? path.parent_path() / path.stem() : path; }
+
 }  // namespace fccda

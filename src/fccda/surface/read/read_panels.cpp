@@ -54,18 +54,15 @@ constexpr std::string_view cad_extensions[] = {".step", ".stp", ".iges", ".igs"}
   throw InputError(sentence + ".");
 }
 
-/// hull.stl.gz has that of hull.stl.
-std::string extension_of(const std::filesystem::path& file) { return (is_gzip(file) ? file.stem() : file).extension().string(); }
-
 const Format& format_of(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
+  const std::string extension = unpacked(file).extension().string();
   const auto format = std::find_if(std::begin(formats), std::end(formats), [&](const Format& f) { return is_word(extension, f.extension); });
   if (format == std::end(formats)) refuse_format(file.string(), extension);
   return *format;
 }
 
 bool is_cad(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
+  const std::string extension = unpacked(file).extension().string();
   return std::any_of(std::begin(cad_extensions), std::end(cad_extensions), [&](std::string_view cad) { return is_word(extension, cad); });
 }
 
@@ -105,7 +102,7 @@ Elements read_elements(const std::filesystem::path& path, std::span<const std::s
   for (const Format& format : formats) {
     const auto* parse = std::get_if<ElementsParser>(&format.parse);
     if (!parse) continue;
-    if (!is_word(extension_of(path), format.extension)) {
+    if (!is_word(unpacked(path).extension().string(), format.extension)) {
       known += (known.empty() ? "" : ", ") + std::string(format.extension);
       continue;
     }

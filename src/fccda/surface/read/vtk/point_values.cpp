@@ -10,7 +10,7 @@
 namespace fccda {
 
 PointValues read_point_values(const std::filesystem::path& path, std::string_view array) {
-  const std::string file = path.string(), extension = (is_gzip(path) ? path.stem() : path).extension().string();
+  const std::string file = path.string(), extension = unpacked(path).extension().string();
   const bool is_legacy = is_word(extension, ".vtk");
   if (!is_legacy && !is_word(extension, ".vtp") && !is_word(extension, ".vtu"))
     throw InputError(file + ": " + (extension.empty() ? "a file without extension" : shown(extension)) +

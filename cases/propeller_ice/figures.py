@@ -1,0 +1,162 @@
+#!/usr/bin/python3
+"""Draws the pictures of this case from the folder that variants.sh fills:
+
+    cases/propeller_ice/figures.py results/propeller_ice      two minutes; writes figures/*.png beside this script
+
+fig21      panels of the propeller, and the region where contact is looked for (figure 21 of the paper)
+fig22      the sphere at four times, from ahead and from the side (figure 22)
+forces     thrust, torque and spindle torques against time, means over a millisecond
+fragments  the pieces at the end for four critical stretches
+"""
+
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
+from measure import BLADES, CASE, WINDOW, history, mean_over, pictures, pieces, report  # noqa: E402
+from render import Scene  # noqa: E402
+
+SAND, LINE, REGION = np.array([0.84, 0.74, 0.52]), (0.45, 0.38, 0.24), "#2a6fb0"
+DAMAGE = LinearSegmentedColormap.from_list("damage", ["#dbe9f4", "#8fb8d8", "#e8a15a", "#b3312c"])
+PIECES = ["#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#ee8866", "#77aadd", "#44bb99", "#bbcc33"]
+AHEAD, SIDE = {"direction": (0.85, -0.25, -0.45), "up": (0, 0, 1)}, {"direction": (0.05, -1, -0.12), "up": (0, 0, 1)}
+INSTANTS = 0.0, 0.0075, 0.015, 0.040  # [s]
+BALL = 0.027  # [m] a little more than half a spacing
+
+
+def at(folder, name, time):
+    return min(pictures(folder, name), key=lambda picture: abs(picture[0] - time))
+
+
+def scene(view, width, height, scale, centre, fold=2):
+    return Scene(**view, pixels_per_metre=scale * fold, width=width * fold, height=height * fold, centre=centre)
+
+
+def shells(screw):
+    return screw.points.astype(float)[np.array(screw.panels)]
+
+
+def show(axis, picture, title=None):
+    axis.imshow(picture, interpolation="none")
+    axis.axis("off")
+    if title:
+        axis.set_title(title, fontsize=12)
+
+
+def save(figure, name):
+    (CASE / "figures").mkdir(exist_ok=True)
+    figure.savefig(CASE / "figures" / f"{name}.png", dpi=100)
+    plt.close(figure)
+
+
+def fig21(folder):
+    _, screw = at(folder, "propeller", 0)
+    region = report(folder)["impactors"]["propeller"]["region"]
+    figure, axes = plt.subplots(1, 2, figsize=(10.4, 5.2))
+    view = {"direction": (0.75, -0.5, 0.35), "up": (0, 0, 1)}
+    for axis, title in zip(axes, ("11 704 panels, finer along edges and tips", "region: cylinder with four sectors, fitted")):
+        picture = scene(view, 500, 480, 105, (0, 0, 0), fold=3)
+        picture.add_panels(screw.points, screw.panels, SAND, LINE, 0.004)
+        show(axis, picture.picture(3), title)
+
+    def page(points):
+        x, y, _ = picture.axes @ np.atleast_2d(points).T
+        return 250 + 105 * x, 240 - 105 * y
+
+    def ring(x, radius, low, high):
+        angle = np.linspace(low, high, 90)
+        return np.column_stack([np.full(90, x), radius * np.cos(angle), radius * np.sin(angle)])
+
+    axis, half, outer, hub = axes[1], region["length [m]"] / 2, region["radius [m]"], region["hub_radius [m]"]
+    for x in (-half, half):
+        ends = region["start_angle [rad]"] + 2 * np.pi / region["blades"] * np.arange(region["blades"])
+        for start in ends:
+            stop = start + region["sector_angle [rad]"]
+            outline = np.concatenate([ring(x, outer, start, stop), ring(x, hub, stop, stop + 2 * np.pi / region["blades"] - region["sector_angle [rad]"])])
+            axis.plot(*page(outline), color=REGION, lw=1.8 if x > 0 else 0.9)
+            axis.plot(*page(np.stack([outline[89], outline[90]])), color=REGION, lw=1.8 if x > 0 else 0.9)
+    for start in ends:
+        for angle, radius in ((start, outer), (start, hub), (start + region["sector_angle [rad]"], outer), (start + region["sector_angle [rad]"], hub)):
+            axis.plot(*page([[x, radius * np.cos(angle), radius * np.sin(angle)] for x in (-half, half)]), color=REGION, lw=0.9)
+    figure.subplots_adjust(left=0.005, right=0.995, top=0.93, bottom=0.005, wspace=0.01)
+    save(figure, "fig21")
+
+
+def fig22(folder):
+    figure, axes = plt.subplots(2, 4, figsize=(11, 5.9))
+    for column, wanted in zip(axes.T, INSTANTS):
+        time, ice = at(folder, "ice", wanted)
+        _, screw = at(folder, "propeller", wanted)
+        for axis, view in zip(column, (AHEAD, SIDE)):
+            picture = scene(view, 260, 270, 80, (0.35, 0, -1.15))
+            picture.add_shells(shells(screw), SAND)
+            picture.add_balls(ice.points, BALL, DAMAGE(ice.point["damage"])[:, :3])
+            show(axis, picture.picture(2), f"{1e3 * time:.1f} ms" if view is AHEAD else None)
+    figure.text(0.008, 0.73, "from ahead", rotation=90, va="center", fontsize=11)
+    figure.text(0.008, 0.26, "from the side, ahead is right", rotation=90, va="center", fontsize=11)
+    figure.subplots_adjust(left=0.025, right=0.915, top=0.95, bottom=0.01, wspace=0.02, hspace=0.02)
+    bar = figure.add_axes([0.93, 0.2, 0.012, 0.6])
+    figure.colorbar(plt.cm.ScalarMappable(cmap=DAMAGE), cax=bar, label="share of the bonds that are broken")
+    save(figure, "fig22")
+
+
+def forces(folder):
+    column = history(folder)
+    times = column["time [s]"]
+    steps = np.diff(times, prepend=0)
+
+    def mean(what):
+        return mean_over(times, column[f"propeller.{what}"] * steps, WINDOW) / 1e6
+
+    figure, axes = plt.subplots(3, 1, figsize=(10, 7), sharex=True, layout="constrained")
+    axes[0].plot(1e3 * times, mean("shaft.force_x [N]"), color="#b3312c")
+    axes[0].set_ylabel("thrust [MN]\n(+: ahead)")
+    axes[1].plot(1e3 * times, mean("shaft.torque [N m]"), color="#b3312c")
+    axes[1].set_ylabel("torque [MN m]\n(+: brakes)")
+    for blade in BLADES:
+        colour, label = ("#b3312c", "blade 4") if blade == 4 else ("#7c8ba1", "blades 1 to 3" if blade == 1 else None)
+        axes[2].plot(1e3 * times, mean(f"blade_{blade}.torque [N m]"), color=colour, label=label)
+    axes[2].set(xlabel="time [ms]", ylabel="spindle torque\n[MN m]", xlim=(4, 20))
+    axes[2].legend(frameon=False)
+    for axis in axes:
+        axis.grid(alpha=0.25)
+    axes[0].set_title("One blow, on the back of blade 4 (means over 1 ms)", fontsize=12)
+    save(figure, "forces")
+
+
+def fragments(results):
+    figure, axes = plt.subplots(1, 4, figsize=(11, 3.5))
+    for axis, stretch in zip(axes, ("0.032", "0.01", "0.003", "0.001")):
+        folder = results / ("deck" if stretch == "0.003" else f"stretch_{stretch}")
+        time, ice = at(folder, "ice", 1)
+        _, screw = at(folder, "propeller", 1)
+        piece, _ = pieces(folder, report(folder)["setup"])
+        size = np.bincount(piece)
+        largest = [number for number in np.argsort(-size) if size[number] > 0.01 * len(piece)]
+        colours = np.tile([0.62, 0.62, 0.62], (len(piece), 1))
+        for number, colour in zip(largest, PIECES * 10):
+            colours[piece == number] = to_rgb(colour)
+        picture = scene(AHEAD, 270, 290, 88, (0.3, 0, -0.85))
+        picture.add_shells(shells(screw), SAND)
+        picture.add_balls(ice.points, BALL, colours)
+        found = f"{len(largest)} piece{'s' if len(largest) != 1 else ''} above 1 %"
+        show(axis, picture.picture(2), f"critical stretch {stretch}\n{found}")
+    figure.subplots_adjust(left=0.005, right=0.995, top=0.86, bottom=0.005, wspace=0.02)
+    save(figure, "fragments")
+
+
+def main():
+    results = Path(sys.argv[1])
+    fig21(results / "deck")
+    forces(results / "deck")
+    fig22(results / "deck")
+    fragments(results)
+
+
+if __name__ == "__main__":
+    main()

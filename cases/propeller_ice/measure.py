@@ -1,0 +1,257 @@
+#!/usr/bin/python3
+"""What a run of this case gives: forces, fragments, whether anything is inside a blade, momentum, cost of contact.
+
+    cases/propeller_ice/measure.py results/propeller_ice [more folders]      prints a block for each
+
+thrust, torque   of the whole propeller, along and about +x. The peak is the mean over the millisecond in which its amount is largest, the mean that
+                 over the time in which the thrust's impulse goes from 5 % to 95 %. Spindle torque: about a blade's own radial axis.
+pieces           particles that hang together by intact bonds. Where the pictures hold the array `piece` it is used. Else a bond is taken as intact
+                 if in no picture it was beyond the limits of the deck and neither end has lost all; peaks between pictures are missed, so that
+                 some hang together that do not: "bonds missed" says how many broken bonds it takes for intact.
+inside           of all particles in all pictures, those around which the panels wind: each is looked at along a ray in +x, and the panels that
+                 the ray leaves through, less those that it enters through, say how many of the overlapping parts hold it. The nearest is the
+                 smallest distance of any particle from any triangle. Nothing of the program is used for it: the places of particles and of
+                 panels are those of the pictures.
+drift            largest change of the total linear momentum over the momentum of the ice at the start (of a propeller that nothing holds)
+"""
+
+import csv
+import json
+import sys
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+import numpy as np
+
+CASE = Path(__file__).resolve().parent
+sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
+from vtp_reader import read_vtp  # noqa: E402
+
+WINDOW = 1e-3  # [s] of the peaks
+BLADES = 1, 2, 3, 4
+
+
+def report(folder):
+    return json.loads((Path(folder) / "run.json").read_text())
+
+
+def history(folder):
+    """Columns of history.csv by name."""
+    with open(Path(folder) / "history.csv", newline="") as file:
+        names, *rows = csv.reader(file)
+    return dict(zip(names, np.array(rows, float).T))
+
+
+def pictures(folder, name):
+    for entry in xml.parse(Path(folder) / f"frames/{name}.pvd").getroot().iter("DataSet"):
+        yield float(entry.get("timestep")), read_vtp(Path(folder) / "frames" / entry.get("file"))
+
+
+# ---- forces
+
+
+def mean_over(times, impulses, window):
+    """Mean force over the window that ends at each row [N], from the impulses between rows."""
+    total = np.concatenate([[0], np.cumsum(impulses)])
+    ends = np.concatenate([[times[0]], times])
+    return (total[1:] - np.interp(times - window, ends, total)) / window
+
+
+def forces(column):
+    times = column["time [s]"]
+    steps = np.diff(times, prepend=0)
+    thrust = column["propeller.shaft.force_x [N]"] * steps
+    passed = np.cumsum(thrust) / thrust.sum()
+    struck = np.diff(np.interp([0.05, 0.95], passed, times))[0]
+    found = {"thrust: impulse [N s]": thrust.sum(), "thrust: duration [s]": struck}
+    named = {"thrust": "shaft.force_x [N]", "torque": "shaft.torque [N m]"}
+    named |= {f"spindle torque {blade}": f"blade_{blade}.torque [N m]" for blade in BLADES}
+    for name, what in named.items():
+        means = mean_over(times, column[f"propeller.{what}"] * steps, WINDOW)
+        found[f"{name}: peak {what[what.index('['):]}"] = means[np.argmax(np.abs(means))]
+        if name in ("thrust", "torque"):
+            found[f"{name}: mean {what[what.index('['):]}"] = 0.9 * (column[f"propeller.{what}"] * steps).sum() / struck
+    return found
+
+
+# ---- pieces
+
+
+def bonds(places, spacing, reach):
+    """Both ends and the length [m] of every pair nearer than `reach` [m]."""
+    cells = np.round((places - places.min(axis=0)) / spacing).astype(int)
+    box = cells.max(axis=0) + 1
+    number = np.full(box, -1)
+    number[tuple(cells.T)] = np.arange(len(places))
+    most = int(reach / spacing)
+    span = np.arange(-most, most + 1)
+    ends, lengths = [], []
+    for offset in np.stack(np.meshgrid(span, span, span), axis=-1).reshape(-1, 3):
+        length = spacing * np.linalg.norm(offset)
+        if tuple(offset) <= (0, 0, 0) or length >= reach:
+            continue
+        other = cells + offset
+        first = np.flatnonzero(((other >= 0) & (other < box)).all(axis=1))
+        second = number[tuple(other[first].T)]
+        ends.append(np.column_stack([first, second])[second >= 0])
+        lengths.append(np.full((second >= 0).sum(), length))
+    return np.concatenate(ends), np.concatenate(lengths)
+
+
+def hanging_together(count, ends):
+    """A number for each particle, equal for those that the pairs join."""
+    label = np.arange(count)
+    while True:
+        least, before = np.minimum(*label[ends.T]), label.copy()
+        for end in ends.T:
+            np.minimum.at(label, end, least)
+        label = label[label]
+        if (label == before).all():
+            return label
+
+
+def pieces(folder, setup, until=np.inf):
+    """Number of the piece of each particle in the last picture up to that time, and how many bonds are taken as intact (None: told by the run)."""
+    body = setup["bodies"]["ice"]
+    failure = body.get("failure", {})
+    most = body["material"]["critical_stretch"]
+    least = {"none": -np.inf, "symmetric": -most, "limit": -failure.get("critical_compression", np.inf)}[failure.get("compression", "none")]
+    ends = None
+    for time, ice in pictures(folder, "ice"):
+        if time > until + 1e-9:
+            break
+        if "piece" in ice.point:
+            piece, intact = ice.point["piece"], None
+            continue
+        moved = ice.point["displacement"].astype(float)
+        if ends is None:
+            places = ice.points.astype(float) - moved
+            ends, lengths = bonds(places, body["spacing"], (body["horizon_ratio"] + 0.5) * body["spacing"])
+        vectors = (places + moved)[ends]
+        stretch = np.linalg.norm(vectors[:, 1] - vectors[:, 0], axis=1) / lengths - 1
+        whole = (ice.point["damage"] < 1 - 1e-6)[ends].all(axis=1)
+        kept = (stretch <= most) & (stretch >= least) & whole
+        ends, lengths = ends[kept], lengths[kept]
+        piece, intact = hanging_together(len(places), ends), len(ends)
+    return piece, intact
+
+
+def fragments(folder, run):
+    piece, intact = pieces(folder, run["setup"])
+    sizes = np.sort(np.bincount(piece))[::-1] / len(piece)
+    body = run["bodies"]["ice"]
+    found = {
+        "pieces above 1 % of the mass [-]": int((sizes > 0.01).sum()),
+        "largest piece [-]": sizes[0],
+        "second [-]": sizes[1] if len(sizes) > 1 else 0.0,
+        "in pieces below 1 % [-]": sizes[sizes <= 0.01].sum(),
+        "broken bonds [-]": 1 - body["intact_bonds"] / body["bonds"],
+    }
+    if intact is not None:
+        found["bonds missed [-]"] = (intact - body["intact_bonds"]) / body["bonds"]
+    return found
+
+
+# ---- inside
+
+
+def turned_back(points, origin, here):
+    """`points` moved as the rigid motion that takes the vertices `here` to `origin` (Kabsch, Acta Cryst. A 32 (1976) 922)."""
+    a, b = here.mean(axis=0), origin.mean(axis=0)
+    u, _, v = np.linalg.svd((here - a).T @ (origin - b))
+    turn = u @ np.diag([1, 1, np.sign(np.linalg.det(u @ v))]) @ v
+    return (points - a) @ turn + b
+
+
+def distances(points, corner, e1, e2):
+    """From points (n, 3) to one triangle [m]."""
+    p = points - corner
+    d11, d12, d22 = e1 @ e1, e1 @ e2, e2 @ e2
+    p1, p2 = p @ e1, p @ e2
+    area = d11 * d22 - d12 * d12
+    if area > 0:
+        s, t = (d22 * p1 - d12 * p2) / area, (d11 * p2 - d12 * p1) / area
+    else:
+        s = t = np.full(len(p), -1.0)
+    on_face = (s >= 0) & (t >= 0) & (s + t <= 1)
+    nearest = [np.where(on_face[:, None], s[:, None] * e1 + t[:, None] * e2, np.inf)]
+    for start, edge in ((0 * e1, e1), (0 * e1, e2), (e1, e2 - e1)):
+        along = np.clip((p - start) @ edge / max(edge @ edge, 1e-300), 0, 1)
+        nearest.append(start + along[:, None] * edge)
+    return np.min([np.linalg.norm(p - at, axis=1) for at in nearest], axis=0)
+
+
+def windings(folder, reach=0.03):
+    """How often the panels wind around each particle of each picture that is near them, and the smallest distance to a triangle below `reach` [m]."""
+    origin, near = None, []
+    for (_, ice), (_, screw) in zip(pictures(folder, "ice"), pictures(folder, "propeller")):
+        vertices = screw.points.astype(float)
+        if origin is None:
+            origin, panels = vertices, np.array(screw.panels)
+            low, high = origin.min(axis=0) - reach, origin.max(axis=0) + reach
+        here = turned_back(ice.points.astype(float), origin, vertices)
+        near.append(here[((here > low) & (here < high)).all(axis=1)])
+    points = np.concatenate(near)
+    points = points[np.argsort(points[:, 1])]
+    wound, smallest = np.zeros(len(points), int), np.inf
+    for corners in origin[panels]:
+        below, above = corners.min(axis=0) - reach, corners.max(axis=0) + reach
+        first, last = np.searchsorted(points[:, 1], [below[1], above[1]])
+        some = np.arange(first, last)[(points[first:last, 2] > below[2]) & (points[first:last, 2] < above[2])]
+        e1, e2 = corners[1] - corners[0], corners[2] - corners[0]
+        projected = e1[1] * e2[2] - e1[2] * e2[1]  # twice the area seen along x; above 0 where the outward normal points to +x
+        if projected != 0:
+            p = points[some] - corners[0]
+            s = (p[:, 1] * e2[2] - p[:, 2] * e2[1]) / projected
+            t = (e1[1] * p[:, 2] - e1[2] * p[:, 1]) / projected
+            ahead = (s >= 0) & (t >= 0) & (s + t < 1) & (s * e1[0] + t * e2[0] > p[:, 0])
+            wound[some[ahead]] += int(np.sign(projected))
+        close = some[(points[some, 0] > below[0]) & (points[some, 0] < above[0])]
+        if len(close):
+            smallest = min(smallest, distances(points[close], corners[0], e1, e2).min())
+    return wound, smallest
+
+
+def inside(folder):
+    wound, smallest = windings(folder)
+    return {"looked at near the propeller [-]": len(wound), "inside [-]": int((wound != 0).sum()), "nearest [m]": smallest}
+
+
+# ---- the rest
+
+
+def momentum(column):
+    total = np.column_stack([column[f"total.momentum_{axis} [kg m/s]"] for axis in "xyz"])
+    return np.linalg.norm(total - total[0], axis=1).max()
+
+
+def cost(run):
+    detection = run["impactors"]["propeller"]["detection"]["ice"]
+    return {
+        "region": run["impactors"]["propeller"]["region"]["kind"],
+        "points in region [-]": detection["points_in_region"],
+        "points asked [-]": detection["points_asked"],
+        "panels asked [-]": detection["panels_asked"],
+        "contact [s]": run["timers [s]"]["contact"],
+        "state": run["state_hash"],
+    }
+
+
+def measure(folder):
+    run, column = report(folder), history(folder)
+    found = forces(column) | fragments(folder, run) | inside(folder)
+    if len(run["setup"]["impactors"]["propeller"]["free"]) == 6:
+        ice = run["bodies"]["ice"]["mass [kg]"] * np.linalg.norm(run["setup"]["bodies"]["ice"]["velocity"])
+        found["drift [-]"] = momentum(column) / ice
+    return found | cost(run)
+
+
+def show(title, values):
+    print(title)
+    for name, value in values.items():
+        print(f"    {name:<36}{value if isinstance(value, (str, int)) else f'{value:.5g}'}", flush=True)
+
+
+if __name__ == "__main__":
+    for folder in sys.argv[1:]:
+        show(folder, measure(folder))

@@ -1,0 +1,27 @@
+/// `perimpact statistics`: what the forces and the broken ice of a run come to.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace perimpact {
+
+struct StatisticsArguments {
+  std::filesystem::path folder;      ///< of the results
+  std::string from, to;              ///< times, with a unit or in seconds; empty: the first and last row
+  std::vector<std::string> columns;  ///< words of columns_named(); empty: loads
+  int windows = 1;                   ///< equal parts of the time
+  std::string segment;               ///< of the spectrum, a time; empty: the usual one
+
+  struct Channel {
+    std::string of;        ///< body:axis; empty: none is looked for
+    std::string from, to;  ///< lengths along the axis; empty: the whole body
+    double sheet = 0.1;    ///< share of the particles that a piece of the remaining sheet has at least
+  } channel;
+};
+
+int statistics_command(const StatisticsArguments& arguments);
+
+}  // namespace perimpact

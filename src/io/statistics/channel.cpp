@@ -1,0 +1,165 @@
+#include "io/statistics/channel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fccda/core/contract.hpp"
+#include "fccda/core/error.hpp"
+#include "fccda/surface/file/contents.hpp"
+#include "fccda/surface/read/vtk/point_values.hpp"
+#include "io/deck/yaml_node.hpp"
+#include "io/output/pvd.hpp"
+#include "io/output/results_folder.hpp"
+
+namespace perimpact {
+
+namespace {
+
+enum class Cell : std::uint8_t { empty, remains, broken };
+
+/// The widest row of broken cells; empty ones neither begin nor end one.
+struct BrokenRow {
+  std::size_t first = 0, behind = 0;
+
+  std::size_t cells() const { return behind - first; }
+};
+
+BrokenRow widest_row(std::span<const Cell> cells) {
+  BrokenRow widest, row;
+  bool is_open = false;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (cells[c] == Cell::remains) is_open = false;
+    if (cells[c] != Cell::broken) continue;
+    if (!is_open) row.first = c, is_open = true;
+    row.behind = c + 1;
+    if (row.cells() > widest.cells()) widest = row;
+  }
+  return widest;
+}
+
+std::vector<bool> pieces_that_remain(std::span<const std::int32_t> pieces, double least_share) {
+  std::vector<std::size_t> particles(1 + static_cast<std::size_t>(*std::max_element(pieces.begin(), pieces.end())), 0);
+  for (const std::int32_t piece : pieces) ++particles[static_cast<std::size_t>(piece)];
+  std::vector<bool> remains;
+  for (const std::size_t count : particles) remains.push_back(static_cast<double>(count) >= least_share * static_cast<double>(pieces.size()));
+  return remains;
+}
+
+const deck::YamlNode* member(const deck::YamlNode* node, std::string_view key) {
+  if (!node) return nullptr;
+  const deck::YamlNode::Entry* entry = node->find(key);
+  return entry ? &entry->value : nullptr;
+}
+
+/// [m] of a body that may break, by run.json.
+double spacing_of(const std::filesystem::path& results, const std::string& body) {
+  const std::filesystem::path file = output::ResultsFolder::run_in(results);
+  if (!std::filesystem::exists(file))
+    throw fccda::InputError(fmt::format("{} is not there; the width of a channel can be told once the run has ended or was interrupted.", file.string()));
+  const deck::YamlNode run = deck::parse_document(fccda::contents_of(file), file.string());
+  const deck::YamlNode* bodies = member(&run, "bodies");
+  const deck::YamlNode* found = member(bodies, body);
+  if (!found) {
+    std::vector<std::string> names;
+    if (bodies)
+      for (const auto& entry : bodies->entries) names.push_back(entry.key);
+    throw fccda::InputError(
+        fmt::format("--channel: {} has no body {}; there is {}.", results.string(), body, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+  }
+  const deck::YamlNode* spacing = member(found, "spacing [m]");
+  if (!member(found, "pieces") || !spacing)
+    throw fccda::InputError(
+        fmt::format("--channel: body {} never breaks, so it has no channel; its material needs critical_stretch, or the body failure.", body));
+  return std::stod(spacing->text);
+}
+
+}  // namespace
+
+std::vector<ChannelColumn> channel_columns(std::span<const Vec3d> places, std::span<const std::int32_t> pieces, double spacing, std::size_t axis,
+                                           double least_share) {
+  EXPECTS(axis < 2 && !places.empty() && places.size() == pieces.size() && spacing > 0);
+  const std::size_t across = 1 - axis;
+  const std::vector<bool> remains = pieces_that_remain(pieces, least_share);
+  Vec3d low = places[0], high = low;
+  for (const Vec3d& place : places)
+    for (std::size_t c = 0; c < 2; ++c) low[c] = std::min(low[c], place[c]), high[c] = std::max(high[c], place[c]);
+  // pictures hold single precision
+  for (std::size_t c = 0; c < 2; ++c) low[c] = std::round(low[c] / (1e-3 * spacing)) * 1e-3 * spacing;
+  const auto cell = [&](const Vec3d& place, std::size_t c) { return static_cast<std::size_t>(std::lround(std::max(0.0, place[c] - low[c]) / spacing)); };
+  const std::size_t columns = cell(high, axis) + 1, rows = cell(high, across) + 1;
+
+  std::vector<Cell> cells(columns * rows, Cell::empty);
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    Cell& at = cells[cell(places[p], axis) * rows + cell(places[p], across)];
+    if (remains[static_cast<std::size_t>(pieces[p])])
+      at = Cell::remains;
+    else if (at == Cell::empty)
+      at = Cell::broken;
+  }
+
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<ChannelColumn> channel;
+  for (std::size_t column = 0; column < columns; ++column) {
+    const std::span<const Cell> all = std::span(cells).subspan(column * rows, rows);
+    const BrokenRow widest = widest_row(all);
+    const double edge = low[across] - 0.5 * spacing;
+    ChannelColumn one{.along = low[axis] + static_cast<double>(column) * spacing, .low = none, .high = none, .width = 0, .all_broken = 0};
+    if (widest.cells() > 0) {
+      one.low = edge + static_cast<double>(widest.first) * spacing;
+      one.high = edge + static_cast<double>(widest.behind) * spacing;
+      one.width = static_cast<double>(widest.cells()) * spacing;
+    }
+    one.all_broken = static_cast<double>(std::count(all.begin(), all.end(), Cell::broken)) * spacing;
+    channel.push_back(one);
+  }
+  return channel;
+}
+
+ChannelWidths widths_of(std::span<const ChannelColumn> columns, double spacing, double low, double high) {
+  ChannelWidths widths;
+  std::vector<const ChannelColumn*> with_channel;
+  for (const ChannelColumn& column : columns) {
+    if (column.along < low || column.along > high) continue;
+    widths.all_broken += column.all_broken * spacing;
+    if (column.width > 0) with_channel.push_back(&column);
+  }
+  if (with_channel.empty()) return widths;
+  const double count = static_cast<double>(with_channel.size());
+  const auto narrower = [](const ChannelColumn* a, const ChannelColumn* b) { return a->width < b->width; };
+  const ChannelColumn &narrowest = **std::min_element(with_channel.begin(), with_channel.end(), narrower),
+                      &widest = **std::max_element(with_channel.begin(), with_channel.end(), narrower);
+  widths.mean = narrowest.width;  // added to, so that equal widths have exactly their mean
+  for (const ChannelColumn* column : with_channel) widths.mean += (column->width - narrowest.width) / count;
+  for (const ChannelColumn* column : with_channel) widths.deviation += (column->width - widths.mean) * (column->width - widths.mean) / count;
+  widths.deviation = std::sqrt(widths.deviation);
+  widths.length = count * spacing;
+  widths.area = widths.mean * widths.length;
+  widths.narrowest = narrowest.width, widths.narrowest_at = narrowest.along;
+  widths.widest = widest.width, widths.widest_at = widest.along;
+  return widths;
+}
+
+ChannelPicture read_channel_picture(const std::filesystem::path& results, const std::string& body, std::optional<double> latest) {
+  ChannelPicture picture;
+  picture.spacing = spacing_of(results, body);
+  const std::filesystem::path list = output::ResultsFolder::frames_in(results) / (body + ".pvd");
+  if (!std::filesystem::exists(list))
+    throw fccda::InputError(fmt::format("{} is not there; the width of a channel is read from pictures, so the run needs output.frames.", list.string()));
+  const std::vector<output::Picture> pictures = output::pictures_of(list);
+  const auto behind = std::find_if(pictures.begin(), pictures.end(), [&](const output::Picture& one) { return latest && one.time > *latest; });
+  if (behind == pictures.begin())
+    throw fccda::InputError(fmt::format("{} lists no picture up to {:.4g} s; take a later --to.", list.string(), latest.value_or(0)));
+  picture.file = std::prev(behind)->file;
+  picture.time = std::prev(behind)->time;
+  for (const double piece : fccda::read_point_values(picture.file, "piece").values) picture.pieces.push_back(static_cast<std::int32_t>(piece));
+  picture.places = fccda::read_point_values(pictures.front().file, "piece").points;  // that at t = 0
+  if (picture.places.size() != picture.pieces.size() || picture.places.empty())
+    throw fccda::InputError(
+        fmt::format("{} and {} hold other numbers of particles; they are not of one run.", pictures.front().file.string(), picture.file.string()));
+  return picture;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,134 @@
+#include "io/statistics/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "fccda/core/error.hpp"
+#include "fccda/core/nearest_word.hpp"
+#include "fccda/surface/file/contents.hpp"
+
+namespace perimpact {
+
+namespace {
+
+/// The cells of a line; one that begins with a quote ends at the next single one (RFC 4180).
+std::vector<std::string> cells_of(std::string_view line) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char c = line[at];
+    if (c == '"') {
+      if (is_quoted && at + 1 < line.size() && line[at + 1] == '"')
+        cells.back() += line[++at];
+      else
+        is_quoted = !is_quoted;
+    } else if (c == ',' && !is_quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+/// Takes the first line off the text, without its end.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+/// Adds the numbers of a line to the columns; what is wrong with it where that cannot be done.
+std::optional<std::string> add_row(Table& table, std::string_view line) {
+  const char *at = line.data(), *const end = line.data() + line.size();
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    if (column > 0 && (at == end || *at++ != ',')) return fmt::format("holds {} numbers, but the first line names {} columns", column, table.columns.size());
+    double value = 0;
+    const auto [behind, error] = std::from_chars(at, end, value);
+    if (error != std::errc()) return fmt::format("has no number in column {} ({})", column + 1, table.names[column]);
+    table.columns[column].push_back(value);
+    at = behind;
+  }
+  if (at != end) return fmt::format("goes on behind its {} numbers", table.columns.size());
+  return {};
+}
+
+bool begins_at_a_joint(std::string_view quantity, std::string_view word) {
+  return quantity.starts_with(word) && (quantity.size() == word.size() || quantity[word.size()] == '.' || quantity[word.size()] == '_');
+}
+
+/// What a quantity belongs to, and its own name: ship.bow.force_x gives ship.bow and force_x.
+std::pair<std::string_view, std::string_view> owner_and_name(std::string_view quantity) {
+  const std::size_t stop = quantity.rfind('.');
+  if (stop == std::string_view::npos) return {{}, quantity};
+  return {quantity.substr(0, stop), quantity.substr(stop + 1)};
+}
+
+}  // namespace
+
+Table read_table(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file))
+    throw fccda::InputError(fmt::format("{} is not there; name a folder that `perimpact run` has written its results into.", file.string()));
+  const std::string contents = fccda::contents_of(file);
+  std::string_view text = contents;
+  Table table{.file = file, .names = cells_of(take_line(text)), .columns = {}};
+  table.columns.resize(table.names.size());
+  for (std::size_t line = 2; !text.empty(); ++line)
+    if (const auto fault = add_row(table, take_line(text)))
+      throw fccda::InputError(fmt::format("{}:{}: this row {}; take the file as the run wrote it.", file.string(), line, *fault));
+  return table;
+}
+
+std::string_view quantity_of(std::string_view column) { return column.substr(0, std::min(column.rfind(" ["), column.size())); }
+
+std::string_view unit_of(std::string_view column) {
+  const std::size_t bracket = column.rfind(" [");
+  if (bracket == std::string_view::npos || !column.ends_with(']')) return {};
+  return column.substr(bracket + 2, column.size() - bracket - 3);
+}
+
+bool is_mean(std::string_view column) {
+  const std::string_view name = owner_and_name(quantity_of(column)).second;
+  return name.starts_with("force_") || name.starts_with("moment_") || name == "torque";
+}
+
+std::vector<std::size_t> columns_of_loads(const Table& table) {
+  std::vector<std::string> impactors;  // they alone count contacts
+  for (const std::string& column : table.names)
+    if (const auto [owner, name] = owner_and_name(quantity_of(column)); name == "contacts") impactors.emplace_back(owner);
+  std::vector<std::size_t> chosen;
+  for (std::size_t c = 0; c < table.names.size(); ++c) {
+    const auto [owner, name] = owner_and_name(quantity_of(table.names[c]));
+    for (const std::string& impactor : impactors) {
+      const bool is_gauge = owner.starts_with(impactor + ".");
+      if ((owner == impactor || is_gauge) && (name.starts_with("force_") || (is_gauge && name == "torque"))) chosen.push_back(c);
+    }
+  }
+  return chosen;
+}
+
+std::vector<std::size_t> columns_named(const Table& table, const std::vector<std::string>& words) {
+  std::vector<bool> is_chosen(table.names.size(), false);
+  for (const std::string& word : words) {
+    bool is_found = false;
+    for (std::size_t c = 1; c < table.names.size(); ++c)
+      if (word == table.names[c] || (!word.empty() && begins_at_a_joint(quantity_of(table.names[c]), word))) is_chosen[c] = is_found = true;
+    if (is_found) continue;
+    std::vector<std::string> known;
+    for (std::size_t c = 1; c < table.names.size(); ++c) known.emplace_back(quantity_of(table.names[c]));
+    const std::string_view meant = fccda::nearest_word(word, known);
+    throw fccda::InputError(fmt::format("--columns: {} has no column {}; {}", table.file.string(), word.empty() ? "without a name" : word,
+                                        meant.empty() ? "its first line names those that there are." : fmt::format("did you mean {}?", meant)));
+  }
+  std::vector<std::size_t> chosen;
+  for (std::size_t c = 0; c < is_chosen.size(); ++c)
+    if (is_chosen[c]) chosen.push_back(c);
+  return chosen;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,219 @@
+"""perimpact statistics: what forces come to, and how wide a channel is, against plain sums over history.csv and cracks of known places."""
+
+import cmath
+import math
+import random
+
+from claims import claim, main, table
+
+FORCE = "cylinder.force_y [N]"
+
+
+def rows_of(history, column, begin=-math.inf, end=math.inf):
+    """(length, value, time) of each row's part in the window."""
+    times = history["time [s]"]
+    for before, time, value in zip(times, times[1:], history[column][1:]):
+        length = min(time, end) - max(before, begin)
+        if length > 1e-9 * (time - before):
+            yield length, value, time
+
+
+def mean_of(rows):
+    rows = list(rows)
+    return sum(length * value for length, value, _ in rows) / sum(length for length, _, _ in rows)
+
+
+def results_table(path):
+    """Rows of statistics.csv by their column."""
+    head, *rows = (line.split(",") for line in path.read_text().splitlines())
+    return {row[0]: dict(zip(head, row)) for row in rows}
+
+
+@claim("statistics: means, deviations and extremes are those of the rows of history, the whole run or a part of it")
+def _(t):
+    t.expect_success("run", t.deck(("history: 2 us", "history: 0.3 us")), "--out", "r")
+    history = t.history("r")
+    for limits, (begin, end) in (([], (-math.inf, math.inf)), (["--from", "4.25 us", "--to", "17e-6"], (4.25e-6, 17e-6))):
+        t.assertIn("cylinder.force_y [N]", t.expect_success("statistics", "r", *limits).out)
+        told = results_table(t.folder / "r/statistics.csv")
+        t.assertEqual(list(told), [f"cylinder.force_{axis}" for axis in "xyz"])
+        told, rows = told["cylinder.force_y"], list(rows_of(history, FORCE, begin, end))
+        mean = mean_of(rows)
+        t.assertAlmostEqual(float(told["mean"]) / mean, 1, delta=1e-12)  # sums of 60 numbers, in another order
+        square = sum(length * (value - mean) ** 2 for length, value, _ in rows) / sum(length for length, _, _ in rows)
+        t.assertAlmostEqual(float(told["standard_deviation"]) / math.sqrt(square), 1, delta=1e-12)
+        for word, choose in (("maximum", max), ("minimum", min)):
+            value = choose(value for _, value, _ in rows)
+            t.assertEqual(float(told[word]), value)
+            t.assertEqual(float(told[word + "_at [s]"]), next(time for _, each, time in rows if each == value))
+        t.assertEqual(told["unit"], "N")
+
+
+@claim("statistics: windows tell mean and extremes of equal parts of the time")
+def _(t):
+    t.expect_success("run", t.deck(("history: 2 us", "history: 0.3 us")), "--out", "r")
+    out = t.expect_success("statistics", "r", "--columns", "cylinder.force_y,cylinder.position_y", "--windows", "7").out
+    t.assertIn("Written to r: statistics.csv, windows.csv, spectrum.csv", out)
+    history, windows = t.history("r"), table(t.folder / "r/windows.csv")
+    t.assertEqual(list(windows), ["from [s]", "to [s]"] + [f"cylinder.{which}.{what} [{unit}]" for which, unit in (("position_y", "m"), ("force_y", "N"))
+                                                           for what in ("mean", "maximum", "minimum")])
+    for k, (begin, end) in enumerate(zip(windows["from [s]"], windows["to [s]"], strict=True)):
+        t.assertAlmostEqual(begin, 20e-6 * k / 7, delta=1e-18)
+        rows = list(rows_of(history, FORCE, begin, end))
+        t.assertAlmostEqual(windows["cylinder.force_y.mean [N]"][k], mean_of(rows), delta=1e-9 * max(history[FORCE]))  # parts of rows at the ends
+        for word, choose in (("maximum", max), ("minimum", min)):
+            t.assertEqual(windows[f"cylinder.force_y.{word} [N]"][k], choose(value for _, value, _ in rows))
+        # the cylinder goes down: its highest place is that at the beginning, on the line between two rows
+        row = next(n for n in range(1, len(history["time [s]"])) if history["time [s]"][n] > begin)
+        (t0, t1), (y0, y1) = history["time [s]"][row - 1 : row + 1], history["cylinder.position_y [m]"][row - 1 : row + 1]
+        t.assertAlmostEqual(windows["cylinder.position_y.maximum [m]"][k], y0 + (y1 - y0) * (begin - t0) / (t1 - t0), delta=1e-12)
+    t.expect_success("statistics", "r")
+    t.assertFalse((t.folder / "r/windows.csv").exists())  # they were of other columns
+
+
+def write_history(t, times, columns):
+    """A history.csv that no run has written."""
+    (t.folder / "r").mkdir(exist_ok=True)
+    rows = [",".join(["time [s]", *columns])] + [",".join(map(repr, row)) for row in zip(times, *columns.values())]
+    (t.folder / "r/history.csv").write_text("\n".join(rows) + "\n")
+
+
+@claim("statistics: the spectrum is Welch's, by a plain sum over each segment, and says its segments and resolution")
+def _(t):
+    chance, dt = random.Random(5), 0.02
+    force = [3 * math.sin(2 * math.pi * 2.5 * dt * k) + chance.gauss(0, 1) for k in range(301)]
+    write_history(t, [dt * k for k in range(301)], {"ship.force_x [N]": force, "ship.contacts [-]": [1.0] * 301})
+    out = t.expect_success("statistics", "r", "--segment", "2").out
+    t.assertIn("spectrum: 8 Hann windows of 1.28 s (64 intervals of 0.02 s), half overlapping; resolution 0.7812 Hz, up to 25 Hz", out)
+    spectrum = table(t.folder / "r/spectrum.csv")
+    t.assertEqual(list(spectrum), ["frequency [Hz]", "ship.force_x [N2/Hz]"])
+    window = [math.sin(math.pi * n / 64) ** 2 for n in range(64)]
+    for k in (0, 1, 3, 17, 32):
+        power = 0
+        for begin in range(0, 300 - 63, 32):
+            part = force[1 + begin : 65 + begin]
+            mean = sum(part) / 64
+            power += abs(sum(w * (x - mean) * cmath.exp(-2j * math.pi * k * n / 64) for n, (w, x) in enumerate(zip(window, part)))) ** 2 / 8
+        wanted = (1 if k in (0, 32) else 2) * dt * power / sum(w * w for w in window)
+        # rows that end at rounded times are resampled with some 1e-13 of their neighbours
+        t.assertAlmostEqual(spectrum["ship.force_x [N2/Hz]"][k], wanted, delta=1e-9)
+        t.assertAlmostEqual(spectrum["frequency [Hz]"][k], k / 1.28, delta=1e-12)
+    period = float(results_table(t.folder / "r/statistics.csv")["ship.force_x"]["dominant_period [s]"])
+    t.assertAlmostEqual(1 / period, 2.5, delta=1 / 1.28)  # within the resolution
+
+
+@claim("statistics: unevenly spaced rows give the spectrum's peak where even ones do")
+def _(t):
+    chance, times = random.Random(6), [0.0]
+    while times[-1] < 60:
+        times.append(times[-1] + chance.uniform(0.02, 0.1))
+
+    def impulse(time):
+        return 5 * time - math.cos(2 * math.pi * 0.8 * time) / (2 * math.pi * 0.8)
+
+    force = [0.0] + [(impulse(b) - impulse(a)) / (b - a) for a, b in zip(times, times[1:])]  # of 5 + sin
+    write_history(t, times, {"ship.force_x [N]": force, "ship.contacts [-]": [1.0] * len(times)})
+    t.expect_success("statistics", "r", "--to", "50", "--segment", "13")
+    told = results_table(t.folder / "r/statistics.csv")["ship.force_x"]
+    t.assertAlmostEqual(float(told["mean"]), 5, delta=1e-3)  # 40 whole periods, less a part of the row in which the last ends
+    spectrum = table(t.folder / "r/spectrum.csv")
+    resolution = spectrum["frequency [Hz]"][1]
+    t.assertAlmostEqual(1 / float(told["dominant_period [s]"]), 0.8, delta=resolution)
+    # means over 0.06 s and over rows of up to 0.1 s take at most 1 - sinc(0.08)^2 - 1 - sinc(0.05)^2 = 3 % of the power of this sine
+    t.assertAlmostEqual(sum(spectrum["ship.force_x [N2/Hz]"]) * resolution, 0.5, delta=0.02)
+
+
+@claim("statistics: gauges' forces and torques belong to the loads, those of boundaries do not, and --columns chooses any")
+def _(t):
+    deck = t.deck(("    free: [y]", "    free: [y]\n    gauges: {side: {point: [0, 0, 0], axis: [0, 0, 1]}}"),
+                  ("  plate:\n    shape", "  plate:\n    regions: {low: {position: [0, -25 mm, 0], shape: {box: {size: [1, 10 mm, 1]}}}}\n"
+                                         "    boundaries: {grip: {fixed: {region: low}}}\n    shape"), ("20 us}", "20 us, step: 0.5 us}"))
+    t.expect_success("run", deck, "--out", "r")
+    t.expect_success("statistics", "r")
+    loads = [f"cylinder.{part}{axis}" for part in ("force_", "side.force_") for axis in "xyz"] + ["cylinder.side.torque"]
+    t.assertEqual(list(results_table(t.folder / "r/statistics.csv")), loads)
+    out = t.expect_success("statistics", "r", "--columns", "plate.grip.force,total.energy").out
+    t.assertEqual(list(results_table(t.folder / "r/statistics.csv")), [f"plate.grip.force_{axis}" for axis in "xyz"] + ["total.energy"])
+    t.assertIn("spectrum: none, for 10 rows are fewer than the 16 that it needs", out)
+    t.assertFalse((t.folder / "r/spectrum.csv").exists())
+
+
+# a sheet of 80 by 60 cells with two straight cracks: a strip from y = -75 to 45 mm is cut out of it
+SHEET = ("shape: {box: {size: [100 mm, 60 mm, 20 mm]}}\n    spacing: 5 mm",
+         "shape: {box: {size: [400 mm, 300 mm, 5 mm]}}\n    spacing: 5 mm\n    plane: stress\n    position: [1, 0, 0]\n    cracks:\n"
+         "      low: {polygon: [[-201 mm, -75 mm, 0], [201 mm, -75 mm, 0]]}\n      high: {polygon: [[-201 mm, 45 mm, 0], [201 mm, 45 mm, 0]]}")
+BREAKS = ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.01")
+
+
+def sheet(t, *changes):
+    return t.deck(SHEET, BREAKS, ("at: [0, 0, 0]", "at: [1, 0, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [1, -0.03, 0], to: [1, 0.03, 0]"), *changes)
+
+
+@claim("statistics: the width of a channel that two cracks cut is their distance, and its edges are theirs")
+def _(t):
+    t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
+    whole = t.expect_success("statistics", "r", "--channel", "plate:x").out  # the strip is 40 % of the sheet
+    t.assertIn("nowhere broken through", whole)
+    out = t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.41").out
+    t.assertIn("nowhere", t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.2").out)
+    # the strips beside it hold 25 and 35 % of the particles: with 41 % nothing remains, and the whole sheet is broken
+    t.assertIn("mean 0.3 m", out)
+    cut = t.deck(SHEET, BREAKS, ("at: [0, 0, 0]", "at: [1, 0, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [1, -0.03, 0], to: [1, 0.03, 0]"),
+                 ("-201 mm, 45 mm", "-201 mm, -45 mm"), ("201 mm, 45 mm", "201 mm, -45 mm"))
+    t.expect_success("run", cut, "--out", "r", "--set", "output.frames=1")  # a strip of 30 mm, 10 % of the sheet
+    out = t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.2", "--channel-from", "0.9", "--channel-to", "1100 mm").out
+    for words in ("channel along x in body plate at 2e-05 s (r/frames/plate_00001.vtp)", "length            0.2 m", "mean 0.03 m, standard deviation ",
+                  "narrowest         0.03 m", "0.006 m2 of the channel"):
+        t.assertIn(words, out)
+    columns = table(t.folder / "r/pieces/plate_channel_x.csv")
+    t.assertEqual(len(columns["along_x [m]"]), 80)
+    for along, low, high, width in zip(*(columns[name] for name in ("along_x [m]", "low_y [m]", "high_y [m]", "width [m]"))):
+        for got, wanted in ((low, -0.075), (high, -0.045), (width, 0.03)):
+            t.assertAlmostEqual(got, wanted, delta=1e-9)  # places are rounded to a thousandth of a spacing, which these hit
+    across = t.expect_success("statistics", "r", "--channel", "plate:y", "--sheet", "0.2").out
+    t.assertIn("mean 0.4 m", across)  # seen the other way, the whole sheet is broken through over 30 mm
+
+
+@claim("statistics: what cannot be told is refused with 2 and a sentence, and nothing is written")
+def _(t):
+    t.expect_success("run", sheet(t, ("20 us}", "20 us, step: 0.5 us}")), "--out", "r")
+    t.expect_success("run", t.deck(name="other.yaml"), "--out", "unbroken")
+    before = t.files("r")
+    for arguments, words in (
+        (["nowhere"], ["nowhere/history.csv is not there", "perimpact run"]),
+        (["r", "--from", "1"], ["--from 1 s and --to 2e-05 s leave no time of r/history.csv, whose rows go from 0 to 2e-05 s"]),
+        (["r", "--to", "1 kg"], ["--to is 1 kg: that is a mass; write a time"]),
+        (["r", "--columns", "cylinder.fource_x"], ["--columns: r/history.csv has no column cylinder.fource_x", "did you mean cylinder.force_x?"]),
+        (["r", "--windows", "0"], ["--windows: Value 0 not in range", "--help says more"]),
+        (["r", "--segment", "1 s"], ["--segment is 1 s, but it must hold from 16 rows to all 10"]),
+        (["r", "--channel", "plate"], ["--channel is plate, but it must be a body and the axis", "ice:x"]),
+        (["r", "--channel", "plate:z"], ["--channel is plate:z"]),
+        (["r", "--channel", "ice:x"], ["--channel: r has no body ice; there is plate"]),
+        (["unbroken", "--channel", "plate:x"], ["--channel: body plate never breaks"]),
+        (["r", "--channel", "plate:x", "--sheet", "2"], ["--sheet is 2, but it must be above 0 and at most 1"]),
+        (["r", "--channel", "plate:x", "--channel-from", "2", "--channel-to", "1"], ["--channel-from is 2 m, but it must be below --channel-to, which is 1 m"]),
+        (["r", "--channel", "plate:x", "--channel-from", "2 s"], ["--channel-from is 2 s: that is a time; write a length"]),
+    ):
+        done = t.run_program("statistics", *arguments)
+        t.expect_complaint(done, 2, words[0], *words)
+        t.assertEqual(done.out, "")
+    t.assertEqual(t.files("r"), before)
+    (t.folder / "r/history.csv").write_text("time [s],ship.force_x [N],ship.contacts [-]\n0,1,0\n1,nan,0\n")
+    t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv:3: ship.force_x [N] is not a finite number", "--to")
+    (t.folder / "r/history.csv").write_text("time [s],ship.force_x [N],ship.contacts [-]\n0,1,0\n0,1,0\n")
+    t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv:3: time goes from 0 s to 0 s, but it must increase")
+    (t.folder / "r/history.csv").write_text("time [s],ice.kinetic_energy [J]\n0,1\n1,1\n")
+    t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv tells of no impactor", "--columns")
+
+
+@claim("statistics: a run into the same folder takes away what was told of the earlier one")
+def _(t):
+    t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
+    before = t.files("r")
+    t.expect_success("statistics", "r", "--windows", "2", "--channel", "plate:x")
+    t.assertEqual(sorted(set(t.files("r")) - set(before)), ["pieces/plate_channel_x.csv", "statistics.csv", "windows.csv"])
+    t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
+    t.assertEqual(t.files("r"), before)
+
+
+main()

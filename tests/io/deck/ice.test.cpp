@@ -1,0 +1,69 @@
+// Ice in a deck: what it sets, what overrides it, and what is refused.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "io/deck/fixtures.hpp"
+
+using namespace perimpact;
+
+namespace {
+
+const std::string steel = "{model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000}";
+
+std::string with_material(const std::string& material) { return fixtures::plate_with(steel, material); }
+
+ElasticSetup read(const std::string& material) { return fixtures::read(with_material(material)).setup.bodies.front().elastic(); }
+
+}  // namespace
+
+TEST_CASE("ice: temperature and salinity give modulus and flexural strength") {
+  const ElasticSetup ice = read("{model: bond-based, density: 910, ice: {temperature: -5, salinity: 5}}");
+  // the values of tests/perimpact/material/ice.test.cpp
+  CHECK(ice.youngs_modulus == doctest::Approx(7.18024e9).epsilon(1e-5));
+  CHECK(*ice.flexural_strength == doctest::Approx(0.46137e6).epsilon(1e-4));
+  CHECK_FALSE(ice.layers);
+}
+
+TEST_CASE("ice: kelvin, degrees Fahrenheit and parts in a thousand are understood") {
+  const ElasticSetup ice = read("{model: bond-based, density: 910, ice: {temperature: 23 degF, salinity: 5 g/kg}}");
+  CHECK(*ice.ice->temperature == doctest::Approx(-5).epsilon(1e-12));
+  CHECK(*read("{model: bond-based, density: 910, ice: {temperature: 268.15 K, salinity: 5}}").ice->temperature == doctest::Approx(-5).epsilon(1e-12));
+  CHECK(ice.youngs_modulus == doctest::Approx(7.18024e9).epsilon(1e-5));
+}
+
+TEST_CASE("ice: what the deck states itself is kept") {
+  const ElasticSetup ice = read("{model: bond-based, density: 910, youngs_modulus: 1.8 GPa, flexural_strength: 0.7 MPa, ice: {brine_volume: 0.05}}");
+  CHECK(ice.youngs_modulus == 1.8e9);
+  CHECK(*ice.flexural_strength == 0.7e6);
+  CHECK_FALSE(read("{model: bond-based, density: 910, critical_stretch: 0.001, ice: {brine_volume: 0.05}}").flexural_strength);
+}
+
+TEST_CASE("ice: the thickness counts the layers that bend") {
+  CHECK(*read("{model: bond-based, density: 910, ice: {brine_volume: 0.05, thickness: 9 mm}}").layers == 9);  // of 1 mm
+}
+
+TEST_CASE("ice: half a statement, too much of it, and ice without strength are refused") {
+  const auto complaint = [](const std::string& material) { return fixtures::complaint(with_material(material)); };
+  const auto says = [&](const std::string& material, const char* words) {
+    CAPTURE(complaint(material));
+    CHECK(complaint(material).find(words) != std::string::npos);
+  };
+  says("{model: bond-based, density: 910}", "youngs_modulus is missing; give it, or ice");
+  says("{model: bond-based, density: 910, ice: {temperature: -5}}", "either its brine_volume or both its temperature and its salinity");
+  says("{model: bond-based, density: 910, ice: {temperature: -5, salinity: 5, brine_volume: 0.05}}", "either its brine_volume or both");
+  says("{model: bond-based, density: 910, ice: {temperature: -0.5, salinity: 5}}", "has a brine volume of 0.495");
+  says("{model: bond-based, density: 910, ice: {temperature: 2, salinity: 5}}", "temperature");
+  says("{model: bond-based, density: 910, layers: 4, ice: {brine_volume: 0.05, thickness: 9 mm}}", "layers is 4, but ice 0.009 m thick has 9 layers");
+  says("{model: bond-based, density: 910, critical_stretch: 0.1, ice: {brine_volume: 0.05, thickness: 9 mm}}", "without flexural_strength");
+}
+
+TEST_CASE("bending_calibration: refused where no layers of bonds bend") {
+  const auto says = [&](const char* old_text, const char* new_text, const char* words) {
+    const std::string complaint = fixtures::complaint(fixtures::plate_with(old_text, new_text));
+    CAPTURE(complaint);
+    CHECK(complaint.find(words) != std::string::npos);
+  };
+  says("    spacing: 0.001\n", "    spacing: 0.001\n    plane: stress\n    bending_calibration: z\n", "bends in x and y only");
+  says("    material: {model: ordinary-state, ", "    bending_calibration: z\n    material: {model: correspondence, ", "the model correspondence has none");
+}

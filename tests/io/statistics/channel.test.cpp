@@ -1,0 +1,172 @@
+#include "io/statistics/channel.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "fccda/core/error.hpp"
+#include "fixtures/temporary_folder.hpp"
+#include "io/output/pvd.hpp"
+#include "io/output/vtp.hpp"
+
+using namespace perimpact;
+
+namespace {
+
+constexpr double spacing = 0.5;
+
+/// A sheet of 80 by 60 by 2 cells; `piece_of(i, j, k)` says to which piece a cell belongs, none where that is negative.
+struct Sheet {
+  std::vector<Vec3d> places;
+  std::vector<std::int32_t> pieces;
+
+  explicit Sheet(const std::function<int(int, int, int)>& piece_of) {
+    for (int k = 0; k < 2; ++k)
+      for (int j = 0; j < 60; ++j)
+        for (int i = 0; i < 80; ++i) {
+          if (piece_of(i, j, k) < 0) continue;
+          places.push_back({10 + spacing * (i + 0.5), -15 + spacing * (j + 0.5), spacing * k});
+          pieces.push_back(piece_of(i, j, k));
+        }
+  }
+};
+
+/// Two halves, numbers 0 and 1, beside the channel, and floes of 4 cells in it, from number 2 on.
+int of_channel(int i, int j, int low, int high) {
+  if (j < low) return 0;
+  if (j >= high) return 1;
+  return 2 + i / 4;
+}
+
+}  // namespace
+
+TEST_CASE("channel: one that is cut straight through a sheet has its width everywhere, along x and along y") {
+  const Sheet sheet([](int i, int j, int) { return of_channel(i, j, 20, 44); });
+  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  REQUIRE(columns.size() == 80);
+  const double rounding = 1e-12;
+  for (std::size_t c = 0; c < 80; ++c) {
+    CHECK(std::abs(columns[c].along - (10.25 + 0.5 * static_cast<double>(c))) < rounding);
+    CHECK(std::abs(columns[c].low - (-15 + 0.5 * 20)) < rounding);
+    CHECK(std::abs(columns[c].high - (-15 + 0.5 * 44)) < rounding);
+    CHECK(columns[c].width == 12);
+    CHECK(columns[c].all_broken == 12);
+  }
+  const ChannelWidths widths = widths_of(columns, spacing, -1e9, 1e9);
+  CHECK(widths.length == 40);
+  CHECK(widths.mean == doctest::Approx(12).epsilon(rounding));
+  CHECK(widths.deviation < rounding);
+  CHECK(widths.area == doctest::Approx(480).epsilon(rounding));
+  CHECK(widths.all_broken == doctest::Approx(480).epsilon(rounding));
+
+  // the same turned by 90 degrees
+  std::vector<Vec3d> turned;
+  for (const Vec3d& place : sheet.places) turned.push_back({-place.y, place.x, place.z});
+  const ChannelWidths of_turned = widths_of(channel_columns(turned, sheet.pieces, spacing, 1, 0.1), spacing, -1e9, 1e9);
+  CHECK(of_turned.length == widths.length);
+  CHECK(of_turned.mean == doctest::Approx(widths.mean).epsilon(rounding));
+}
+
+TEST_CASE("channel: of one that widens the extremes are told with their places, within the limits that are given") {
+  const auto high = [](int i) { return 22 + i / 4; };  // 2 cells at the lower end, 21 at the upper
+  const Sheet sheet([&](int i, int j, int) { return of_channel(i, j, 20, high(i)); });
+  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  const ChannelWidths all = widths_of(columns, spacing, -1e9, 1e9);
+  CHECK(all.narrowest == 1);
+  CHECK(all.narrowest_at == 10.25);
+  CHECK(all.widest == 10.5);
+  CHECK(all.widest_at == doctest::Approx(10 + 0.5 * 76.5).epsilon(1e-14));
+  CHECK(all.mean == doctest::Approx(5.75).epsilon(1e-12));
+  CHECK(all.deviation == doctest::Approx(0.5 * std::sqrt((20 * 20 - 1) / 12.0)).epsilon(1e-12));  // of 20 equally likely whole numbers
+  const ChannelWidths middle = widths_of(columns, spacing, 20, 30);
+  CHECK(middle.length == 10);
+  CHECK(middle.narrowest == 3.5);
+  CHECK(middle.widest == 5.5);
+}
+
+TEST_CASE("channel: broken places beside it are no part of its width, but of all that is broken through") {
+  const Sheet sheet([](int i, int j, int k) {
+    if (j == 3 && i < 40) return 100 + i;   // single particles along a crack in one half, through both layers
+    if (j == 50 && k == 0) return 200 + i;  // spalled off below only: the sheet remains above
+    if (j == 52 && k == 1) return 300 + i;  // and the other way round
+    return of_channel(i, j, 30, 40);
+  });
+  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  for (std::size_t c = 0; c < 80; ++c) {
+    CHECK(columns[c].width == 5);
+    CHECK(columns[c].all_broken == (c < 40 ? 5.5 : 5.0));
+  }
+}
+
+TEST_CASE("channel: places without particles neither end nor widen it, and where nothing is broken there is none") {
+  const Sheet sheet([](int i, int j, int) {
+    if (i >= 50) return j < 30 ? 0 : 1;             // a crack, but no floes
+    if (i < 10 && (j == 25 || j == 40)) return -1;  // a hole in the channel, and one beside it
+    return of_channel(i, j, 20, 40);
+  });
+  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  for (std::size_t c = 0; c < 80; ++c) {
+    CHECK(columns[c].width == (c < 50 ? 10 : 0));
+    CHECK(std::isnan(columns[c].low) == (c >= 50));
+  }
+  const ChannelWidths widths = widths_of(columns, spacing, -1e9, 1e9);
+  CHECK(widths.length == 25);
+  CHECK(widths.narrowest == 10);
+  CHECK(widths_of(columns, spacing, 40, 50).length == 0);
+}
+
+TEST_CASE("channel: the share decides which pieces are the sheet that remains") {
+  const Sheet sheet([](int, int j, int) { return j < 20 ? 0 : j < 40 ? 1 : 2; });  // thirds
+  const auto length = [&](double share) { return widths_of(channel_columns(sheet.places, sheet.pieces, spacing, 0, share), spacing, -1e9, 1e9).length; };
+  CHECK(length(0.3) == 0);
+  CHECK(length(0.35) == 40);  // nothing remains
+}
+
+TEST_CASE("channel: it is read from the last picture up to a time, with the places of the first") {
+  const fixtures::TemporaryFolder folder;
+  const std::filesystem::path frames = folder / "frames";
+  std::filesystem::create_directories(frames);
+  fixtures::put(folder / "run.json", R"({"bodies": {"ice": {"spacing [m]": 0.5, "pieces": {"pieces": 3}}, "rock": {"spacing [m]": 0.5}}})");
+  output::Series series(frames, "ice");
+  const Sheet whole([](int, int, int) { return 0; }), half([](int i, int j, int) { return i < 40 ? of_channel(i, j, 20, 44) : 0; }),
+      broken([](int i, int j, int) { return of_channel(i, j, 20, 44); });
+  double time = 0;
+  for (const Sheet* sheet : {&whole, &half, &broken}) {
+    std::vector<float> points;
+    for (const Vec3d& place : sheet->places)  // floes drift off
+      for (std::size_t c = 0; c < 3; ++c) points.push_back(static_cast<float>(place[c] + 3 * time));
+    series.add(time, [&](const std::filesystem::path& path) {
+      output::write_vtp(path,
+                        {.points = std::span<const float>(points), .point_arrays = {{"piece", 1, std::span<const std::int32_t>(sheet->pieces)}}, .time = time},
+                        output::Compression::zlib);
+    });
+    time += 0.25;
+  }
+  const auto length = [&](std::optional<double> latest) {
+    const ChannelPicture picture = read_channel_picture(folder.path(), "ice", latest);
+    CHECK(picture.spacing == 0.5);
+    return widths_of(channel_columns(picture.places, picture.pieces, picture.spacing, 0, 0.1), picture.spacing, -1e9, 1e9).length;
+  };
+  CHECK(length({}) == 40);
+  CHECK(length(0.49) == 20);
+  CHECK(length(0.5) == 40);
+  CHECK(length(0.1) == 0);
+  CHECK(read_channel_picture(folder.path(), "ice", 0.3).time == 0.25);
+
+  const auto said = [&](const std::string& body, std::optional<double> latest = {}) {
+    try {
+      read_channel_picture(folder.path(), body, latest);
+    } catch (const fccda::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(said("snow") == "--channel: " + folder.path().string() + " has no body snow; there is ice, rock.");
+  CHECK(said("rock") == "--channel: body rock never breaks, so it has no channel; its material needs critical_stretch, or the body failure.");
+  CHECK(said("ice", -1) == (frames / "ice.pvd").string() + " lists no picture up to -1 s; take a later --to.");
+  std::filesystem::remove(frames / "ice.pvd");
+  CHECK(said("ice") == (frames / "ice.pvd").string() + " is not there; the width of a channel is read from pictures, so the run needs output.frames.");
+  std::filesystem::remove(folder / "run.json");
+  CHECK(said("ice") == (folder / "run.json").string() + " is not there; the width of a channel can be told once the run has ended or was interrupted.");
+}

@@ -1,0 +1,87 @@
+// What breaking bonds takes of the elastic energy, for every material.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "fccda/core/parallel.hpp"
+#include "perimpact/bodies.hpp"
+
+using namespace perimpact;
+
+namespace {
+
+constexpr double dt = 1e-7;  // [s]
+
+/// A body out of shape and in motion, of which bonds may break or not.
+Body shaken(fixtures::BodyOptions options, bool breaks) {
+  if (breaks) options.critical_stretch = 5e-3;
+  Body body = fixtures::body(options);
+  fixtures::shake(body, 3e-6);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> speed(-10, 10);
+  for (const std::uint32_t slot : body.particles.slot_of())
+    body.particles.velocity.set(slot, {speed(random), speed(random), body.particles.is_plane() ? 0 : speed(random)});
+  return body;
+}
+
+/// Σ V f·v [W].
+double power(const Body& body) {
+  double sum = 0;
+  for (const std::uint32_t slot : body.particles.slot_of())
+    sum += body.particles.volume(slot) * dot(body.particles.force_density.at(slot), body.particles.velocity.at(slot));
+  return sum;
+}
+
+constexpr Vec3d size{0.008, 0.007, 0.006};
+
+}  // namespace
+
+TEST_CASE("fracture energy: it is the elastic energy of the same places with and without the bonds that broke, for every material") {
+  for (const fixtures::NamedOptions& one : fixtures::every_body(size)) {
+    CAPTURE(one.name);
+    Body whole = shaken(one.options, false), broken = shaken(one.options, true);
+    const double before = whole.internal.evaluate_with_energy(whole.particles, whole.family);
+    const double after = broken.internal.evaluate_with_energy(broken.particles, broken.family);
+    REQUIRE(broken.internal.broken_bonds() > 0);
+    REQUIRE(before - after > 0.001 * before);
+    // rounding of sums over some ten thousand bonds, of which a thousandth is left; the shape tensors of correspondence are inverted twice
+    CHECK(broken.internal.fracture_energy() == doctest::Approx(before - after).epsilon(1e-9));
+    CHECK(whole.internal.fracture_energy() == 0);
+
+    broken.internal.evaluate(broken.particles, broken.family, dt);  // nothing is left to break
+    CHECK(broken.internal.fracture_energy() == doctest::Approx(before - after).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("fracture energy: of a body that moves it is less by what the lost forces would have done in half a step") {
+  for (const fixtures::NamedOptions& one : fixtures::every_body(size)) {
+    CAPTURE(one.name);
+    Body whole = shaken(one.options, false), broken = shaken(one.options, true);
+    const double before = whole.internal.evaluate_with_energy(whole.particles, whole.family);
+    const double after = broken.internal.evaluate_with_energy(broken.particles, broken.family, dt);
+    const double lost = 0.5 * dt * (power(whole) - power(broken));
+    REQUIRE(std::fabs(lost) > 1e-4 * (before - after));
+    CHECK(broken.internal.fracture_energy() == doctest::Approx(before - after + lost).epsilon(1e-9));  // as above
+  }
+}
+
+TEST_CASE("fracture energy: one particle at a time and many, one thread and several come to the same") {
+  const int threads_before = fccda::thread_count();
+  for (const fixtures::NamedOptions& one : fixtures::every_body(size)) {
+    CAPTURE(one.name);
+    Body scalar = shaken(one.options, true);
+    scalar.internal.evaluate_scalar(scalar.particles, scalar.family, dt);
+    std::vector<double> found;
+    for (const int threads : {1, 2, 4}) {
+      fccda::use_threads(threads);
+      Body wide = shaken(one.options, true);
+      wide.internal.evaluate(wide.particles, wide.family, dt);
+      found.push_back(wide.internal.fracture_energy());
+    }
+    CHECK(found[0] == found[1]);
+    CHECK(found[0] == found[2]);
+    CHECK(found[0] == doctest::Approx(scalar.internal.fracture_energy()).epsilon(1e-9));  // as above
+  }
+  fccda::use_threads(threads_before);
+}
