@@ -88,4 +88,5 @@ def main():
     draw_surfacing(free, report["setup"]["bodies"]["ice"]["spacing"])
 
 
-main()
+if __name__ == "__main__":
+    main()

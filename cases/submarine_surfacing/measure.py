@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+LAST = 0.3  # [s] at the end, over which the balance is averaged
 MEAN = 0.1  # [s] that forces are averaged over: each push of a particle is a single blow
 GRAVITY = 9.81
 
@@ -39,10 +40,10 @@ def main():
     if columns["submarine.velocity_z [m/s]"].ptp() == 0:
         return
     floating = report["impactors"]["submarine"]["floating"]
-    last = time > time[-1] - 1
+    last = time > time[-1] - LAST
     pushed = -columns["submarine.force_z [N]"][last].mean() / GRAVITY
     displaced, mass = columns["submarine.displaced_mass [kg]"][last].mean(), floating["mass [kg]"]
-    print(f"{folder.name}, last second: displaces {displaced / 1e3:.1f} t; mass {mass / 1e3:.1f} t, the ice pushes like {pushed / 1e3:.1f} t, "
+    print(f"{folder.name}, last {LAST} s: displaces {displaced / 1e3:.1f} t; mass {mass / 1e3:.1f} t, the ice pushes like {pushed / 1e3:.1f} t, "
           f"{(displaced - mass - pushed) / 1e3:+.1f} t left over ({100 * (displaced - mass - pushed) / mass:+.2f} %); it rises at "
           f"{columns['submarine.velocity_z [m/s]'][last].mean() * 1e3:.0f} mm/s")
     print(f"{folder.name}: draught at the end {floating['draught [m]']:.3f} m, of the submarine alone {floating['draught_at_rest [m]']:.3f} m")

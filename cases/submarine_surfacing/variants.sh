@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the two rises of README.md, one after the other, and measures them: cases/submarine_surfacing/variants.sh [RESULTS [PERIMPACT]], as
-# scripts/variants.bash says. Ten minutes each on one core that has nothing else to do, or less.
+# scripts/variants.bash says. README.md says how long they take.
 set -euo pipefail
 source "$(dirname "$0")/../../scripts/variants.bash"
 
