@@ -53,7 +53,9 @@ ArraysWriter::ArraysWriter(const std::filesystem::path& path) : file_(std::make_
   file_->expect(use_driver(access.id(), file_->target));
   file_->hdf5 = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose);
   file_->with_groups = Handle(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  file_->expect(file_->hdf5.is_open() && H5Pset_create_intermediate_group(file_->with_groups.id(), 1) >= 0);
+  file_->without_times = Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);  // so that equal states make equal files
+  file_->expect(file_->hdf5.is_open() && H5Pset_create_intermediate_group(file_->with_groups.id(), 1) >= 0 &&
+                H5Pset_obj_track_times(file_->without_times.id(), false) >= 0);
 }
 
 ArraysWriter::~ArraysWriter() = default;
@@ -62,7 +64,7 @@ void ArraysWriter::write(const std::string& name, NumberType type, const void* n
   const hsize_t length = count;
   const Handle space(H5Screate_simple(1, &length, nullptr), H5Sclose);
   const hid_t kind = type_in_memory(type);
-  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), kind, space.id(), file_->with_groups.id(), H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), kind, space.id(), file_->with_groups.id(), file_->without_times.id(), H5P_DEFAULT), H5Dclose);
   const std::uint64_t sum = fingerprint(name, numbers, count * H5Tget_size(kind));
   file_->expect(array.is_open() && (count == 0 || H5Dwrite(array.id(), kind, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) >= 0) &&
                 put_attribute(array.id(), "fingerprint", H5T_NATIVE_UINT64, &sum));
@@ -72,7 +74,7 @@ void ArraysWriter::write(const std::string& name, NumberType type, const void* n
 void ArraysWriter::text(const std::string& name, std::string_view text) {
   const std::string ended(text);
   const Handle type = text_type(ended.size()), space = one_number();
-  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, file_->without_times.id(), H5P_DEFAULT), H5Dclose);
   const std::uint64_t sum = fingerprint(name, ended.data(), ended.size());
   file_->expect(array.is_open() && H5Dwrite(array.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, ended.c_str()) >= 0 &&
                 put_attribute(array.id(), "fingerprint", H5T_NATIVE_UINT64, &sum));
