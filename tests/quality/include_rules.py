@@ -39,7 +39,7 @@ LAYERS = {
     "perimpact/impact": ["fccda", "perimpact/setup", "perimpact/particles", "perimpact/solid"],
     "io": ["fccda", "perimpact", "io"],
     "io/deck": ["fccda/core", "perimpact/material", "perimpact/setup"],
-    "io/statistics": ["fccda", "perimpact/setup", "io/output", "io/deck"],
+    "io/statistics": ["fccda", "perimpact/setup", "perimpact/material", "io/output", "io/deck"],
     "io/output": ["fccda/core", "fccda/surface"],
 }
 
