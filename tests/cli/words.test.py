@@ -12,7 +12,7 @@ def _(t):
         t.assertIn(key, whole)
     one = t.expect_success("describe", "poissons_ratio").out
     t.assertTrue(one.startswith("bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25"), one)
-    t.assertIn("youngs_modulus: number [Pa], above 0, required", t.expect_success("describe", "bodies.material").out)
+    t.assertIn("youngs_modulus: number [Pa], above 0, optional", t.expect_success("describe", "bodies.material").out)
 
 
 @claim("words: describe asks back about a key that is not there")

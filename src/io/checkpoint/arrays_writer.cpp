@@ -23,7 +23,7 @@ struct ArraysWriter::File {
   std::filesystem::path path;
   output::WholeFile whole;
   DriverTarget target;
-  Handle hdf5, with_groups;
+  Handle hdf5, with_groups, without_times;
   std::uint64_t arrays = 0;
 };
 

@@ -17,8 +17,7 @@ void apply_ice(BodySetup& body, const std::string& path, const Places& places) {
   ElasticSetup& material = std::visit([](auto& one) -> ElasticSetup& { return one; }, body.material);
   const std::string its = path + ".material";
   if (!material.ice) {
-    if (!places.has(its + ".youngs_modulus"))
-      refuse(places.of(its), "youngs_modulus is missing; give it, or ice with its temperature and salinity, or its brine_volume.");
+    if (!material.youngs_modulus) refuse(places.of(its), "youngs_modulus is missing; give it, or ice with its temperature and salinity, or its brine_volume.");
     return;
   }
   const IceSetup& ice = *material.ice;
@@ -31,7 +30,7 @@ void apply_ice(BodySetup& body, const std::string& path, const Places& places) {
     refuse(places.of(its + ".ice"), fmt::format("ice of salinity {} g/kg at {} degC has a brine volume of {:.3g}, and above {} it has no strength to speak of; "
                                                 "take colder or less saline ice.",
                                                 *ice.salinity, *ice.temperature, brine, most_brine));
-  if (!places.has(its + ".youngs_modulus")) material.youngs_modulus = ice_youngs_modulus(brine);
+  if (!material.youngs_modulus) material.youngs_modulus = ice_youngs_modulus(brine);
   if (!material.critical_stretch && !material.fracture_energy && !material.flexural_strength) material.flexural_strength = ice_flexural_strength(brine);
   if (!ice.thickness) return;
   if (!body.spacing) refuse(places.of(its + ".ice.thickness"), "thickness is given, but a body from a file has no spacing to count layers with; give layers.");

@@ -94,7 +94,7 @@ struct IceSetup {
 
 /// What all materials have.
 struct ElasticSetup {
-  double youngs_modulus{};  ///< [Pa]
+  std::optional<double> youngs_modulus;  ///< [Pa] needed
   double poissons_ratio = 0.25;
   double density{};  ///< [kg/m³]
   // at most one of these three says when bonds break; never where all are absent

@@ -152,7 +152,9 @@ std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Par
 }
 
 IsotropicElastic elastic_of(const BodySetup& setup) {
-  return IsotropicElastic::in(setup.plane.as<Plane>(), setup.elastic().youngs_modulus, poissons_ratio_of(setup));
+  const std::optional<double> modulus = setup.elastic().youngs_modulus;
+  if (!modulus) throw SetupError("bodies." + setup.name + ".material.youngs_modulus", fmt::format("body {} has no Young's modulus; give it.", setup.name));
+  return IsotropicElastic::in(setup.plane.as<Plane>(), *modulus, poissons_ratio_of(setup));
 }
 
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation) {

@@ -33,7 +33,7 @@ std::optional<FailureCriterion> failure_criterion(const BodySetup& setup, const 
   const ElasticSetup& material = setup.elastic();
   if (!material.critical_stretch && !material.fracture_energy && !material.flexural_strength) return {};
   const int layers = material.layers.value_or(thinnest_layers(particles));
-  const double k = fracture_energy_of_unit_stretch(law, family, particles), modulus = material.youngs_modulus;
+  const double k = fracture_energy_of_unit_stretch(law, family, particles), modulus = material.youngs_modulus.value();
   double stretch;
   if (material.critical_stretch)
     stretch = *material.critical_stretch;
