@@ -1,0 +1,154 @@
+#!/usr/bin/python3
+"""Draws the pictures of README.md: figures.py [RESULTS] [--paper] [--check FOLDER]
+
+RESULTS: folder of a finished run of deck.yaml (default: results/ship_ice); --paper: of paper.yaml, at the paper's four instants.
+--check: folder that `perimpact check` wrote surfaces and regions into; then only the bow and its region are drawn.
+"""
+
+import argparse
+import csv
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "../../scripts/pictures"))
+from render import Scene  # noqa: E402
+from vtp_reader import picture_at, read_vtp, series  # noqa: E402
+
+COLOURS = LinearSegmentedColormap.from_list("damage", ["#e6eff6", "#a9c9e0", "#e8a15a", "#b3312c", "#5e0f14"])
+HULL, WATER = (0.66, 0.33, 0.30), "#20506e"
+PAPER_TIMES = 18.8, 37.6, 56.4, 75.2  # [s] of figure 19
+
+
+def spacing_of(sheet):
+    heights = np.unique(np.round(sheet.points[:, 2] - sheet.point["displacement"][:, 2], 4))
+    return np.diff(heights).min()
+
+
+def corners_of(ship):
+    return np.asarray(ship.points, float)[np.array([panel[:3] for panel in ship.panels])]
+
+
+def near(corners, sheet):
+    """Triangles of the hull beside the sheet and a little behind it."""
+    return corners[corners[:, :, 0].min(axis=1) < sheet.points[:, 0].max() + 25]
+
+
+def scene_picture(sheet, ship, spacing, fold=2):
+    """Ice and hull, from ahead and above."""
+    reference = sheet.points - sheet.point["displacement"]
+    middle = 0.5 * (reference.min(axis=0) + reference.max(axis=0))
+    scene = Scene(direction=(-0.75, -0.62, 0.62), up=(0, 0, 1), pixels_per_metre=9.6 * fold, width=620 * fold, height=430 * fold, centre=middle + [2, 0, 1.5])
+    scene.add_shells(near(corners_of(ship), sheet), HULL)
+    scene.add_balls(sheet.points, 0.56 * spacing, COLOURS(np.clip(sheet.point["damage"] / 0.9, 0, 1))[:, :3])
+    return scene.picture(fold)
+
+
+def draw_scenes(folder, times, file):
+    figure, axes = plt.subplots(2, 2, figsize=(11, 8.0))
+    for axis, time in zip(axes.flat, times):
+        at, sheet = picture_at(folder, "sheet", time)
+        _, ship = picture_at(folder, "ship", time)
+        axis.imshow(scene_picture(sheet, ship, spacing_of(sheet)), interpolation="none")
+        axis.set_facecolor(WATER)
+        axis.set_xticks([]), axis.set_yticks([])
+        axis.set_title(f"{at:.1f} s", fontsize=13)
+    figure.tight_layout()
+    figure.savefig(file, dpi=95)
+
+
+def draw_damage(folder, times, file):
+    """Damage of the uppermost layer, on the undeformed sheet."""
+    figure, axes = plt.subplots(len(times), 1, figsize=(9, 2.1 + 2.6 * len(times)), sharex=True)
+    for axis, time in zip(axes, times):
+        at, sheet = picture_at(folder, "sheet", time)
+        reference = sheet.points - sheet.point["displacement"]
+        spacing = spacing_of(sheet)
+        top = reference[:, 2] > reference[:, 2].max() - 0.5 * spacing
+        column, row = (np.round(reference[top, k] / spacing - 0.5).astype(int) for k in (0, 1))
+        cells = np.full((np.ptp(row) + 1, np.ptp(column) + 1), np.nan)
+        cells[row - row.min(), column - column.min()] = sheet.point["damage"][top]
+        low, high = reference[top].min(axis=0) - 0.5 * spacing, reference[top].max(axis=0) + 0.5 * spacing
+        image = axis.imshow(cells, extent=(low[0], high[0], low[1], high[1]), origin="lower", cmap=COLOURS, vmin=0, vmax=0.9, interpolation="none")
+        axis.set_title(f"{at:.1f} s", fontsize=11, loc="left")
+        axis.set_ylabel("y [m]")
+    axes[-1].set_xlabel("x [m]; the ship comes from the right")
+    figure.colorbar(image, ax=axes, label="damage", shrink=0.6)
+    figure.savefig(file, dpi=95, bbox_inches="tight")
+
+
+def history(folder):
+    with open(folder / "history.csv") as lines:
+        rows = list(csv.DictReader(lines))
+    return {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
+
+
+def draw_forces(folder, file):
+    rows = history(folder)
+    time = rows["time [s]"]
+    figure, axes = plt.subplots(2, 1, figsize=(10, 6.4), sharex=True)
+    for axis, name, words in zip(axes, "xz", ("F_x, resistance", "F_z, upwards")):
+        force = rows[f"ship.force_{name} [N]"] / 1e6
+        axis.fill_between(time, force, color="#a9c9e0", step="pre", label=f"rows of history.csv, {time[2] - time[1]:.3g} s")
+        window = 1.0
+        n = round(window / (time[2] - time[1]))
+        smooth = np.convolve(force, np.ones(n) / n, mode="same")
+        axis.plot(time, smooth, color="#b3312c", linewidth=1.6, label="mean over 1 s")
+        axis.axhline(force[time > 0.3 * time[-1]].mean(), color="#20506e", linestyle="--", linewidth=1, label="mean from 0.3 of the run on")
+        axis.set_ylabel(f"{words} [MN]")
+        axis.set_ylim(0, 1.6 * np.percentile(force, 99))
+    axes[0].legend(fontsize=9)
+    axes[1].set_xlabel("time [s]")
+    figure.tight_layout()
+    figure.savefig(file, dpi=95)
+
+
+def draw_bow(folder, file):
+    """The bow's panels, and the boxes of its region, from the side and from above."""
+    ship = read_vtp(folder / "ship.vtp")
+    corners = corners_of(ship)
+    regions = [read_vtp(path) for path in sorted(folder.glob("ship_region*.vtp"))]
+    figure, axes = plt.subplots(2, 1, figsize=(11, 6.5), gridspec_kw={"height_ratios": (0.6, 1)})
+    for axis, up, word in zip(axes, (2, 1), ("z [m]", "y [m]")):
+        seen = corners[:, :, up].mean(axis=1) < 6.1 if up == 1 else corners[:, :, 1].mean(axis=1) <= 1e-6
+        outline = np.concatenate([corners[seen], corners[seen][:, :1]], axis=1)
+        axis.plot(*np.concatenate([np.swapaxes(outline[:, :, [0, up]], 1, 2), np.full((seen.sum(), 2, 1), np.nan)], axis=2).transpose(1, 0, 2).reshape(2, -1),
+                  color="#5a6b78", linewidth=0.35)
+        for region in regions:
+            for panel in region.panels:
+                box = np.asarray(region.points, float)[np.append(panel, panel[0])]
+                axis.plot(box[:, 0], box[:, up], color="#b3312c", linewidth=0.8)
+        axis.set_aspect("equal"), axis.set_ylabel(word)
+    axes[-1].set_xlabel("x [m]")
+    figure.tight_layout()
+    figure.savefig(file, dpi=95)
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("results", type=Path, nargs="?", default=Path("results/ship_ice"))
+    arguments.add_argument("--paper", action="store_true")
+    arguments.add_argument("--check", type=Path)
+    given = arguments.parse_args()
+    figures = HERE / "figures"
+    figures.mkdir(exist_ok=True)
+    if given.check:
+        draw_bow(given.check, figures / "bow.png")
+        return
+    end = series(given.results, "sheet")[-1][0]
+    times = PAPER_TIMES if given.paper else [share * end for share in (0.1, 0.4, 0.7, 1)]
+    prefix = "paper_" if given.paper else ""
+    draw_scenes(given.results, times, figures / f"{prefix}scenes.png")
+    draw_damage(given.results, times, figures / f"{prefix}damage.png")
+    draw_forces(given.results, figures / f"{prefix}forces.png")
+
+
+if __name__ == "__main__":
+    main()
