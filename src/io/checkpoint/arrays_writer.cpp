@@ -19,11 +19,20 @@ struct ArraysWriter::File {
     if (!done) throw fccda::RunError(fmt::format("{} cannot be written: HDF5 failed. Everything written before is intact.", path.string()));
   }
 
+  /// The groups above "state/plate/velocity" that are not there yet.
+  void make_groups(const std::string& name) {
+    for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1)) {
+      const std::string above = name.substr(0, slash);
+      if (H5Lexists(hdf5.id(), above.c_str(), H5P_DEFAULT) > 0) continue;
+      expect(Handle(H5Gcreate2(hdf5.id(), above.c_str(), H5P_DEFAULT, group.id(), H5P_DEFAULT), H5Gclose).is_open());
+    }
+  }
+
   Quiet quiet;
   std::filesystem::path path;
   output::WholeFile whole;
   DriverTarget target;
-  Handle hdf5, with_groups, without_times;
+  Handle hdf5, group, array;  // how groups and arrays are made: without times, so that equal states make equal files
   std::uint64_t arrays = 0;
 };
 
@@ -51,20 +60,22 @@ Handle text_type(std::size_t bytes) {
 ArraysWriter::ArraysWriter(const std::filesystem::path& path) : file_(std::make_unique<File>(path)) {
   const Handle access = file_access();
   file_->expect(use_driver(access.id(), file_->target));
-  file_->hdf5 = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose);
-  file_->with_groups = Handle(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  file_->without_times = Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);  // so that equal states make equal files
-  file_->expect(file_->hdf5.is_open() && H5Pset_create_intermediate_group(file_->with_groups.id(), 1) >= 0 &&
-                H5Pset_obj_track_times(file_->without_times.id(), false) >= 0);
+  const Handle root(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  file_->group = Handle(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  file_->array = Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  for (const hid_t made : {root.id(), file_->group.id(), file_->array.id()}) file_->expect(H5Pset_obj_track_times(made, false) >= 0);
+  file_->hdf5 = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, root.id(), access.id()), H5Fclose);
+  file_->expect(file_->hdf5.is_open());
 }
 
 ArraysWriter::~ArraysWriter() = default;
 
 void ArraysWriter::write(const std::string& name, NumberType type, const void* numbers, std::size_t count) {
+  file_->make_groups(name);
   const hsize_t length = count;
   const Handle space(H5Screate_simple(1, &length, nullptr), H5Sclose);
   const hid_t kind = type_in_memory(type);
-  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), kind, space.id(), file_->with_groups.id(), file_->without_times.id(), H5P_DEFAULT), H5Dclose);
+  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), kind, space.id(), H5P_DEFAULT, file_->array.id(), H5P_DEFAULT), H5Dclose);
   const std::uint64_t sum = fingerprint(name, numbers, count * H5Tget_size(kind));
   file_->expect(array.is_open() && (count == 0 || H5Dwrite(array.id(), kind, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) >= 0) &&
                 put_attribute(array.id(), "fingerprint", H5T_NATIVE_UINT64, &sum));
@@ -74,7 +85,7 @@ void ArraysWriter::write(const std::string& name, NumberType type, const void* n
 void ArraysWriter::text(const std::string& name, std::string_view text) {
   const std::string ended(text);
   const Handle type = text_type(ended.size()), space = one_number();
-  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, file_->without_times.id(), H5P_DEFAULT), H5Dclose);
+  const Handle array(H5Dcreate2(file_->hdf5.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, file_->array.id(), H5P_DEFAULT), H5Dclose);
   const std::uint64_t sum = fingerprint(name, ended.data(), ended.size());
   file_->expect(array.is_open() && H5Dwrite(array.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, ended.c_str()) >= 0 &&
                 put_attribute(array.id(), "fingerprint", H5T_NATIVE_UINT64, &sum));

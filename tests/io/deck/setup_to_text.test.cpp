@@ -288,19 +288,23 @@ void fill_material(Random& random, BodySetup& body) {
   if (own_family && !body.published) body.surface_correction.index = 0;
   if (own_family) body.published = false;
   if (is_correspondence) body.normalisation.index = 0;
+  if (is_correspondence || !body.spacing || body.is_plane()) body.bending_calibration.index = 0;  // x and y would do in a plane body
   std::visit(
       [&](auto& material) {
         fill_fields(random, material);
+        if (!material.youngs_modulus) material.youngs_modulus = 9e9;
         const auto kept = random() % 4;
         if (kept != 0) material.critical_stretch.reset();
         if (kept != 1) material.fracture_energy.reset();
         if (kept != 2) material.flexural_strength.reset();
         if (!material.flexural_strength) material.layers.reset();
         if (kept == 3 || !(material.critical_stretch || material.fracture_energy || material.flexural_strength)) return;
+        if (random() % 2 == 0) material.ice = IceSetup{.brine_volume = 0.1};  // says nothing that is not said above
         FailureSetup& failure = body.failure.emplace();
         fill_fields(random, failure);
         const bool is_limit = failure.compression.as<CompressionFailure>() == CompressionFailure::limit;
         if (is_limit != failure.critical_compression.has_value()) failure.compression.index = 0, failure.critical_compression.reset();
+        if (failure.compression.index != 0) failure.compression_hardening = 0;
         if (!failure.weibull_modulus) failure.seed.reset();
       },
       body.material);
