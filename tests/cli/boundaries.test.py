@@ -63,7 +63,9 @@ def _(t):
     many = ("increments: 4", "increments: 40")
     t.expect_success("run", bar(t, many), "--out", "whole")
     process = t.start("run", "bar.yaml", "--out", "stopped")
-    time.sleep(0.3)
+    rows = t.folder / "stopped/history.csv"
+    while process.poll() is None and not (rows.exists() and rows.read_text().count("\n") > 2):
+        time.sleep(0.01)
     process.send_signal(signal.SIGINT)
     process.communicate(timeout=60)
     if process.returncode != 0:
