@@ -101,7 +101,7 @@ def draw_forces(folder, file):
         n = round(window / (time[2] - time[1]))
         smooth = np.convolve(force, np.ones(n) / n, mode="same")
         axis.plot(time, smooth, color="#b3312c", linewidth=1.6, label="mean over 1 s")
-        axis.axhline(force[time > 0.3 * time[-1]].mean(), color="#20506e", linestyle="--", linewidth=1, label="mean from 0.3 of the run on")
+        axis.axhline(force[time > 4].mean(), color="#20506e", linestyle="--", linewidth=1, label="mean from 4 s on")
         axis.set_ylabel(f"{words} [MN]")
         axis.set_ylim(0, 1.6 * np.percentile(force, 99))
     axes[0].legend(fontsize=9)
@@ -112,19 +112,17 @@ def draw_forces(folder, file):
 
 def draw_bow(folder, file):
     """The bow's panels, and the boxes of its region, from the side and from above."""
-    ship = read_vtp(folder / "ship.vtp")
-    corners = corners_of(ship)
-    regions = [read_vtp(path) for path in sorted(folder.glob("ship_region*.vtp"))]
-    figure, axes = plt.subplots(2, 1, figsize=(11, 6.5), gridspec_kw={"height_ratios": (0.6, 1)})
+    corners = corners_of(read_vtp(folder / "ship_surface.vtp"))
+    region = read_vtp(folder / "ship_region.vtp")
+    figure, axes = plt.subplots(2, 1, figsize=(11, 3.9), gridspec_kw={"height_ratios": (0.65, 1)})
     for axis, up, word in zip(axes, (2, 1), ("z [m]", "y [m]")):
-        seen = corners[:, :, up].mean(axis=1) < 6.1 if up == 1 else corners[:, :, 1].mean(axis=1) <= 1e-6
+        seen = corners[:, :, 2].max(axis=1) <= 0.5 if up == 1 else corners[:, :, 1].mean(axis=1) <= 0  # from above the wet part, from the side port
         outline = np.concatenate([corners[seen], corners[seen][:, :1]], axis=1)
         axis.plot(*np.concatenate([np.swapaxes(outline[:, :, [0, up]], 1, 2), np.full((seen.sum(), 2, 1), np.nan)], axis=2).transpose(1, 0, 2).reshape(2, -1),
                   color="#5a6b78", linewidth=0.35)
-        for region in regions:
-            for panel in region.panels:
-                box = np.asarray(region.points, float)[np.append(panel, panel[0])]
-                axis.plot(box[:, 0], box[:, up], color="#b3312c", linewidth=0.8)
+        for panel in region.panels:
+            side = np.asarray(region.points, float)[np.append(panel, panel[0])]
+            axis.plot(side[:, 0], side[:, up], color="#b3312c", linewidth=0.8)
         axis.set_aspect("equal"), axis.set_ylabel(word)
     axes[-1].set_xlabel("x [m]")
     figure.tight_layout()
