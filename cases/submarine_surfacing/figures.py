@@ -24,8 +24,10 @@ from render import Scene  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
 INSTANTS = 0.6, 2.4, 4.4, 10.0  # [s] of the free rise: the sail has cracked the ice, it stands in it, the hull lifts it, at rest
+END = 1e9  # [s] later than any picture
 FLOE = 2e-3  # share of the ice from which on a piece has its own colour
 COLOURS = LinearSegmentedColormap.from_list("damage", ["#eaf3fa", "#a9cbe3", "#e8a15a", "#b3312c"])
+FLOES = [colour for k, colour in enumerate(plt.get_cmap("tab20").colors) if k not in (14, 15)]  # without greys
 RED, BLUE, GREY = "#b3312c", "#2f6f9f", "0.45"
 
 plt.rcParams.update({"font.size": 12, "axes.spines.top": False, "axes.spines.right": False})
@@ -42,7 +44,7 @@ def by_piece(ice):
     colours = np.tile([0.80, 0.83, 0.86], (len(piece), 1))
     colours[size[piece] == 1] = 0.52
     for number in np.flatnonzero(size > FLOE * len(piece)):
-        colours[piece == number] = (0.92, 0.96, 0.98) if number == 0 else plt.get_cmap("tab20")(number % 20)[:3]
+        colours[piece == number] = (0.92, 0.96, 0.98) if number == 0 else FLOES[number % len(FLOES)][:3]
     return colours
 
 
@@ -60,7 +62,7 @@ def draw_surfacing(folder, spacing):
     for axis, time in zip(axes.flat, INSTANTS):
         at, image = scene_at(folder, time, spacing)
         axis.imshow(image, interpolation="none")
-        axis.text(0.06, 0.9, f"{at:.1f} s", transform=axis.transAxes, fontsize=14)
+        axis.text(0.0, 0.9, f"{at:.1f} s", transform=axis.transAxes, fontsize=14)
         axis.axis("off")
     scale = matplotlib.cm.ScalarMappable(Normalize(0, 1), COLOURS)
     figure.colorbar(scale, ax=axes, location="bottom", shrink=0.3, aspect=25, pad=0.01, label="damage of particles")
@@ -69,9 +71,9 @@ def draw_surfacing(folder, spacing):
 
 
 def draw_pieces(runs, spacing):
-    figure, axes = plt.subplots(1, len(runs), figsize=(11.5, 3.9), layout="constrained")
+    figure, axes = plt.subplots(1, len(runs), figsize=(11.5, 3.4), layout="constrained")
     for axis, (folder, title) in zip(axes, runs):
-        axis.imshow(scene_at(folder, np.inf, spacing, by_piece)[1], interpolation="none")
+        axis.imshow(scene_at(folder, END, spacing, by_piece)[1], interpolation="none")
         axis.set_title(f"{title}: {json.loads((folder / 'run.json').read_text())['bodies']['ice']['pieces']['above_1_percent']} pieces above 1 %")
         axis.axis("off")
     figure.savefig(CASE / "figures/pieces.png", dpi=95)

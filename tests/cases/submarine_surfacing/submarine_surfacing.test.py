@@ -72,7 +72,7 @@ def open_water(scene):
     scene.assertAlmostEqual(max(columns["submarine.velocity_z [m/s]"]) / (lift / (1.2 * 1.8 * 2000e3)), 1, delta=0.1)
 
 
-@claim("submarine_surfacing: no run of variants.sh has anything to be warned of, its time step least")
+@claim("submarine_surfacing: perimpact check warns of nothing in any run of variants.sh")
 def steps(scene):
     script = (CASE / "variants.sh").read_text().replace("\\\n", " ")
     variants = [shlex.split(line)[1:] for line in script.splitlines() if line.startswith("variant ")]
