@@ -91,7 +91,7 @@ def draw_forces(given, unhardened, mass):
     axis.plot(rise, lift / 1e6, color=GREY, lw=1.5, ls="--", label="buoyancy − weight, upward")
     axis.axhline(0, color="0.8", lw=0.8)
     axis.set(xlabel="rise [m]", ylabel="force [MN]", title="What the ice takes to give way, and what the water has to give")
-    axis.legend(frameon=False)
+    axis.legend(frameon=False, loc="center left", bbox_to_anchor=(0.12, 0.58))
     figure.savefig(CASE / "figures/forces.png", dpi=95)
     plt.close(figure)
 
