@@ -3,7 +3,7 @@
 
     cases/submarine_surfacing/figures.py results/submarine_surfacing
 
-writes figures/surfacing.png, figures/forces.png and figures/equilibrium.png beside this script.
+writes figures/surfacing.png, figures/forces.png, figures/pieces.png and figures/equilibrium.png beside this script.
 """
 
 import json
@@ -14,6 +14,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, Normalize  # noqa: E402
 from measure import GRAVITY, history, ice_on  # noqa: E402
 
@@ -23,18 +24,36 @@ from render import Scene  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
 INSTANTS = 0.6, 2.4, 4.4, 10.0  # [s] of the free rise: the sail has cracked the ice, it stands in it, the hull lifts it, at rest
+END = 1e9  # [s] later than any picture
+FLOE = 2e-3  # share of the ice from which on a piece has its own colour
 COLOURS = LinearSegmentedColormap.from_list("damage", ["#eaf3fa", "#a9cbe3", "#e8a15a", "#b3312c"])
+FLOES = [colour for k, colour in enumerate(plt.get_cmap("tab20").colors) if k not in (14, 15)]  # without greys
 RED, BLUE, GREY = "#b3312c", "#2f6f9f", "0.45"
 
 plt.rcParams.update({"font.size": 12, "axes.spines.top": False, "axes.spines.right": False})
 
 
-def scene_at(folder, time, spacing, fold=2):
+def by_damage(ice):
+    return COLOURS(ice.point["damage"])[:, :3]
+
+
+def by_piece(ice):
+    """The heaviest pieces in colours of their own, smaller ones pale, single particles grey."""
+    piece = ice.point["piece"].astype(int).ravel()
+    size = np.bincount(piece)
+    colours = np.tile([0.80, 0.83, 0.86], (len(piece), 1))
+    colours[size[piece] == 1] = 0.52
+    for number in np.flatnonzero(size > FLOE * len(piece)):
+        colours[piece == number] = (0.92, 0.96, 0.98) if number == 0 else FLOES[number % len(FLOES)][:3]
+    return colours
+
+
+def scene_at(folder, time, spacing, colours=by_damage, fold=2):
     at, ice = picture_at(folder, "ice", time)
     boat = picture_at(folder, "submarine", time)[1]
     scene = Scene(direction=(0.75, -0.95, 0.75), up=(0, 0, 1), pixels_per_metre=9.6 * fold, width=640 * fold, height=330 * fold, centre=(1, 0, -1))
     scene.add_panels(boat.points, boat.panels, colour=(0.36, 0.40, 0.44), edge_colour=(0.30, 0.33, 0.37), edge_width=0.03)
-    scene.add_balls(ice.points, 0.62 * spacing, COLOURS(ice.point["damage"])[:, :3])
+    scene.add_balls(ice.points, 0.62 * spacing, colours(ice))
     return at, scene.picture(fold)
 
 
@@ -43,7 +62,7 @@ def draw_surfacing(folder, spacing):
     for axis, time in zip(axes.flat, INSTANTS):
         at, image = scene_at(folder, time, spacing)
         axis.imshow(image, interpolation="none")
-        axis.text(0.06, 0.9, f"{at:.1f} s", transform=axis.transAxes, fontsize=14)
+        axis.text(0.0, 0.9, f"{at:.1f} s", transform=axis.transAxes, fontsize=14)
         axis.axis("off")
     scale = matplotlib.cm.ScalarMappable(Normalize(0, 1), COLOURS)
     figure.colorbar(scale, ax=axes, location="bottom", shrink=0.3, aspect=25, pad=0.01, label="damage of particles")
@@ -51,17 +70,28 @@ def draw_surfacing(folder, spacing):
     plt.close(figure)
 
 
-def draw_forces(given, mass):
+def draw_pieces(runs, spacing):
+    figure, axes = plt.subplots(1, len(runs), figsize=(11.5, 3.4), layout="constrained")
+    for axis, (folder, title) in zip(axes, runs):
+        axis.imshow(scene_at(folder, END, spacing, by_piece)[1], interpolation="none")
+        axis.set_title(f"{title}: {json.loads((folder / 'run.json').read_text())['bodies']['ice']['pieces']['above_1_percent']} pieces above 1 %")
+        axis.axis("off")
+    figure.savefig(CASE / "figures/pieces.png", dpi=95)
+    plt.close(figure)
+
+
+def draw_forces(given, unhardened, mass):
     """Over the height of the submarine, which is its speed times time."""
     rise = given["submarine.position_z [m]"] - given["submarine.position_z [m]"][0]
     figure, axis = plt.subplots(figsize=(10.5, 4.6), layout="constrained")
     for part, colour in ((".sail", BLUE), (".hull", RED)):
         axis.plot(rise, ice_on(given, part) / 1e6, color=colour, lw=2, label=f"ice on the {part[1:]}, downward")
+        axis.plot(rise, ice_on(unhardened, part) / 1e6, color=colour, lw=1, alpha=0.6, label=f"{part[1:]}, ice without hardening")
     lift = GRAVITY * (given["submarine.displaced_mass [kg]"] - mass)
     axis.plot(rise, lift / 1e6, color=GREY, lw=1.5, ls="--", label="buoyancy − weight, upward")
     axis.axhline(0, color="0.8", lw=0.8)
     axis.set(xlabel="rise [m]", ylabel="force [MN]", title="What the ice takes to give way, and what the water has to give")
-    axis.legend(frameon=False)
+    axis.legend(frameon=False, loc="center left", bbox_to_anchor=(0.12, 0.58))
     figure.savefig(CASE / "figures/forces.png", dpi=95)
     plt.close(figure)
 
@@ -79,11 +109,12 @@ def draw_equilibrium(free, mass):
 
 
 def main():
-    given, free = (Path(sys.argv[1]) / name for name in ("given", "free"))
+    given, unhardened, free = (Path(sys.argv[1]) / name for name in ("given", "unhardened", "free"))
     (CASE / "figures").mkdir(exist_ok=True)
     report = json.loads((free / "run.json").read_text())
     mass = report["impactors"]["submarine"]["mass [kg]"]
-    draw_forces(history(given), mass)
+    draw_forces(history(given), history(unhardened), mass)
+    draw_pieces([(given, "with hardening"), (unhardened, "without")], json.loads((given / "run.json").read_text())["setup"]["bodies"]["ice"]["spacing"])
     draw_equilibrium(history(free), mass)
     draw_surfacing(free, report["setup"]["bodies"]["ice"]["spacing"])
 

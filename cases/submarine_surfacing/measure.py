@@ -26,6 +26,13 @@ def ice_on(columns, part=""):
     return np.convolve(force, np.ones(rows), "same") / np.convolve(np.ones_like(force), np.ones(rows), "same")
 
 
+def closing_error(columns):
+    """The largest of all rows [J], and over the energy that changed hands, as docs/theory/energy.md has it."""
+    works = [name for name in columns if name.endswith((".contact_work [J]", ".work [J]"))]
+    largest = abs(columns["total.closing_error [J]"]).max()
+    return largest, largest / sum(abs(columns[name]).max() for name in works)
+
+
 def main():
     folder = Path(sys.argv[1])
     columns, report = history(folder), json.loads((folder / "run.json").read_text())
@@ -34,9 +41,13 @@ def main():
         force = ice_on(columns, part)
         most = force.argmax()
         print(f"{folder.name}: {part[1:]} {force[most] / 1e6:.2f} MN at {time[most]:.2f} s, after a rise of {height[most] - height[0]:.2f} m")
-    share = columns["ice.broken_bonds [-]"][-1] / report["bodies"]["ice"]["bonds"]
-    timers = sum(report["timers [s]"].values())
-    print(f"{folder.name}: {100 * share:.0f} % of the bonds broken; {report['steps']} steps in {timers:.0f} s on {report['threads']} thread")
+    ice = report["bodies"]["ice"]
+    pieces, timers = ice["pieces"], sum(report["timers [s]"].values())
+    print(f"{folder.name}: {100 * (1 - ice['intact_bonds'] / ice['bonds']):.1f} % of the bonds broken; {pieces['above_1_percent']} pieces above 1 %, "
+          f"{pieces['pieces']} of two and more particles, {100 * pieces['single_particles'] / ice['particles']:.1f} % of the particles single")
+    error, share = closing_error(columns)
+    print(f"{folder.name}: closing error {error:.3g} J at most, {share:.1e} of what changed hands; {report['steps']} steps in {timers:.0f} s "
+          f"on {report['threads']} thread")
     if columns["submarine.velocity_z [m/s]"].ptp() == 0:
         return
     floating = report["impactors"]["submarine"]["floating"]

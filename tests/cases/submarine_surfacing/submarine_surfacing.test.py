@@ -1,6 +1,7 @@
 """The submarine under ice: its shape, its rise without ice, and the first second of its deck with coarser ice."""
 
 import math
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -11,8 +12,8 @@ from claims import claim, main  # noqa: E402
 
 CASE = ROOT / "cases/submarine_surfacing"
 DECK = CASE / "deck.yaml"
-# half the resolution: two layers, so that two seconds of computing suffice
-COARSE = ["bodies.ice.spacing=0.6", "time.step=0.3 ms", "time.end=0.6 s", "output.frames=0"]
+# half the resolution: two layers, which cannot be calibrated, so that few seconds of computing suffice; the step needs no worry
+COARSE = ["bodies.ice.spacing=0.6", "bodies.ice.bending_calibration=none", "time.step=0.2 ms", "time.end=0.6 s", "output.frames=0"]
 for side in ("port", "starboard"):
     COARSE.append(f"bodies.ice.regions.{side}.shape.box.size=[63, 0.9, 1.2]")  # two rows of particles are 1.2 m
 
@@ -71,6 +72,16 @@ def open_water(scene):
     scene.assertAlmostEqual(max(columns["submarine.velocity_z [m/s]"]) / (lift / (1.2 * 1.8 * 2000e3)), 1, delta=0.1)
 
 
+@claim("submarine_surfacing: perimpact check warns of nothing in any run of variants.sh")
+def steps(scene):
+    script = (CASE / "variants.sh").read_text().replace("\\\n", " ")
+    variants = [shlex.split(line)[1:] for line in script.splitlines() if line.startswith("variant ")]
+    scene.assertEqual([name for name, *_ in variants], ["given", "unhardened", "free"])
+    for name, *settings in variants:
+        done = scene.expect_success("check", DECK, "--out", name, *(word for setting in settings for word in ("--set", setting)))
+        scene.assertNotIn("warning", done.out + done.err)
+
+
 @claim("submarine_surfacing: at a given speed the sail breaks the sheet before the hull touches, and gauges add up")
 def given(scene):
     done = scene.run_program("run", DECK, "--out", "out", *coarse())
@@ -89,6 +100,19 @@ def given(scene):
     scene.assertLess(min(mean), -1e6)
     scene.assertGreater(mean[-1], 0.3 * min(mean))
     scene.assertEqual(report["impactors"]["submarine"]["detection"]["ice"]["entered_inside"], 0)
+
+
+@claim("submarine_surfacing: ice that pressure hardens takes more force from the sail")
+def hardening(scene):
+    least = []
+    for hardening in (0, 0.15):
+        folder = f"hardening_{hardening}"
+        settings = coarse("time.end=0.25 s", f"bodies.ice.failure.compression_hardening={hardening}")
+        scene.expect_success("run", DECK, "--out", folder, *settings)
+        push = scene.history(folder)["submarine.sail.force_z [N]"]
+        least.append(min(sum(push[k : k + 5]) / 5 for k in range(len(push) - 4)))
+    # pressed along one axis it stands 1/(ν - α), which is 10, in place of 1/ν, which is 4; under the sail it is pressed and bent at once
+    scene.assertLess(least[1], 1.5 * least[0])
 
 
 @claim("submarine_surfacing: free to heave, it gains the momentum that water and ice give it")
