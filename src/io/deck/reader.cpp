@@ -16,10 +16,33 @@ std::size_t in_common(std::string_view a, std::string_view b) {
   return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
 }
 
+/// Is "bodies.plate.material" one of "bodies.<name>.material"?
+bool is_one_of(std::string_view path, std::string_view pattern) {
+  for (;;) {
+    const std::size_t end = path.find('.'), pattern_end = pattern.find('.');
+    const std::string_view wanted = pattern.substr(0, pattern_end);
+    if (wanted != any_name && wanted != path.substr(0, end)) return false;
+    if (end == std::string_view::npos || pattern_end == std::string_view::npos) return end == pattern_end;
+    path.remove_prefix(end + 1), pattern.remove_prefix(pattern_end + 1);
+  }
+}
+
+/// "with model: ordinary-state, linear-peridynamic-solid": where this map would have the key; empty where it never has.
+std::string with_what(const std::string& key, const std::string& path) {
+  std::string alternatives;
+  for (const Entry& entry : reference()) {
+    if (entry.key() != key || entry.condition.empty() || !is_one_of(path, entry.parent())) continue;
+    const std::size_t colon = entry.condition.find(": ");
+    alternatives += alternatives.empty() || colon == std::string::npos ? entry.condition : ", " + entry.condition.substr(colon + 2);
+  }
+  return alternatives;
+}
+
 /// "; did you mean …", or where else the key belongs, nearest to this map, or what is known here.
 std::string way_out(const std::string& key, const std::vector<std::string>& known, const std::string& path) {
   if (key.find(':') != std::string::npos) return "write a space after the colon.";
   if (nearest_word(key, known).empty()) {
+    if (const std::string alternatives = with_what(key, path); !alternatives.empty()) return fmt::format("it can be given only {}.", alternatives);
     const Entry* nearest = nullptr;
     for (const Entry& entry : reference())
       if (entry.key() == key && (!nearest || in_common(entry.path, path) > in_common(nearest->path, path))) nearest = &entry;

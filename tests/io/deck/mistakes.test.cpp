@@ -20,6 +20,9 @@ TEST_CASE("mistakes: unknown keys, with what was meant or where they belong") {
   check_complaint({"    spacing: 0.001", "    spacing: 0.001\n    density: 900", "density: 900",
                    "density is not a key of bodies.plate; it belongs to bodies.<name>.material."});
   check_complaint(
+      {"model: ordinary-state, youngs", "model: bond-based, youngs", "poissons_ratio",
+       "poissons_ratio is not a key of bodies.plate.material; it can be given only with model: ordinary-state, linear-peridynamic-solid, correspondence."});
+  check_complaint(
       {"axis: z, panel", "scale: 2, panel", "scale", "scale is not a key of impactors.cylinder.surface.cylinder; it belongs to impactors.<name>.surface."});
 }
 
