@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "fixtures/snapshot.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/resuming.hpp"
 #include "perimpact/simulations.hpp"
 
 using namespace perimpact;
@@ -111,16 +111,9 @@ TEST_CASE("energy balance: a run that is left off after every step goes on with 
   for (const Model model : {Model::ordinary_state, Model::correspondence}) {
     Setup setup = pierced(model, 0.3);
     setup.time.end = 8e-6;
+    fixtures::expect_same_when_resumed_at_every_step(setup);
     Simulation whole(setup);
-    std::optional<Simulation> resumed(std::in_place, setup);
-    while (!whole.clock().is_finished()) {
-      const ::fixtures::Snapshot snapshot(*resumed);
-      resumed.emplace(setup);
-      snapshot.give(*resumed);
-      whole.step(), resumed->step();
-      CAPTURE(whole.clock().step);
-      REQUIRE(::fixtures::Snapshot(whole).differences(::fixtures::Snapshot(*resumed)) == std::vector<std::string>{});
-    }
+    fixtures::run(whole);
     CHECK(value(whole, "sheet.fracture_energy [J]") > 0);
   }
 }

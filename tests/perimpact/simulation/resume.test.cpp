@@ -6,6 +6,7 @@
 #include "fixtures/snapshot.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/resuming.hpp"
 #include "perimpact/simulations.hpp"
 
 namespace perimpact {
@@ -59,27 +60,6 @@ Setup lively(const ::fixtures::TemporaryFolder& folder) {
   return setup;
 }
 
-/// Runs to the end, leaving off after every step: a simulation made anew is given the state and goes on.
-void expect_same_when_resumed_at_every_step(const Setup& setup) {
-  Simulation whole(setup);
-  std::optional<Simulation> resumed(std::in_place, setup);
-  while (!whole.clock().is_finished()) {
-    const ::fixtures::Snapshot snapshot(*resumed);
-    resumed.emplace(setup);
-    snapshot.give(*resumed);
-    whole.step(), resumed->step();
-    CAPTURE(whole.clock().step);
-    REQUIRE(::fixtures::Snapshot(whole).differences(::fixtures::Snapshot(*resumed)) == std::vector<std::string>{});
-    for (std::size_t i = 0; i < whole.impactors().size(); ++i) {
-      const auto impulses = whole.impactors()[i].record().panels().since_start(), again = resumed->impactors()[i].record().panels().since_start();
-      const bool same =
-          std::equal(impulses.begin(), impulses.end(), again.begin(), again.end(), [](const auto& a, const auto& b) { return a.impulse == b.impulse; });
-      REQUIRE(same);
-    }
-  }
-  CHECK(resumed->closing_warnings() == whole.closing_warnings());
-}
-
 }  // namespace
 
 TEST_CASE("resume: a run left off after every step and taken up by a simulation made anew is the same to the last bit") {
@@ -94,7 +74,7 @@ TEST_CASE("resume: a run left off after every step and taken up by a simulation 
   CHECK(simulation.impactors()[0].work_of_water() != 0);
   CHECK(simulation.impactors()[1].work_of_loads() > 0);
   CHECK(simulation.impactors()[2].record().touched(1));
-  expect_same_when_resumed_at_every_step(setup);
+  fixtures::expect_same_when_resumed_at_every_step(setup);
 }
 
 TEST_CASE("resume: likewise with the published and the analytic detector") {
@@ -105,7 +85,7 @@ TEST_CASE("resume: likewise with the published and the analytic detector") {
     setup.contact.impactors.detector.index = static_cast<int>(kind);
     if (kind == DetectorKind::published) setup.contact.impactors.radius_ratio = 0, setup.contact.impactors.friction = 0;
     setup.time.end = 2e-6;
-    expect_same_when_resumed_at_every_step(setup);
+    fixtures::expect_same_when_resumed_at_every_step(setup);
   }
 }
 
