@@ -193,12 +193,16 @@ class MapSchema {
       MapSchema fields;
       fields.contents(defaults);
       std::vector<std::string> keys = {std::string(selector)};
+      Members properties;
       for (const auto& each : fields.properties_) {
         keys.push_back(each.first);
-        inner.add(each.first, each.second, Presence::optional);
+        properties.add(each.first, each.second);
+        inner.add(each.first, "true", Presence::optional);
       }
-      inner.rules_.push_back(fmt::format(R"({{"if": {{"properties": {{{}: {{"const": {}}}}}}}, "then": {{"propertyNames": {{"enum": {}}}, "required": {}}}}})",
-                                         json_string(selector), json_string(T::name), json(keys), json(fields.required_)));
+      inner.rules_.push_back(fmt::format(
+          R"({{"if": {{"properties": {{{0}: {{"const": {1}}}}}, "required": [{0}]}}, "then": {{"properties": {2}, "propertyNames": {{"enum": {3}}}, )"
+          R"("required": {4}}}}})",
+          json_string(selector), json_string(T::name), properties.text(), json(keys), json(fields.required_)));
     });
     add(std::string(key), inner.text(sentence), Presence::required);
   }
