@@ -9,7 +9,7 @@ include(GNUInstallDirs)
 
 set(shared ${CMAKE_INSTALL_DATADIR}/perimpact)
 install(TARGETS perimpact COMPONENT perimpact)
-install(DIRECTORY cases/ DESTINATION ${shared}/cases COMPONENT perimpact PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY cases/ DESTINATION ${shared}/cases COMPONENT perimpact USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 install(FILES docs/guide/deck.schema.json DESTINATION ${shared}/docs/guide COMPONENT perimpact)
 install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/build/docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/perimpact/html COMPONENT perimpact OPTIONAL
   PATTERN .buildinfo EXCLUDE PATTERN objects.inv EXCLUDE)
