@@ -18,7 +18,7 @@ install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/build/docs/ DESTINATION ${CMAKE_IN
 find_program(GZIP gzip REQUIRED)
 set(packed ${CMAKE_CURRENT_BINARY_DIR}/packed)
 file(MAKE_DIRECTORY ${packed})
-foreach(file packaging/perimpact.1 CHANGELOG.md)
+foreach(file packaging/perimpact.1 packaging/changelog CHANGELOG.md)
   get_filename_component(name ${file} NAME)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   execute_process(COMMAND ${GZIP} -9nc ${CMAKE_CURRENT_SOURCE_DIR}/${file} OUTPUT_FILE ${packed}/${name}.gz COMMAND_ERROR_IS_FATAL ANY)
@@ -28,12 +28,14 @@ foreach(component perimpact fccda)
   string(REPLACE fccda libfccda-dev package ${component})
   install(FILES packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
   install(FILES ${packed}/CHANGELOG.md.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME changelog.gz COMPONENT ${component})
+  install(FILES ${packed}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME changelog.Debian.gz COMPONENT ${component})
 endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME perimpact)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "breaking bodies struck by rigid ones, and its contact library")
 set(CPACK_PACKAGE_VENDOR "the perimpact authors")
-set(CPACK_PACKAGE_CONTACT "The perimpact authors <perimpact@localhost>")
+set(CPACK_PACKAGE_CONTACT "The perimpact authors <perimpact@localhost>")  # as in packaging/changelog: whoever hands packages out puts an address
 set(CPACK_COMPONENTS_ALL perimpact fccda)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
@@ -43,20 +45,19 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # what the program links, by dpkg-shlibd
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_NAME perimpact)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "paraview, gmsh, python3-numpy, python3-matplotlib, libfccda-dev")
-set(CPACK_COMPONENT_PERIMPACT_DESCRIPTION "peridynamic bodies struck by rigid bodies of any shape
- Deformable, breaking bodies (ice first) are struck by rigid bodies given as
- surfaces of panels. The material is peridynamic: particles and bonds. Contact
- is found along the whole path of every particle.
- .
- The program needs a processor with AVX2 (x86-64-v3).")
+set(CPACK_DEBIAN_PERIMPACT_PACKAGE_RECOMMENDS "python3, python3-numpy, python3-matplotlib")  # figures of the cases
+set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "paraview, gmsh, libfccda-dev")
+set(CPACK_COMPONENT_PERIMPACT_DESCRIPTION "Deformable, breaking bodies (ice first) are struck by rigid bodies given as
+surfaces of panels. The material is peridynamic: particles and bonds. Contact
+is found along the whole path of every particle.
+.
+The program needs a processor with AVX2 (x86-64-v3).")
 set(CPACK_DEBIAN_FCCDA_PACKAGE_NAME libfccda-dev)
 set(CPACK_DEBIAN_FCCDA_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_FCCDA_PACKAGE_DEPENDS "zlib1g-dev, libc6-dev")
-set(CPACK_COMPONENT_FCCDA_DESCRIPTION "contact of points with moving rigid surfaces (development files)
- Static library, headers and CMake package of fccda: points, each with a
- position at both ends of a time step, against rigid surfaces of panels.
- For particle and finite-element codes.
- .
- The library needs a processor with AVX2 (x86-64-v3).")
+set(CPACK_COMPONENT_FCCDA_DESCRIPTION "fccda, the contact library of perimpact, for particle and finite-element codes:
+points, each with a position at both ends of a time step, against moving rigid
+surfaces of panels. Static library, headers and CMake package.
+.
+The library needs a processor with AVX2 (x86-64-v3).")
 include(CPack)

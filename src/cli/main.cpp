@@ -121,7 +121,7 @@ int run(int argc, char** argv) {
   add_describe(*app.add_subcommand("describe", "The deck reference, whole or of one key"), describe, code);
 
   NewArguments starter;
-  add_new(*app.add_subcommand("new", "Write a small deck to start from, with comments, that runs in about a minute"), starter, code);
+  add_new(*app.add_subcommand("new", "Write a small deck to start from, with comments, that runs in a minute or less"), starter, code);
 
   MeshArguments mesh;
   CLI::App* mesh_app = app.add_subcommand("mesh", "Report on a surface file: what it holds, what is wrong with it, whether it suits a spacing");

@@ -45,7 +45,7 @@ int new_command(const NewArguments& arguments) {
 
   fmt::print("{} is a deck with comments, ready to run; {}\n\n", file.string(),
              keeps_schema ? fmt::format("{} was there and stays.", schema.string()) : fmt::format("{} lets editors complete and check it.", schema.string()));
-  fmt::print("  perimpact check {0}    what would run, and how long it takes\n  perimpact run {0}      about a minute on two cores\n", file.string());
+  fmt::print("  perimpact check {0}    what would run, and how long it takes\n  perimpact run {0}      a minute or less on two cores\n", file.string());
   return 0;
 }
 

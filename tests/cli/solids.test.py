@@ -83,6 +83,9 @@ def _(t):
         cloud.write(t.folder / name, **options)
         t.expect_success("run", t.deck((SHAPE, f"shape: {{points: {{file: {name}}}}}")), "--out", name + "_run")
         t.assertEqual(t.report(name + "_run")["state_hash"], t.report("csv")["state_hash"], name)
+    (t.folder / "packed.vtu").rename(t.folder / "PACKED.VTU")  # as other systems write extensions
+    t.expect_success("run", t.deck((SHAPE, "shape: {points: {file: PACKED.VTU}}")), "--out", "upper")
+    t.assertEqual(t.report("upper")["state_hash"], t.report("csv")["state_hash"])
 
 
 @claim("a VTK file without volumes is told with the arrays that it has")
