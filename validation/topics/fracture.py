@@ -1,0 +1,37 @@
+"""Dynamic fracture: a plate struck between two notches, and a crack that branches."""
+
+from rows import AtMost, Row, expected_rows
+from runner import ROOT, script_of
+
+TITLE = "Cracks: Kalthoff and Winkler, and a crack that branches"
+LONG = True
+KALTHOFF, BRANCHING = "cases/kalthoff_winkler", "cases/crack_branching"
+
+
+def measure(runner):
+    numbers = {}
+    for case, short in ((KALTHOFF, "kalthoff"), (BRANCHING, "branching")):
+        script = script_of(f"{case}/measure.py")
+        folder = runner.run("fracture", short, f"{case}/deck.yaml")
+        found = script.measure(folder) if short == "kalthoff" else script.measure(script.frames(folder))
+        numbers |= {f"{short} {name.split(' [')[0]}": value for name, value in found.items() if value is not None}
+    return numbers
+
+
+def text(n):
+    return f"""[Kalthoff and Winkler](../cases/kalthoff_winkler/README.md): a projectile strikes a plate between two notches, and a crack runs from each at an angle; what it
+depends on is measured there, the fracture energy above all. [Crack branching](../cases/crack_branching/README.md): glass under tension, against an independent program of one page of numpy
+([reference.py](../cases/crack_branching/reference.py))."""
+
+
+def rows():
+    kalthoff = {"angle": ("cracks run at this angle from the notch", "°"), "angle right minus left": ("right minus left", "°"), "starts": ("first bond breaks", "µs"),
+                "projectile at 65 us": ("projectile at 65 µs", "m/s"), "length": ("length of the cracks", "mm")}  # fmt: skip
+    branching = {"starts": ("the crack in glass starts", "µs"), "branches at": ("it branches, past the notch", "mm"), "branches": ("it branches at", "µs"),
+                 "far edge": ("the branches reach the far edge", "µs"), "exit": ("distance of the branches from the middle there", "mm"), "exit up minus down": ("upper minus lower branch", "mm")}  # fmt: skip
+    rows = []
+    for case, short, named in ((KALTHOFF, "kalthoff", kalthoff), (BRANCHING, "branching", branching)):
+        units, claims = {q: unit for q, (_, unit) in named.items()}, {q: claim for q, (claim, _) in named.items()}
+        rows += expected_rows(ROOT / case / "expected.csv", f"{short} ", units=units, claims=claims)
+    rayleigh = "Rayleigh waves, 3.1 km/s with ν = 0.22"
+    return [*rows, Row("speed of the crack in glass before it branches", rayleigh, "branching speed before", "km/s", AtMost(3.1e3), "no crack that opens outruns them")]
