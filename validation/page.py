@@ -53,7 +53,8 @@ def summary(numbers):
     for topic in TOPICS:
         own, rows = of_topic(topic, numbers), module(topic).rows()
         passed = sum(row.passes(own) for row in rows)
-        takes = "a gathered table" if "takes" not in own else f"{own['takes'] / 60:.1f} min of one processor" if own["takes"] > 60 else f"{own['takes']:.0f} s of one processor"
+        gathered = "from the tables of another page" if hasattr(module(topic), "gathered") else "minutes"
+        takes = gathered if "takes" not in own else f"{own['takes'] / 60:.1f} min of one processor" if own["takes"] > 60 else f"{own['takes']:.0f} s of one processor"
         title = module(topic).TITLE
         lines.append(f"| [{title}](#{anchor(title)}) | {len(rows)} | {passed} | {takes}{', *long*' if module(topic).LONG else ''} |")
     return lines

@@ -8,7 +8,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 sys.dont_write_bytecode = True
 from page import KEPT, TOPICS, all_numbers, failures, module, page  # noqa: E402
-from rows import write_numbers  # noqa: E402
+from rows import read_numbers, write_numbers  # noqa: E402
 from runner import ROOT, Runner, processor_seconds  # noqa: E402
 
 FIGURES, PAGE = ROOT / "validation/figures", ROOT / "docs/validation.md"
@@ -26,9 +26,7 @@ def measured(topic, runner):
     kept = runner.results / f"{topic}.csv"
     if fresh:
         numbers["takes"] = processor_seconds() - begin
-    elif kept.exists():
-        from rows import read_numbers
-
+    else:
         numbers |= {name: value for name, value in read_numbers(kept).items() if name == "takes"}
     write_numbers(kept, numbers)
 
@@ -65,6 +63,8 @@ def main():
             shutil.copy(kept, KEPT)
         for figure in runner.results.glob("*/figures/*.png"):
             shutil.copy(figure, FIGURES)
+        for table in (runner.results / "fem/out").glob("*.csv"):
+            shutil.copy(table, ROOT / "validation/plate")
     numbers = all_numbers((KEPT,) if given.update else (KEPT, runner.results))
     (PAGE if given.update else runner.results / "validation.md").write_text(page(numbers), encoding="utf-8")
     print(f"wrote {PAGE if given.update else runner.results / 'validation.md'}")

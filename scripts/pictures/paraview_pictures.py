@@ -1,10 +1,10 @@
 """Pictures of any results folder with ParaView, one for each frame or for some times:
 
-    xvfb-run -a pvpython scripts/pictures/paraview_pictures.py RESULTS [--out FOLDER] [--times 20e-6 60e-6] [--colour damage] [--from 0.4 -1 0.8]
+    xvfb-run -a -s "-noreset -screen 0 1280x1024x24" pvpython scripts/pictures/paraview_pictures.py RESULTS [--out FOLDER] [--times 20e-6 60e-6] [--colour damage] [--from 0.4 -1 0.8]
 
 Writes FOLDER/picture_00007.png and so on (default: RESULTS/pictures), numbered like the frames. Bodies are balls of their particles, coloured by damage
-where bonds may break, else by speed; impactors are their panels. `--from` is where the eye is, seen from the middle of all bodies; left out, it looks at
-the widest side, from a little aside and above. Debian: paraview, python3-paraview, xvfb, xauth. Without xvfb-run ParaView needs a screen.
+where bonds may break, else by speed; impactors are their panels. `--from` is where the eye is, seen from the middle of all bodies; z is up. Debian: paraview, python3-paraview, xvfb, xauth. Without xvfb-run ParaView needs a screen;
+without -noreset the server may be starting anew when ParaView asks for it a second time ("bad X server connection").
 """
 
 import argparse
@@ -15,7 +15,7 @@ from pathlib import Path
 try:
     from paraview import simple
 except ImportError:
-    sys.exit("error: this needs ParaView's own Python: xvfb-run -a pvpython scripts/pictures/paraview_pictures.py RESULTS (Debian: paraview, python3-paraview, xvfb, xauth)")
+    sys.exit("error: this needs ParaView's own Python: xvfb-run -a -s -noreset pvpython scripts/pictures/paraview_pictures.py RESULTS (Debian: paraview, python3-paraview, xvfb, xauth)")
 
 COLOURS = {  # array: title of the bar, ParaView's preset
     "damage": ("damage [-]", "Inferno (matplotlib)"),
@@ -55,7 +55,7 @@ def show_body(view, folder, report, name, colour):
         colour = "damage" if colour is None and "piece" in arrays else "velocity" if colour is None else sys.exit(f"error: {name} has no array {colour}; it has {', '.join(arrays)}")
     shown = simple.Show(source, view, "GeometryRepresentation")
     shown.SetRepresentationType("Point Gaussian")
-    shown.GaussianRadius = 0.58 * spacings(report, name, information.GetBounds(), information.GetNumberOfPoints())
+    shown.GaussianRadius = 0.7 * spacings(report, name, information.GetBounds(), information.GetNumberOfPoints())
     shown.ShaderPreset = "Sphere"
     simple.ColorBy(shown, ("POINTS", colour, "Magnitude") if colour in ("velocity", "displacement") else ("POINTS", colour))
     return source, shown, colour
@@ -76,15 +76,17 @@ def look(view, sources, eye):
     bounds = [source.GetDataInformation().GetBounds() for source in sources]
     low, high = [min(b[2 * axis] for b in bounds) for axis in range(3)], [max(b[2 * axis + 1] for b in bounds) for axis in range(3)]
     extents = [b - a for a, b in zip(low, high)]
-    if eye is None:
-        flat = extents.index(min(extents))
-        eye = [0.35, -0.6, 0.45]
-        eye[flat] = -1.3 if flat == 1 else 1.3
     middle = [(a + b) / 2 for a, b in zip(low, high)]
     view.CameraFocalPoint = middle
     view.CameraPosition = [m + 3 * max(extents) * e for m, e in zip(middle, eye)]
-    view.CameraViewUp = [0, 1, 0] if abs(eye[2]) > max(abs(eye[0]), abs(eye[1])) else [0, 0, 1]
+    view.CameraViewUp = [0, 0, 1]
     view.ResetCamera(*[value for pair in zip(low, high) for value in pair])
+    view.GetActiveCamera().Dolly(1.2)  # ParaView leaves room for turning
+
+
+def in_words(time):
+    size, unit = next(pair for pair in ((1, "s"), (1e-3, "ms"), (1e-6, "µs"), (0, "µs")) if time >= pair[0])
+    return f"{time / (size or 1e-6):.4g} {unit}"
 
 
 def main():
@@ -93,7 +95,7 @@ def main():
     arguments.add_argument("--out", type=Path)
     arguments.add_argument("--times", type=float, nargs="+", help="[s]; the nearest frames. All if left out")
     arguments.add_argument("--colour", choices=COLOURS, help="damage where bonds may break, else velocity")
-    arguments.add_argument("--from", dest="eye", type=float, nargs=3)
+    arguments.add_argument("--from", dest="eye", type=float, nargs=3, default=[-0.35, -0.9, 0.9])
     given = arguments.parse_args()
     try:
         report = json.loads((given.results / "run.json").read_text())
@@ -129,11 +131,12 @@ def main():
         bar = simple.GetScalarBar(table, view)
         bar.Title, bar.ComponentTitle, bar.TitleColor, bar.LabelColor = title, "", INK, INK
         bar.TitleFontSize, bar.LabelFontSize, bar.ScalarBarLength, bar.WindowLocation = 16, 14, 0.3, "Lower Right Corner"
+        bar.LabelFormat = bar.RangeLabelFormat = "%.3g"
         bar.Visibility = 1
     look(view, [source for source, *_ in bodies] + impactors, given.eye)
     for number in wanted:
         view.ViewTime = times[number]
-        label.Text = f"{times[number]:.4g} s"
+        label.Text = in_words(times[number])
         path = out / f"picture_{number:05d}.png"
         simple.SaveScreenshot(str(path), view, ImageResolution=SIZE)
         print(path)

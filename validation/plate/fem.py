@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The plate of the seed paper's section 5 by explicit finite elements in space, with dolfinx (Debian: python3-dolfinx).
 
-    OMP_NUM_THREADS=1 validation/plate/fem.py OUT [--size 2] [--gap 0.5]      sizes in mm; writes OUT/fem_<size>mm[_gap].csv, and lines
+    OMP_NUM_THREADS=1 validation/plate/fem.py OUT [--size 2] [--gap 0.5] [--late]      sizes in mm; writes OUT/fem_<size>mm[_gap][_late].csv, and lines
 
 A solution by other means than perimpact in every part: elements of eight nodes with 2×2×2 Gauss points, finite strain, lumped mass, central
 differences. The material is neo-Hookean (J. Bonet, R. D. Wood: Nonlinear Continuum Mechanics for Finite Element Analysis, 2nd ed. 2008, ch. 6): under the
@@ -11,6 +11,9 @@ Katona: Int. J. Numer. Methods Eng. 32 (1991) 103): impulses λ ≥ 0 on the nod
 which they push back within the same step, overlap:
 
     Δt λ_i/m_i + Δt n_iy S/M = p_i,     S = Σ λ_j n_jy = Σ m_j n_jy p_j/Δt / (1 + Σ m_j n_jy²/M)         p: overlap [m], n: normal
+
+With `--late` nodes are put on the cylinder where its velocity of the step before has brought it, and it feels their impulse from the next step on, as in
+the paper (eqs. 8 to 10) and in perimpact; so what that does can be told from everything else.
 
 A row a microsecond: time, the cylinder, the mean force since the row before, the plate's centre; then energies of the whole: of the cylinder, kinetic
 and strain energy of the plate, what contact took, and `closing error`, their sum less the cylinder's energy at first.
@@ -44,7 +47,7 @@ class Plate:
     """A quarter of the plate: places X, displacements u, velocities v, masses m of the nodes, forces from the strain."""
 
     def __init__(self, size):
-        cells = [round(LENGTH / 2 / size), round(WIDTH / size), int(np.ceil(THICKNESS / 2 / size))]
+        cells = [round(LENGTH / 2 / size), 2 * round(WIDTH / 2 / size), int(np.ceil(THICKNESS / 2 / size))]  # a node in the middle
         corners = [[0, -WIDTH / 2, 0], [LENGTH / 2, WIDTH / 2, THICKNESS / 2]]
         domain = mesh.create_box(MPI.COMM_SELF, corners, cells, mesh.CellType.hexahedron)
         space = fem.VectorFunctionSpace(domain, ("Lagrange", 1))
@@ -82,7 +85,7 @@ class Plate:
         return nodes[np.argsort(self.X[nodes, axis])]
 
 
-def strike(plate, early, edge, centre, speed, mass, step):
+def strike(plate, early, edge, centre, speed, mass, step, late):
     """Puts right what overlaps at the end of the step. New velocity of the cylinder, impulse on it along y, loss of energy.
 
     early: velocities half a step before. Forces change them to half a step after; work is the impulse times the mean of both.
@@ -94,8 +97,9 @@ def strike(plate, early, edge, centre, speed, mass, step):
         normal = from_axis[touching] / distance[touching, None]
         overlap, m = RADIUS - distance[touching], plate.m[edge[touching], 0]
         along = normal[:, 1]
-        total = (along * m * overlap).sum() / step / (1 + (m * along**2).sum() / mass)
-        impulse = m * (overlap / step - along * total / mass)
+        gives_way = 0 if late else 1 / mass
+        total = (along * m * overlap).sum() / step / (1 + (m * along**2).sum() * gives_way)
+        impulse = m * (overlap / step - along * total * gives_way)
         if (impulse >= 0).all():
             break
         touching = touching[impulse > 0]
@@ -109,7 +113,7 @@ def strike(plate, early, edge, centre, speed, mass, step):
     return after, -total, total * (speed + after) / 2 - work_on_plate
 
 
-def run(size, gap):
+def run(size, gap, late):
     every = int(np.ceil(ROW / (STEP_OVER_SIZE * size) - 1e-9))  # steps between rows
     plate, step, steps = Plate(size), ROW / every, every * round(END / ROW)
     edge = np.flatnonzero(np.isclose(plate.X[:, 1], WIDTH / 2) & (plate.X[:, 0] < RADIUS))
@@ -129,11 +133,11 @@ def run(size, gap):
             break
         plate.u += step * plate.v
         centre += step * speed
-        after, pushed, lost = strike(plate, early, edge, centre, speed, mass, step)
-        centre += step * (after - speed)
+        after, pushed, lost = strike(plate, early, edge, centre, speed, mass, step, late)
+        centre += 0 if late else step * (after - speed)
         speed, impulse, loss = after, impulse + pushed, loss + lost
     momentum = MASS * speed + QUARTER * (plate.m * early)[:, 1].sum()
-    print(f"{size * 1e3:g} mm, gap {gap * 1e3:g} mm: {len(plate.X)} nodes, {steps} steps, {time.process_time() - begin:.0f} s; "
+    print(f"{size * 1e3:g} mm, gap {gap * 1e3:g} mm{', late' * late}: {len(plate.X)} nodes, {steps} steps, {time.process_time() - begin:.0f} s; "
           f"momentum {momentum / (-MASS * SPEED) - 1:+.1e} of itself", flush=True)  # fmt: skip
     return plate, rows
 
@@ -147,10 +151,11 @@ def main():
     arguments.add_argument("out", type=Path)
     arguments.add_argument("--size", type=float, default=1, help="of elements [mm]")
     arguments.add_argument("--gap", type=float, default=0, help="between cylinder and plate at first [mm]")
+    arguments.add_argument("--late", action="store_true", help="the cylinder feels what pushes it a step late")
     given = arguments.parse_args()
-    plate, rows = run(given.size * 1e-3, given.gap * 1e-3)
+    plate, rows = run(given.size * 1e-3, given.gap * 1e-3, given.late)
     given.out.mkdir(parents=True, exist_ok=True)
-    name = f"fem_{given.size:g}mm" + ("_gap" if given.gap else "")
+    name = f"fem_{given.size:g}mm" + "_gap" * bool(given.gap) + "_late" * given.late
     write(given.out / f"{name}.csv", COLUMNS, rows)
     for axis, letter in enumerate("xy"):
         nodes = plate.along(axis)

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from rows import shown
+
 CONFIRMED, LIMITS, NOT = "confirmed", "confirmed with limits", "not confirmed"
 
 
@@ -14,12 +16,15 @@ class Conclusion:
 
 
 def conclusions(n):
-    percent = 100 * (n["plate.centre"] / n["plate.fem_1mm centre"] - 1)
+    def count(name):
+        return shown(n[name], "count")
+
+    signed = f"{100 * (n['plate.centre'] / n['plate.fem_1mm centre'] - 1):+.2f}".replace("-", "−")
     return [
         Conclusion(
             "1. The contact algorithm can accurately simulate the collision problem in peridynamics",
             LIMITS,
-            f"With `swept`, the FCCDA made continuous, the plate's centre is {percent:+.2f} % from finite elements at 200 µs and the velocity of the cylinder within {n['plate.velocity, all times']:.2f} m/s at all times. "
+            f"With `swept`, the FCCDA made continuous, the plate's centre is {signed} % from finite elements at 200 µs and the velocity of the cylinder within {n['plate.velocity, all times']:.2f} m/s at all times. "
             f"By the letter of its equations the paper's detector finds no contact at all on that benchmark, and {100 * n['detection.letter']:.0f} % of the crossings of ten shapes; repaired, {100 * n['detection.repaired']:.0f} %.",
             ("plate.centre", "plate.velocity, all times", "panels.letter force", "detection.letter, most", "detection.missed"),
         ),
@@ -33,21 +38,21 @@ def conclusions(n):
         Conclusion(
             "3. The algorithm has advantages in collisions with objects of complex shapes",
             LIMITS,
-            f"`swept` found all of {n['detection.crossings']:,.0f} crossings of ten shapes, hull, blade and torus among them, and no particle was ever inside the propeller ({n['propeller.looked at']:,.0f} places). ".replace(",", " ")
+            f"`swept` found all of {count('detection.crossings')} crossings of ten shapes, hull, blade and torus among them, and no particle was ever inside the propeller ({count('propeller.looked at')} places). "
             + f"The paper's own detector, repaired, keeps that only where steps are much shorter than flat panels ({100 * n['detection.repaired, flat panels, least']:.0f} % on its worst such shape); on warped quads it is of no use.",
             ("detection.missed", "detection.invented", "detection.left inside", "propeller.inside"),
         ),
         Conclusion(
             "4. The mesh can be refined at sharp changes of shape or on key parts",
             CONFIRMED,
-            f"A propeller with panels of 0.15 m, and 0.05 m at edges, {n['propeller.graded panels']:,.0f} triangles, takes the same peak thrust within {100 * abs(n['propeller.graded off']):.1f} % ".replace(",", " ")
-            + f"as one with 0.05 m everywhere, {n['propeller.fine panels']:,.0f}; 0.3 m everywhere is {100 * abs(n['propeller.coarse off']):.1f} % off. Time is not what is saved: contact is at most {100 * n['panels.share']:.1f} % of the plate's run with any panels.".replace(",", " "),
+            f"A propeller with panels of 0.15 m, and 0.05 m at edges, {count('propeller.graded panels')} triangles, takes the same peak thrust within {100 * abs(n['propeller.graded off']):.1f} % "
+            + f"as one with 0.05 m everywhere, {count('propeller.fine panels')}. It is hardly needed: 0.3 m everywhere, {count('propeller.coarse panels')}, is {100 * abs(n['propeller.coarse off']):.1f} % off, and contact takes at most {100 * n['panels.share']:.1f} % of the plate's run with any panels.",
             ("propeller.graded off", "panels.share"),
         ),
         Conclusion(
             "Characteristic 1: it can be applied to most particle methods, such as SPH",
             CONFIRMED,
-            f"SPH in 190 lines on top of the library: {n['coupling.contacts']:,.0f} contacts of water with a hull, {n['coupling.inside']:.0f} particles inside in any step, momentum kept to {n['coupling.water momentum']:.0e}.".replace(",", " "),
+            f"SPH in 190 lines on top of the library: {count('coupling.contacts')} contacts of water with a hull, {n['coupling.inside']:.0f} particles inside in any step, momentum kept to {n['coupling.water momentum']:.0e}.",
             ("coupling.contacts", "coupling.inside", "coupling.water momentum"),
         ),
         Conclusion(
