@@ -1,0 +1,105 @@
+"""docs/validation.md: it says what the numbers kept say, every row can fail, and its verdicts stand on rows. Python's standard library alone."""
+
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "validation")]
+from claims import claim, main  # noqa: E402
+from page import KEPT, TOPICS, all_numbers, failures, module, of_topic, page, verdicts  # noqa: E402
+
+RUN = "/usr/bin/python3", ROOT / "validation/run.py"
+
+
+def rows():
+    return [(topic, row) for topic in TOPICS for row in module(topic).rows()]
+
+
+
+@claim("the page is what the committed numbers give, and every row of it passes")
+def page_is_up_to_date(t):
+    numbers = all_numbers()
+    t.assertEqual((ROOT / "docs/validation.md").read_text(encoding="utf-8"), page(numbers), "validation/run.sh --update writes it anew")
+    t.assertEqual(failures(numbers), [])
+    t.assertGreater(len(rows()), 60)
+
+
+@claim("a row fails on the page as soon as its number is outside of its tolerance, on either side that is wrong")
+def rows_can_fail(t):
+    numbers = all_numbers()
+    for topic, row in rows():
+        for value in row.bound.outside():
+            moved = {**of_topic(topic, numbers), row.number: value}
+            t.assertFalse(row.passes(moved), f"{topic}: {row.claim}: {value} passes, wanted {row.bound}")
+            t.assertIn("**FAIL**", row.line(moved))
+
+
+@claim("a number that is moved in the file where it is kept makes the page fail, and with it the verdict that stands on it")
+def moved_in_its_file(t):
+    kept = t.folder / "measured"
+    shutil.copytree(KEPT, kept)
+    lines = (kept / "plate.csv").read_text().splitlines()
+    (at,) = [i for i, line in enumerate(lines) if line.startswith("centre,")]
+    value = float(lines[at].split(",")[1])
+    lines[at] = f"centre,{1.02 * value}"  # 1.5 % is allowed
+    (kept / "plate.csv").write_text("\n".join(lines) + "\n")
+    numbers = all_numbers((kept,))
+    t.assertEqual([sentence.split(":")[0] for sentence in failures(numbers)], ["plate"])
+    first, *others = [verdict for _, verdict in verdicts(numbers)]
+    t.assertEqual(first, "**FAIL**")
+    t.assertNotIn("**FAIL**", others)
+
+
+@claim("what a verdict on the paper stands on are numbers of rows")
+def verdicts_stand_on_rows(t):
+    named = {f"{topic}.{row.number}" for topic, row in rows()}
+    found = verdicts(all_numbers())
+    t.assertEqual(len(found), 6)
+    for conclusion, verdict in found:
+        t.assertNotEqual(verdict, "**FAIL**", conclusion.claim)
+        t.assertTrue(conclusion.stands_on)
+        t.assertLessEqual(set(conclusion.stands_on), named, conclusion.claim)
+
+
+@claim("every figure and page that the page links to is there")
+def links(t):
+    text = (ROOT / "docs/validation.md").read_text(encoding="utf-8")
+    targets = re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text)
+    t.assertGreater(len(targets), 20)
+    for target in targets:
+        if not target.startswith("http"):
+            t.assertTrue((ROOT / "docs" / target).exists(), target)
+
+
+@claim("a topic that does not exist, one that is long, and a program that is missing are told in a sentence")
+def mistakes(t):
+    def told(*arguments):
+        said = subprocess.run([*RUN, "--results", t.folder / "results", *arguments], capture_output=True, text=True)
+        t.assertEqual(said.returncode, 2, said)
+        t.assertEqual(len(said.stderr.splitlines()), 1, said.stderr)
+        return said.stderr
+
+    t.assertIn("error: there is no topic plates; the topics are: plate, ", told("plates"))
+    t.assertIn("error: panels takes long; give --long with it", told("panels", "--perimpact", t.program))
+    t.assertIn("nowhere is not there; ./run.sh or ./test.sh builds it", told("plate", "--perimpact", t.folder / "nowhere"))
+
+
+@claim("a topic that is measured anew writes its numbers and the page into the folder of the results, and nothing into the tree")
+def measured_anew(t):
+    before = {path: path.stat().st_mtime_ns for path in [ROOT / "docs/validation.md", *sorted(KEPT.iterdir())]}
+    try:
+        import numpy  # noqa: F401  only whether it is there
+    except ImportError as missing:
+        raise unittest.SkipTest(str(missing)) from missing
+    said = subprocess.run([*RUN, "--results", t.folder / "results", "--perimpact", t.program, "convergence"], capture_output=True, text=True)
+    t.assertEqual((said.returncode, said.stderr), (0, ""), said)
+    t.assertTrue((t.folder / "results/convergence.csv").exists())
+    t.assertIn("Convergence to exact solutions", (t.folder / "results/validation.md").read_text(encoding="utf-8"))
+    t.assertEqual({path: path.stat().st_mtime_ns for path in before}, before)
+
+
+main()

@@ -1,0 +1,59 @@
+"""Dynamic fracture: a plate struck between two notches, and a crack that branches."""
+
+import re
+
+from rows import AtMost, Row, expected_rows
+from runner import ROOT, script_of
+
+TITLE = "Cracks: Kalthoff and Winkler, and a crack that branches"
+LONG = True
+KALTHOFF, BRANCHING = "cases/kalthoff_winkler", "cases/crack_branching"
+
+
+# where the page of a case tells its numbers: (a line of its table begins so, its column, unit in SI)
+TOLD = {
+    "kalthoff angle": ("angle of the cracks", 1, 1), "kalthoff angle right minus left": ("right minus left", 1, 1), "kalthoff starts": ("first bond breaks", 1, 1e-6),
+    "kalthoff projectile at 65 us": ("projectile at 65", 1, -1), "kalthoff length": ("from the notch to the crack's end", 1, 1e-3),
+    "branching starts": ("the crack starts", 1, 1e-6), "branching branches at": ("it branches", 1, 1e-3), "branching branches": ("at ", 1, 1e-6),
+    "branching far edge": ("the branches reach", 1, 1e-6), "branching exit": ("so far from the middle", 1, 1e-3), "branching exit up minus down": ("upper minus lower branch", 1, 1),
+    "branching mean speed": ("mean speed", 1, 1e3),
+}  # fmt: skip
+
+
+def gathered():
+    """Of the last run of each case, as its page has it."""
+    pages = {"kalthoff": (ROOT / KALTHOFF / "README.md").read_text(), "branching": (ROOT / BRANCHING / "README.md").read_text()}
+    found = {}
+    for name, (begins, column, unit) in TOLD.items():
+        line = re.search(rf"^\| {re.escape(begins)}.*$", pages[name.split(" ")[0]], re.MULTILINE)[0]
+        found[name] = unit * float(re.match(r"[-+.0-9e]+", line.split("|")[1 + column].strip())[0])
+    return found
+
+
+def measure(runner):
+    numbers = {}
+    for case, short in ((KALTHOFF, "kalthoff"), (BRANCHING, "branching")):
+        script = script_of(f"{case}/measure.py")
+        folder = runner.run("fracture", short, f"{case}/deck.yaml")
+        found = script.measure(folder) if short == "kalthoff" else script.measure(script.frames(folder))
+        numbers |= {f"{short} {name.split(' [')[0]}": value for name, value in found.items() if value is not None}
+    return numbers
+
+
+def text(n):
+    return f"""[Kalthoff and Winkler](../cases/kalthoff_winkler/README.md): a projectile strikes a plate between two notches, and a crack runs from each at an angle; what it
+depends on is measured there, the fracture energy above all. [Crack branching](../cases/crack_branching/README.md): glass under tension, against an independent program of one page of numpy
+([reference.py](../cases/crack_branching/reference.py)). Numbers are those that the pages of the cases tell of their decks, where they are not measured anew."""
+
+
+def rows():
+    kalthoff = {"angle": ("cracks run at this angle from the notch", "°"), "angle right minus left": ("right minus left", "°"), "starts": ("first bond breaks", "µs"),
+                "projectile at 65 us": ("projectile at 65 µs", "m/s"), "length": ("length of the cracks", "mm")}  # fmt: skip
+    branching = {"starts": ("the crack in glass starts", "µs"), "branches at": ("it branches, past the notch", "mm"), "branches": ("it branches at", "µs"),
+                 "far edge": ("the branches reach the far edge", "µs"), "exit": ("distance of the branches from the middle there", "mm"), "exit up minus down": ("upper minus lower branch", "mm")}  # fmt: skip
+    rows = []
+    for case, short, named in ((KALTHOFF, "kalthoff", kalthoff), (BRANCHING, "branching", branching)):
+        units, claims = {q: unit for q, (_, unit) in named.items()}, {q: claim for q, (claim, _) in named.items()}
+        rows += expected_rows(ROOT / case / "expected.csv", f"{short} ", units=units, claims=claims)
+    experiments = "cracks in experiments, 1.5 to 1.6 km/s at last"
+    return [*rows, Row("mean speed of the crack in glass", experiments, "branching mean speed", "km/s", AtMost(1.6e3), "the mean, with the start in it, is below the last speed")]

@@ -1,0 +1,47 @@
+"""A sphere of ice on a rigid plate: limits that are known exactly, Hertz, and measured impulses."""
+
+from rows import AtMost, Between, Row, Within
+from runner import script_of
+
+TITLE = "A sphere of ice strikes a plate"
+LONG = False
+DECK, ASKEW = "cases/ice_sphere/deck.yaml", "cases/ice_sphere/oblique.yaml"
+STRETCH, SYMMETRIC = "bodies.ice.material.critical_stretch", "bodies.ice.failure.compression=symmetric"
+UNBROKEN = "bodies.ice.material={model: ordinary-state, youngs_modulus: 1.8 GPa, poissons_ratio: 0.25, density: 900}"
+
+
+def measure(runner):
+    script = script_of("cases/ice_sphere/measure.py")
+
+    def found(name, deck, *settings):
+        return script.measure(runner.run("ice_sphere", name, deck, *settings))
+
+    dust = found("dust", DECK, f"{STRETCH}=1e-12", SYMMETRIC)
+    unbroken = found("unbroken", DECK, UNBROKEN, "time.end=80 ms")
+    weak = found("stretch_0.002_symmetric", DECK, f"{STRETCH}=0.002", SYMMETRIC)
+    tension = found("stretch_0.002", DECK, f"{STRETCH}=0.002")
+    askew = found("hertz_oblique_40", ASKEW, "bodies.ice.spacing=0.025", "output.history=0.05 ms", "output.frames=0")
+    return {
+        "dust": dust["impulse [-]"],
+        "unbroken": unbroken["impulse [-]"],
+        "crushed": weak["impulse [-]"],
+        "tension": tension["impulse [-]"],
+        "hertz peak": askew["peak over Hertz [-]"],
+        "hertz duration": askew["duration over Hertz [-]"],
+    }
+
+
+def text(n):
+    return f"""[The case](../cases/ice_sphere/README.md) has all variants. Impulses over m v: 1 where nothing comes back, 2 where all does. Bonds that break in tension alone leave
+{n["tension"]:.2f} at a critical stretch of 0.002, more than was measured: ice crushes."""
+
+
+def rows():
+    hertz = "H. Hertz; K. L. Johnson, *Contact Mechanics* (1985), 11.4"
+    return [
+        Row("ice without strength gives the plate its momentum, no more", "momentum", "dust", "exact", Within(1, 1e-8), "rounding; each particle stops"),
+        Row("ice that never breaks comes back: impulse over m v", "2, less what stays in vibration", "unbroken", "", Between(1.9, 2), "2 would be all of it; at 20 across 4 % are left in vibration"),
+        Row("ice that breaks in compression too, stretch 0.002: impulse over m v", "Sun, Lam and others, 149 tests: 0.8 to 1.12", "crushed", "", Between(0.8, 1.12), "the range of the tests"),
+        Row("peak force over Hertz, 40 across, askew", hertz, "hertz peak", "", Within(1, 0.05), "contact is a quarter of the radius wide, and waves need a sixth of its time to cross the sphere: not better than a few per cent"),
+        Row("duration over Hertz, 40 across, askew", hertz, "hertz duration", "", Within(1, 0.05), "as above"),
+    ]  # fmt: skip
