@@ -1,5 +1,6 @@
 // Bodies and impactors as they are unpacked, picture by picture.
 import { ArrayReader, Body, Impactor, Numbers, PackedArray, floats, unpacked } from "./data";
+import { Kind } from "./colours";
 
 /** Smallest and largest value. */
 export interface Range {
@@ -23,7 +24,7 @@ export interface Quantity {
   key: string;
   label: string;
   unit: string;
-  kind: "magnitude" | "signed" | "number"; // numbers name things: pieces, bodies
+  kind: Kind; // numbers name things: pieces, bodies
 }
 
 export class BodyData {
@@ -185,7 +186,7 @@ export function joined(ranges: (Range | undefined)[]): Range {
 /** What the particles of these bodies can be coloured by. */
 export function quantitiesOf(bodies: BodyData[]): Quantity[] {
   const out: Quantity[] = [
-    { key: "damage", label: "damage", unit: "", kind: "magnitude" },
+    { key: "damage", label: "damage", unit: "", kind: "increase" },
     { key: "displacement", label: "displacement", unit: "m", kind: "magnitude" },
     { key: "speed", label: "speed", unit: "m/s", kind: "magnitude" },
     { key: "displacement_x", label: "displacement x", unit: "m", kind: "signed" },

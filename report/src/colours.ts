@@ -1,10 +1,11 @@
-// Colours of numbers. Magnitudes: viridis (S. van der Walt and N. Smith, CC0), even in lightness. Signed: blue to red through grey, symmetric about 0
+// Colours of numbers. Magnitudes: viridis (S. van der Walt and N. Smith, CC0), even in lightness. Increases from nothing: light to dark. Signed: blue to red through grey, symmetric about 0
 // (after K. Moreland, Diverging Color Maps for Scientific Visualization, 2009). Things with a number: ten colours in turn.
 
-export type Kind = "magnitude" | "signed" | "number";
+export type Kind = "magnitude" | "increase" | "signed" | "number";
 
 const points: Record<Kind, string> = {
   magnitude: "440154 482475 414487 355f8d 2a788e 21918c 22a884 44bf70 7ad151 bddf26 fde725",
+  increase: "cdd6dc e4dcc0 efc57f ea9a4f d8653a b23a30 7e1b26 4a0f1c",
   signed: "3b4cc0 5a78e4 7b9ff9 9ebeff c0d4f5 dddcdc f2cbb7 f7ac8e ee8468 d65244 b40426",
   number: "9a9fa5 4e79a7 f28e2b 59a14f e15759 76b7b2 edc948 b07aa1 9c755f ff9da7 86bcb6",
 };

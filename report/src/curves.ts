@@ -43,21 +43,28 @@ export class Curves {
     this.time = this.curves.shift()!.values;
     this.timeScale = scaled("s", Math.abs(this.time[rows - 1]));
     this.build();
-    for (const [, belongs] of sets) if (this.chosen.size === 0) this.choose(belongs);
+    this.choose((name) => sets.some(([set, belongs]) => set !== "Motion" && belongs(name)));
     new ResizeObserver(() => this.resize()).observe(home);
   }
 
-  private hasMotion(k: number): boolean {
-    const { values } = this.curves[k];
-    return values.some((value) => value !== values[0]);
+  /** How much a curve rises and falls. */
+  private span(k: number): number {
+    let low = Infinity;
+    let high = -Infinity;
+    for (const value of this.curves[k].values) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+    return high - low;
   }
 
-  /** The curves of a set that are not constant, the first of them. */
+  /** The first curves of a set; not those that hardly move beside others of their unit, as forces do across a plane of symmetry. */
   private choose(belongs: (name: string) => boolean): void {
     this.chosen.clear();
-    this.curves.forEach(({ name }, k) => {
-      if (this.chosen.size < mostAtFirst && belongs(name) && this.hasMotion(k)) this.chosen.add(k);
-    });
+    const members = this.curves.map((_, k) => k).filter((k) => belongs(this.curves[k].name));
+    const largest = new Map<string, number>();
+    for (const k of members) largest.set(this.curves[k].unit, Math.max(largest.get(this.curves[k].unit) ?? 0, this.span(k)));
+    for (const k of members) if (this.chosen.size < mostAtFirst && this.span(k) > 1e-6 * largest.get(this.curves[k].unit)!) this.chosen.add(k);
     this.boxes.forEach((box, k) => (box.checked = this.chosen.has(k)));
     this.draw();
   }

@@ -1,7 +1,7 @@
 // The report of a run: reads what the page holds, and ties pictures, curves and controls to one time.
 import "./style.css";
 import { BodyData, ImpactorData, Quantity, Range, joined, quantitiesOf, rangeOf } from "./bodies";
-import { colourOfNumber, gradient } from "./colours";
+import { Kind, colourOfNumber, gradient } from "./colours";
 import { Curves } from "./curves";
 import { Description, json, unpacked } from "./data";
 import { Json, showChecks, showDeck, showNotes, showRun } from "./pages";
@@ -56,15 +56,14 @@ function rangeShown(values: Float32Array[]): Range {
   return { low: -largest, high: largest };
 }
 
-function scale(title: string, unit: string, shown: Range): HTMLElement {
+function scale(title: string, unit: string, shown: Range, kind: Kind): HTMLElement {
   const home = document.createElement("figure");
   const { factor, unit: short } = scaled(unit, Math.max(Math.abs(shown.low), Math.abs(shown.high)));
   const caption = document.createElement("figcaption");
   caption.textContent = `${title} [${short || "–"}]`;
   const strip = document.createElement("div");
   strip.className = "strip";
-  const signed = shown.low < 0 && shown.high === -shown.low;
-  strip.style.background = gradient(signed ? "signed" : "magnitude");
+  strip.style.background = gradient(kind);
   const ticks = document.createElement("div");
   ticks.className = "ticks";
   for (let k = 4; k >= 0; --k) {
@@ -108,7 +107,7 @@ function show(): void {
     bodies.forEach((body, number) => stage?.showBody(number, body.shownAt(current), values[number], kind, shown));
     if (key === "body") scales.push(legend("body", bodies.map((body) => body.about.name)));
     else if (key === "piece") scales.push(legend("piece", ["0, the heaviest", "1", "2", "3 and so on, in turn"]));
-    else scales.push(scale(label, unit, shown));
+    else scales.push(scale(label, unit, shown, kind));
   }
   if (impactors.length > 0) {
     const name = panels.value;
@@ -116,7 +115,7 @@ function show(): void {
     const known = values.filter((each) => each !== undefined);
     const shown = range.value === "picture" ? joined(known.map(rangeOf)) : joined(impactors.map((impactor) => impactor.rangeOfRun(name)));
     impactors.forEach((impactor, number) => stage?.showImpactor(number, impactor.shownAt(current), values[number], shown));
-    if (known.length > 0) scales.push(scale(name.replaceAll("_", " "), impactors[0].about.arrays.find((array) => array.name === name)?.unit ?? "", shown));
+    if (known.length > 0) scales.push(scale(name.replaceAll("_", " "), impactors[0].about.arrays.find((array) => array.name === name)?.unit ?? "", shown, "increase"));
   }
   byId("scales").replaceChildren(...scales);
   slider.value = String(current);
@@ -254,7 +253,8 @@ function bindKeys(): void {
 }
 
 function bindControls(): void {
-  colour.replaceChildren(...quantities.map(({ key, label, unit }) => new Option(unit ? `${label} [${unit}]` : label, key)));
+  const mayBreak = bodies.some((body) => body.array("piece"));
+  colour.replaceChildren(...quantities.map(({ key, label, unit }) => new Option(unit ? `${label} [${unit}]` : label, key, false, key === (mayBreak ? "damage" : "speed"))));
   const names = [...new Set(impactors.flatMap((impactor) => impactor.about.arrays.map((array) => array.name)))];
   panels.replaceChildren(new Option("plain", ""), ...names.map((name) => new Option(name.replaceAll("_", " "), name)));
   byId("impactors").hidden = impactors.length === 0;

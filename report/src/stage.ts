@@ -62,11 +62,12 @@ const particleFragment = /* glsl */ `
   varying float size;
   void main() {
     float light = 1.0;
-    if (size > 3.0) {
+    if (size > 4.0) {
       vec2 at = 2.0 * gl_PointCoord - 1.0;
       float off = dot(at, at);
       if (off > 1.0) discard;
-      light = 0.62 + 0.38 * dot(vec3(at.x, -at.y, sqrt(1.0 - off)), vec3(-0.35, 0.45, 0.82));
+      float ball = 0.62 + 0.38 * dot(vec3(at.x, -at.y, sqrt(1.0 - off)), vec3(-0.35, 0.45, 0.82));
+      light = mix(1.0, ball, smoothstep(4.0, 9.0, size)); // shades finer than a few pixels would only make patterns
     }
     gl_FragColor = vec4(colour * light, 1.0);
   }
@@ -152,9 +153,10 @@ export class Stage {
   private readonly turning: OrbitControls;
   private readonly bodies: ShownBody[] = [];
   private readonly impactors: ShownImpactor[] = [];
-  private readonly tables: Record<Kind, DataTexture> = { magnitude: texture("magnitude"), signed: texture("signed"), number: texture("number") };
+  private readonly tables: Record<Kind, DataTexture> = { magnitude: texture("magnitude"), increase: texture("increase"), signed: texture("signed"), number: texture("number") };
   private readonly plane = new Vector4(0, 0, 0, 1);
   private isDrawing = false;
+  private reach = 0; // diagonal of the box about the bodies
   low = new Vector3(Infinity, Infinity, Infinity); // of all that is shown
   high = new Vector3(-Infinity, -Infinity, -Infinity);
 
@@ -200,6 +202,7 @@ export class Stage {
     this.bodies.push({ data, points });
     this.scene.add(points);
     this.include(data.undeformed);
+    this.reach = this.low.distanceTo(this.high);
   }
 
   addImpactor(data: ImpactorData): void {
@@ -237,7 +240,7 @@ export class Stage {
           hasEdges: { value: false },
           opacity: { value: 1 },
           plane: { value: this.plane },
-          colours: { value: this.tables.magnitude },
+          colours: { value: this.tables.increase },
           range: { value: new Vector2(0, 1) },
           isNumber: { value: false },
         },
@@ -251,10 +254,14 @@ export class Stage {
     this.include(vertices);
   }
 
+  /** Makes the box hold the points too: of impactors those near the bodies, so that a ship does not make the ice small. */
   private include(points: Float32Array): void {
+    const least = this.low.clone().subScalar(0.3 * this.reach);
+    const most = this.high.clone().addScalar(0.3 * this.reach);
     const point = new Vector3();
     for (let k = 0; k < points.length; k += 3) {
       point.set(points[k], points[k + 1], points[k + 2]);
+      if (this.reach > 0) point.clamp(least, most);
       this.low.min(point);
       this.high.max(point);
     }
@@ -390,9 +397,8 @@ export class Stage {
   private drawNow(): void {
     this.isDrawing = false;
     const away = this.camera.position.distanceTo(this.turning.target);
-    const reach = this.high.distanceTo(this.low) || 1;
-    this.camera.near = Math.max(away - 2 * reach, 1e-3 * away);
-    this.camera.far = away + 4 * reach;
+    this.camera.near = 5e-3 * away;
+    this.camera.far = away + 50 * (this.high.distanceTo(this.low) || 1); // impactors and fragments may be far outside of the box
     this.camera.updateProjectionMatrix();
     const size = this.renderer.getDrawingBufferSize(new Vector2());
     for (const { points } of this.bodies) points.material.uniforms.pixels.value = 0.5 * size.y * this.camera.projectionMatrix.elements[5];

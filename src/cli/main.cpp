@@ -129,7 +129,7 @@ int run(int argc, char** argv) {
   CLI::App* report_app = app.add_subcommand("report", "Show a run in one file for the browser, report.html: particles, impactors, curves, deck, checks");
   report_app->add_option("folder", report.folder, "Folder of the results")->required();
   report_app->add_option("--size", report.megabytes, "The most that the data may take [MB]; larger runs are thinned")
-      ->check(CLI::Range(0.1, 500.0))
+      ->check(CLI::Range(0.01, 500.0))
       ->capture_default_str();
   report_app->callback([&] { code = report_command(report); });
 

@@ -42,7 +42,7 @@ def main():
         try:
             page.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "light"}])
             page.open(folder / "results/report.html")
-            seconds = page.wait_for("document.documentElement.dataset.state === 'ready'")
+            seconds = page.wait_for("document.documentElement?.dataset.state === 'ready'")
             picture = lambda: page.value("Number(document.getElementById('slider').value)")
             check(page, "it begins at the first picture", picture() == 0)
             page.press("End")

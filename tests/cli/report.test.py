@@ -10,7 +10,7 @@ from reports import ReportFile, read_pictures
 # two bodies, one of which breaks to pieces, and an impactor that turns freely
 TWO = (
     ("free: [y]", "free: [x, y, z, rx, ry, rz]\n    angular_velocity: [2000, 0, 9000]"),
-    ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0005}\n  stone:\n    shape: {box: {size: [20 mm, 20 mm, 20 mm]}}\n    position: [1, 0, 0]\n"
+    ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0001}\n  stone:\n    shape: {box: {size: [20 mm, 20 mm, 20 mm]}}\n    position: [1, 0, 0]\n"
                              "    spacing: 5 mm\n    material: {model: ordinary-state, youngs_modulus: 10 GPa, poissons_ratio: 0.25, density: 1000 kg/m3}"),
 )
 FLOAT = 2**-23  # a float is at most half of this part of itself off; with another operation on floats, as much again
@@ -131,13 +131,13 @@ def _(t):
 
 @claim("report: a larger run is thinned, pictures first and evenly, then particles, and stays below the size")
 def _(t):
-    # 60 pictures of 6 400 particles, of which 2 812 lie on the surface: 40 x 20 x 8 cells of 2.5 mm
+    # 60 pictures of 6 400 particles, of which 2 296 lie on the surface: 40 x 20 x 8 cells of 2.5 mm
     deck = t.deck(("spacing: 5 mm", "spacing: 2.5 mm"), ("frames: 4", "frames: 60"), ("size: [100 mm, 60 mm, 20 mm]", "size: [100 mm, 50 mm, 20 mm]"),
-                  ("position: [0, 50 mm, 0]", "position: [0, 45 mm, 0]"), ("{end: 20 us}", "{end: 12 us, step: 0.2 us}"), ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.003}"))
+                  ("position: [0, 50 mm, 0]", "position: [0, 45 mm, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [0, -25 mm, 0], to: [0, 25 mm, 0]"), ("{end: 20 us}", "{end: 12 us, step: 0.2 us}"), ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.003}"))
     t.expect_success("run", deck, "--out", "r", "--no-report")
     whole = report_of(t, "r", "--size", "100")
     t.assertEqual((whole.notes, len(whole.times)), ([], 61))
-    size = sum(len(text) for name, text in whole.scripts.items() if name.startswith("body"))
+    size = sum(len(text) for name, text in whole.scripts.items() if name not in ("description", "run", "history"))
 
     fewer = report_of(t, "r", "--size", f"{0.85e-6 * size:.3f}")  # pictures alone
     t.assertTrue(40 <= len(fewer.times) < 61, len(fewer.times))
@@ -149,11 +149,11 @@ def _(t):
     t.assertEqual(body["shown"], 6400)
     expect_frames(t, fewer, t.folder / "r", "plate")
 
-    thin = report_of(t, "r", "--size", f"{0.4e-6 * size:.3f}")  # particles too
+    thin = report_of(t, "r", "--size", f"{0.65e-6 * size:.3f}")  # particles too
     t.assertEqual(len(thin.times), 40)
-    t.assertLessEqual(sum(len(text) for name, text in thin.scripts.items() if name not in ("description", "run", "history")), 0.4 * size + 1)
+    t.assertLessEqual(sum(len(text) for name, text in thin.scripts.items() if name not in ("description", "run", "history")), 0.65 * size + 1)
     body, places, pictures = thin.body("plate")
-    t.assertTrue(2900 < body["shown"] < 6400, body["shown"])
+    t.assertTrue(2296 < body["shown"] < 6400, body["shown"])
     t.assertIn(f"{body['shown']} of 6400 particles are shown", " ".join(thin.notes))
     # which ones: found by their places; all of the surface and all that are damaged are among them
     arrays = read_pictures(t.folder / "r/frames/plate_00060.vtp")
@@ -162,7 +162,7 @@ def _(t):
     kept = [numbers[cell(place)] for place in zip(*places)]
     t.assertEqual(kept, sorted(set(kept)))
     wanted = {k for (i, j, l), k in numbers.items() if i in (0, 39) or j in (0, 19) or l in (0, 7)} | {k for k, (damage,) in enumerate(arrays["damage"]) if damage > 0}
-    t.assertGreater(len(wanted), 2812)
+    t.assertGreater(len(wanted), 2296)
     t.assertEqual(wanted - set(kept), set())
     expect_frames(t, thin, t.folder / "r", "plate", kept)
 

@@ -75,8 +75,8 @@ struct Blob {
 /// How the blobs are to be read: the entries `bodies` and `impactors` of the report's description.
 struct PackedFrames {
   output::Json bodies = output::Json::array(), impactors = output::Json::array();
-  std::vector<Blob> blobs;  ///< in the order of time
-  std::size_t bytes = 0;    ///< of all texts
+  std::vector<Blob> blobs;                     ///< in the order of time
+  std::size_t bytes = 0, bytes_of_bodies = 0;  ///< of all texts, and of those of bodies alone
 };
 
 /// Reads the chosen pictures again and packs them.

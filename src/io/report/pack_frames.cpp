@@ -199,16 +199,18 @@ PackedFrames pack_frames(const Frames& frames, const Choice& choice) {
   std::vector<PackedBody> bodies;
   std::vector<PackedImpactor> impactors;
   for (std::size_t b = 0; b < frames.bodies.size(); ++b) bodies.emplace_back(frames.bodies[b], choice.particles[b], b, out);
+  out.bytes_of_bodies = out.bytes;
   for (std::size_t i = 0; i < frames.impactors.size(); ++i) impactors.emplace_back(frames.impactors[i], i, out);
 
   for (const double time : choice.times) {
     const auto is_now = [&](const Shot& shot) { return shot.time == time; };
-    const std::size_t number = index_of(choice.times, time);
+    const std::size_t number = index_of(choice.times, time), before = out.bytes;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const std::vector<Shot>& shots = frames.bodies[b].shots;
       const auto shot = std::find_if(shots.begin(), shots.end(), is_now);
       if (shot != shots.end()) bodies[b].add(*shot, number, out);
     }
+    out.bytes_of_bodies += out.bytes - before;
     for (std::size_t i = 0; i < impactors.size(); ++i) {
       const std::vector<Shot>& shots = frames.impactors[i].shots;
       const auto shot = std::find_if(shots.begin(), shots.end(), is_now);

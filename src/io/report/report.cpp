@@ -159,13 +159,15 @@ Report write_report(const fs::path& folder, const Limits& limits) {
     choice = choose(frames, most, limits.fewest_pictures);
     packed = pack_frames(frames, choice);
     if (packed.bytes <= limits.bytes || frames.bodies.empty()) break;
+    const auto bytes = [](std::size_t count) { return static_cast<double>(count); };
     const double now = std::min(most, static_cast<double>(particles_in(choice) * choice.times.size()));
-    most = 0.95 * now * static_cast<double>(limits.bytes) / static_cast<double>(packed.bytes);
+    const double room = std::max(bytes(limits.bytes) - bytes(packed.bytes - packed.bytes_of_bodies), 0.01 * bytes(limits.bytes));
+    most = 0.95 * now * std::min(room / bytes(packed.bytes_of_bodies), 1.0);
   }
   report.pictures = choice.times.size();
   report.particles = particles_in(choice);
   if (report.pictures < report.pictures_of_run)
-    report.notes.push_back(fmt::format("{} of {} pictures are shown, evenly chosen, so that the report stays below {:.0f} MB; all of them are in frames/.",
+    report.notes.push_back(fmt::format("{} of {} pictures are shown, evenly chosen, so that the report stays below {:.3g} MB; all of them are in frames/.",
                                        report.pictures, report.pictures_of_run, 1e-6 * static_cast<double>(limits.bytes)));
   if (report.particles < report.particles_of_run)
     report.notes.push_back(
