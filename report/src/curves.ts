@@ -138,7 +138,7 @@ export class Curves {
           draw: [
             (u) => {
               const x = u.valToPos(this.now / this.timeScale.factor, "x", true);
-              if (x < u.bbox.left || x > u.bbox.left + u.bbox.width) return;
+              if (x < u.bbox.left - 1 || x > u.bbox.left + u.bbox.width + 1) return; // zoomed out of sight
               u.ctx.save();
               u.ctx.strokeStyle = this.style("--accent");
               u.ctx.lineWidth = 2;

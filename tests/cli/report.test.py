@@ -2,6 +2,7 @@
 
 import math
 import os
+import resource
 import shutil
 
 from claims import claim, main, table
@@ -118,6 +119,15 @@ def _(t):
     t.assertEqual((t.folder / "r/report.html").read_bytes(), written)  # the same folder gives the same file
     t.assertNotIn("report.html", t.expect_success("run", t.deck(), "--out", "r", "--no-report").out)
     t.assertNotIn("report.html", t.files("r"))
+
+
+@claim("report: where there is no room for it the run is finished all the same, and warns")
+def _(t):
+    room = 500_000  # for all other files of this run, but not for the page
+    out = t.expect_success("run", t.deck(), "--out", "r", limits={resource.RLIMIT_FSIZE: room}).out
+    t.assertRegex(out, r"\nwarning: there is no report of this run: r/report\.html cannot be written: .*\n$")
+    t.assertEqual(t.report("r")["outcome"], "finished")
+    t.assertEqual([name for name in t.files("r") if "report" in name], [])
 
 
 @claim("report: it asks for nothing from outside")
