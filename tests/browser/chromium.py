@@ -115,7 +115,9 @@ class Page:
         for kind in ("mousePressed", "mouseReleased"):
             self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
-    def picture(self, path):
+    def picture(self, path, width=None, height=None):
+        """Of all that is seen, or of its upper left corner."""
         # one more turn of the screen first: what was asked to be drawn is
         self.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
-        Path(path).write_bytes(base64.b64decode(self.ask("Page.captureScreenshot", format="png")["data"]))
+        clip = {"clip": {"x": 0, "y": 0, "width": width, "height": height, "scale": 1}} if width else {}
+        Path(path).write_bytes(base64.b64decode(self.ask("Page.captureScreenshot", format="png", **clip)["data"]))
