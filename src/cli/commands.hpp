@@ -19,6 +19,7 @@ struct DeckArguments {
 
 struct RunArguments : DeckArguments {
   bool resume = false;  ///< go on from the checkpoint in the results folder
+  bool no_report = false;
 };
 
 int run_command(const RunArguments& arguments);

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "cli/commands.hpp"
+#include "cli/report_command.hpp"
 #include "cli/shape_command.hpp"
 #include "cli/statistics_command.hpp"
 #include "fccda/core/error.hpp"
@@ -110,6 +111,7 @@ int run(int argc, char** argv) {
   CLI::App* run = app.add_subcommand("run", "Run a deck");
   add_deck_arguments(*run, run_arguments);
   run->add_flag("--resume", run_arguments.resume, "Go on from the checkpoint in the folder of the results, with the same deck and --set");
+  run->add_flag("--no-report", run_arguments.no_report, "Leave out report.html, which `perimpact report` writes too");
   run->callback([&] { code = run_command(run_arguments); });
 
   DeckArguments deck;
@@ -141,6 +143,14 @@ int run(int argc, char** argv) {
   CLI::App* statistics_app = app.add_subcommand("statistics", "Statistics and spectrum of the forces of a run, and the width of a channel in broken ice");
   add_statistics(*statistics_app, statistics);
   statistics_app->callback([&] { code = statistics_command(statistics); });
+
+  ReportArguments report;
+  CLI::App* report_app = app.add_subcommand("report", "Show a run in one file for the browser, report.html: particles, impactors, curves, deck, checks");
+  report_app->add_option("folder", report.folder, "Folder of the results")->required();
+  report_app->add_option("--size", report.megabytes, "The most that the data may take [MB]; larger runs are thinned")
+      ->check(CLI::Range(0.01, 500.0))
+      ->capture_default_str();
+  report_app->callback([&] { code = report_command(report); });
 
   CLI::App* version = app.add_subcommand("version", "Print the version");
   version->callback([] { fmt::print("perimpact {}\n", PERIMPACT_VERSION); });

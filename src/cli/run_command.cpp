@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
+#include "cli/report_command.hpp"
 #include "fccda/core/error.hpp"
 #include "fccda/core/parallel.hpp"
 #include "io/checkpoint/checkpoints.hpp"
@@ -115,6 +116,7 @@ int run_command(const RunArguments& arguments) {
       const std::string sentence = error.what() + about_last(checkpoints, way_out);
       try {
         results.finish(simulation, Outcome::failed, sentence, progress.seconds());
+        if (!arguments.no_report) try_report(folder);
       } catch (const fccda::RunError&) {
         // nothing more can be written; the first error is the one to report
       }
@@ -131,6 +133,7 @@ int run_command(const RunArguments& arguments) {
     fmt::print("\nResults: {}\n", std::filesystem::absolute(folder).lexically_normal().string());
     fmt::print("  {}  the curves\n  {}  the pictures, for ParaView\n  {}  what was run\n", (folder / "history.csv").string(), (folder / "frames").string(),
                (folder / "run.json").string());
+    if (!arguments.no_report) try_report(folder);
     return 0;
   });
 }

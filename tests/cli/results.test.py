@@ -42,10 +42,10 @@ def head_of_vtp(path):
     return xml.fromstring(content[:mark] + b"</VTKFile>")
 
 
-@claim("results: a run leaves run.json, history, lines, frames and pressure-area curves, nothing else, and ends with 0")
+@claim("results: a run leaves run.json, history, lines, frames, pressure-area curves and a report, nothing else, and ends with 0")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r")
-    wanted = ["checkpoint.h5", "history.csv", "lines/along_y_t2e-05.csv", "pressure_area/cylinder.csv", "pressure_area/cylinder_at_peak.csv", "run.json"]
+    wanted = ["checkpoint.h5", "history.csv", "lines/along_y_t2e-05.csv", "pressure_area/cylinder.csv", "pressure_area/cylinder_at_peak.csv", "report.html", "run.json"]
     for name in ("plate", "cylinder"):
         wanted += [f"frames/{name}.pvd"] + [f"frames/{name}_{frame:05}.vtp" for frame in range(5)]
     t.assertEqual(t.files("r"), sorted(wanted))
@@ -183,7 +183,7 @@ def _(t):
     deck = t.deck()
     t.expect_success("run", deck, "--set", "time.end=5 us", "--set", "output.frames=0", "--set", "output.folder=elsewhere",
                      "--set", "impactors.cylinder.velocity=[0, -10, 0]", "--set", "bodies.plate.material.critical_stretch=0.01")
-    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "lines/along_y_t5e-06.csv", "pieces/plate_end.csv", "run.json"])
+    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "lines/along_y_t5e-06.csv", "pieces/plate_end.csv", "report.html", "run.json"])
     setup = t.report("elsewhere")["setup"]
     t.assertEqual((setup["time"]["end"], setup["impactors"]["cylinder"]["velocity"]), (5e-6, [0, -10, 0]))
     t.assertEqual(setup["bodies"]["plate"]["material"]["critical_stretch"], 0.01)
@@ -207,7 +207,7 @@ def _(t):
     t.expect_success("run", t.deck(), "--out", "fresh", "--set", "output.frames=1")
     t.assertEqual(t.files("r"), sorted(t.files("fresh") + foreign + [f"check/{name}" for name in checked]))
     t.assertEqual(t.files("r/check"), ["cylinder_surface.vtp", "plate.vtp"])
-    for name in [name for name in t.files("fresh") if not name.endswith("run.json")]:
+    for name in [name for name in t.files("fresh") if not name.endswith(("run.json", "report.html"))]:
         t.assertEqual((t.folder / "r" / name).read_bytes(), (t.folder / "fresh" / name).read_bytes(), name)
 
 

@@ -14,7 +14,7 @@ STEPS = ("time: {end: 20 us}", "time: {end: 30 us, step: 0.05 us}")
 BREAKS = ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002")
 MORE = ("  history: 2 us", "  history: 0.7 us\n  checkpoint_every: 10 ms")
 LINE = ("to: [0, 30 mm, 0]}", "to: [0, 30 mm, 0], times: [3 us, 17 us, 30 us]}")
-TIME_DEPENDENT = ("run.json", "checkpoint.h5")  # tell how long it took, and where it was resumed
+TIME_DEPENDENT = ("run.json", "report.html", "checkpoint.h5")  # tell how long it took, and where it was resumed
 
 
 def deck(t, *changes):

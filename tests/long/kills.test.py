@@ -17,7 +17,7 @@ CHANGES = [
     ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002"),
     ("  history: 2 us", "  history: 0.7 us\n  checkpoint_every: 1 ns"),
 ]
-TELL_OF_TIMES = ("run.json", "checkpoint.h5")
+TELL_OF_TIMES = ("run.json", "report.html", "checkpoint.h5")
 
 
 def tables_and_pictures(t, folder):

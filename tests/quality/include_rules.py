@@ -40,6 +40,7 @@ LAYERS = {
     "io": ["fccda", "perimpact", "io"],
     "io/deck": ["fccda/core", "perimpact/material", "perimpact/setup"],
     "io/statistics": ["fccda", "perimpact/material", "perimpact/setup", "io/output", "io/deck"],
+    "io/report": ["fccda", "perimpact/material", "perimpact/setup", "io/output", "io/deck", "io/statistics"],
     "io/output": ["fccda/core", "fccda/surface"],
 }
 

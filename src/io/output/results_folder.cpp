@@ -75,12 +75,12 @@ ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std:
   const auto remove_from = [earlier](const fs::path& from, const auto& is_ours) {
     std::vector<fs::path> files = our_files(from, is_ours);
     if (earlier == EarlierRun::continued)
-      std::erase_if(files, [](const fs::path& file) { return file.extension() != ".part" && file.filename() != "run.json"; });
+      std::erase_if(files, [](const fs::path& file) { return file.extension() != ".part" && file.filename() != "run.json" && file.filename() != "report.html"; });
     remove(files);
   };
   // the checkpoint first: what it goes on from must not be there without the rest
   remove_from(folder_, [](std::string_view name) { return name == "checkpoint.h5"; });
-  remove_from(folder_, [](std::string_view name) { return name == "run.json" || name == "history.csv"; });
+  remove_from(folder_, [](std::string_view name) { return name == "run.json" || name == "report.html" || name == "history.csv"; });
   remove_from(folder_, [](std::string_view name) { return name == "statistics.csv" || name == "windows.csv" || name == "spectrum.csv"; });
   remove_from(frames(), [&](std::string_view name) { return is_series(frames(), name); });
   remove_from(frames(), is_frame);

@@ -1,7 +1,7 @@
 /// The folder that a run leaves behind, and the one place that knows its names:
 ///
 ///   run.json   history.csv   lines/<line>_t<seconds>.csv   frames/<body>_00000.vtp, …   frames/<body>.pvd
-///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv   pieces/<body>.csv, <body>_end.csv   checkpoint.h5
+///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv   pieces/<body>.csv, <body>_end.csv   checkpoint.h5   report.html
 ///
 /// `perimpact statistics` adds statistics.csv, windows.csv, spectrum.csv and pieces/<body>_channel_x.csv, which go with the run that they tell
 /// of. `check` writes into check/, which runs leave alone.
@@ -19,7 +19,7 @@ void prepare_folder(const std::filesystem::path& folder);
 enum class EarlierRun { removed, continued };
 
 /// A prepared results folder without the files of an earlier run, so that two runs never mix. Files of any other name are kept. Where
-/// the run is continued, its files stay but for those left in part, and for run.json, which tells how a run ended.
+/// the run is continued, its files stay but for those left in part, and for run.json and report.html, which tell how a run ended.
 class ResultsFolder {
  public:
   explicit ResultsFolder(std::filesystem::path folder, EarlierRun earlier = EarlierRun::removed);
@@ -41,6 +41,7 @@ class ResultsFolder {
   static std::filesystem::path run_in(const std::filesystem::path& folder) { return folder / "run.json"; }
   static std::filesystem::path pieces_in(const std::filesystem::path& folder) { return folder / "pieces"; }
   static std::filesystem::path checkpoint_in(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
+  static std::filesystem::path report_in(const std::filesystem::path& folder) { return folder / "report.html"; }
 
  private:
   std::filesystem::path folder_;

@@ -1,0 +1,7 @@
+/** An element with these properties and what is inside of it. */
+export function element<Name extends keyof HTMLElementTagNameMap>(name: Name, properties: object = {}, ...inside: (Node | string)[]): HTMLElementTagNameMap[Name] {
+  const out = document.createElement(name);
+  Object.assign(out, properties);
+  out.append(...inside);
+  return out;
+}

@@ -1,0 +1,225 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "io/report/frames.hpp"
+#include "io/report/picture_file.hpp"
+
+namespace perimpact::report {
+
+namespace {
+
+using fccda::Vec3d;
+using output::Json;
+
+/// An array that is packed in each picture, and how its numbers become reals again.
+struct PackedArray {
+  std::string name, unit;
+  int bytes;
+  Scale scale;
+  ArrayPacker packer;
+
+  PackedArray(std::string its_name, std::string its_unit, int its_bytes, Scale its_scale)
+      : name(std::move(its_name)), unit(std::move(its_unit)), bytes(its_bytes), scale(its_scale), packer(its_bytes) {}
+
+  Json description() const {
+    Json json = Json::object();
+    json["name"] = name;
+    json["unit"] = unit;
+    json["bytes"] = bytes;
+    json["low"] = scale.low();
+    json["high"] = scale.high();
+    json["step"] = scale.step();
+    return json;
+  }
+};
+
+constexpr std::uint32_t finest = 65535, coarsest = 4095;  // steps of 16 and of 12 bits
+
+PackedArray reals(std::string name, std::string unit, const Range& range, std::uint32_t steps) {
+  return {std::move(name), std::move(unit), 2, Scale(range.low, range.high, steps)};
+}
+
+/// Displacements need be no finer than undeformed places, unless they are small; and what is finer than it need be packs badly.
+std::uint32_t steps_of_displacement(const Range& displacement, const Range& place) {
+  const double span = displacement.high - displacement.low, box = place.high - place.low;
+  return box > 0 ? static_cast<std::uint32_t>(std::clamp<double>(std::ceil(finest * span / box), coarsest, finest)) : finest;
+}
+
+PackedArray whole_numbers(std::string name, std::uint32_t highest) {
+  const int bytes = highest < 256 ? 1 : highest < 65536 ? 2 : 4;
+  const auto steps = static_cast<std::uint32_t>((std::uint64_t{1} << (8 * bytes)) - 1);
+  return {std::move(name), "", bytes, Scale(0, steps, steps)};
+}
+
+void add_blob(PackedFrames& out, std::string id, const std::string& bytes) {
+  out.blobs.push_back({std::move(id), base64(gzip(bytes))});
+  out.bytes += out.blobs.back().text.size();
+}
+
+std::size_t index_of(const std::vector<double>& times, double time) {
+  return static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
+}
+
+const char* const axis_names[] = {"x", "y", "z"};
+
+/// Packs a body's pictures one after the other.
+class PackedBody {
+ public:
+  PackedBody(const BodyFrames& body, const std::vector<std::uint32_t>& particles, std::size_t number, PackedFrames& out)
+      : body_(body), particles_(particles), id_(fmt::format("body{}", number)) {
+    description_["name"] = body.name;
+    description_["id"] = id_;
+    description_["particles"] = body.undeformed.size();
+    description_["shown"] = particles.size();
+    description_["spacing [m]"] = body.spacing;
+    std::string bytes;
+    Json& undeformed = description_["undeformed"];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      PackedArray place = reals(axis_names[axis], "m", body.place[axis], finest);
+      place.packer.append(numbers(place.scale, [&](std::uint32_t i) { return body.undeformed[i][axis]; }), bytes);
+      undeformed.push_back(place.description());
+      arrays_.push_back(reals(fmt::format("displacement_{}", axis_names[axis]), "m", body.displacement[axis],
+                              steps_of_displacement(body.displacement[axis], body.place[axis])));
+    }
+    add_blob(out, id_, bytes);
+    arrays_.push_back(reals("speed", "m/s", {0, body.speed.high, false}, coarsest));
+    arrays_.emplace_back("damage", "", 1, Scale(0, 1, 255));
+    if (body.has_pieces) arrays_.push_back(whole_numbers("piece", body.highest_piece));
+    for (const PackedArray& array : arrays_) description_["arrays"].push_back(array.description());
+    description_["pictures"] = Json::array();
+  }
+
+  void add(const Shot& shot, std::size_t time_number, PackedFrames& out) {
+    const PictureFile picture = read_picture(shot.file);
+    const PictureArray &u = *picture.find("displacement"), &v = *picture.find("velocity"), &damage = *picture.find("damage");
+    const PictureArray* piece = picture.find("piece");
+    std::string bytes;
+    std::size_t a = 0;
+    const auto pack = [&](const auto& value) {
+      arrays_[a].packer.append(numbers(arrays_[a].scale, value), bytes);
+      ++a;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) pack([&, axis](std::uint32_t i) { return u.numbers[3 * i + axis]; });
+    pack([&](std::uint32_t i) { return std::hypot(v.numbers[3 * i], v.numbers[3 * i + 1], v.numbers[3 * i + 2]); });
+    pack([&](std::uint32_t i) { return damage.numbers[i]; });
+    if (body_.has_pieces) pack([&](std::uint32_t i) { return piece->numbers[i]; });
+    description_["pictures"].push_back(time_number);
+    add_blob(out, fmt::format("{}_{}", id_, time_number), bytes);
+  }
+
+  const Json& description() const { return description_; }
+
+ private:
+  template <class Value>
+  std::vector<std::uint32_t> numbers(const Scale& scale, const Value& value) const {
+    std::vector<std::uint32_t> out;
+    out.reserve(particles_.size());
+    for (const std::uint32_t i : particles_) out.push_back(scale.number_of(value(i)));
+    return out;
+  }
+
+  const BodyFrames& body_;
+  const std::vector<std::uint32_t>& particles_;
+  std::string id_;
+  Json description_ = Json::object();
+  std::vector<PackedArray> arrays_;
+};
+
+std::string_view unit_of_panels(std::string_view array) {
+  return array == "contact_pressure" || array == "peak_pressure" ? "Pa" : array == "contact_impulse" ? "N s" : "";
+}
+
+class PackedImpactor {
+ public:
+  PackedImpactor(const ImpactorFrames& impactor, std::size_t number, PackedFrames& out) : impactor_(impactor), id_(fmt::format("impactor{}", number)) {
+    description_["name"] = impactor.name;
+    description_["id"] = id_;
+    description_["vertices"] = impactor.vertices.size();
+    description_["panels"] = impactor.panels.size();
+    std::string bytes;
+    for (std::size_t axis = 0; axis < 3; ++axis) {  // as floats, bit for bit
+      std::vector<std::uint32_t> words;
+      for (const Vec3d& vertex : impactor.vertices) words.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(vertex[axis])));
+      ArrayPacker(4).append(words, bytes);
+    }
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      std::vector<std::uint32_t> words;
+      for (const std::array<int, 4>& panel : impactor.panels) words.push_back(static_cast<std::uint32_t>(panel[corner]));
+      ArrayPacker(4).append(words, bytes);
+    }
+    add_blob(out, id_, bytes);
+    for (std::size_t a = 0; a < impactor.arrays.size(); ++a)
+      arrays_.push_back(reals(impactor.arrays[a], std::string(unit_of_panels(impactor.arrays[a])), impactor.ranges[a], finest));
+    description_["arrays"] = Json::array();
+    for (const PackedArray& array : arrays_) description_["arrays"].push_back(array.description());
+    description_["pictures"] = Json::array();
+    description_["motions"] = Json::array();
+  }
+
+  void add(std::size_t shot, std::size_t time_number, PackedFrames& out) {
+    const RigidMotion& motion = impactor_.motions[shot];
+    Json rows = Json::array();  // a matrix of three rows and four columns
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t column = 0; column < 3; ++column) rows.push_back(motion.turn.row[axis][column]);
+      rows.push_back(motion.shift[axis]);
+    }
+    description_["pictures"].push_back(time_number);
+    description_["motions"].push_back(std::move(rows));
+    if (arrays_.empty()) return;
+    const PictureFile picture = read_picture(impactor_.shots[shot].file);
+    std::string bytes;
+    for (PackedArray& packed : arrays_) {
+      const PictureArray& array = *picture.find(packed.name);
+      std::vector<std::uint32_t> numbers;
+      for (std::size_t at = 0; at < array.numbers.size(); at += static_cast<std::size_t>(array.components))
+        numbers.push_back(
+            packed.scale.number_of(array.components == 3 ? std::hypot(array.numbers[at], array.numbers[at + 1], array.numbers[at + 2]) : array.numbers[at]));
+      packed.packer.append(numbers, bytes);
+    }
+    add_blob(out, fmt::format("{}_{}", id_, time_number), bytes);
+  }
+
+  const Json& description() const { return description_; }
+
+ private:
+  const ImpactorFrames& impactor_;
+  std::string id_;
+  Json description_ = Json::object();
+  std::vector<PackedArray> arrays_;
+};
+
+}  // namespace
+
+PackedFrames pack_frames(const Frames& frames, const Choice& choice) {
+  PackedFrames out;
+  std::vector<PackedBody> bodies;
+  std::vector<PackedImpactor> impactors;
+  for (std::size_t b = 0; b < frames.bodies.size(); ++b) bodies.emplace_back(frames.bodies[b], choice.particles[b], b, out);
+  out.bytes_of_bodies = out.bytes;
+  for (std::size_t i = 0; i < frames.impactors.size(); ++i) impactors.emplace_back(frames.impactors[i], i, out);
+
+  for (const double time : choice.times) {
+    const auto is_now = [&](const Shot& shot) { return shot.time == time; };
+    const std::size_t number = index_of(choice.times, time), before = out.bytes;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const std::vector<Shot>& shots = frames.bodies[b].shots;
+      const auto shot = std::find_if(shots.begin(), shots.end(), is_now);
+      if (shot != shots.end()) bodies[b].add(*shot, number, out);
+    }
+    out.bytes_of_bodies += out.bytes - before;
+    for (std::size_t i = 0; i < impactors.size(); ++i) {
+      const std::vector<Shot>& shots = frames.impactors[i].shots;
+      const auto shot = std::find_if(shots.begin(), shots.end(), is_now);
+      if (shot != shots.end()) impactors[i].add(static_cast<std::size_t>(shot - shots.begin()), number, out);
+    }
+  }
+  for (const PackedBody& body : bodies) out.bodies.push_back(body.description());
+  for (const PackedImpactor& impactor : impactors) out.impactors.push_back(impactor.description());
+  return out;
+}
+
+}  // namespace perimpact::report

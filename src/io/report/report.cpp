@@ -1,0 +1,201 @@
+#include "io/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <optional>
+
+#include "fccda/core/error.hpp"
+#include "fccda/surface/file/contents.hpp"
+#include "io/deck/yaml_node.hpp"
+#include "io/output/file.hpp"
+#include "io/output/results_folder.hpp"
+#include "io/report/curves.hpp"
+#include "io/report/frames.hpp"
+#include "io/report/kept_particles.hpp"
+#include "io/report/page_template.hpp"
+
+namespace perimpact::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+using output::Json;
+
+/// run.json, where it is there and whole.
+struct Run {
+  std::string text;
+  std::optional<deck::YamlNode> tree;
+
+  double spacing_of(const std::string& body) const {
+    const deck::YamlNode* node = tree ? &*tree : nullptr;
+    for (const std::string_view key : {std::string_view("bodies"), std::string_view(body), std::string_view("spacing [m]")}) {
+      const deck::YamlNode::Entry* entry = node ? node->find(key) : nullptr;
+      node = entry ? &entry->value : nullptr;
+    }
+    return node ? std::strtod(node->text.c_str(), nullptr) : 0;
+  }
+};
+
+Run read_run(const fs::path& folder, std::vector<std::string>& notes) {
+  const fs::path file = output::ResultsFolder::run_in(folder);
+  Run run;
+  if (!fs::exists(file)) {
+    notes.push_back(fmt::format("{} is not there: the run goes on, or was killed. Deck, checks and timers are missing here.", file.string()));
+    return run;
+  }
+  try {
+    run.text = fccda::contents_of(file);
+    run.tree = deck::parse_document(run.text, file.string());
+  } catch (const fccda::InputError& error) {
+    notes.push_back(fmt::format("{} Deck, checks and timers are missing here.", error.what()));
+    run.text.clear();
+  }
+  return run;
+}
+
+std::optional<Table> read_history(const fs::path& folder, std::size_t most_rows, std::vector<std::string>& notes) {
+  try {
+    const Table table = read_table(output::ResultsFolder::history_in(folder));
+    if (table.names.front() != "time [s]" || table.rows() == 0) {
+      notes.push_back(fmt::format("{} has no rows of time [s] and other columns, so there are no curves.", table.file.string()));
+      return {};
+    }
+    if (table.rows() > most_rows)
+      notes.push_back(
+          fmt::format("history.csv has {} rows; the curves here have at most {}: forces and moments are means over several rows, so their peaks are lower.",
+                      table.rows(), most_rows));
+    return joined(table, most_rows);
+  } catch (const fccda::InputError& error) {
+    notes.emplace_back(error.what());
+    return {};
+  }
+}
+
+/// So many of the times, evenly, the first and the last among them.
+std::vector<double> evenly(const std::vector<double>& times, std::size_t count) {
+  if (count >= times.size()) return times;
+  if (count < 2) return {times.back()};
+  std::vector<double> out;
+  for (std::size_t k = 0; k < count; ++k)
+    out.push_back(times[static_cast<std::size_t>(std::llround(static_cast<double>(k * (times.size() - 1)) / static_cast<double>(count - 1)))]);
+  return out;
+}
+
+/// Pictures first, then particles, until there are at most so many particles times pictures.
+Choice choose(const Frames& frames, double most, std::size_t fewest_pictures) {
+  const std::vector<double> times = frames.times();
+  std::size_t particles = 0;
+  for (const BodyFrames& body : frames.bodies) particles += body.undeformed.size();
+  const double fitting = particles == 0 ? static_cast<double>(times.size()) : most / static_cast<double>(particles);
+  const auto least = static_cast<double>(std::min(fewest_pictures, times.size()));
+  const double pictures = std::floor(std::clamp(fitting, least, static_cast<double>(times.size())));
+
+  Choice choice{.times = evenly(times, static_cast<std::size_t>(pictures)), .particles = {}};
+  const double share = std::min(1.0, fitting / std::max(1.0, static_cast<double>(choice.times.size())));
+  for (const BodyFrames& body : frames.bodies) {
+    if (share < 1) {
+      choice.particles.push_back(kept_particles(body.undeformed, body.spacing, body.is_damaged, share));
+    } else {
+      choice.particles.emplace_back(body.undeformed.size());
+      std::iota(choice.particles.back().begin(), choice.particles.back().end(), 0U);
+    }
+  }
+  return choice;
+}
+
+std::size_t particles_in(const Choice& choice) {
+  std::size_t sum = 0;
+  for (const std::vector<std::uint32_t>& particles : choice.particles) sum += particles.size();
+  return sum;
+}
+
+/// In a script element no `<` may stand that begins a tag; in JSON it stands in strings only.
+std::string as_script(std::string_view id, std::string_view json) {
+  std::string text = fmt::format("<script type=\"application/json\" id=\"{}\">", id);
+  for (const char c : json) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return text + "</script>\n";
+}
+
+void write_blob(output::WholeFile& file, std::string_view id, std::string_view base64) {
+  file.write(fmt::format("<script type=\"text/plain\" id=\"{}\">", id));
+  file.write(base64);
+  file.write("</script>\n");
+}
+
+std::string name_of(const fs::path& folder) {
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return (whole.has_filename() ? whole.filename() : whole.parent_path().filename()).string();
+}
+
+}  // namespace
+
+Report write_report(const fs::path& folder, const Limits& limits) {
+  const bool has_any = fs::exists(output::ResultsFolder::history_in(folder)) || fs::exists(output::ResultsFolder::run_in(folder)) ||
+                       fs::exists(output::ResultsFolder::frames_in(folder));
+  if (!has_any)
+    throw fccda::InputError(
+        fmt::format("{} holds no results of a run: neither history.csv nor run.json nor frames; name a folder that `perimpact run` has written "
+                    "its results into.",
+                    folder.string()));
+  Report report{.file = output::ResultsFolder::report_in(folder)};
+  const Run run = read_run(folder, report.notes);
+  const std::optional<Table> history = read_history(folder, limits.history_rows, report.notes);
+  Frames frames = scan_frames(folder, report.notes);
+  for (BodyFrames& body : frames.bodies) {
+    if (const double spacing = run.spacing_of(body.name); spacing > 0) body.spacing = spacing;
+    report.particles_of_run += body.undeformed.size();
+  }
+  report.pictures_of_run = frames.times().size();
+
+  // what no prediction tells beforehand is how well a run packs: as long as it is too much, that much less is taken
+  double most = static_cast<double>(limits.particle_pictures);
+  Choice choice;
+  PackedFrames packed;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    choice = choose(frames, most, limits.fewest_pictures);
+    packed = pack_frames(frames, choice);
+    if (packed.bytes <= limits.bytes || frames.bodies.empty()) break;
+    const auto bytes = [](std::size_t count) { return static_cast<double>(count); };
+    const double now = std::min(most, static_cast<double>(particles_in(choice) * choice.times.size()));
+    const double room = std::max(bytes(limits.bytes) - bytes(packed.bytes - packed.bytes_of_bodies), 0.01 * bytes(limits.bytes));
+    most = 0.95 * now * std::min(room / bytes(packed.bytes_of_bodies), 1.0);
+  }
+  report.pictures = choice.times.size();
+  report.particles = particles_in(choice);
+  if (report.pictures < report.pictures_of_run)
+    report.notes.push_back(fmt::format("{} of {} pictures are shown, evenly chosen, so that the report stays below {:.3g} MB; all of them are in frames/.",
+                                       report.pictures, report.pictures_of_run, 1e-6 * static_cast<double>(limits.bytes)));
+  if (report.particles < report.particles_of_run)
+    report.notes.push_back(
+        fmt::format("{} of {} particles are shown: those on the surface and those that are damaged at the end first, the others evenly thinned.",
+                    report.particles, report.particles_of_run));
+
+  Json description = Json::object();
+  description["format"] = 1;
+  description["folder"] = name_of(folder);
+  description["notes"] = report.notes.empty() ? Json::array() : Json(report.notes);
+  description["times [s]"] = choice.times.empty() ? Json::array() : Json(choice.times);
+  description["bodies"] = std::move(packed.bodies);
+  description["impactors"] = std::move(packed.impactors);
+  Curves curves;
+  if (history) curves = curves_of(*history), description["history"] = std::move(curves.description);
+
+  const std::string_view page = page_template();
+  const std::size_t mark = page.find(data_mark);
+  output::WholeFile file(report.file);
+  file.write(page.substr(0, mark));
+  file.write(as_script("description", description.text()));
+  if (!run.text.empty()) file.write(as_script("run", run.text));
+  if (history) write_blob(file, "history", base64(gzip(curves.bytes)));
+  for (const Blob& blob : packed.blobs) write_blob(file, blob.id, blob.text);
+  file.write(page.substr(mark + data_mark.size()));
+  file.finish();
+  report.bytes = fs::file_size(report.file);
+  return report;
+}
+
+}  // namespace perimpact::report

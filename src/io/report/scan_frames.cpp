@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fccda/core/error.hpp"
+#include "io/output/pvd.hpp"
+#include "io/output/results_folder.hpp"
+#include "io/report/frames.hpp"
+#include "io/report/picture_file.hpp"
+
+namespace perimpact::report {
+
+namespace {
+
+using fccda::InputError;
+using fccda::Vec3d;
+
+/// An array of so many components, where it is there.
+const PictureArray* array_of(const PictureFile& picture, std::string_view name, int components) {
+  const PictureArray* found = picture.find(name);
+  return found != nullptr && found->components == components ? found : nullptr;
+}
+
+const PictureArray& needed(const PictureFile& picture, const std::filesystem::path& file, std::string_view name, int components) {
+  if (const PictureArray* found = array_of(picture, name, components)) return *found;
+  throw InputError(
+      fmt::format("{}: the picture has no array {} of {} numbers a particle; take the file as the run wrote it.", file.string(), name, components));
+}
+
+/// [m] the distance that most particles have to the one before: the spacing of a lattice.
+double usual_distance(const std::vector<Vec3d>& points) {
+  std::vector<double> distances;
+  for (std::size_t i = 1; i < points.size(); ++i) distances.push_back(fccda::norm(points[i] - points[i - 1]));
+  if (distances.empty()) return 1;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle > 0 ? *middle : 1;
+}
+
+void add_particles(BodyFrames& body, const PictureFile& picture, const output::Picture& shot) {
+  const PictureArray& displacement = needed(picture, shot.file, "displacement", 3);
+  const PictureArray& velocity = needed(picture, shot.file, "velocity", 3);
+  const PictureArray& damage = needed(picture, shot.file, "damage", 1);
+  const PictureArray* piece = array_of(picture, "piece", 1);
+  const std::size_t count = picture.points.size();
+  const bool is_first = body.shots.empty();
+  if (!is_first && count != body.undeformed.size())
+    throw InputError(
+        fmt::format("{} shows {} particles, but the pictures before it {}; take the files of one run.", shot.file.string(), count, body.undeformed.size()));
+  if (!is_first && (piece != nullptr) != body.has_pieces)
+    throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name pieces; take the files of one run.", shot.file.string(),
+                                 piece ? "it does" : "those do"));
+  if (is_first) {
+    body.has_pieces = piece != nullptr;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* u = &displacement.numbers[3 * i];
+      body.undeformed.push_back(picture.points[i] - Vec3d{u[0], u[1], u[2]});
+      for (std::size_t axis = 0; axis < 3; ++axis) body.place[axis].include(body.undeformed.back()[axis]);
+    }
+    body.spacing = usual_distance(body.undeformed);
+  }
+  body.is_damaged.assign(count, false);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) body.displacement[axis].include(displacement.numbers[3 * i + axis]);
+    const double* v = &velocity.numbers[3 * i];
+    body.speed.include(std::hypot(v[0], v[1], v[2]));
+    body.is_damaged[i] = damage.numbers[i] > 0;
+    if (piece) body.highest_piece = std::max(body.highest_piece, static_cast<std::uint32_t>(std::max(0.0, piece->numbers[i])));
+  }
+  body.shots.push_back({shot.time, shot.file});
+}
+
+void add_panels(ImpactorFrames& impactor, const PictureFile& picture, const output::Picture& shot) {
+  if (impactor.shots.empty()) {
+    impactor.vertices = picture.points;
+    impactor.panels = picture.panels;
+    for (const PictureArray& array : picture.arrays) impactor.arrays.push_back(array.name);
+    impactor.ranges.resize(impactor.arrays.size());
+  }
+  fccda::Box box;
+  for (const Vec3d& point : picture.points) box.include(point);
+  constexpr double rounding = 1e-9;  // of coordinates; the run moves its surfaces in double precision
+  const auto motion = rigid_motion(impactor.vertices, picture.points, rounding * (fccda::largest_magnitude(box.low) + fccda::largest_magnitude(box.high)));
+  if (!motion || picture.panels.size() != impactor.panels.size())
+    throw InputError(fmt::format("{} shows another surface than the pictures before it; take the files of one run.", shot.file.string()));
+  for (std::size_t a = 0; a < impactor.arrays.size(); ++a) {
+    const PictureArray* array = picture.find(impactor.arrays[a]);
+    if (array == nullptr)
+      throw InputError(fmt::format("{} has no array {}, as the pictures before it; take the files of one run.", shot.file.string(), impactor.arrays[a]));
+    for (std::size_t at = 0; at < array->numbers.size(); at += static_cast<std::size_t>(array->components))
+      impactor.ranges[a].include(array->components == 3 ? std::hypot(array->numbers[at], array->numbers[at + 1], array->numbers[at + 2]) : array->numbers[at]);
+  }
+  impactor.motions.push_back(*motion);
+  impactor.shots.push_back({shot.time, shot.file});
+}
+
+void scan_series(const std::filesystem::path& list, Frames& frames, std::vector<std::string>& notes) {
+  BodyFrames body{.name = list.stem().string()};
+  ImpactorFrames impactor{.name = list.stem().string()};
+  for (const output::Picture& shot : output::pictures_of(list)) try {
+      const PictureFile picture = read_picture(shot.file);
+      picture.panels.empty() ? add_particles(body, picture, shot) : add_panels(impactor, picture, shot);
+    } catch (const InputError& error) {
+      notes.emplace_back(error.what());
+    }
+  if (!body.shots.empty()) frames.bodies.push_back(std::move(body));
+  if (!impactor.shots.empty()) frames.impactors.push_back(std::move(impactor));
+}
+
+}  // namespace
+
+void Range::include(double value) {
+  low = is_empty ? value : std::min(low, value);
+  high = is_empty ? value : std::max(high, value);
+  is_empty = false;
+}
+
+std::vector<double> Frames::times() const {
+  std::vector<double> times;
+  const auto add = [&](const std::vector<Shot>& shots) {
+    for (const Shot& shot : shots) times.push_back(shot.time);
+  };
+  for (const BodyFrames& body : bodies) add(body.shots);
+  for (const ImpactorFrames& impactor : impactors) add(impactor.shots);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+Frames scan_frames(const std::filesystem::path& folder, std::vector<std::string>& notes) {
+  const std::filesystem::path pictures = output::ResultsFolder::frames_in(folder);
+  std::vector<std::filesystem::path> lists;
+  std::error_code missing;
+  for (const auto& entry : std::filesystem::directory_iterator(pictures, missing))
+    if (entry.path().extension() == ".pvd") lists.push_back(entry.path());
+  std::sort(lists.begin(), lists.end());
+
+  Frames frames;
+  if (lists.empty())
+    notes.push_back(
+        fmt::format("{} holds no series of pictures (.pvd), so nothing can be shown in space; `output.frames` in the deck asks for them.", pictures.string()));
+  for (const std::filesystem::path& list : lists) try {
+      scan_series(list, frames, notes);
+    } catch (const InputError& error) {
+      notes.emplace_back(error.what());
+    }
+  return frames;
+}
+
+}  // namespace perimpact::report
