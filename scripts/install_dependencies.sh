@@ -5,7 +5,7 @@ set -euo pipefail
 
 # libfmt, yaml-cpp, UDUNITS-2, CLI11, zlib, HDF5: see README, "What is in the box"
 packages=(g++ cmake ninja-build libfmt-dev libyaml-cpp-dev libudunits2-dev libcli11-dev zlib1g-dev libhdf5-dev)
-[[ "$1" == run ]] || packages+=(doctest-dev python3 python3-numpy python3-matplotlib gmsh python3-meshio openfoam-examples)
+[[ "$1" == run ]] || packages+=(doctest-dev python3 python3-dev pybind11-dev python3-numpy python3-matplotlib gmsh python3-meshio openfoam-examples)
 [[ "$1" == ci ]] && packages+=(clang-14 libclang-rt-14-dev libomp-14-dev clang-format-14)
 
 missing=()
