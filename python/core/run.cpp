@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fccda/core/error.hpp"
+#include "held_interrupts.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/output/results_folder.hpp"
 #include "perimpact/setup/setup_error.hpp"
@@ -158,6 +159,7 @@ void Run::run(std::optional<double> until, const py::object& after_steps, long e
 }
 
 void Run::advance(std::optional<double> until, long most) {
+  const HeldInterrupts held;
   const py::gil_scoped_release release;
   const Flag busy(is_busy_);
   const auto leave_at = std::chrono::steady_clock::now() + between_looks_for_signals;
@@ -192,6 +194,7 @@ void Run::note_step() {
 }
 
 void Run::throw_if_interrupted() {
+  HeldInterrupts::hand_on();
   if (PyErr_CheckSignals() == 0) return;
   const py::error_already_set exception;
   if (results_) checkpoints_->write(*simulation_, *results_);

@@ -129,28 +129,37 @@ def interrupted(test):
     setup = copy.deepcopy(package.SETUP)
     setup["time"] = {"end": 4e-3, "step": 2e-7}  # 20000 steps, some seconds
     setup["impactors"]["cylinder"]["velocity"] = [0, 0, 0]
-    simulation = perimpact.Simulation(setup)
-    simulation.write_results(str(test.folder / "results"))
-    ticks = []
 
-    def watch():
-        while not ticks or ticks[-1] < 3:
-            time.sleep(0.02)
-            if simulation.step_number > 0:
-                ticks.append(len(ticks) + 1)
-        os.kill(os.getpid(), signal.SIGINT)
+    def busy(time, body):  # nearly all of the step is here, where Python would raise the KeyboardInterrupt
+        for _ in range(3000):
+            pass
+        return [0, 0, 0]
 
-    thread = threading.Thread(target=watch)
-    thread.start()
-    with test.assertRaises(KeyboardInterrupt):
-        simulation.run()
-    thread.join()
-    test.assertFalse(simulation.is_finished)
-    stopped_at = simulation.step_number
-    test.assertGreater(stopped_at, 0)
-    test.assertTrue((test.folder / "results" / "checkpoint.h5").exists())
-    simulation.step()
-    test.assertEqual(simulation.step_number, stopped_at + 1)
+    for forces in (None, {"plate": {"busy": busy}}):
+        simulation = perimpact.Simulation(setup, forces=forces)
+        folder = test.folder / ("with_own_force" if forces else "alone")
+        simulation.write_results(str(folder))
+        ticks = []
+
+        def watch():
+            while len(ticks) < 3:
+                time.sleep(0.02)
+                if simulation.step_number > 0:
+                    ticks.append(simulation.step_number)
+            os.kill(os.getpid(), signal.SIGINT)
+
+        thread = threading.Thread(target=watch)
+        thread.start()
+        with test.assertRaises(KeyboardInterrupt):
+            simulation.run()
+        thread.join()
+        test.assertFalse(simulation.is_finished)
+        stopped_at = simulation.step_number
+        test.assertGreater(stopped_at, 0)
+        test.assertTrue((folder / "checkpoint.h5").exists())
+        simulation.step()
+        test.assertEqual(simulation.step_number, stopped_at + 1)
+        test.assertEqual(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
 
 @claim("an own force cannot make the simulation take another step from within one")

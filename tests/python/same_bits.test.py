@@ -126,6 +126,32 @@ def resumed(test):
         test.assertEqual(test.files(name), test.files("whole"))
 
 
+@claim("a run with an own force and a mesh from arrays is gone on with as if never left, and not with another mesh or without the force")
+def resumed_with_own(test):
+    def made(panel=0.004, force=True):
+        setup = copy.deepcopy(package.SETUP)
+        setup["impactors"]["cylinder"]["surface"] = {"file": perimpact.Mesh.cylinder(diameter=0.04, height=0.04, panel=panel)}
+        forces = {"plate": {"drag": lambda time, body: -1e7 * body.velocities}} if force else None
+        return perimpact.Simulation(setup, forces=forces)
+
+    whole = made()
+    whole.write_results(str(test.folder / "whole"))
+    whole.run()
+    test.assertLess(whole.history["plate.drag.work [J]"][-1], 0)
+    left = made()
+    left.write_results(str(test.folder / "left"))
+    left.run(until=12e-6)
+    left.close_results()
+    for other in (made(panel=0.005), made(force=False)):
+        with test.assertRaises(perimpact.InputError):
+            other.write_results(str(test.folder / "left"), resume=True)
+    resumed = made()
+    resumed.write_results(str(test.folder / "left"), resume=True)
+    resumed.run()
+    test.assertEqual(resumed.state_hash, whole.state_hash)
+    test.assertEqual((test.folder / "left" / "history.csv").read_bytes(), (test.folder / "whole" / "history.csv").read_bytes())
+
+
 @claim("a relaxation gives the same bits as the command line, though it is left off to look for signals")
 def relaxed(test):
     deck = test.folder / "relax.yaml"

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "fccda/core/error.hpp"
 #include "fccda/shapes/box.hpp"
 #include "fccda/surface/read/read_panels.hpp"
 

@@ -3,7 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
+#include "fccda/core/error.hpp"
 #include "perimpact/simulations.hpp"
 
 using namespace perimpact;
