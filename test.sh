@@ -4,6 +4,6 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 scripts/install_dependencies.sh test
-cmake --preset release -DPERIMPACT_TESTS=ON >/dev/null
+cmake --preset release -DPERIMPACT_TESTS=ON -DPERIMPACT_PYTHON=ON >/dev/null
 cmake --build --preset release
 exec ctest --preset release "$@"

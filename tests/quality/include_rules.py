@@ -38,7 +38,7 @@ LAYERS = {
     "perimpact/solid": ["fccda", "perimpact/setup", "perimpact/particles"],
     "perimpact/impact": ["fccda", "perimpact/setup", "perimpact/particles", "perimpact/solid"],
     "io": ["fccda", "perimpact", "io"],
-    "io/deck": ["fccda/core", "perimpact/material", "perimpact/setup"],
+    "io/deck": ["fccda/core", "fccda/surface", "perimpact/material", "perimpact/setup"],
     "io/statistics": ["fccda", "perimpact/material", "perimpact/setup", "io/output", "io/deck"],
     "io/report": ["fccda", "perimpact/material", "perimpact/setup", "io/output", "io/deck", "io/statistics"],
     "io/output": ["fccda/core", "fccda/surface"],

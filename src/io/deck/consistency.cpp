@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fccda/surface/panels_in_memory.hpp"
 #include "io/deck/consistency_boundary.hpp"
 #include "io/deck/consistency_fragments.hpp"
 #include "io/deck/consistency_impactor.hpp"
@@ -72,6 +73,7 @@ void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
 }
 
 void find_file(FileSurface& surface, const std::string& path, const fs::path& folder, const Places& places) {
+  if (fccda::panels_in_memory(surface.file)) return;
   const fs::path file = fs::absolute(folder / surface.file).lexically_normal();
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored))

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "fccda/surface/panels_in_memory.hpp"
 #include "io/deck/point_list.hpp"
 #include "io/deck/units.hpp"
 #include "io/deck/yaml_node.hpp"
@@ -27,7 +28,8 @@ std::string found(const std::string& file, const std::string& key, const fs::pat
 
 template <class Shape>
 void find_file(Shape& shape, const std::string& path, const fs::path& folder, const Places& places) {
-  if (auto* file = std::get_if<FileSolid>(&shape)) file->file = found(file->file, path + ".shape.file", folder, places);
+  auto* file = std::get_if<FileSolid>(&shape);
+  if (file && !fccda::panels_in_memory(file->file)) file->file = found(file->file, path + ".shape.file", folder, places);
 }
 
 void check_spacing_given(const BodySetup& body, const std::string& path, const Places& places) {

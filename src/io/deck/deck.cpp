@@ -28,6 +28,8 @@ std::string content_of(const fs::path& file) {
 
 }  // namespace
 
+YamlNode read_deck_tree(const fs::path& file) { return parse_document(content_of(file), file.string()); }
+
 Deck read_deck(const fs::path& file, std::span<const std::string> overrides) {
   return read_deck_text(content_of(file), file.string(), file.parent_path(), overrides);
 }
@@ -35,6 +37,10 @@ Deck read_deck(const fs::path& file, std::span<const std::string> overrides) {
 Deck read_deck_text(std::string_view text, const std::string& name, const fs::path& folder, std::span<const std::string> overrides) {
   YamlNode document = parse_document(text, name);
   for (const std::string& change : overrides) apply_override(document, change);
+  return deck_of_tree(document, name, folder);
+}
+
+Deck deck_of_tree(const YamlNode& document, const std::string& name, const fs::path& folder) {
   Deck deck{.setup = {}, .places = Places(name)};
   Reader(document, "", name, deck.places).read(deck.setup);
   make_consistent(deck.setup, deck.places, folder);

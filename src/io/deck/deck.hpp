@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/deck/places.hpp"
+#include "io/deck/yaml_node.hpp"
 #include "perimpact/setup/setup.hpp"
 
 namespace perimpact::deck {
@@ -23,5 +24,11 @@ Deck read_deck(const std::filesystem::path& file, std::span<const std::string> o
 
 /// The same from text. `name`: how messages call it; `folder`: where relative file names start.
 Deck read_deck_text(std::string_view text, const std::string& name, const std::filesystem::path& folder, std::span<const std::string> overrides = {});
+
+/// A deck as a tree, before anything in it is checked. Throws InputError for a file that cannot be read, and YAML likewise.
+YamlNode read_deck_tree(const std::filesystem::path& file);
+
+/// The same from a tree, read or made by code, whose places say where each value comes from.
+Deck deck_of_tree(const YamlNode& document, const std::string& name, const std::filesystem::path& folder);
 
 }  // namespace perimpact::deck

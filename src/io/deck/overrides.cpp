@@ -22,6 +22,10 @@ std::vector<std::string> parts_of(std::string_view path) {
 }  // namespace
 
 void set_value(YamlNode& tree, const std::string& path, std::string_view text, const std::string& place) {
+  set_value(tree, path, parse_value(text, place), place);
+}
+
+void set_value(YamlNode& tree, const std::string& path, YamlNode value, const std::string& place) {
   YamlNode* node = &tree;
   std::string way;
   for (const std::string& part : parts_of(path)) {
@@ -34,7 +38,7 @@ void set_value(YamlNode& tree, const std::string& path, std::string_view text, c
     way += (way.empty() ? "" : ".") + part;
     if (way == path) entry->place = place;
   }
-  *node = parse_value(text, place);
+  *node = std::move(value);
 }
 
 void apply_override(YamlNode& deck, const std::string& override_text) {

@@ -9,14 +9,15 @@
 #include "perimpact/boundary/floating.hpp"
 #include "perimpact/boundary/held.hpp"
 #include "perimpact/boundary/load.hpp"
+#include "perimpact/boundary/own_force.hpp"
 
 namespace perimpact {
 
-using Boundary = std::variant<Held, Load, Floating, Absorbing>;
+using Boundary = std::variant<Held, Load, Floating, Absorbing, OwnForce>;
 
 struct NamedBoundary {
   std::string name;       ///< "plate.grip"
-  std::string_view kind;  ///< "fixed", as in the deck
+  std::string_view kind;  ///< "fixed", as in the deck; "own_force" where code gave it
   Boundary boundary;
 
   std::size_t particles() const {

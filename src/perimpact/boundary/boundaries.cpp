@@ -31,6 +31,15 @@ Boundaries::Boundaries(const BodySetup& body, const IsotropicElastic& elastic, c
   });
 }
 
+void Boundaries::add(NamedBoundary boundary) {
+  for (const NamedBoundary& one : all_)
+    if (one.name == boundary.name)
+      throw SetupError("bodies." + boundary.name, fmt::format("{} is the name of a boundary already, and would name the columns of both in history.csv; "
+                                                              "choose another.",
+                                                              boundary.name));
+  all_.push_back(std::move(boundary));
+}
+
 void Boundaries::refuse_held_twice(const BodySetup& body, const Particles& particles) const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<int> holder(particles.slots(), -1);
@@ -79,6 +88,7 @@ void Boundaries::look(const Particles& particles, const Family& family, std::spa
 
 void Boundaries::add_forces(Particles& particles, const fccda::Step& next) {
   for_each<Load>([&](Load& load) { load.account.note(load.add_to(particles, next.t0).force, load.displacement(particles)); });
+  for_each<OwnForce>([&](OwnForce& own) { own.add_to(particles, next); });
   std::vector<Vec3d> lifts;
   for_each<Floating>([&](Floating& water) { lifts.push_back(water.add_to(particles).force); });
   for_each<Absorbing>([&](Absorbing& layer) { layer.damp(particles, next.dt); });
@@ -123,8 +133,10 @@ void Boundaries::settle(const Particles& particles, double time, double dt) {
 
 double Boundaries::half_kick(double time, double dt) const {
   double energy = 0;
-  for (const NamedBoundary& one : all_)
+  for (const NamedBoundary& one : all_) {
     if (const auto* load = std::get_if<Load>(&one.boundary)) energy += load->half_kick(time, dt);
+    if (const auto* own = std::get_if<OwnForce>(&one.boundary)) energy += own->half_kick(dt);
+  }
   return energy;
 }
 

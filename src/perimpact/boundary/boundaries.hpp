@@ -20,6 +20,9 @@ class Boundaries {
   /// Throws SetupError, also where two hold the same particles in the same direction.
   Boundaries(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of);
 
+  /// One more, that code gives. Throws SetupError where one has this name already.
+  void add(NamedBoundary boundary);
+
   bool is_empty() const { return all_.empty(); }
   std::span<const NamedBoundary> all() const { return all_; }
   std::span<NamedBoundary> all() { return all_; }
@@ -46,7 +49,7 @@ class Boundaries {
   /// Once equilibrium is found after dt [s]: the forces of the latest balance() are those of the state.
   void settle(const Particles& particles, double time, double dt);
 
-  /// [J] of all loads, as Load::half_kick() says.
+  /// [J] of all loads and own forces, as Load::half_kick() says.
   double half_kick(double time, double dt) const;
 
   double work() const;    ///< [J] of all, done on the body so far

@@ -109,6 +109,8 @@ void Impactor::advance(const Step& step) {
   if (water_) float_in_water(step);
   motion_ = body_.advance(step.dt);
   account_.contacts = 0;
+  last_step_.impulse = last_step_.angular_impulse = {};
+  last_step_.blows.clear();
   record_.begin_step();
 }
 
@@ -152,10 +154,13 @@ std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, StruckP
     for (NamedGauge& named : gauges_) named.gauge.add(contact, particles.position_t1(contact.point), impulse, motion_);
     record_.add(body, contact, impulse);
     work_on_particles_ += particles.work_of(contact.point, -impulse);
+    last_step_.blows.push_back({body, contact, impulse});
   });
   work_of_contact_ += 0.5 * (dot(tally.impulse, velocity + body_.velocity()) + dot(tally.angular_impulse_about_com, spin + body_.angular_velocity()));
   account_.impulse += tally.impulse;
   account_.angular_impulse += tally.angular_impulse_about_com;
+  last_step_.impulse += tally.impulse;
+  last_step_.angular_impulse += tally.angular_impulse_about_com;
   const std::size_t fresh = add_struck();
   account_.contacts += fresh;
   record_.count_struck(body, fresh);

@@ -35,6 +35,20 @@ struct Account {
   Vec3d water_angular_impulse{};  ///< [N m s] of these about the centre of mass
 };
 
+/// A particle that an impactor struck, and what the impactor got for it.
+struct Blow {
+  std::size_t body;  ///< index; the contact's point is a slot of it
+  fccda::Contact contact;
+  Vec3d impulse;  ///< [N s] on the impactor
+};
+
+/// What contact did to an impactor in the last step that was made.
+struct LastStep {
+  Vec3d impulse{};          ///< [N s]
+  Vec3d angular_impulse{};  ///< [N m s] about the centre of mass
+  std::vector<Blow> blows;  ///< body by body; a particle that other impactors pushed back may be there again
+};
+
 /// How an impactor lay in the water at t = 0.
 struct PlacedInWater {
   fccda::Afloat afloat;
@@ -98,7 +112,8 @@ class Impactor {
 
   Account& account() { return account_; }
   const Account& account() const { return account_; }
-  std::span<NamedGauge> gauges() { return gauges_; }  ///< what they summed since somebody last reset them
+  const LastStep& last_step() const { return last_step_; }  ///< empty before the first, and where a run was resumed
+  std::span<NamedGauge> gauges() { return gauges_; }        ///< what they summed since somebody last reset them
 
   /// The fastest that it is sure to become: of each degree of freedom, what it has now or the most that its table ever says.
   Vec3d fastest_velocity() const;          ///< [m/s] of the centre of mass
@@ -180,6 +195,7 @@ class Impactor {
   std::vector<Pinched> pinched_;          // by body
   std::vector<std::size_t> struck_;       // particles of the body struck last, in rising order
   Account account_;
+  LastStep last_step_;
   std::vector<NamedGauge> gauges_;
   std::optional<fccda::StillWater> water_;
   std::optional<PlacedInWater> placed_in_water_;

@@ -25,13 +25,23 @@ std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particl
   return bodies;
 }
 
-std::vector<Boundaries> make_boundaries(const Setup& setup, std::span<const Body> bodies) {
+std::vector<Boundaries> make_boundaries(const Setup& setup, std::span<const Body> bodies, std::vector<GivenForce> own_forces) {
   std::vector<Boundaries> boundaries;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const BodySetup& body = setup.bodies[b];
     const Particles& particles = bodies[b].particles;
     boundaries.emplace_back(body, elastic_of(body), particles,
                             [&](const std::string& region, const std::string& key) { return slots_in(region, body, particles, key); });
+  }
+  for (GivenForce& given : own_forces) {
+    if (setup.time.relax)
+      throw SetupError("time.relax", fmt::format("own forces such as {} act on bodies that move, not on such as are relaxed; remove time.relax, or take "
+                                                 "boundaries of the deck.",
+                                                 given.name));
+    const Body& body = bodies[given.body];  // stays where it is for as long as the simulation lives
+    boundaries[given.body].add({body.name + "." + given.name, "own_force",
+                                OwnForce(body.name + "." + given.name, body.particles,
+                                         [act = std::move(given.function), &body](double time, VectorArray& density) { act(time, body, density); })});
   }
   return boundaries;
 }
@@ -181,12 +191,12 @@ struct ImpactorOnBody {
 
 Simulation::Simulation(const Setup& setup) : Simulation(setup, Start(setup)) {}
 
-Simulation::Simulation(const Setup& setup, Start start)
+Simulation::Simulation(const Setup& setup, Start start, std::vector<GivenForce> own_forces)
     : setup_(setup),
       inside_at_start_(std::move(start.inside)),
       filled_masses_(std::move(start.filled_masses)),
       bodies_(make_bodies(setup, std::move(start.particles))),
-      boundaries_(make_boundaries(setup, bodies_)),
+      boundaries_(make_boundaries(setup, bodies_, std::move(own_forces))),
       fragments_(short_range_of(setup, bodies_)),
       stability_(find_step(setup, bodies_, fragments_, warnings_)),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},

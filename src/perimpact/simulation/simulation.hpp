@@ -2,6 +2,7 @@
 /// (run.hpp has the loop).
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,12 +30,19 @@ struct Stability {
   double exact;     ///< [s] beyond which the interior lattice is unstable
 };
 
+/// A force on the particles of a body that code of the caller's own computes.
+struct GivenForce {
+  std::size_t body;
+  std::string name;                                                                   ///< its columns of history.csv are <body>.<name>.force_x … and .work
+  std::function<void(double time, const Body& body, VectorArray& density)> function;  ///< as OwnForce::Function, at the latest positions
+};
+
 class Simulation {
  public:
   /// Throws SetupError where the Setup cannot be simulated.
   explicit Simulation(const Setup& setup);
   /// The same from a start that has been made of the set-up, and perhaps been changed.
-  Simulation(const Setup& setup, Start start);
+  Simulation(const Setup& setup, Start start, std::vector<GivenForce> own_forces = {});
 
   /// One step in time or, where the set-up relaxes, one increment; the clock stays where it was where that is told to leave off, and the next
   /// call goes on. Throws RunError.

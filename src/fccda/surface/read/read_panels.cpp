@@ -12,6 +12,7 @@
 #include "fccda/surface/file/elements.hpp"
 #include "fccda/surface/file/inflate.hpp"
 #include "fccda/surface/file/words.hpp"
+#include "fccda/surface/panels_in_memory.hpp"
 #include "fccda/surface/read/choose_parts.hpp"
 #include "fccda/surface/read/gmsh/cad.hpp"
 #include "fccda/surface/read/gmsh/gmsh.hpp"
@@ -91,6 +92,7 @@ Panels parse_panels(std::string_view contents, const std::filesystem::path& file
 }
 
 Panels read_panels(const std::filesystem::path& path, std::span<const std::string> parts) {
+  if (const auto panels = panels_in_memory(path.string())) return expect_panels(chosen(*panels, parts, path.string()), path.string());
   if (is_cad(path)) return expect_panels(chosen(read_cad(path), parts, path.string()), path.string());
   format_of(path);  // a format that is none is told before the file is looked for
   return parse_panels(contents_of(path), path, parts);

@@ -1,0 +1,64 @@
+/// NumPy arrays as the libraries see them, and the other way round. A Vec3d is an array of shape (3,).
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <span>
+#include <string>
+
+#include "fccda/core/vec3.hpp"
+#include "fccda/plain/vectors.hpp"
+#include "perimpact/particles/slot_array.hpp"
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<fccda::Vec3d> {
+  PYBIND11_TYPE_CASTER(fccda::Vec3d, const_name("numpy.ndarray"));
+  bool load(handle source, bool convert) {
+    if (!convert || !source || isinstance<str>(source)) return false;
+    const auto numbers = array_t<double, array::c_style | array::forcecast>::ensure(source);
+    if (!numbers || numbers.ndim() != 1 || numbers.shape(0) != 3) {
+      PyErr_Clear();
+      return false;
+    }
+    value = {numbers.at(0), numbers.at(1), numbers.at(2)};
+    return true;
+  }
+  static handle cast(const fccda::Vec3d& vector, return_value_policy, handle) {
+    array_t<double> numbers(3);
+    for (ssize_t c = 0; c < 3; ++c) numbers.mutable_at(c) = vector[static_cast<std::size_t>(c)];
+    return numbers.release();
+  }
+};
+
+}  // namespace pybind11::detail
+
+namespace perimpact::python {
+
+namespace py = pybind11;
+using fccda::Vec3d;
+
+/// Any numbers that NumPy makes doubles of; a copy where they are no doubles.
+using Numbers = py::array_t<double, py::array::forcecast>;
+
+/// "(960, 2)"
+std::string shape_in_words(const py::array& array);
+
+/// Rows of three. `what`: how messages call the array. Throws InputError for another shape. The array must outlive the view; where its
+/// numbers do not lie as a view can walk them, `array` becomes a copy.
+fccda::ConstVectors vectors_in(Numbers& array, const std::string& what);
+
+/// The same to be written through. Throws InputError also where the array is not of doubles, or may not be written.
+fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what);
+
+/// The shape (vectors, 3), copied.
+py::array_t<double> array_of(std::span<const Vec3d> vectors);
+
+/// The numbers themselves, of shape (slots, 3), not to be written; `owner` lives as long as the array.
+py::array view_of(const VectorArray& vectors, const py::object& owner);
+
+void forbid_writing(py::array& array);
+
+}  // namespace perimpact::python

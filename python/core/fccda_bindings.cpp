@@ -1,0 +1,335 @@
+#include "fccda_bindings.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "fccda/body/solid.hpp"
+#include "fccda/core/error.hpp"
+#include "fccda/plain/contact_detector.hpp"
+#include "fccda/plain/respond_arrays.hpp"
+#include "fccda/region/box_union.hpp"
+#include "fccda/surface/surface.hpp"
+#include "mesh.hpp"
+
+namespace perimpact::python {
+
+/// fccda::Contact as NumPy has it.
+struct ContactRow {
+  std::int64_t point;
+  std::int32_t panel;
+  double time_fraction, depth;
+  double hit[3], normal[3], relocation[3];
+};
+
+namespace {
+
+using namespace py::literals;
+using fccda::InputError;
+using fccda::Motion;
+using fccda::Pose;
+using fccda::RigidBody;
+using fccda::Surface;
+using Boxes = std::vector<std::pair<Vec3d, Vec3d>>;
+
+// ---- surfaces ----
+
+Surface surface_of(const Mesh& mesh, double weld, const std::string& outside, const std::string& name) {
+  fccda::OutsideIs side = fccda::OutsideIs::undeclared;
+  if (outside == "normals")
+    side = fccda::OutsideIs::normals;
+  else if (outside == "reversed")
+    side = fccda::OutsideIs::reversed;
+  else if (outside != "undeclared")
+    throw InputError(fmt::format("outside is \"{}\", but it must be one of undeclared, normals, reversed.", outside));
+  return Surface(mesh.panels(), {.weld_distance = weld, .outside = side, .name = name});
+}
+
+py::tuple bounds_of(const Surface& surface) { return py::make_tuple(surface.report().bounds.low, surface.report().bounds.high); }
+
+py::array_t<int> triangles_of_surface(const Surface& surface) {
+  const auto triangles = surface.triangles();
+  py::array_t<int> array({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c) array.mutable_at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(c)) = triangles[t].vertex[c];
+  return array;
+}
+
+void bind_surface(py::module_& module) {
+  py::class_<Surface>(module, "Surface", "The rigid surface that points strike: welded, wound and turned outward. Never changes.")
+      .def(py::init(&surface_of), "mesh"_a, "weld"_a = 0.0, "outside"_a = "undeclared", "name"_a = "surface",
+           R"(weld: vertices nearer than this become one [m]; 0 takes 1e-9 of the size.
+outside: of an open surface, the side that its normals point to ("normals") or the other ("reversed"); a closed one knows.
+name: how messages call it.
+
+Raises InputError where the surface cannot be used.)")
+      .def_property_readonly("is_closed", &Surface::is_closed, "Has every edge two triangles?")
+      .def_property_readonly(
+          "area", [](const Surface& surface) { return surface.report().area; }, "[m2]")
+      .def_property_readonly(
+          "volume", [](const Surface& surface) { return surface.report().volume; }, "Enclosed [m3]; 0 where it is open.")
+      .def_property_readonly(
+          "centroid", [](const Surface& surface) { return surface.report().centroid; }, "(3,) of the volume, or of the area where it is open [m].")
+      .def_property_readonly("bounds", &bounds_of, "The lowest and the highest coordinates: two arrays (3,) [m].")
+      .def_property_readonly(
+          "vertices", [](const Surface& surface) { return array_of(surface.vertices()); }, "(n, 3) after welding [m], a copy.")
+      .def_property_readonly("triangles", &triangles_of_surface, "(m, 3) vertices around each triangle, counterclockwise seen from outside; a copy.");
+}
+
+// ---- bodies ----
+
+fccda::Quaternion quaternion_of(const std::array<double, 4>& wxyz) {
+  const fccda::Quaternion attitude{wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
+  const double squared = attitude.w * attitude.w + attitude.x * attitude.x + attitude.y * attitude.y + attitude.z * attitude.z;
+  constexpr double rounding = 1e-9;
+  if (!(std::fabs(squared - 1) <= rounding))
+    throw InputError(fmt::format("attitude has the length {:.9g}, but a quaternion w, x, y, z of length 1 is needed.", std::sqrt(squared)));
+  return attitude;
+}
+
+std::array<double, 4> numbers_in(const fccda::Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
+
+fccda::Mat3 matrix_of(const Numbers& numbers) {
+  if (numbers.ndim() == 1 && numbers.shape(0) == 3) return fccda::Mat3::diagonal({numbers.at(0), numbers.at(1), numbers.at(2)});
+  if (numbers.ndim() != 2 || numbers.shape(0) != 3 || numbers.shape(1) != 3)
+    throw InputError(fmt::format("inertia has the shape {}, but (3,), along the axes of the surface, or (3, 3) is needed.", shape_in_words(numbers)));
+  fccda::Mat3 matrix{};
+  for (py::ssize_t i = 0; i < 3; ++i) matrix.row[static_cast<std::size_t>(i)] = {numbers.at(i, 0), numbers.at(i, 1), numbers.at(i, 2)};
+  return matrix;
+}
+
+py::array_t<double> array_of_matrix(const fccda::Mat3& matrix) {
+  py::array_t<double> array({3, 3});
+  for (py::ssize_t i = 0; i < 3; ++i)
+    for (py::ssize_t j = 0; j < 3; ++j) array.mutable_at(i, j) = matrix.row[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  return array;
+}
+
+constexpr std::array<const char*, 6> degree_names{"x", "y", "z", "rx", "ry", "rz"};
+
+fccda::FreeDegrees degrees_of(const std::vector<std::string>& names) {
+  fccda::FreeDegrees degrees;
+  for (const std::string& name : names) {
+    const auto known = std::find(degree_names.begin(), degree_names.end(), name);
+    if (known == degree_names.end()) throw InputError(fmt::format("free holds \"{}\", which is no degree of freedom; known are x, y, z, rx, ry, rz.", name));
+    degrees.free[static_cast<std::size_t>(known - degree_names.begin())] = true;
+  }
+  return degrees;
+}
+
+struct Start {
+  Vec3d position, velocity, angular_velocity;
+  std::array<double, 4> attitude;
+  std::vector<std::string> free;
+};
+
+RigidBody body_from(const fccda::RigidBodyProperties& properties, const Start& start) {
+  return {properties, Pose(start.position, quaternion_of(start.attitude)), start.velocity, start.angular_velocity, degrees_of(start.free)};
+}
+
+py::array_t<double> moved_points(const Pose& pose, Numbers points, Vec3d (Pose::*move)(const Vec3d&) const) {
+  const fccda::ConstVectors from = vectors_in(points, "points");
+  std::vector<Vec3d> to;
+  for (std::size_t i = 0; i < from.size(); ++i) to.push_back((pose.*move)(from[i]));
+  return array_of(to);
+}
+
+void bind_bodies(py::module_& module) {
+  const std::array<double, 4> unturned{1, 0, 0, 0};
+  py::class_<Pose>(module, "Pose", "Where a body is: it turns by `attitude`, then moves to `position`.")
+      .def(py::init([](const Vec3d& position, const std::array<double, 4>& attitude) { return Pose(position, quaternion_of(attitude)); }),
+           "position"_a = Vec3d{}, "attitude"_a = unturned, "position: (3,) [m]. attitude: quaternion w, x, y, z of length 1.")
+      .def_property_readonly("position", &Pose::position, "(3,) of the origin of the body frame [m].")
+      .def_property_readonly(
+          "attitude", [](const Pose& pose) { return numbers_in(pose.attitude()); }, "Quaternion w, x, y, z.")
+      .def_property_readonly(
+          "rotation", [](const Pose& pose) { return array_of_matrix(pose.rotation()); }, "(3, 3) body to world.")
+      .def(
+          "to_world", [](const Pose& pose, const Numbers& points) { return moved_points(pose, points, &Pose::to_world); }, "points"_a,
+          "(n, 3) points of the body frame in the world [m].")
+      .def(
+          "to_body", [](const Pose& pose, const Numbers& points) { return moved_points(pose, points, &Pose::to_body); }, "points"_a,
+          "(n, 3) points of the world in the body frame [m].");
+
+  py::class_<Motion>(module, "Motion", "The way of a body over one step: it turns evenly about `centre`, which moves straight.")
+      .def(py::init([](const Pose& t0, const Pose& t1, double dt, const Vec3d& centre) {
+             return Motion{t0, t1, dt, centre};
+           }),
+           "t0"_a, "t1"_a, "dt"_a, "centre"_a = Vec3d{}, "t0, t1: poses at both ends. dt: duration [s]. centre: (3,) in the body frame [m].")
+      .def_readonly("t0", &Motion::t0, "Pose at the beginning.")
+      .def_readonly("t1", &Motion::t1, "Pose at the end.")
+      .def_readonly("dt", &Motion::dt, "Duration [s].")
+      .def_readonly("centre", &Motion::centre, "(3,) in the body frame [m].");
+
+  py::class_<RigidBody>(module, "RigidBody", "A rigid body of six degrees of freedom, each free or held at its velocity.")
+      .def(py::init([](double mass, const Vec3d& centre_of_mass, const std::optional<Numbers>& inertia, const Vec3d& position,
+                       const std::array<double, 4>& attitude, const Vec3d& velocity, const Vec3d& angular_velocity, const std::vector<std::string>& free) {
+             return body_from({.mass = mass, .centre_of_mass = centre_of_mass, .inertia = inertia ? matrix_of(*inertia) : fccda::Mat3{}},
+                              {position, velocity, angular_velocity, attitude, free});
+           }),
+           "mass"_a, py::kw_only(), "centre_of_mass"_a = Vec3d{}, "inertia"_a = py::none(), "position"_a = Vec3d{}, "attitude"_a = unturned,
+           "velocity"_a = Vec3d{}, "angular_velocity"_a = Vec3d{}, "free"_a = std::vector<std::string>(),
+           R"(mass [kg]. centre_of_mass: (3,) in the body frame [m]. inertia: (3,) or (3, 3) about it, along the axes of the body frame [kg m2]; needed where a
+rotation is free. position: (3,) of the body frame's origin [m]. attitude: quaternion w, x, y, z. velocity: (3,) of the centre of mass [m/s].
+angular_velocity: (3,) [rad/s], world axes. free: which of "x", "y", "z", "rx", "ry", "rz" impulses may change; the others keep their velocity.)")
+      .def_static(
+          "filling",
+          [](const Surface& surface, double density, const Vec3d& position, const std::array<double, 4>& attitude, const Vec3d& velocity,
+             const Vec3d& angular_velocity, const std::vector<std::string>& free) {
+            if (!surface.is_closed()) throw InputError("the surface is open, so nothing can fill it; give mass and inertia to RigidBody.");
+            if (!(density > 0)) throw InputError(fmt::format("density is {} kg/m3, but it must be above 0.", density));
+            return body_from(fccda::solid_of_mass(surface.report(), density * surface.report().volume), {position, velocity, angular_velocity, attitude, free});
+          },
+          "surface"_a, "density"_a, py::kw_only(), "position"_a = Vec3d{}, "attitude"_a = unturned, "velocity"_a = Vec3d{}, "angular_velocity"_a = Vec3d{},
+          "free"_a = std::vector<std::string>(), "The body that fills a closed surface evenly: mass, centre of mass and inertia from it. density [kg/m3].")
+      .def("advance", &RigidBody::advance, "dt"_a, "Moves the body for dt [s] with its velocities; the Motion it made.")
+      .def("add_impulse", &RigidBody::add_impulse, "linear"_a, "angular"_a,
+           "Changes the free velocities. linear: (3,) [N s]; angular: (3,) about the centre of mass [N m s].")
+      .def(
+          "drive",
+          [](RigidBody& body, const std::string& degree, double velocity) {
+            const fccda::FreeDegrees one = degrees_of({degree});
+            body.drive(static_cast<std::size_t>(std::find(one.free.begin(), one.free.end(), true) - one.free.begin()), velocity);
+          },
+          "degree"_a, "velocity"_a, "Gives a held degree of freedom, such as \"x\" or \"rz\", another velocity [m/s], [rad/s].")
+      .def_property_readonly("pose", &RigidBody::pose, "Where it is.")
+      .def_property_readonly("position", &RigidBody::position_of_com, "(3,) centre of mass [m].")
+      .def_property_readonly("velocity", &RigidBody::velocity, "(3,) of the centre of mass [m/s].")
+      .def_property_readonly("angular_velocity", &RigidBody::angular_velocity, "(3,) [rad/s], world axes.")
+      .def_property_readonly("mass", &RigidBody::mass, "[kg]")
+      .def_property_readonly(
+          "inertia", [](const RigidBody& body) { return array_of_matrix(body.inertia()); }, "(3, 3) about the centre of mass, world axes [kg m2].")
+      .def_property_readonly("momentum", &RigidBody::momentum, "(3,) [kg m/s]")
+      .def_property_readonly("kinetic_energy", &RigidBody::kinetic_energy, "Of translation and rotation [J].");
+}
+
+// ---- contact ----
+
+void put(double (&into)[3], const Vec3d& vector) { into[0] = vector.x, into[1] = vector.y, into[2] = vector.z; }
+Vec3d vector_in(const double (&from)[3]) { return {from[0], from[1], from[2]}; }
+
+py::array_t<ContactRow> rows_of(const std::vector<fccda::Contact>& contacts) {
+  py::array_t<ContactRow> rows(static_cast<py::ssize_t>(contacts.size()));
+  ContactRow* row = rows.mutable_data();
+  for (const fccda::Contact& contact : contacts) {
+    *row = {.point = static_cast<std::int64_t>(contact.point),
+            .panel = contact.panel,
+            .time_fraction = contact.time_fraction,
+            .depth = contact.depth,
+            .hit = {},
+            .normal = {},
+            .relocation = {}};
+    put(row->hit, contact.hit), put(row->normal, contact.normal), put(row->relocation, contact.relocation);
+    ++row;
+  }
+  return rows;
+}
+
+std::vector<fccda::Contact> contacts_in(const py::array_t<ContactRow, py::array::c_style>& rows, std::size_t points) {
+  if (rows.ndim() != 1) throw InputError(fmt::format("contacts has the shape {}, but a list of them is needed, as detect returns it.", shape_in_words(rows)));
+  std::vector<fccda::Contact> contacts;
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    const ContactRow& row = *rows.data(i);
+    if (row.point < 0 || static_cast<std::size_t>(row.point) >= points)
+      throw InputError(fmt::format("contacts names the point {}, but there are {}.", row.point, points));
+    contacts.push_back({.point = static_cast<std::size_t>(row.point),
+                        .panel = row.panel,
+                        .time_fraction = row.time_fraction,
+                        .hit = vector_in(row.hit),
+                        .normal = vector_in(row.normal),
+                        .relocation = vector_in(row.relocation),
+                        .depth = row.depth});
+  }
+  return contacts;
+}
+
+fccda::ContactDetector detector_of(const Surface& surface, double radius, const std::optional<Boxes>& boxes, bool clip) {
+  fccda::ContactDetector::Options options{.radius = radius};
+  if (boxes) {
+    std::vector<fccda::BoxUnion::Shape> shapes;
+    for (const auto& [size, centre] : *boxes) shapes.push_back({size, centre});
+    options.region = fccda::BoxUnion(shapes, surface, clip ? fccda::Beyond::clip : fccda::Beyond::error);
+  }
+  return {surface, options};
+}
+
+py::array_t<ContactRow> detect(fccda::ContactDetector& detector, const Motion& motion, Numbers x_t0, Numbers x_t1) {
+  const fccda::ConstVectors from = vectors_in(x_t0, "x_t0"), to = vectors_in(x_t1, "x_t1");
+  std::vector<fccda::Contact> contacts;
+  {
+    const py::gil_scoped_release release;
+    contacts = detector.detect(motion, from, to);
+  }
+  return rows_of(contacts);
+}
+
+py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, const Pose& pose, Numbers x) {
+  const std::vector<std::size_t> inside = detector.points_inside(pose, vectors_in(x, "x"));
+  py::array_t<std::int64_t> numbers(static_cast<py::ssize_t>(inside.size()));
+  std::copy(inside.begin(), inside.end(), numbers.mutable_data());
+  return numbers;
+}
+
+fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, Numbers x_t0, const py::array& x_t1,
+                        const py::array& velocity, const Numbers& mass, double friction) {
+  if (!(friction >= 0)) throw InputError(fmt::format("friction is {}, but Coulomb's coefficient must be at least 0.", friction));
+  const fccda::ConstVectors from = vectors_in(x_t0, "x_t0");
+  const py::array_t<double, py::array::c_style | py::array::forcecast> masses(mass);
+  if (masses.ndim() > 1)
+    throw InputError(fmt::format("mass has the shape {}, but one number for all points or one for each is needed.", shape_in_words(masses)));
+  const auto each = std::span<const double>(masses.data(), static_cast<std::size_t>(masses.size()));
+  const fccda::PointArrays points{.x_t0 = from,
+                                  .x_t1 = writable_vectors_in(x_t1, "x_t1"),
+                                  .velocity = writable_vectors_in(velocity, "velocity"),
+                                  .mass = masses.ndim() == 0 ? fccda::Masses(*masses.data()) : fccda::Masses(each)};
+  return fccda::respond(contacts_in(contacts, from.size()), motion, body, points, friction);
+}
+
+void bind_contact(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, hit, normal, relocation);
+  py::class_<fccda::ContactDetector>(module, "ContactDetector",
+                                     R"(Finds which points strike a surface that moves. One detector follows one set of points: it remembers how far each was.
+
+x_t0 of a step is x_t1 of the step before, as relocated; tell of points for which that is not true with `moved`. Points may be appended or taken off the end.)")
+      .def(py::init(&detector_of), "surface"_a, "radius"_a = 0.0, py::kw_only(), "boxes"_a = py::none(), "clip"_a = false,
+           R"(radius: contact radius, points are balls [m]; 0 for points without extent.
+boxes: [(size, centre), …] in the body frame [m], where contact is looked for; everywhere where absent.
+clip: whether the surface may stick out of them, where it is not felt then; else that is an InputError.)")
+      .def("detect", &detect, "motion"_a, "x_t0"_a, "x_t1"_a,
+           R"(The contacts of one step, in point order. x_t0, x_t1: (points, 3) positions in the world at both ends of the step [m]; not changed.
+
+A structured array with the fields point, panel (as numbered in the mesh), time_fraction (of first touch, 0 to 1), depth (from where the point had gone to
+the relocation) [m], hit (place of the surface touched first) [m], normal (unit, out of the surface), relocation (where the point belongs) [m].)")
+      .def("points_inside", &points_inside, "pose"_a, "x"_a,
+           "Which of the points x (points, 3) [m] are inside the surface or nearer than the radius: to be asked before the first step.")
+      .def(
+          "moved", [](fccda::ContactDetector& detector, std::size_t point) { detector.moved(point); }, "point"_a,
+          "Somebody else displaced the point since the last step.")
+      .def("points_changed", &fccda::ContactDetector::points_changed, "Points were renumbered, or many displaced: all are looked at again.");
+
+  py::class_<fccda::Tally>(module, "Tally", "What all contacts of a step did to the body.")
+      .def_readonly("impulse", &fccda::Tally::impulse, "(3,) [N s]; divided by dt, the mean force.")
+      .def_readonly("angular_impulse", &fccda::Tally::angular_impulse_about_com, "(3,) about the centre of mass [N m s].")
+      .def_readonly("contacts", &fccda::Tally::contacts, "Their number.");
+
+  module.def("respond", &respond_to, "contacts"_a, "motion"_a, "body"_a, py::kw_only(), "x_t0"_a, "x_t1"_a.noconvert(), "velocity"_a.noconvert(), "mass"_a,
+             "friction"_a = 0.0,
+             R"(Puts the points that struck back on the surface, gives them their new velocities, and the body its impulse.
+
+x_t1 [m] and velocity [m/s], which led from x_t0 to x_t1, are (points, 3) arrays of float64 and changed in place. mass [kg]: one number, or one for each point.
+friction: Coulomb's coefficient. Returns the Tally.)");
+}
+
+}  // namespace
+
+void bind_fccda(py::module_& module) {
+  bind_surface(module);
+  bind_bodies(module);
+  bind_contact(module);
+}
+
+}  // namespace perimpact::python

@@ -1,0 +1,133 @@
+#include "mesh.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+
+#include "fccda/core/error.hpp"
+#include "fccda/shapes/box.hpp"
+#include "fccda/shapes/cylinder.hpp"
+#include "fccda/shapes/sphere.hpp"
+#include "fccda/surface/read/read_panels.hpp"
+
+namespace perimpact::python {
+
+namespace {
+
+using fccda::InputError;
+using fccda::Panels;
+using Faces = py::array_t<long, py::array::c_style | py::array::forcecast>;
+
+void take_faces(Panels& panels, const Faces& faces) {
+  if (faces.ndim() != 2 || (faces.shape(1) != 3 && faces.shape(1) != 4))
+    throw InputError(
+        fmt::format("mesh: faces has the shape {}, but (faces, 3) or (faces, 4) is needed, the numbers of the vertices around each.", shape_in_words(faces)));
+  const auto count = static_cast<long>(panels.vertices.size());
+  for (py::ssize_t f = 0; f < faces.shape(0); ++f) {
+    std::array<int, 4> panel{0, 0, 0, -1};
+    for (py::ssize_t c = 0; c < faces.shape(1); ++c) {
+      const long vertex = faces.at(f, c);
+      if ((vertex < 0 || vertex >= count) && !(c == 3 && vertex == -1))
+        throw InputError(fmt::format("mesh: face {} names the vertex {}, but there are {}, counted from 0.", f, vertex, count));
+      panel[static_cast<std::size_t>(c)] = static_cast<int>(vertex);
+    }
+    panels.panels.push_back(panel);
+  }
+}
+
+void take_parts(Panels& panels, const std::vector<std::string>& parts) {
+  if (parts.size() != panels.panels.size())
+    throw InputError(fmt::format("mesh: parts names {} faces, but there are {}; give the part of each.", parts.size(), panels.panels.size()));
+  for (const std::string& name : parts) {
+    const auto known = std::find(panels.part_names.begin(), panels.part_names.end(), name);
+    panels.part.push_back(static_cast<int>(known - panels.part_names.begin()));
+    if (known == panels.part_names.end()) panels.part_names.push_back(name);
+  }
+}
+
+Panels panels_from(Numbers& vertices, const Faces& faces, const std::optional<std::vector<std::string>>& parts) {
+  Panels panels;
+  const fccda::ConstVectors points = vectors_in(vertices, "mesh: vertices");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!is_finite(points[i])) throw InputError(fmt::format("mesh: vertex {} has a coordinate that is not a finite number.", i));
+    panels.vertices.push_back(points[i]);
+  }
+  take_faces(panels, faces);
+  if (parts) take_parts(panels, *parts);
+  return panels;
+}
+
+py::array_t<int> faces_of(const Mesh& mesh) {
+  const auto& panels = mesh.panels().panels;
+  py::array_t<int> faces({static_cast<py::ssize_t>(panels.size()), py::ssize_t{4}});
+  std::copy_n(reinterpret_cast<const int*>(panels.data()), 4 * panels.size(), faces.mutable_data());
+  return faces;
+}
+
+std::vector<std::string> parts_of(const Mesh& mesh) {
+  std::vector<std::string> parts;
+  for (const int part : mesh.panels().part) parts.push_back(mesh.panels().part_names[static_cast<std::size_t>(part)]);
+  return parts;
+}
+
+fccda::Axis axis_of(const std::string& word) {
+  if (word.size() == 1 && word[0] >= 'x' && word[0] <= 'z') return static_cast<fccda::Axis>(word[0] - 'x');
+  throw InputError(fmt::format("axis is \"{}\", but it must be one of x, y, z.", word));
+}
+
+void expect_positive(double value, const char* what) {
+  if (!(value > 0)) throw InputError(fmt::format("{} is {} m, but it must be above 0.", what, value));
+}
+
+}  // namespace
+
+Mesh::Mesh(Numbers vertices, const Faces& faces, const std::optional<std::vector<std::string>>& parts) : Mesh(panels_from(vertices, faces, parts)) {}
+
+void bind_mesh(py::module_& module) {
+  using namespace py::literals;
+  py::class_<Mesh>(module, "Mesh", R"(A surface in memory: vertices and the panels between them.
+
+May stand in a set-up wherever a deck names a surface file, with all that can stand beside it:
+``"surface": {"file": mesh, "scale": 0.001}`` for an impactor, ``"shape": {"file": mesh}`` for a body.)")
+      .def(py::init<Numbers, const Faces&, const std::optional<std::vector<std::string>>&>(), "vertices"_a, "faces"_a, "parts"_a = py::none(),
+           R"(vertices: (n, 3) coordinates [m].
+faces: (m, 3) or (m, 4) numbers of the vertices around each panel, from 0, counterclockwise seen from outside; of a triangle among quads the fourth is -1.
+parts: the name of the part that each panel belongs to, for `parts`, `gauges` and `refine`.)")
+      .def_static(
+          "read", [](const std::string& file, const std::vector<std::string>& parts) { return Mesh(fccda::read_panels(file, parts)); }, "file"_a,
+          "parts"_a = std::vector<std::string>(), "The panels of a surface file, in its units: all, or those of the parts named.")
+      .def_static(
+          "box",
+          [](const Vec3d& size, double panel) {
+            for (const double edge : {size.x, size.y, size.z}) expect_positive(edge, "size");
+            expect_positive(panel, "panel");
+            return Mesh(fccda::make_box({.size = size, .panel = panel}));
+          },
+          "size"_a, "panel"_a, "A box about the origin with the edges size [m], in panels whose edges along the axes are at most panel [m] long.")
+      .def_static(
+          "cylinder",
+          [](double diameter, double height, double panel, const std::string& axis) {
+            expect_positive(diameter, "diameter"), expect_positive(height, "height"), expect_positive(panel, "panel");
+            return Mesh(fccda::make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis), .panel = panel}));
+          },
+          "diameter"_a, "height"_a, "panel"_a, "axis"_a = "z", "A cylinder centred on the origin [m], about the axis x, y or z.")
+      .def_static(
+          "sphere",
+          [](double diameter, double panel) {
+            expect_positive(diameter, "diameter"), expect_positive(panel, "panel");
+            return Mesh(fccda::make_sphere({.diameter = diameter, .panel = panel}));
+          },
+          "diameter"_a, "panel"_a, "A sphere about the origin [m], no edge of a panel longer than panel [m].")
+      .def_property_readonly(
+          "vertices", [](const Mesh& mesh) { return array_of(mesh.panels().vertices); }, "(n, 3) coordinates [m], a copy.")
+      .def_property_readonly("faces", &faces_of, "(m, 4) numbers of vertices, the fourth -1 in a triangle; a copy.")
+      .def_property_readonly("parts", &parts_of, "The name of the part of each panel; empty where none has one.")
+      .def("__len__", [](const Mesh& mesh) { return mesh.panels().panels.size(); })
+      .def("__repr__", [](const Mesh& mesh) {
+        return fmt::format("<perimpact.Mesh of {} vertices and {} faces>", mesh.panels().vertices.size(), mesh.panels().panels.size());
+      });
+}
+
+}  // namespace perimpact::python

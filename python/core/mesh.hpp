@@ -1,0 +1,30 @@
+/// A surface in memory, as NumPy gives it: what may stand in a set-up wherever a deck names a surface file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arrays.hpp"
+#include "fccda/surface/panels_in_memory.hpp"
+
+namespace perimpact::python {
+
+class Mesh {
+ public:
+  explicit Mesh(fccda::Panels panels) : panels_(std::move(panels)) {}
+
+  /// `vertices`: (n, 3) [m]; `faces`: (m, 3) or (m, 4) vertex numbers from 0, in a triangle among quads the fourth -1; `parts`: the name of the part
+  /// of each face. Throws InputError.
+  Mesh(Numbers vertices, const py::array_t<long, py::array::c_style | py::array::forcecast>& faces, const std::optional<std::vector<std::string>>& parts);
+
+  const fccda::Panels& panels() const { return panels_.panels(); }
+  const std::string& name() const { return panels_.name(); }  ///< that stands in the set-up
+
+ private:
+  fccda::PanelsInMemory panels_;
+};
+
+void bind_mesh(py::module_& module);
+
+}  // namespace perimpact::python

@@ -1,0 +1,234 @@
+#include "run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "fccda/core/error.hpp"
+#include "held_interrupts.hpp"
+#include "io/deck/did_you_mean.hpp"
+#include "io/output/results_folder.hpp"
+#include "perimpact/setup/setup_error.hpp"
+
+namespace perimpact::python {
+
+namespace {
+
+using fccda::InputError;
+using fccda::RunError;
+
+constexpr std::chrono::milliseconds between_looks_for_signals{50};
+
+/// Copies of it are made and dropped without Python's lock; the function itself goes with it.
+std::shared_ptr<py::function> kept(const py::function& function) {
+  return {new py::function(function), [](py::function* last) {
+            const py::gil_scoped_acquire acquire;
+            delete last;
+          }};
+}
+
+template <class F>
+auto with_places(const deck::Deck& deck, const F& f) {
+  try {
+    return f();
+  } catch (const SetupError& error) {
+    throw InputError(deck.places.of(error.key()) + ": " + error.what());
+  }
+}
+
+/// What a function returned, as force densities of slots.
+void spread(const py::object& returned, const std::string& name, const Particles& particles, VectorArray& density) {
+  Numbers numbers = Numbers::ensure(returned);
+  if (!numbers) PyErr_Clear();
+  const auto is_shape = [&](std::size_t rows) { return numbers.ndim() == 2 && numbers.shape(1) == 3 && static_cast<std::size_t>(numbers.shape(0)) == rows; };
+  const bool is_one_for_all = numbers && numbers.ndim() == 1 && numbers.shape(0) == 3;
+  const std::string what = returned.is_none() ? "nothing" : numbers ? "an array of the shape " + shape_in_words(numbers) : "what is no array of numbers";
+  if (!numbers || !(is_one_for_all || is_shape(particles.size()) || is_shape(particles.slots())))
+    throw InputError(
+        fmt::format("the own force {} returned {}, but force densities [N/m3] of the shape (3,), the same for all particles, ({}, 3), one for each "
+                    "particle, or ({}, 3), one for each slot, are needed.",
+                    name, what, particles.size(), particles.slots()));
+  const std::span<const std::uint32_t> slots = particles.slot_of();
+  if (is_one_for_all) {
+    const Vec3d force{numbers.at(0), numbers.at(1), numbers.at(2)};
+    for (const std::uint32_t slot : slots) density.set(slot, force);
+    return;
+  }
+  const bool is_by_slot = is_shape(particles.slots());
+  const fccda::ConstVectors forces = vectors_in(numbers, "the own force " + name);
+  for (std::size_t i = 0; i < slots.size(); ++i) density.set(slots[i], forces[is_by_slot ? slots[i] : i]);
+}
+
+/// True for as long as it lives.
+class Flag {
+ public:
+  explicit Flag(bool& flag) : flag_(flag) { flag_ = true; }
+  ~Flag() { flag_ = false; }
+  Flag(const Flag&) = delete;
+  Flag& operator=(const Flag&) = delete;
+
+ private:
+  bool& flag_;
+};
+
+}  // namespace
+
+std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<OwnForceFunction>& forces) {
+  auto run = std::make_shared<Run>(std::move(deck));
+  const Setup& setup = run->setup();
+  std::vector<std::string> names;
+  for (const BodySetup& body : setup.bodies) names.push_back(body.name);
+  std::vector<GivenForce> given;
+  for (const OwnForceFunction& force : forces) {
+    const auto body = std::find(names.begin(), names.end(), force.body);
+    if (body == names.end())
+      throw InputError(fmt::format("forces names the body {}, but there is no such body; {}", force.body, deck::suggestion(force.body, names)));
+    given.push_back(run->given(static_cast<std::size_t>(body - names.begin()), force));
+  }
+  run->being_made_.resize(names.size(), nullptr);
+  {
+    const py::gil_scoped_release release;
+    with_places(run->deck_, [&] { run->simulation_ = std::make_unique<Simulation>(setup, Start(setup), std::move(given)); });
+  }
+  const auto row = run->simulation().monitors().row();
+  run->rows_.emplace_back(row.begin(), row.end());
+  return run;
+}
+
+GivenForce Run::given(std::size_t body, const OwnForceFunction& force) {
+  return {body, force.name, [this, body, name = force.name, function = kept(force.function)](double time, const Body& particles, VectorArray& density) {
+            add_own_force(body, name, *function, time, particles, density);
+          }};
+}
+
+void Run::add_own_force(std::size_t index, const std::string& name, const py::function& function, double time, const Body& body, VectorArray& density) {
+  const py::gil_scoped_acquire acquire;
+  if (!is_made()) being_made_[index] = &body;
+  try {
+    spread(function(time, BodyOfRun{shared_from_this(), index}), body.name + "." + name, body.particles, density);
+  } catch (...) {
+    if (!is_made()) being_made_[index] = nullptr;
+    throw;
+  }
+  if (!is_made()) being_made_[index] = nullptr;
+}
+
+const Body& Run::body(std::size_t index) const {
+  if (is_made()) return simulation_->bodies()[index];
+  if (being_made_[index]) return *being_made_[index];
+  throw RunError("this body belongs to a simulation that could not be made.");
+}
+
+void Run::expect_usable() const {
+  if (is_busy_) throw RunError("the simulation is in the middle of a step; an own force or another thread cannot make it take another.");
+  if (!is_whole_)
+    throw RunError("the step before was left by an error, and the state is that of no instant; make a new simulation, or resume from a checkpoint.");
+}
+
+bool Run::is_there(std::optional<double> until) const {
+  const Clock& clock = simulation_->clock();
+  constexpr double rounding = 1e-9;  // of a step
+  return clock.is_finished() || (until && clock.time() >= *until - rounding * clock.dt);
+}
+
+void Run::step() {
+  expect_usable();
+  const long step = simulation_->clock().step;
+  if (simulation_->clock().is_finished())
+    throw RunError(fmt::format("the run is over at {:.6g} s, after {} steps; set a later time.end to go further.", simulation_->clock().time(), step));
+  while (simulation_->clock().step == step) {  // an increment of a relaxation is left off to look for signals
+    advance({}, 1);
+    throw_if_interrupted();
+  }
+}
+
+void Run::run(std::optional<double> until, const py::object& after_steps, long every, const py::object& self) {
+  if (every < 1) throw InputError(fmt::format("every is {}, but it must be a number of steps, at least 1.", every));
+  expect_usable();
+  long called_at = simulation_->clock().step;
+  while (!is_there(until)) {
+    const long to_call = called_at + every - simulation_->clock().step;
+    advance(until, after_steps.is_none() ? std::numeric_limits<long>::max() : to_call);
+    throw_if_interrupted();
+    if (after_steps.is_none() || simulation_->clock().step < called_at + every) continue;
+    called_at = simulation_->clock().step;
+    if (after_steps(self).ptr() == Py_False) return;
+    expect_usable();  // it may have made steps of its own
+  }
+}
+
+void Run::advance(std::optional<double> until, long most) {
+  const HeldInterrupts held;
+  const py::gil_scoped_release release;
+  const Flag busy(is_busy_);
+  const auto leave_at = std::chrono::steady_clock::now() + between_looks_for_signals;
+  for (long n = 0; n < most && !is_there(until); ++n)
+    if (!step_once(leave_at) || std::chrono::steady_clock::now() > leave_at) return;
+}
+
+/// False where an increment was left off.
+bool Run::step_once(Instant leave_at) {
+  const auto begin = std::chrono::steady_clock::now();
+  const long step = simulation_->clock().step;
+  is_whole_ = false;
+  try {
+    simulation_->step([&](const Relaxed&) { return std::chrono::steady_clock::now() <= leave_at; });
+    is_whole_ = true;
+    if (simulation_->clock().step > step) note_step();
+  } catch (const RunError& error) {
+    if (results_) results_->finish(*simulation_, Outcome::failed, error.what(), seconds_);
+    throw;
+  }
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (results_ && simulation_->clock().is_finished()) close_results();
+  return simulation_->clock().step > step;
+}
+
+void Run::note_step() {
+  const Monitors& monitors = simulation_->monitors();
+  if (monitors.is_due(simulation_->clock())) rows_.emplace_back(monitors.row().begin(), monitors.row().end());
+  if (!results_) return;
+  results_->after_step(*simulation_);
+  checkpoints_->after_step(*simulation_, *results_);
+}
+
+void Run::throw_if_interrupted() {
+  HeldInterrupts::hand_on();
+  if (PyErr_CheckSignals() == 0) return;
+  const py::error_already_set exception;
+  if (results_) checkpoints_->write(*simulation_, *results_);
+  throw exception;
+}
+
+void Run::write_results(const std::optional<std::string>& folder, bool resume) {
+  expect_usable();
+  if (results_) throw InputError("results are being written already; call write_results once, before the first step.");
+  if (simulation_->clock().step > 0)
+    throw InputError(fmt::format("step {} is done, but results begin with t = 0; call write_results before the first step.", simulation_->clock().step));
+  const std::filesystem::path path = folder.value_or(setup().output.folder);
+  if (path.empty()) throw InputError("the folder of the results has no name; give one, such as \"results\".");
+  const std::filesystem::path checkpoint = output::ResultsFolder::checkpoint_in(path);
+  with_places(deck_, [&] {
+    std::optional<Checkpoint> earlier;
+    if (resume) earlier.emplace(checkpoint).expect_deck(setup());
+    output::prepare_folder(path);
+    checkpoints_.emplace(checkpoint, *simulation_);
+    if (!earlier) {
+      results_.emplace(*simulation_, path);
+      return;
+    }
+    results_.emplace(*simulation_, path, checkpoints_->resume(*earlier, *simulation_));
+    const auto row = simulation_->monitors().row();
+    rows_.assign(1, {row.begin(), row.end()});
+  });
+}
+
+void Run::close_results() {
+  if (!results_) return;
+  checkpoints_->write(*simulation_, *results_);
+  results_->finish(*simulation_, simulation_->clock().is_finished() ? Outcome::finished : Outcome::interrupted, "", seconds_);
+  results_.reset();
+}
+
+}  // namespace perimpact::python

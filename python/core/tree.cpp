@@ -1,0 +1,82 @@
+#include "tree.hpp"
+
+#include <fmt/format.h>
+
+#include "io/deck/overrides.hpp"
+#include "mesh.hpp"
+
+namespace perimpact::python {
+
+namespace {
+
+using deck::YamlNode;
+
+YamlNode word(std::string text, const std::string& place) {
+  return {.kind = YamlNode::Kind::word, .place = place, .text = std::move(text), .items = {}, .entries = {}};
+}
+
+/// Deep nesting and a list that holds itself end in Python's own error.
+class Deeper {
+ public:
+  Deeper() {
+    if (Py_EnterRecursiveCall(" in a set-up") != 0) throw py::error_already_set();
+  }
+  ~Deeper() { Py_LeaveRecursiveCall(); }
+  Deeper(const Deeper&) = delete;
+  Deeper& operator=(const Deeper&) = delete;
+};
+
+YamlNode map_of(const py::dict& map, const std::string& path, const std::string& place) {
+  YamlNode node{.kind = YamlNode::Kind::map, .place = place, .text = {}, .items = {}, .entries = {}};
+  for (const auto& [key, value] : map) {
+    if (!py::isinstance<py::str>(key)) deck::refuse(place, fmt::format("{} is a key, but keys are words.", std::string(py::str(key))));
+    const std::string name = py::cast<std::string>(key);
+    const std::string inner = path.empty() ? name : path + "." + name;
+    node.entries.push_back({.key = name, .place = inner, .value = tree_of(value, inner)});
+  }
+  return node;
+}
+
+YamlNode list_of(const py::handle& list, const std::string& place) {
+  YamlNode node{.kind = YamlNode::Kind::list, .place = place, .text = {}, .items = {}, .entries = {}};
+  std::size_t number = 0;
+  for (const py::handle item : list) node.items.push_back(tree_of(item, fmt::format("{}[{}]", place, number++)));
+  return node;
+}
+
+constexpr const char* whole = "the set-up";
+
+YamlNode tree_at(const py::handle& value, const std::string& place) {
+  const Deeper deeper;
+  if (value.is_none()) return {.kind = YamlNode::Kind::nothing, .place = place, .text = {}, .items = {}, .entries = {}};
+  if (PyBool_Check(value.ptr())) return word(value.ptr() == Py_True ? "true" : "false", place);
+  if (py::isinstance<py::str>(value)) return word(py::cast<std::string>(value), place);
+  if (py::isinstance<Mesh>(value)) return word(value.cast<const Mesh&>().name(), place);
+  if (py::isinstance<py::dict>(value)) return map_of(py::reinterpret_borrow<py::dict>(value), place == whole ? "" : place, place);
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) return list_of(value, place);
+  if (PyFloat_Check(value.ptr())) return word(py::repr(py::float_(PyFloat_AsDouble(value.ptr()))), place);  // the shortest text that gives the same double
+  if (py::hasattr(value, "tolist")) return tree_of(value.attr("tolist")(), place);                          // arrays and numbers of NumPy
+  if (PyIndex_Check(value.ptr())) return word(py::str(py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()))), place);
+  if (py::hasattr(value, "__fspath__")) return word(py::str(value.attr("__fspath__")()), place);
+  deck::refuse(place, fmt::format("this is a {}, but a set-up is made of dicts, lists, numbers, words and meshes.",
+                                  std::string(py::str(py::type::handle_of(value).attr("__name__")))));
+}
+
+}  // namespace
+
+deck::YamlNode tree_of(const py::handle& value, const std::string& place) { return tree_at(value, place); }
+
+void change(deck::YamlNode& tree, const py::dict& changes) {
+  for (const auto& [key, value] : changes) {
+    if (!py::isinstance<py::str>(key)) deck::refuse("set", fmt::format("{} is a key, but keys are words such as \"time.end\".", std::string(py::str(key))));
+    const std::string path = py::cast<std::string>(key), place = "--set " + path;
+    if (py::isinstance<py::str>(value)) {
+      deck::apply_override(tree, path + "=" + py::cast<std::string>(value));
+      continue;
+    }
+    deck::apply_override(tree, path + "=");  // what the path may be is said there
+    deck::set_value(tree, path, tree_of(value, place), place);
+  }
+}
+
+}  // namespace perimpact::python

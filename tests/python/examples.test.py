@@ -1,0 +1,64 @@
+"""The examples of the guide run, and say what the guide says of them; the installed package is whole."""
+
+import os
+import re
+import subprocess
+import sys
+
+import package
+from claims import claim, main
+
+
+def run_example(test, name):
+    picture = test.folder / f"{name}.png"
+    environment = {**test.environment, "PYTHONPATH": sys.path[0], "MPLBACKEND": "Agg", "OMP_NUM_THREADS": "1", "MPLCONFIGDIR": str(test.folder)}
+    done = subprocess.run([sys.executable, package.ROOT / "python" / "examples" / f"{name}.py", picture], env=environment, capture_output=True, text=True, timeout=200)
+    test.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+    test.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+    return done.stdout
+
+
+def number_before(text, words):
+    return float(re.search(rf"(-?[\d.]+(?:e[-+]\d+)?){re.escape(words)}", text).group(1))
+
+
+@claim("example strike: the cone of NumPy breaks the ice")
+def strike(test):
+    told = run_example(test, "strike")
+    test.assertGreater(number_before(told, " bonds broke"), 100)
+    test.assertGreater(number_before(told, " mm deep"), 0.5)
+
+
+@claim("example own_force: the springs bring the plate back, and the balance of energy closes")
+def own_force(test):
+    told = run_example(test, "own_force")
+    free, on_springs = (float(line.split(" is at ")[1].split(" mm")[0]) for line in told.splitlines()[:2])
+    test.assertLess(free, 2 * on_springs)
+    test.assertLess(free, 0)
+    closing = number_before(told, " J of 2.5 J")
+    test.assertLess(closing, 1e-3)  # of the 2.5 J: contact is the part that closes least (docs/theory/energy.md)
+
+
+@claim("example grains: the wheel gets what the grains lose, and no grain gets in")
+def grains(test):
+    told = run_example(test, "grains")
+    test.assertGreater(abs(number_before(told, " rad/s")), 0.5)
+    test.assertLess(number_before(told, " of it"), 1e-10)
+    test.assertEqual(told.splitlines()[-1], "grains inside a paddle: 0")
+
+
+@claim("the installed package is found in the prefix's folder of Python packages, whole")
+def installed(test):
+    build = os.path.dirname(test.program)
+    prefix = test.folder / "prefix"
+    subprocess.run(["cmake", "--install", build, "--component", "python", "--prefix", prefix], check=True, capture_output=True)
+    (folder,) = prefix.glob("lib/python3*/*-packages")
+    test.assertEqual(sorted(p.name for p in (folder / "perimpact").iterdir() if p.suffix != ".so"), ["__init__.py", "__init__.pyi", "fccda.py", "fccda.pyi", "py.typed"])
+    code = "import perimpact; print(perimpact.__version__, perimpact.Mesh.box([1, 1, 1], 1), perimpact.__file__)"
+    environment = {**test.environment, "PYTHONPATH": str(folder)}
+    told = subprocess.run([sys.executable, "-c", code], env=environment, cwd=test.folder, capture_output=True, text=True, check=True).stdout
+    version = test.run_program("version").out.split()[1]
+    test.assertEqual(told.strip(), f"{version} <perimpact.Mesh of 8 vertices and 12 faces> {folder / 'perimpact' / '__init__.py'}")
+
+
+main()
