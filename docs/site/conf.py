@@ -15,7 +15,7 @@ release = re.search(r"project\(perimpact VERSION ([\d.]+)", (ROOT / "CMakeLists.
 NAVIGATION = {
     "Guide": [
         "guide/getting_started", "guide/install", "guide/solids", "guide/own_material", "guide/own_surface", "guide/shapes", "guide/surface_formats",
-        "guide/real_surfaces", "guide/spacing_and_layers", "guide/regions", "guide/results", "guide/loads", "guide/resume",
+        "guide/real_surfaces", "guide/spacing_and_layers", "guide/regions", "guide/results", "guide/loads", "guide/report", "guide/resume", "guide/python", "guide/python_reference",
         "guide/what_went_wrong", "guide/diagnoses", "guide/errors", "guide/deck_reference"],
     "Cases": [
         f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_paddle", "floating_strip",
