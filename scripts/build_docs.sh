@@ -5,6 +5,6 @@ cd "$(dirname "$0")/.."
 
 scripts/install_dependencies.sh docs
 rm -rf build/docs
-/usr/bin/python3 -m sphinx -q -W --keep-going -b html -d build/docs_cache -c docs/site . build/docs
+/usr/bin/python3 -m sphinx -q -E -W --keep-going -b html -d build/docs_cache -c docs/site . build/docs
 /usr/bin/python3 tests/quality/site_links.py build/docs
 echo "Documentation: build/docs/index.html"

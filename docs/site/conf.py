@@ -52,13 +52,17 @@ def setup(app):
 
 
 def add_navigation(app, page, source):
-    """The front page gets the navigation, and the pages that stand nowhere in it are no orphans."""
-    listed = {each for pages in NAVIGATION.values() for each in pages}
-    if page == FRONT:
-        for heading, pages in NAVIGATION.items():
-            source[0] += f"\n\n```{{toctree}}\n:hidden:\n:caption: {heading}\n\n" + "\n".join(pages) + "\n```\n"
-    elif "/" + page not in listed and page.removeprefix("docs/") not in listed:
+    """The front page gets the navigation; pages that have no place in it come last. The README of the repository is no part of the site's."""
+    if page == "README":
         source[0] = "---\norphan: true\n---\n" + source[0]
+    if page != FRONT:
+        return
+    headings = {heading: [each if each.startswith("/") else f"/docs/{each}" for each in pages] for heading, pages in NAVIGATION.items()}
+    listed = {FRONT, "README", *(each.removeprefix("/") for pages in headings.values() for each in pages)}
+    if rest := sorted(app.env.found_docs - listed):
+        headings["More"] = [f"/{each}" for each in rest]
+    for heading, pages in headings.items():
+        source[0] += f"\n\n```{{toctree}}\n:hidden:\n:caption: {heading}\n\n" + "\n".join(pages) + "\n```\n"
 
 
 def show_headers(app, page, source):
