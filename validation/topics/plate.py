@@ -101,7 +101,7 @@ numbers. Finite elements are therefore computed here, by dolfinx (3-D, finite st
 
 ![Centre of the plate, velocity of the cylinder, force, and displacement of the cylinder, against time: all curves](../validation/figures/plate.png)
 
-Three curves of perimpact: the deck (panels of 1 mm, contact where the material ends, half a spacing outside its outermost particles), the original
+The paper's figures 13 to 17, redrawn: [plate_impact](../cases/plate_impact/README.md#figures). Three curves of perimpact: the deck (panels of 1 mm, contact where the material ends, half a spacing outside its outermost particles), the original
 method of peridynamics with the same contact radius (`analytic`: no panels, the cylinder's axis is known), and the original method to the letter, with contact where centres of
 particles enter. What differs from what:
 
