@@ -1,12 +1,22 @@
 #!/usr/bin/env bash
-# Installs what is missing, with apt: scripts/install_dependencies.sh run|test|ci
+# Installs what is missing, with apt: scripts/install_dependencies.sh run|test|ci|docs|package
 # run: what it takes to build and run; test: and to pass the tests; ci: and the checks of .ci/run.
+# docs: what builds the documentation, and nothing else; package: what builds the Debian package, with the documentation.
 set -euo pipefail
 
 # libfmt, yaml-cpp, UDUNITS-2, CLI11, zlib, HDF5: see README, "What is in the box"
-packages=(g++ cmake ninja-build libfmt-dev libyaml-cpp-dev libudunits2-dev libcli11-dev zlib1g-dev libhdf5-dev)
-[[ "$1" == run ]] || packages+=(doctest-dev python3 python3-numpy python3-matplotlib gmsh python3-meshio openfoam-examples)
-[[ "$1" == ci ]] && packages+=(clang-14 libclang-rt-14-dev libomp-14-dev clang-format-14)
+build=(g++ cmake ninja-build libfmt-dev libyaml-cpp-dev libudunits2-dev libcli11-dev zlib1g-dev libhdf5-dev)
+tests=(doctest-dev python3 python3-numpy python3-matplotlib python3-yaml python3-jsonschema gmsh python3-meshio openfoam-examples)
+checks=(clang-14 libclang-rt-14-dev libomp-14-dev clang-format-14)
+docs=(python3 python3-sphinx python3-myst-parser furo)
+case "${1:-}" in
+  run) packages=("${build[@]}") ;;
+  test) packages=("${build[@]}" "${tests[@]}") ;;
+  ci) packages=("${build[@]}" "${tests[@]}" "${checks[@]}" "${docs[@]}") ;;
+  docs) packages=("${docs[@]}") ;;
+  package) packages=("${build[@]}" "${docs[@]}" dpkg-dev file) ;;
+  *) echo "error: scripts/install_dependencies.sh run|test|ci|docs|package" >&2; exit 2 ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

@@ -23,7 +23,20 @@ struct RunArguments : DeckArguments {
 
 int run_command(const RunArguments& arguments);
 int check_command(const DeckArguments& arguments);
-int describe_command(const std::string& key, bool markdown);
+
+enum class DescribeForm { text, markdown, schema };
+struct DescribeArguments {
+  std::string key;  ///< of which the text tells; empty: all
+  DescribeForm form = DescribeForm::text;
+};
+int describe_command(const DescribeArguments& arguments);
+
+struct NewArguments {
+  std::string starter;         ///< plate, ship, propeller
+  std::filesystem::path file;  ///< empty: <starter>.yaml
+  bool force = false;          ///< write over files that are there
+};
+int new_command(const NewArguments& arguments);
 
 struct MeshArguments {
   std::filesystem::path file;

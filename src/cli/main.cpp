@@ -64,6 +64,26 @@ void add_statistics(CLI::App& command, StatisticsArguments& arguments) {
       ->capture_default_str();
 }
 
+void add_describe(CLI::App& command, DescribeArguments& arguments, int& code) {
+  CLI::Option* key = command.add_option("key", arguments.key, "Key, like poissons_ratio or bodies.material");
+  const auto form = [&](const char* name, DescribeForm which, const char* help) {
+    return command
+        .add_flag_callback(
+            name, [&arguments, which] { arguments.form = which; }, help)
+        ->excludes(key);
+  };
+  form("--markdown", DescribeForm::markdown, "The whole reference as a page (docs/guide/deck_reference.md)")
+      ->excludes(form("--schema", DescribeForm::schema, "The whole reference as a JSON Schema, for editors (docs/guide/deck.schema.json)"));
+  command.callback([&arguments, &code] { code = describe_command(arguments); });
+}
+
+void add_new(CLI::App& command, NewArguments& arguments, int& code) {
+  command.add_option("what", arguments.starter, "plate, ship or propeller")->required();
+  command.add_option("file", arguments.file, "Where the deck goes; plate.yaml and so on where absent");
+  command.add_flag("--force", arguments.force, "Write over files that are there");
+  command.callback([&arguments, &code] { code = new_command(arguments); });
+}
+
 void complain(const std::string& sentence) { std::fprintf(stderr, "error: %s\n", sentence.c_str()); }
 
 /// What CLI11 found wrong, as one sentence that says where to read on.
@@ -97,12 +117,11 @@ int run(int argc, char** argv) {
   add_deck_arguments(*check, deck);
   check->callback([&] { code = check_command(deck); });
 
-  std::string key;
-  CLI::App* describe = app.add_subcommand("describe", "The deck reference, whole or of one key");
-  describe->add_option("key", key, "Key, like poissons_ratio or bodies.material");
-  bool markdown = false;
-  describe->add_flag("--markdown", markdown, "The whole reference as a page (docs/guide/deck_reference.md)");
-  describe->callback([&] { code = describe_command(key, markdown); });
+  DescribeArguments describe;
+  add_describe(*app.add_subcommand("describe", "The deck reference, whole or of one key"), describe, code);
+
+  NewArguments starter;
+  add_new(*app.add_subcommand("new", "Write a small deck to start from, with comments, that runs in about a minute"), starter, code);
 
   MeshArguments mesh;
   CLI::App* mesh_app = app.add_subcommand("mesh", "Report on a surface file: what it holds, what is wrong with it, whether it suits a spacing");

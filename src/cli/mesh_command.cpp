@@ -55,6 +55,7 @@ int mesh_command(const MeshArguments& arguments) {
   if (!positive().contains(arguments.scale))
     throw InputError(fmt::format("--scale is {}, but it must be above 0; it multiplies the coordinates, so that they become metres.", arguments.scale));
   const double spacing = length_of("--spacing", arguments.spacing), weld = length_of("--weld", arguments.weld);  // before the file is read
+  if (!arguments.out.empty()) output::expect_surface_file(arguments.out);
   Panels panels = read_panels(arguments.file, arguments.parts);
   place(panels, {.scale = arguments.scale});
   const Surface surface = fit_surface(panels, weld, arguments.file);

@@ -110,6 +110,7 @@ const std::vector<ShapeKind>& shape_kinds() {
 }
 
 int shape_command(const ShapeArguments& arguments) {
+  if (!arguments.out.empty()) output::expect_surface_file(arguments.out);
   const SurfaceSetup setup = setup_of(arguments);
   const Surface surface = surface_of(setup, arguments.shape).surface;
   fmt::print("{}\n{}{}", arguments.shape, surface_text(surface.report()), defects_text(surface, self_intersections(surface, Bvh(surface))));

@@ -103,6 +103,19 @@ def _(t):
     t.expect_complaint(done, 2, "bar.yaml:12:", "body bar has no region lef; did you mean left?")
 
 
+@claim("boundaries: an absorbing layer is refused where the body goes on at the face it names, and taken at the body's end")
+def _(t):
+    def layer(at, face):
+        regions = f"regions: {{layer: {{shape: {{box: {{size: [20 mm, 60 mm, 20 mm]}}}}, position: [{at}, 0, 0]}}}}"
+        return t.deck(("spacing: 5 mm", f"spacing: 5 mm\n    {regions}\n    boundaries: {{sink: {{absorbing: {{region: layer, face: {face}}}}}}}"))
+
+    for at, face in (("40 mm", "+x"), ("-40 mm", "-x"), ("40 mm", "+y"), ("0 mm", "-z")):
+        t.expect_success("check", layer(at, face), "--out", "r")
+    for at, face in (("40 mm", "-x"), ("-40 mm", "+x"), ("0 mm", "+x")):
+        done = t.run_program("check", layer(at, face), "--out", "r")
+        t.expect_complaint(done, 2, "deck.yaml:8:", f"the layer ends where body plate goes on towards {face}, ", "Let region layer reach the end of the body")
+
+
 @claim("boundaries: a run that finds no equilibrium ends with exit code 3, the increment and its residual")
 def _(t):
     loose = ("clamp: {fixed: {region: left}}", "clamp: {body_force: {force_density: [0, 1 MN/m3, 0]}}")

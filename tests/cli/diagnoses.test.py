@@ -24,6 +24,23 @@ def _(t):
     t.assertEqual(t.report("r")["warnings"], [])
 
 
+@claim("diagnoses: a density that no solid has is told, of a body and of an impactor, and one with its unit is not")
+def _(t):
+    def told(*changes):
+        return [each for each in warnings(t.expect_success("check", t.deck(*changes), "--out", "r").out) if "density" in each]
+
+    steel, mass = "density: 8000 kg/m3", "mass: 1 kg"
+    # the numbers of Abaqus's millimetres and tonnes and of handbooks; osmium is the heaviest element
+    for written, body in (("7.8e-9", "7.8e-09"), ("7.8", "7.8"), ("22.6", "22.6"), ("78e3", "7.8e+04")):
+        said = told((steel, f"density: {written}"))
+        t.assertEqual(len(said), 1, written)
+        t.assertTrue(said[0].startswith(f"The density of plate is {body} kg/m3, but solids have 23 to 23000 kg/m3. "), said)
+    for written in ("7.8e-9 t/mm3", "7.8 g/cm3", "22590", "30"):
+        t.assertEqual(told((steel, f"density: {written}")), [], written)
+    t.assertIn("The density of cylinder is 7.85 kg/m3", told((mass, "density: 7.85"))[0])
+    t.assertEqual(told((mass, "density: 7850")), [])
+
+
 @claim("diagnoses: a surface that is inside out is turned over and said, in check, run and run.json")
 def _(t):
     deck = t.deck((SURFACE, "surface: {file: cube.obj}"))

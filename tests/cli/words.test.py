@@ -28,7 +28,7 @@ def _(t):
 
 @claim("words: --help lists the commands, and that of each its options")
 def _(t):
-    for command in ("run", "check", "describe", "mesh", "statistics", "version"):
+    for command in ("run", "check", "describe", "new", "mesh", "statistics", "version"):
         t.assertIn(command, t.expect_success("--help").out)
         t.assertIn("Usage:", t.expect_success(command, "--help").out)
     for option in ("--set", "--out", "--threads"):

@@ -3,40 +3,12 @@
 #include <fmt/format.h>
 
 #include "io/deck/consistency.hpp"
+#include "io/deck/json_text.hpp"
 #include "io/deck/schema.hpp"
 
 namespace perimpact::deck {
 
-using fccda::Vec3d;
-
 namespace {
-
-std::string json_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      out += fmt::format("\\u{:04x}", static_cast<int>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
-
-// fmt writes the shortest decimal number that reads back to the same double.
-std::string json(double value) { return fmt::format("{}", value); }
-std::string json(int value) { return fmt::format("{}", value); }
-std::string json(bool value) { return value ? "true" : "false"; }
-std::string json(const std::string& value) { return json_string(value); }
-std::string json(const Choice& value) { return json_string(value.word()); }
-std::string json(const Vec3d& value) { return fmt::format("[{}, {}, {}]", value.x, value.y, value.z); }
-template <class T>
-std::string json(const std::vector<T>& values) {
-  std::vector<std::string> items;
-  items.reserve(values.size());
-  for (const T& value : values) items.push_back(json(value));
-  return fmt::format("[{}]", fmt::join(items, ", "));
-}
 
 /// Writes one map; a walker of the schema.
 class Writer {

@@ -117,6 +117,15 @@ void write_whole_file(const fs::path& path, std::string_view text) {
   file.finish();
 }
 
+void expect_place_for(const fs::path& path) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const auto refuse = [&](std::string_view why) { throw fccda::InputError(fmt::format("{} cannot be written: {}", path.string(), why)); };
+  if (!fs::exists(folder)) refuse(fmt::format("there is no folder {}. Make it first, or name another place.", folder.string()));
+  if (!fs::is_directory(folder)) refuse(fmt::format("{} is no folder. Name another place.", folder.string()));
+  if (fs::is_directory(path)) refuse("it is a folder. Add the name of a file.");
+  if (::access(folder.c_str(), W_OK) != 0) refuse(fmt::format("the folder {} does not let you. Name another place.", folder.string()));
+}
+
 std::error_code try_writing(const fs::path& path) {
   Descriptor file(open_empty(path));
   int error = file.is_open() ? write_all(file.number(), std::as_bytes(std::span("trial"))) : errno;

@@ -53,6 +53,10 @@ class WholeFile {
 
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
+/// For a file that the user named, before the work that it shall hold. Throws InputError where its folder is missing or may not be written
+/// to, or a folder has its name.
+void expect_place_for(const std::filesystem::path& path);
+
 /// Why a file of that name cannot be written, if so. Leaves no file; one of that name is lost.
 std::error_code try_writing(const std::filesystem::path& path);
 

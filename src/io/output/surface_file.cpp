@@ -87,13 +87,23 @@ std::string obj_text(const Surface& surface) {
   return text;
 }
 
+[[noreturn]] void refuse_extension(const std::filesystem::path& path) {
+  throw fccda::InputError(fmt::format("{}: surfaces are written as .stl or .obj; give the file one of these extensions.", path.string()));
+}
+
 }  // namespace
+
+void expect_surface_file(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  if (extension != ".stl" && extension != ".obj") refuse_extension(path);
+  expect_place_for(path);
+}
 
 void write_surface(const std::filesystem::path& path, const Surface& surface) {
   const std::string extension = path.extension().string();
   if (extension == ".stl") return write_whole_file(path, has_parts(surface) ? stl_text(surface) : stl_binary(surface));
   if (extension == ".obj") return write_whole_file(path, obj_text(surface));
-  throw fccda::InputError(fmt::format("{}: surfaces are written as .stl or .obj; give the file one of these extensions.", path.string()));
+  refuse_extension(path);
 }
 
 }  // namespace perimpact::output

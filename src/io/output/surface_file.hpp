@@ -12,4 +12,7 @@ namespace perimpact::output {
 /// Throws InputError for any other extension, RunError where the file cannot be written.
 void write_surface(const std::filesystem::path& path, const fccda::Surface& surface);
 
+/// Throws InputError where write_surface would: for another extension, and where there is no place for the file. To be asked before long work.
+void expect_surface_file(const std::filesystem::path& path);
+
 }  // namespace perimpact::output

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -123,9 +124,30 @@ Boundary made(const FloatingSetup& floating, const Place& place) {
   return Floating(std::move(slots), water, floats_at.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
+/// The damping is strongest where the layer ends. Where the body goes on there, waves come from that side and are thrown back.
+void expect_end_of_body(const AbsorbingSetup& layer, const std::vector<std::uint32_t>& slots, const Place& place) {
+  const Lattice* lattice = place.of.particles.lattice();
+  if (!lattice) return;
+  const Face face(layer.face.index);
+  const std::vector<std::uint32_t> ends = outermost(*lattice, slots, layer.face.index);
+  std::size_t behind = 0;
+  for (const std::uint32_t slot : ends) {
+    std::array<int, 3> cell = lattice->cell(slot);
+    cell[face.axis] += face.sign > 0 ? 1 : -1;
+    const bool is_inside = lattice->contains(cell[0], cell[1], cell[2]);
+    behind += is_inside && place.of.particles.is_occupied(lattice->slot(cell[0], cell[1], cell[2])) ? 1 : 0;
+  }
+  if (2 * behind <= ends.size()) return;
+  throw SetupError(place.key,
+                   fmt::format("the layer ends where body {} goes on towards {}, so waves would meet its strongest damping first and be thrown back. "
+                               "Let region {} reach the end of the body there, or name the face that it reaches.",
+                               place.of.body.name, layer.face.word(), layer.region));
+}
+
 Boundary made(const AbsorbingSetup& layer, const Place& place) {
   const Face face(layer.face.index);
   std::vector<std::uint32_t> slots = place.slots(layer.region);
+  expect_end_of_body(layer, slots, place);
   std::vector<double> depths;  // [m] along the face's normal
   for (const std::uint32_t slot : slots) depths.push_back(face.sign * place.of.particles.reference(slot)[face.axis]);
   const auto [first, last] = std::minmax_element(depths.begin(), depths.end());

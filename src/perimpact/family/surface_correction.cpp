@@ -1,6 +1,10 @@
 #include "perimpact/family/surface_correction.hpp"
 
+#include <bit>
 #include <cmath>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
 
 #include "fccda/core/parallel.hpp"
 
@@ -96,7 +100,8 @@ Marks with_neighbours(const Marks& marked, const Family& family, const Particles
 }  // namespace
 
 CorrectionFactors::CorrectionFactors(CorrectionKind kind, const CorrectionBasis& basis, const Family& family, const Particles& particles) : kind_(kind) {
-  plain_.assign(particles.slots() / fccda::byte_lanes, 1);
+  table_of_.assign(particles.slots() / fccda::byte_lanes, 0);
+  if (family.stencil()) tables_.emplace_back(family.stencil()->size());
   if (kind == CorrectionKind::none) return;
 
   // Only particles at the surface, and those bonded to them, have factors other than 1; only packs bonded to these need them.
@@ -114,7 +119,8 @@ CorrectionFactors::CorrectionFactors(CorrectionKind kind, const CorrectionBasis&
   }
   const Marks touched = with_neighbours(changed, family, particles);
   for (std::size_t slot = 0; slot < touched.size(); ++slot)
-    if (touched[slot]) plain_[slot / fccda::byte_lanes] = 0;
+    if (touched[slot]) table_of_[slot / fccda::byte_lanes] = no_table;
+  if (family.stencil() && kind != CorrectionKind::family) gather_tables(family);  // the family's factor is squared in the dilatation: no factor of a bond
 }
 
 void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Family& family, const Particles& particles,
@@ -147,6 +153,50 @@ void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Famil
     });
     stretch_ = std::move(next_stretch), dilatation_ = std::move(next_dilatation);
   }
+}
+
+void CorrectionFactors::gather_tables(const Family& family) {
+  constexpr int fewest = 4;  // packs that share a table, or it costs more memory than it saves
+  std::vector<Vec3d> weights;
+  for (const StencilBond& bond : family.stencil()->bonds()) weights.push_back(interpolation_weights(bond.direction));
+
+  /// The factors of the bonds of eight slots, where the slots that have a bond agree on them.
+  const auto shared_factors = [&](std::size_t eight) -> std::optional<std::vector<BondFactors>> {
+    std::vector<BondFactors> factors(weights.size());
+    for (std::size_t bond = 0; bond < weights.size(); ++bond) {
+      std::optional<BondFactors> shared;
+      for (unsigned bits = family.bytes(eight)[bond]; bits != 0; bits &= bits - 1) {
+        const std::size_t i = eight * fccda::byte_lanes + static_cast<std::size_t>(std::countr_zero(bits));
+        const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + family.offsets()[bond]);
+        const BondFactors own{stretch_factor(i, j, weights[bond]), dilatation_factor(i, j, weights[bond])};
+        if (shared && !(*shared == own)) return {};
+        shared = own;
+      }
+      if (shared) factors[bond] = *shared;
+    }
+    return factors;
+  };
+
+  const auto eights = static_cast<std::ptrdiff_t>(table_of_.size());
+  std::vector<std::uint64_t> hashes(table_of_.size(), 0);  // 0: not shared
+  fccda::parallel_for(eights, [&](std::ptrdiff_t e) {
+    const auto eight = static_cast<std::size_t>(e);
+    if (table_of_[eight] != no_table) return;
+    if (const auto factors = shared_factors(eight))
+      hashes[eight] = std::hash<std::string_view>{}({reinterpret_cast<const char*>(factors->data()), factors->size() * sizeof(BondFactors)}) | 1;
+  });
+  std::unordered_map<std::uint64_t, int> packs;
+  for (const std::uint64_t hash : hashes)
+    if (hash != 0) ++packs[hash];
+  std::unordered_map<std::uint64_t, std::int32_t> table_of_hash;
+  for (std::size_t eight = 0; eight < hashes.size(); ++eight)
+    if (hashes[eight] != 0 && packs[hashes[eight]] >= fewest && table_of_hash.emplace(hashes[eight], static_cast<std::int32_t>(tables_.size())).second)
+      tables_.push_back(*shared_factors(eight));
+  fccda::parallel_for(eights, [&](std::ptrdiff_t e) {
+    const auto eight = static_cast<std::size_t>(e);
+    const auto table = hashes[eight] != 0 ? table_of_hash.find(hashes[eight]) : table_of_hash.end();
+    if (table != table_of_hash.end() && *shared_factors(eight) == tables_[static_cast<std::size_t>(table->second)]) table_of_[eight] = table->second;
+  });
 }
 
 void CorrectionFactors::weigh_volume(const CorrectionBasis& basis, const Family& family, const Particles& particles) {
@@ -201,7 +251,8 @@ double CorrectionFactors::dilatation_factor(std::size_t i, std::size_t j, const 
 
 double CorrectionFactors::bytes() const {
   const std::size_t numbers = 3 * (stretch_.slots() + dilatation_.slots()) + volume_.slots() + own_family_.slots();
-  return static_cast<double>(sizeof(double) * numbers + plain_.size());
+  const std::size_t tables = tables_.empty() ? 0 : tables_.size() * tables_.front().size() * sizeof(BondFactors);
+  return static_cast<double>(sizeof(double) * numbers + sizeof(std::int32_t) * table_of_.size() + tables);
 }
 
 }  // namespace perimpact

@@ -33,6 +33,12 @@ struct CorrectionBasis {
   double volume, weighted, dilatation, energy;      ///< of a whole family: material/ordinary_state.hpp, FamilySums
 };
 
+/// The two factors of a bond [-].
+struct BondFactors {
+  double stretch = 1, dilatation = 1;
+  bool operator==(const BondFactors&) const = default;
+};
+
 class CorrectionFactors {
  public:
   /// Factors of the body as cut out: holes are cut before, cracks after this.
@@ -46,8 +52,12 @@ class CorrectionFactors {
   const ScalarArray& volume() const { return volume_; }          ///< V/(2 V₀) [-]
   const ScalarArray& own_family() const { return own_family_; }  ///< g/2 [-]
 
-  /// True where every bond of slots 8·eight … 8·eight + 7 has the factor 1, so that the plain kernel gives the same bits.
-  bool is_plain(std::size_t eight) const { return plain_[eight] != 0; }
+  /// Tables of the factors of all bonds of a stencil. The first is of whole families: all 1. In the middle of a row of a box, eight neighbours have
+  /// the same factors bond by bond, and so have those of the next rows: a table then takes the place of the numbers of particles.
+  const std::vector<std::vector<BondFactors>>& tables() const { return tables_; }
+  static constexpr std::int32_t no_table = -1;
+  /// The table of slots 8·eight … 8·eight + 7, or no_table where their factors differ, or too few others share them.
+  std::int32_t table_of(std::size_t eight) const { return table_of_[eight]; }
 
   /// The factors of one bond, as the kernel computes them. `weights`: interpolation_weights of its direction.
   double stretch_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;
@@ -60,10 +70,13 @@ class CorrectionFactors {
   void weigh_volume(const CorrectionBasis& basis, const Family& family, const Particles& particles);
   void weigh_own_family(const CorrectionBasis& basis, const Family& family, const Particles& particles);
 
+  void gather_tables(const Family& family);
+
   CorrectionKind kind_;
   VectorArray stretch_, dilatation_;
   ScalarArray volume_, own_family_;
-  std::vector<std::uint8_t> plain_;
+  std::vector<std::vector<BondFactors>> tables_;
+  std::vector<std::int32_t> table_of_;
 };
 
 /// n_p²/2 of a bond, rounded so that the sum over p of (1 + 1) n_p²/2, taken in order with fused multiply-adds, is exactly 1.

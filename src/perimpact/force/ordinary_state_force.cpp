@@ -10,9 +10,12 @@ using namespace fccda;
 
 namespace {
 
-/// The constants of the bonds of a stencil.
+/// The constants of the bonds of a stencil: those of whole families, and of any other table of factors.
 struct StencilConstants {
-  std::span<const OrdinaryState::Folded<double>> folded;
+  std::span<const OrdinaryState::Folded<double>> folded;  // table after table
+  std::size_t bonds;
+
+  StencilConstants of_table(std::int32_t table) const { return {folded.subspan(static_cast<std::size_t>(table) * bonds), bonds}; }
 
   template <class Pack>
   const OrdinaryState::Folded<double>& constants(std::size_t index) const {
@@ -25,6 +28,7 @@ struct ListConstants {
   const OrdinaryState& law;
   const double *length, *stretch, *dilatation;
 
+  ListConstants of_table(std::int32_t) const { return *this; }
   template <class Pack>
   OrdinaryState::Folded<Pack> constants(std::size_t index) const {
     return law.fold(load<Pack>(length + index), load<Pack>(stretch + index), load<Pack>(dilatation + index));
@@ -44,6 +48,8 @@ struct BodyView {
   const OrdinaryState& law;
   RowSums& rows;
   double dt;  // [s], as in PassOptions
+
+  BodyView with(const Constants& others) const { return {particles, x, force, theta, bonds, others, correction, law, rows, dt}; }
 };
 
 /// y_j' - y_i' [m/s] of the bonds of a pack.
@@ -150,15 +156,16 @@ double force_of_pack(const View& body, std::size_t slot, const Breaker& breaking
   return with_energy ? energy_of_pack(energy, body.particles, slot) : 0.0;
 }
 
-/// Calls per_pack(slot, corrections) for all packs of a row, without any where no factor differs from 1.
+/// Calls per_pack(body, slot, corrections) for all packs of a row; where factors have a table, they are in the constants and there are no corrections.
 template <class Pack, class View, class Correction, class PerPack>
 void for_each_pack(const View& body, std::size_t row, const Correction& corrections, const PerPack& per_pack) {
   const std::size_t begin = row * body.particles.row_slots(), end = std::min(begin + body.particles.row_slots(), body.particles.slots());
   for (std::size_t slot = begin; slot < end; slot += lanes<Pack>) {
-    if (body.correction.is_plain(slot / byte_lanes))
-      per_pack(slot, NoCorrections{});
+    const std::int32_t table = body.correction.table_of(slot / byte_lanes);
+    if (table == CorrectionFactors::no_table)
+      per_pack(body, slot, corrections);
     else
-      per_pack(slot, corrections);
+      per_pack(body.with(body.constants.of_table(table)), slot, NoCorrections{});
   }
 }
 
@@ -169,8 +176,8 @@ void all_rows(const View& body, const Breaker& breaker, const Correction& correc
     parallel_for(rows, [&](std::ptrdiff_t r) {
       const std::size_t row = static_cast<std::size_t>(r);
       const auto breaking = breaker.counting(body.rows.broken_ends[row]);
-      for_each_pack<Pack>(body, row, corrections, [&](std::size_t slot, const auto& factors) {
-        dilatation_of_pack<Pack>(body, slot, breaking, factors, body.rows.fracture_energy[row]);
+      for_each_pack<Pack>(body, row, corrections, [&](const View& view, std::size_t slot, const auto& factors) {
+        dilatation_of_pack<Pack>(view, slot, breaking, factors, body.rows.fracture_energy[row]);
       });
     });
   }
@@ -178,8 +185,8 @@ void all_rows(const View& body, const Breaker& breaker, const Correction& correc
     const std::size_t row = static_cast<std::size_t>(r);
     double energy = 0;
     const auto forces = [&](const auto& breaking) {
-      for_each_pack<Pack>(body, row, corrections, [&](std::size_t slot, const auto& factors) {
-        energy += force_of_pack<Pack, has_dilatation, with_energy>(body, slot, breaking, factors, body.rows.fracture_energy[row]);
+      for_each_pack<Pack>(body, row, corrections, [&](const View& view, std::size_t slot, const auto& factors) {
+        energy += force_of_pack<Pack, has_dilatation, with_energy>(view, slot, breaking, factors, body.rows.fracture_energy[row]);
       });
     };
     if constexpr (has_dilatation)
@@ -214,11 +221,13 @@ OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, Breaking breaking, Cor
     : law_(law), breaking_(std::move(breaking)), correction_(std::move(correction)) {
   if (law_.needs_dilatation()) theta_ = ScalarArray(particles.slots(), particles.slack());
   if (const Stencil* stencil = family.stencil()) {
-    for (const StencilBond& bond : stencil->bonds()) {
-      const BondWeights weights = law_.weights(bond.length);
-      folded_.push_back(law_.fold(bond.length, weights.stretch * bond.volume, weights.dilatation * bond.volume));
-      half_squares_.push_back(interpolation_weights(bond.direction));
-    }
+    for (const StencilBond& bond : stencil->bonds()) half_squares_.push_back(interpolation_weights(bond.direction));
+    for (const std::vector<BondFactors>& factors : correction_.tables())
+      for (std::size_t b = 0; b < stencil->size(); ++b) {
+        const StencilBond& bond = stencil->bonds()[b];
+        const BondWeights weights = law_.weights(bond.length);
+        folded_.push_back(law_.fold(bond.length, factors[b].stretch * weights.stretch * bond.volume, factors[b].dilatation * weights.dilatation * bond.volume));
+      }
     return;
   }
   const bool by_family = correction_.kind() == CorrectionKind::family;  // whose factors the kernel takes, since it needs those of particles anyhow
@@ -256,7 +265,7 @@ void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOp
     return;
   }
   const StencilBonds bonds(family);
-  const StencilConstants constants{folded_};
+  const StencilConstants constants{folded_, family.stencil()->size()};
   switch (correction_.kind()) {
     case CorrectionKind::none:
       over(bonds, constants, NoCorrections{});

@@ -38,7 +38,7 @@ class OrdinaryStateForce {
   ScalarArray theta_;  // [-] of each particle; empty where the material needs none
 
   // of each bond of the stencil
-  std::vector<OrdinaryState::Folded<double>> folded_;
+  std::vector<OrdinaryState::Folded<double>> folded_;  // for each table of factors
   std::vector<Vec3d> half_squares_;
 
   // of each entry of the list [m⁵], with the factors of the surface correction

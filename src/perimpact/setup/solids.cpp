@@ -1,5 +1,8 @@
 #include "perimpact/setup/solids.hpp"
 
+#include <algorithm>
+#include <cctype>
+
 namespace perimpact {
 
 using namespace fccda;  // the ranges
@@ -69,7 +72,9 @@ std::span<const Field<CrackSetup>> CrackSetup::fields() {
 }
 
 bool PointsShape::is_vtk() const {
-  const std::string_view words = std::string_view(file).substr(0, file.ends_with(".gz") ? file.size() - 3 : file.size());
+  std::string words = file;  // as the readers of surfaces, which take .VTU too
+  std::transform(words.begin(), words.end(), words.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (words.ends_with(".gz")) words.resize(words.size() - 3);
   return words.ends_with(".vtk") || words.ends_with(".vtp") || words.ends_with(".vtu");
 }
 

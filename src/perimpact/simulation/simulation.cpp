@@ -107,6 +107,16 @@ void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>&
   }
 }
 
+/// The heaviest solid, osmium, has 22 590 kg/m3: a density in g/cm3 or t/mm3 without its unit is below 23, one in kg/m3 hardly ever.
+void warn_of_density(std::string_view of, double density, std::vector<std::string>& warnings) {
+  constexpr double lightest = 23, heaviest = 23000;  // [kg/m3]
+  if (density >= lightest && density <= heaviest) return;
+  warnings.push_back(
+      fmt::format("The density of {} is {:.4g} kg/m3, but solids have {:g} to {:g} kg/m3. If it is in another unit, write that behind it, as in 7.8 g/cm3 or "
+                  "7.8e-9 t/mm3.",
+                  of, density, lightest, heaviest));
+}
+
 /// Stairs where a surface is not along the lattice, and thin places between two layers.
 void warn_of_mass(const std::string& body, const std::optional<FilledMass>& mass, std::vector<std::string>& warnings) {
   constexpr double much = 0.05;
@@ -183,6 +193,9 @@ Simulation::Simulation(const Setup& setup, Start start)
       relaxation_(make_relaxation(setup, bodies_, clock_.dt)),
       impactors_(std::move(start.impactors)),
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
+  for (const Body& body : bodies_) warn_of_density(body.name, body.particles.density(), warnings_);
+  for (const ImpactorSetup& impactor : setup_.impactors)
+    if (impactor.density) warn_of_density(impactor.name, *impactor.density, warnings_);
   warn_of_thin_bodies(bodies_, warnings_);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     warn_of_mass(bodies_[b].name, filled_masses_[b], warnings_);

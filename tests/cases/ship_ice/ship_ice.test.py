@@ -1,4 +1,4 @@
-"""Claims about the icebreaker's decks. Python's standard library alone; the runs are on a coarse, short sheet."""
+"""Claims about the icebreaker's decks. Python with numpy; the runs are on a coarse, short sheet."""
 
 import math
 import sys
@@ -72,6 +72,29 @@ def _(t):
     work = -rows["ship.contact_work [J]"][-1]
     t.assertGreater(work, 1e4)
     t.assertLess(max(abs(error) for error in rows["total.closing_error [J]"]), 0.02 * work)
+
+
+@claim("ship: through-cracks are counted along the way of the ship, not what is cracked on one face or beside it")
+def _(t):
+    sys.path.insert(0, str(CASE))
+    import numpy as np
+    from measure import through_cracks
+
+    x, y, z = (axis.ravel() for axis in np.meshgrid(np.arange(-40, 0, 0.5), np.arange(-15, 15, 0.5) + 0.25, np.arange(4) * 0.5, indexing="ij"))
+    places, damage = np.stack([x, y, z], axis=1), np.zeros(len(x))
+    count = lambda: through_cracks(places, damage, 23.0)  # noqa: E731
+    t.assertEqual(count(), 0)
+    damage[np.abs(x + 10 + y**2 / 20) < 0.8] = 0.5  # an arc, 3 particles wide
+    t.assertEqual(count(), 1)
+    damage[np.abs(x + 25) < 0.3] = 0.4  # a straight one
+    t.assertEqual(count(), 2)
+    damage[x > -1] = 1  # the crushed edge
+    t.assertEqual(count(), 3)
+    damage[(np.abs(x + 33) < 0.3) & (z > 0)] = 0.9  # not through the lowest layer
+    damage[(np.abs(x + 36) < 0.3) & (np.abs(y) > 5)] = 0.9  # beside the middle: 13 of the 23 m
+    t.assertEqual(count(), 4)
+    damage[(np.abs(x + 38) < 0.3) & (np.abs(y) > 7)] = 0.9  # 9 of the 23 m
+    t.assertEqual(count(), 4)
 
 
 if __name__ == "__main__":

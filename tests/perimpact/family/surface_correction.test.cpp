@@ -98,8 +98,8 @@ TEST_CASE("surface correction: factors are exactly 1 deep inside, so that the pl
   for (const SurfaceCorrection kind : {SurfaceCorrection::energy, SurfaceCorrection::volume}) {
     const Body block = fixtures::body({.size = {0.040, 0.021, 0.021}, .correction = kind});
     const Lattice& lattice = *block.particles.lattice();
-    CHECK(block.internal.ordinary_state()->correction().is_plain(lattice.slot(16, 10, 10) / 8));
-    CHECK(!block.internal.ordinary_state()->correction().is_plain(lattice.slot(0, 10, 10) / 8));
+    CHECK(block.internal.ordinary_state()->correction().table_of(lattice.slot(16, 10, 10) / 8) == 0);
+    CHECK(block.internal.ordinary_state()->correction().table_of(lattice.slot(0, 10, 10) / 8) == CorrectionFactors::no_table);
     const std::size_t middle = lattice.slot(16, 10, 10);
     CHECK(block.internal.ordinary_state()->correction().stretch_factor(middle, middle + 1, interpolation_weights({1, 0, 0})) == 1.0);
   }

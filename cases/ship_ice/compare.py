@@ -1,0 +1,88 @@
+#!/usr/bin/python3
+"""Runs of variants.sh beside formulas of resistance: compare.py RESULTS
+
+RESULTS: folder that variants.sh filled. Prints a table, and draws figures/sweeps.png: mean resistance over all the travel against speed, thickness and
+strength of the ice, with what resistance.py gives without friction. Strength and thickness are those of run.json.
+"""
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from measure import measure  # noqa: E402
+from resistance import ShipInIce, iso_19906, lindqvist, riska  # noqa: E402
+
+HERE = Path(__file__).resolve().parent
+SWEEPS = (  # field of ShipInIce, its axis, how a value is shown, the runs that vary it
+    ("speed", "speed [m/s]", 1, ("speed_1.5", "deck", "speed_6")),
+    ("thickness", "thickness of the ice [m]", 1, ("thickness_1.5", "deck", "thickness_2.5", "thickness_3")),
+    ("strength", "flexural strength [MPa]", 1e6, ("stretch_2e-4", "deck", "stretch_5e-4")),
+)
+FORMULAS = (
+    ("Lindqvist, crushing and bending", "#b3312c", lambda ship: lindqvist(ship)["crushing"] + lindqvist(ship)["bending"]),
+    ("Lindqvist, whole", "#e8a15a", lambda ship: lindqvist(ship)["total"]),
+    ("Riska", "#7d7d7d", lambda ship: riska(ship)["total"]),
+    ("ISO 19906, breaking", "#4d8f5b", lambda ship: iso_19906(ship)["breaking"]),
+)
+
+
+def ship_of(folder):
+    """The ship and the ice of a run, as the formulas want them."""
+    report = json.loads((Path(folder) / "run.json").read_text())
+    setup = report["setup"]
+    return ShipInIce(
+        speed=abs(setup["impactors"]["ship"]["velocity"][0]),
+        thickness=setup["bodies"]["sheet"]["shape"]["box"]["size"][2],
+        strength=report["bodies"]["sheet"]["failure"]["flexural_strength [Pa]"],
+        friction=setup["contact"]["impactors"]["friction"],
+    )
+
+
+def finished(folder):
+    file = Path(folder) / "run.json"
+    return file.exists() and json.loads(file.read_text())["outcome"] == "finished"
+
+
+def table(folder, names):
+    print("| run | V [m/s] | H [m] | σ_f [MPa] | first blow [MN] | mean [kN] | largest 1 s [kN] | through-cracks | R_c + R_b | R (Lindqvist) | Riska | H_B |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|---|")
+    for name in names:
+        ship, run = ship_of(folder / name), measure(folder / name)
+        formulas = " | ".join(f"{force(ship) / 1e3:.0f}" for _, _, force in FORMULAS)
+        print(f"| {name} | {ship.speed:.2f} | {ship.thickness:g} | {ship.strength / 1e6:.2f} | {run['first peak'] / 1e6:.2f} | {run['mean of all'] / 1e3:.0f}"
+              f" | {run['largest 1 s'] / 1e3:.0f} | {run['cracks']} | {formulas} |")
+
+
+def draw(folder, file):
+    figure, axes = plt.subplots(1, len(SWEEPS), figsize=(12.5, 4.3), sharey=True)
+    base = ship_of(folder / "deck")
+    for axis, (field, label, unit, names) in zip(axes, SWEEPS):
+        runs = [(getattr(ship_of(folder / name), field), measure(folder / name)["mean of all"]) for name in names if finished(folder / name)]
+        values = np.array(sorted(runs))
+        line = np.linspace(0.8 * values[:, 0].min(), 1.1 * values[:, 0].max(), 60)
+        for name, colour, force in FORMULAS:
+            axis.plot(line / unit, [force(replace(base, **{field: value})) / 1e6 for value in line], color=colour, label=name)
+        axis.plot(values[:, 0] / unit, values[:, 1] / 1e6, "o-", color="#20506e", linewidth=2, label="runs, mean over 20 m")
+        axis.set_xlabel(label)
+        axis.set_ylim(bottom=0)
+    axes[0].set_ylabel("resistance without friction [MN]")
+    axes[0].legend(fontsize=9)
+    figure.tight_layout()
+    figure.savefig(file, dpi=85)
+
+
+def main():
+    folder = Path(sys.argv[1])
+    order = [name for *_, names in SWEEPS for name in names]
+    table(folder, [name for name in dict.fromkeys(order) if finished(folder / name)])
+    draw(folder, HERE / "figures" / "sweeps.png")
+
+
+if __name__ == "__main__":
+    main()

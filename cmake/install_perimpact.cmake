@@ -1,0 +1,62 @@
+# What `cmake --install` puts where, beside fccda (install_fccda.cmake), and the Debian packages that CPack makes of it:
+#
+#   bin/perimpact
+#   share/perimpact/cases/                          to look at, copy and run
+#   share/perimpact/docs/guide/deck.schema.json     where the first line of each case's deck says
+#   share/doc/perimpact/html/index.html             where scripts/build_docs.sh has been run before
+#   share/man/man1/perimpact.1.gz
+include(GNUInstallDirs)
+
+set(shared ${CMAKE_INSTALL_DATADIR}/perimpact)
+install(TARGETS perimpact COMPONENT perimpact)
+install(DIRECTORY cases/ DESTINATION ${shared}/cases COMPONENT perimpact USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+install(FILES docs/guide/deck.schema.json DESTINATION ${shared}/docs/guide COMPONENT perimpact)
+install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/build/docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/perimpact/html COMPONENT perimpact OPTIONAL
+  PATTERN .buildinfo EXCLUDE PATTERN objects.inv EXCLUDE)
+
+# Debian wants manual page and changelog packed, without the time of packing in them.
+find_program(GZIP gzip REQUIRED)
+set(packed ${CMAKE_CURRENT_BINARY_DIR}/packed)
+file(MAKE_DIRECTORY ${packed})
+foreach(file packaging/perimpact.1 CHANGELOG.md)
+  get_filename_component(name ${file} NAME)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  execute_process(COMMAND ${GZIP} -9nc ${CMAKE_CURRENT_SOURCE_DIR}/${file} OUTPUT_FILE ${packed}/${name}.gz COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+install(FILES ${packed}/perimpact.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT perimpact)
+foreach(component perimpact fccda)
+  string(REPLACE fccda libfccda-dev package ${component})
+  install(FILES packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+  install(FILES ${packed}/CHANGELOG.md.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME changelog.gz COMPONENT ${component})
+endforeach()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME perimpact)
+set(CPACK_PACKAGE_VENDOR "the perimpact authors")
+set(CPACK_PACKAGE_CONTACT "The perimpact authors <perimpact@localhost>")
+set(CPACK_COMPONENTS_ALL perimpact fccda)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # what the program links, by dpkg-shlibdeps
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PERIMPACT_PACKAGE_NAME perimpact)
+set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "paraview, gmsh, python3-numpy, python3-matplotlib, libfccda-dev")
+set(CPACK_COMPONENT_PERIMPACT_DESCRIPTION "peridynamic bodies struck by rigid bodies of any shape
+ Deformable, breaking bodies (ice first) are struck by rigid bodies given as
+ surfaces of panels. The material is peridynamic: particles and bonds. Contact
+ is found along the whole path of every particle.
+ .
+ The program needs a processor with AVX2 (x86-64-v3).")
+set(CPACK_DEBIAN_FCCDA_PACKAGE_NAME libfccda-dev)
+set(CPACK_DEBIAN_FCCDA_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_FCCDA_PACKAGE_DEPENDS "zlib1g-dev, libc6-dev")
+set(CPACK_COMPONENT_FCCDA_DESCRIPTION "contact of points with moving rigid surfaces (development files)
+ Static library, headers and CMake package of fccda: points, each with a
+ position at both ends of a time step, against rigid surfaces of panels.
+ For particle and finite-element codes.
+ .
+ The library needs a processor with AVX2 (x86-64-v3).")
+include(CPack)

@@ -1,0 +1,67 @@
+"""How Sphinx makes the site of the Markdown pages (scripts/build_docs.sh). The pages know nothing of it: they are plain Markdown with links
+between files, and read as well without it."""
+
+import re
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+FRONT = "docs/index"
+
+project = "perimpact"
+copyright = "the perimpact authors, BSD 3-Clause"
+release = re.search(r"project\(perimpact VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+
+# What is under each heading of the navigation, in order.
+NAVIGATION = {
+    "Guide": [
+        "guide/getting_started", "guide/install", "guide/solids", "guide/own_material", "guide/own_surface", "guide/shapes", "guide/surface_formats",
+        "guide/real_surfaces", "guide/spacing_and_layers", "guide/regions", "guide/results", "guide/loads", "guide/resume",
+        "guide/what_went_wrong", "guide/diagnoses", "guide/errors", "guide/deck_reference"],
+    "Cases": [
+        f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_paddle", "floating_strip",
+                                             "crack_branching", "kalthoff_winkler")],
+    "Theory": [
+        f"theory/{name}" for name in ("ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary", "water", "ice",
+                                      "contact", "response", "short_range", "energy", "remesh", "convergence", "detection_evidence", "floating_strip",
+                                      "resistance", "readings", "glossary")],
+    "Library": ["library/README", "library/reference"],
+    "Developer": ["developer/structure", "developer/testing", "/benchmarks/README", "/CHANGELOG"],
+}
+
+extensions = ["myst_parser"]
+root_doc = FRONT
+include_patterns = ["docs/**.md", "cases/*/README.md", "benchmarks/README.md", "README.md", "CHANGELOG.md"] + [
+    f"{folder}/**.md" for folder in ("validation", "python", "report") if (ROOT / folder).is_dir()]
+source_suffix = {".md": "markdown"}
+myst_heading_anchors = 4
+highlight_language = "none"  # formulas stand in plain blocks
+suppress_warnings = ["misc.highlighting_failure"]  # code that leaves something out with "…"
+
+html_theme = "furo"
+html_title = f"perimpact {release}"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_extra_path = ["root"]
+html_copy_source = False
+html_show_sphinx = False
+
+
+def setup(app):
+    app.connect("source-read", add_navigation)
+    app.connect("source-read", show_headers)
+
+
+def add_navigation(app, page, source):
+    """The front page gets the navigation, and the pages that stand nowhere in it are no orphans."""
+    listed = {each for pages in NAVIGATION.values() for each in pages}
+    if page == FRONT:
+        for heading, pages in NAVIGATION.items():
+            source[0] += f"\n\n```{{toctree}}\n:hidden:\n:caption: {heading}\n\n" + "\n".join(pages) + "\n```\n"
+    elif "/" + page not in listed and page.removeprefix("docs/") not in listed:
+        source[0] = "---\norphan: true\n---\n" + source[0]
+
+
+def show_headers(app, page, source):
+    """A link to a header that stands alone on its line is followed by the header itself, as it is."""
+    if page == "docs/library/reference":
+        source[0] = re.sub(r"^\[[\w/]+\.hpp\]\((\S+)\)$", r"\g<0>\n\n```{literalinclude} \1\n:language: cpp\n```", source[0], flags=re.MULTILINE)

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Builds the Debian packages, build/package/perimpact_*.deb and libfccda-dev_*.deb, with the documentation in the first.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+scripts/install_dependencies.sh package
+scripts/build_docs.sh
+cmake --preset package >/dev/null
+cmake --build --preset package
+(cd build/package && cpack -G DEB >/dev/null)
+ls -1 build/package/*.deb

@@ -1,0 +1,52 @@
+"""new: a deck to start from."""
+
+from claims import claim, main
+
+STARTERS = ("plate", "ship", "propeller")
+
+
+@claim("new: each deck passes check without a warning that it does not explain, and runs its first steps")
+def _(t):
+    for name in STARTERS:
+        t.assertIn(f"perimpact run {name}.yaml", t.expect_success("new", name).out)
+        checked = t.expect_success("check", f"{name}.yaml")
+        warnings = [line for line in checked.out.splitlines() if line.startswith("warning: ")]
+        t.assertEqual(len(warnings), 1 if name == "propeller" else 0, warnings)
+        t.assertTrue(all("components whose bounding boxes meet" in each for each in warnings), warnings)
+        end = {"plate": "4 us", "ship": "20 ms", "propeller": "40 us"}[name]
+        t.expect_success("run", f"{name}.yaml", "--threads", "1", "--set", f"time.end={end}", "--set", "output.frames=1", "--set", f"output.history={end}")
+        t.assertEqual(t.report(f"results/{name}")["outcome"], "finished", name)
+
+
+@claim("new: the first line names the schema, which lies beside the deck and is that of the program")
+def _(t):
+    (t.folder / "mine").mkdir()
+    t.expect_success("new", "plate", "mine/first.yaml")
+    first = (t.folder / "mine/first.yaml").read_text().splitlines()[0]
+    t.assertEqual(first, "# yaml-language-server: $schema=perimpact.schema.json")
+    t.assertEqual((t.folder / "mine/perimpact.schema.json").read_text(), t.expect_success("describe", "--schema").out)
+
+
+@claim("new: what is there stays as it is without --force, the deck as the schema")
+def _(t):
+    deck, schema = t.folder / "plate.yaml", t.folder / "perimpact.schema.json"
+    deck.write_text("mine")
+    t.expect_complaint(t.run_program("new", "plate"), 2, "plate.yaml is there already and stays as it is; ", "--force")
+    t.assertEqual((deck.read_text(), schema.exists()), ("mine", False))
+    schema.write_text("mine too")
+    t.assertIn("perimpact.schema.json was there and stays", t.expect_success("new", "ship").out)
+    t.assertEqual(schema.read_text(), "mine too")
+    t.expect_success("new", "plate", "--force")
+    t.assertNotEqual((deck.read_text(), schema.read_text()), ("mine", "mine too"))
+
+
+@claim("new: an unknown deck and a place where nothing can be written are one sentence each")
+def _(t):
+    t.expect_complaint(t.run_program("new", "plat"), 2, "there is no deck plat to start from; did you mean plate?")
+    t.expect_complaint(t.run_program("new", "tank"), 2, "there is no deck tank to start from; known here: plate, propeller, ship.")
+    t.expect_complaint(t.run_program("new", "ship", "far/away.yaml"), 2, "far/away.yaml cannot be written: there is no folder far. Make it first")
+    t.expect_complaint(t.run_program("new", "ship", "."), 2, ". is there already")
+    t.assertEqual(t.files("."), [])
+
+
+main()
