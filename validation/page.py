@@ -1,5 +1,6 @@
 """The page docs/validation.md, from the numbers of all topics."""
 
+import re
 from importlib import import_module
 
 from rows import read_numbers
@@ -53,8 +54,8 @@ def summary(numbers):
     for topic in TOPICS:
         own, rows = of_topic(topic, numbers), module(topic).rows()
         passed = sum(row.passes(own) for row in rows)
-        gathered = "from the tables of another page" if hasattr(module(topic), "gathered") else "minutes"
-        takes = gathered if "takes" not in own else f"{own['takes'] / 60:.1f} min of one processor" if own["takes"] > 60 else f"{own['takes']:.0f} s of one processor"
+        untimed = "minutes" if hasattr(module(topic), "measure") else "from the tables of another page"
+        takes = untimed if "takes" not in own else f"{own['takes'] / 60:.1f} min of one processor" if own["takes"] > 60 else f"{own['takes']:.0f} s of one processor"
         title = module(topic).TITLE
         lines.append(f"| [{title}](#{anchor(title)}) | {len(rows)} | {passed} | {takes}{', *long*' if module(topic).LONG else ''} |")
     return lines
@@ -67,7 +68,8 @@ def anchor(title):
 def section(topic, numbers):
     own, of = of_topic(topic, numbers), module(topic)
     command = getattr(of, "COMMAND", f"validation/run.sh {'--long ' if of.LONG else ''}{topic}")
-    lines = ["", f"## {of.TITLE}", "", f"    {command}", "", *of.text(own).splitlines(), ""]
+    text = re.sub(r"(?<=[\s|(])-(?=\d)", "−", of.text(own))
+    lines = ["", f"## {of.TITLE}", "", f"    {command}", "", *text.splitlines(), ""]
     lines += ["| claim | source | ours | wanted | reason of the tolerance | |", "|---|---|---|---|---|---|"]
     return lines + [row.line(own) for row in of.rows()]
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from rows import shown
+from topics.plate import FINE
 
 CONFIRMED, LIMITS, NOT = "confirmed", "confirmed with limits", "not confirmed"
 
@@ -19,7 +20,7 @@ def conclusions(n):
     def count(name):
         return shown(n[name], "count")
 
-    signed = f"{100 * (n['plate.centre'] / n['plate.fem_1mm centre'] - 1):+.2f}".replace("-", "−")
+    signed = f"{100 * (n['plate.centre'] / n[f'plate.fem_{FINE}mm centre'] - 1):+.2f}".replace("-", "−")
     return [
         Conclusion(
             "1. The contact algorithm can accurately simulate the collision problem in peridynamics",

@@ -10,6 +10,7 @@ TITLE = "The plate benchmark"
 LONG = False
 DECK = "cases/plate_impact/deck.yaml"
 FEM = ROOT / "validation/plate"
+FINE, COARSE = 2, 4  # [mm] elements that are compared with, and those that tell how far they are converged
 SAGITTA = 1e-3**2 / (8 * 0.025)  # [m] that a panel of 1 mm lies below the cylinder at most
 ANALYTIC = ("contact.impactors.detector=analytic", "output.frames=1")
 RUNS = {"panel_1mm": ("output.frames=1",), "analytic": ANALYTIC, "original": (*ANALYTIC, "contact.impactors.radius_ratio=0")}
@@ -60,7 +61,7 @@ def line_apart(folder, name, reference):
 def reference():
     """What finite elements gave: committed, and made anew by the topic fem."""
     numbers = {}
-    for name in ("fem_1mm", "fem_2mm", "fem_2mm_gap", "fem_2mm_late"):
+    for name in (f"fem_{FINE}mm", f"fem_{COARSE}mm", "fem_2mm", "fem_2mm_gap", "fem_2mm_late"):
         numbers |= {f"{name} {quantity}": value for quantity, value in values(read_columns(FEM / f"{name}.csv")).items()}
     lost = {name: read_columns(FEM / f"{name}.csv")["contact loss [J]"][-1] for name in ("fem_2mm", "fem_2mm_late")}
     return numbers | {"late gain": lost["fem_2mm"] - lost["fem_2mm_late"]}
@@ -72,15 +73,15 @@ gathered = reference
 def measure(runner):
     folders = {name: runner.run("plate", name, DECK, *settings) for name, settings in RUNS.items()}
     histories = {name: read_columns(folder / "history.csv") for name, folder in folders.items()}
-    fem, gap = read_columns(FEM / "fem_1mm.csv"), read_columns(FEM / "fem_2mm_gap.csv")
+    fem, gap = read_columns(FEM / f"fem_{FINE}mm.csv"), read_columns(FEM / "fem_2mm_gap.csv")
     meshed, original = histories["panel_1mm"], histories["original"]
     numbers = values(meshed)
     momentum = meshed["total.momentum_y [kg m/s]"]
     numbers |= {
         "centre, all times": apart(meshed, fem, CENTRE) / abs(fem[CENTRE][-1]),
         "velocity, all times": apart(meshed, fem, V),
-        "line x": line_apart(folders["panel_1mm"], "x", read_columns(FEM / "fem_1mm_line_x.csv")) / abs(fem[CENTRE][-1]),
-        "line y": line_apart(folders["panel_1mm"], "y", read_columns(FEM / "fem_1mm_line_y.csv")) / abs(fem[CENTRE][-1]),
+        "line x": line_apart(folders["panel_1mm"], "x", read_columns(FEM / f"fem_{FINE}mm_line_x.csv")) / abs(fem[CENTRE][-1]),
+        "line y": line_apart(folders["panel_1mm"], "y", read_columns(FEM / f"fem_{FINE}mm_line_y.csv")) / abs(fem[CENTRE][-1]),
         "momentum": max(abs(p / momentum[0] - 1) for p in momentum),
         "contact loss": meshed["total.contact_loss [J]"][-1],
         "from analytic": max(apart(meshed, histories["analytic"], column) for column in (CENTRE, Y)),
@@ -95,12 +96,12 @@ def measure(runner):
 
 def text(n):
     return f"""Section 5 of the paper: a rigid cylinder strikes the edge of an elastic plate at 32 m/s. The paper compares with Abaqus, by curves without
-numbers. Finite elements are therefore computed here, by dolfinx (3-D, finite strain, elements of 1 mm, contact by Lagrange multipliers:
+numbers. Finite elements are therefore computed here, by dolfinx (3-D, finite strain, elements of {FINE} mm, contact by Lagrange multipliers:
 [validation/plate/fem.py](../validation/plate/fem.py); how far they are converged is [below](#finite-elements)).
 
 ![Centre of the plate, velocity of the cylinder, force, and displacement of the cylinder, against time: all curves](../validation/figures/plate.png)
 
-Three curves of perimpact: the deck (panels of 1 mm, contact where the material ends, half a spacing outside its outermost particles), the original
+The paper's figures 13 to 17, redrawn: [plate_impact](../cases/plate_impact/README.md#figures). Three curves of perimpact: the deck (panels of 1 mm, contact where the material ends, half a spacing outside its outermost particles), the original
 method of peridynamics with the same contact radius (`analytic`: no panels, the cylinder's axis is known), and the original method to the letter, with contact where centres of
 particles enter. What differs from what:
 
@@ -110,20 +111,20 @@ particles enter. What differs from what:
 - **response**: in perimpact, as in the paper, the impactor moves with the velocity that it had before it was pushed. That gives it energy, of first
   order in the step ([energy](theory/energy.md)): here {-n["contact loss"]:.2f} J of 803.84 J. Finite elements whose cylinder feels the push as late gain {n["late gain"]:.2f} J with twice the
   step, and end with {n["fem_2mm_late v200"]:.2f} m/s instead of {n["fem_2mm v200"]:.2f} m/s, the centre {1e3 * (n["fem_2mm_late centre"] - n["fem_2mm centre"]):+.3f} mm further: at this step it hardly matters;
-- **mesh**: the velocity at the end is what depends on it most, in finite elements too: {n["fem_2mm v200"]:.2f} m/s with 2 mm, {n["fem_1mm v200"]:.2f} m/s with 1 mm."""
+- **mesh**: the velocity at the end is what depends on it most, in finite elements too: {n[f"fem_{COARSE}mm v200"]:.2f} m/s with {COARSE} mm, {n[f"fem_{FINE}mm v200"]:.2f} m/s with {FINE} mm."""
 
 
 def rows():
     n = reference()
-    fem, gap = "finite elements, dolfinx, 1 mm", "finite elements, dolfinx, 2 mm, gap of 0.5 mm"
+    fem, gap = f"finite elements, dolfinx, {FINE} mm", "finite elements, dolfinx, 2 mm, gap of 0.5 mm"
     plane = "a modulus 10 % too small would show, it changes both by 1 to 2 %"
     return [
-        Row("displacement of the plate's centre at 200 µs", fem, "centre", "mm", Within(n["fem_1mm centre"], 0.01, True), "half a microsecond of delay; " + plane),
-        Row("displacement of the cylinder at 200 µs", fem, "cylinder", "mm", Within(n["fem_1mm cylinder"], 0.015, True), "panels of 1 mm lie 5 µm below the cylinder, 0.2 %; " + plane),
-        Row("velocity of the cylinder at 50 µs", fem, "v50", "m/s", Within(n["fem_1mm v50"], 0.4), "0.9 µs of delay at the largest force"),
-        Row("velocity of the cylinder at 200 µs", fem, "v200", "m/s", Within(n["fem_1mm v200"], 0.2), "waves that come back decide the last µs of contact; finite elements of 4 and 2 mm differ by as much"),
-        Row("largest force, mean over 1 µs", fem, "force", "MN", Within(n["fem_1mm force"], 0.03, True), "single pushes within a microsecond"),
-        Row("end of contact", fem, "end", "µs", Within(n["fem_1mm end"], 2e-6), "force fades out: rows of 1 µs, on either side"),
+        Row("displacement of the plate's centre at 200 µs", fem, "centre", "mm", Within(n[f'fem_{FINE}mm centre'], 0.01, True), "half a microsecond of delay; " + plane),
+        Row("displacement of the cylinder at 200 µs", fem, "cylinder", "mm", Within(n[f'fem_{FINE}mm cylinder'], 0.015, True), "panels of 1 mm lie 5 µm below the cylinder, 0.2 %; " + plane),
+        Row("velocity of the cylinder at 50 µs", fem, "v50", "m/s", Within(n[f'fem_{FINE}mm v50'], 0.4), "0.9 µs of delay at the largest force"),
+        Row("velocity of the cylinder at 200 µs", fem, "v200", "m/s", Within(n[f'fem_{FINE}mm v200'], 0.2), "waves that come back decide the last µs of contact; finite elements of 4 and 2 mm differ by as much"),
+        Row("largest force, mean over 1 µs", fem, "force", "MN", Within(n[f'fem_{FINE}mm force'], 0.03, True), "single pushes within a microsecond"),
+        Row("end of contact", fem, "end", "µs", Within(n[f'fem_{FINE}mm end'], 2e-6), "force fades out: rows of 1 µs, on either side"),
         Row("centre over all times, of its last", fem, "centre, all times", "%", AtMost(0.01), "as at 200 µs"),
         Row("velocity over all times", fem, "velocity, all times", "m/s", AtMost(0.4), "0.9 µs of delay at the largest force"),
         Row("central line along x at 200 µs", fem, "line x", "%", AtMost(0.01), "as the centre"),
