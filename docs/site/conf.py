@@ -25,6 +25,7 @@ NAVIGATION = {
                                       "contact", "response", "short_range", "energy", "remesh", "convergence", "detection_evidence", "floating_strip",
                                       "resistance", "readings", "glossary")],
     "Library": ["library/README", "library/reference"],
+    "Validation": ["validation"],
     "Developer": ["developer/structure", "developer/testing", "/benchmarks/README", "/CHANGELOG"],
 }
 
