@@ -1,6 +1,7 @@
 /// The pictures of a results folder as a report holds them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
