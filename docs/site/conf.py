@@ -24,6 +24,7 @@ NAVIGATION = {
         f"theory/{name}" for name in ("ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary", "water", "ice",
                                       "contact", "response", "short_range", "energy", "remesh", "convergence", "detection_evidence", "floating_strip",
                                       "resistance", "readings", "glossary")],
+    "Validation": ["validation", "/validation/README"],
     "Library": ["library/README", "library/reference"],
     "Validation": ["validation"],
     "Developer": ["developer/structure", "developer/testing", "/benchmarks/README", "/CHANGELOG"],

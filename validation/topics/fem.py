@@ -66,5 +66,5 @@ def rows():
         Row("energy closes (largest error of all rows)", "energy of the cylinder at first", "closing", "small", AtMost(1e-5), "central differences: of second order in the step, and kept to 1e-6 with steps of half the limit"),
         Row("centre, against plane-stress elements of 1 mm", "[reference_fem.py](../cases/plate_impact/reference_fem.py), numpy", "centre, plane", "%", Within(0, 0.01), "a plate of 9 mm is nearly in plane stress; linear elasticity, where the edge is pressed by some per cent; another contact"),
         Row("velocity at the end, against the same", "[reference_fem.py](../cases/plate_impact/reference_fem.py), numpy", "velocity, plane", "m/s", Within(0, 0.2), "linear elasticity, another contact, finer elements"),
-        Row("made anew they are those committed (largest difference of the centre)", "[validation/plate](../validation/plate)", "again", "nm", AtMost(1e-8), "the seven digits that are written, of 5 mm"),
+        Row("made anew they are those committed (largest difference of the centre)", "[validation](../validation/README.md)", "again", "nm", AtMost(1e-8), "the seven digits that are written, of 5 mm"),
     ]  # fmt: skip
