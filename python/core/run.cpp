@@ -9,6 +9,7 @@
 #include "held_interrupts.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/output/results_folder.hpp"
+#include "io/report/report.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
 namespace perimpact::python {
@@ -213,6 +214,7 @@ void Run::write_results(const std::optional<std::string>& folder, bool resume) {
     std::optional<Checkpoint> earlier;
     if (resume) earlier.emplace(checkpoint).expect_deck(setup());
     output::prepare_folder(path);
+    results_folder_ = path;
     checkpoints_.emplace(checkpoint, *simulation_);
     if (!earlier) {
       results_.emplace(*simulation_, path);
@@ -229,6 +231,7 @@ void Run::close_results() {
   checkpoints_->write(*simulation_, *results_);
   results_->finish(*simulation_, simulation_->clock().is_finished() ? Outcome::finished : Outcome::interrupted, "", seconds_);
   results_.reset();
+  report::write_report(results_folder_);
 }
 
 }  // namespace perimpact::python

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,6 +63,7 @@ class Run : public std::enable_shared_from_this<Run> {
   std::vector<std::vector<double>> rows_;
   std::optional<Checkpoints> checkpoints_;
   std::optional<ResultsWriter> results_;
+  std::filesystem::path results_folder_;
   double seconds_ = 0;    // on the wall, spent in steps
   bool is_busy_ = false;  // in a step
   bool is_whole_ = true;  // no step was left by an exception

@@ -310,11 +310,12 @@ callback(simulation) is called after each `every` steps; where it returns False 
 Other threads of Python go on meanwhile, and Ctrl-C ends the run after a whole step.)")
       .def(
           "write_results", &Run::write_results, "folder"_a = py::none(), "resume"_a = false,
-          R"(From now on writes what the command line writes, into `folder`, or output.folder of the set-up: history, frames, checkpoints, and run.json at the end.
+          R"(From now on writes what the command line writes, into `folder`, or output.folder of the set-up: history, frames, checkpoints, and run.json and report.html at the end.
 
 To be called before the first step. resume: goes on from the checkpoint in the folder, as `perimpact run --resume` does.)")
-      .def("close_results", &Run::close_results,
-           "Writes a checkpoint and run.json of a run that is not over and will not be gone on with here; `write_results(resume=True)` does later.")
+      .def(
+          "close_results", &Run::close_results,
+          "Writes a checkpoint, run.json and report.html of a run that is not over and will not be gone on with here; `write_results(resume=True)` does later.")
       .def_property_readonly(
           "title", [](const Run& run) { return run.setup().title; }, "The title of the set-up.")
       .def_property_readonly(
