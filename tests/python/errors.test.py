@@ -127,6 +127,7 @@ def too_late(test):
 @claim("Ctrl-C ends a run after a whole step, other threads of Python go on meanwhile, and the run can be gone on with")
 def interrupted(test):
     setup = copy.deepcopy(package.SETUP)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # where the tests run in the background, it is ignored
     setup["time"] = {"end": 4e-3, "step": 2e-7}  # 20000 steps, some seconds
     setup["impactors"]["cylinder"]["velocity"] = [0, 0, 0]
 
