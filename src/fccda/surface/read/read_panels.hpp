@@ -11,8 +11,8 @@
 
 namespace fccda {
 
-/// Panels in memory of that name (panels_in_memory.hpp), or of a file in the format that its extension names (with `.gz` behind it where packed), in the file's units and in double
-/// precision (CAD files in metres); all parts, or those named. Of solid elements the skin. Throws InputError, one sentence with the file
+/// Panels in memory of that name (panels_in_memory.hpp), or of a file in the format that its extension names (with `.gz` behind it where packed), in the file's
+/// units and in double precision (CAD files in metres); all parts, or those named. Of solid elements the skin. Throws InputError, one sentence with the file
 /// and the line, byte or triangle, where there is nothing to read or the contents are damaged. Needs memory of a few times the file's (unpacked)
 /// size, whatever the file says of itself. Throws RunError where the program that meshes CAD files cannot be run: no temporary folder, or no
 /// room in it, or no new process.
