@@ -51,6 +51,7 @@ function rangeShown(values: Float32Array[]): Range {
   if (range.value === "given" && low.value !== "" && high.value !== "") return { low: Number(low.value), high: Number(high.value) };
   const { key, kind } = quantity();
   const found = range.value === "picture" ? joined(values.map(rangeOf)) : joined(bodies.map((body) => body.rangeOfRun(key)));
+  if (kind === "magnitude" && range.value === "run") return { low: 0, high: found.high };
   if (kind !== "signed") return found;
   const largest = Math.max(Math.abs(found.low), Math.abs(found.high));
   return { low: -largest, high: largest };

@@ -75,7 +75,8 @@ ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std:
   const auto remove_from = [earlier](const fs::path& from, const auto& is_ours) {
     std::vector<fs::path> files = our_files(from, is_ours);
     if (earlier == EarlierRun::continued)
-      std::erase_if(files, [](const fs::path& file) { return file.extension() != ".part" && file.filename() != "run.json" && file.filename() != "report.html"; });
+      std::erase_if(files,
+                    [](const fs::path& file) { return file.extension() != ".part" && file.filename() != "run.json" && file.filename() != "report.html"; });
     remove(files);
   };
   // the checkpoint first: what it goes on from must not be there without the rest
