@@ -1,33 +1,11 @@
 """Dynamic fracture: a plate struck between two notches, and a crack that branches."""
 
-import re
-
 from rows import AtMost, Row, expected_rows
 from runner import ROOT, script_of
 
 TITLE = "Cracks: Kalthoff and Winkler, and a crack that branches"
 LONG = True
 KALTHOFF, BRANCHING = "cases/kalthoff_winkler", "cases/crack_branching"
-
-
-# where the page of a case tells its numbers: (a line of its table begins so, its column, unit in SI)
-TOLD = {
-    "kalthoff angle": ("angle of the cracks", 1, 1), "kalthoff angle right minus left": ("right minus left", 1, 1), "kalthoff starts": ("first bond breaks", 1, 1e-6),
-    "kalthoff projectile at 65 us": ("projectile at 65", 1, -1), "kalthoff length": ("from the notch to the crack's end", 1, 1e-3),
-    "branching starts": ("the crack starts", 1, 1e-6), "branching branches at": ("it branches", 1, 1e-3), "branching branches": ("at ", 1, 1e-6),
-    "branching far edge": ("the branches reach", 1, 1e-6), "branching exit": ("so far from the middle", 1, 1e-3), "branching exit up minus down": ("upper minus lower branch", 1, 1),
-    "branching mean speed": ("mean speed", 1, 1e3),
-}  # fmt: skip
-
-
-def gathered():
-    """Of the last run of each case, as its page has it."""
-    pages = {"kalthoff": (ROOT / KALTHOFF / "README.md").read_text(), "branching": (ROOT / BRANCHING / "README.md").read_text()}
-    found = {}
-    for name, (begins, column, unit) in TOLD.items():
-        line = re.search(rf"^\| {re.escape(begins)}.*$", pages[name.split(" ")[0]], re.MULTILINE)[0]
-        found[name] = unit * float(re.match(r"[-+.0-9e]+", line.split("|")[1 + column].strip())[0])
-    return found
 
 
 def measure(runner):
@@ -43,7 +21,7 @@ def measure(runner):
 def text(n):
     return f"""[Kalthoff and Winkler](../cases/kalthoff_winkler/README.md): a projectile strikes a plate between two notches, and a crack runs from each at an angle; what it
 depends on is measured there, the fracture energy above all. [Crack branching](../cases/crack_branching/README.md): glass under tension, against an independent program of one page of numpy
-([reference.py](../cases/crack_branching/reference.py)). Numbers are those that the pages of the cases tell of their decks, where they are not measured anew."""
+([reference.py](../cases/crack_branching/reference.py))."""
 
 
 def rows():
