@@ -60,7 +60,7 @@ def table(folder, names):
 
 
 def draw(folder, file):
-    figure, axes = plt.subplots(1, len(SWEEPS), figsize=(12.5, 4.3), sharey=True)
+    figure, axes = plt.subplots(1, len(SWEEPS), figsize=(12.5, 4.6), sharey=True)
     base = ship_of(folder / "deck")
     for axis, (field, label, unit, names) in zip(axes, SWEEPS):
         runs = [(getattr(ship_of(folder / name), field), measure(folder / name)["mean of all"]) for name in names if finished(folder / name)]
@@ -70,10 +70,10 @@ def draw(folder, file):
             axis.plot(line / unit, [force(replace(base, **{field: value})) / 1e6 for value in line], color=colour, label=name)
         axis.plot(values[:, 0] / unit, values[:, 1] / 1e6, "o-", color="#20506e", linewidth=2, label="runs, mean over 20 m")
         axis.set_xlabel(label)
-        axis.set_ylim(bottom=0)
     axes[0].set_ylabel("resistance without friction [MN]")
-    axes[0].legend(fontsize=9)
-    figure.tight_layout()
+    axes[0].set_ylim(0, 5.5)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="upper center", ncol=5, fontsize=9, frameon=False)
+    figure.tight_layout(rect=(0, 0, 1, 0.94))
     figure.savefig(file, dpi=85)
 
 
