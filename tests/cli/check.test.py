@@ -59,7 +59,7 @@ def _(t):
     t.assertIn(f"  {'':<18}top: {parts['top']['panels']} panels", out)
 
 
-@claim("check: a density warns where parts of the surface may overlap, because what they share counts twice")
+@claim("check: a density warns where parts of the surface may overlap, because what they share counts twice, unless contact moves the impactor nowhere")
 def _(t):
     def cube(low):
         corners = [[low + (v >> axis & 1) * 0.02 for axis in range(3)] for v in range(8)]
@@ -72,6 +72,8 @@ def _(t):
         (t.folder / "cubes.obj").write_text("\n".join(lines))
         out = t.expect_success("check", t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000")), "--out", "r").out
         t.assertEqual("warning: The surface of cylinder has 2 components whose bounding boxes meet" in out, warns, out)
+        held = t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000"), ("free: [y]", "free: []"))
+        t.assertNotIn("bounding boxes meet", t.expect_success("check", held, "--out", "r").out)
 
 
 @claim("check: the first contact of an impactor that tables or loads move is not foretold")

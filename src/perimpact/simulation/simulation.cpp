@@ -151,7 +151,8 @@ void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, s
   for (std::size_t i = 0; i < impactors.size(); ++i) {
     const fccda::Surface& surface = impactors[i].surface();
     const std::size_t count = surface.report().may_overlap;
-    if (count > 0 && surface.is_closed() && is_weighed_by_volume(setup.impactors[i]))
+    const bool is_moved_by_contact = !setup.impactors[i].free.empty();  // the mass of others is only told
+    if (count > 0 && surface.is_closed() && is_moved_by_contact && is_weighed_by_volume(setup.impactors[i]))
       warnings.push_back(
           fmt::format("The surface of {} has {} components whose bounding boxes meet: where they overlap, what they share counts twice in mass, centre of mass "
                       "and inertia. If they do overlap, give mass, centre_of_mass and inertia.",
