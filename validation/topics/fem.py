@@ -9,7 +9,7 @@ from topics.plate import CENTRE, COARSE, FEM, FINE, TIME, V, at, values
 
 TITLE = "Finite elements"
 LONG = True
-RUNS = {"fem_4mm": ("--size", "4"), "fem_2mm": ("--size", "2"), "fem_2mm_gap": ("--size", "2", "--gap", "0.5"),
+RUNS = {"fem_4mm": ("--size", "4"), "fem_2mm": ("--size", "2"), "fem_1mm": ("--size", "1"), "fem_2mm_gap": ("--size", "2", "--gap", "0.5"),
         "fem_2mm_late": ("--size", "2", "--late")}  # fmt: skip
 FIRST = 1.57 * 32**2 / 2  # [J]
 

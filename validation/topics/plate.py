@@ -10,7 +10,7 @@ TITLE = "The plate benchmark"
 LONG = False
 DECK = "cases/plate_impact/deck.yaml"
 FEM = ROOT / "validation/plate"
-FINE, COARSE = 2, 4  # [mm] elements that are compared with, and those that tell how far they are converged
+FINE, COARSE = 1, 2  # [mm] elements that are compared with, and those that tell how far they are converged
 SAGITTA = 1e-3**2 / (8 * 0.025)  # [m] that a panel of 1 mm lies below the cylinder at most
 ANALYTIC = ("contact.impactors.detector=analytic", "output.frames=1")
 RUNS = {"panel_1mm": ("output.frames=1",), "analytic": ANALYTIC, "original": (*ANALYTIC, "contact.impactors.radius_ratio=0")}
