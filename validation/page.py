@@ -17,6 +17,7 @@ HEAD = """# Validation: what is claimed, what we found
     validation/run.sh plate ice_sphere       these topics only
     validation/run.sh --long                 all of them; those marked *long* take more
     validation/run.sh --update               the same, and puts numbers, page and figures into the tree
+    validation/run.sh --long --update        everything anew, with the tables of other pages that topics read: hours
 
 Each row has a claim, the source of what is wanted, our number, how far it may be off and why, and whether it is. A row
 that cannot fail is no row: a test moves every number out of its tolerance and sees the row fail. How the program is tested
@@ -67,7 +68,8 @@ def anchor(title):
 
 def section(topic, numbers):
     own, of = of_topic(topic, numbers), module(topic)
-    command = getattr(of, "COMMAND", f"validation/run.sh {'--long ' if of.LONG else ''}{topic}")
+    options = "--long --update " if hasattr(of, "TABLES") and not hasattr(of, "measure") else "--long " if of.LONG else ""
+    command = f"validation/run.sh {options}{topic}"
     text = re.sub(r"(?<=[\s|(])-(?=\d)", "−", of.text(own))
     lines = ["", f"## {of.TITLE}", "", f"    {command}", "", *text.splitlines(), ""]
     lines += ["| claim | source | ours | wanted | reason of the tolerance | |", "|---|---|---|---|---|---|"]

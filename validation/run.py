@@ -2,6 +2,7 @@
 
 import argparse
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -31,6 +32,15 @@ def measured(topic, runner):
     write_numbers(kept, numbers)
 
 
+def make_tables(topic, runner):
+    """Tables of other pages that the topic reads: their own programs write them, into the tree."""
+    for command in getattr(module(topic), "TABLES", ()):
+        command = command.format(perimpact=runner.program, results=runner.results)
+        print(f"  {command}", flush=True)
+        if subprocess.run(command, shell=True, cwd=ROOT).returncode:
+            fail(f"{topic}: this failed: {command}")
+
+
 def main():
     arguments = argparse.ArgumentParser(prog="validation/run.sh", description="Measures topics of docs/validation.md and writes the page.")
     arguments.add_argument("topics", nargs="*", metavar="TOPIC", help=f"of {', '.join(TOPICS)}; all but the long ones if none is named")
@@ -43,20 +53,22 @@ def main():
         if topic not in TOPICS:
             fail(f"there is no topic {topic}; the topics are: {', '.join(TOPICS)}")
     able = [topic for topic in TOPICS if hasattr(module(topic), "measure")]
-    chosen = given.topics or [topic for topic in able if given.long or not module(topic).LONG]
+    chosen = given.topics or [topic for topic in TOPICS if given.long or not module(topic).LONG]
     if not given.perimpact.exists():
         fail(f"{given.perimpact} is not there; ./run.sh or ./test.sh builds it, or give another with --perimpact")
 
     runner = Runner(given.perimpact, given.results)
     runner.results.mkdir(parents=True, exist_ok=True)
     for topic in chosen:
-        if topic not in able:
-            print(f"{topic}: its numbers come from another page's table; `{module(topic).COMMAND}` makes them anew")
-            continue
         if module(topic).LONG and not given.long:
             fail(f"{topic} takes long; give --long with it")
         print(topic, flush=True)
-        measured(topic, runner)
+        if given.long and given.update:
+            make_tables(topic, runner)
+        if topic in able:
+            measured(topic, runner)
+        elif not (given.long and given.update):
+            print("  its numbers stand in the table of another page, which --long --update makes anew")
 
     if given.update:
         for kept in runner.results.glob("*.csv"):

@@ -4,8 +4,8 @@ from rows import Row, Within, read_records
 from runner import ROOT
 
 TITLE = "A floating strip of ice breaks by bending"
-COMMAND = "docs/theory/floating_strip.py build/release/perimpact"
 TABLE = ROOT / "docs/theory/floating_strip.csv"
+TABLES = ("/usr/bin/python3 docs/theory/floating_strip.py {perimpact} {results}/floating_strip",)
 LONG = True
 
 
