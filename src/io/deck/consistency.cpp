@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "fccda/surface/panels_in_memory.hpp"
 #include "io/deck/consistency_boundary.hpp"
 #include "io/deck/consistency_fragments.hpp"
 #include "io/deck/consistency_impactor.hpp"
 #include "io/deck/consistency_material.hpp"
 #include "io/deck/consistency_solid.hpp"
+#include "io/deck/deck_file.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/yaml_node.hpp"
 
@@ -72,15 +72,6 @@ void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
            "normalise; remove normalisation.");
 }
 
-void find_file(FileSurface& surface, const std::string& path, const fs::path& folder, const Places& places) {
-  if (fccda::panels_in_memory(surface.file)) return;
-  const fs::path file = fs::absolute(folder / surface.file).lexically_normal();
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored))
-    refuse(places.of(path + ".surface.file"), fmt::format("there is no file {}; relative names start at the deck's folder.", file.string()));
-  surface.file = file.string();
-}
-
 bool is_fitted(const RegionSetup& region) {
   const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape);
   return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsRegionSetup>(region.shape) ||
@@ -110,7 +101,7 @@ void check_region(const RegionSetup& region, const std::string& path, const Plac
 
 void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Places& places) {
   const std::string path = "impactors." + impactor.name;
-  if (auto* file = std::get_if<FileSurface>(&impactor.surface)) find_file(*file, path, folder, places);
+  if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = full_path_of_surface(file->file, folder, places.of(path + ".surface.file"));
   check_region(impactor.region, path + ".region", places);
   std::set<std::string> seen;
   for (const std::string& direction : impactor.free) {

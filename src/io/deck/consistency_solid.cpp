@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "fccda/surface/panels_in_memory.hpp"
+#include "io/deck/deck_file.hpp"
 #include "io/deck/point_list.hpp"
 #include "io/deck/units.hpp"
 #include "io/deck/yaml_node.hpp"
@@ -17,19 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The full path of a file of the deck.
-std::string found(const std::string& file, const std::string& key, const fs::path& folder, const Places& places) {
-  const fs::path path = fs::absolute(folder / file).lexically_normal();
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored))
-    refuse(places.of(key), fmt::format("there is no file {}; relative names start at the deck's folder.", path.string()));
-  return path.string();
-}
-
 template <class Shape>
 void find_file(Shape& shape, const std::string& path, const fs::path& folder, const Places& places) {
-  auto* file = std::get_if<FileSolid>(&shape);
-  if (file && !fccda::panels_in_memory(file->file)) file->file = found(file->file, path + ".shape.file", folder, places);
+  if (auto* file = std::get_if<FileSolid>(&shape)) file->file = full_path_of_surface(file->file, folder, places.of(path + ".shape.file"));
 }
 
 void check_spacing_given(const BodySetup& body, const std::string& path, const Places& places) {
@@ -85,11 +75,11 @@ void make_cloud_consistent(BodySetup& body, const std::string& path, const fs::p
   brings_its_own("parts", !body.parts.empty(), "which has nothing that could be united with a solid");
   if (auto* cells = std::get_if<CellsShape>(&body.shape)) {
     check_thickness(cells->thickness, body.is_plane(), path + ".shape.cells", places);
-    cells->file = found(cells->file, path + ".shape.cells.file", folder, places);
+    cells->file = full_path(folder / cells->file, places.of(path + ".shape.cells.file"));
   } else if (auto* points = std::get_if<PointsShape>(&body.shape)) {
     check_thickness(points->thickness, body.is_plane(), path + ".shape.points", places);
     const std::string key = path + ".shape.points.file";
-    points->file = found(points->file, key, folder, places);
+    points->file = full_path(folder / points->file, places.of(key));
     if (points->is_vtk()) return;  // read where the body is filled
     PointList list = read_point_list(points->file, places.of(key));
     points->points = std::move(list.points);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/deck/did_you_mean.hpp"
+#include "io/deck/key_path.hpp"
 #include "io/deck/reference.hpp"
 #include "io/deck/yaml_node.hpp"
 
@@ -14,23 +15,16 @@ namespace perimpact::deck {
 
 namespace {
 
-std::vector<std::string_view> parts_of(std::string_view path) {
-  std::vector<std::string_view> parts;
-  for (std::size_t dot; (dot = path.find('.')) != std::string_view::npos; path.remove_prefix(dot + 1)) parts.push_back(path.substr(0, dot));
-  parts.push_back(path);
-  return parts;
-}
-
-using Parts = std::span<const std::string_view>;
+using Keys = std::span<const std::string_view>;
 
 /// Names in the path may be any in the query, or missing.
-bool matches(Parts path, Parts query) {
+bool matches(Keys path, Keys query) {
   if (path.empty()) return query.empty();
   if (path.front() == any_name) return matches(path.subspan(1), query) || (!query.empty() && matches(path.subspan(1), query.subspan(1)));
   return !query.empty() && query.front() == path.front() && matches(path.subspan(1), query.subspan(1));
 }
 
-bool ends_in(Parts path, Parts query) {
+bool ends_in(Keys path, Keys query) {
   for (std::size_t first = 0; first < path.size(); ++first) {
     if (path[first] != any_name && matches(path.subspan(first), query)) return true;
   }
@@ -48,20 +42,20 @@ std::string suggested_key(std::string_view key) {
 /// What the query names: entries of that whole path, or else those that end in it, or else the map of a name ("bodies.plate");
 /// not those below another that is named.
 std::vector<const Entry*> named_by(std::string_view key_path) {
-  const std::vector<std::string_view> query = parts_of(key_path);
+  const std::vector<std::string_view> query = keys_of(key_path);
   const auto found_by = [&](const auto& is_meant) {
     std::vector<const Entry*> found;
     for (const Entry& entry : reference()) {
       const bool is_shown = !found.empty() && is_below(entry, *found.back());
-      if (!is_shown && is_meant(parts_of(entry.path))) found.push_back(&entry);
+      if (!is_shown && is_meant(keys_of(entry.path))) found.push_back(&entry);
     }
     return found;
   };
-  const auto is_key = [&](Parts path) { return path.back() == query.back(); };
-  auto found = found_by([&](Parts path) { return is_key(path) && matches(path, query); });
-  if (found.empty()) found = found_by([&](Parts path) { return is_key(path) && ends_in(path, query); });
+  const auto is_key = [&](Keys path) { return path.back() == query.back(); };
+  auto found = found_by([&](Keys path) { return is_key(path) && matches(path, query); });
+  if (found.empty()) found = found_by([&](Keys path) { return is_key(path) && ends_in(path, query); });
   const bool may_be_name = query.back().size() <= 5 || suggested_key(query.back()).empty();  // short names are near some key by chance
-  if (found.empty() && may_be_name) found = found_by([&](Parts path) { return path.back() == any_name && matches(path, query); });
+  if (found.empty() && may_be_name) found = found_by([&](Keys path) { return path.back() == any_name && matches(path, query); });
   return found;
 }
 
@@ -96,7 +90,7 @@ std::string describe(std::string_view key_path) {
   }
   const std::vector<const Entry*> roots = named_by(key_path);
   if (roots.empty()) {
-    const std::string meant = suggested_key(parts_of(key_path).back());
+    const std::string meant = suggested_key(keys_of(key_path).back());
     refuse(key_path, meant.empty() ? "a deck has no such key; perimpact describe lists all." : fmt::format("a deck has no such key; did you mean {}?", meant));
   }
   for (const Entry* root : roots) {

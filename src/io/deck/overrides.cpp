@@ -5,21 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "io/deck/key_path.hpp"
+
 namespace perimpact::deck {
-
-namespace {
-
-std::vector<std::string> parts_of(std::string_view path) {
-  std::vector<std::string> parts;
-  for (;;) {
-    const std::size_t dot = path.find('.');
-    parts.emplace_back(path.substr(0, dot));
-    if (dot == std::string_view::npos) return parts;
-    path.remove_prefix(dot + 1);
-  }
-}
-
-}  // namespace
 
 void set_value(YamlNode& tree, const std::string& path, std::string_view text, const std::string& place) {
   set_value(tree, path, parse_value(text, place), place);
@@ -28,14 +16,15 @@ void set_value(YamlNode& tree, const std::string& path, std::string_view text, c
 void set_value(YamlNode& tree, const std::string& path, YamlNode value, const std::string& place) {
   YamlNode* node = &tree;
   std::string way;
-  for (const std::string& part : parts_of(path)) {
+  for (const std::string_view key : keys_of(path)) {
     if (node->kind == YamlNode::Kind::nothing) node->kind = YamlNode::Kind::map;
     if (node->kind != YamlNode::Kind::map)
       refuse(place, fmt::format("{} is {}, not a map, so nothing in it can be set; set {} itself.", way, node->in_words(), way));
-    YamlNode::Entry* entry = node->find(part);
-    if (!entry) entry = &node->entries.emplace_back(YamlNode::Entry{.key = part, .place = place, .value = {.kind = YamlNode::Kind::nothing, .place = place}});
+    YamlNode::Entry* entry = node->find(key);
+    if (!entry)
+      entry = &node->entries.emplace_back(YamlNode::Entry{.key = std::string(key), .place = place, .value = {.kind = YamlNode::Kind::nothing, .place = place}});
     node = &entry->value;
-    way += (way.empty() ? "" : ".") + part;
+    (way += way.empty() ? "" : ".") += key;
     if (way == path) entry->place = place;
   }
   *node = std::move(value);
@@ -45,8 +34,8 @@ void apply_override(YamlNode& deck, const std::string& override_text) {
   const std::size_t equals = override_text.find('=');
   const std::string path = override_text.substr(0, equals);
   const std::string place = "--set " + path;
-  const std::vector<std::string> parts = parts_of(path);
-  const bool has_empty_part = std::find(parts.begin(), parts.end(), std::string()) != parts.end();
+  const std::vector<std::string_view> keys = keys_of(path);
+  const bool has_empty_part = std::find(keys.begin(), keys.end(), std::string_view()) != keys.end();
   if (equals == std::string::npos || has_empty_part)
     refuse("--set " + override_text, "a key path, = and a value are needed, for example --set output.frames=0.");
 

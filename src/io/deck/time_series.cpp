@@ -4,9 +4,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <string_view>
 
+#include "io/deck/deck_file.hpp"
 #include "io/deck/trimmed.hpp"
 #include "io/deck/units.hpp"
 #include "io/deck/yaml_node.hpp"
@@ -93,11 +93,8 @@ class Parser {
 }  // namespace
 
 TimeSeries read_time_series(const std::filesystem::path& path, bool of_rotation, const std::string& place) {
-  const std::string file = std::filesystem::absolute(path).lexically_normal().string();
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) refuse(place, fmt::format("there is no file {}; relative names start at the deck's folder.", file));
-  std::ifstream stream(path);
-  if (!stream) refuse(place, fmt::format("the file {} cannot be opened; check that you may read it.", file));
+  const std::string file = full_path(path, place);
+  std::ifstream stream = open_file(file, place);
   Parser parser(file, of_rotation);
   std::string line;
   std::getline(stream, line);

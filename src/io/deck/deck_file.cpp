@@ -1,0 +1,28 @@
+#include "io/deck/deck_file.hpp"
+
+#include <fmt/format.h>
+
+#include "fccda/surface/panels_in_memory.hpp"
+#include "io/deck/yaml_node.hpp"
+
+namespace perimpact::deck {
+
+std::string full_path(const std::filesystem::path& file, const std::string& place) {
+  const std::filesystem::path path = std::filesystem::absolute(file).lexically_normal();
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    refuse(place, fmt::format("there is no file {}; relative names start at the deck's folder.", path.string()));
+  return path.string();
+}
+
+std::string full_path_of_surface(const std::string& file, const std::filesystem::path& folder, const std::string& place) {
+  return fccda::panels_in_memory(file) ? file : full_path(folder / file, place);
+}
+
+std::ifstream open_file(const std::string& full_path, const std::string& place) {
+  std::ifstream stream(full_path);
+  if (!stream) refuse(place, fmt::format("the file {} cannot be opened; check that you may read it.", full_path));
+  return stream;
+}
+
+}  // namespace perimpact::deck
