@@ -9,16 +9,11 @@
 
 #include "fccda/core/vec3.hpp"
 #include "io/output/json.hpp"
+#include "io/output/pvd.hpp"
 #include "io/report/packing.hpp"
 #include "io/report/rigid_motion.hpp"
 
 namespace perimpact::report {
-
-/// A picture that can be read.
-struct Shot {
-  double time;  ///< [s]
-  std::filesystem::path file;
-};
 
 /// Smallest and largest of numbers.
 struct Range {
@@ -31,8 +26,8 @@ struct Range {
 /// The particles of a body over the run.
 struct BodyFrames {
   std::string name;
-  double spacing = 0;  ///< [m]
-  std::vector<Shot> shots;
+  double spacing = 0;                      ///< [m]
+  std::vector<output::Picture> pictures;   ///< that can be read
   std::vector<fccda::Vec3d> undeformed;    ///< [m] of all particles
   Range place[3], displacement[3], speed;  ///< over all pictures [m] [m] [m/s]
   std::uint32_t highest_piece = 0;
@@ -43,9 +38,9 @@ struct BodyFrames {
 /// The panels of an impactor over the run.
 struct ImpactorFrames {
   std::string name;
-  std::vector<Shot> shots;
-  std::vector<RigidMotion> motions;    ///< of each shot
-  std::vector<fccda::Vec3d> vertices;  ///< [m] in the first picture
+  std::vector<output::Picture> pictures;  ///< that can be read
+  std::vector<RigidMotion> motions;       ///< of each picture
+  std::vector<fccda::Vec3d> vertices;     ///< [m] in the first picture
   std::vector<std::array<int, 4>> panels;
   std::vector<std::string> arrays;  ///< names; vectors are told by their length
   std::vector<Range> ranges;        ///< of each array

@@ -60,10 +60,6 @@ void add_blob(PackedFrames& out, std::string id, const std::string& bytes) {
   out.bytes += out.blobs.back().text.size();
 }
 
-std::size_t index_of(const std::vector<double>& times, double time) {
-  return static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
-}
-
 const char* const axis_names[] = {"x", "y", "z"};
 
 /// Packs a body's pictures one after the other.
@@ -93,8 +89,8 @@ class PackedBody {
     description_["pictures"] = Json::array();
   }
 
-  void add(const Shot& shot, std::size_t time_number, PackedFrames& out) {
-    const PictureFile picture = read_picture(shot.file);
+  void add(std::size_t number, std::size_t time_number, PackedFrames& out) {
+    const PictureFile picture = read_picture(body_.pictures[number].file);
     const PictureArray &u = *picture.find("displacement"), &v = *picture.find("velocity"), &damage = *picture.find("damage");
     const PictureArray* piece = picture.find("piece");
     std::string bytes;
@@ -104,7 +100,7 @@ class PackedBody {
       ++a;
     };
     for (std::size_t axis = 0; axis < 3; ++axis) pack([&, axis](std::uint32_t i) { return u.numbers[3 * i + axis]; });
-    pack([&](std::uint32_t i) { return std::hypot(v.numbers[3 * i], v.numbers[3 * i + 1], v.numbers[3 * i + 2]); });
+    pack([&](std::uint32_t i) { return v.scalar(i); });
     pack([&](std::uint32_t i) { return damage.numbers[i]; });
     if (body_.has_pieces) pack([&](std::uint32_t i) { return piece->numbers[i]; });
     description_["pictures"].push_back(time_number);
@@ -160,8 +156,8 @@ class PackedImpactor {
     description_["motions"] = Json::array();
   }
 
-  void add(std::size_t shot, std::size_t time_number, PackedFrames& out) {
-    const RigidMotion& motion = impactor_.motions[shot];
+  void add(std::size_t number, std::size_t time_number, PackedFrames& out) {
+    const RigidMotion& motion = impactor_.motions[number];
     Json rows = Json::array();  // a matrix of three rows and four columns
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (std::size_t column = 0; column < 3; ++column) rows.push_back(motion.turn.row[axis][column]);
@@ -170,14 +166,12 @@ class PackedImpactor {
     description_["pictures"].push_back(time_number);
     description_["motions"].push_back(std::move(rows));
     if (arrays_.empty()) return;
-    const PictureFile picture = read_picture(impactor_.shots[shot].file);
+    const PictureFile picture = read_picture(impactor_.pictures[number].file);
     std::string bytes;
     for (PackedArray& packed : arrays_) {
       const PictureArray& array = *picture.find(packed.name);
       std::vector<std::uint32_t> numbers;
-      for (std::size_t at = 0; at < array.numbers.size(); at += static_cast<std::size_t>(array.components))
-        numbers.push_back(
-            packed.scale.number_of(array.components == 3 ? std::hypot(array.numbers[at], array.numbers[at + 1], array.numbers[at + 2]) : array.numbers[at]));
+      for (std::size_t i = 0; i < array.count(); ++i) numbers.push_back(packed.scale.number_of(array.scalar(i)));
       packed.packer.append(numbers, bytes);
     }
     add_blob(out, fmt::format("{}_{}", id_, time_number), bytes);
@@ -202,20 +196,16 @@ PackedFrames pack_frames(const Frames& frames, const Choice& choice) {
   out.bytes_of_bodies = out.bytes;
   for (std::size_t i = 0; i < frames.impactors.size(); ++i) impactors.emplace_back(frames.impactors[i], i, out);
 
-  for (const double time : choice.times) {
-    const auto is_now = [&](const Shot& shot) { return shot.time == time; };
-    const std::size_t number = index_of(choice.times, time), before = out.bytes;
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const std::vector<Shot>& shots = frames.bodies[b].shots;
-      const auto shot = std::find_if(shots.begin(), shots.end(), is_now);
-      if (shot != shots.end()) bodies[b].add(*shot, number, out);
-    }
+  for (std::size_t now = 0; now < choice.times.size(); ++now) {
+    const auto add_picture = [&](const std::vector<output::Picture>& pictures, auto& packed) {
+      const auto is_now = [&](const output::Picture& picture) { return picture.time == choice.times[now]; };
+      const auto picture = std::find_if(pictures.begin(), pictures.end(), is_now);
+      if (picture != pictures.end()) packed.add(static_cast<std::size_t>(picture - pictures.begin()), now, out);
+    };
+    const std::size_t before = out.bytes;
+    for (std::size_t b = 0; b < bodies.size(); ++b) add_picture(frames.bodies[b].pictures, bodies[b]);
     out.bytes_of_bodies += out.bytes - before;
-    for (std::size_t i = 0; i < impactors.size(); ++i) {
-      const std::vector<Shot>& shots = frames.impactors[i].shots;
-      const auto shot = std::find_if(shots.begin(), shots.end(), is_now);
-      if (shot != shots.end()) impactors[i].add(static_cast<std::size_t>(shot - shots.begin()), number, out);
-    }
+    for (std::size_t i = 0; i < impactors.size(); ++i) add_picture(frames.impactors[i].pictures, impactors[i]);
   }
   for (const PackedBody& body : bodies) out.bodies.push_back(body.description());
   for (const PackedImpactor& impactor : impactors) out.impactors.push_back(impactor.description());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,6 +17,10 @@ struct PictureArray {
   std::string name;
   int components = 1;
   std::vector<double> numbers;  ///< `components` of each point or panel in turn
+
+  std::size_t count() const { return numbers.size() / static_cast<std::size_t>(components); }
+  /// The number of a point or panel; of vectors, their magnitude.
+  double scalar(std::size_t i) const { return components == 3 ? std::hypot(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]) : numbers[i]; }
 };
 
 struct PictureFile {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "fccda/core/error.hpp"
 #include "io/output/pvd.hpp"
@@ -38,18 +37,18 @@ double usual_distance(const std::vector<Vec3d>& points) {
   return *middle > 0 ? *middle : 1;
 }
 
-void add_particles(BodyFrames& body, const PictureFile& picture, const output::Picture& shot) {
-  const PictureArray& displacement = needed(picture, shot.file, "displacement", 3);
-  const PictureArray& velocity = needed(picture, shot.file, "velocity", 3);
-  const PictureArray& damage = needed(picture, shot.file, "damage", 1);
+void add_particles(BodyFrames& body, const PictureFile& picture, const output::Picture& entry) {
+  const PictureArray& displacement = needed(picture, entry.file, "displacement", 3);
+  const PictureArray& velocity = needed(picture, entry.file, "velocity", 3);
+  const PictureArray& damage = needed(picture, entry.file, "damage", 1);
   const PictureArray* piece = array_of(picture, "piece", 1);
   const std::size_t count = picture.points.size();
-  const bool is_first = body.shots.empty();
+  const bool is_first = body.pictures.empty();
   if (!is_first && count != body.undeformed.size())
     throw InputError(
-        fmt::format("{} shows {} particles, but the pictures before it {}; take the files of one run.", shot.file.string(), count, body.undeformed.size()));
+        fmt::format("{} shows {} particles, but the pictures before it {}; take the files of one run.", entry.file.string(), count, body.undeformed.size()));
   if (!is_first && (piece != nullptr) != body.has_pieces)
-    throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name pieces; take the files of one run.", shot.file.string(),
+    throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name pieces; take the files of one run.", entry.file.string(),
                                  piece ? "it does" : "those do"));
   if (is_first) {
     body.has_pieces = piece != nullptr;
@@ -63,16 +62,15 @@ void add_particles(BodyFrames& body, const PictureFile& picture, const output::P
   body.is_damaged.assign(count, false);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) body.displacement[axis].include(displacement.numbers[3 * i + axis]);
-    const double* v = &velocity.numbers[3 * i];
-    body.speed.include(std::hypot(v[0], v[1], v[2]));
+    body.speed.include(velocity.scalar(i));
     body.is_damaged[i] = damage.numbers[i] > 0;
     if (piece) body.highest_piece = std::max(body.highest_piece, static_cast<std::uint32_t>(std::max(0.0, piece->numbers[i])));
   }
-  body.shots.push_back({shot.time, shot.file});
+  body.pictures.push_back(entry);
 }
 
-void add_panels(ImpactorFrames& impactor, const PictureFile& picture, const output::Picture& shot) {
-  if (impactor.shots.empty()) {
+void add_panels(ImpactorFrames& impactor, const PictureFile& picture, const output::Picture& entry) {
+  if (impactor.pictures.empty()) {
     impactor.vertices = picture.points;
     impactor.panels = picture.panels;
     for (const PictureArray& array : picture.arrays) impactor.arrays.push_back(array.name);
@@ -83,29 +81,28 @@ void add_panels(ImpactorFrames& impactor, const PictureFile& picture, const outp
   constexpr double rounding = 1e-9;  // of coordinates; the run moves its surfaces in double precision
   const auto motion = rigid_motion(impactor.vertices, picture.points, rounding * (fccda::largest_magnitude(box.low) + fccda::largest_magnitude(box.high)));
   if (!motion || picture.panels.size() != impactor.panels.size())
-    throw InputError(fmt::format("{} shows another surface than the pictures before it; take the files of one run.", shot.file.string()));
+    throw InputError(fmt::format("{} shows another surface than the pictures before it; take the files of one run.", entry.file.string()));
   for (std::size_t a = 0; a < impactor.arrays.size(); ++a) {
     const PictureArray* array = picture.find(impactor.arrays[a]);
     if (array == nullptr)
-      throw InputError(fmt::format("{} has no array {}, as the pictures before it; take the files of one run.", shot.file.string(), impactor.arrays[a]));
-    for (std::size_t at = 0; at < array->numbers.size(); at += static_cast<std::size_t>(array->components))
-      impactor.ranges[a].include(array->components == 3 ? std::hypot(array->numbers[at], array->numbers[at + 1], array->numbers[at + 2]) : array->numbers[at]);
+      throw InputError(fmt::format("{} has no array {}, as the pictures before it; take the files of one run.", entry.file.string(), impactor.arrays[a]));
+    for (std::size_t i = 0; i < array->count(); ++i) impactor.ranges[a].include(array->scalar(i));
   }
   impactor.motions.push_back(*motion);
-  impactor.shots.push_back({shot.time, shot.file});
+  impactor.pictures.push_back(entry);
 }
 
 void scan_series(const std::filesystem::path& list, Frames& frames, std::vector<std::string>& notes) {
   BodyFrames body{.name = list.stem().string()};
   ImpactorFrames impactor{.name = list.stem().string()};
-  for (const output::Picture& shot : output::pictures_of(list)) try {
-      const PictureFile picture = read_picture(shot.file);
-      picture.panels.empty() ? add_particles(body, picture, shot) : add_panels(impactor, picture, shot);
+  for (const output::Picture& entry : output::pictures_of(list)) try {
+      const PictureFile picture = read_picture(entry.file);
+      picture.panels.empty() ? add_particles(body, picture, entry) : add_panels(impactor, picture, entry);
     } catch (const InputError& error) {
       notes.emplace_back(error.what());
     }
-  if (!body.shots.empty()) frames.bodies.push_back(std::move(body));
-  if (!impactor.shots.empty()) frames.impactors.push_back(std::move(impactor));
+  if (!body.pictures.empty()) frames.bodies.push_back(std::move(body));
+  if (!impactor.pictures.empty()) frames.impactors.push_back(std::move(impactor));
 }
 
 }  // namespace
@@ -118,11 +115,11 @@ void Range::include(double value) {
 
 std::vector<double> Frames::times() const {
   std::vector<double> times;
-  const auto add = [&](const std::vector<Shot>& shots) {
-    for (const Shot& shot : shots) times.push_back(shot.time);
+  const auto add = [&](const std::vector<output::Picture>& pictures) {
+    for (const output::Picture& picture : pictures) times.push_back(picture.time);
   };
-  for (const BodyFrames& body : bodies) add(body.shots);
-  for (const ImpactorFrames& impactor : impactors) add(impactor.shots);
+  for (const BodyFrames& body : bodies) add(body.pictures);
+  for (const ImpactorFrames& impactor : impactors) add(impactor.pictures);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
