@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cmath>
-#include <optional>
 #include <string_view>
 #include <unordered_map>
 
@@ -160,21 +159,26 @@ void CorrectionFactors::gather_tables(const Family& family) {
   std::vector<Vec3d> weights;
   for (const StencilBond& bond : family.stencil()->bonds()) weights.push_back(interpolation_weights(bond.direction));
 
-  /// The factors of the bonds of eight slots, where the slots that have a bond agree on them.
-  const auto shared_factors = [&](std::size_t eight) -> std::optional<std::vector<BondFactors>> {
+  const auto factors_of = [&](std::size_t eight, std::size_t bond, unsigned bits) {  // of the first slot of these
+    const std::size_t i = eight * fccda::byte_lanes + static_cast<std::size_t>(std::countr_zero(bits));
+    const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + family.offsets()[bond]);
+    return BondFactors{stretch_factor(i, j, weights[bond]), dilatation_factor(i, j, weights[bond])};
+  };
+  /// The factors of the first of eight slots that has the bond, for each bond; 1 where none has it.
+  const auto first_factors = [&](std::size_t eight) {
     std::vector<BondFactors> factors(weights.size());
-    for (std::size_t bond = 0; bond < weights.size(); ++bond) {
-      std::optional<BondFactors> shared;
-      for (unsigned bits = family.bytes(eight)[bond]; bits != 0; bits &= bits - 1) {
-        const std::size_t i = eight * fccda::byte_lanes + static_cast<std::size_t>(std::countr_zero(bits));
-        const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + family.offsets()[bond]);
-        const BondFactors own{stretch_factor(i, j, weights[bond]), dilatation_factor(i, j, weights[bond])};
-        if (shared && !(*shared == own)) return {};
-        shared = own;
-      }
-      if (shared) factors[bond] = *shared;
-    }
+    for (std::size_t bond = 0; bond < weights.size(); ++bond)
+      if (const unsigned bits = family.bytes(eight)[bond]) factors[bond] = factors_of(eight, bond, bits);
     return factors;
+  };
+  /// True where all of the eight that have a bond agree with the first.
+  const auto agree = [&](std::size_t eight, const std::vector<BondFactors>& factors) {
+    for (std::size_t bond = 0; bond < weights.size(); ++bond) {
+      const unsigned all = family.bytes(eight)[bond];
+      for (unsigned others = all & (all - 1); others != 0; others &= others - 1)
+        if (!(factors_of(eight, bond, others) == factors[bond])) return false;
+    }
+    return true;
   };
 
   const auto eights = static_cast<std::ptrdiff_t>(table_of_.size());
@@ -182,8 +186,9 @@ void CorrectionFactors::gather_tables(const Family& family) {
   fccda::parallel_for(eights, [&](std::ptrdiff_t e) {
     const auto eight = static_cast<std::size_t>(e);
     if (table_of_[eight] != no_table) return;
-    if (const auto factors = shared_factors(eight))
-      hashes[eight] = std::hash<std::string_view>{}({reinterpret_cast<const char*>(factors->data()), factors->size() * sizeof(BondFactors)}) | 1;
+    const std::vector<BondFactors> factors = first_factors(eight);
+    if (agree(eight, factors))
+      hashes[eight] = std::hash<std::string_view>{}({reinterpret_cast<const char*>(factors.data()), factors.size() * sizeof(BondFactors)}) | 1;
   });
   std::unordered_map<std::uint64_t, int> packs;
   for (const std::uint64_t hash : hashes)
@@ -191,11 +196,11 @@ void CorrectionFactors::gather_tables(const Family& family) {
   std::unordered_map<std::uint64_t, std::int32_t> table_of_hash;
   for (std::size_t eight = 0; eight < hashes.size(); ++eight)
     if (hashes[eight] != 0 && packs[hashes[eight]] >= fewest && table_of_hash.emplace(hashes[eight], static_cast<std::int32_t>(tables_.size())).second)
-      tables_.push_back(*shared_factors(eight));
+      tables_.push_back(first_factors(eight));
   fccda::parallel_for(eights, [&](std::ptrdiff_t e) {
     const auto eight = static_cast<std::size_t>(e);
     const auto table = hashes[eight] != 0 ? table_of_hash.find(hashes[eight]) : table_of_hash.end();
-    if (table != table_of_hash.end() && *shared_factors(eight) == tables_[static_cast<std::size_t>(table->second)]) table_of_[eight] = table->second;
+    if (table != table_of_hash.end() && first_factors(eight) == tables_[static_cast<std::size_t>(table->second)]) table_of_[eight] = table->second;
   });
 }
 
