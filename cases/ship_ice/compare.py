@@ -2,7 +2,7 @@
 """Runs of variants.sh beside formulas of resistance: compare.py RESULTS
 
 RESULTS: folder that variants.sh filled. Prints a table, and draws figures/sweeps.png: mean resistance over all the travel against speed, thickness and
-strength of the ice, with what resistance.py gives without friction. Strength and thickness are those of run.json.
+strength of the ice, with what resistance.py gives without friction; and the runs among Lindqvist's h-v curves. Strength and thickness are those of run.json.
 """
 
 import json
@@ -15,12 +15,12 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from measure import measure  # noqa: E402
+from measure import loads_of, measure  # noqa: E402
 from resistance import ShipInIce, iso_19906, lindqvist, riska  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 SWEEPS = (  # field of ShipInIce, its axis, how a value is shown, the runs that vary it
-    ("speed", "speed [m/s]", 1, ("speed_1.5", "deck", "speed_6")),
+    ("speed", "speed [m/s]", 1, ("deck", "speed_4.5", "speed_6")),
     ("thickness", "thickness of the ice [m]", 1, ("thickness_1.5", "deck", "thickness_2.5", "thickness_3")),
     ("strength", "flexural strength [MPa]", 1e6, ("stretch_2e-4", "deck", "stretch_5e-4")),
 )
@@ -50,29 +50,56 @@ def finished(folder):
 
 
 def table(folder, names):
-    print("| run | V [m/s] | H [m] | σ_f [MPa] | first blow [MN] | mean [kN] | largest 1 s [kN] | through-cracks | R_c + R_b | R (Lindqvist) | Riska | H_B |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|---|")
+    print("| run | V [m/s] | H [m] | σ_f [MPa] | first blow [MN] | mean [kN] | largest 1 s [kN] | loads | through-cracks | R_c + R_b | R (Lindqvist) | Riska | H_B |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|---|---|")
     for name in names:
         ship, run = ship_of(folder / name), measure(folder / name)
         formulas = " | ".join(f"{force(ship) / 1e3:.0f}" for _, _, force in FORMULAS)
         print(f"| {name} | {ship.speed:.2f} | {ship.thickness:g} | {ship.strength / 1e6:.2f} | {run['first peak'] / 1e6:.2f} | {run['mean of all'] / 1e3:.0f}"
-              f" | {run['largest 1 s'] / 1e3:.0f} | {run['cracks']} | {formulas} |")
+              f" | {run['largest 1 s'] / 1e3:.0f} | {loads_of(run)} | {run['cracks']} | {formulas} |")
+
+
+def draw_sweep(axis, folder, field, unit, names):
+    base = ship_of(folder / "deck")
+    runs = [(getattr(ship_of(folder / name), field), measure(folder / name)["mean of all"]) for name in names]
+    values = np.array(sorted(runs))
+    line = np.linspace(0.8 * values[:, 0].min(), 1.1 * values[:, 0].max(), 60)
+    for name, colour, force in FORMULAS:
+        axis.plot(line / unit, [force(replace(base, **{field: value})) / 1e6 for value in line], color=colour, label=name)
+    axis.plot(values[:, 0] / unit, values[:, 1] / 1e6, "o-", color="#20506e", linewidth=2, label="runs, mean over 20 m")
+    axis.set_ylim(0, 5.5)
+
+
+def draw_h_v(axis, folder, names):
+    """Thickness in which a net thrust keeps a speed, by Lindqvist's breaking terms; a run is a point with its own mean."""
+    base = ship_of(folder / "deck")
+    speeds, heights = np.linspace(0.3, 3.6, 40), np.linspace(1, 3.4, 40)
+
+    def breaking(speed, height):
+        ship = replace(base, speed=speed, thickness=height)
+        parts = lindqvist(ship)
+        return (parts["crushing"] + parts["bending"]) * (1 + 1.4 * speed / np.sqrt(9.81 * height)) / 1e6
+
+    lines = axis.contour(speeds, heights, [[breaking(v, h) for v in speeds] for h in heights], levels=(0.5, 1, 1.5, 2, 3, 4), colors="#b3312c", linewidths=1)
+    axis.clabel(lines, fmt="%g MN", fontsize=8)
+    for name in names:
+        ship, mean = ship_of(folder / name), measure(folder / name)["mean of all"]
+        axis.plot(ship.speed, ship.thickness, "o", color="#20506e")
+        axis.annotate(f"{mean / 1e6:.2f} MN", (ship.speed, ship.thickness), xytext=(6, 4), textcoords="offset points", fontsize=9, color="#20506e")
+    axis.set_ylabel("thickness of the ice [m]")
 
 
 def draw(folder, file):
-    figure, axes = plt.subplots(1, len(SWEEPS), figsize=(12.5, 4.6), sharey=True)
-    base = ship_of(folder / "deck")
-    for axis, (field, label, unit, names) in zip(axes, SWEEPS):
-        runs = [(getattr(ship_of(folder / name), field), measure(folder / name)["mean of all"]) for name in names if finished(folder / name)]
-        values = np.array(sorted(runs))
-        line = np.linspace(0.8 * values[:, 0].min(), 1.1 * values[:, 0].max(), 60)
-        for name, colour, force in FORMULAS:
-            axis.plot(line / unit, [force(replace(base, **{field: value})) / 1e6 for value in line], color=colour, label=name)
-        axis.plot(values[:, 0] / unit, values[:, 1] / 1e6, "o-", color="#20506e", linewidth=2, label="runs, mean over 20 m")
+    figure, axes = plt.subplots(2, 2, figsize=(11, 8.6))
+    for axis, (field, label, unit, names) in zip(axes.flat, SWEEPS):
+        draw_sweep(axis, folder, field, unit, [name for name in names if finished(folder / name)])
         axis.set_xlabel(label)
-    axes[0].set_ylabel("resistance without friction [MN]")
-    axes[0].set_ylim(0, 5.5)
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="upper center", ncol=5, fontsize=9, frameon=False)
+        axis.set_ylabel("resistance without friction [MN]")
+    at_one_strength = dict.fromkeys(name for field, *_, names in SWEEPS for name in names if field != "strength" and finished(folder / name))
+    draw_h_v(axes[1, 1], folder, at_one_strength)
+    axes[1, 1].set_xlabel(SWEEPS[0][1])
+    axes[1, 1].set_title("h-v: lines, Lindqvist's crushing and bending with speed", fontsize=10)
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="upper center", ncol=3, fontsize=9, frameon=False)
     figure.tight_layout(rect=(0, 0, 1, 0.94))
     figure.savefig(file, dpi=85)
 

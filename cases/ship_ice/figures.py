@@ -6,7 +6,6 @@ RESULTS: folder of a finished run of deck.yaml (default: results/ship_ice); --pa
 """
 
 import argparse
-import csv
 import sys
 from pathlib import Path
 
@@ -16,6 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
+from measure import history  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "../../scripts/pictures"))
@@ -82,12 +82,6 @@ def draw_damage(folder, times, file):
     axes[-1].set_xlabel("x [m]; the ship comes from the right")
     figure.colorbar(image, ax=axes, label="damage", shrink=0.6)
     figure.savefig(file, dpi=95, bbox_inches="tight")
-
-
-def history(folder):
-    with open(folder / "history.csv") as lines:
-        rows = list(csv.DictReader(lines))
-    return {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
 
 
 def draw_forces(folder, file):

@@ -3,11 +3,14 @@
 
 A line for each results folder. Loads are of contact on the part `bow`: the largest row of F_x within the first metres (SETTLED), in which the sheet
 answers the first blow; the mean over all the travel, which is the work over its length; mean and largest mean over a second after these metres;
-F_z/F_x. Then the travel in the ice; broken bonds; through-cracks (below); pieces of 1 % of the sheet's mass and more beside the one that remains;
+F_z/F_x; how often the load came, and the time between. Then the travel in the ice; broken bonds; through-cracks (below); pieces of 1 % of the sheet's mass and more beside the one that remains;
 work of the ship, and the closing error of the energy over it.
 
 Through-cracks: along lines in the direction of travel, one for each row of particles within the breadth of the ship, the cracked stretches of the sheet
 are counted at the end. A place is cracked where the damage of every layer is above CRACKED. The number is the median over the lines.
+
+A load comes where the mean of F_x over a second rises above the mean of all, after it had been below half of that; the period is the mean time from
+one to the next.
 """
 
 import csv
@@ -37,6 +40,17 @@ def window_means(time, force, width):
     return (sums[rows:] - sums[:-rows]) / rows
 
 
+def times_of_loads(time, force):
+    """[s] when loads come: the middle of the second whose mean is the first above the mean of all, each time after one below half of it."""
+    smooth, mean = window_means(time, force, 1.0), force.mean()
+    times, is_loaded = [], False
+    for at, now in zip(time + 0.5, smooth):
+        if not is_loaded and now > mean:
+            times.append(at)
+        is_loaded = now > mean or (is_loaded and now >= mean / 2)
+    return np.array(times)
+
+
 def through_cracks(reference, damage, breadth):
     """The cracked stretches that lines along the sheet cross, their median over the lines within the breadth [m] of the ship. Of all particles: `reference`
     places [m], `damage`."""
@@ -59,6 +73,7 @@ def measure(folder):
     late = time > first + SETTLED / speed
     travel = speed * (time[-1] - first)
     work = -rows["ship.contact_work [J]"][-1]
+    loads = times_of_loads(time[time >= first], along[time >= first])
     sheet = read_vtp(series(folder, "sheet")[-1][1])
     breadth = report["setup"]["impactors"]["ship"]["surface"]["hull"]["breadth"]
     with open(Path(folder) / "pieces/sheet.csv", newline="") as lines:
@@ -69,6 +84,8 @@ def measure(folder):
         "mean of all": work / travel,
         "mean": along[late].mean(),
         "largest 1 s": window_means(time[late], along[late], 1.0).max(),
+        "loads": len(loads),
+        "period": np.diff(loads).mean() if len(loads) > 1 else np.nan,
         "ratio": up.sum() / along.sum(),
         "broken": rows["sheet.broken_bonds [-]"][-1] / report["bodies"]["sheet"]["bonds"],
         "cracks": through_cracks(sheet.points - sheet.point["displacement"], sheet.point["damage"], breadth),
@@ -78,10 +95,16 @@ def measure(folder):
     }
 
 
+def loads_of(m):
+    """How many, and how often where there is more than one."""
+    return f"{m['loads']:d}" + (f", every {m['period']:.1f} s" if m["loads"] > 1 else "")
+
+
 def show(folder):
     m = measure(folder)
     print(
         f"{Path(folder).name:24s} {m['travel']:5.1f} m  peak {m['first peak'] / 1e6:5.2f} MN  mean {m['mean of all'] / 1e3:5.0f} kN, late {m['mean'] / 1e3:5.0f} kN  1 s {m['largest 1 s'] / 1e3:5.0f} kN"
+        f"  loads {loads_of(m)}"
         f"  F_z/F_x {m['ratio']:.4f}  broken {100 * m['broken']:4.1f} %  cracks {m['cracks']:d}  pieces {m['large pieces']:d}  work {m['work'] / 1e6:.2f} MJ  closing {m['closing']:.0e}"
     )
 

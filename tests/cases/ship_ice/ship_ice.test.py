@@ -17,9 +17,9 @@ def short(t, *settings, folder="r"):
         f"{sheet}.shape.box.size=[20 m, 36 m, 2 m]",
         f"{sheet}.position=[-10 m, 0, -0.7561 m]",
         f"{sheet}.spacing=0.66666666666667 m",
-        f"{sheet}.regions.far_end={{shape: {{box: {{size: [2.1 m, 36 m, 2 m]}}}}, position: [-8.95 m, 0, 0]}}",
-        f"{sheet}.regions.port={{shape: {{box: {{size: [17.9 m, 2.1 m, 2 m]}}}}, position: [1.05 m, -16.95 m, 0]}}",
-        f"{sheet}.regions.starboard={{shape: {{box: {{size: [17.9 m, 2.1 m, 2 m]}}}}, position: [1.05 m, 16.95 m, 0]}}",
+        f"{sheet}.regions.far_end={{shape: {{box: {{size: [2.1 m, 36 m, 4 m]}}}}, position: [-8.95 m, 0, 0]}}",
+        f"{sheet}.regions.port={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, -16.95 m, 0]}}",
+        f"{sheet}.regions.starboard={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, 16.95 m, 0]}}",
         "impactors.ship.surface.hull.bow_panel=3 m",
         "time={end: 1 s, step: 0.23 ms}",
         "output={frames: 2, history: 0.02 s}",
@@ -72,6 +72,25 @@ def _(t):
     work = -rows["ship.contact_work [J]"][-1]
     t.assertGreater(work, 1e4)
     t.assertLess(max(abs(error) for error in rows["total.closing_error [J]"]), 0.02 * work)
+
+
+@claim("ship: a load that falls to half of the mean has ended, and one that only swings has not")
+def _(t):
+    sys.path.insert(0, str(CASE))
+    import numpy as np
+    from measure import times_of_loads
+
+    time = np.arange(0, 30, 0.05)
+    force = np.zeros_like(time)
+    for begin in (2, 11, 20):  # every nine seconds, for four; each swings by a third, faster than a second and slower
+        on = (time > begin) & (time < begin + 4)
+        force[on] = 3 + np.sin(2 * math.pi * 5 * time[on]) + np.sin(2 * math.pi * time[on] / 2)
+    found = times_of_loads(time, force)
+    t.assertEqual(len(found), 3)
+    # the mean over a second passes that of all (1.2 of 3) while the load is half in it: within half a second of its begin
+    for begin, at in zip((2, 11, 20), found):
+        t.assertAlmostEqual(at, begin, delta=0.5)
+    t.assertEqual(len(times_of_loads(time, np.full_like(time, 3.0) + np.sin(time))), 1)
 
 
 @claim("ship: through-cracks are counted along the way of the ship, not what is cracked on one face or beside it")
