@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Draws the pictures of README.md: figures.py [RESULTS] [--paper] [--check FOLDER]
+"""Draws the pictures of README.md: figures.py [RESULTS] [--of DECK] [--check FOLDER]
 
-RESULTS: folder of a finished run of deck.yaml (default: results/ship_ice); --paper: of paper.yaml, at the paper's four instants.
+RESULTS: folder of a finished run (default: results/ship_ice). --of: its deck, deck (default), paper, at the paper's four instants, or wide.
 --check: folder that `perimpact check` wrote surfaces and regions into; then only the bow and its region are drawn.
 """
 
@@ -41,22 +41,43 @@ def near(corners, sheet):
     return corners[corners[:, :, 0].min(axis=1) < sheet.points[:, 0].max() + 25]
 
 
-def scene_picture(sheet, ship, spacing, fold=2):
-    """Ice and hull, from ahead and above."""
+def is_long(sheet):
+    return np.ptp(sheet.points[:, 0]) > 2 * np.ptp(sheet.points[:, 1])
+
+
+def scene_of(sheet, fold):
+    """From ahead and above, with room for the sheet and the bow over it; a long sheet is seen more from its side."""
     reference = sheet.points - sheet.point["displacement"]
-    middle = 0.5 * (reference.min(axis=0) + reference.max(axis=0))
-    scene = Scene(direction=(-0.75, -0.62, 0.62), up=(0, 0, 1), pixels_per_metre=9.6 * fold, width=620 * fold, height=430 * fold, centre=middle + [2, 0, 1.5])
+    low, high = reference.min(axis=0), reference.max(axis=0) + [8, 0, 5]
+    direction, width = ((-0.35, -0.8, 0.6), 1100) if is_long(sheet) else ((-0.75, -0.62, 0.62), 620)
+    axes = Scene(direction, (0, 0, 1), 1, 1, 1, (0, 0, 0)).axes
+    corners = np.array(np.meshgrid(*zip(low, high))).reshape(3, -1).T @ axes[:2].T
+    size = np.ptp(corners, axis=0)
+    pixels = width / size[0]
+    centre = (corners.min(axis=0) + size / 2) @ axes[:2]
+    return Scene(direction, (0, 0, 1), pixels * fold, width * fold, int(pixels * size[1]) * fold, centre)
+
+
+def scene_picture(sheet, ship, spacing, fold=2):
+    """Ice and hull."""
+    scene = scene_of(sheet, fold)
     scene.add_shells(near(corners_of(ship), sheet), HULL)
     scene.add_balls(sheet.points, 0.56 * spacing, COLOURS(np.clip(sheet.point["damage"] / 0.9, 0, 1))[:, :3])
     return scene.picture(fold)
 
 
 def draw_scenes(folder, times, file):
-    figure, axes = plt.subplots(2, 2, figsize=(11, 8.0))
-    for axis, time in zip(axes.flat, times):
+    shots = []
+    for time in times:
         at, sheet = picture_at(folder, "sheet", time)
         _, ship = picture_at(folder, "ship", time)
-        axis.imshow(scene_picture(sheet, ship, spacing_of(sheet)), interpolation="none")
+        shots.append((at, scene_picture(sheet, ship, spacing_of(sheet))))
+    columns = 1 if is_long(sheet) else 2
+    rows = len(shots) // columns
+    tall, wide = shots[0][1].shape[:2]
+    figure, axes = plt.subplots(rows, columns, figsize=(11, rows * (11 / columns * tall / wide + 0.3)))
+    for axis, (at, picture) in zip(axes.flat, shots):
+        axis.imshow(picture, interpolation="none")
         axis.set_facecolor(WATER)
         axis.set_xticks([]), axis.set_yticks([])
         axis.set_title(f"{at:.1f} s", fontsize=13)
@@ -65,10 +86,14 @@ def draw_scenes(folder, times, file):
 
 
 def draw_damage(folder, times, file):
-    """Damage of the uppermost layer, on the undeformed sheet."""
-    figure, axes = plt.subplots(len(times), 1, figsize=(9, 2.1 + 2.6 * len(times)), sharex=True)
-    for axis, time in zip(axes, times):
-        at, sheet = picture_at(folder, "sheet", time)
+    """Damage of the uppermost layer, on the undeformed sheet; pictures of a wide sheet stand side by side."""
+    shots = [picture_at(folder, "sheet", time) for time in times]
+    long, wide = (np.ptp(shots[0][1].points[:, axis]) for axis in (0, 1))
+    is_wide = wide > long
+    rows, columns = (1, len(shots)) if is_wide else (len(shots), 1)
+    size = (11, 0.9 + 10 / columns * wide / long) if is_wide else (9, 0.6 + rows * (0.45 + 7 * wide / long))
+    figure, axes = plt.subplots(rows, columns, figsize=size, sharex=True, sharey=True)
+    for axis, (at, sheet) in zip(axes, shots):
         reference = sheet.points - sheet.point["displacement"]
         spacing = spacing_of(sheet)
         top = reference[:, 2] > reference[:, 2].max() - 0.5 * spacing
@@ -78,8 +103,9 @@ def draw_damage(folder, times, file):
         low, high = reference[top].min(axis=0) - 0.5 * spacing, reference[top].max(axis=0) + 0.5 * spacing
         image = axis.imshow(cells, extent=(low[0], high[0], low[1], high[1]), origin="lower", cmap=COLOURS, vmin=0, vmax=0.9, interpolation="none")
         axis.set_title(f"{at:.1f} s", fontsize=11, loc="left")
-        axis.set_ylabel("y [m]")
-    axes[-1].set_xlabel("x [m]; the ship comes from the right")
+        if not is_wide or axis is axes[0]:
+            axis.set_ylabel("y [m]")
+    axes[-1].set_xlabel("x [m]" if is_wide else "x [m]; the ship comes from the right")
     figure.colorbar(image, ax=axes, label="damage", shrink=0.6)
     figure.savefig(file, dpi=95, bbox_inches="tight")
 
@@ -126,7 +152,7 @@ def draw_bow(folder, file):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("results", type=Path, nargs="?", default=Path("results/ship_ice"))
-    arguments.add_argument("--paper", action="store_true")
+    arguments.add_argument("--of", choices=("deck", "paper", "wide"), default="deck")
     arguments.add_argument("--check", type=Path)
     given = arguments.parse_args()
     figures = HERE / "figures"
@@ -135,8 +161,8 @@ def main():
         draw_bow(given.check, figures / "bow.png")
         return
     end = series(given.results, "sheet")[-1][0]
-    times = PAPER_TIMES if given.paper else [share * end for share in (0.1, 0.4, 0.7, 1)]
-    prefix = "paper_" if given.paper else ""
+    times = PAPER_TIMES if given.of == "paper" else [share * end for share in (0.1, 0.4, 0.7, 1)]
+    prefix = "" if given.of == "deck" else f"{given.of}_"
     draw_scenes(given.results, times, figures / f"{prefix}scenes.png")
     draw_damage(given.results, times, figures / f"{prefix}damage.png")
     draw_forces(given.results, figures / f"{prefix}forces.png")
