@@ -19,8 +19,6 @@ struct Afloat {
 
 }  // namespace
 
-double Water::submerged(double z, double height) const { return std::clamp((level - z) / height + 0.5, 0.0, 1.0); }
-
 std::optional<double> floating_level(const Particles& particles, std::span<const std::uint32_t> slots, const Water& water) {
   double low = std::numeric_limits<double>::infinity(), high = -low, mass = 0, volume = 0;
   for (const std::uint32_t slot : slots) {
@@ -82,9 +80,12 @@ Vec3d Floating::resist(Particles& particles, double dt) {
   const double density = particles.density();
   const Resistance sum = sum_in_blocks<Resistance>(slots_.size(), [&](std::size_t k) {
     const std::size_t slot = slots_[k];
-    const Vec3d before = particles.force_density.at(slot), velocity = particles.velocity.at(slot);
+    const Vec3d velocity = particles.velocity.at(slot);
+    const bool is_exposed = exposure_ && exposure_->is_exposed(slot);
+    if (!is_exposed && water_.damping == 0 && water_.added_mass == 0) return forces_.note(k, {}, dt * velocity);  // most of a thick body
+    const Vec3d before = particles.force_density.at(slot);
     const double height = particles.size_of(slot), wet = water_.submerged(particles.position.at(slot).z, height);
-    const bool drags = wet > 0 && exposure_ && exposure_->is_exposed(slot);
+    const bool drags = wet > 0 && is_exposed;
     const double damping =
         water_.damping + (drags ? 0.5 * water_.density * water_.drag * height * height * wet * norm(velocity) / (density * particles.volume(slot)) : 0);
     Vec3d after = before;

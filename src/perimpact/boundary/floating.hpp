@@ -11,6 +11,7 @@
 /// its decrease. Docs: docs/theory/water.md.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -35,7 +36,7 @@ struct Water {
   double damping;     ///< [1/s] α
 
   /// Share of a particle of that height [m] at z [m] that is under water.
-  double submerged(double z, double height) const;
+  double submerged(double z, double height) const { return std::clamp((level - z) / height + 0.5, 0.0, 1.0); }
 };
 
 /// The level [m] at which the particles would float where they are now: that of no resultant force. Nothing where they are heavier than water.

@@ -23,6 +23,7 @@ class StencilBonds {
   struct Neighbour {
     std::ptrdiff_t slot;  // of the first lane
     Pack of(const double* values) const { return fccda::load<Pack>(values + slot); }
+    std::size_t slot_of(std::size_t lane) const { return static_cast<std::size_t>(slot) + lane; }
   };
   std::uint8_t* bytes(std::size_t eight) const { return family_.bytes(eight); }
   std::size_t rows(std::size_t) const { return offsets_.size(); }
@@ -46,6 +47,7 @@ class ListedBonds {
   struct Neighbour {
     const std::int32_t* slots;
     Pack of(const double* values) const { return fccda::gather<Pack>(values, slots); }
+    std::size_t slot_of(std::size_t lane) const { return static_cast<std::size_t>(slots[lane]); }
   };
   std::uint8_t* bytes(std::size_t eight) const { return family_.bytes(eight); }
   std::size_t rows(std::size_t eight) const { return list_.begin[eight + 1] - list_.begin[eight]; }
@@ -70,10 +72,16 @@ struct BondNow {
   Pack squared_length;                                 ///< [m²]
 };
 
+/// What becomes of bonds that are beyond their limits.
+struct BeyondLimit {
+  std::size_t* broken = nullptr;  ///< they break, and their ends are counted here
+  bool* is_noted = nullptr;       ///< where given, they stay, this becomes true, and the rest of the bonds is not looked at
+};
+
 /// Says of no bond that it breaks.
 struct Unbreakable {
   static constexpr bool is_armed = false;
-  Unbreakable counting(std::size_t&) const { return {}; }
+  Unbreakable with(const BeyondLimit&) const { return {}; }
   template <class Pack>
   Pack of(std::size_t) const {
     return Pack(0.0);
@@ -109,8 +117,12 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
     if constexpr (Breaking::is_armed) {
       const unsigned broken = intact & breaking.bits(index, squared_length, strength, neighbour);
       if (broken) [[unlikely]] {
+        if (breaking.beyond.is_noted) {
+          *breaking.beyond.is_noted = true;
+          return;
+        }
+        *breaking.beyond.broken += static_cast<std::size_t>(__builtin_popcount(broken));
         bytes[row] = static_cast<std::uint8_t>(bytes[row] & ~(broken << first));
-        breaking.count(broken);
         intact &= ~broken;
         per_broken(BondNow<Pack, Bonds>{index, neighbour, broken, between, squared_length});
       }

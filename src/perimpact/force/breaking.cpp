@@ -1,6 +1,6 @@
 #include "perimpact/force/breaking.hpp"
 
-#include "fccda/core/parallel.hpp"
+#include <utility>
 
 namespace perimpact {
 
@@ -12,10 +12,15 @@ Breaking::Breaking(const BreakingRule& rule, const std::vector<double>& strength
       lengths_.push_back(bond.length);
     }
   }
-  if (strength.empty() && !rule.compression && rule.hardening == 0) return;
-  half_strength_ = ScalarArray(particles.slots(), particles.slack(), 0.5);
-  for (std::size_t slot = 0; slot < strength.size(); ++slot) half_strength_.component(0)[slot] = 0.5 * strength[slot];
-  if (rule.hardening > 0) first_half_strength_.assign(half_strength_.component(0), half_strength_.component(0) + particles.slots());
+  if (!strength.empty() || rule.compression) {
+    half_strength_ = ScalarArray(particles.slots(), particles.slack(), 0.5);
+    for (std::size_t slot = 0; slot < strength.size(); ++slot) half_strength_.component(0)[slot] = 0.5 * strength[slot];
+  }
+  if (rule.hardening == 0) return;
+  pressed_half_strength_ = half_strength_.slots() != 0 ? half_strength_ : ScalarArray(particles.slots(), particles.slack(), 0.5);
+  is_asked_.assign(particles.slots() / fccda::byte_lanes, no);
+  postponed_.assign(particles.slots(), no);
+  row_has_postponed_.assign(particles.rows(), no);
 }
 
 namespace {
@@ -35,27 +40,30 @@ Pack least_stretch(const Bonds& bonds, const Lengths& lengths, const std::array<
 }  // namespace
 
 template <class Pack>
-void Breaking::follow(const Particles& particles, Family& family) {
-  if (first_half_strength_.empty()) return;
+void Breaking::find_pressed_strength(const Particles& particles, Family& family) {
   const std::array<const double*, 3> x = particles.position.pointers();
   const Pack slope(-0.5 * rule_->hardening / rule_->stretch);
-  double* half = half_strength_.component(0);
+  const double* first = half_strength_.slots() != 0 ? half_strength_.component(0) : nullptr;
   const auto over = [&](const auto& bonds, const auto& lengths) {
-    fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.slots() / fccda::byte_lanes), [&](std::ptrdiff_t eight) {
-      const std::size_t begin = static_cast<std::size_t>(eight) * fccda::byte_lanes;
-      for (std::size_t slot = begin; slot < begin + fccda::byte_lanes; slot += fccda::lanes<Pack>)
-        fccda::store(half + slot, fccda::fused(slope, least_stretch<Pack>(bonds, lengths, x, slot), fccda::load<Pack>(first_half_strength_.data() + slot)));
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(is_asked_.size()), [&](std::ptrdiff_t eight) {
+      const auto at = static_cast<std::size_t>(eight);
+      if (!std::exchange(is_asked_[at], no)) return;
+      const std::size_t begin = at * fccda::byte_lanes;
+      for (std::size_t slot = begin; slot < begin + fccda::byte_lanes; slot += fccda::lanes<Pack>) {
+        const Pack unpressed = first ? fccda::load<Pack>(first + slot) : Pack(0.5);
+        fccda::store(pressed_half_strength_.component(0) + slot, fccda::fused(slope, least_stretch<Pack>(bonds, lengths, x, slot), unpressed));
+      }
     });
   };
   if (family.list())
-    over(ListedBonds(family), LengthOnList{family.list()->length.data()});
+    over(ListedBonds(family), lengths<ListedBonds>(family));
   else
-    over(StencilBonds(family), LengthOnStencil{lengths_});
+    over(StencilBonds(family), lengths<StencilBonds>(family));
 }
 
-template void Breaking::follow<double>(const Particles&, Family&);
+template void Breaking::find_pressed_strength<double>(const Particles&, Family&);
 #if defined(__AVX2__) && !defined(FCCDA_SCALAR_PACK)
-template void Breaking::follow<fccda::NativePack>(const Particles&, Family&);
+template void Breaking::find_pressed_strength<fccda::NativePack>(const Particles&, Family&);
 #endif
 
 }  // namespace perimpact

@@ -266,30 +266,14 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking 
 template <std::size_t D>
 template <class Pack>
 void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
-  if (options.may_break) breaking_.follow<Pack>(particles, family);
-  const std::ptrdiff_t row_count = static_cast<std::ptrdiff_t>(particles.rows());
-  const auto for_each_pack = [&](std::size_t row, const auto& per_pack) {
-    const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
-    for (std::size_t slot = begin; slot < end; slot += lanes<Pack>) per_pack(slot);
-  };
   with_bonds(particles, family, [&](const auto& body) {
-    const auto responses = [&](std::size_t row, const auto& breaking) {
-      double energy = 0;
-      for_each_pack(row, [&](std::size_t slot) {
-        const Pack density =
-            response_of_pack<D, Pack>(body, slot, breaking, known_.data() + family.begin(slot / byte_lanes), options, rows.fracture_energy[row]);
-        if (options.with_energy) energy += energy_of_pack(density, particles, slot);
-      });
-      if (options.with_energy) rows.energy[row] = energy;
-    };
-    breaking_.template choose<std::decay_t<decltype(body.bonds)>>(family, options.may_break, [&](const auto& breaker) {
-      parallel_for(row_count, [&](std::ptrdiff_t r) {
-        const std::size_t row = static_cast<std::size_t>(r);
-        responses(row, breaker.counting(rows.broken_ends[row]));
-      });
+    breaking_.template for_each_pack<Pack>(body.bonds, particles, family, options, rows, [&](std::size_t row, std::size_t slot, const auto& breaker) {
+      const Pack density = response_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), options, rows.fracture_energy[row]);
+      return options.with_energy ? energy_of_pack(density, particles, slot) : 0.0;
     });
-    parallel_for(row_count, [&](std::ptrdiff_t r) {
-      for_each_pack(static_cast<std::size_t>(r), [&](std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
+    parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t row) {
+      for_each_pack_of_row<Pack>(particles, static_cast<std::size_t>(row),
+                                 [&](std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
     });
   });
 }

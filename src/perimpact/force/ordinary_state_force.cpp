@@ -156,51 +156,31 @@ double force_of_pack(const View& body, std::size_t slot, const Breaker& breaking
   return with_energy ? energy_of_pack(energy, body.particles, slot) : 0.0;
 }
 
-/// Calls per_pack(body, slot, corrections) for all packs of a row; where factors have a table, they are in the constants and there are no corrections.
-template <class Pack, class View, class Correction, class PerPack>
-void for_each_pack(const View& body, std::size_t row, const Correction& corrections, const PerPack& per_pack) {
-  const std::size_t begin = row * body.particles.row_slots(), end = std::min(begin + body.particles.row_slots(), body.particles.slots());
-  for (std::size_t slot = begin; slot < end; slot += lanes<Pack>) {
-    const std::int32_t table = body.correction.table_of(slot / byte_lanes);
-    if (table == CorrectionFactors::no_table)
-      per_pack(body, slot, corrections);
-    else
-      per_pack(body.with(body.constants.of_table(table)), slot, NoCorrections{});
-  }
+/// per_pack(body, slot, corrections) of a pack; where factors have a table, they are in the constants and there are no corrections.
+template <class View, class Correction, class PerPack>
+auto with_factors(const View& body, std::size_t slot, const Correction& corrections, const PerPack& per_pack) {
+  const std::int32_t table = body.correction.table_of(slot / byte_lanes);
+  return table == CorrectionFactors::no_table ? per_pack(body, slot, corrections) : per_pack(body.with(body.constants.of_table(table)), slot, NoCorrections{});
 }
 
-template <class Pack, bool has_dilatation, bool with_energy, class View, class Breaker, class Correction>
-void all_rows(const View& body, const Breaker& breaker, const Correction& corrections) {
-  const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(body.particles.rows());
+template <class Pack, bool has_dilatation, bool with_energy, class View, class Correction>
+void all_packs(const View& body, Breaking& breaking, Family& family, const PassOptions& options, const Correction& corrections) {
+  PassOptions forces = options;
   if constexpr (has_dilatation) {
-    parallel_for(rows, [&](std::ptrdiff_t r) {
-      const std::size_t row = static_cast<std::size_t>(r);
-      const auto breaking = breaker.counting(body.rows.broken_ends[row]);
-      for_each_pack<Pack>(body, row, corrections, [&](const View& view, std::size_t slot, const auto& factors) {
-        dilatation_of_pack<Pack>(view, slot, breaking, factors, body.rows.fracture_energy[row]);
+    PassOptions dilatations = options;
+    dilatations.with_energy = false;
+    breaking.for_each_pack<Pack>(body.bonds, body.particles, family, dilatations, body.rows, [&](std::size_t row, std::size_t slot, const auto& breaker) {
+      with_factors(body, slot, corrections, [&](const View& view, std::size_t at, const auto& factors) {
+        dilatation_of_pack<Pack>(view, at, breaker, factors, body.rows.fracture_energy[row]);
       });
+      return 0.0;
     });
+    forces.may_break = false;  // the dilatation pass has broken what breaks
   }
-  parallel_for(rows, [&](std::ptrdiff_t r) {
-    const std::size_t row = static_cast<std::size_t>(r);
-    double energy = 0;
-    const auto forces = [&](const auto& breaking) {
-      for_each_pack<Pack>(body, row, corrections, [&](const View& view, std::size_t slot, const auto& factors) {
-        energy += force_of_pack<Pack, has_dilatation, with_energy>(view, slot, breaking, factors, body.rows.fracture_energy[row]);
-      });
-    };
-    if constexpr (has_dilatation)
-      forces(Unbreakable{});  // the dilatation pass has broken what breaks
-    else
-      forces(breaker.counting(body.rows.broken_ends[row]));
-    if constexpr (with_energy) body.rows.energy[row] = energy;
-  });
-}
-
-template <class Pack, class View, class Breaker, class Correction>
-void run(const View& body, const Breaker& breaker, const PassOptions& options, const Correction& corrections) {
-  with_constant(body.law.needs_dilatation(), [&](auto has_dilatation) {
-    with_constant(options.with_energy, [&](auto energy) { all_rows<Pack, has_dilatation.value, energy.value>(body, breaker, corrections); });
+  breaking.for_each_pack<Pack>(body.bonds, body.particles, family, forces, body.rows, [&](std::size_t row, std::size_t slot, const auto& breaker) {
+    return with_factors(body, slot, corrections, [&](const View& view, std::size_t at, const auto& factors) {
+      return force_of_pack<Pack, has_dilatation, with_energy>(view, at, breaker, factors, body.rows.fracture_energy[row]);
+    });
   });
 }
 
@@ -246,12 +226,14 @@ OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, Breaking breaking, Cor
 
 template <class Pack>
 void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
-  if (options.may_break) breaking_.follow<Pack>(particles, family);
   const auto over = [&](const auto& bonds, const auto& constants, const auto& corrections) {
     using Bonds = std::decay_t<decltype(bonds)>;
     const BodyView<Bonds, std::decay_t<decltype(constants)>> body{
         particles, particles.position.pointers(), particles.force_density, theta_.component(0), bonds, constants, correction_, law_, rows, options.dt};
-    breaking_.template choose<Bonds>(family, options.may_break, [&](const auto& breaker) { run<Pack>(body, breaker, options, corrections); });
+    with_constant(law_.needs_dilatation(), [&](auto has_dilatation) {
+      with_constant(options.with_energy,
+                    [&](auto energy) { all_packs<Pack, has_dilatation.value, energy.value>(body, breaking_, family, options, corrections); });
+    });
   };
   const double* half = correction_.own_family().component(0);
   const FamilyFactor own{half};

@@ -1,6 +1,7 @@
 /// What a pass over the bonds of a body is asked for, and what it sums up row by row.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -21,6 +22,13 @@ struct PassOptions {
   bool may_break = true;  ///< false: bonds that are too long stay
   double dt = 0;          ///< [s] of the step that led to these positions with the particles' velocities; 0: of a state of equilibrium
 };
+
+/// Calls f(slot) for all packs of a row, in order.
+template <class Pack, class F>
+void for_each_pack_of_row(const Particles& particles, std::size_t row, const F& f) {
+  const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
+  for (std::size_t slot = begin; slot < end; slot += fccda::lanes<Pack>) f(slot);
+}
 
 /// Σ of energy density times volume over the particles of a pack [J].
 template <class Pack>

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "perimpact/bodies.hpp"
 #include "perimpact/damage/strength.hpp"
@@ -225,6 +228,60 @@ TEST_CASE("failure: compression hardening changes nothing where nothing is press
   const BodyOptions options{.critical_stretch = stretch, .failure = hardening(0.2)};
   CHECK(broken_at((1 - 1e-9) * stretch, options) == 0);
   CHECK(broken_at((1 + 1e-9) * stretch, options) > 0);
+}
+
+TEST_CASE("failure: with compression hardening each bond breaks where the least stretches of its own two particles say, in pass after pass") {
+  constexpr double stretch = 1e-3, alpha = 0.15;
+  for (const auto points : {Points::lattice, Points::shaken})
+    for (const bool scatters : {false, true}) {
+      CAPTURE(scatters);
+      FailureSetup failure = hardening(alpha);
+      if (scatters) failure.weibull_modulus = 5.0, failure.seed = 3;
+      Body solid = body({.critical_stretch = stretch, .points = points, .failure = failure});
+      const Particles& particles = solid.particles;
+      const auto strength = [&](std::size_t slot) { return scatters ? weibull_factor(5, 3, slot) : 1.0; };
+      const auto stretch_of = [&](std::size_t slot, const FamilyBond& bond) {
+        return norm(particles.position.at(bond.j) - particles.position.at(slot)) / bond.length - 1;
+      };
+      for (unsigned pass = 1; pass <= 6; ++pass) {  // some calm, so that what was pressed is let go
+        fixtures::deform(solid, [](const Vec3d& X) { return X; });
+        fixtures::shake(solid, pass % 3 == 0 ? 1e-9 : 6e-7 * pass, pass);
+        std::vector<double> pressed(particles.slots(), 0.0);
+        for (const std::uint32_t slot : particles.slot_of())
+          solid.family.for_each_bond(slot, [&](const FamilyBond& bond) { pressed[slot] = std::max(pressed[slot], -stretch_of(slot, bond)); });
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> expected, left;
+        std::size_t hardened = 0;
+        for (const std::uint32_t slot : particles.slot_of())
+          solid.family.for_each_bond(slot, [&](const FamilyBond& bond) {
+            const double s = stretch_of(slot, bond), rest = 0.5 * stretch * (strength(slot) + strength(bond.j));
+            const double limit = rest + 0.5 * alpha * (pressed[slot] + pressed[bond.j]);
+            if (s <= limit) expected.emplace_back(slot, bond.j);
+            hardened += s > rest && s <= limit;
+          });
+        solid.internal.evaluate(solid.particles, solid.family);
+        for (const std::uint32_t slot : particles.slot_of())
+          solid.family.for_each_bond(slot, [&](const FamilyBond& bond) { left.emplace_back(slot, bond.j); });
+        CHECK(left == expected);
+        CHECK((hardened > 50) == (pass % 3 != 0));  // there is something to tell apart
+      }
+      CHECK(solid.internal.broken_bonds() > 100);
+    }
+}
+
+TEST_CASE("failure: with compression hardening forces and energies do not depend on what was pressed in the pass before") {
+  const auto shaken = [](Body& solid, double by) {
+    fixtures::deform(solid, [](const Vec3d& X) { return X; });
+    fixtures::shake(solid, by, 7);
+  };
+  Body fresh = body({.critical_stretch = 1e-3, .failure = hardening(0.15)}), used = body({.critical_stretch = 1e-3, .failure = hardening(0.15)});
+  shaken(used, 3e-7);  // presses some, and breaks none
+  used.internal.evaluate(used.particles, used.family);
+  REQUIRE(used.internal.broken_bonds() == 0);
+  for (Body* solid : {&fresh, &used}) shaken(*solid, 1e-6);
+  CHECK(fresh.internal.evaluate_with_energy(fresh.particles, fresh.family) == used.internal.evaluate_with_energy(used.particles, used.family));
+  CHECK(fresh.internal.broken_bonds() > 0);
+  CHECK(fresh.internal.broken_bonds() == used.internal.broken_bonds());
+  for (const std::uint32_t slot : fresh.particles.slot_of()) REQUIRE(fresh.particles.force_density.at(slot) == used.particles.force_density.at(slot));
 }
 
 TEST_CASE("failure: compression hardening breaks the same bonds on a lattice, in lists, and one particle at a time") {
