@@ -201,18 +201,17 @@ void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Fam
     using Breaker = std::decay_t<decltype(breaker)>;
     if constexpr (Breaker::is_armed)
       for_each_postponed<Pack>(particles, [&](std::size_t, std::size_t slot) {
-        const auto ask = [&](std::size_t of) { std::atomic_ref(is_asked_[of / fccda::byte_lanes]).store(yes, std::memory_order_relaxed); };
         const Pack of_i = breaker.template of<Pack>(slot);
         unsigned beyond = 0;
         for_each_bond<Pack>(bonds, particles.position.pointers(), slot, Unbreakable{}, [&](const auto& bond) {
           const unsigned bits = bond.intact & breaker.bits(bond.index, bond.squared_length, of_i, bond.neighbour);
-          for (unsigned left = bits; left != 0; left &= left - 1) ask(bond.neighbour.slot_of(static_cast<std::size_t>(std::countr_zero(left))));
+          for (unsigned left = bits; left != 0; left &= left - 1) {  // of the neighbours alone: this one is asked for by them
+            const std::size_t j = bond.neighbour.slot_of(static_cast<std::size_t>(std::countr_zero(left)));
+            std::atomic_ref(is_asked_[j / fccda::byte_lanes]).store(yes, std::memory_order_relaxed);
+          }
           beyond |= bits;
         });
-        if (beyond)
-          ask(slot);
-        else
-          postponed_[slot / fccda::lanes<Pack>] = needlessly;
+        if (beyond == 0) postponed_[slot / fccda::lanes<Pack>] = needlessly;
       });
   });
   find_pressed_strength<Pack>(particles, family);
