@@ -222,6 +222,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<GivenForce> 
     pull();
     touch();
     apply_boundaries();
+    note_touch();
     if (fragments_ && fragments_->touching() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
   }
   record();
@@ -234,7 +235,8 @@ void Simulation::step(const KeepRelaxing& keep_on) {
   timers_.timed("contact", [&] { strike(); });
   timers_.timed("forces", [&] { pull(); });
   if (fragments_) timers_.timed("fragments", [&] { touch(); });
-  timers_.timed("forces", [&] { apply_boundaries(); });
+  timers_.timed("boundaries", [&] { apply_boundaries(); });
+  if (fragments_) timers_.timed("fragments", [&] { note_touch(); });
   timers_.timed("monitors", [&] {
     if (monitors_.is_due(clock_)) record();
   });
@@ -275,13 +277,16 @@ void Simulation::touch() {
   if (fragments_) fragments_->add_forces(touching_bodies(setup_, bodies_), clock_.dt);
 }
 
+void Simulation::note_touch() {
+  if (fragments_) fragments_->note_work(touching_bodies(setup_, bodies_), clock_.dt);
+}
+
 void Simulation::apply_boundaries() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
     boundaries_[b].look(body.particles, body.family, body.internal.broken_ends());
     boundaries_[b].add_forces(body.particles, clock_.next());
   }
-  if (fragments_) fragments_->note_work(touching_bodies(setup_, bodies_), clock_.dt);
 }
 
 void Simulation::relax(const KeepRelaxing& keep_on) {

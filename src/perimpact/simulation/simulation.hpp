@@ -95,6 +95,7 @@ class Simulation {
   void strike();
   void pull();
   void touch();
+  void note_touch();
   void apply_boundaries();
   void relax(const KeepRelaxing& keep_on);
   void record();

@@ -259,8 +259,7 @@ TEST_CASE("failure: with compression hardening each bond breaks where the least 
             hardened += s > rest && s <= limit;
           });
         solid.internal.evaluate(solid.particles, solid.family);
-        for (const std::uint32_t slot : particles.slot_of())
-          solid.family.for_each_bond(slot, [&](const FamilyBond& bond) { left.emplace_back(slot, bond.j); });
+        for (const std::uint32_t slot : particles.slot_of()) solid.family.for_each_bond(slot, [&](const FamilyBond& bond) { left.emplace_back(slot, bond.j); });
         CHECK(left == expected);
         CHECK((hardened > 50) == (pass % 3 != 0));  // there is something to tell apart
       }
