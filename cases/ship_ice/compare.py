@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Runs of variants.sh beside formulas of resistance: compare.py RESULTS
+"""Runs of variants.sh beside formulas of resistance: compare.py RESULTS [RUN ...]
 
-RESULTS: folder that variants.sh filled. Prints a table, and draws figures/sweeps.png: mean resistance over all the travel against speed, thickness and
+RESULTS: folder that variants.sh filled; RUN: folders of other runs, for the table alone. Prints a table, and draws figures/sweeps.png: mean resistance over all the travel against speed, thickness and
 strength of the ice, with what resistance.py gives without friction; and the runs among Lindqvist's h-v curves. Strength and thickness are those of run.json.
 """
 
@@ -49,13 +49,13 @@ def finished(folder):
     return file.exists() and json.loads(file.read_text())["outcome"] == "finished"
 
 
-def table(folder, names):
+def table(folders):
     print("| run | V [m/s] | H [m] | σ_f [MPa] | first blow [MN] | mean [kN] | largest 1 s [kN] | loads | through-cracks | R_c + R_b | R (Lindqvist) | Riska | H_B |")
     print("|---|---|---|---|---|---|---|---|---|---|---|---|---|")
-    for name in names:
-        ship, run = ship_of(folder / name), measure(folder / name)
+    for folder in folders:
+        ship, run = ship_of(folder), measure(folder)
         formulas = " | ".join(f"{force(ship) / 1e3:.0f}" for _, _, force in FORMULAS)
-        print(f"| {name} | {ship.speed:.2f} | {ship.thickness:g} | {ship.strength / 1e6:.2f} | {run['first peak'] / 1e6:.2f} | {run['mean of all'] / 1e3:.0f}"
+        print(f"| {folder.name} | {ship.speed:.2f} | {ship.thickness:g} | {ship.strength / 1e6:.2f} | {run['first peak'] / 1e6:.2f} | {run['mean of all'] / 1e3:.0f}"
               f" | {run['largest 1 s'] / 1e3:.0f} | {loads_of(run)} | {run['cracks']} | {formulas} |")
 
 
@@ -105,9 +105,9 @@ def draw(folder, file):
 
 
 def main():
-    folder = Path(sys.argv[1])
-    order = [name for *_, names in SWEEPS for name in names]
-    table(folder, [name for name in dict.fromkeys(order) if finished(folder / name)])
+    folder, *others = (Path(name) for name in sys.argv[1:])
+    order = dict.fromkeys([name for *_, names in SWEEPS for name in names] + ["friction_0.1", "panels_uniform_3", "hardening_0.2", "six_layers"])
+    table([folder / name for name in order if finished(folder / name)] + others)
     draw(folder, HERE / "figures" / "sweeps.png")
 
 

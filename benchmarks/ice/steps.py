@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Times the beginning of the ice cases on one core, writes results/ice_<machine>.csv and prints it as a table.
+
+    benchmarks/ice/steps.py                          three minutes on an idle machine
+    benchmarks/ice/steps.py --before PROGRAM         another build in turn with this one: the ratios are of one run
+
+Numbers are of the fastest round, by the timers of run.json; the states at the end of both programs must be the same.
+"""
+
+import argparse
+import csv
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "benchmarks/plate"))
+from programs import machine  # noqa: E402
+
+CASES = {  # deck, and how much of it
+    "ship": ("ship_ice/deck.yaml", "time.end=0.5 s"),
+    "propeller": ("propeller_ice/deck.yaml", "time.end=40 ms"),
+    "submarine": ("submarine_surfacing/deck.yaml", "time.end=0.2 s"),
+}
+TIMERS = ("contact", "forces", "fragments", "boundaries")
+
+
+def run(program, case):
+    deck, end = CASES[case]
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run(
+            [program, "run", ROOT / "cases" / deck, "--threads", "1", "--out", folder, "--set", end, "--set", "output.frames=0"],
+            check=True, stdout=subprocess.DEVNULL,
+        )  # fmt: skip
+        return json.loads((Path(folder) / "run.json").read_text())
+
+
+def seconds(report):
+    return sum(report["timers [s]"].values())
+
+
+def row(case, program, reports, before=()):
+    best = min(reports, key=seconds)
+    cells = {"machine": machine(), "case": case, "program": program, "particles": sum(body["particles"] for body in best["bodies"].values()),
+             "steps": best["steps"], "rounds": len(reports), "steps/s": f"{best['steps'] / seconds(best):.4g}"}  # fmt: skip
+    cells |= {name: f"{best['timers [s]'].get(name, 0) / seconds(best):.3f}" for name in TIMERS}
+    return cells | {"of the time before": f"{seconds(best) / min(map(seconds, before)):.3f}" if before else ""}
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("--program", type=Path, default=ROOT / "build/release/perimpact")
+    arguments.add_argument("--before", type=Path)
+    arguments.add_argument("--rounds", type=int, default=3)
+    given = arguments.parse_args()
+    rows = []
+    for case in CASES:
+        own, others = [], []
+        for _ in range(given.rounds):
+            own.append(run(given.program, case))
+            if given.before:
+                others.append(run(given.before, case))
+        if len({report["state_hash"] for report in own + others}) != 1:
+            sys.exit(f"{case}: the programs end in different states, so that their times cannot be compared.")
+        if given.before:
+            rows.append(row(case, "before", others))
+        rows.append(row(case, "perimpact", own, others))
+    path = ROOT / "benchmarks/results" / f"ice_{re.sub('[^a-z0-9]+', '_', machine().lower()).strip('_')}.csv"
+    with open(path, "w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    for line in ([*rows[0]], ["---"] * len(rows[0]), *(list(r.values()) for r in rows)):
+        print("| " + " | ".join(str(cell) for cell in line[1:]) + " |")
+
+
+if __name__ == "__main__":
+    main()
