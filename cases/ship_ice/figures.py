@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the pictures of README.md: figures.py [RESULTS] [--of DECK] [--check FOLDER]
 
-RESULTS: folder of a finished run (default: results/ship_ice). --of: its deck, deck (default), paper, at the paper's four instants, or wide.
+RESULTS: folder of a finished run (default: results/ship_ice). --of: its deck, deck (default), paper, at the paper's four instants, wide or six_layers.
 --check: folder that `perimpact check` wrote surfaces and regions into; then only the bow and its region are drawn.
 """
 
@@ -152,7 +152,7 @@ def draw_bow(folder, file):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("results", type=Path, nargs="?", default=Path("results/ship_ice"))
-    arguments.add_argument("--of", choices=("deck", "paper", "wide"), default="deck")
+    arguments.add_argument("--of", choices=("deck", "paper", "wide", "six_layers"), default="deck")
     arguments.add_argument("--check", type=Path)
     given = arguments.parse_args()
     figures = HERE / "figures"
