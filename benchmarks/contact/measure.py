@@ -21,7 +21,7 @@ import report
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks/plate"))
-from programs import machine  # noqa: E402
+from programs import machine, results_file  # noqa: E402
 
 PARTICLES = ["1e4", "1e5", "1e6", "1e7"]
 PANELS = ["1e2", "1e3", "1e4", "1e5", "1e6"]
@@ -81,7 +81,7 @@ def main():
     if not arguments.tables:
         for kind in [arguments.only] if arguments.only else KINDS:
             rows = [{"machine": machine(), **row} for row in KINDS[kind](arguments.build.resolve())]
-            report.write(rows, report.results_file(kind, machine()))
+            report.write(rows, results_file(f"contact_{kind}"))
     report.update_readme()
     report.draw(ROOT / "docs/theory/figures/contact_cost.png")
     claims = report.claims()

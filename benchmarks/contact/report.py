@@ -2,7 +2,6 @@
 
 import csv
 import math
-import re
 from pathlib import Path
 
 BENCHMARKS = Path(__file__).resolve().parents[1]
@@ -10,10 +9,6 @@ README = BENCHMARKS / "README.md"
 RESULTS = BENCHMARKS / "results"
 BEGIN, END = "<!-- contact: written by contact/measure.py -->\n", "<!-- end of contact -->\n"
 METHODS = ["all panels", "box then all panels", "box then bvh", "swept"]
-
-
-def results_file(kind, machine):
-    return RESULTS / f"contact_{kind}_{re.sub('[^a-z0-9]+', '_', machine.lower()).strip('_')}.csv"
 
 
 def write(rows, path):

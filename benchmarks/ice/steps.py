@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Times the beginning of the ice cases on one core, writes results/ice_<machine>.csv and prints it as a table.
 
-    benchmarks/ice/steps.py                          three minutes on an idle machine
-    benchmarks/ice/steps.py --before PROGRAM         another build in turn with this one: the ratios are of one run
+    benchmarks/ice/steps.py                          on an idle machine
+    benchmarks/ice/steps.py --before PROGRAM         another build in turn with this one, four minutes: the ratios are of one run
 
 Numbers are of the fastest round, by the timers of run.json; the states at the end of both programs must be the same.
 """
@@ -10,7 +10,6 @@ Numbers are of the fastest round, by the timers of run.json; the states at the e
 import argparse
 import csv
 import json
-import re
 import subprocess
 import sys
 import tempfile
@@ -18,7 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks/plate"))
-from programs import machine  # noqa: E402
+from programs import machine, results_file  # noqa: E402
 
 CASES = {  # deck, and how much of it
     "ship": ("ship_ice/deck.yaml", "time.end=0.5 s"),
@@ -68,8 +67,7 @@ def main():
         if given.before:
             rows.append(row(case, "before", others))
         rows.append(row(case, "perimpact", own, others))
-    path = ROOT / "benchmarks/results" / f"ice_{re.sub('[^a-z0-9]+', '_', machine().lower()).strip('_')}.csv"
-    with open(path, "w", newline="") as file:
+    with open(results_file("ice"), "w", newline="") as file:
         writer = csv.DictWriter(file, rows[0], lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)

@@ -120,7 +120,7 @@ def main():
     check_same_problem(rounds)
 
     rows = [summary(machine, what, rounds) for what in order]
-    path = report.results_file(machine)
+    path = programs.results_file("plate")
     report.write(rows, path)
     report.update_readme()
     claims = report.claims(report.read(path))

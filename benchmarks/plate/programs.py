@@ -100,3 +100,8 @@ def machine():
     if not all(field.values()):
         return os.uname().machine
     return f"{field['model name'][1]} (family {field['cpu family'][1]}, model {field['model'][1]})"
+
+
+def results_file(kind):
+    """Where results of this kind that were taken on this machine are kept."""
+    return FOLDER.parent / "results" / f"{kind}_{re.sub('[^a-z0-9]+', '_', machine().lower()).strip('_')}.csv"

@@ -1,7 +1,6 @@
 """The results as CSV, the claims they must meet, and the tables of benchmarks/README.md made from them."""
 
 import csv
-import re
 from pathlib import Path
 
 BENCHMARKS = Path(__file__).resolve().parents[1]
@@ -11,10 +10,6 @@ BEGIN, END = "<!-- results: written by plate/against_lammps.py -->\n", "<!-- end
 
 COLUMNS = """machine program compiler family nu correction threads isa steps rounds steps/s steps/s_min steps/s_max directed_bonds/s root_and_division/s
 share_of_core predict contact forces monitors contacts/step cpu_use against ratio ratio_min ratio_max""".split()
-
-
-def results_file(machine):
-    return RESULTS / f"plate_{re.sub('[^a-z0-9]+', '_', machine.lower()).strip('_')}.csv"
 
 
 def write(rows, path):

@@ -21,7 +21,7 @@ import report
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks/plate"))
-from programs import machine  # noqa: E402
+from programs import machine, results_file  # noqa: E402
 
 EXAMPLES = Path("/usr/share/doc/openfoam-examples/examples")
 REAL = ["buildings.obj", "motorBike.obj", "DTC-scaled.stl", "propellerTip.obj", "bullet.stl", "wigley.stl"]
@@ -95,7 +95,7 @@ def main():
     parser.add_argument("--tables", action="store_true", help="write the tables from the CSV files, measure nothing")
     arguments = parser.parse_args()
     if not arguments.tables:
-        report.write(measure(arguments.build.resolve(), arguments.rounds), machine())
+        report.write(measure(arguments.build.resolve(), arguments.rounds), results_file("surface"))
     report.update_readme()
     claims = report.claims()
     for what, wanted, shown, met in claims:

@@ -1,7 +1,6 @@
 """Results of the surface benchmark: CSV files and tables of benchmarks/README.md."""
 
 import csv
-import re
 from pathlib import Path
 
 BENCHMARKS = Path(__file__).resolve().parents[1]
@@ -12,8 +11,8 @@ READY = ["read", "fit", "bvh", "check"]  # what lies between a file and a checke
 INSIDE_FIT = ["weld", "triangulate", "connect", "wind"]
 
 
-def write(rows, machine):
-    with open(RESULTS / f"surface_{re.sub('[^a-z0-9]+', '_', machine.lower()).strip('_')}.csv", "w", newline="", encoding="utf-8") as file:
+def write(rows, path):
+    with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
