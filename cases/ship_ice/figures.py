@@ -15,7 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
-from measure import history  # noqa: E402
+from measure import history, window_means  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "../../scripts/pictures"))
@@ -117,10 +117,8 @@ def draw_forces(folder, file):
     for axis, name, words in zip(axes, "xz", ("F_x, resistance", "F_z, upwards")):
         force = rows[f"ship.force_{name} [N]"] / 1e6
         axis.fill_between(time, force, color="#a9c9e0", step="pre", label=f"rows of history.csv, {time[2] - time[1]:.3g} s")
-        window = 1.0
-        n = round(window / (time[2] - time[1]))
-        smooth = np.convolve(force, np.ones(n) / n, mode="same")
-        axis.plot(time, smooth, color="#b3312c", linewidth=1.6, label="mean over 1 s")
+        smooth = window_means(time, force, 1.0)
+        axis.plot(time[: len(smooth)] + 0.5, smooth, color="#b3312c", linewidth=1.6, label="mean over 1 s")
         axis.axhline(force[time > 4].mean(), color="#20506e", linestyle="--", linewidth=1, label="mean from 4 s on")
         axis.set_ylabel(f"{words} [MN]")
         axis.set_ylim(0, 1.6 * np.percentile(force, 99))

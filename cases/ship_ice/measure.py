@@ -14,6 +14,7 @@ one to the next.
 """
 
 import csv
+import functools
 import json
 import sys
 from pathlib import Path
@@ -64,6 +65,7 @@ def through_cracks(reference, damage, breadth):
     return int(np.median((np.diff(cracked, axis=0) == 1).sum(axis=0)))
 
 
+@functools.cache  # tables and pictures ask for the same runs
 def measure(folder):
     rows = history(folder)
     report = json.loads((Path(folder) / "run.json").read_text())
