@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "fixtures/tolerance.hpp"
+
 using namespace fccda;
 
 namespace {
@@ -36,7 +38,7 @@ TEST_CASE("applied load: weight makes a parabola, and its work is the kinetic en
   CHECK(norm(body.position_of_com() - start - Vec3d{2, 0, 5 - 9.81 * 0.5 * (1 + dt)}) < 1e-11);  // a thousand roundings of 5 m
   CHECK(norm(body.velocity() - Vec3d{2, 0, 5 - 9.81}) < 1e-11);
   CHECK(norm(body.angular_velocity()) == 0);
-  CHECK(work == doctest::Approx(body.kinetic_energy() - before).epsilon(1e-12));  // exact in each step, so rounding is left
+  CHECK(work == fixtures::relative(body.kinetic_energy() - before, 1e-12));  // exact in each step, so rounding is left
 }
 
 TEST_CASE("applied load: without a moment a tumbling body keeps its angular momentum, whatever force acts in its centre of mass") {
@@ -51,8 +53,8 @@ TEST_CASE("applied load: a constant torque about a bearing's axis spins up at M/
   const AppliedLoad torque[] = {{.moment = {0, 0, 0.6}}};
   RigidBody body({.mass = 1, .centre_of_mass = {}, .inertia = Mat3::diagonal({1, 2, 3})}, Pose(), {}, {}, {{false, false, false, false, false, true}});
   const double work = run(body, torque, 2, 1e-3);
-  CHECK(body.angular_velocity().z == doctest::Approx(0.6 / 3 * 2).epsilon(1e-12));
-  CHECK(work == doctest::Approx(0.5 * 3 * 0.4 * 0.4).epsilon(1e-12));
+  CHECK(body.angular_velocity().z == fixtures::relative(0.6 / 3 * 2, 1e-12));
+  CHECK(work == fixtures::relative(0.5 * 3 * 0.4 * 0.4, 1e-12));
 }
 
 TEST_CASE("applied load: a force off the centre of mass turns the body by its arm, which moves along") {
@@ -70,7 +72,7 @@ TEST_CASE("applied load: its factor is the mean over the step") {
   const AppliedLoad blast[] = {{.force = {0, 10, 0}, .factor = TimeTable({0.1, 0.2, 0.3}, {0, 1, 0})}};
   RigidBody body(lopsided(), Pose(), {}, {}, all_free);
   run(body, blast, 0.5, 0.05);  // steps of a quarter of the pulse
-  CHECK(body.momentum().y == doctest::Approx(10 * 0.1).epsilon(1e-13));
+  CHECK(body.momentum().y == fixtures::relative(10 * 0.1, 1e-13));
 }
 
 TEST_CASE("applied load: what acts on held degrees is taken by their holder, and the works balance") {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fixtures/tolerance.hpp"
+
 using namespace fccda;
 
 namespace {
@@ -91,7 +93,7 @@ TEST_CASE("prescribed motion: the work of what drives and that of pushes from ou
   // what tumbling itself errs, of first order (rigid_body.test.cpp): of 6 J, turning by up to 6e-3 in a step
   const double coarse = imbalance(1e-3), fine = imbalance(5e-4);
   CHECK(coarse < 6e-3 * 6);
-  CHECK(coarse / fine == doctest::Approx(2).epsilon(0.1));
+  CHECK(coarse / fine == fixtures::relative(2, 0.1));
 }
 
 TEST_CASE("prescribed motion: what is not prescribed keeps its velocity, and at the start tables say theirs") {

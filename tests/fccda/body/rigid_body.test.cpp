@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fccda/core/error.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -47,8 +48,8 @@ TEST_CASE("rigid body: the energy error of tumbling halves with the step") {
     return std::fabs(body.kinetic_energy() - before) / before;
   };
   const double coarse = error(1e-3), fine = error(5e-4);
-  CHECK(coarse < 1e-2);                                     // ω dt = 6e-3, first order
-  CHECK(coarse / fine == doctest::Approx(2).epsilon(0.1));  // the next order is ω dt smaller
+  CHECK(coarse < 1e-2);                                // ω dt = 6e-3, first order
+  CHECK(coarse / fine == fixtures::relative(2, 0.1));  // the next order is ω dt smaller
 }
 
 TEST_CASE("rigid body: a turn about a principal axis goes on for ever at the same rate") {
@@ -80,7 +81,7 @@ TEST_CASE("rigid body: held components keep their velocity to the bit, free ones
     const Vec3d gained = body.angular_momentum(body.position_of_com()) - angular;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (degrees.translation(axis))
-        CHECK(body.velocity()[axis] == doctest::Approx(v[axis] + linear[axis] / 2.5).epsilon(1e-14));
+        CHECK(body.velocity()[axis] == fixtures::relative(v[axis] + linear[axis] / 2.5, 1e-14));
       else
         CHECK(body.velocity()[axis] == v[axis]);
       if (degrees.rotation(axis))
@@ -105,7 +106,7 @@ TEST_CASE("rigid body: driving held degrees changes no momentum along the free o
   CHECK(std::fabs(gained.x) > 0.1);
   CHECK(std::fabs(gained.y) < 1e-15 * 4);  // products of inertia would bring some; two roundings of numbers of order one
   CHECK(std::fabs(gained.z) < 1e-15 * 4);
-  CHECK(body.work_of_holder() == doctest::Approx(body.kinetic_energy() - before).epsilon(1e-14));
+  CHECK(body.work_of_holder() == fixtures::relative(body.kinetic_energy() - before, 1e-14));
 }
 
 TEST_CASE("rigid body: no point of it goes further in a step than its travel bound says") {

@@ -11,6 +11,7 @@
 #include "fccda/shapes/cylinder.hpp"
 #include "fccda/shapes/sphere.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -81,13 +82,13 @@ TEST_CASE("still water: box, sphere and lying cylinder are at rest where Archime
     const Surface surface(panels);
     return level_at_rest(RigidBody({.mass = mass}, Pose({0, 0, 3}), {}, {}, heave), surface, sea);
   };
-  CHECK(*level(make_box({.size = size, .panel = 0.5}), 2000) == doctest::Approx(3 - 0.5 + 2000 / (1025.0 * 8)).epsilon(1e-14));  // roundings
+  CHECK(*level(make_box({.size = size, .panel = 0.5}), 2000) == fixtures::relative(3 - 0.5 + 2000 / (1025.0 * 8), 1e-14));  // roundings
   // half of a surface that is its own mirror image, panels and all
   const Panels ball = make_sphere({.diameter = 2, .panel = 0.1}), log = make_cylinder({.diameter = 1, .height = 3, .axis = Axis::x, .panel = 0.05});
   for (const Panels& panels : {ball, log}) CHECK(std::fabs(*level(panels, 0.5 * 1025 * Surface(panels).report().volume) - 3) < 1e-12);
   // a cap of the height of a quarter of the diameter holds 5/32 of the sphere
-  CHECK(*level(ball, 1025 * 4 * std::numbers::pi / 3 * 5 / 32) == doctest::Approx(3 - 0.5).epsilon(0.01 * 0.1));  // panel²/8 inside, on a waterplane of 3/4 π
-  CHECK(!level(make_box({.size = size, .panel = 0.5}), 8201).has_value());                                        // 8200 kg of water
+  CHECK(*level(ball, 1025 * 4 * std::numbers::pi / 3 * 5 / 32) == fixtures::relative(3 - 0.5, 0.01 * 0.1));  // panel²/8 inside, on a waterplane of 3/4 π
+  CHECK(!level(make_box({.size = size, .panel = 0.5}), 8201).has_value());                                   // 8200 kg of water
 }
 
 TEST_CASE("still water: a heeled box rights itself with the moment of the wall-sided formula") {
@@ -98,8 +99,8 @@ TEST_CASE("still water: a heeled box rights itself with the moment of the wall-s
     const double bm = size.y * size.y / (12 * draught), bg = 0.25;  // [m] of the centre of mass, in the middle, over the one of buoyancy
     const double arm = (bm - bg + 0.5 * bm * tangent * tangent) * std::sin(angle);
     const Afloat now = afloat(body, box, sea);
-    CHECK(now.moment.x == doctest::Approx(-body.mass() * sea.gravity * arm).epsilon(1e-12));  // exact but for roundings
-    CHECK(std::fabs(now.force) < 1e-9 * body.mass());                                         // likewise
+    CHECK(now.moment.x == fixtures::relative(-body.mass() * sea.gravity * arm, 1e-12));  // exact but for roundings
+    CHECK(std::fabs(now.force) < 1e-9 * body.mass());                                    // likewise
   }
 }
 
@@ -118,7 +119,7 @@ TEST_CASE("still water: a box bobs with the period of its waterplane, slower wit
         });
     REQUIRE(times.size() > 3);
     // linear, so exact but for (ω dt)²/24 = 1e-6 and the crossing's straight line
-    CHECK((times.back() - times.front()) / static_cast<double>(times.size() - 1) == doctest::Approx(exact).epsilon(1e-5));
+    CHECK((times.back() - times.front()) / static_cast<double>(times.size() - 1) == fixtures::relative(exact, 1e-5));
   }
 }
 
@@ -137,7 +138,7 @@ TEST_CASE("still water: a box rolls with the period of its metacentric height") 
       });
   REQUIRE(times.size() > 3);
   const double exact = 2 * std::numbers::pi * std::sqrt(inertia / (body.mass() * sea.gravity * gm));
-  CHECK((times.back() - times.front()) / static_cast<double>(times.size() - 1) == doctest::Approx(exact).epsilon(3e-4));  // the arm grows by start²
+  CHECK((times.back() - times.front()) / static_cast<double>(times.size() - 1) == fixtures::relative(exact, 3e-4));  // the arm grows by start²
 }
 
 TEST_CASE("still water: the work is what kinetic energy gains, and what the potential loses to the second order of the step") {
@@ -158,7 +159,7 @@ TEST_CASE("still water: the work is what kinetic energy gains, and what the pote
       body.advance(dt);
     }
     CHECK(worst < 1e-3 * std::fabs(first));
-    if (last > 0) CHECK(last / worst == doctest::Approx(4).epsilon(0.1));  // second order, and nothing piles up over a dozen periods
+    if (last > 0) CHECK(last / worst == fixtures::relative(4, 0.1));  // second order, and nothing piles up over a dozen periods
     last = worst;
   }
 }
@@ -171,7 +172,7 @@ TEST_CASE("still water: with damping a dropped body comes to rest at its draught
   const double rest = *level_at_rest(body, ball, thick);
   const double dt = 2e-3;
   apply(thick, ball, body, step_from(0, dt));
-  CHECK(body.velocity().z == doctest::Approx(-thick.gravity * dt).epsilon(1e-15));
+  CHECK(body.velocity().z == fixtures::relative(-thick.gravity * dt, 1e-15));
   for (long n = 1; n < std::lround(40 / dt); ++n) {
     apply(thick, ball, body, step_from(n, dt));
     body.advance(dt);
@@ -213,10 +214,10 @@ TEST_CASE("still water: what is held stays, and its holder takes weight, buoyanc
     held.advance(dt);
   }
   CHECK(held.velocity() == Vec3d{0, 0, 0.5});
-  CHECK(held.position_of_com().z == doctest::Approx(0.2).epsilon(1e-12));
-  CHECK(held.work_of_holder() == doctest::Approx(-work).epsilon(1e-12));
+  CHECK(held.position_of_com().z == fixtures::relative(0.2, 1e-12));
+  CHECK(held.work_of_holder() == fixtures::relative(-work, 1e-12));
   // forces are taken where a step begins: too large by half a step's change, ρ g A 0.5 m/s dt/2, all along the 0.5 m; but for roundings
   const double ahead = work - (before - afloat(held, box, sea).potential);
-  CHECK(ahead == doctest::Approx(sea.density * sea.gravity * 8 * 0.5 * 0.5 * dt * 0.5).epsilon(1e-6));
-  CHECK(impulse == doctest::Approx(work / 0.5).epsilon(1e-12));
+  CHECK(ahead == fixtures::relative(sea.density * sea.gravity * 8 * 0.5 * 0.5 * dt * 0.5, 1e-6));
+  CHECK(impulse == fixtures::relative(work / 0.5, 1e-12));
 }

@@ -4,6 +4,7 @@
 
 #include "fccda/detect/scene.hpp"
 #include "fccda/detect/swept.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 using fixtures::detect;
@@ -30,8 +31,8 @@ TEST_CASE("analytic: what ends nearer to the centre than R + r, or went right th
     std::vector<bool> found(paths.size(), false);
     for (const Contact& contact : detect(detector, fixtures::points_on(paths))) {
       found[contact.point] = true;
-      CHECK(norm(contact.relocation) == doctest::Approx(0.52).epsilon(1e-11));  // R + r and the offset
-      CHECK(norm(contact.hit) == doctest::Approx(0.5).epsilon(1e-11));
+      CHECK(norm(contact.relocation) == fixtures::relative(0.52, 1e-11));  // R + r and the offset
+      CHECK(norm(contact.hit) == fixtures::relative(0.5, 1e-11));
       CHECK(dot(contact.relocation, paths[contact.point].start) > 0);  // never put out at the far side
     }
     for (std::size_t i = 0; i < paths.size(); ++i) {

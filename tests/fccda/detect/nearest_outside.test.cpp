@@ -6,6 +6,7 @@
 
 #include "fccda/detect/all_detectors.hpp"
 #include "fccda/detect/scene.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -52,7 +53,7 @@ TEST_CASE("nearest outside: the analytic sphere puts points at R + r, and has no
   const std::vector<Vec3d> inside = {{1.2, 2, 3.1}, {1, 2, 3}};
   const auto places = detector.nearest_outside(inside, pose);
   REQUIRE(places[0].has_value());
-  CHECK(norm(*places[0] - pose.position()) == doctest::Approx(0.6).epsilon(1e-10));  // an offset of 1e-12 is added
+  CHECK(norm(*places[0] - pose.position()) == fixtures::relative(0.6, 1e-10));  // an offset of 1e-12 is added
   CHECK(norm(cross(*places[0] - pose.position(), inside[0] - pose.position())) < 1e-12);
   CHECK_FALSE(places[1].has_value());
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "fccda/detect/scene.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 using fixtures::detect;
@@ -61,12 +62,12 @@ TEST_CASE("published: by the letter nothing strikes a box along the axes") { CHE
 
 TEST_CASE("published: by the letter half of the crossings of other bodies are refused by equation 20, those from below") {
   // 2000 crossings of each measured 24 % (cylinder along x), 48 % (sphere), 45 % (hull); 500 scatter by 2 %
-  CHECK(share(lying(fixtures::cylinder()), Reading::letter).share == doctest::Approx(0.24).epsilon(0.3));
+  CHECK(share(lying(fixtures::cylinder()), Reading::letter).share == fixtures::relative(0.24, 0.3));
   const Found sphere = share(fixtures::sphere(), Reading::letter);
-  CHECK(sphere.share == doctest::Approx(0.48).epsilon(0.2));
+  CHECK(sphere.share == fixtures::relative(0.48, 0.2));
   CHECK(sphere.rejections.by_eq20 > 150);
   const Found hull = share(fixtures::hull(), Reading::letter);
-  CHECK(hull.share == doctest::Approx(0.45).epsilon(0.2));
+  CHECK(hull.share == fixtures::relative(0.45, 0.2));
 }
 
 TEST_CASE("published: repaired, nearly all are found; what is missed lies at edges and corners") {

@@ -5,6 +5,7 @@
 
 #include "fccda/detect/scene.hpp"
 #include "fccda/detect/swept.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 using fixtures::detect;
@@ -108,7 +109,7 @@ TEST_CASE("swept, region: inside counts where the point comes in, even if the ne
   }));
   const Vec3d start = Vec3d{-0.35, 0.01, std::sqrt(0.5) - 0.35} - 0.1 * Vec3d{-std::sqrt(0.5), 0, std::sqrt(0.5)};
   REQUIRE(start.x > -0.3);
-  REQUIRE(fixtures::Soup(*surface).distance(start) == doctest::Approx(0.1));
+  CHECK(fixtures::Soup(*surface).distance(start) == fixtures::relative(0.1, 1e-12));
   Swept detector(surface, BoxUnion({.size = {0.7, 2, 3}, .centre = {-0.65, 0, 0}}, *surface, Beyond::clip), 0);
   CHECK(detect(detector, fixtures::points_on({{start, start + Vec3d{-0.04, 0, 0}}})).empty());
   CHECK(detector.entered_inside() == 1);

@@ -6,6 +6,7 @@
 #include "fccda/body/rigid_body.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/detect/swept.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 using fixtures::detect;
@@ -112,7 +113,7 @@ TEST_CASE("swept, turning: what a straight chord would miss is struck, by the ti
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0].point == 0);
   // The peg's leading face is 0.005 ahead of its middle: it meets the point when it has turned by asin(0.005/1.095) less than 0.3.
-  CHECK(contacts[0].time_fraction == doctest::Approx((0.3 - std::asin(0.005 / 1.095)) / angle).epsilon(1e-5));  // the peg's size is 0.2: 2e-7/0.5 m
+  CHECK(contacts[0].time_fraction == fixtures::relative((0.3 - std::asin(0.005 / 1.095)) / angle, 1e-5));  // the peg's size is 0.2: 2e-7/0.5 m
 }
 
 TEST_CASE("swept, turning: points that cannot touch cost no more for the turn") {

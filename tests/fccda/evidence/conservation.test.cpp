@@ -3,6 +3,8 @@
 
 #include "fccda/evidence/swarm.hpp"
 
+#include "fixtures/tolerance.hpp"
+
 using namespace evidence;
 
 namespace {
@@ -40,8 +42,8 @@ TEST_CASE("evidence: the drift of angular momentum halves with the step") {
       CAPTURE(friction);
       const double coarse = drift(surface, friction, 4e-3), middle = drift(surface, friction, 2e-3), fine = drift(surface, friction, 1e-3);
       // Each contact is off by m dt (v̄ - v) × v. First order is 2, which step a point touches in is chance: 1.96 to 2.05 were measured.
-      CHECK(coarse / middle == doctest::Approx(2).epsilon(0.1));
-      CHECK(middle / fine == doctest::Approx(2).epsilon(0.1));
+      CHECK(coarse / middle == fixtures::relative(2, 0.1));
+      CHECK(middle / fine == fixtures::relative(2, 0.1));
     }
   }
 }
@@ -63,7 +65,7 @@ TEST_CASE("evidence: without friction a meshed sphere is pushed past its middle 
   };
   const double coarse = lever(0.16), fine = lever(0.08);
   CHECK(coarse < 0.16);
-  CHECK(coarse / fine == doctest::Approx(2).epsilon(0.2));
+  CHECK(coarse / fine == fixtures::relative(2, 0.2));
 }
 
 TEST_CASE("evidence: friction never exceeds its coefficient times the push") {

@@ -5,6 +5,7 @@
 #include "fccda/detect/analytic.hpp"
 #include "fccda/evidence/score.hpp"
 #include "fccda/evidence/shapes.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace evidence;
 
@@ -129,8 +130,8 @@ TEST_CASE("evidence: meshed spheres and cylinders converge to the analytic ones 
       const auto order = [](const Measured& a, const Measured& b) { return std::log(a.error / b.error) / std::log(a.edge / b.edge); };
       CHECK(coarse.error < 0.1 * 0.1 / 2 / 2);  // two sagittas of a panel's diagonal, panel²/4R each
       // the longest edge stands for all of them: that is where 0.1 comes from
-      CHECK(order(coarse, middle) == doctest::Approx(2).epsilon(0.05));
-      CHECK(order(middle, fine) == doctest::Approx(2).epsilon(0.05));
+      CHECK(order(coarse, middle) == fixtures::relative(2, 0.05));
+      CHECK(order(middle, fine) == fixtures::relative(2, 0.05));
     }
   }
 }

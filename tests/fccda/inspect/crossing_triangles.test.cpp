@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "fixtures/tolerance.hpp"
+
 using namespace fccda;
 
 namespace {
@@ -98,8 +100,8 @@ TEST_CASE("crossing: the point lies on both triangles") {
   const TriangleCorners flat{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, upright{{{1, 1, -1}, {1, 1, 2}, {1, 9, 1}}};
   const auto at = crossing_of(flat, upright);
   REQUIRE(at);
-  CHECK(at->x == doctest::Approx(1));
-  CHECK(at->z == doctest::Approx(0));
+  CHECK(at->x == fixtures::relative(1, 1e-12));
+  CHECK(at->z == fixtures::absolute(0, 1e-12, "m"));
   CHECK(at->y > 1);
   CHECK(at->y < 3);
   CHECK(crossing_of(upright, flat).has_value());

@@ -8,6 +8,7 @@
 #include "fccda/shapes/box.hpp"
 #include "fccda/shapes/cylinder.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -22,7 +23,7 @@ Surface cylinder(double panel) { return Surface(make_cylinder({.diameter = 2, .h
 TEST_CASE("surface measures: the median panel of a box is as wide as asked for, in quads and in triangles") {
   for (const PanelKind kind : {PanelKind::quads, PanelKind::triangles}) {
     const Surface surface = box({1, 1, 1}, 0.1, kind);
-    CHECK(median_panel_size(surface, PanelFaces(surface)) == doctest::Approx(0.1).epsilon(1e-12));
+    CHECK(median_panel_size(surface, PanelFaces(surface)) == fixtures::relative(0.1, 1e-12));
   }
 }
 
@@ -38,8 +39,8 @@ TEST_CASE("surface measures: the facets of a cylinder lie off it by their sagitt
       }
     }
     const Facet facet = coarsest_facet(surface);
-    CHECK(facet.sagitta == doctest::Approx(1 - inner).epsilon(0.03));  // w θ/8 against R(1 - cos(θ/2)) at θ of up to 30°
-    CHECK(std::hypot(facet.place.x, facet.place.y) == doctest::Approx(1).epsilon(1e-9));
+    CHECK(facet.sagitta == fixtures::relative(1 - inner, 0.03));  // w θ/8 against R(1 - cos(θ/2)) at θ of up to 30°
+    CHECK(std::hypot(facet.place.x, facet.place.y) == fixtures::relative(1, 1e-9));
   }
   CHECK(coarsest_facet(box({1, 0.6, 0.4}, 0.2)).sagitta < 1e-12);  // rounding of normals in a plane
 }
@@ -48,7 +49,7 @@ TEST_CASE("surface measures: a box is as thick as it is long that way, the wall 
   const Surface plate = box({1, 0.6, 0.02}, 0.2);
   for (const Thickness& part : thicknesses(plate, Bvh(plate), 1000)) {
     const double expected = std::fabs(part.place.z) > 0.00999 ? 0.02 : std::fabs(part.place.y) > 0.2999 ? 0.6 : 1.0;
-    CHECK(part.thickness == doctest::Approx(expected).epsilon(1e-9));
+    CHECK(part.thickness == fixtures::relative(expected, 1e-9));
   }
   CHECK(thicknesses(plate, Bvh(plate), 1000).size() == plate.triangles().size());
   CHECK(thicknesses(plate, Bvh(plate), 10).size() <= 10);
@@ -59,7 +60,7 @@ TEST_CASE("surface measures: a box is as thick as it is long that way, the wall 
   for (const Thickness& part : thicknesses(hollow, Bvh(hollow), 1000)) {
     const double off_edges = std::max({std::min(std::fabs(part.place.x), std::fabs(part.place.y)), std::min(std::fabs(part.place.y), std::fabs(part.place.z)),
                                        std::min(std::fabs(part.place.z), std::fabs(part.place.x))});
-    if (off_edges < 0.35) CHECK(part.thickness == doctest::Approx(0.1).epsilon(1e-9));  // elsewhere a ray may run along a side wall
+    if (off_edges < 0.35) CHECK(part.thickness == fixtures::relative(0.1, 1e-9));  // elsewhere a ray may run along a side wall
   }
 
   Panels open = make_box({.size = {1, 1, 1}, .panel = 0.5});

@@ -8,6 +8,7 @@
 #include "fccda/shapes/box.hpp"
 #include "fccda/shapes/sphere.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -15,7 +16,7 @@ TEST_CASE("volume below: of a box that floats at any height, whether panels are 
   const Surface box(make_box({.size = {3, 2, 1}, .panel = 0.25}));
   for (const double height : {-2.0, -0.5, -0.25, -0.1, 0.0, 0.33, 0.5, 7.0}) {
     const double depth = std::fmin(1, std::fmax(0, height + 0.5));
-    CHECK(volume_below(box, height) == doctest::Approx(6 * depth).epsilon(1e-12));  // sums of a few hundred terms
+    CHECK(volume_below(box, height) == fixtures::absolute(6 * depth, 1e-12 * 6, "m3"));  // of the whole: sums of a few hundred terms
   }
 }
 
@@ -26,16 +27,16 @@ TEST_CASE("volume below: of a sphere that floats askew, the cap's formula") {
   for (const double height : {4.3, 5.0, 5.6}) {
     const double h = height - 4;
     // chords of length panel lie panel²/8 inside the sphere, over the wetted area
-    CHECK(volume_below(surface, height) == doctest::Approx(std::numbers::pi * h * h * (3 * radius - h) / 3).epsilon(2e-3));
+    CHECK(volume_below(surface, height) == fixtures::relative(std::numbers::pi * h * h * (3 * radius - h) / 3, 2e-3));
   }
-  CHECK(volume_below(surface, 100) == doctest::Approx(surface.report().volume).epsilon(1e-12));  // all of it; another sum
+  CHECK(volume_below(surface, 100) == fixtures::relative(surface.report().volume, 1e-12));  // all of it; another sum
 }
 
 TEST_CASE("volume below: of a tetrahedron whose faces are each cut in two, upright and on its tip") {
   const Surface upright(fixtures::tetrahedron());
   const Surface on_tip(fixtures::moved(fixtures::tetrahedron(), [](const Vec3d& p) { return Vec3d{p.y, p.x, 1 - p.z}; }));
   for (const double height : {0.0, 0.1, 0.5, 0.9, 1.0}) {
-    CHECK(volume_below(upright, height) == doctest::Approx((1 - std::pow(1 - height, 3)) / 6).epsilon(1e-14));  // a few roundings
-    CHECK(volume_below(on_tip, height) == doctest::Approx(std::pow(height, 3) / 6).epsilon(1e-14));
+    CHECK(volume_below(upright, height) == fixtures::absolute((1 - std::pow(1 - height, 3)) / 6, 1e-15, "m3"));  // a few roundings of the whole
+    CHECK(volume_below(on_tip, height) == fixtures::absolute(std::pow(height, 3) / 6, 1e-15, "m3"));
   }
 }

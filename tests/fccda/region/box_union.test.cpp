@@ -4,6 +4,7 @@
 
 #include "fccda/core/error.hpp"
 #include "fccda/region/scenes.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -25,7 +26,7 @@ TEST_CASE("box union: far paths are rejected, and the distance is that from the 
   const BoxUnion box({.size = {1, 1, 1}, .centre = {0.5, 0.5, 0.5}}, cube, Beyond::error);
   CHECK_FALSE(box.may_touch({{1.2, 0, 0}, {1.11, 0, 0}}, 0.1));
   CHECK(box.may_touch({{1.2, 0, 0}, {1.09, 0, 0}}, 0.1));
-  CHECK(box.distance_at_least({4, 5, 0.5}) == doctest::Approx(5).epsilon(1e-7));  // 3-4-5, the box widened by 1e-8
+  CHECK(box.distance_at_least({4, 5, 0.5}) == fixtures::relative(5, 1e-7));  // 3-4-5, the box widened by 1e-8
   CHECK(box.distance_at_least({0.5, 0.5, 0.5}) == 0);
 
   // between two boxes, inside the bounds of both

@@ -7,6 +7,7 @@
 
 #include "fccda/region/boxes.hpp"
 #include "fccda/region/scenes.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -31,7 +32,7 @@ TEST_CASE("fit boxes: one box is the bounding box, and more never take more room
     for (const int most : {1, 2, 3, 6, 12, 24}) {
       const double volume = volume_of(fit_boxes(body.surface, {.most = most, .gain = 0}));
       // 1e-6: boxes are widened by 1e-8 of the coordinates on six sides
-      if (most == 1) CHECK(volume == doctest::Approx(volume_of(bounds)).epsilon(1e-6));
+      if (most == 1) CHECK(volume == fixtures::relative(volume_of(bounds), 1e-6));
       CHECK(volume <= before * (1 + 1e-6));
       before = volume;
     }
@@ -45,10 +46,10 @@ TEST_CASE("fit boxes: a step is two boxes exactly, a cube one, and no splitting 
   for (const Panels& panels : {rising, falling}) {
     const Surface step(panels);
     REQUIRE(step.is_closed());
-    REQUIRE(step.report().volume == doctest::Approx(3));
+    CHECK(step.report().volume == fixtures::relative(3, 1e-12));
     const std::vector<Box> two = fit_boxes(step, {.most = 30, .gain = 0});
     CHECK(two.size() == 2);
-    CHECK(volume_of(two) == doctest::Approx(3).epsilon(1e-6));  // widened by 1e-8 of the coordinates
+    CHECK(volume_of(two) == fixtures::relative(3, 1e-6));  // widened by 1e-8 of the coordinates
   }
   CHECK(fit_boxes(cube, {.most = 30, .gain = 0}).size() == 1);
 }

@@ -7,6 +7,7 @@
 #include "fccda/region/angles_taken.hpp"
 #include "fccda/region/boxes.hpp"
 #include "fccda/region/scenes.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 using std::numbers::pi;
@@ -33,11 +34,11 @@ TEST_CASE("fit sectors: a propeller's axis, blades, radius and length are found,
     check_holds(b, turned);
     CHECK(a.blades == blades);
     // The blade meshes are symmetric only as far as an icosahedron is: the principal axis is off by some 1e-4.
-    CHECK(a.axis.z == doctest::Approx(1).epsilon(1e-4));
-    CHECK(a.radius == doctest::Approx(sizes.radius).epsilon(0.01));
+    CHECK(a.axis.z == fixtures::relative(1, 1e-4));
+    CHECK(a.radius == fixtures::relative(sizes.radius, 1e-9));
     // the same body in another frame: the fit is the same but for rounding and the hub's steps
     CHECK(b.blades == blades);
-    CHECK(CylinderSectors::volume_of(b) == doctest::Approx(CylinderSectors::volume_of(a)).epsilon(0.01));
+    CHECK(CylinderSectors::volume_of(b) == fixtures::relative(CylinderSectors::volume_of(a), 0.01));
   }
 }
 
@@ -55,12 +56,12 @@ TEST_CASE("fit sectors: the fan is as narrow as the blades are") {
   const CylinderSectors::Shape shape = fit_sectors(surface, {});
   check_holds(shape, surface);
   CHECK(shape.blades == 3);
-  CHECK(shape.sector_angle == doctest::Approx(0.2).epsilon(1e-9));
+  CHECK(shape.sector_angle == fixtures::relative(0.2, 1e-9));
   CHECK(std::fabs(std::remainder(shape.start_angle + 0.1 - 0.3, 2 * pi / 3)) < 1e-9);
   // the hub steps of a 64th of the radius, and its edges between the columns
   CHECK(shape.hub_radius >= 0.2);
   CHECK(shape.hub_radius <= 0.2 + 1.0 / 64);
-  CHECK(shape.length == doctest::Approx(0.5));
+  CHECK(shape.length == fixtures::relative(0.5, 1e-12));
 }
 
 TEST_CASE("fit sectors: skewed blades widen the sectors, and blades that overlap in angle leave no gap") {
@@ -93,7 +94,7 @@ TEST_CASE("fit sectors: what is given stays, the rest is fitted around it") {
   CHECK(from.start_angle == 0.4);
   // A point off the middle: the length reaches the further end.
   const CylinderSectors::Shape off = fit_sectors(surface, {.axis = Vec3d{0, 0, 1}, .point = Vec3d{0, 0, 0.1}});
-  CHECK(off.length == doctest::Approx(2 * (0.125 + 0.1)));
+  CHECK(off.length == fixtures::relative(2 * (0.125 + 0.1), 1e-12));
   check_holds(off, surface);
 }
 
@@ -102,5 +103,5 @@ TEST_CASE("fit sectors: of a cylinder in any direction the whole cylinder is lef
   const CylinderSectors::Shape shape = fit_sectors(surface, {});
   CHECK_FALSE(shape.has_gaps());
   // the mesh is inscribed: its volume is less by 2 % at most
-  CHECK(CylinderSectors::volume_of(shape) == doctest::Approx(surface.report().volume).epsilon(0.02));
+  CHECK(CylinderSectors::volume_of(shape) == fixtures::relative(surface.report().volume, 0.02));
 }

@@ -5,6 +5,7 @@
 #include "fccda/core/parallel.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/remesh/meshes.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 using fixtures::sampled_distance;
@@ -53,7 +54,7 @@ TEST_CASE("coarsen: a finely cut cube becomes twelve triangles, with all its cor
     CHECK(fixtures::is_watertight(coarse.panels));
     CHECK(coarse.distance < 1e-14);                  // rounding, summed over some twenty collapses
     CHECK(std::fabs(coarse.volume_change) < 1e-12);  // rounding of a sum over some thousand triangles
-    CHECK(surface_from(coarse.panels).report().volume == doctest::Approx(1).epsilon(1e-15));
+    CHECK(surface_from(coarse.panels).report().volume == fixtures::relative(1, 1e-15));
   }
 }
 
@@ -89,7 +90,7 @@ TEST_CASE("coarsen: no point of either surface lies further from the other than 
     CHECK(fixtures::is_watertight(coarse.panels));
     CHECK(fixtures::euler_characteristic(coarse.panels) == (c.name == "torus" ? 0 : 2));
     CHECK(std::fabs(coarse.volume_change) <= c.distance * given.report().area);
-    CHECK(coarse.volume_change == doctest::Approx(after.report().volume - given.report().volume).epsilon(1e-9));  // both sums rounded to 1e-14
+    CHECK(coarse.volume_change == fixtures::absolute(after.report().volume - given.report().volume, 1e-12, "m3"));  // both sums rounded to 1e-14
     CHECK(worst_shape(coarse.panels) >= std::min(0.05, worst_shape(c.panels)) * (1 - 1e-12));
     CHECK(fixtures::self_crossings(few) == 0);
     for (const Vec3d& vertex : coarse.panels.vertices) CHECK(std::count(c.panels.vertices.begin(), c.panels.vertices.end(), vertex) > 0);
@@ -135,7 +136,7 @@ TEST_CASE("coarsen: on flat faces parts with straight borders keep their areas")
   const Panels fine = in_two_parts(make_box({.size = {1, 1, 1}, .panel = 0.1}), 0.2);
   const Surface given = surface_from(fine), after = surface_from(coarsen(given, {flat, any_size}).panels);
   CHECK(after.triangles().size() == 20);  // of each half an end of two and four sides of two
-  for (const std::size_t k : {0u, 1u}) CHECK(after.report().parts[k].area == doctest::Approx(given.report().parts[k].area).epsilon(1e-13));  // rounding
+  for (const std::size_t k : {0u, 1u}) CHECK(after.report().parts[k].area == fixtures::relative(given.report().parts[k].area, 1e-13));  // rounding
 }
 
 TEST_CASE("coarsen: a rim moves along itself only, and by no more than the distance") {
@@ -144,7 +145,7 @@ TEST_CASE("coarsen: a rim moves along itself only, and by no more than the dista
   CHECK(square.panels.panels.size() == 2);
   double area = 0;
   for (const Triangle3& t : triangles_of(square.panels)) area += fixtures::area(t);
-  CHECK(area == doctest::Approx(1).epsilon(1e-15));
+  CHECK(area == fixtures::relative(1, 1e-15));
 
   // a round hole's rim, by its own points: the upper half of a sphere
   Panels bowl{make_sphere({.diameter = 1, .panel = 0.06}).vertices, {}, {}, {}};
@@ -195,7 +196,7 @@ TEST_CASE("coarsen: parts that touch still do so in single places, where two of 
   const Surface given(both), after(coarsen(given, {flat, any_size}).panels);
   CHECK(after.report().components == 2);
   CHECK(after.triangles().size() < 30);
-  CHECK(after.report().volume == doctest::Approx(given.report().volume).epsilon(1e-13));  // rounding
+  CHECK(after.report().volume == fixtures::relative(given.report().volume, 1e-13));  // rounding
 }
 
 TEST_CASE("coarsen: the result has the same bits for any number of threads") {

@@ -5,6 +5,7 @@
 #include "fccda/core/error.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/respond/respond.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 using fixtures::detect;
@@ -95,7 +96,7 @@ TEST_CASE("gauge: a force through the axis has no torque about it, one beside it
   const Vec3d on_axis = point + 0.7 * axis;
   CHECK(std::fabs(torque(on_axis, {5, -3, 8})) < 1e-14);                                // through the axis: rounding of 10 N s × 4 m
   CHECK(std::fabs(torque(on_axis + 0.4 * across, 6.0 * across + 2.0 * axis)) < 1e-14);  // in a plane with the axis
-  CHECK(torque(on_axis + 0.4 * across, 6.0 * up) == doctest::Approx(0.4 * 6).epsilon(1e-14));
+  CHECK(torque(on_axis + 0.4 * across, 6.0 * up) == fixtures::relative(0.4 * 6, 1e-14));
 }
 
 TEST_CASE("gauge: moments are about the point where the body has carried it") {

@@ -9,6 +9,7 @@
 #include "fccda/detect/scene.hpp"
 #include "fccda/respond/nested_areas.hpp"
 #include "fccda/respond/respond.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -41,7 +42,10 @@ TEST_CASE("panel loads: a push on a panel larger than the point's face gives J/(
   loads.add(0, {.panel = panel, .normal = up}, {0.5, 0, -3});
   loads.end_interval(0.2);
   for (std::size_t p = 0; p < loads.faces().size(); ++p)
-    CHECK(loads.interval_pressure()[p] == doctest::Approx(static_cast<int>(p) == panel ? 3 / (0.0625 * 0.2) : 0).epsilon(1e-14));  // three products
+    if (static_cast<int>(p) == panel)
+      CHECK(loads.interval_pressure()[p] == fixtures::relative(3 / (0.0625 * 0.2), 1e-14));  // three products
+    else
+      CHECK(loads.interval_pressure()[p] == 0);
   CHECK(loads.since_start()[static_cast<std::size_t>(panel)].impulse == Vec3d{0.5, 0, -3});
 }
 
@@ -53,12 +57,12 @@ TEST_CASE("panel loads: the peak keeps the largest mean of an interval, and forg
     loads.add(0, {.panel = static_cast<int>(panel), .normal = up}, {0, 0, -push / 2});
     loads.add(0, {.panel = static_cast<int>(panel), .normal = up}, {0, 0, -push / 2});
     loads.end_interval(0.5);
-    CHECK(loads.interval_pressure()[panel] == doctest::Approx(push * per_push / 0.5).epsilon(1e-14));
+    CHECK(loads.interval_pressure()[panel] == fixtures::relative(push * per_push / 0.5, 1e-14));
   }
   loads.end_interval(0.5);
   CHECK(loads.interval_pressure()[panel] == 0);
-  CHECK(loads.peak_pressure()[panel] == doctest::Approx(4 * per_push / 0.5).epsilon(1e-14));
-  CHECK(loads.since_start()[panel].normal_impulse == doctest::Approx(7).epsilon(1e-14));
+  CHECK(loads.peak_pressure()[panel] == fixtures::relative(4 * per_push / 0.5, 1e-14));
+  CHECK(loads.since_start()[panel].normal_impulse == fixtures::relative(7, 1e-14));
 }
 
 TEST_CASE("panel loads: on panels much smaller than the point's face a push makes one even pressure over a disc as large as the face") {
@@ -73,10 +77,10 @@ TEST_CASE("panel loads: on panels much smaller than the point's face a push make
     area += loads.faces()[p].area;
     force += pressure * loads.faces()[p].area;
     CHECK(norm(loads.faces()[p].middle - Vec3d{0.11, 0.07, 0.5}) <= std::sqrt(face / std::numbers::pi) + 1e-12);
-    CHECK(pressure == doctest::Approx(push / time / face).epsilon(0.1));  // squares fill a disc of 100 of them to within the ring at its edge
+    CHECK(pressure == fixtures::relative(push / time / face, 0.1));  // squares fill a disc of 100 of them to within the ring at its edge
   }
-  CHECK(area == doctest::Approx(face).epsilon(0.1));  // likewise
-  CHECK(force == doctest::Approx(push / time).epsilon(1e-12));
+  CHECK(area == fixtures::relative(face, 0.1));  // likewise
+  CHECK(force == fixtures::relative(push / time, 1e-12));
 }
 
 TEST_CASE("panel loads: spread over the panels of a hull the pushes of two bodies sum to what they were, to rounding, with the interval open or closed") {
@@ -143,11 +147,11 @@ TEST_CASE("nested areas: around a known peak the mean pressure falls as the area
   const std::vector<NestedArea> nested = nested_areas(faces, pressure, 20);
   REQUIRE(nested.size() >= 10);  // fewer than asked for: small areas are whole panels
   CHECK(nested.size() <= 20);
-  CHECK(nested.front().area == doctest::Approx(0.01).epsilon(1e-12));
-  CHECK(nested.front().mean_pressure == doctest::Approx(1e6).epsilon(1e-12));
-  CHECK(nested[1].mean_pressure == doctest::Approx(1e6 * (1 + 0.9) / 2).epsilon(1e-12));  // with one of its four neighbours
-  CHECK(nested.back().area == doctest::Approx(area).epsilon(1e-12));
-  CHECK(nested.back().mean_pressure == doctest::Approx(force / area).epsilon(1e-12));
+  CHECK(nested.front().area == fixtures::relative(0.01, 1e-12));
+  CHECK(nested.front().mean_pressure == fixtures::relative(1e6, 1e-12));
+  CHECK(nested[1].mean_pressure == fixtures::relative(1e6 * (1 + 0.9) / 2, 1e-12));  // with one of its four neighbours
+  CHECK(nested.back().area == fixtures::relative(area, 1e-12));
+  CHECK(nested.back().mean_pressure == fixtures::relative(force / area, 1e-12));
   for (std::size_t k = 1; k < nested.size(); ++k) {
     CHECK(nested[k].area > nested[k - 1].area);
     CHECK(nested[k].mean_pressure < nested[k - 1].mean_pressure);
@@ -164,5 +168,5 @@ TEST_CASE("nested areas: a gap without load between two loaded panels is grown a
   const std::vector<NestedArea> nested = nested_areas(faces, pressure, 100);
   CHECK(nested.back().area >= 0.03 - 1e-12);  // at least the one between them; all at its distance come before or after by their number
   CHECK(nested.back().area <= 0.13);          // and nothing further from the first than the second, of which there are 12
-  CHECK(nested.back().mean_pressure * nested.back().area == doctest::Approx(0.06).epsilon(1e-12));
+  CHECK(nested.back().mean_pressure * nested.back().area == fixtures::relative(0.06, 1e-12));
 }

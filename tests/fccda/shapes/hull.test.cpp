@@ -14,6 +14,7 @@
 #include "fccda/search/bvh.hpp"
 #include "fccda/surface/surface.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -128,7 +129,7 @@ TEST_CASE("hull: stem and stern are straight lines at their angles") {
     if (v.y != 0 || v.z == shape.freeboard || v.z == -shape.draft) continue;  // deck and bottom have a centreline too
     const bool is_stem = v.x < 77;
     const double x = is_stem ? -v.z / std::tan(24 * degree) : 155 + v.z / std::tan(35 * degree);
-    CHECK(v.x == doctest::Approx(x).epsilon(1e-14));  // a few roundings
+    CHECK(v.x == fixtures::absolute(x, 1e-14 * 155, "m"));  // a few roundings of the length
     ++(is_stem ? on_stem : on_stern);
   }
   CHECK(on_stem >= 36);  // 36.9 m of stem in edges of 1 m
@@ -143,8 +144,8 @@ TEST_CASE("hull: waterlines meet the centreline at the angles of entrance and ru
       const auto y = [&](double x) { return form.half_breadth(x, z); };
       return (4 * y(end + step) - y(end + 2 * step)) / (2 * std::fabs(step));
     };
-    CHECK(slope(form.stem(z), 0.1) == doctest::Approx(std::tan(22 * degree)).epsilon(1e-12));
-    CHECK(slope(form.stern(z), -0.1) == doctest::Approx(std::tan(30 * degree)).epsilon(1e-12));
+    CHECK(slope(form.stem(z), 0.1) == fixtures::relative(std::tan(22 * degree), 1e-12));
+    CHECK(slope(form.stern(z), -0.1) == fixtures::relative(std::tan(30 * degree), 1e-12));
   }
 }
 
@@ -166,8 +167,8 @@ TEST_CASE("hull: the first panels at the stem come to the angle of entrance as t
 TEST_CASE("hull: the displacement of the seed paper's ship is 21 630 m³, the block coefficient 0.674, and panels come to it from within") {
   // the area between waterline and centreline is b (x_e - x_b - l_b/3 - l_s/3), integrated over z by Gauss's rule with 40 points above and in the bilge
   constexpr double exact = 21629.849;
-  CHECK(displacement(ship(1, 1)) == doctest::Approx(exact).epsilon(1e-5));  // 0.05 m³ off: the midpoint rule at the round bilge
-  CHECK(exact / (155 * 23 * 9) == doctest::Approx(0.674).epsilon(1e-3));    // as it is given
+  CHECK(displacement(ship(1, 1)) == fixtures::relative(exact, 1e-5));  // 0.05 m³ off: the midpoint rule at the round bilge
+  CHECK(exact / (155 * 23 * 9) == fixtures::relative(0.674, 1e-3));    // as it is given
   double off = 1e300;
   for (const double panel : {4.0, 2.0, 1.0}) {
     const double now = exact - volume_below(Surface(make_hull(ship(panel, panel))), 0);
@@ -192,7 +193,7 @@ TEST_CASE("hull: random hulls are closed, like a sphere, outward, their own mirr
       const HullForm form(shape);
       const Vec3d& at = hull.vertices[v];
       const bool is_inside_deck_or_bottom = at.z == shape.freeboard || at.z == -shape.draft;
-      if (!is_inside_deck_or_bottom) CHECK(std::fabs(at.y) == doctest::Approx(form.half_breadth(at.x, at.z)).epsilon(1e-9).scale(shape.breadth));
+      if (!is_inside_deck_or_bottom) CHECK(std::fabs(at.y) == fixtures::absolute(form.half_breadth(at.x, at.z), 1e-9 * shape.breadth, "m"));
     }
     std::map<std::array<double, 3>, int> places;
     for (const Vec3d& v : hull.vertices) places[{v.x, v.y, v.z}] += 1;
@@ -206,7 +207,7 @@ TEST_CASE("hull: the volume below the waterline of random hulls comes to the sum
     shape.panel = shape.bow_panel = 0.02 * shape.breadth;
     if (shape.length > 6 * shape.breadth) return;  // many panels
     const double exact = displacement(shape);
-    CHECK(volume_below(Surface(make_hull(shape)), 0) == doctest::Approx(exact).epsilon(3e-3));  // chords of a fiftieth of the breadth
+    CHECK(volume_below(Surface(make_hull(shape)), 0) == fixtures::relative(exact, 3e-3));  // chords of a fiftieth of the breadth
     ++count;
   });
   CHECK(count >= 3);

@@ -13,6 +13,7 @@
 #include "fccda/shapes/wageningen.hpp"
 #include "fccda/surface/surface.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -135,13 +136,12 @@ TEST_CASE("wageningen: chord, thickness and pitch angle of a B4-66.9 of 4.12 m a
 }
 
 TEST_CASE("wageningen: integrated from the hub of the series the expanded area ratio is 0.6699 for 0.669") {
-  CHECK(BladeForm(b4(0.2, 0.2)).expanded_area_ratio(wageningen::hub) ==
-        doctest::Approx(0.669907).epsilon(1e-6));  // another program's integral of the same curve
-  double sum = 0;                                  // the area of the chords, strip by strip
+  CHECK(BladeForm(b4(0.2, 0.2)).expanded_area_ratio(wageningen::hub) == fixtures::relative(0.669907, 1e-6));  // another program's integral of the same curve
+  double sum = 0;                                                                                             // the area of the chords, strip by strip
   const BladeForm form(b4(0.2, 0.2));
   constexpr int strips = 200000;
   for (int k = 0; k < strips; ++k) sum += form.section(2.06 * (0.167 + 0.833 * (k + 0.5) / strips)).chord * 2.06 * 0.833 / strips;
-  CHECK(4 * sum / (pi * 2.06 * 2.06) == doctest::Approx(form.expanded_area_ratio(0.167)).epsilon(1e-6));  // midpoints at the root-like end of the chord
+  CHECK(4 * sum / (pi * 2.06 * 2.06) == fixtures::relative(form.expanded_area_ratio(0.167), 1e-6));  // midpoints at the root-like end of the chord
 }
 
 TEST_CASE("wageningen: at every radius the face falls from the edges to the crest and the bulge rises to it, and neither changes abruptly outward") {
@@ -164,23 +164,23 @@ TEST_CASE("propeller: the panels have the chord and thickness of the table at 0.
   // along the helix of the pitch angle; face and back of the series at 0.7 R: a flat face, so thickness is measured across it
   const Vec3d lead = form.place(section, 1, 0), trail = form.place(section, -1, 0);
   const double arc = 1.442 * (std::atan2(lead.y, lead.x) - std::atan2(trail.y, trail.x));
-  CHECK(std::hypot(arc, lead.z - trail.z) == doctest::Approx(4.12 * 2.144 * 0.669 / 4).epsilon(1e-12));
-  CHECK(std::atan2(lead.z - trail.z, arc) == doctest::Approx(std::atan(0.76 / (0.7 * pi))).epsilon(1e-12));
+  CHECK(std::hypot(arc, lead.z - trail.z) == fixtures::relative(4.12 * 2.144 * 0.669 / 4, 1e-12));
+  CHECK(std::atan2(lead.z - trail.z, arc) == fixtures::relative(std::atan(0.76 / (0.7 * pi)), 1e-12));
   double thickest = 0;
   for (int k = 0; k <= 1000; ++k) {
     const Vec3d face = form.place(section, -1 + 0.002 * k, 0), back = form.place(section, -1 + 0.002 * k, 1);
     const double turn = 1.442 * (std::atan2(back.y, back.x) - std::atan2(face.y, face.x));
     thickest = std::fmax(thickest, std::hypot(turn, back.z - face.z));
   }
-  CHECK(thickest == doctest::Approx(4.12 * (0.0216 - 4 * 0.0015)).epsilon(1e-5));  // a thousand places miss the greatest by a 1e-6th of the bulge
+  CHECK(thickest == fixtures::relative(4.12 * (0.0216 - 4 * 0.0015), 1e-5));  // a thousand places miss the greatest by a 1e-6th of the bulge
 }
 
-TEST_CASE("propeller: a blade of the B4-66.9 holds 0.117 m³, as the integral over its sections, and panels come to it") {
+TEST_CASE("propeller: a blade of the B4-66.9 holds 0.118 m³ by the integral over its sections, and panels come to it") {
   const double exact = blade_volume(BladeForm(b4(0.2, 0.2)));
-  CHECK(exact == doctest::Approx(0.117).epsilon(0.0005 / 0.117));  // to the digits given
+  CHECK(exact == fixtures::absolute(0.117, 0.0015, "m3"));  // of panels made by another program: its three digits, and a per cent that chords lose
   const double coarse = volume(part(make_propeller(b4(0.2, 0.05)), "blade_1")), fine = volume(part(make_propeller(b4(0.1, 0.025)), "blade_1"));
   CHECK(std::fabs(fine - exact) < 0.5 * std::fabs(coarse - exact));  // chords are off by the square of their length: a quarter, or somewhat more
-  CHECK(fine == doctest::Approx(exact).epsilon(0.01));
+  CHECK(fine == fixtures::relative(exact, 0.01));
 }
 
 TEST_CASE("propeller: hub and blades of random propellers are closed, outward, sunk into the hub, and nowhere cut through themselves") {
@@ -210,7 +210,7 @@ TEST_CASE("propeller: hub and blades of random propellers are closed, outward, s
       for (std::size_t c = 0; c < 3; ++c) {
         const Vec3d& v = all.vertices[static_cast<std::size_t>(p[c])];
         if (std::hypot(v[(axis + 1) % 3], v[(axis + 2) % 3]) > root * (1 + 1e-9)) continue;
-        CHECK(fixtures::winding_number(hub, v) == doctest::Approx(1).epsilon(1e-9));
+        CHECK(fixtures::winding_number(hub, v) == fixtures::relative(1, 1e-9));
         ++inside;
       }
     }
@@ -249,7 +249,7 @@ TEST_CASE("propeller: left is the mirror image of right, and the right one screw
   const Panels a = make_propeller(right), b = make_propeller(left);
   REQUIRE(a.vertices.size() == b.vertices.size());
   for (std::size_t v = 0; v < a.vertices.size(); ++v) CHECK(b.vertices[v] == Vec3d{a.vertices[v].x, -a.vertices[v].y, a.vertices[v].z});
-  CHECK(volume(a) == doctest::Approx(volume(b)).epsilon(1e-12));
+  CHECK(volume(a) == fixtures::relative(volume(b), 1e-12));
   // the leading edge is ahead in the sense of turning, and forward
   const BladeForm form(right);
   const BladeForm::Section section = form.section(0.7 * 2.06);
@@ -282,12 +282,12 @@ TEST_CASE("propeller: rake moves the tip aft, skew along the helix, thickness_fa
   };
   const Vec3d plain = tip([](PropellerShape&) {}), raked = tip([](PropellerShape&s) { s.rake = 15 * degree; }),
               skewed = tip([](PropellerShape&s) { s.skew = 30 * degree; });
-  CHECK(raked.z - plain.z == doctest::Approx(-2.06 * std::tan(15 * degree)).epsilon(1e-12));
-  CHECK(std::atan2(skewed.y, skewed.x) - std::atan2(plain.y, plain.x) == doctest::Approx(-30 * degree).epsilon(1e-12));
-  CHECK(skewed.z - plain.z == doctest::Approx(-0.76 * 4.12 * 30 / 360).epsilon(1e-12));  // a twelfth of the pitch
+  CHECK(raked.z - plain.z == fixtures::relative(-2.06 * std::tan(15 * degree), 1e-12));
+  CHECK(std::atan2(skewed.y, skewed.x) - std::atan2(plain.y, plain.x) == fixtures::relative(-30 * degree, 1e-12));
+  CHECK(skewed.z - plain.z == fixtures::relative(-0.76 * 4.12 * 30 / 360, 1e-12));  // a twelfth of the pitch
   PropellerShape thick = b4(0.2, 0.2);
   thick.thickness_factor = 1.8;
-  CHECK(BladeForm(thick).section(1.5).thickness == doctest::Approx(1.8 * BladeForm(b4(0.2, 0.2)).section(1.5).thickness).epsilon(1e-14));
+  CHECK(BladeForm(thick).section(1.5).thickness == fixtures::relative(1.8 * BladeForm(b4(0.2, 0.2)).section(1.5).thickness, 1e-14));
 }
 
 TEST_CASE("propeller: sections of one's own are met at their radii") {
@@ -303,15 +303,14 @@ TEST_CASE("propeller: sections of one's own are met at their radii") {
   const BladeForm form(shape);
   const double r = 0.6 * 2.06;
   const BladeForm::Section section = form.section(r);
-  CHECK(section.chord == doctest::Approx(0.35 * 4.12).epsilon(1e-14));
-  CHECK(section.thickness == doctest::Approx(0.02 * 4.12).epsilon(1e-14));
-  CHECK(section.pitch_angle == doctest::Approx(std::atan(1.0 / (0.6 * pi))).epsilon(1e-14));
+  CHECK(section.chord == fixtures::relative(0.35 * 4.12, 1e-14));
+  CHECK(section.thickness == fixtures::relative(0.02 * 4.12, 1e-14));
+  CHECK(section.pitch_angle == fixtures::relative(std::atan(1.0 / (0.6 * pi)), 1e-14));
   const Vec3d middle = 0.5 * (form.place(section, 0, 0) + form.place(section, 0, 1));
   // the middle of the chord lags by the skew, but for the mean line's height above the chord, 3 % of it, across the pitch angle
   const double height = 0.03 * 0.35 * 4.12;
-  CHECK(std::atan2(middle.y, middle.x) ==
-        doctest::Approx(-0.1 - height * std::sin(section.pitch_angle) / r).epsilon(1e-3));  // the mean of two points of a circle
-  CHECK(middle.z == doctest::Approx(-0.02 * 4.12 - 0.1 * 1.0 * 4.12 / (2 * pi) + height * std::cos(section.pitch_angle)).epsilon(1e-12));
+  CHECK(std::atan2(middle.y, middle.x) == fixtures::relative(-0.1 - height * std::sin(section.pitch_angle) / r, 1e-3));  // the mean of two points of a circle
+  CHECK(middle.z == fixtures::relative(-0.02 * 4.12 - 0.1 * 1.0 * 4.12 / (2 * pi) + height * std::cos(section.pitch_angle), 1e-12));
 }
 
 TEST_CASE("propeller: what makes no propeller is refused in a sentence") {

@@ -8,6 +8,7 @@
 #include "fccda/shapes/cylinder.hpp"
 #include "fccda/shapes/sphere.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 using std::numbers::pi;
@@ -59,7 +60,7 @@ TEST_CASE("shapes: each is watertight, wound outward and like a sphere, for coar
       const Panels box = make_box({.size = {0.03, 0.05, 0.021}, .panel = panel, .panels = kind});
       CHECK(fixtures::is_watertight(box));
       CHECK(fixtures::euler_characteristic(box) == 2);
-      CHECK(volume(box) == doctest::Approx(0.03 * 0.05 * 0.021).epsilon(1e-12));  // rounding of some thousand terms
+      CHECK(volume(box) == fixtures::relative(0.03 * 0.05 * 0.021, 1e-12));  // rounding of some thousand terms
     }
     const Panels sphere = make_sphere({.diameter = 0.05, .panel = panel});
     CHECK(fixtures::is_watertight(sphere));
@@ -109,7 +110,7 @@ TEST_CASE("shapes: the cylinder's columns lie on the coordinate planes and mirro
       for (const Vec3d& p : cylinder.vertices) {
         const double r = std::hypot(p[u], p[v]);
         CHECK(r <= 0.025 * (1 + 1e-15));  // two roundings
-        if (std::fabs(p[along]) < 0.0124) CHECK(r == doctest::Approx(0.025).epsilon(1e-15));
+        if (std::fabs(p[along]) < 0.0124) CHECK(r == fixtures::relative(0.025, 1e-15));
       }
     }
   }
@@ -118,7 +119,7 @@ TEST_CASE("shapes: the cylinder's columns lie on the coordinate planes and mirro
 TEST_CASE("shapes: sphere and box are mirror images too, and the sphere's vertices lie on the sphere") {
   for (const double panel : panel_sizes) {
     const Panels sphere = make_sphere({.diameter = 0.05, .panel = panel});
-    for (const Vec3d& p : sphere.vertices) CHECK(norm(p) == doctest::Approx(0.025).epsilon(1e-15));
+    for (const Vec3d& p : sphere.vertices) CHECK(norm(p) == fixtures::relative(0.025, 1e-15));
     const Panels box = make_box({.size = {0.03, 0.05, 0.021}, .panel = panel});
     for (std::size_t axis = 0; axis < 3; ++axis) CHECK(is_mirror_image(box, axis));
   }
@@ -129,7 +130,7 @@ TEST_CASE("shapes: the cylinder has exactly the volume of its prism, whatever th
     for (const PanelKind kind : {PanelKind::triangles, PanelKind::quads}) {
       const double n = circle_divisions(0.025, panel);
       const double prism = 0.5 * n * 0.025 * 0.025 * std::sin(2 * pi / n) * 0.025;
-      CHECK(volume(make_cylinder({.diameter = 0.05, .height = 0.025, .panel = panel, .panels = kind})) == doctest::Approx(prism).epsilon(1e-12));  // rounding
+      CHECK(volume(make_cylinder({.diameter = 0.05, .height = 0.025, .panel = panel, .panels = kind})) == fixtures::relative(prism, 1e-12));  // rounding
     }
   }
 }

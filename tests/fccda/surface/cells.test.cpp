@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "fixtures/tolerance.hpp"
+
 using namespace fccda;
 
 namespace {
@@ -32,7 +34,7 @@ TEST_CASE("cells: tetrahedron, pyramid, wedge and hexahedron have the volume and
       for (Vec3d& corner : corners) corner.x *= side;
       const auto cell = cell_of(kind, corners);
       REQUIRE(cell.has_value());
-      CHECK(cell->measure == doctest::Approx(volumes[k]).epsilon(rounding));
+      CHECK(cell->measure == fixtures::relative(volumes[k], rounding));
       CHECK(norm(cell->centroid - Vec3d{side * centroids[k].x, centroids[k].y, centroids[k].z}) < rounding);
     }
   }
@@ -58,7 +60,7 @@ TEST_CASE("cells: a warped hexahedron has the volume of its trilinear map, summe
       for (const double v : gauss)
         for (const double w : gauss)
           volume += dot(place(1, v, w) - place(0, v, w), cross(place(u, 1, w) - place(u, 0, w), place(u, v, 1) - place(u, v, 0))) / 8;
-    CHECK(cell_of(ElementKind::hexahedron, corners)->measure == doctest::Approx(volume).epsilon(1e-13));
+    CHECK(cell_of(ElementKind::hexahedron, corners)->measure == fixtures::relative(volume, 1e-13));
   }
 }
 
@@ -77,13 +79,13 @@ TEST_CASE("cells: without volume or area there is no cell") {
 
 TEST_CASE("cells: triangles, quads and an arrowhead have the area and centroid of the formulas") {
   const auto triangle = cell_of(ElementKind::triangle_6, std::vector<Vec3d>{{0, 0, 1}, {3, 0, 1}, {0, 3, 1}});
-  CHECK(triangle->measure == doctest::Approx(4.5).epsilon(rounding));
+  CHECK(triangle->measure == fixtures::relative(4.5, rounding));
   CHECK(norm(triangle->centroid - Vec3d{1, 1, 1}) < rounding);
   const auto quad = cell_of(ElementKind::polygon, std::vector<Vec3d>{{0, 0, 0}, {0, 2, 0}, {4, 2, 0}, {4, 0, 0}});
-  CHECK(quad->measure == doctest::Approx(8).epsilon(rounding));
+  CHECK(quad->measure == fixtures::relative(8, rounding));
   CHECK(norm(quad->centroid - Vec3d{2, 1, 0}) < rounding);
   // the triangle (0, 0), (4, 0), (0, 4) of area 8 without (0, 0), (4, 0), (1, 1), of area 2
   const auto arrow = cell_of(ElementKind::polygon, std::vector<Vec3d>{{1, 1, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 0}});
-  CHECK(arrow->measure == doctest::Approx(6).epsilon(rounding));
+  CHECK(arrow->measure == fixtures::relative(6, rounding));
   CHECK(norm(arrow->centroid - (8 * Vec3d{4.0 / 3, 4.0 / 3, 0} - 2 * Vec3d{5.0 / 3, 1.0 / 3, 0}) / 6.0) < rounding);
 }

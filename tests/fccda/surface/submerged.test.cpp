@@ -12,6 +12,7 @@
 #include "fccda/shapes/hull.hpp"
 #include "fccda/shapes/sphere.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -34,12 +35,12 @@ TEST_CASE("submerged: the first moments of a heeled box are those of the wall-si
       const Level level{.up = {0, -tangent * cosine, cosine}, .height = (draught - 0.5 * depth) * cosine};
       const SubmergedVolume wet = submerged(box, level);
       // ∫ y dV = L ∫ y (T + y t) dy = L B³ t/12, and ∫ z dV likewise; a few hundred roundings
-      CHECK(wet.volume == doctest::Approx(length * breadth * draught).epsilon(1e-13));
+      CHECK(wet.volume == fixtures::relative(length * breadth * draught, 1e-13));
       CHECK(std::fabs(wet.centre.x) < 1e-13);
-      CHECK(wet.centre.y == doctest::Approx(breadth * breadth * tangent / (12 * draught)).epsilon(1e-12));
+      CHECK(wet.centre.y == fixtures::absolute(breadth * breadth * tangent / (12 * draught), 1e-12, "m"));
       const double squares = draught * draught + breadth * breadth * tangent * tangent / 12;  // mean of (T + y t)²
-      CHECK(wet.centre.z == doctest::Approx(-0.5 * depth + 0.5 * squares / draught).epsilon(1e-12));
-      CHECK(wet.waterplane == doctest::Approx(length * breadth / cosine).epsilon(1e-13));
+      CHECK(wet.centre.z == fixtures::relative(-0.5 * depth + 0.5 * squares / draught, 1e-12));
+      CHECK(wet.waterplane == fixtures::relative(length * breadth / cosine, 1e-13));
     }
   }
 }
@@ -55,11 +56,11 @@ TEST_CASE("submerged: volume, centre and waterplane of a sphere are the cap's, c
       const double volume = std::numbers::pi * depth * depth * (3 * radius - depth) / 3;
       const double below = 0.75 * (2 * radius - depth) * (2 * radius - depth) / (3 * radius - depth);  // of the centroid under the centre
       // chords of the length of a panel lie up to panel²/8 inside the sphere
-      CHECK(wet.volume == doctest::Approx(volume).epsilon(panel * panel));
+      CHECK(wet.volume == fixtures::relative(volume, panel * panel));
       CHECK(norm(wet.centre + below * up) < 0.2 * panel * panel);
-      CHECK(wet.waterplane == doctest::Approx(std::numbers::pi * depth * (2 * radius - depth)).epsilon(panel * panel));
+      CHECK(wet.waterplane == fixtures::relative(std::numbers::pi * depth * (2 * radius - depth), panel * panel));
       const double missing = volume - wet.volume;
-      if (last > 0) CHECK(last / missing == doctest::Approx(4).epsilon(0.15));
+      if (last > 0) CHECK(last / missing == fixtures::relative(4, 0.15));
       last = missing;
     }
   }
@@ -69,14 +70,15 @@ TEST_CASE("submerged: of an upright cylinder the share of its height, of a lying
   const Surface cylinder(make_cylinder({.diameter = 2, .height = 3, .axis = Axis::z, .panel = 0.05}));
   for (const double depth : {0.3, 1.1, 2.9}) {
     const SubmergedVolume wet = submerged(cylinder, {.height = depth - 1.5});
-    CHECK(wet.volume == doctest::Approx(cylinder.report().volume * depth / 3).epsilon(1e-12));  // a prism
+    CHECK(wet.volume == fixtures::relative(cylinder.report().volume * depth / 3, 1e-12));  // a prism
     CHECK(norm(wet.centre - Vec3d{0, 0, 0.5 * depth - 1.5}) < 1e-12);
   }
   for (const double depth : {0.3, 1.0, 1.6}) {
     const SubmergedVolume wet = submerged(cylinder, {.up = {1, 0, 0}, .height = depth - 1});
     const double angle = std::acos(1 - depth), area = angle - std::sin(angle) * std::cos(angle);  // radius 1
-    CHECK(wet.volume == doctest::Approx(3 * area).epsilon(1e-3));                                 // 126 chords around lie (panel)²/8 = 3e-4 inside at most
-    CHECK(wet.centre.x == doctest::Approx(-2 * std::pow(std::sin(angle), 3) / (3 * area)).epsilon(1e-3));
+    // 126 chords around lie panel²/8 inside at most, over an arc of 2 angle
+    CHECK(wet.volume == fixtures::absolute(3 * area, 0.05 * 0.05 / 8 * 2 * angle * 3, "m3"));
+    CHECK(wet.centre.x == fixtures::relative(-2 * std::pow(std::sin(angle), 3) / (3 * area), 1e-3));
   }
 }
 
@@ -107,7 +109,7 @@ TEST_CASE("submerged: the waterplane is how fast the volume grows, and its heigh
     const double height = dot(up, surface.report().centroid);
     const SubmergedVolume low = submerged(surface, {up, height - rise}), at = submerged(surface, {up, height}), high = submerged(surface, {up, height + rise});
     // central differences: the waterplane bends by some A/(1 m)² times rise²/6, and kinks at vertices by A/(1 m) times rise
-    CHECK((high.volume - low.volume) / (2 * rise) == doctest::Approx(at.waterplane).epsilon(1e-4));
+    CHECK((high.volume - low.volume) / (2 * rise) == fixtures::relative(at.waterplane, 1e-4));
     const double moment = (high.volume * (dot(up, high.centre) - height) - low.volume * (dot(up, low.centre) - height)) / (2 * rise);
     CHECK(std::fabs(moment) < 1e-4 * at.waterplane);  // the plane is at height 0
   }

@@ -6,6 +6,7 @@
 
 #include "fccda/surface/surface.hpp"
 #include "fixtures/surfaces.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -105,6 +106,6 @@ TEST_CASE("weld: a distance closes the gaps that rounding left, and what lies fu
   const Surface closed(cube, {.weld_distance = 2e-4});
   CHECK(closed.is_closed());
   CHECK(closed.report().vertices == 8);
-  CHECK(closed.report().volume == doctest::Approx(1).epsilon(1e-3));  // corners moved by 1e-4
+  CHECK(closed.report().volume == fixtures::relative(1, 1e-3));  // corners moved by 1e-4
   CHECK_FALSE(Surface(cube, {.weld_distance = 1e-6, .outside = OutsideIs::normals}).is_closed());
 }

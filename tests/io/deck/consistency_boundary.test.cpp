@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/tolerance.hpp"
 #include "io/deck/fixtures.hpp"
 
 using namespace perimpact;
@@ -44,7 +45,7 @@ TEST_CASE("consistency of boundaries: each kind is read with its units and defau
   CHECK(boundary<FixedSetup>("fixed: {}").directions.empty());
   CHECK(boundary<FixedSetup>("fixed: {region: left, directions: [x, z]}").region == "left");
   const auto prescribed = boundary<PrescribedSetup>("prescribed: {x: {velocity: 36 km/h}, y: {times: [0, 1 ms], displacements: [0, 2 mm]}}");
-  CHECK(*prescribed.x->velocity == doctest::Approx(10).epsilon(1e-15));
+  CHECK(*prescribed.x->velocity == fixtures::relative(10, 1e-15));
   CHECK(prescribed.y->displacements == std::vector{0.0, 0.002});
   CHECK(!prescribed.z);
   CHECK(boundary<BodyForceSetup>("body_force: {force_density: [0, 0, -8 kN/m3]}").force_density == Vec3d{0, 0, -8000});
@@ -55,7 +56,7 @@ TEST_CASE("consistency of boundaries: each kind is read with its units and defau
   const auto pressure = boundary<PressureSetup>("pressure: {face: -y, value: 2 bar, area: 4 cm2, times: [0, 1 s], factors: [0, 1]}");
   CHECK(pressure.face.word() == "-y");
   CHECK(pressure.value == 2e5);
-  CHECK(*pressure.area == doctest::Approx(4e-4).epsilon(1e-15));
+  CHECK(*pressure.area == fixtures::relative(4e-4, 1e-15));
   CHECK(boundary<AbsorbingSetup>("absorbing: {region: sink, face: +x}").reflection == 1e-3);
 }
 

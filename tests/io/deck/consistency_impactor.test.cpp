@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/tolerance.hpp"
 #include "io/deck/fixtures.hpp"
 
 using namespace perimpact;
@@ -33,9 +34,9 @@ TEST_CASE("consistency of impactors: a mass or a density, exactly one") {
 TEST_CASE("consistency of impactors: motion is read with its units, each degree of freedom apart") {
   const ImpactorSetup impactor =
       read(with("motion: {x: {times: [0, 1 ms], velocities: [0, 7.2 km/h]}, rz: {times: [0, 1], displacements: [0, 90 deg]}}")).setup.impactors[0];
-  CHECK(impactor.motion.x->velocities[1] == doctest::Approx(2).epsilon(1e-15));
+  CHECK(impactor.motion.x->velocities[1] == fixtures::relative(2, 1e-15));
   CHECK(impactor.motion.x->times == std::vector{0.0, 1e-3});
-  CHECK(impactor.motion.rz->displacements[1] == doctest::Approx(1.5707963267948966).epsilon(1e-15));
+  CHECK(impactor.motion.rz->displacements[1] == fixtures::relative(1.5707963267948966, 1e-15));
   CHECK(impactor.motion.of(0) != nullptr);
   CHECK(impactor.motion.of(1) == nullptr);
   CHECK(impactor.motion.of(5)->velocities.empty());
@@ -112,11 +113,11 @@ TEST_CASE("consistency of impactors: a file holds a table of motion with its uni
   file("\xEF\xBB\xBF\"time [ms]\", \"velocity [km/h]\"\r\n0, +0\r\n1.5 ,3.6e0\r\n\r\n");
   const TranslationTable heave = *read_there(text).setup.impactors[0].motion.x;
   CHECK(heave.times == std::vector{0.0, 1.5e-3});
-  CHECK(heave.velocities[1] == doctest::Approx(1).epsilon(1e-15));
+  CHECK(heave.velocities[1] == fixtures::relative(1, 1e-15));
   CHECK((heave.displacements.empty() && heave.file.empty()));
 
   file("time [s], displacement [deg]\n0, 0\n1, 180\n");
-  CHECK(read_there(with("motion: {rz: {file: heave.csv}}")).setup.impactors[0].motion.rz->displacements[1] == doctest::Approx(3.14159265358979).epsilon(1e-14));
+  CHECK(read_there(with("motion: {rz: {file: heave.csv}}")).setup.impactors[0].motion.rz->displacements[1] == fixtures::relative(3.14159265358979, 1e-14));
   CHECK(complaint_of(text).starts_with(name + ":1: the unit of a column is [deg], but that is an angle; write a length, for example 9 mm."));
 
   const auto says = [&](const std::string& contents, const std::string& sentence) {
@@ -148,7 +149,7 @@ TEST_CASE("consistency of impactors: panels are made smaller and larger as the d
   CHECK(impactor.refine[0].box->centre == Vec3d{0, 0.01, 0});
   CHECK(impactor.refine[0].part == "side");
   CHECK(!impactor.refine[0].angle);
-  CHECK(*impactor.refine[1].angle == doctest::Approx(0.17453292519943295).epsilon(1e-15));
+  CHECK(*impactor.refine[1].angle == fixtures::relative(0.17453292519943295, 1e-15));
   CHECK(!impactor.refine[1].box);
 }
 

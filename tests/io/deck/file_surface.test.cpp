@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/tolerance.hpp"
 #include "io/deck/fixtures.hpp"
 
 using namespace perimpact;
@@ -53,7 +54,7 @@ TEST_CASE("file surface: parts, planes, angles and lengths are read, with their 
   CHECK(surface.parts == std::vector<std::string>{"stem", "shell 1"});
   CHECK(surface.scale == 0.001);
   CHECK((surface.mirror.word() == "x" && surface.complete.word() == "z" && surface.outside.word() == "reversed"));
-  CHECK(surface.rotate.x == doctest::Approx(std::numbers::pi / 2).epsilon(1e-15));  // rounding of the unit
+  CHECK(surface.rotate.x == fixtures::relative(std::numbers::pi / 2, 1e-15));  // rounding of the unit
   CHECK((surface.rotate.y == 0 && surface.rotate.z == -0.5));
   CHECK((surface.translate.x == 1e-3 && surface.translate.y == 2 && surface.translate.z == 0.03));
 }
@@ -72,7 +73,7 @@ TEST_CASE("file surface: other planes, units and angles are refused at their pla
 
 TEST_CASE("file surface: whole turns either way are angles") {
   const FileSurface surface = surface_of("rotate: [360 deg, -360 deg, 180 deg]");
-  CHECK(surface.rotate.x == doctest::Approx(2 * std::numbers::pi).epsilon(1e-15));
+  CHECK(surface.rotate.x == fixtures::relative(2 * std::numbers::pi, 1e-15));
   CHECK(surface.rotate.y == -surface.rotate.x);
 }
 

@@ -1,5 +1,6 @@
 #include "io/deck/overrides.hpp"
 
+#include "fixtures/tolerance.hpp"
 #include "io/deck/fixtures.hpp"
 
 using namespace perimpact;
@@ -16,7 +17,7 @@ TEST_CASE("overrides: values replace those of the deck, in order, with units and
   CHECK(std::get<CylinderSurface>(setup.impactors[0].surface).panel == 0.0005);
   CHECK(std::get<OrdinaryStateSetup>(setup.bodies[0].material).poissons_ratio == 0.3);
   CHECK(setup.output.frames == 0);
-  CHECK(setup.impactors[0].velocity.y == doctest::Approx(-1.5433333).epsilon(1e-7));  // 3 · 1852/3600, to the digits written
+  CHECK(setup.impactors[0].velocity.y == fixtures::relative(-1.5433333, 1e-7));  // 3 · 1852/3600, to the digits written
   CHECK(setup.title == "a = b");
 }
 

@@ -5,6 +5,7 @@
 
 #include "fccda/core/error.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace perimpact;
 
@@ -40,7 +41,7 @@ TEST_CASE("point list: rows become points and volumes in the order of the file, 
 TEST_CASE("point list: columns may stand in any order and have other units") {
   const deck::PointList list = list_of("\"volume [mm3]\", z [cm], \"y [m]\", x [mm]\n7, 1, 2, 3\n");
   CHECK(norm(list.points[0] - fccda::Vec3d{0.003, 2, 0.01}) < 1e-15);  // rounding of the units
-  CHECK(list.volumes[0] == doctest::Approx(7e-9).epsilon(1e-14));      // likewise
+  CHECK(list.volumes[0] == fixtures::relative(7e-9, 1e-14));           // likewise
 }
 
 TEST_CASE("point list: what is wrong is told with its line") {

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/tolerance.hpp"
 #include "io/deck/fixtures.hpp"
 
 using namespace perimpact;
@@ -45,7 +46,7 @@ TEST_CASE("solids in a deck: every shape, parts, holes, cracks and regions are r
                              .setup.bodies[0];
   const auto& file = std::get<FileSolid>(body.shape);
   CHECK((file.file == (folder() / "ice.stl").string() && file.scale == 0.001 && file.parts == std::vector<std::string>{"floe"}));
-  CHECK(body.rotate.z == doctest::Approx(std::numbers::pi / 2).epsilon(1e-15));  // rounding of the unit
+  CHECK(body.rotate.z == fixtures::relative(std::numbers::pi / 2, 1e-15));  // rounding of the unit
   REQUIRE(body.parts.size() == 1);
   const auto& ridge = std::get<CylinderSolid>(body.parts[0].shape);
   CHECK((body.parts[0].name == "ridge" && ridge.diameter == 0.02 && ridge.height == 0.3 && ridge.axis.word() == "x"));

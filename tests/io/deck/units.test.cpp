@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "fixtures/tolerance.hpp"
 #include "io/deck/reference.hpp"
 
 using perimpact::deck::to_si;
@@ -51,12 +52,12 @@ TEST_CASE("units: plain numbers are SI, and signs, points and missing blanks do 
 
 TEST_CASE("units: kn is the knot, kN the kilonewton, and angles turn into radians") {
   // the factors are exact by definition; 1e-15 forgives the rounding of the factor in UDUNITS and of the product
-  CHECK(si("3 kn", "m/s") == doctest::Approx(3 * 1852.0 / 3600).epsilon(1e-15));
+  CHECK(si("3 kn", "m/s") == fixtures::relative(3 * 1852.0 / 3600, 1e-15));
   CHECK(si("5 kN", "N") == 5000);
   CHECK(complaint("5 kn", "N") == "that is a velocity; write a force, for example 5 kN");
-  CHECK(si("30 rpm", "rad/s") == doctest::Approx(std::numbers::pi).epsilon(1e-15));
-  CHECK(si("90 deg/s", "rad/s") == doctest::Approx(std::numbers::pi / 2).epsilon(1e-15));
-  CHECK(si("45 deg", "rad") == doctest::Approx(std::numbers::pi / 4).epsilon(1e-15));
+  CHECK(si("30 rpm", "rad/s") == fixtures::relative(std::numbers::pi, 1e-15));
+  CHECK(si("90 deg/s", "rad/s") == fixtures::relative(std::numbers::pi / 2, 1e-15));
+  CHECK(si("45 deg", "rad") == fixtures::relative(std::numbers::pi / 4, 1e-15));
 }
 
 TEST_CASE("units: that of every key of the deck is known") {
@@ -69,7 +70,7 @@ TEST_CASE("units: that of every key of the deck is known") {
                   "]");
   }
   CHECK(si("9.81 m/s2", "m/s2") == 9.81);
-  CHECK(si("30 1/min", "1/s") == doctest::Approx(0.5).epsilon(1e-15));
+  CHECK(si("30 1/min", "1/s") == fixtures::relative(0.5, 1e-15));
   CHECK(complaint("3 1/2 s", "s") == "1/2 s is not a unit; write a time, for example 0.1 us");  // not 1.5 s
 }
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "fccda/surface/file/inflate.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace perimpact::report;
 
@@ -80,7 +81,7 @@ TEST_CASE("packing: reals come back within half a step, and their range is kept"
   std::mt19937 chance(13);
   std::uniform_real_distribution<double> any(-3.5, 12.25);
   const Scale scale(-3.5, 12.25, 4095);
-  CHECK(scale.step() == doctest::Approx(15.75 / 4095).epsilon(1e-15));
+  CHECK(scale.step() == fixtures::relative(15.75 / 4095, 1e-15));
   for (int k = 0; k < 1000; ++k) {
     const double value = any(chance);
     CHECK(std::fabs(scale.low() + scale.step() * scale.number_of(value) - value) <= scale.step() / 2 * (1 + 1e-9));  // rounding of the sum

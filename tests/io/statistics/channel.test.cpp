@@ -7,6 +7,7 @@
 
 #include "fccda/core/error.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/tolerance.hpp"
 #include "io/output/pvd.hpp"
 #include "io/output/vtp.hpp"
 
@@ -55,17 +56,17 @@ TEST_CASE("channel: one that is cut straight through a sheet has its width every
   }
   const ChannelWidths widths = widths_of(columns, spacing, -1e9, 1e9);
   CHECK(widths.length == 40);
-  CHECK(widths.mean == doctest::Approx(12).epsilon(rounding));
+  CHECK(widths.mean == fixtures::relative(12, rounding));
   CHECK(widths.deviation < rounding);
-  CHECK(widths.area == doctest::Approx(480).epsilon(rounding));
-  CHECK(widths.all_broken == doctest::Approx(480).epsilon(rounding));
+  CHECK(widths.area == fixtures::relative(480, rounding));
+  CHECK(widths.all_broken == fixtures::relative(480, rounding));
 
   // the same turned by 90 degrees
   std::vector<Vec3d> turned;
   for (const Vec3d& place : sheet.places) turned.push_back({-place.y, place.x, place.z});
   const ChannelWidths of_turned = widths_of(channel_columns(turned, sheet.pieces, spacing, 1, 0.1), spacing, -1e9, 1e9);
   CHECK(of_turned.length == widths.length);
-  CHECK(of_turned.mean == doctest::Approx(widths.mean).epsilon(rounding));
+  CHECK(of_turned.mean == fixtures::relative(widths.mean, rounding));
 }
 
 TEST_CASE("channel: of one that widens the extremes are told with their places, within the limits that are given") {
@@ -76,9 +77,9 @@ TEST_CASE("channel: of one that widens the extremes are told with their places, 
   CHECK(all.narrowest == 1);
   CHECK(all.narrowest_at == 10.25);
   CHECK(all.widest == 10.5);
-  CHECK(all.widest_at == doctest::Approx(10 + 0.5 * 76.5).epsilon(1e-14));
-  CHECK(all.mean == doctest::Approx(5.75).epsilon(1e-12));
-  CHECK(all.deviation == doctest::Approx(0.5 * std::sqrt((20 * 20 - 1) / 12.0)).epsilon(1e-12));  // of 20 equally likely whole numbers
+  CHECK(all.widest_at == fixtures::relative(10 + 0.5 * 76.5, 1e-14));
+  CHECK(all.mean == fixtures::relative(5.75, 1e-12));
+  CHECK(all.deviation == fixtures::relative(0.5 * std::sqrt((20 * 20 - 1) / 12.0), 1e-12));  // of 20 equally likely whole numbers
   const ChannelWidths middle = widths_of(columns, spacing, 20, 30);
   CHECK(middle.length == 10);
   CHECK(middle.narrowest == 3.5);

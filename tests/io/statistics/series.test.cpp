@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "fixtures/tolerance.hpp"
+
 using namespace perimpact;
 
 namespace {
@@ -33,7 +35,7 @@ TEST_CASE("series: the mean of a constant is that constant, whatever the rows an
   for (const RowIs row_is : {RowIs::mean_since_row_before, RowIs::value_at_its_time}) {
     const Series series(times, values, row_is);
     for (const double t0 : {0.0, 0.3, 77.7}) {
-      CHECK(series.mean(t0, times.back()) == doctest::Approx(3.25).epsilon(1e-14));  // a quotient of two sums of 200
+      CHECK(series.mean(t0, times.back()) == fixtures::relative(3.25, 1e-14));  // a quotient of two sums of 200
       CHECK(series.standard_deviation(t0, times.back()) < 1e-13);
     }
   }
@@ -42,11 +44,11 @@ TEST_CASE("series: the mean of a constant is that constant, whatever the rows an
 TEST_CASE("series: the mean of forces times the time is the impulse, of all rows and of parts of rows") {
   const std::vector<double> times = {0, 1, 3, 3.5}, forces = {99, 4, -2, 10};  // the first row has no interval before it
   const Series series(times, forces, RowIs::mean_since_row_before);
-  CHECK(series.mean(0, 3.5) == doctest::Approx((4 * 1 - 2 * 2 + 10 * 0.5) / 3.5).epsilon(1e-15));
-  CHECK(series.mean(0.5, 2) == doctest::Approx((4 * 0.5 - 2 * 1) / 1.5).epsilon(1e-15));
+  CHECK(series.mean(0, 3.5) == fixtures::relative((4 * 1 - 2 * 2 + 10 * 0.5) / 3.5, 1e-15));
+  CHECK(series.mean(0.5, 2) == fixtures::relative((4 * 0.5 - 2 * 1) / 1.5, 1e-15));
   CHECK(series.mean(1, 3) == -2);
   const double mean = 5.0 / 3.5, square = (16 * 1 + 4 * 2 + 100 * 0.5) / 3.5;
-  CHECK(series.standard_deviation(0, 3.5) == doctest::Approx(std::sqrt(square - mean * mean)).epsilon(1e-14));
+  CHECK(series.standard_deviation(0, 3.5) == fixtures::relative(std::sqrt(square - mean * mean), 1e-14));
   CHECK(series.maximum(0, 3.5).value == 10);
   CHECK(series.maximum(0, 3.5).time == 3.5);
   CHECK(series.maximum(0, 3).value == 4);
@@ -58,13 +60,13 @@ TEST_CASE("series: the mean of forces times the time is the impulse, of all rows
 TEST_CASE("series: between values at their times there are straight lines") {
   const std::vector<double> times = {0, 2, 3}, values = {0, 4, 1};
   const Series series(times, values, RowIs::value_at_its_time);
-  CHECK(series.mean(0, 3) == doctest::Approx((4.0 + 2.5) / 3).epsilon(1e-15));
-  CHECK(series.mean(1, 2.5) == doctest::Approx((3 * 1 + 3.25 * 0.5) / 1.5).epsilon(1e-15));
+  CHECK(series.mean(0, 3) == fixtures::relative((4.0 + 2.5) / 3, 1e-15));
+  CHECK(series.mean(1, 2.5) == fixtures::relative((3 * 1 + 3.25 * 0.5) / 1.5, 1e-15));
   CHECK(series.maximum(0, 1).value == 2);
   CHECK(series.maximum(0, 3).time == 2);
   CHECK(series.minimum(2, 3).value == 1);
   // of 2 t from 0 to 2 the mean square about 2 is 4/3
-  CHECK(series.standard_deviation(0, 2) == doctest::Approx(std::sqrt(4.0 / 3)).epsilon(1e-15));
+  CHECK(series.standard_deviation(0, 2) == fixtures::relative(std::sqrt(4.0 / 3), 1e-15));
 }
 
 TEST_CASE("series: a window from row to row takes nothing of those beside it, also where its ends are rounded") {
@@ -89,7 +91,7 @@ TEST_CASE("series: resampling keeps the impulse, and even rows as they are") {
   double impulse = 0, wanted = 0;
   for (const double mean : series.resampled(0, interval, count)) impulse += mean * interval;
   for (std::size_t row = 1; row < 1000; ++row) wanted += values[row] * (times[row] - times[row - 1]);
-  CHECK(impulse == doctest::Approx(wanted).epsilon(1e-11));  // rounding of a thousand numbers, some cancel
+  CHECK(impulse == fixtures::relative(wanted, 1e-11));  // rounding of a thousand numbers, some cancel
 
   std::vector<double> even;
   for (int row = 0; row < 1000; ++row) even.push_back(0.01 * row);

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <random>
 
+#include "fixtures/tolerance.hpp"
+
 using namespace perimpact;
 
 namespace {
@@ -51,7 +53,7 @@ TEST_CASE("spectrum: its integral is the mean square of the windowed segment ove
     square += w * w * (values[n] - mean) * (values[n] - mean);
     window_square += w * w;
   }
-  CHECK(power_of(spectrum) == doctest::Approx(square / window_square).epsilon(1e-12));  // rounding
+  CHECK(power_of(spectrum) == fixtures::relative(square / window_square, 1e-12));  // rounding
 }
 
 TEST_CASE("spectrum: a sine has its peak at its frequency, and half the square of its amplitude there") {
@@ -64,12 +66,12 @@ TEST_CASE("spectrum: a sine has its peak at its frequency, and half the square o
     const Spectrum spectrum = welch(values, interval, segment);
     CHECK(spectrum.segments == 15);
     CHECK(spectrum.highest() == bin);
-    CHECK(spectrum.frequency(bin) == doctest::Approx(frequency).epsilon(1e-12));
-    CHECK(power_of(spectrum) == doctest::Approx(amplitude * amplitude / 2).epsilon(1e-9));  // whole periods: rounding
+    CHECK(spectrum.frequency(bin) == fixtures::relative(frequency, 1e-12));
+    CHECK(power_of(spectrum) == fixtures::relative(amplitude * amplitude / 2, 1e-9));  // whole periods: rounding
     // all of it in the three bins of Hann's window
     double near = 0;
     for (std::size_t k = bin - 1; k <= bin + 1; ++k) near += spectrum.density[k] * spectrum.resolution();
-    CHECK(near == doctest::Approx(amplitude * amplitude / 2).epsilon(1e-9));
+    CHECK(near == fixtures::relative(amplitude * amplitude / 2, 1e-9));
   }
 }
 
@@ -86,9 +88,9 @@ TEST_CASE("spectrum: white noise has the density 2 dt times its variance at ever
   const Spectrum spectrum = welch(white(std::size_t{1} << 18, deviation, 4), interval, 256);
   const double level = 2 * interval * deviation * deviation;
   // 2047 segments, of which neighbours share a half: about 1500 independent ones, so 1/sqrt(1500) = 2.6 % a bin; 6 times that is never seen by chance
-  for (std::size_t k = 2; k < 128; ++k) CHECK(spectrum.density[k] == doctest::Approx(level).epsilon(0.16));
+  for (std::size_t k = 2; k < 128; ++k) CHECK(spectrum.density[k] == fixtures::relative(level, 0.16));
   // the sum over 126 bins scatters by 0.3 %
-  CHECK(std::accumulate(spectrum.density.begin() + 2, spectrum.density.begin() + 128, 0.0) / 126 == doctest::Approx(level).epsilon(0.015));
+  CHECK(std::accumulate(spectrum.density.begin() + 2, spectrum.density.begin() + 128, 0.0) / 126 == fixtures::relative(level, 0.015));
 }
 
 TEST_CASE("spectrum: a constant has none, and no dominant frequency") {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/boundary/scene.hpp"
 #include "perimpact/material/isotropic.hpp"
 
@@ -50,20 +51,20 @@ TEST_CASE("absorbing: of a wave's amplitude the wanted share comes back, and the
     const Echo result = echo(reflection);
     CAPTURE(reflection);
     // the lattice's wave is a few parts in a hundred slower than the solid's, and R^(c/c_lattice) differs from R by that share of ln R
-    CHECK(std::sqrt(result.energy) == doctest::Approx(reflection).epsilon(0.05));
+    CHECK(std::sqrt(result.energy) == fixtures::relative(reflection, 0.05));
     // 0.6 % at this step, falling with its square: forces and velocities of a leapfrog belong to different instants
-    CHECK(result.energy + result.absorbed == doctest::Approx(1).epsilon(0.01));
+    CHECK(result.energy + result.absorbed == fixtures::relative(1, 0.01));
   }
-  CHECK(echo({}).energy == doctest::Approx(1).epsilon(1e-3));
+  CHECK(echo({}).energy == fixtures::relative(1, 1e-3));
 }
 
 TEST_CASE("absorbing: damping rises as the square of the depth to 3 c ln(1/R)/L, and its integral is that of the formula") {
   CHECK(layer_damping(0, 2, 5000, 0.01) == 0);
-  CHECK(layer_damping(2, 2, 5000, 0.01) == doctest::Approx(3 * 5000 * std::log(100) / 2).epsilon(1e-14));
+  CHECK(layer_damping(2, 2, 5000, 0.01) == fixtures::relative(3 * 5000 * std::log(100) / 2, 1e-14));
   double integral = 0;  // of α/(2c), on the way in and out, by the middle rule
   constexpr int pieces = 1000;
   for (int k = 0; k < pieces; ++k) integral += 2 * layer_damping((k + 0.5) / pieces * 2, 2, 5000, 0.01) / (2 * 5000) * 2 / pieces;
-  CHECK(std::exp(-integral) == doctest::Approx(0.01).epsilon(1e-5));  // the rule's error is 1/pieces²
+  CHECK(std::exp(-integral) == fixtures::relative(0.01, 1e-5));  // the rule's error is 1/pieces²
 }
 
 TEST_CASE("absorbing: velocities fall by (1 - α dt/2)/(1 + α dt/2) a step, whatever the damping, so that it limits no time step") {
@@ -75,7 +76,7 @@ TEST_CASE("absorbing: velocities fall by (1 - α dt/2)/(1 + α dt/2) a step, wha
   const double before = body.kinetic_energy_of_scheme(dt), work_before = layer.account.work();
   std::vector<double> travel(travel_blocks(body.particles));
   advance(body.particles, dt, travel);
-  for (const std::uint32_t slot : slots) CHECK(body.particles.velocity.at(slot).x == doctest::Approx(3 * (1. - 5) / (1 + 5)).epsilon(1e-14));  // rounding
+  for (const std::uint32_t slot : slots) CHECK(body.particles.velocity.at(slot).x == fixtures::relative(3 * (1. - 5) / (1 + 5), 1e-14));  // rounding
 
   for (const std::uint32_t slot : slots) body.particles.force_density.set(slot, {});
   layer.damp(body.particles, dt);

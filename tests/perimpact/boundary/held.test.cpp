@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/boundary/scene.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
@@ -86,8 +87,8 @@ TEST_CASE("held: work of a slow pull is the elastic energy, force times way over
   for (int step = 0; step < 300; ++step) scene.step();
   const double work = scene.boundaries.work();
   // The pull takes twelve times as long as a wave along the bar, which makes oscillations of a few parts in a hundred of its force.
-  CHECK(work == doctest::Approx(scene.elastic_energy).epsilon(0.01));
-  CHECK(work == doctest::Approx(0.5 * scene.boundaries.all()[1].account().force().x * 1e-6).epsilon(0.1));
+  CHECK(work == fixtures::relative(scene.elastic_energy, 0.01));
+  CHECK(work == fixtures::relative(0.5 * scene.boundaries.all()[1].account().force().x * 1e-6, 0.1));
 }
 
 TEST_CASE("held: a direction that two hold is refused, other directions of the same particles are not") {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/boundary/scene.hpp"
 
 using namespace perimpact;
@@ -30,10 +31,10 @@ TEST_CASE("load: under its weight a free body falls by g t, and the work of the 
   for (int step = 0; step < 50; ++step) scene.step();
   const double time = scene.clock.time();
   for (const std::uint32_t slot : scene.body.particles.slot_of())
-    REQUIRE(scene.body.particles.velocity.at(slot).z == doctest::Approx(-9.81 * time).epsilon(1e-6));  // rounding of bonds moves them by as much
+    CHECK(scene.body.particles.velocity.at(slot).z == fixtures::relative(-9.81 * time, 1e-6));  // rounding of bonds moves them by as much
   const double mass = fixtures::density * 0.006 * 0.006 * 0.006;
-  CHECK(scene.boundaries.work() == doctest::Approx(scene.body.kinetic_energy(dt)).epsilon(1e-9));  // rounding of positions, for so short a way
-  CHECK(scene.boundaries.all()[0].account().force().z == doctest::Approx(-9.81 * mass).epsilon(1e-12));
+  CHECK(scene.boundaries.work() == fixtures::relative(scene.body.kinetic_energy(dt), 1e-9));  // rounding of positions, for so short a way
+  CHECK(scene.boundaries.all()[0].account().force().z == fixtures::relative(-9.81 * mass, 1e-12));
 }
 
 TEST_CASE("load: a pressure on each face of a box adds up to pressure times area, against the face's normal") {
@@ -74,5 +75,5 @@ TEST_CASE("load: a given area replaces that of the cells, and factors are follow
   Body body = make_body(setup);
   Boundaries boundaries(setup, elastic_of(setup), body.particles, fixtures::slots_of(body.particles, {}));
   boundaries.add_forces(body.particles, {dt, 2 * dt, dt});
-  CHECK(total_force(body.particles).x == doctest::Approx(0.5 * 2e6 * 1e-5).epsilon(1e-12));  // rounding
+  CHECK(total_force(body.particles).x == fixtures::relative(0.5 * 2e6 * 1e-5, 1e-12));  // rounding
 }

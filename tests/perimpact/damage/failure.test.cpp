@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/damage/strength.hpp"
 #include "perimpact/material/fracture_energy.hpp"
@@ -50,11 +51,11 @@ std::size_t broken_at(double s, const BodyOptions& options) {
 
 TEST_CASE("failure: the fracture energy of the continuum is that of the literature, in space and in the plane") {
   // physics notes 1.9; Simpson's rule is exact for these powers
-  const auto [mu, kappa] = std::pair(E / 2.6, E / (3 * 0.4));                                                              // ν = 0.3
-  CHECK(unit_energy(Plane::none, 0.25) == doctest::Approx(9 * (E / 1.5) * horizon / 5).epsilon(1e-10));                    // 9 κ δ/5, bond-based
-  CHECK(unit_energy(Plane::stress, 1.0 / 3) == doctest::Approx(9 * E * horizon / (4 * std::numbers::pi)).epsilon(1e-10));  // bond-based
-  CHECK(unit_energy(Plane::strain, 0.25) == doctest::Approx(12 * E * horizon / (5 * std::numbers::pi)).epsilon(1e-10));    // bond-based
-  CHECK(unit_energy(Plane::none, 0.3) == doctest::Approx((3 * mu + 81.0 / 256 * (kappa - 5 * mu / 3)) * horizon).epsilon(1e-10));
+  const auto [mu, kappa] = std::pair(E / 2.6, E / (3 * 0.4));                                                         // ν = 0.3
+  CHECK(unit_energy(Plane::none, 0.25) == fixtures::relative(9 * (E / 1.5) * horizon / 5, 1e-10));                    // 9 κ δ/5, bond-based
+  CHECK(unit_energy(Plane::stress, 1.0 / 3) == fixtures::relative(9 * E * horizon / (4 * std::numbers::pi), 1e-10));  // bond-based
+  CHECK(unit_energy(Plane::strain, 0.25) == fixtures::relative(12 * E * horizon / (5 * std::numbers::pi), 1e-10));    // bond-based
+  CHECK(unit_energy(Plane::none, 0.3) == fixtures::relative((3 * mu + 81.0 / 256 * (kappa - 5 * mu / 3)) * horizon, 1e-10));
 }
 
 TEST_CASE("failure: the lattice costs what the notes' table says, so that a crack along its cells costs exactly the given energy") {
@@ -67,7 +68,7 @@ TEST_CASE("failure: the lattice costs what the notes' table says, so that a crac
     const Body solid = body(options);
     // table 1.9: 1.07 in space, 1.03 to 1.05 in the plane, two digits, for constants of the continuum
     CHECK(solid.failure->fracture_energy / (1e-6 * unit_energy(options.plane == PlaneState::none ? Plane::none : Plane::stress, options.poissons_ratio)) ==
-          doctest::Approx(ratio).epsilon(0.011));
+          fixtures::relative(ratio, 0.011));
   }
 }
 
@@ -91,7 +92,7 @@ TEST_CASE("failure: parting a body by hand along a plane of cells takes the frac
     });
   }
   CHECK(columns == 4);
-  CHECK(energy / (static_cast<double>(columns) * 1e-6) == doctest::Approx(42.0).epsilon(1e-9));  // per area of crack; the same sums in another order
+  CHECK(energy / (static_cast<double>(columns) * 1e-6) == fixtures::relative(42.0, 1e-9));  // per area of crack; the same sums in another order
 }
 
 TEST_CASE("failure: whichever of the three is given, the two others follow, there and back") {
@@ -102,13 +103,13 @@ TEST_CASE("failure: whichever of the three is given, the two others follow, ther
   };
   const FailureCriterion by_stretch = criterion([](auto& m) { m.critical_stretch = 2e-3; });
   CHECK(by_stretch.layers == 6);
-  CHECK(by_stretch.flexural_strength == doctest::Approx(2e-3 * E / (1 - 1.0 / 6)).epsilon(1e-14));
+  CHECK(by_stretch.flexural_strength == fixtures::relative(2e-3 * E / (1 - 1.0 / 6), 1e-14));
   const FailureCriterion by_energy = criterion([&](auto& m) { m.fracture_energy = by_stretch.fracture_energy; });
   const FailureCriterion by_strength = criterion([&](auto& m) { m.flexural_strength = by_stretch.flexural_strength; });
-  CHECK(by_energy.stretch == doctest::Approx(2e-3).epsilon(1e-14));
-  CHECK(by_strength.stretch == doctest::Approx(2e-3).epsilon(1e-14));
+  CHECK(by_energy.stretch == fixtures::relative(2e-3, 1e-14));
+  CHECK(by_strength.stretch == fixtures::relative(2e-3, 1e-14));
   const FailureCriterion ten = criterion([&](auto& m) { m.flexural_strength = 1e6, m.layers = 10; });
-  CHECK(ten.stretch == doctest::Approx(0.9e6 / E).epsilon(1e-14));
+  CHECK(ten.stretch == fixtures::relative(0.9e6 / E, 1e-14));
 }
 
 TEST_CASE("failure: compression breaks no bond, all of them at the critical stretch, or all at a limit of their own, as asked") {
@@ -162,8 +163,8 @@ TEST_CASE("failure: Weibull factors have mean 1, the scatter of their modulus, a
     }
     const double mean = sum / count, variance = squares / count - mean * mean;
     const double exact = std::tgamma(1 + 2 / m) / std::pow(std::tgamma(1 + 1 / m), 2) - 1;
-    CHECK(mean == doctest::Approx(1).epsilon(4 * std::sqrt(exact / count)));  // four standard errors
-    CHECK(variance == doctest::Approx(exact).epsilon(0.03));                  // standard error about 1 %
+    CHECK(mean == fixtures::relative(1, 4 * std::sqrt(exact / count)));  // four standard errors
+    CHECK(variance == fixtures::relative(exact, 0.03));                  // standard error about 1 %
   }
   CHECK(weibull_factor(5, 1, 7) != weibull_factor(5, 2, 7));
 }

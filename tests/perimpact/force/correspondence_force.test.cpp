@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 
 using namespace perimpact;
@@ -97,7 +98,7 @@ TEST_CASE("correspondence: uniform strain, however large, has exactly the energy
       }
       const double density = 0.5 * elastic.lame_modulus() * volume * volume + elastic.shear_modulus() * squares;
       // gradients are sums of a hundred terms, good to 1e-15 or so, of strains of 0.05 and more
-      CHECK(solid.internal.evaluate_with_energy(solid.particles, solid.family) == doctest::Approx(density * total_volume(solid)).epsilon(1e-12));
+      CHECK(solid.internal.evaluate_with_energy(solid.particles, solid.family) == fixtures::relative(density * total_volume(solid), 1e-12));
     }
   }
 }
@@ -149,11 +150,11 @@ TEST_CASE("correspondence: Wan's number is his tensor in a whole family, and Sil
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t s = 0; s < 3; ++s)
       CHECK(2 * mu * inverse.m[r][s] + (r == s ? lambda * trace(inverse) : 0) ==
-            doctest::Approx(r == s ? law.stabilisation(trace(inverse)) : 0).epsilon(1e-12).scale(kappa * trace(inverse)));
+            fixtures::absolute(r == s ? law.stabilisation(trace(inverse)) : 0, 1e-12 * kappa * trace(inverse), "N/m7"));
   const double delta = 0.003;
   const Correspondence silling({1.0, 0.3, 3}, {.stabilisation = Stabilisation::silling, .influence = Influence::one}, delta, 1);
-  CHECK(silling.stabilisation(1e20) == doctest::Approx(9 * silling.elastic().bulk_modulus() / (3.14159265358979 * std::pow(delta, 5))));
-  CHECK(law.stabilisation(trace(inverse)) == doctest::Approx(kappa * trace(inverse)));
+  CHECK(silling.stabilisation(1e20) == fixtures::relative(9 * silling.elastic().bulk_modulus() / (3.14159265358979 * std::pow(delta, 5)), 1e-12));
+  CHECK(law.stabilisation(trace(inverse)) == fixtures::relative(kappa * trace(inverse), 1e-12));
 }
 
 TEST_CASE("correspondence: forces follow the bonds, whoever took them away or put them back") {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fccda/core/parallel.hpp"
+#include "fixtures/tolerance.hpp"
 #include "perimpact/force/piles.hpp"
 
 using namespace perimpact;
@@ -50,10 +51,10 @@ double restitution_of_two(double wanted, double steps) {
   }
   fccda::use_threads(threads);
   REQUIRE(touched);
-  if (wanted == 1) CHECK(energy == doctest::Approx(mass).epsilon(0.01));  // 2 m v²/2 all in the spring, but for where in a step its end falls
+  if (wanted == 1) CHECK(energy == fixtures::relative(mass, 0.01));  // 2 m v²/2 all in the spring, but for where in a step its end falls
   const double parting = pile.bodies[1].particles.velocity.at(0).x - pile.bodies[0].particles.velocity.at(0).x;
   // what the dashpot took is what is missing
-  CHECK(mass * (1 - 0.25 * parting * parting) == doctest::Approx(contact.restitution_work()).epsilon(0.01).scale(mass));
+  CHECK(mass * (1 - 0.25 * parting * parting) == fixtures::absolute(contact.restitution_work(), 0.01 * mass, "J"));
   return parting / 2;
 }
 
@@ -63,15 +64,15 @@ TEST_CASE("short-range law: the damping ratio gives the restitution asked for, f
   CHECK(damping_ratio_of(1) == 0);
   for (const double e : {0.95, 0.8, 0.5, 0.2, std::exp(-2.0), 0.1}) {
     CAPTURE(e);
-    CHECK(integrated_restitution(damping_ratio_of(e)) == doctest::Approx(e).epsilon(1e-3));  // first order in the step of 1e-5, over a few radians
+    CHECK(integrated_restitution(damping_ratio_of(e)) == fixtures::relative(e, 1e-3));  // first order in the step of 1e-5, over a few radians
   }
-  CHECK(damping_ratio_of(std::exp(-2.0)) == doctest::Approx(1).epsilon(1e-6));  // where the two branches meet
+  CHECK(damping_ratio_of(std::exp(-2.0)) == fixtures::relative(1, 1e-6));  // where the two branches meet
 }
 
 TEST_CASE("short-range law: two particles that collide part with the restitution of the deck, and the dashpots' work is the energy they lack") {
   for (const double e : {1.0, 0.9, 0.5, 0.2}) {
     CAPTURE(e);
-    CHECK(restitution_of_two(e, 200) == doctest::Approx(e).epsilon(0.02));  // velocities are half a step old: 2 ζ/200 of a radian, and the end of contact
+    CHECK(restitution_of_two(e, 200) == fixtures::relative(e, 0.02));  // velocities are half a step old: 2 ζ/200 of a radian, and the end of contact
   }
 }
 
@@ -81,10 +82,10 @@ TEST_CASE("short-range law: friction is Coulomb's when fast, in proportion to sp
   const double normal = 1e3;
   CHECK(force_of(touch, law, 1e-9).friction == Vec3d{0, 0, -0.3 * normal});  // on i, along with j
   touch.velocity.z = 0.001;                                                  // a tenth of the speed below which it fades
-  CHECK(force_of(touch, law, 1e-9).friction.z == doctest::Approx(0.03 * normal).epsilon(1e-12));
+  CHECK(force_of(touch, law, 1e-9).friction.z == fixtures::relative(0.03 * normal, 1e-12));
   // a step in which Coulomb's force would turn the sliding round many times
   const double dt = 1, gained = force_of(touch, law, dt).friction.z * dt / touch.reduced_mass;
-  CHECK(4 * gained == doctest::Approx(touch.velocity.z).epsilon(1e-12));
+  CHECK(4 * gained == fixtures::relative(touch.velocity.z, 1e-12));
   touch.velocity = {3, 0, 0};
   CHECK(force_of(touch, law, 1e-9).friction == Vec3d{});
 }
@@ -94,8 +95,8 @@ TEST_CASE("short-range law: stiffness is 15 times that of the bond-based bond ov
   constexpr double pi = std::numbers::pi;
   const double E = 9e9, horizon = 0.03, thickness = 0.02;
   // c of the literature, written with E: 12 E/(π δ⁴) at ν = 1/4, 9 E/(π h δ³) in plane stress at ν = 1/3 (Madenci and Oterkus 2014)
-  CHECK(law.stiffness({E, 0.25, 3}, horizon, 1) == doctest::Approx(15 * 12 * E / (pi * std::pow(horizon, 5))).epsilon(1e-12));
-  CHECK(law.stiffness({E, 1.0 / 3, 2}, horizon, thickness) == doctest::Approx(15 * 9 * E / (pi * thickness * std::pow(horizon, 4))).epsilon(1e-12));
-  CHECK(in_series(3.0, 3.0) == doctest::Approx(3.0).epsilon(1e-15));
-  CHECK(in_series(1.0, 1e9) == doctest::Approx(2.0).epsilon(1e-8));  // the softer of the two gives way
+  CHECK(law.stiffness({E, 0.25, 3}, horizon, 1) == fixtures::relative(15 * 12 * E / (pi * std::pow(horizon, 5)), 1e-12));
+  CHECK(law.stiffness({E, 1.0 / 3, 2}, horizon, thickness) == fixtures::relative(15 * 9 * E / (pi * thickness * std::pow(horizon, 4)), 1e-12));
+  CHECK(in_series(3.0, 3.0) == fixtures::relative(3.0, 1e-15));
+  CHECK(in_series(1.0, 1e9) == fixtures::relative(2.0, 1e-8));  // the softer of the two gives way
 }

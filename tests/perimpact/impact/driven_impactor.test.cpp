@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/simulation.hpp"
@@ -47,7 +48,7 @@ TEST_CASE("driven impactor: a table of displacements is met while it strikes, an
   setup.impactors[0].motion.y->displacements = {0, -0.5e-3, -0.4e-3};
   Simulation simulation(setup);
   const double first = own_energy(simulation);
-  CHECK(value(simulation, "cylinder.velocity_y [m/s]") == doctest::Approx(-25).epsilon(1e-12));  // of the table, from the first row on
+  CHECK(value(simulation, "cylinder.velocity_y [m/s]") == fixtures::relative(-25, 1e-12));  // of the table, from the first row on
   while (!simulation.clock().is_finished()) {
     simulation.step();
     const double t = simulation.clock().time();
@@ -76,7 +77,7 @@ TEST_CASE("driven impactor: a load that presses a free one into the plate does t
   CHECK(own_energy(simulation) <= 0.01 * cylinder.work_of_loads());  // the ripple of interpolated velocities
   CHECK(own_energy(simulation) > -0.2 * cylinder.work_of_loads());   // contact takes a little
   // all momentum comes from the load: half of 200 kN over 30 µs
-  CHECK(value(simulation, "total.momentum_y [kg m/s]") == doctest::Approx(-0.5 * 200e3 * 30e-6).epsilon(1e-10));
+  CHECK(value(simulation, "total.momentum_y [kg m/s]") == fixtures::relative(-0.5 * 200e3 * 30e-6, 1e-10));
 }
 
 TEST_CASE("driven impactor: gauges of all parts add up to its force and moment, row by row") {
@@ -119,9 +120,9 @@ TEST_CASE("driven impactor: a density makes the mass and inertia that the mass w
   by_density.impactors[0].density = 0.1 / volume;
   const Simulation other(by_density);
   const fccda::RigidBody &a = one.impactors()[0].body(), &b = other.impactors()[0].body();
-  CHECK(b.mass() == doctest::Approx(0.1).epsilon(1e-14));
-  CHECK(b.properties().inertia.row[1].y == doctest::Approx(a.properties().inertia.row[1].y).epsilon(1e-14));
-  CHECK(a.properties().inertia.row[2].z == doctest::Approx(0.5 * 0.1 * 0.01 * 0.01).epsilon(0.01));  // of the round cylinder; panels lie within
+  CHECK(b.mass() == fixtures::relative(0.1, 1e-14));
+  CHECK(b.properties().inertia.row[1].y == fixtures::relative(a.properties().inertia.row[1].y, 1e-14));
+  CHECK(a.properties().inertia.row[2].z == fixtures::relative(0.5 * 0.1 * 0.01 * 0.01, 0.01));  // of the round cylinder; panels lie within
 }
 
 TEST_CASE("driven impactor: what cannot be is refused with its key") {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/simulation.hpp"
@@ -44,9 +45,9 @@ TEST_CASE("floating impactor: a raft placed at its draught stays, and columns of
   // 2000 steps of a force that rounds at 1e-12 N on 512 kg
   CHECK(std::fabs(raft.body().position_of_com().z) < 1e-12);
   CHECK(std::fabs(value(simulation, "raft.water_force_z [N]")) < 1e-8);
-  CHECK(value(simulation, "raft.displaced_mass [kg]") == doctest::Approx(512.5).epsilon(1e-12));
-  CHECK(raft.draught() == doctest::Approx(0.25).epsilon(1e-12));
-  CHECK(*raft.placed_in_water()->rise == doctest::Approx(0).epsilon(1e-12));
+  CHECK(value(simulation, "raft.displaced_mass [kg]") == fixtures::relative(512.5, 1e-12));
+  CHECK(raft.draught() == fixtures::relative(0.25, 1e-12));
+  CHECK(*raft.placed_in_water()->rise == fixtures::absolute(0, 1e-12, "m"));
 }
 
 TEST_CASE("floating impactor: a raft let go above its place bobs with ρ g A and its added mass, and the work of water balances energy and momentum") {
@@ -70,9 +71,9 @@ TEST_CASE("floating impactor: a raft let go above its place bobs with ρ g A and
     REQUIRE(std::fabs(value(simulation, "total.momentum_z [kg m/s]") - impulse) < 1e-8);  // likewise
     fastest = std::max(fastest, speed);
   }
-  CHECK(worst < 0.1 * 0.5 * omega * 2e-3 * 1.05);                // the first kick is half a step late: ω dt/2 of the amplitude
-  CHECK(fastest == doctest::Approx(0.1 * omega).epsilon(0.01));  // rows are 1 % of a period apart
-  CHECK(raft.body().properties().added_mass.z == doctest::Approx(0.5 * mass).epsilon(1e-12));
+  CHECK(worst < 0.1 * 0.5 * omega * 2e-3 * 1.05);           // the first kick is half a step late: ω dt/2 of the amplitude
+  CHECK(fastest == fixtures::relative(0.1 * omega, 0.01));  // rows are 1 % of a period apart
+  CHECK(raft.body().properties().added_mass.z == fixtures::relative(0.5 * mass, 1e-12));
 }
 
 TEST_CASE("floating impactor: what is heavier than its water has the added mass of all that it displaces") {
@@ -81,9 +82,9 @@ TEST_CASE("floating impactor: what is heavier than its water has the added mass 
   setup.impactors[0].floating->added_mass = 0.5;
   const Simulation simulation(setup);
   const Impactor& raft = simulation.impactors()[0];
-  CHECK(raft.body().properties().added_mass.z == doctest::Approx(0.5 * 1025).epsilon(1e-12));
+  CHECK(raft.body().properties().added_mass.z == fixtures::relative(0.5 * 1025, 1e-12));
   CHECK(!raft.placed_in_water()->rise);
-  CHECK(raft.placed_in_water()->afloat.force == doctest::Approx((0.5 * 1025 - 3000) * 9.81).epsilon(1e-12));
+  CHECK(raft.placed_in_water()->afloat.force == fixtures::relative((0.5 * 1025 - 3000) * 9.81, 1e-12));
 }
 
 TEST_CASE("floating impactor: a load at the rail of a raft sinks it by its weight and heels it against its stiffness") {
@@ -100,11 +101,11 @@ TEST_CASE("floating impactor: a load at the rail of a raft sinks it by its weigh
   fixtures::run(simulation);
   const double lift = 1025 * 9.81, volume = 0.5 + force / lift, draught = 0.5 * volume;
   const fccda::Pose& pose = simulation.impactors()[0].body().pose();
-  CHECK(pose.position().z == doctest::Approx(0.25 - draught).epsilon(0.01));  // -1 cm; a heeled box lies 0.02² × 0.1 m² / 2 higher
+  CHECK(pose.position().z == fixtures::relative(0.25 - draught, 0.01));  // -1 cm; a heeled box lies 0.02² × 0.1 m² / 2 higher
   // per radian: the waterplane's second moment B³ L/12 = 1/6 m⁴, less what buoyancy under and cargo over the centre of mass turn with it
   const double stiffness = lift * (1.0 / 6 + volume * (0.5 * draught - 0.25)) - force * above;
   const double angle = std::asin(pose.rotation().row[2].y);
-  CHECK(angle == doctest::Approx(-force * beside / stiffness).epsilon(2e-3));  // 0.02 rad, to its square
+  CHECK(angle == fixtures::relative(-force * beside / stiffness, 2e-3));  // 0.02 rad, to its square
   // damping took what cargo and water gave, but for a rest that decays with 2/s: e^-24 of 2 J; rounding is more
   CHECK(simulation.impactors()[0].body().kinetic_energy() < 1e-9);
 }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "fccda/core/pack.hpp"
+#include "fixtures/tolerance.hpp"
 #include "perimpact/material/isotropic.hpp"
 #include "perimpact/small_matrices.hpp"
 
@@ -47,7 +48,7 @@ void check_gradient(StressLaw law, double size, unsigned seed) {
         above.m[r][s] += 0.5 * h, above.m[s][r] += 0.5 * h;
         below.m[r][s] -= 0.5 * h, below.m[s][r] -= 0.5 * h;
         // error h² by the difference, and 1e-16/h by rounding, both below 1e-9
-        CHECK(2 * (stress(law, above).energy - stress(law, below).energy) / (2 * h) == doctest::Approx(at.second.m[r][s]).epsilon(1e-7).scale(1));
+        CHECK(2 * (stress(law, above).energy - stress(law, below).energy) / (2 * h) == fixtures::absolute(at.second.m[r][s], 1e-7, "1"));
       }
   }
 }
@@ -76,8 +77,8 @@ TEST_CASE("stress laws: the energy is quadratic in the principal strains of the 
       ln_volume += ln, ln_squares += ln * ln, green_volume += green, green_squares += green * green;
     }
     // eigenvalues of the oracle, which come from a cubic, are good to 1e-9 where two are alike
-    CHECK(stress(StressLaw::hencky, x).energy == doctest::Approx(0.5 * lambda * ln_volume * ln_volume + mu * ln_squares).epsilon(1e-9));
-    CHECK(stress(StressLaw::st_venant_kirchhoff, x).energy == doctest::Approx(0.5 * lambda * green_volume * green_volume + mu * green_squares).epsilon(1e-9));
+    CHECK(stress(StressLaw::hencky, x).energy == fixtures::relative(0.5 * lambda * ln_volume * ln_volume + mu * ln_squares, 1e-9));
+    CHECK(stress(StressLaw::st_venant_kirchhoff, x).energy == fixtures::relative(0.5 * lambda * green_volume * green_volume + mu * green_squares, 1e-9));
   }
 }
 
@@ -90,7 +91,7 @@ TEST_CASE("stress laws: the logarithm by series and by eigenvalues agree where o
       for (double& element : row) element *= size;
     const auto series = hencky::by_series(x, lambda, mu), exact = hencky::by_eigenvalues(x, lambda, mu);
     // the first term left out is 4e-17 of the strain; eigenvalues are good to 1e-16 of the largest, 0.1: a few roundings
-    CHECK(series.energy == doctest::Approx(exact.energy).epsilon(1e-14));
+    CHECK(series.energy == fixtures::relative(exact.energy, 1e-14));
     for (std::size_t r = 0; r < 3; ++r)
       for (std::size_t s = 0; s < 3; ++s) CHECK(std::fabs(series.second.m[r][s] - exact.second.m[r][s]) < 1e-15);
   }
@@ -133,7 +134,7 @@ TEST_CASE("stress laws: what is squeezed flat, or flatter than flat, still has a
       return hencky_stress(x, lambda, mu);
     };
     const double h = 1e-7, slope = 2 * (of(c + h).energy - of(c - h).energy) / (2 * h);
-    CHECK(slope == doctest::Approx(of(c).second.m[2][2]).epsilon(1e-4));  // at 0.01 the second derivative jumps: h/0.01 of the slope
+    CHECK(slope == fixtures::relative(of(c).second.m[2][2], 1e-4));  // at 0.01 the second derivative jumps: h/0.01 of the slope
     CHECK(std::isfinite(of(c).energy));
   }
 }
@@ -158,8 +159,8 @@ TEST_CASE("stress laws: plane stress is the law of two dimensions with the const
       }
       const auto wanted = of(in_space, solid);
       const auto found = of(x, plane);
-      CHECK(found.energy == doctest::Approx(wanted.energy).epsilon(1e-12));  // the bisection ends at 1e-16
+      CHECK(found.energy == fixtures::relative(wanted.energy, 1e-12));  // the bisection ends at 1e-16
       for (std::size_t r = 0; r < 2; ++r)
-        for (std::size_t s = 0; s < 2; ++s) CHECK(found.second.m[r][s] == doctest::Approx(wanted.second.m[r][s]).epsilon(1e-12).scale(1));
+        for (std::size_t s = 0; s < 2; ++s) CHECK(found.second.m[r][s] == fixtures::absolute(wanted.second.m[r][s], 1e-12, "1"));
     }
 }

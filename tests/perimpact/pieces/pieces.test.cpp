@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 
 using namespace perimpact;
@@ -102,7 +103,7 @@ TEST_CASE("pieces: a body that is cut twice has three, with the masses, places, 
   const double rounding = 1e-12;  // sums of some hundred numbers, relative
   for (std::size_t n = 0; n < 3; ++n) {
     CHECK(pieces.all()[n].particles == static_cast<std::size_t>(lengths[n] * 1000 * 8 * 6 + 0.5));
-    CHECK(pieces.all()[n].mass == doctest::Approx(fixtures::density * lengths[n] * 0.008 * 0.006).epsilon(rounding));
+    CHECK(pieces.all()[n].mass == fixtures::relative(fixtures::density * lengths[n] * 0.008 * 0.006, rounding));
     CHECK(norm(states[n].centre - (shift + Vec3d{centres[n], 0, 0})) < rounding);
     CHECK(norm(states[n].extent - Vec3d{lengths[n], 0.008, 0.006}) < rounding);
     CHECK(norm(states[n].velocity - speeds[n] * speed) < rounding);
@@ -113,7 +114,7 @@ TEST_CASE("pieces: a body that is cut twice has three, with the masses, places, 
   CHECK(count.above_one_percent == 3);
   CHECK(count.largest == pieces.all()[0].mass);
   CHECK(count.second_largest == pieces.all()[1].mass);
-  CHECK(count.outside_largest == doctest::Approx(0.6 * body.particles.total_mass()).epsilon(rounding));
+  CHECK(count.outside_largest == fixtures::relative(0.6 * body.particles.total_mass(), rounding));
 }
 
 TEST_CASE("pieces: particles without a bond are counted apart from pieces") {

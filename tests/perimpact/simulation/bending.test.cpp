@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/force/stencil_sums.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulations.hpp"
@@ -62,10 +63,10 @@ Setup cantilever(int layers, int width, int length, const char* calibration, dou
 
 TEST_CASE("bending: many layers bend as a plate does") {
   // bonds between inside and surface, which the correction leaves 1 to 2 % off, count less the deeper the body is
-  CHECK(relative(24) == doctest::Approx(1).epsilon(0.015));
-  CHECK(relative(24, PlaneState::stress) == doctest::Approx(1).epsilon(0.015));
-  CHECK(relative(24, PlaneState::strain, 0.3) == doctest::Approx(1).epsilon(0.015));
-  CHECK(relative(24, PlaneState::none, 0.35) == doctest::Approx(1).epsilon(0.02));
+  CHECK(relative(24) == fixtures::relative(1, 0.015));
+  CHECK(relative(24, PlaneState::stress) == fixtures::relative(1, 0.015));
+  CHECK(relative(24, PlaneState::strain, 0.3) == fixtures::relative(1, 0.015));
+  CHECK(relative(24, PlaneState::none, 0.35) == fixtures::relative(1, 0.02));
 }
 
 TEST_CASE("bending: fewer layers are softer") {
@@ -84,7 +85,7 @@ TEST_CASE("bending: the factor does not know the modulus or the spacing of a lat
   const IsotropicElastic elastic{70e9, nu, 3};
   const OrdinaryState law(elastic, madenci_oterkus_influences, stencil.horizon(), 1, sums_of(stencil, madenci_oterkus_influences, nu));
   // every length and modulus cancels but for rounding of some hundred terms
-  CHECK(relative_bending_stiffness({0.01, std::nullopt, 0, 4}, law, CorrectionKind::energy, stencil) == doctest::Approx(relative(4)).epsilon(1e-10));
+  CHECK(relative_bending_stiffness({0.01, std::nullopt, 0, 4}, law, CorrectionKind::energy, stencil) == fixtures::relative(relative(4), 1e-10));
 }
 
 TEST_CASE("bending: a beam of four layers bends as the theory of beams says with the calibration, and a sixth too far without") {
@@ -99,7 +100,7 @@ TEST_CASE("bending: a beam of four layers bends as the theory of beams says with
     return -fixtures::value(simulation, "tip.displacement_z [m]");
   };
   // the held end gives way a little within the horizon, and a beam is not the wide plate that the factor is of: together 4 %
-  CHECK(sag("z") == doctest::Approx(theory).epsilon(0.04));
+  CHECK(sag("z") == fixtures::relative(theory, 0.04));
   CHECK(sag("none") > 1.15 * theory);
 }
 
@@ -113,11 +114,11 @@ TEST_CASE("bending: the calibration makes every bond stiffer by one factor and l
   };
   const Body calibrated = made("z", E), plain = made("none", E);
   REQUIRE(calibrated.bending);
-  CHECK(*calibrated.bending == doctest::Approx(1 / relative(4)).epsilon(1e-12));  // the same sums
+  CHECK(*calibrated.bending == fixtures::relative(1 / relative(4), 1e-12));  // the same sums
   CHECK_FALSE(plain.bending);
   CHECK(calibrated.failure->stretch == plain.failure->stretch);
   const auto& law = calibrated.internal.ordinary_state()->law();
-  CHECK(law.b() == doctest::Approx(*calibrated.bending * plain.internal.ordinary_state()->law().b()).epsilon(1e-14));  // one product
+  CHECK(law.b() == fixtures::relative(*calibrated.bending * plain.internal.ordinary_state()->law().b(), 1e-14));  // one product
 }
 
 TEST_CASE("bending: what cannot be calibrated is refused with a reason") {

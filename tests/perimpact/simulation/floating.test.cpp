@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/boundary/floating.hpp"
 #include "perimpact/setup/setup_error.hpp"
@@ -70,7 +71,7 @@ TEST_CASE("floating: as long as the level is inside a sheet, its columns are Win
       particles.force_density = VectorArray(particles.slots(), 0);
       Floating water(slots, {.level = level, .density = sea, .gravity = gravity, .drag = 0, .added_mass = 0, .damping = 0}, level);
       const double lift = sea * gravity * 4 * (level + 1), weight = fixtures::density * gravity * 8;
-      CHECK(water.add_to(particles).force.z == doctest::Approx(lift - weight).epsilon(1e-13));  // rounding of 512 particles
+      CHECK(water.add_to(particles).force.z == fixtures::relative(lift - weight, 1e-13));  // rounding of 512 particles
     }
   }
 }
@@ -78,8 +79,8 @@ TEST_CASE("floating: as long as the level is inside a sheet, its columns are Win
 TEST_CASE("floating: the level at which bodies float is that of Archimedes, exactly for a box, to the lattice for a sphere, and none for iron") {
   Simulation box(block(0.4, {.density = sea, .gravity = gravity}, 0.1));
   const auto& water = std::get<Floating>(box.boundaries()[0].all()[0].boundary);
-  CHECK(water.water().level == doctest::Approx(0.4 - afloat).epsilon(1e-12));
-  CHECK(water.floats_at() == doctest::Approx(water.water().level).epsilon(1e-12));
+  CHECK(water.water().level == fixtures::relative(0.4 - afloat, 1e-12));
+  CHECK(water.floats_at() == fixtures::relative(water.water().level, 1e-12));
 
   Setup setup = block(0, {.density = 2 * ice, .gravity = gravity}, 0.1);
   setup.bodies[0].shape = SphereSolid{.diameter = 4};
@@ -102,7 +103,7 @@ TEST_CASE("floating: a block put where it floats stays there, and one let go bes
   Simulation bobs(block(afloat + 0.05, calm(), 8));
   const double expected = 2 * std::numbers::pi * std::sqrt(side * ice / (sea * gravity));
   // 1 %: the block's own springs, ω² of its first mode being 400 times that of the bob, and a step of its period/1000
-  CHECK(period(bobs, afloat) == doctest::Approx(expected).epsilon(0.01));
+  CHECK(period(bobs, afloat) == fixtures::relative(expected, 0.01));
 }
 
 TEST_CASE("floating: added mass makes the bob slower by the root of one and its coefficient") {
@@ -110,7 +111,7 @@ TEST_CASE("floating: added mass makes the bob slower by the root of one and its 
   water.added_mass = 0.8;
   Simulation bobs(block(afloat + 0.05, water, 10));
   const double expected = 2 * std::numbers::pi * std::sqrt(side * ice / (sea * gravity)) * std::sqrt(1.8);
-  CHECK(period(bobs, afloat) == doctest::Approx(expected).epsilon(0.01));  // as above
+  CHECK(period(bobs, afloat) == fixtures::relative(expected, 0.01));  // as above
 }
 
 TEST_CASE("floating: a heavy block sinks at the speed at which drag on the particles of its surface carries the rest of its weight") {
@@ -126,7 +127,7 @@ TEST_CASE("floating: a heavy block sinks at the speed at which drag on the parti
   double speed = 0;
   for (const std::uint32_t slot : sinks.bodies()[0].particles.slot_of()) speed -= sinks.bodies()[0].particles.velocity.at(slot).z / 64;
   // from 3 m/s it comes within e⁻⁸ in 4 s; the rest is the shaking of its springs
-  CHECK(speed == doctest::Approx(expected).epsilon(0.005));
+  CHECK(speed == fixtures::relative(expected, 0.005));
 }
 
 TEST_CASE("floating: what weight, buoyancy, drag, damping and added mass do to a body is its boundary's work, and its impulse the change of momentum") {
@@ -147,7 +148,7 @@ TEST_CASE("floating: what weight, buoyancy, drag, damping and added mass do to a
   const double fall = ice * side * side * side * gravity * (1.5 - side / 2);
   CHECK(largest > 0.8 * fall);   // it fell freely till it met the water; damping takes some
   CHECK(off < 0.005 * largest);  // second order in the step but where the level passes the corners of S
-  CHECK(value(splash, "total.momentum_z [kg m/s]") == doctest::Approx(impulse).epsilon(1e-9));  // it began at rest
+  CHECK(value(splash, "total.momentum_z [kg m/s]") == fixtures::relative(impulse, 1e-9));  // it began at rest
 }
 
 TEST_CASE("floating: in search of equilibrium a block comes to float where Archimedes says, from above and from below") {
@@ -177,8 +178,8 @@ TEST_CASE("floating: held particles neither drag nor sink, and their holder carr
   setup.bodies[0].boundaries.push_back({"crane", FixedSetup{}});
   Simulation held(setup);
   while (!held.clock().is_finished()) held.step();
-  CHECK(middle(held) == doctest::Approx(afloat + 0.3).epsilon(1e-14));
-  CHECK(value(held, "ice.sea.work [J]") == doctest::Approx(0).epsilon(1e-9));
+  CHECK(middle(held) == fixtures::relative(afloat + 0.3, 1e-14));
+  CHECK(value(held, "ice.sea.work [J]") == fixtures::absolute(0, 1e-9, "J"));
   const double out_of_water = sea * gravity * side * side * 0.3;
-  CHECK(value(held, "ice.crane.force_z [N]") == doctest::Approx(out_of_water).epsilon(1e-9));
+  CHECK(value(held, "ice.crane.force_z [N]") == fixtures::relative(out_of_water, 1e-9));
 }

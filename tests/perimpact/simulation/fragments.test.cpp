@@ -10,6 +10,7 @@
 
 #include "fccda/core/parallel.hpp"
 #include "fixtures/snapshot.hpp"
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/stable_step.hpp"
@@ -94,11 +95,11 @@ TEST_CASE("fragments: two equal bars that meet head on exchange their velocities
     }
     CHECK(most > 0.01 * energy);                                // they did touch
     CHECK(value(simulation, "total.contact_energy [J]") == 0);  // and have parted
-    CHECK(value(simulation, "total.energy [J]") == doctest::Approx(energy).epsilon(0.01));
+    CHECK(value(simulation, "total.energy [J]") == fixtures::relative(energy, 0.01));
     CHECK(std::fabs(value(simulation, "total.momentum_x [kg m/s]")) <= 1e-12 * mass * 10);
     // a wave without dispersion would turn all of it round; the lattice and the bars' thickness keep a little as vibration
-    CHECK(simulation.bodies()[0].momentum().x / mass == doctest::Approx(-10).epsilon(0.05));
-    CHECK(simulation.bodies()[1].momentum().x / mass == doctest::Approx(10).epsilon(0.05));
+    CHECK(simulation.bodies()[0].momentum().x / mass == fixtures::relative(-10, 0.05));
+    CHECK(simulation.bodies()[1].momentum().x / mass == fixtures::relative(10, 0.05));
   }
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("fragments: without contact the same bars pass through one another, an
   setup.contact.fragments.law.index = static_cast<int>(FragmentLaw::none);
   Simulation simulation(setup);
   run(simulation);
-  CHECK(simulation.bodies()[0].momentum().x == doctest::Approx(simulation.bodies()[0].particles.total_mass() * 10).epsilon(1e-12));
+  CHECK(simulation.bodies()[0].momentum().x == fixtures::relative(simulation.bodies()[0].particles.total_mass() * 10, 1e-12));
   for (const std::string& column : simulation.monitors().columns()) CHECK(column.find("contact_energy") == std::string::npos);
 }
 
@@ -189,7 +190,7 @@ TEST_CASE("fragments: a pressed slider is braked by µ times the pressure, and s
   double time = 0, way = 0;
   while (time < 0.8 * speed / brake) step(0), time += dt, way += mean_speed() * dt;
   CHECK(way < 0.01 * spacing);
-  CHECK(speed - mean_speed() == doctest::Approx(brake * time).epsilon(0.05));  // tilted by a hundredth, the normals push back by a thirtieth of it
+  CHECK(speed - mean_speed() == fixtures::relative(brake * time, 0.05));  // tilted by a hundredth, the normals push back by a thirtieth of it
   while (time < 3 * speed / brake) step(0), time += dt;
   CHECK(std::fabs(mean_speed()) < 0.05 * speed);
 }
@@ -212,7 +213,7 @@ TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart,
     const double before = value(simulation, "total.momentum_y [kg m/s]");
     run(simulation);
     CHECK(value(simulation, "block.broken_bonds [-]") > 0.1 * static_cast<double>(simulation.bodies()[0].family.initial_bonds()));
-    CHECK(value(simulation, "total.momentum_y [kg m/s]") == doctest::Approx(before).epsilon(1e-12));
+    CHECK(value(simulation, "total.momentum_y [kg m/s]") == fixtures::relative(before, 1e-12));
     apart[touches] = nearest(simulation.bodies()[0]);
   }
   CHECK(apart[0] < 0.5 * apart[1]);
@@ -268,7 +269,7 @@ TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap o
   // 1/dt² is a sum: what contact adds is 12 · 15 c V/(2 ρ δ)
   const Body body = make_body(setup.bodies[0]);
   const double k = touching_bodies(setup, std::span(const_cast<Body*>(&body), 1)).front().stiffness, volume = 1e-9;
-  CHECK(1 / (with * with) == doctest::Approx(1 / (without * without) + 12 * k * volume / (2 * fixtures::density)).epsilon(1e-9));
+  CHECK(1 / (with * with) == fixtures::relative(1 / (without * without) + 12 * k * volume / (2 * fixtures::density), 1e-9));
   CHECK(damped < with);
 }
 

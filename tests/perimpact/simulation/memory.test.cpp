@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
@@ -26,9 +27,9 @@ TEST_CASE("memory: what a set-up is said to take is what its bodies then take, a
     setup.bodies = {fixtures::body_setup({.size = {0.021, 0.015, 0.009}, .correction = correction})};
     const Body body = make_body(setup.bodies[0]);
     const double before = memory_of(setup, discretised(setup));
-    CHECK(before == doctest::Approx(body.memory()).epsilon(0.01));  // the same arrays, numbers of particles rounded up; at ν = 1/4 no dilatation
+    CHECK(before == fixtures::relative(body.memory(), 0.01));  // the same arrays, numbers of particles rounded up; at ν = 1/4 no dilatation
     setup.impactors.resize(2);
-    CHECK(memory_of(setup, discretised(setup)) - before == doctest::Approx(2 * 12 * static_cast<double>(body.particles.slots())).epsilon(1e-9));
+    CHECK(memory_of(setup, discretised(setup)) - before == fixtures::relative(2 * 12 * static_cast<double>(body.particles.slots()), 1e-9));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "fccda/core/error.hpp"
 #include "fccda/core/parallel.hpp"
+#include "fixtures/tolerance.hpp"
 #include "perimpact/boundary/scene.hpp"
 
 using namespace perimpact;
@@ -135,11 +136,11 @@ TEST_CASE("relax: in a block under tension strain and contraction are those of t
   };
   // u_x = 0.001 x: between two places away from the ends, where the clamp and the load are not felt. The surface correction leaves a bar of
   // five by five particles within 1 % of its stiffness.
-  CHECK((at(0.23, 0).x - at(-0.23, 0).x) / 0.46 == doctest::Approx(0.001).epsilon(0.01));
+  CHECK((at(0.23, 0).x - at(-0.23, 0).x) / 0.46 == fixtures::relative(0.001, 0.01));
   // u_y = -0.00025 y. Layers at the surface contract more than those inside, the whole bar by 4 % too much.
-  CHECK(at(0.01, 0.04).y == doctest::Approx(-0.00025 * 0.04).epsilon(0.06));
-  CHECK(block.account(0).force().x == doctest::Approx(-traction * 0.01).epsilon(1e-3));  // the residual is 1e-4 of forces
-  CHECK(block.account(1).force().x == doctest::Approx(traction * 0.01).epsilon(1e-12));
+  CHECK(at(0.01, 0.04).y == fixtures::relative(-0.00025 * 0.04, 0.06));
+  CHECK(block.account(0).force().x == fixtures::relative(-traction * 0.01, 1e-3));  // the residual is 1e-4 of forces
+  CHECK(block.account(1).force().x == fixtures::relative(traction * 0.01, 1e-12));
 }
 
 TEST_CASE("relax: the state found is that of the stiffness matrix, whatever the material, the points and the dimension") {
@@ -184,9 +185,9 @@ TEST_CASE("relax: the state depends neither on the densities nor on the length o
   const auto state = relaxed(1, Relaxation::usual_safety, usual), same = relaxed(1e-3, Relaxation::usual_safety, short_increment), slow = relaxed(1, 3, heavy);
   CHECK(usual == short_increment);
   CHECK(heavy > usual);
-  CHECK(same.first == doctest::Approx(state.first).epsilon(1e-9));  // rounding of other numbers
-  CHECK(slow.first == doctest::Approx(state.first).epsilon(1e-7));  // what the tolerance leaves
-  CHECK(slow.second == doctest::Approx(state.second).epsilon(1e-7));
+  CHECK(same.first == fixtures::relative(state.first, 1e-9));  // rounding of other numbers
+  CHECK(slow.first == fixtures::relative(state.first, 1e-7));  // what the tolerance leaves
+  CHECK(slow.second == fixtures::relative(state.second, 1e-7));
 }
 
 TEST_CASE("relax: the work of what leads the particles is the elastic energy, over several increments too") {
@@ -196,7 +197,7 @@ TEST_CASE("relax: the work of what leads the particles is the elastic energy, ov
   for (const double time : {0.2, 0.7, 1.0}) {
     bar.to(time, {.tolerance = 1e-6});
     // forces are right to the tolerance, and the bar is linear but for its strain of 1e-4
-    CHECK(bar.boundaries.front().work() == doctest::Approx(bar.energy).epsilon(2e-4));
+    CHECK(bar.boundaries.front().work() == fixtures::relative(bar.energy, 2e-4));
   }
 }
 

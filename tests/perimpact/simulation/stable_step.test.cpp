@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/particles/advance.hpp"
 #include "perimpact/simulation/stiffest_mode.hpp"
@@ -29,13 +30,13 @@ TEST_CASE("stable step: the exact limit of the infinite lattice is that of the B
        {Row{FamilyRule::madenci_oterkus, 0.25, 1.826}, Row{FamilyRule::madenci_oterkus, 0.3, 1.856}, Row{FamilyRule::madenci_oterkus, 0.4, 1.856},
         Row{FamilyRule::hu_ha_bobaru, 0.25, 1.802}, Row{FamilyRule::hu_ha_bobaru, 0.3, 1.824}, Row{FamilyRule::hu_ha_bobaru, 0.4, 1.805}}) {
     CAPTURE(row.nu);
-    CHECK(in_spacings(exact_stable_step(continuum_body(row.family, row.nu))) == doctest::Approx(row.exact).epsilon(0.005));
+    CHECK(in_spacings(exact_stable_step(continuum_body(row.family, row.nu))) == fixtures::relative(row.exact, 0.005));
   }
 }
 
 TEST_CASE("stable step: the estimate of Silling and Askari is that of the table, for an interior particle") {
-  CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::madenci_oterkus, 0.25))) == doctest::Approx(0.924).epsilon(0.001));  // three digits
-  CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::hu_ha_bobaru, 0.25))) == doctest::Approx(0.888).epsilon(0.001));
+  CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::madenci_oterkus, 0.25))) == fixtures::relative(0.924, 0.001));  // three digits
+  CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::hu_ha_bobaru, 0.25))) == fixtures::relative(0.888, 0.001));
 }
 
 TEST_CASE("stable step: what a body surely stands is longer than the estimate and no longer than its own stiffest mode allows") {
@@ -46,9 +47,9 @@ TEST_CASE("stable step: what a body surely stands is longer than the estimate an
   // contact as stiff as all bonds of the stiffest particle halves the square of the estimate; the bound must not be more lenient than that of its own modes
   const double all_bonds = 2 * fixtures::density / (estimate * estimate);
   const ShortRange::Bound contact{.stiffness = all_bonds};
-  CHECK(silling_askari_step(solid, contact) == doctest::Approx(estimate / std::sqrt(2.0)).epsilon(1e-12));  // the same sums
-  const double squared = 4 / (own * own) + 4 / (estimate * estimate);                                       // Weyl: both at their stiffest
-  CHECK(own_stable_step(solid, contact) == doctest::Approx(2 / std::sqrt(squared)).epsilon(1e-12));
+  CHECK(silling_askari_step(solid, contact) == fixtures::relative(estimate / std::sqrt(2.0), 1e-12));  // the same sums
+  const double squared = 4 / (own * own) + 4 / (estimate * estimate);                                  // Weyl: both at their stiffest
+  CHECK(own_stable_step(solid, contact) == fixtures::relative(2 / std::sqrt(squared), 1e-12));
 }
 
 TEST_CASE("stable step: below the exact limit a shaken block keeps its energy, above it the energy grows") {
@@ -67,7 +68,7 @@ TEST_CASE("stable step: below the exact limit a shaken block keeps its energy, a
       return (energy + solid.kinetic_energy(dt)) / first;
     };
     // with velocities interpolated to the end of the step, the energy of an oscillator swings by (ω dt)²/4 < 1/4 at ω dt < 1
-    CHECK(energy_after(0.9) == doctest::Approx(1.0).epsilon(0.25));
+    CHECK(energy_after(0.9) == fixtures::relative(1.0, 0.25));
     CHECK_FALSE(energy_after(2.6) <
                 100);  // or not a number by then. Corners, where fewer bonds pull but with larger factors, go first; 2.05 is the interior's limit
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/simulation/simulation.hpp"
@@ -97,7 +98,7 @@ TEST_CASE("start: projected particles begin on the surface with their velocity, 
   double furthest = 0;
   for (const std::size_t slot : inside.slots) {
     // at R + Δ/2 from the centre; facets lie up to 0.03 mm below the sphere
-    CHECK(norm(block.particles.position.at(slot) - Vec3d{0.001, 0.012, 0}) == doctest::Approx(0.007).epsilon(0.005));
+    CHECK(norm(block.particles.position.at(slot) - Vec3d{0.001, 0.012, 0}) == fixtures::relative(0.007, 0.005));
     CHECK(block.particles.velocity.at(slot) == Vec3d{0, 1, 0});
     furthest = std::max(furthest, norm(block.particles.displacement(slot)));
   }
@@ -105,7 +106,7 @@ TEST_CASE("start: projected particles begin on the surface with their velocity, 
   CHECK(furthest > 0.001);
   CHECK(value(simulation, "ball.force_y [N]") == 0);
   CHECK(value(simulation, "ball.velocity_y [m/s]") == 0);
-  CHECK(value(simulation, "total.momentum_y [kg m/s]") == doctest::Approx(block.particles.mass(0) * 1600).epsilon(1e-12));
+  CHECK(value(simulation, "total.momentum_y [kg m/s]") == fixtures::relative(block.particles.mass(0) * 1600, 1e-12));
   CHECK(value(simulation, "block.elastic_energy [J]") > 0);
   CHECK(simulation.contacts() == 0);
   CHECK(warns_of(simulation, "were put on it, the furthest moved by "));
@@ -118,7 +119,7 @@ TEST_CASE("start: projected particles begin on the surface with their velocity, 
       if (i == j || length > 3.515 * 0.002) continue;  // hu-ha-bobaru: |ξ| < δ + Δ/2
       stretch = std::max(stretch, std::fabs(norm(block.particles.position.at(i) - block.particles.position.at(j)) / length - 1));
     }
-  CHECK(largest_stretch(block, inside.slots) == doctest::Approx(stretch).epsilon(1e-12));
+  CHECK(largest_stretch(block, inside.slots) == fixtures::relative(stretch, 1e-12));
 }
 
 TEST_CASE("start: projected out of two balls that overlap, no particle is inside either") {

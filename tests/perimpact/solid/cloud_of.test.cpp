@@ -9,6 +9,7 @@
 #include "fixtures/gmsh_files.hpp"
 #include "fixtures/keyword_files.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "fixtures/tolerance.hpp"
 #include "perimpact/setup/setup_error.hpp"
 #include "perimpact/solid/space_order.hpp"
 
@@ -76,7 +77,7 @@ TEST_CASE("cloud: each solid cell of a mesh becomes a particle in its middle, of
       const Cloud found = cloud_of(body_of(shape));
       REQUIRE(found.points.size() == std::size_t(n * n * n * cuts));
       CHECK(std::set<std::uint32_t>(found.numbers.begin(), found.numbers.end()).size() == found.numbers.size());
-      for (const double volume : found.volumes) CHECK(volume == doctest::Approx(0.125 / cuts).epsilon(1e-12));
+      for (const double volume : found.volumes) CHECK(volume == fixtures::relative(0.125 / cuts, 1e-12));
       Vec3d centre{};
       for (const Vec3d& point : found.points) centre += point / double(found.points.size());
       CHECK(norm(centre - Vec3d{0.75, 0.75, 0.75}) < 1e-12);  // rounding
@@ -101,7 +102,7 @@ TEST_CASE("cloud: parts of a mesh may be chosen, and holes take cells out") {
   const Cloud with_hole = cloud_of(body);
   CHECK(with_hole.points.size() == 8);
   CHECK(std::find(with_hole.numbers.begin(), with_hole.numbers.end(), 0u) == with_hole.numbers.end());
-  for (const Vec3d& point : with_hole.points) CHECK(point.z == doctest::Approx(7.5));
+  for (const Vec3d& point : with_hole.points) CHECK(point.z == fixtures::relative(7.5, 1e-12));
   std::string key;
   body.holes[0].shape = SphereSolid{100};
   CHECK(complaint(body, &key) == "the holes of body ice leave no particle of it; make them smaller, or move them.");
@@ -119,8 +120,8 @@ TEST_CASE("cloud: triangles and quads of a plane mesh, with a thickness") {
   const Cloud found = cloud_of(body_of(shape));
   REQUIRE(found.numbers == std::vector<std::uint32_t>{0, 1});
   CHECK(found.thickness == 0.1);
-  CHECK(found.volumes[0] == doctest::Approx(0.2).epsilon(1e-14));
-  CHECK(found.volumes[1] == doctest::Approx(0.05).epsilon(1e-14));
+  CHECK(found.volumes[0] == fixtures::relative(0.2, 1e-14));
+  CHECK(found.volumes[1] == fixtures::relative(0.05, 1e-14));
   CHECK(norm(found.points[0] - Vec3d{1, 0.5, 0.5}) < 1e-14);
   CHECK(norm(found.points[1] - Vec3d{7.0 / 3, 1.0 / 3, 0.5}) < 1e-14);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "fixtures/tolerance.hpp"
 #include "perimpact/particles/fill.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
@@ -51,7 +52,7 @@ TEST_CASE("filling: the volume of particles goes to that of the shape as the spa
     for (const double spacing : {0.05, 0.02}) {
       body.spacing = spacing;
       // faces are found to half a spacing and err both ways; a tenth of the cells at the surface, of which there are about 6 volume/(size spacing²)
-      CHECK(filled_volume(body) == doctest::Approx(volume).epsilon(0.1 * 6 * spacing / 0.5));
+      CHECK(filled_volume(body) == fixtures::relative(volume, 0.1 * 6 * spacing / 0.5));
     }
   }
 }
@@ -71,15 +72,15 @@ TEST_CASE("filling: a single box gets exactly the lattice of whole spacings, wit
 TEST_CASE("filling: particles on the face of a hole or part belong to it, whatever rounding says") {
   BodySetup box = body_of(BoxSolid{{0.7, 0.7, 0.7}}, 0.1);  // seven particles along each axis, the fourth in the middle
   box.holes = {named(BoxSolid{{0.2, 0.2, 0.2}})};           // faces through the particles beside that
-  CHECK(filled_volume(box) == doctest::Approx(0.001 * (343 - 27)).epsilon(1e-12));
+  CHECK(filled_volume(box) == fixtures::relative(0.001 * (343 - 27), 1e-12));
   box.holes[0].shape = BoxSolid{{0.2, 0.2, 0.1999}};
-  CHECK(filled_volume(box) == doctest::Approx(0.001 * (343 - 9)).epsilon(1e-12));
+  CHECK(filled_volume(box) == fixtures::relative(0.001 * (343 - 9), 1e-12));
 }
 
 TEST_CASE("filling: a part that fits the lattice of the shape continues it") {
   BodySetup beam = body_of(BoxSolid{{1, 0.2, 0.2}}, 0.05);
   beam.parts = {named(BoxSolid{{0.2, 0.2, 0.6}}, {0.4, 0, 0.4})};  // a T's web on its end
-  CHECK(filled_volume(beam) == doctest::Approx(0.04 + 0.2 * 0.2 * 0.6).epsilon(1e-12));
+  CHECK(filled_volume(beam) == fixtures::relative(0.04 + 0.2 * 0.2 * 0.6, 1e-12));
 }
 
 TEST_CASE("filling: a body that is moved takes its parts and holes along, one that is turned too") {
@@ -101,7 +102,7 @@ TEST_CASE("filling: more cells than can be numbered are refused") {
 
 TEST_CASE("filling: the volume is known of one solid, and nobody's guess with holes or parts") {
   BodySetup ball = body_of(SphereSolid{2}, 0.1);
-  CHECK(BodySolid(ball).volume().value() == doctest::Approx(4 * std::numbers::pi / 3).epsilon(1e-14));
+  CHECK(BodySolid(ball).volume().value() == fixtures::relative(4 * std::numbers::pi / 3, 1e-14));
   ball.holes = {named(SphereSolid{1})};
   CHECK(!BodySolid(ball).volume().has_value());
 }

@@ -10,6 +10,7 @@
 #include "fccda/core/error.hpp"
 #include "fccda/surface/read/choose_parts.hpp"
 #include "fccda/surface/surface.hpp"
+#include "fixtures/tolerance.hpp"
 
 using namespace fccda;
 
@@ -87,7 +88,7 @@ TEST_CASE("elements: each solid, wound either way, has a closed outward skin of 
       CHECK(skin.panels.size() == reference.panels);
       const Surface surface(skin);
       CHECK(surface.is_closed());
-      CHECK(surface.report().volume == doctest::Approx(reference.volume));
+      CHECK(surface.report().volume == fixtures::relative(reference.volume, 1e-12));
       CHECK(surface.report().rewound == 0);  // the skin itself is consistent and outward,
       CHECK(surface.report().flipped == 0);  // so nothing is left to be turned
     }
@@ -101,14 +102,14 @@ TEST_CASE("elements: middle nodes that bulge out are followed") {
   for (Vec3d& v : elements.vertices) v *= 1 / norm(v);  // middle nodes onto the sphere through the corners
   const double bulged = Surface(panels_of(elements, "file")).report().volume;
   // an octahedron over the middle nodes (4/3), and on four of its faces a pyramid up to the corner, of base √3/2 and height 1 - 1/√3
-  CHECK(bulged == doctest::Approx(4.0 / 3 + 4 * std::sqrt(3.0) / 2 * (1 - 1 / std::sqrt(3.0)) / 3));
-  CHECK(straight == doctest::Approx(8.0 / 3));
+  CHECK(bulged == fixtures::relative(4.0 / 3 + 4 * std::sqrt(3.0) / 2 * (1 - 1 / std::sqrt(3.0)) / 3, 1e-12));
+  CHECK(straight == fixtures::relative(8.0 / 3, 1e-12));
 }
 
 TEST_CASE("elements: of a block only the outer faces are skin, and each part alone has its whole skin") {
   const Panels whole = panels_of(block(), "file");
   CHECK(whole.panels.size() == 54);
-  CHECK(Surface(whole).report().volume == doctest::Approx(27));
+  CHECK(Surface(whole).report().volume == fixtures::relative(27, 1e-12));
   REQUIRE(whole.part_names == std::vector<std::string>{"ice", "steel"});
   CHECK(std::count(whole.part.begin(), whole.part.end(), 0) == 9 + 12);
 
@@ -116,8 +117,8 @@ TEST_CASE("elements: of a block only the outer faces are skin, and each part alo
   keep_parts(ice, std::vector<std::string>{"ice"}, "file");
   const Surface alone(panels_of(ice, "file"));
   CHECK(alone.is_closed());
-  CHECK(alone.report().volume == doctest::Approx(9));
-  CHECK(alone.report().area == doctest::Approx(2 * 9 + 4 * 3));
+  CHECK(alone.report().volume == fixtures::relative(9, 1e-12));
+  CHECK(alone.report().area == fixtures::relative(2 * 9 + 4 * 3, 1e-12));
 }
 
 TEST_CASE("elements: a surface element on the skin stands for it, and one between two solids is inside") {
@@ -137,12 +138,12 @@ TEST_CASE("elements: quadratic surface elements become panels over their middle 
   elements.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 1, 0}};
   elements.add(ElementKind::quad_9, counted(9), elements.part_number(""));
   CHECK(panels_of(elements, "file").panels.size() == 4);
-  CHECK(Surface(panels_of(elements, "file"), {.outside = OutsideIs::normals}).report().area == doctest::Approx(4));
+  CHECK(Surface(panels_of(elements, "file"), {.outside = OutsideIs::normals}).report().area == fixtures::relative(4, 1e-12));
   elements.kinds[0] = ElementKind::quad_8;
   elements.nodes.pop_back();
   elements.ends[0] = 8;
   CHECK(panels_of(elements, "file").panels.size() == 5);
-  CHECK(Surface(panels_of(elements, "file"), {.outside = OutsideIs::normals}).report().area == doctest::Approx(4));
+  CHECK(Surface(panels_of(elements, "file"), {.outside = OutsideIs::normals}).report().area == fixtures::relative(4, 1e-12));
 }
 
 TEST_CASE("elements: three solids on one face and polygons that cannot be cut are refused") {
