@@ -229,7 +229,7 @@ py::array_t<ContactRow> rows_of(const std::vector<fccda::Contact>& contacts) {
   return rows;
 }
 
-std::vector<fccda::Contact> contacts_in(const py::array_t<ContactRow, py::array::c_style>& rows, std::size_t points) {
+std::vector<fccda::Contact> contacts_in(const py::array_t<ContactRow, py::array::c_style>& rows, std::size_t points, const fccda::ContactDetector* detector) {
   if (rows.ndim() != 1) throw InputError(fmt::format("contacts has the shape {}, but a list of them is needed, as detect returns it.", shape_in_words(rows)));
   std::vector<fccda::Contact> contacts;
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
@@ -242,7 +242,8 @@ std::vector<fccda::Contact> contacts_in(const py::array_t<ContactRow, py::array:
                         .hit = vector_in(row.hit),
                         .normal = vector_in(row.normal),
                         .relocation = vector_in(row.relocation),
-                        .depth = row.depth});
+                        .depth = row.depth,
+                        .sliding = detector ? &detector->swept() : nullptr});
   }
   return contacts;
 }
@@ -275,8 +276,10 @@ py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, 
 }
 
 fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, Numbers x_t0, const py::array& x_t1,
-                        const py::array& velocity, const Numbers& mass, double friction) {
+                        const py::array& velocity, const Numbers& mass, double friction, const fccda::ContactDetector* detector) {
   if (!(friction >= 0)) throw InputError(fmt::format("friction is {}, but Coulomb's coefficient must be at least 0.", friction));
+  if (friction != 0 && !detector)
+    throw InputError("friction needs the detector that found the contacts, which says where panels are in the way; give respond detector=….");
   const fccda::ConstVectors from = vectors_in(x_t0, "x_t0");
   const py::array_t<double, py::array::c_style | py::array::forcecast> masses(mass);
   if (masses.ndim() > 1)
@@ -286,7 +289,7 @@ fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& conta
                                   .x_t1 = writable_vectors_in(x_t1, "x_t1"),
                                   .velocity = writable_vectors_in(velocity, "velocity"),
                                   .mass = masses.ndim() == 0 ? fccda::Masses(*masses.data()) : fccda::Masses(each)};
-  return fccda::respond(contacts_in(contacts, from.size()), motion, body, points, friction);
+  return fccda::respond(contacts_in(contacts, from.size(), detector), motion, body, points, friction);
 }
 
 void bind_contact(py::module_& module) {
@@ -317,11 +320,12 @@ the relocation) [m], hit (place of the surface touched first) [m], normal (unit,
       .def_readonly("contacts", &fccda::Tally::contacts, "Their number.");
 
   module.def("respond", &respond_to, "contacts"_a, "motion"_a, "body"_a, py::kw_only(), "x_t0"_a, "x_t1"_a.noconvert(), "velocity"_a.noconvert(), "mass"_a,
-             "friction"_a = 0.0,
+             "friction"_a = 0.0, "detector"_a = py::none(),
              R"(Puts the points that struck back on the surface, gives them their new velocities, and the body its impulse.
 
 x_t1 [m] and velocity [m/s], which led from x_t0 to x_t1, are (points, 3) arrays of float64 and changed in place. mass [kg]: one number, or one for each point.
-friction: Coulomb's coefficient. Returns the Tally.)");
+friction: Coulomb's coefficient. detector: the one that found the contacts, in this step; friction needs it, because it moves points along the surface and
+must not push them through a panel that is in the way. Returns the Tally.)");
 }
 
 }  // namespace

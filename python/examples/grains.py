@@ -35,7 +35,7 @@ for step in range(1000):
     x += dt * velocity
     motion = wheel.advance(dt)
     contacts = detector.detect(motion, x_t0, x)
-    tally = fccda.respond(contacts, motion, wheel, x_t0=x_t0, x_t1=x, velocity=velocity, mass=mass, friction=0.3)
+    tally = fccda.respond(contacts, motion, wheel, x_t0=x_t0, x_t1=x, velocity=velocity, mass=mass, friction=0.3, detector=detector)
     given += tally.impulse[2]
     times.append((step + 1) * dt)
     spins.append(wheel.angular_velocity[1])

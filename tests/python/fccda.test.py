@@ -50,7 +50,7 @@ def falling(test):
         motion = body.advance(dt)
         momentum = mass @ velocity
         contacts = detector.detect(motion, x_t0, x)
-        tally = fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x, velocity=velocity, mass=mass, friction=0.3)
+        tally = fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x, velocity=velocity, mass=mass, friction=0.3, detector=detector)
         np.testing.assert_allclose(tally.impulse, momentum - mass @ velocity, rtol=0, atol=1e-13)  # 4000 terms of 1e-3
         test.assertEqual(tally.contacts, len(contacts))
         struck += len(contacts)

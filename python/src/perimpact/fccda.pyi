@@ -115,4 +115,5 @@ def respond(
     velocity: NDArray[np.float64],
     mass: ArrayLike,
     friction: float = 0.0,
+    detector: ContactDetector | None = None,
 ) -> Tally: ...

@@ -128,14 +128,25 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   if (!at_end) return answer;
 
   // An open surface is struck from its front; from elsewhere, and by what came round its rim, only where its centre crosses.
-  const Ball ball{surface_->is_closed() || (side(at_start, path.start, asked) > 0 && !entered) ? radius_ : 0, offset};
+  const bool in_front = surface_->is_closed() || side(at_start, path.start, asked) > 0;
+  Ball ball{in_front && !entered ? radius_ : 0, offset};
   Vec3d start = path.start;
   if (starts_near && !entered) {  // pinched between impactors: from the nearest place outside
     if (solids_.may_be_buried(at_start.triangle)) at_start = nearest(start, at_start.triangle, asked)->closest;
     start = at_start.point + (ball.radius + offset) * outward(at_start, start, 0.5 * offset);
     at_start.distance = ball.radius + offset;
   }
-  const std::optional<Leg> leg = first_leg(question.path, start, at_start, *at_end, ball, asked);
+  std::optional<Leg> leg;
+  if (!in_front && !entered && radius_ > 0 && at_start.distance >= radius_ - offset) {
+    // The whole ball has room beside or behind the surface. It may come round to the front, and is struck as a ball if it touches there first.
+    const Ball whole{radius_, offset};
+    leg = first_leg(question.path, start, at_start, *at_end, whole, asked);
+    if (leg && first_touch(*leg, whole, asked).front)
+      ball = whole;
+    else
+      leg.reset();
+  }
+  if (!leg) leg = first_leg(question.path, start, at_start, *at_end, ball, asked);
   if (!leg) return answer;
 
   answer.clearance = 0;
@@ -144,9 +155,9 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
     answer.enters = surface_->is_closed() && too_near(*at_end, path.end, radius_ - offset, asked);
     return answer;
   }
-  const Path rest{leg->path.start, path.end};
-  const Vec3d viewer = rest.start + offset * outward(leg->at_start, rest.start, offset);  // a start on the surface sees its own panel
-  relocate(touch, rest, *at_end, nearby, viewer, ball, asked);
+  const Vec3d& from = leg->path.start;
+  const Vec3d viewer = from + offset * outward(leg->at_start, from, offset);  // a start on the surface sees its own panel
+  relocate(touch, path.end, *at_end, {nearby, from, viewer, ball}, asked);
   answer.touch = touch;
   answer.held = ball.radius == radius_;
   return answer;

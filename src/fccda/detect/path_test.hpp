@@ -7,14 +7,15 @@
 ///     (the far side of a thin blade does not),
 ///   - or, where the path ends outside again, past an edge or right through a blade, there, less what it went against the normal after
 ///     first touch,
-///   - in concave places, further out until it is r away from everything,
-///   - and if the straight way there is not clear, where it was first touched, which is always a place to be.
+///   - in concave places, at the place nearest to that which is r away from everything,
+///   - if there is none, or the straight way to it is not clear, the same about where it was first touched,
+///   - and at last where it began.
 /// An offset of max(1e-12 size, 32 ε max|coordinate|) is added to r there, and taken off where contact is asked for: rest at the
 /// surface, and motion away from it, is no contact.
 ///
 /// Sides: a closed surface has an inside, by the pseudonormal of the closest feature (Bærentzen and Aanæs 2005), and where parts of it
 /// overlap that of their union (search/solids.hpp). An open one has a front; contact comes from there only, and beyond its rim no side is known, so only
-/// crossing counts.
+/// crossing counts; a ball is asked where it first touches.
 #pragma once
 
 #include <memory>
@@ -36,10 +37,11 @@ namespace fccda {
 /// A contact in the frame of the body.
 struct Touch {
   double time_fraction;
-  Vec3d hit;         ///< [m] of the surface, where it is first touched
-  Vec3d normal;      ///< unit, out of the surface, at the place of relocation
-  Vec3d relocation;  ///< [m]
-  int triangle;      ///< of the relocation
+  Vec3d hit;          ///< [m] of the surface, where it is first touched
+  Vec3d normal;       ///< unit, out of the surface, at the place of relocation
+  Vec3d relocation;   ///< [m]
+  int triangle;       ///< of the relocation
+  bool front = true;  ///< it was in front of what it touched first; not so beside the rim of an open surface, and behind it
 };
 
 struct PathQuestion {
@@ -79,6 +81,9 @@ class PathTest {
   /// `guess`: a triangle thought to be near, or -1. Nothing for a point that is no number.
   std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& asked) const { return nearest(point, {}, guess, asked); }
 
+  /// Where a point at `from` gets to on its way to `to`, as SlidingSurface says, in the frame of the body. `offset` as it was asked with.
+  Vec3d slide(const Vec3d& from, const Vec3d& to, double offset) const;
+
   const Surface& surface() const { return *surface_; }
   const Solids& solids() const { return solids_; }
   double radius() const { return radius_; }  ///< [m]
@@ -98,6 +103,22 @@ class PathTest {
     double begin, share;  // of the step: when it begins, how much of it it is
   };
 
+  /// A place outside, and what is nearest there.
+  struct Place {
+    Vec3d point;      // [m]
+    Vec3d direction;  // unit, out of the surface
+    int triangle;
+  };
+
+  /// What a search for a place outside begins with.
+  struct Around {
+    const Bvh::Nearby& nearby;
+    Vec3d start;   // [m] of the path
+    Vec3d viewer;  // [m] the start, off the surface
+    Ball ball;
+  };
+
+  ClosestPoint closest_on(int triangle, const Vec3d& point) const;
   int side(const ClosestPoint& closest, const Vec3d& point, std::size_t& asked) const;
   Vec3d outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const;
   bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& asked) const;
@@ -107,8 +128,9 @@ class PathTest {
   std::optional<Leg> first_leg(const BentPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
                                std::size_t& asked) const;
   Touch first_touch(const Leg& leg, const Ball& ball, std::size_t& asked) const;
-  void relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Bvh::Nearby& nearby, const Vec3d& viewer, const Ball& ball,
-                std::size_t& asked) const;
+  std::optional<Place> first_place(const Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const;
+  std::optional<Place> clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& asked) const;
+  void relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const;
 
   std::shared_ptr<const Surface> surface_;
   Bvh bvh_;

@@ -1,7 +1,9 @@
 // Where a point that touches is put.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "fccda/detect/half_spaces.hpp"
 #include "fccda/detect/path_test.hpp"
 
 namespace fccda {
@@ -32,7 +34,13 @@ std::optional<ClosestPoint> PathTest::closest_facing(const Vec3d& point, const V
   return solids_.closest_facing(surface_->solid_of(static_cast<std::size_t>(closest.triangle)), point, viewer, cap, asked);
 }
 
-// Where the path touches first, and a place there that is outside: the fallback of relocation.
+ClosestPoint PathTest::closest_on(int triangle, const Vec3d& point) const {
+  const auto t = static_cast<std::size_t>(triangle);
+  const PointOnTriangle on = closest_on_triangle(point, {surface_->corner(t, 0), surface_->corner(t, 1), surface_->corner(t, 2)});
+  return {triangle, on.feature, on.point, norm(point - on.point)};
+}
+
+// Where the path touches first, and a place there: the fallback of relocation.
 Touch PathTest::first_touch(const Leg& leg, const Ball& ball, std::size_t& asked) const {
   const Path& path = leg.path;
   Touch touch{.time_fraction = leg.begin,
@@ -40,81 +48,134 @@ Touch PathTest::first_touch(const Leg& leg, const Ball& ball, std::size_t& asked
               .normal = outward(leg.at_start, path.start, ball.offset),
               .relocation = path.start,
               .triangle = leg.at_start.triangle};
-  if (ball.radius == 0) {
-    if (const std::optional<Crossing> first = bvh_.first_hit(path.start, path.end, asked)) {
-      touch.time_fraction = leg.begin + leg.share * first->fraction;
-      touch.hit = path.at(first->fraction);
-      touch.normal = surface_->normal(static_cast<std::size_t>(first->triangle));
-      touch.relocation = touch.hit + ball.offset * touch.normal;
-      touch.triangle = first->triangle;
-    }
-    return touch;
-  }
-  // Conservative advancement: no step is longer than the distance that is left, so it never goes past the first touch. Grazing paths
-  // would take for ever; what they stop at is a place outside too.
-  constexpr int most_steps = 32;
-  const double length = path.length();
-  const double enough = std::max(ball.offset, 1e-6 * length);
-  ClosestPoint closest = leg.at_start;
-  double fraction = 0;
-  for (int step = 0; step < most_steps; ++step) {
-    const double gap = closest.distance - ball.radius;
-    if (gap <= enough) break;
-    fraction += gap / length;
-    if (!(fraction < 1)) break;
-    const Vec3d place = path.at(fraction);
-    const std::optional<ClosestPoint> next = bvh_.closest(place, Bvh::no_cap, closest.triangle, asked);
-    if (!next || next->distance < ball.radius - ball.offset) break;
-    closest = *next;
-    touch = {.time_fraction = leg.begin + leg.share * fraction,
-             .hit = closest.point,
-             .normal = outward(closest, place, ball.offset),
-             .relocation = place,
-             .triangle = closest.triangle};
-  }
+  // A ball counts as touching where it is nearer than its radius by more than the offset.
+  const double near = std::max(0.0, ball.radius - ball.offset);
+  const std::optional<Crossing> first =
+      ball.radius == 0 ? bvh_.first_hit(path.start, path.end, asked) : bvh_.first_touch(path.start, path.end, near, 0.1 * ball.offset, asked);
+  if (!first) return touch;
+  const Vec3d place = path.at(first->fraction);
+  const ClosestPoint closest = closest_on(first->triangle, place);
+  touch.time_fraction = leg.begin + leg.share * first->fraction;
+  touch.hit = closest.point;
+  touch.normal = ball.radius == 0 ? surface_->normal(static_cast<std::size_t>(first->triangle)) : outward(closest, place, ball.offset);
+  touch.relocation = closest.point + (ball.radius + ball.offset) * touch.normal;
+  touch.triangle = first->triangle;
+  touch.front = side(closest, place, asked) > 0;
   return touch;
 }
 
-void PathTest::relocate(Touch& touch, const Path& path, const ClosestPoint& at_end, const Bvh::Nearby& nearby, const Vec3d& viewer, const Ball& ball,
-                        std::size_t& asked) const {
+// A place that the end of the path asks for, not yet clear of other parts of the surface.
+std::optional<PathTest::Place> PathTest::first_place(const Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around,
+                                                     std::size_t& asked) const {
+  const Ball& ball = around.ball;
   const double reach = ball.radius + ball.offset;
-  Vec3d direction = touch.normal, place = path.end;
-  ClosestPoint closest = at_end;
-  if (side(at_end, path.end, asked) > 0 && at_end.distance >= ball.radius) {
+  if (side(at_end, end, asked) > 0 && at_end.distance >= ball.radius) {
     // The path ends outside, past an edge or right through a blade. It loses what it went against the normal after first touch: to put
     // it on the surface would pull it back, or round to the far side.
-    place -= std::min(0.0, dot(path.end - touch.relocation, direction)) * direction;
-  } else {
-    if (solids_.may_be_buried(at_end.triangle)) closest = nearest(path.end, at_end.triangle, asked)->closest;
-    const auto t = static_cast<std::size_t>(closest.triangle);
-    if (!(dot(viewer - surface_->corner(t, 0), surface_->normal(t)) > 0)) {  // else nothing that faces the start is closer
-      const std::optional<ClosestPoint> facing = closest_facing(path.end, viewer, norm(path.end - touch.hit) + reach, closest, asked);
-      if (!facing) return;
-      closest = *facing;
-    }
-    direction = outward(closest, path.end, ball.offset);
-    place = closest.point + reach * direction;
+    const Vec3d& normal = touch.normal;
+    return Place{end - std::min(0.0, dot(end - touch.relocation, normal)) * normal, normal, at_end.triangle};
   }
+  ClosestPoint closest = at_end;
+  if (solids_.may_be_buried(at_end.triangle)) closest = nearest(end, at_end.triangle, asked)->closest;
+  const auto t = static_cast<std::size_t>(closest.triangle);
+  if (!(dot(around.viewer - surface_->corner(t, 0), surface_->normal(t)) > 0)) {  // else nothing that faces the start is closer
+    const std::optional<ClosestPoint> facing = closest_facing(end, around.viewer, norm(end - touch.hit) + reach, closest, asked);
+    if (!facing) return std::nullopt;
+    closest = *facing;
+  }
+  const Vec3d direction = outward(closest, end, ball.offset);
+  return Place{closest.point + reach * direction, direction, closest.triangle};
+}
 
-  // A face's own distance from the place may be too small where another rises beside it. One projection settles a right angle; a wedge
-  // of 10° needs about ten, and sharper ones the fallback.
-  constexpr int most_projections = 10;
-  for (int projection = 0;; ++projection) {
-    const std::optional<Nearest> now = nearest(place, nearby, closest.triangle, asked);
-    if (!now) return;
+// Moves a place out to where it is clear of everything. A face's own distance may be too small where another rises beside it. One
+// projection settles a right angle. In narrower places the closest features are taken for planes, one more each time, and the place is the
+// one before all of them that is nearest to `wanted`: in a wedge, however sharp, on the line along its edge, in the tip of a funnel on three
+// of its faces.
+std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& asked) const {
+  constexpr std::size_t most_projections = 16;
+  const Ball& ball = around.ball;
+  const double reach = ball.radius + ball.offset;
+  const double furthest = norm(around.start - wanted) + 2 * reach;  // the start itself is clear
+  HalfSpaces<most_projections + 1> before;
+  for (std::size_t projection = 0;; ++projection) {
+    const std::optional<Nearest> now = nearest(place.point, around.nearby, place.triangle, asked);
+    if (!now) return std::nullopt;
     if (now->distance >= ball.radius + 0.5 * ball.offset) break;
-    if (projection == most_projections) return;
-    closest = now->closest;
+    if (projection == most_projections) return std::nullopt;
+    ClosestPoint closest = now->closest;
     if (now->distance < 0 && solids_.several()) {  // inside another solid: not out at the far side of a thin one
-      if (const std::optional<ClosestPoint> facing = closest_facing(place, viewer, Bvh::no_cap, closest, asked)) closest = *facing;
+      if (const std::optional<ClosestPoint> facing = closest_facing(place.point, around.viewer, Bvh::no_cap, closest, asked)) closest = *facing;
     }
-    direction = outward(closest, place, 0.5 * ball.offset);
-    place = closest.point + reach * direction;
+    if (projection == 0 && norm(place.point - wanted) > 0) before.add(place.direction, dot(place.direction, place.point));
+    place.direction = outward(closest, place.point, 0.5 * ball.offset);
+    place.triangle = closest.triangle;
+    // along a face's own normal, which is exact however near the place is
+    const Vec3d upright = closest.feature == Feature::face ? surface_->normal(static_cast<std::size_t>(closest.triangle)) : place.direction;
+    before.add(upright, dot(upright, closest.point) + reach);
+    place.point = closest.point + reach * place.direction;
+    if (projection == 0) continue;
+    const std::optional<Vec3d> common = before.nearest(wanted, 0.25 * ball.offset);
+    if (common && norm(*common - wanted) <= furthest) place.point = *common;
   }
-  if (bvh_.first_hit(path.start, place, asked)) return;
-  touch.normal = direction;
-  touch.relocation = place;
-  touch.triangle = closest.triangle;
+  if (bvh_.first_hit(around.start, place.point, asked)) return std::nullopt;
+  return place;
+}
+
+void PathTest::relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const {
+  std::optional<Place> place = first_place(touch, end, at_end, around, asked);
+  if (place) place = clear_place(*place, end, around, asked);
+  if (!place) place = clear_place({touch.relocation, touch.normal, touch.triangle}, touch.relocation, around, asked);
+  if (!place) place = clear_place({around.start, touch.normal, touch.triangle}, around.start, around, asked);
+  if (!place) place = Place{around.start, touch.normal, touch.triangle};
+  touch.normal = place->direction;
+  touch.relocation = place->point;
+  touch.triangle = place->triangle;
+}
+
+Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double offset) const {
+  constexpr std::size_t most_parts = 8;
+  std::size_t asked = 0;
+  const Vec3d total = to - from;
+  // What came in from behind an open surface is a point, until the ball has room.
+  const bool is_point = radius_ > 0 && !surface_->is_closed() && bvh_.closest(from, radius_ - offset);
+  const double clearance = (is_point ? 0 : radius_) + 0.5 * offset;
+  std::array<Vec3d, most_parts> walls;
+  Vec3d place = from, direction = total;
+  double left = 1;
+  for (std::size_t part = 0; part < most_parts; ++part) {
+    const Vec3d end = part == 0 ? to : place + left * direction;
+    const std::optional<Crossing> touch = bvh_.first_touch(place, end, clearance, 0.1 * offset, asked);
+    const Vec3d reached = touch ? place + touch->fraction * (end - place) : end;
+    // Beside an edge an offset away rounding tells no direction, so that a way into it may pass for one along it.
+    if (reached != place && bvh_.distance_to_segment(place, reached, clearance - 0.25 * offset, asked)) return place;
+    if (!touch) return end;
+    place = reached;
+    left *= 1 - touch->fraction;
+
+    const ClosestPoint on = closest_on(touch->triangle, place);
+    Vec3d& wall = walls[part];
+    wall = place - on.point;
+    if (on.feature == Feature::face) {
+      const Vec3d& normal = surface_->normal(static_cast<std::size_t>(on.triangle));
+      wall = dot(wall, normal) < 0 ? -normal : normal;
+    }
+    if (!(squared_norm(wall) > 0)) return place;
+    wall = normalised(wall);
+
+    // Along the wall, or along the edge between it and the one that this would lead into. Anything else is a corner.
+    const double into = -1e-12 * norm(total);
+    direction = total - dot(total, wall) * wall;
+    const auto leads_into = [&](const Vec3d& other) { return dot(direction, other) < into; };
+    const auto earlier = std::find_if(walls.begin(), walls.begin() + static_cast<std::ptrdiff_t>(part), leads_into);
+    if (earlier != walls.begin() + static_cast<std::ptrdiff_t>(part)) {
+      const Vec3d edge = cross(*earlier, wall);
+      if (!(squared_norm(edge) > 1e-20)) return place;
+      direction = (dot(total, edge) / squared_norm(edge)) * edge;
+      if (std::any_of(walls.begin(), walls.begin() + static_cast<std::ptrdiff_t>(part), leads_into)) return place;
+    }
+    if (!(left * norm(direction) > offset)) return place;
+  }
+  return place;
 }
 
 }  // namespace fccda

@@ -83,7 +83,13 @@ void Swept::look_at(std::size_t block, std::size_t point, const Vec3d& position_
                             .hit = motion.t1.to_world(touch.hit),
                             .normal = motion.t1.turn_to_world(touch.normal),
                             .relocation = motion.t1.to_world(touch.relocation),
-                            .depth = norm(touch.relocation - path.chord().end)});
+                            .depth = norm(touch.relocation - path.chord().end),
+                            .sliding = this});
+}
+
+Vec3d Swept::slide(const Pose& pose, const Vec3d& from, const Vec3d& to) const {
+  const Vec3d end = pose.to_body(to), reached = test_.slide(pose.to_body(from), end, step_.offset);
+  return reached == end ? to : pose.to_world(reached);
 }
 
 void Swept::gather(std::size_t shares, std::vector<Contact>& out) {

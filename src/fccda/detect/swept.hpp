@@ -23,7 +23,7 @@
 
 namespace fccda {
 
-class Swept {
+class Swept final : public SlidingSurface {
  public:
   static constexpr std::string_view name = "swept";
 
@@ -58,6 +58,9 @@ class Swept {
     for (const std::size_t i : which) due_.settle_point(i);
     gather(found_.size(), out);
   }
+
+  /// Of a contact of this step.
+  Vec3d slide(const Pose& pose, const Vec3d& from, const Vec3d& to) const override;
 
   /// Those of the points, in rising order, that are inside at t1 for all that was done, or nearer than the contact radius. Points that
   /// came in where the surface is not felt do not count.
@@ -100,10 +103,11 @@ class Swept {
   /// Calls visit(name, list of numbers) for what the next step depends on; the visitor may write. Distances known are no state.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
-    visit(std::string_view("points_inside"), entered_);
-    visit(std::string_view("entered_inside"), entered_count_);
-    visit(std::string_view("points_touched"), touched_);
-    visit(std::string_view("renumbered"), renumbered_);
+    visit_state_of(*this, visit);
+  }
+  template <class Visitor>
+  void visit_state(Visitor&& visit) const {
+    visit_state_of(*this, visit);
   }
 
   /// The same of what was only counted, which depends on distances known.
@@ -158,6 +162,14 @@ class Swept {
         due_.postpone(b, i, Bvh::no_cap);
     }
     due_.settle(b);
+  }
+
+  template <class Self, class Visitor>
+  static void visit_state_of(Self& self, Visitor& visit) {
+    visit(std::string_view("points_inside"), self.entered_);
+    visit(std::string_view("entered_inside"), self.entered_count_);
+    visit(std::string_view("points_touched"), self.touched_);
+    visit(std::string_view("renumbered"), self.renumbered_);
   }
 
   static bool holds(const std::vector<std::uint64_t>& numbers, std::size_t point) { return std::binary_search(numbers.begin(), numbers.end(), point); }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "fccda/core/error.hpp"
@@ -54,6 +55,21 @@ std::string text_of(const Vec3d& x) {
   return text.str();
 }
 
+/// Visitors of Swept::visit_state.
+struct StateReader {
+  ContactDetector::State& state;
+  void operator()(std::string_view name, const std::vector<std::uint64_t>& numbers) const {
+    (name == "points_inside" ? state.inside : state.touched) = numbers;
+  }
+  void operator()(std::string_view name, const std::uint64_t& number) const { (name == "entered_inside" ? state.entered : state.renumbered) = number; }
+};
+
+struct StateWriter {
+  const ContactDetector::State& state;
+  void operator()(std::string_view name, std::vector<std::uint64_t>& numbers) const { numbers = name == "points_inside" ? state.inside : state.touched; }
+  void operator()(std::string_view name, std::uint64_t& number) const { number = name == "entered_inside" ? state.entered : state.renumbered; }
+};
+
 double squared_way(ConstVectors x_t0, ConstVectors x_t1, std::size_t i) { return squared_norm(x_t1[i] - x_t0[i]); }
 
 [[noreturn]] void complain_of_way(ConstVectors x_t0, ConstVectors x_t1) {
@@ -96,6 +112,19 @@ std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors 
   const double reach = norm(motion.centre - centre_) + reach_;  // of the surface from the centre of its turn
   swept_.detect(ArrayPoints(x_t0, x_t1, travel_), motion, travel_bound(motion, motion.centre, reach), contacts);
   return contacts;
+}
+
+ContactDetector::State ContactDetector::state() const {
+  State state;
+  swept_.visit_state(StateReader{state});
+  return state;
+}
+
+void ContactDetector::resume(const State& state) {
+  if (!std::ranges::is_sorted(state.inside) || !std::ranges::is_sorted(state.touched))
+    throw InputError("contact: the points of a detector's state are not in rising order; give back what state() returned.");
+  swept_.visit_state(StateWriter{state});
+  swept_.forget();
 }
 
 std::vector<std::size_t> ContactDetector::points_inside(const Pose& pose, ConstVectors x) const { return swept_.starting_inside(ArrayPoints(x, x, {}), pose); }

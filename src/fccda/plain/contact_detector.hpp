@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,18 @@ class ContactDetector {
 
   /// The points that are inside the surface, or nearer than the contact radius: to be asked before the first step. Touching is not inside.
   std::vector<std::size_t> points_inside(const Pose& pose, ConstVectors x) const;
+
+  /// What the next step depends on beside positions and poses, between two steps: for a restart. A detector of the same surface, radius and
+  /// region that resumes it goes on to the bit. Numbers are those of points.
+  struct State {
+    std::vector<std::uint64_t> inside;   ///< came in where the surface is not felt (a clipping region, round the rim of an open surface)
+    std::vector<std::uint64_t> touched;  ///< in contact with an open surface in the last step
+    std::uint64_t entered = 0;           ///< how many ever came in
+    std::uint64_t renumbered = 0;        ///< 1 after points_changed()
+  };
+  State state() const;
+  /// Throws InputError where a list is not in rising order.
+  void resume(const State& state);
 
   /// What is behind it: surface, contact radius, work done so far, points that came in where the surface is not felt.
   const Swept& swept() const { return swept_; }

@@ -9,7 +9,9 @@
 ///
 /// Coulomb friction takes from the tangential velocity relative to the surface, w_t,
 ///   v̄ ← v̄ - min(µ J_n/m, |w_t|) w_t/|w_t|,   J_n = m (v̄ - v)·n
-/// and moves x̄ along, so that eq. 8 stays true.
+/// and moves x̄ along, so that eq. 8 stays true. Where the surface is in the way (another panel of a concave place, the far wall of a
+/// gap), the point slides along it (SlidingSurface) and gets the change of velocity that this leaves. Its parts are projections of the
+/// change wanted, so friction is never more than Coulomb's and never speeds sliding up.
 #pragma once
 
 #include <algorithm>
@@ -51,8 +53,13 @@ inline Struck struck(const Contact& contact, const Vec3d& position_t0, const Vec
   const double speed = norm(sliding);
   if (speed == 0) return after;
   const Vec3d change = (std::min(friction * pushed, speed) / speed) * sliding;
-  after.velocity -= change;
-  after.position -= motion.dt * change;
+  const Vec3d wanted = after.position - motion.dt * change;
+  const Vec3d place = contact.sliding ? contact.sliding->slide(motion.t1, after.position, wanted) : wanted;
+  if (place == wanted)
+    after.velocity -= change;
+  else
+    after.velocity = (place - position_t0) / motion.dt;
+  after.position = place;
   return after;
 }
 

@@ -253,6 +253,62 @@ std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std
   return first;
 }
 
+namespace {
+
+/// From the point of a triangle that is closest to `place`. On a face along its normal to the bit, however near that is.
+struct FromTriangle {
+  Vec3d line;  // as long as the distance
+  double distance;
+};
+
+FromTriangle from_triangle(const Vec3d& place, const Corners& t) {
+  const PointOnTriangle on = closest_on_triangle(place, t);
+  if (on.feature != Feature::face) {
+    const Vec3d line = place - on.point;
+    return {line, norm(line)};
+  }
+  const Vec3d normal = normalised(cross(t.b - t.a, t.c - t.a));
+  const double height = dot(place - t.a, normal);
+  return {height * normal, std::fabs(height)};
+}
+
+// The distance of a triangle is a convex function along a straight path, so Newton's steps from where it is too large never go past the
+// place sought, and where it does not fall any more it never will. A face is met in one step.
+std::optional<double> touching(const Vec3d& start, const Vec3d& way, const Corners& corners, double radius, double tolerance, double until) {
+  constexpr int most_steps = 100;  // a graze halves what is left with each
+  constexpr double along = 1e-14;  // a slope that is rounding: a way along the triangle, not towards it
+  double fraction = 0;
+  for (int step = 0; step < most_steps; ++step) {
+    const FromTriangle from = from_triangle(start + fraction * way, corners);
+    const double fall = -dot(from.line, way), gap = from.distance - radius;  // the distance falls by fall/distance in a whole way
+    if (gap <= tolerance && (fraction > 0 || fall > along * from.distance * norm(way) || from.distance == 0)) return fraction;
+    if (gap <= tolerance || !(fall > 0)) return std::nullopt;
+    fraction += gap * from.distance / fall;
+    if (!(fraction <= until)) return std::nullopt;
+  }
+  return fraction;
+}
+
+}  // namespace
+
+std::optional<Crossing> Bvh::first_touch(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& asked) const {
+  std::optional<Crossing> first;
+  if (!is_finite(start) || !is_finite(end)) return first;
+  double until = 1;
+  const double margin = radius + tolerance;
+  visit_segment(start, end, until, margin, [&](int triangle) {
+    ++asked;
+    const auto t = static_cast<std::size_t>(triangle);
+    const std::optional<double> fraction = touching(start, end - start, corners(t), radius, tolerance, until);
+    if (!fraction) return;
+    const auto rank = [&](int n, double f) { return std::tuple(f, surface_->triangles()[static_cast<std::size_t>(n)].panel, n); };
+    if (first && rank(triangle, *fraction) >= rank(first->triangle, first->fraction)) return;
+    first = Crossing{triangle, *fraction};
+    until = *fraction;
+  });
+  return first;
+}
+
 std::optional<double> Bvh::distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& asked) const {
   if (!is_finite(start) || !is_finite(end)) return std::nullopt;
   const double until = 1;

@@ -73,6 +73,10 @@ class Bvh {
   /// The first triangle that the segment goes through from its front.
   std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, std::size_t& asked) const;
 
+  /// The first triangle that a ball comes as near to as `radius` [m] while its centre goes along the segment, and where; no more than
+  /// `tolerance` [m] short of it. One that is as near at the start already counts where the ball goes on towards it.
+  std::optional<Crossing> first_touch(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& asked) const;
+
   /// Distance between the segment and the surface where it is at most `cap` [m].
   std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& asked) const;
 

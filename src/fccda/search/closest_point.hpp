@@ -44,25 +44,6 @@ inline PointOnTriangle closest_on_triangle(const Vec3d& point, const Corners& t)
   return best;
 }
 
-/// Where along the segment from `start` (0) to `end` (1) it goes through the triangle from its front, the side its normal points to.
-/// A start on the plane counts as in front; an end on it has not gone through.
-///
-/// The three edge terms are computed so that two triangles of one edge find exactly opposite values (products and their
-/// differences round alike), so a path cannot slip between them; the tolerance covers vertices, where without it about 1 % of the shots
-/// are lost. It is what the terms may be off by rounding and no more: a point put back on an edge lies 1e-12 off it, and leaves over it
-/// without meeting the plane beyond.
-inline std::optional<double> front_crossing(const Vec3d& start, const Vec3d& end, const Corners& t) {
-  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  const Vec3d normal = cross(t.b - t.a, t.c - t.a);
-  const double before = dot(start - t.a, normal), after = dot(end - t.a, normal);
-  if (!(before >= 0 && after < 0)) return std::nullopt;
-  const Vec3d way = start - end, a = t.a - start, b = t.b - start, c = t.c - start;  // backwards, so that the terms are positive inside
-  const double u = dot(way, cross(b, c)), v = dot(way, cross(c, a)), w = dot(way, cross(a, b));
-  const double least = -rounding * norm(way) * std::max({squared_norm(a), squared_norm(b), squared_norm(c)});
-  if (!(u >= least && v >= least && w >= least)) return std::nullopt;
-  return before / (before - after);
-}
-
 /// Squared distance between two segments [m²].
 inline double squared_distance_of_segments(const Vec3d& p, const Vec3d& p_end, const Vec3d& q, const Vec3d& q_end) {
   const Vec3d d = p_end - p, e = q_end - q, r = p - q;
@@ -76,19 +57,50 @@ inline double squared_distance_of_segments(const Vec3d& p, const Vec3d& p_end, c
   return squared_norm(r + s * d - t * e);
 }
 
+/// Squared distance between a segment and a triangle that it does not go through [m²]: that of an end from the triangle or of the
+/// segment from an edge.
+inline double squared_distance_beside(const Vec3d& start, const Vec3d& end, const Corners& t) {
+  double best = std::min(squared_norm(start - closest_on_triangle(start, t).point), squared_norm(end - closest_on_triangle(end, t).point));
+  best = std::min(best, squared_distance_of_segments(start, end, t.a, t.b));
+  best = std::min(best, squared_distance_of_segments(start, end, t.b, t.c));
+  return std::min(best, squared_distance_of_segments(start, end, t.c, t.a));
+}
+
+/// Where along the segment from `start` (0) to `end` (1) it goes through the triangle from its front, the side its normal points to.
+/// A start on the plane counts as in front; an end on it has not gone through.
+///
+/// The three edge terms are computed so that two triangles of one edge find exactly opposite values (products and their
+/// differences round alike), so a path cannot slip between them; the tolerance covers vertices, where without it about 1 % of the shots
+/// are lost. It is what the terms may be off by rounding and no more: a point put back on an edge lies 1e-12 off it, and leaves over it
+/// without meeting the plane beyond.
+///
+/// Of a path that lies in the plane but for rounding all three terms are noise, wherever it runs. It goes through the triangle only if it
+/// comes as near to it as its ends are to the plane.
+inline std::optional<double> front_crossing(const Vec3d& start, const Vec3d& end, const Corners& t) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon(), rounding = 16 * epsilon;
+  const Vec3d normal = cross(t.b - t.a, t.c - t.a);
+  const double before = dot(start - t.a, normal), after = dot(end - t.a, normal);
+  if (!(before >= 0 && after < 0)) return std::nullopt;
+  const Vec3d way = start - end, a = t.a - start, b = t.b - start, c = t.c - start;  // backwards, so that the terms are positive inside
+  const double u = dot(way, cross(b, c)), v = dot(way, cross(c, a)), w = dot(way, cross(a, b));
+  const double furthest = std::max({squared_norm(a), squared_norm(b), squared_norm(c)});
+  const double least = -rounding * norm(way) * furthest;
+  if (!(u >= least && v >= least && w >= least)) return std::nullopt;
+  if (u < -least || v < -least || w < -least) {
+    const double near = (before - after) / norm(normal) + 64 * epsilon * std::sqrt(std::max(furthest, squared_norm(way)));
+    if (squared_distance_beside(start, end, t) > near * near) return std::nullopt;
+  }
+  return before / (before - after);
+}
+
 /// True where the segment meets the triangle, from either side.
 inline bool crosses(const Vec3d& start, const Vec3d& end, const Corners& t) {
   return front_crossing(start, end, t).has_value() || front_crossing(end, start, t).has_value();
 }
 
-/// Squared distance between a segment and a triangle [m²]: 0 where they meet, otherwise that of an end from the triangle or of the
-/// segment from an edge.
+/// Squared distance between a segment and a triangle [m²]: 0 where they meet.
 inline double squared_distance_of_segment(const Vec3d& start, const Vec3d& end, const Corners& t) {
-  if (crosses(start, end, t)) return 0;
-  double best = std::min(squared_norm(start - closest_on_triangle(start, t).point), squared_norm(end - closest_on_triangle(end, t).point));
-  best = std::min(best, squared_distance_of_segments(start, end, t.a, t.b));
-  best = std::min(best, squared_distance_of_segments(start, end, t.b, t.c));
-  return std::min(best, squared_distance_of_segments(start, end, t.c, t.a));
+  return crosses(start, end, t) ? 0 : squared_distance_beside(start, end, t);
 }
 
 }  // namespace fccda
