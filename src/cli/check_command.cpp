@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "cli/commands.hpp"
 #include "cli/open_deck.hpp"
@@ -16,6 +17,7 @@
 #include "io/results/lines.hpp"
 #include "io/results/results_writer.hpp"
 #include "perimpact/impact/approach.hpp"
+#include "perimpact/simulation/stable_step.hpp"
 
 namespace perimpact {
 
@@ -67,9 +69,11 @@ void print_step(const Simulation& simulation) {
     fmt::print("time\n  {:<18}{} of {:.4g} s\n", "increments", simulation.clock().steps, simulation.clock().dt);
     return;
   }
-  fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the estimate of Silling and Askari ({:.4g} s), {:.2f} of the exact limit ({:.4g} s)\n", "step",
-             stability.step, simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / stability.exact,
-             stability.exact);
+  double exact = stability.exact.value_or(std::numeric_limits<double>::infinity());
+  if (!stability.exact)
+    for (const Body& body : simulation.bodies()) exact = std::min(exact, exact_stable_step(body));
+  fmt::print("time\n  {:<18}{:.4g} s, {} of them: {:.2f} of the safe estimate ({:.4g} s), {:.2f} of the exact limit of these bodies ({:.4g} s)\n", "step",
+             stability.step, simulation.clock().steps, stability.step / stability.estimate, stability.estimate, stability.step / exact, exact);
 }
 
 void print_rigid_body(const Impactor& impactor) {

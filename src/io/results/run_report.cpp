@@ -192,7 +192,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   } else {
     json["stability"]["step [s]"] = simulation.stability().step;
     json["stability"]["estimate [s]"] = simulation.stability().estimate;
-    json["stability"]["exact [s]"] = simulation.stability().exact;
+    if (simulation.stability().exact) json["stability"]["exact [s]"] = *simulation.stability().exact;
   }
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
     json["bodies"][simulation.bodies()[b].name] = body_report(simulation.bodies()[b], simulation.boundaries()[b], simulation.filled_mass(b));

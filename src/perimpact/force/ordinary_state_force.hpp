@@ -29,6 +29,12 @@ class OrdinaryStateForce {
   double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {
     return law_.bond_stiffness(bond.length) * correction_.stretch_factor(slot, bond.j, interpolation_weights(bond.direction));
   }
+  /// [1/m⁴] what each metre of a bond's length, and cubic metre of its volume, adds to the sum θ of the particle.
+  double dilatation_slope(std::size_t slot, const FamilyBond& bond) const {
+    return law_.d() * law_.weights(bond.length).dilatation / bond.length * correction_.dilatation_factor(slot, bond.j, interpolation_weights(bond.direction));
+  }
+  /// g_i [-] of the linear peridynamic solid, whose θ is g_i times that sum and pushes g_i times as hard; else 1.
+  double family_factor(std::size_t slot) const { return correction_.kind() == CorrectionKind::family ? 2 * correction_.own_family().component(0)[slot] : 1; }
   double bytes() const;  ///< [bytes] of memory
 
  private:

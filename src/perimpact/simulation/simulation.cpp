@@ -13,6 +13,7 @@
 #include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
+#include "perimpact/simulation/stiffest_mode.hpp"
 #include "perimpact/solid/region.hpp"
 
 namespace perimpact {
@@ -46,16 +47,13 @@ std::vector<Boundaries> make_boundaries(const Setup& setup, std::span<const Body
   return boundaries;
 }
 
-constexpr double safety = 0.9;  // of the estimate, which errs on the safe side by a factor near two
+constexpr double safety = 0.9;  // of the estimate, which is a bound for linear bodies at rest
 
 Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optional<ShortRange>& fragments, std::vector<std::string>& warnings) {
-  Stability stability{0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Stability stability{0, std::numeric_limits<double>::infinity(), {}};
   const std::vector<TouchingBody> touching = touching_bodies(setup, bodies);
   const auto bound = [&](std::size_t b) { return fragments ? fragments->bound(touching, b) : ShortRange::Bound{}; };
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    stability.estimate = std::min(stability.estimate, silling_askari_step(bodies[b], bound(b)));
-    stability.exact = std::min(stability.exact, exact_stable_step(bodies[b]));
-  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) stability.estimate = std::min(stability.estimate, safe_stable_step(bodies[b], bound(b)));
   if (setup.time.relax) {
     stability.step = setup.time.end / setup.time.relax->increments;
     return stability;
@@ -67,17 +65,22 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optio
   if (stability.step > setup.time.end)
     throw SetupError("time.step", fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; make it shorter, or leave it out.",
                                               stability.step, setup.time.end));
-  if (stability.step >= stability.exact)
-    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of these bodies ({:.4g} s): the run would blow "
-                                              "up. Take at most {:.4g} s, or leave the step out.",
-                                              stability.step, stability.step / stability.exact, stability.exact, automatic));
   constexpr double most_steps = 1e15;  // are counted without rounding, and would take thirty years at a million a second
   if (!(setup.time.end / stability.step <= most_steps))
     throw SetupError("time.end", fmt::format("the run would take {:.3g} steps of {:.3g} s; end it earlier, or make the step longer.",
                                              setup.time.end / stability.step, stability.step));
   if (stability.step <= automatic * (1 + 1e-9)) return stability;
-  double own = std::numeric_limits<double>::infinity();
-  for (std::size_t b = 0; b < bodies.size(); ++b) own = std::min(own, own_stable_step(bodies[b], bound(b)));
+  double exact = std::numeric_limits<double>::infinity(), own = exact;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double stiffest = stiffest_mode(bodies[b]);
+    exact = std::min(exact, exact_stable_step(stiffest));
+    own = std::min(own, own_stable_step(stiffest, bodies[b].particles.density(), bound(b)));
+  }
+  stability.exact = exact;
+  if (stability.step >= exact)
+    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of these bodies ({:.4g} s): the run would blow "
+                                              "up. Take at most {:.4g} s, or leave the step out.",
+                                              stability.step, stability.step / exact, exact, automatic));
   if (stability.step > safety * own)
     warnings.push_back(fmt::format(
         "The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times what these bodies with their surfaces{} surely stand; it "

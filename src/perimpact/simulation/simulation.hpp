@@ -26,8 +26,9 @@ namespace perimpact {
 /// How the time step was found, over all bodies.
 struct Stability {
   double step;      ///< [s] taken
-  double estimate;  ///< [s] Silling and Askari
-  double exact;     ///< [s] beyond which the interior lattice is unstable
+  double estimate;  ///< [s] a bound, below the exact limit (safe_stable_step)
+  /// [s] beyond which a body, with its surfaces, is unstable; found only where the step is above 0.9 of the estimate (exact_stable_step)
+  std::optional<double> exact;
 };
 
 /// A force on the particles of a body that code of the caller's own computes.
