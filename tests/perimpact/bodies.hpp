@@ -25,7 +25,7 @@ struct BodyOptions {
   Model model = Model::ordinary_state;
   Influence influence = Influence::inverse;  ///< of the linear solid and of correspondence
   StressLaw law = StressLaw::hencky;
-  Stabilisation stabilisation = Stabilisation::wan;
+  Stabilisation stabilisation = Stabilisation::bond_level;
   PlaneState plane = PlaneState::none;
   Points points = Points::lattice;
   std::optional<FailureSetup> failure = {};
@@ -155,8 +155,9 @@ inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.010, 0.007, 0
         add("linear solid", {.poissons_ratio = 0.3, .model = Model::linear_solid, .influence = influence});
       add("bond-based", {.model = Model::bond_based});
       for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff})
-        for (const Stabilisation stabilisation : {Stabilisation::wan, Stabilisation::silling})
-          add(law == StressLaw::hencky ? "correspondence, hencky" : "correspondence, st-venant-kirchhoff",
+        for (const Stabilisation stabilisation : {Stabilisation::bond_level, Stabilisation::wan, Stabilisation::silling})
+          add(std::string(law == StressLaw::hencky ? "correspondence, hencky" : "correspondence, st-venant-kirchhoff") +
+                  (stabilisation == Stabilisation::bond_level ? ", bond-level" : ""),
               {.poissons_ratio = 0.3, .model = Model::correspondence, .law = law, .stabilisation = stabilisation});
     }
   return all;

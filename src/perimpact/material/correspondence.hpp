@@ -1,22 +1,31 @@
 /// Correspondence: the family of a particle gives it a deformation gradient, a classical law gives the stress of that, and the stress goes back
 /// into the bonds (Silling et al., J. Elast. 88 (2007) 151, section 18). In space (D = 3) and in the plane (D = 2).
 ///
-///   shape             K = Σ ω ξ⊗ξ v V                                                 [m⁵]
+///   shape tensor      K = Σ ω ξ⊗ξ v V                                                 [m⁵]
 ///   gradient          F = [Σ ω y⊗ξ v V] K⁻¹,   y = x_j - x_i                          [-]
 ///   stress            P = F S(F)                           material/stress_law.hpp    [Pa]
-///   what F leaves     z = y - F ξ                                                     [m]
-///   force             f = t_ij - t_ji,   t_ij = ω [ P_i K_i⁻¹ ξ + c_i z ]             [N/m⁶]
-///   energy            W_i = ψ(F) + c_i/2 Σ ω |z|² v V                                 [J/m³]
+///   residual          z = y - F ξ                                                     [m]
 ///   after damage      W_i χ_i, P_i χ_i, c_i χ_i,   χ = min(1, 2 k at first/k now)     spring_bound() is k
 ///
-/// The last term of both resists what F does not see: patterns in which the displacements of a family cancel out (zero-energy modes).
+/// Residuals are penalised, because F does not see patterns in which the displacements of a family cancel out (zero-energy modes).
 ///
-///   Wan     c = κ tr K⁻¹, the isotropic part of C1 = C : K⁻¹ (Wan et al., Acta Mech. Sin. 35 (2019) 1021), and equal to it in a whole
-///           family; a number, it turns with the body
-///   Silling c = G C/δ · m₁/m, C = 18κ/(πδ⁴), in the plane 12κ/(πhδ³), G = 1/2 (Silling, Comput. Methods Appl. Mech. Eng. 322 (2017) 42);
-///           m = ∫ ω |ξ|² dV, m₁ = ∫ |ξ|² dV: ω may be scaled and weighted as one likes
+///   wan, silling: each bond against the gradients of its two ends
 ///
-/// Σ ω z⊗ξ v V = 0 by the choice of F, so that f is exactly the gradient of the energy, and this, knowing only Fᵀ F and |z|, is the same in every
+///     force           f = t_ij - t_ji,   t_ij = ω [ P_i K_i⁻¹ ξ + c_i z ]             [N/m⁶]
+///     energy          W_i = ψ(F) + c_i/2 Σ ω |z|² v V                                 [J/m³]
+///     wan             c = κ tr K⁻¹, the isotropic part of C1 = C : K⁻¹ (Wan et al., Acta Mech. Sin. 35 (2019) 1021), and equal to it in a whole
+///                     family; a number, it turns with the body
+///     silling         c = G C/δ · m₁/m, C = 18κ/(πδ⁴), in the plane 12κ/(πhδ³), G = 1/2 (Silling, Comput. Methods Appl. Mech. Eng. 322 (2017)
+///                     42); m = ∫ ω |ξ|² dV, m₁ = ∫ |ξ|² dV: ω may be scaled and weighted as one likes
+///
+///   bond-level: each bond against the mean of the gradients of its ends, F̄ = (F_i + F_j)/2, which is exact where strain is uniform or grows linearly
+///   (after Breitzman and Dayal, J. Mech. Phys. Solids 110 (2018) 192); the stress is that of F¹, the mean of their bond-level gradients
+///
+///     F¹_i = F_i + Σ χ_j ω (y - F̄ξ)⊗ξ v V K_i⁻¹ = F_i + T_i K_i⁻¹/2,   T_i = Σ χ_j ω (F_i - F_j) ξ⊗ξ v V
+///     energy          W_i = ψ(F¹) + c_i/2 Σ ω |z|² v V - c_i/8 Σ χ_j ω |(F_i - F_j) ξ|² v V        with χ = 1: ψ(F¹) + c/2 Σ ω |y - F̄ξ|² v V
+///     c               2D µ/m
+///
+/// Σ ω z⊗ξ v V = 0 by the choice of F, so that f is exactly the gradient of the energy, and this is the same in every
 /// turned state: forces and moments of a body sum to zero (docs/theory/correspondence.md).
 ///
 /// Without χ, the fewer and the flatter its bonds, the stiffer a particle would hold on to them, until the time step is too long.
@@ -31,11 +40,11 @@
 
 namespace perimpact {
 
-enum class Stabilisation { wan, silling };
+enum class Stabilisation { bond_level, wan, silling };
 
 struct CorrespondenceOptions {
   StressLaw law = StressLaw::hencky;
-  Stabilisation stabilisation = Stabilisation::wan;
+  Stabilisation stabilisation = Stabilisation::bond_level;
   double stabilisation_factor = 1;  ///< [-] multiplies c
   Influence influence = Influence::inverse;
 };
@@ -53,11 +62,16 @@ class Correspondence {
     }
     const double micromodulus = elastic.dimension == 3 ? 18 * kappa / (pi * delta2 * delta2) : 12 * kappa / (pi * thickness * delta2 * horizon);
     const auto m = [&](Influence influence) { return weighted_volume(influence, horizon, elastic.dimension, thickness); };
+    if (options.stabilisation == Stabilisation::bond_level) {
+      uniform_ = options.stabilisation_factor * 2 * elastic.dimension * elastic.shear_modulus() / m(options.influence);
+      return;
+    }
     uniform_ = options.stabilisation_factor * G * micromodulus / horizon * m(Influence::one) / m(options.influence);
   }
 
   const IsotropicElastic& elastic() const { return elastic_; }
   const CorrespondenceOptions& options() const { return options_; }
+  bool is_bond_level() const { return options_.stabilisation == Stabilisation::bond_level; }
   double weight(double length) const { return weight_of(options_.influence, length, horizon_) / (length * length); }  ///< ω [-]
 
   /// Least det K/(tr K/D)^D of a family that has a gradient; 1 is a round family, 0 one that lies in a plane. Strains across a flatter family are
@@ -85,23 +99,39 @@ class Correspondence {
     T energy;                    ///< ψ [J/m³]
   };
 
-  /// `moment` [m⁵]: Σ ω y⊗ξ v V; `remaining`: χ, 0 where there is no K⁻¹.
+  /// F [-] of `moment` [m⁵], Σ ω y⊗ξ v V; 1 where there is no K⁻¹, `remaining` χ being 0.
   template <class T, std::size_t D>
-  Response<T, D> respond(const SmallMatrix<T, D>& moment, const SmallMatrix<T, D>& inverse, T remaining) const {
-    using Matrix = SmallMatrix<T, D>;
+  static SmallMatrix<T, D> gradient(const SmallMatrix<T, D>& moment, const SmallMatrix<T, D>& inverse, T remaining) {
     const unsigned has_gradient = fccda::bits_where_greater(remaining, T(0.0));
-    const Matrix one = Matrix::identity();
-    Matrix gradient = moment * inverse, displacement;
+    const SmallMatrix<T, D> one = SmallMatrix<T, D>::identity();
+    SmallMatrix<T, D> gradient = moment * inverse;
     for (std::size_t r = 0; r < D; ++r)
-      for (std::size_t s = 0; s < D; ++s) {
-        displacement.m[r][s] = fccda::keep_where(has_gradient, gradient.m[r][s] - one.m[r][s]);
-        gradient.m[r][s] = displacement.m[r][s] + one.m[r][s];
-      }
-    const Matrix turned = transpose(displacement), x = scaled_sum(T(1.0), turned * displacement, scaled_sum(T(1.0), turned, displacement));
+      for (std::size_t s = 0; s < D; ++s) gradient.m[r][s] = fccda::keep_where(has_gradient, gradient.m[r][s] - one.m[r][s]) + one.m[r][s];
+    return gradient;
+  }
+
+  /// P [Pa] and ψ [J/m³].
+  template <class T, std::size_t D>
+  struct FirstStress {
+    SmallMatrix<T, D> first;
+    T energy;
+  };
+  template <class T, std::size_t D>
+  FirstStress<T, D> stress(const SmallMatrix<T, D>& gradient) const {
+    const SmallMatrix<T, D> displacement = scaled_sum(T(-1.0), SmallMatrix<T, D>::identity(), gradient), turned = transpose(displacement),
+                            x = scaled_sum(T(1.0), turned * displacement, scaled_sum(T(1.0), turned, displacement));
     const double lambda = elastic_.lame_modulus(), mu = elastic_.shear_modulus();
     const Stress<T, D> stress = options_.law == StressLaw::hencky ? hencky_stress(x, lambda, mu) : st_venant_kirchhoff(x, lambda, mu);
+    return {gradient * stress.second, stress.energy};
+  }
+
+  /// Of the stabilisations that compare each bond with the gradients of its ends.
+  template <class T, std::size_t D>
+  Response<T, D> respond(const SmallMatrix<T, D>& moment, const SmallMatrix<T, D>& inverse, T remaining) const {
+    const SmallMatrix<T, D> gradient = this->gradient(moment, inverse, remaining);
+    const FirstStress<T, D> stress = this->stress(gradient);
     const T c = remaining * stabilisation(trace(inverse));
-    return {scaled_sum(T(-1.0) * c, gradient, gradient * stress.second * scaled_plus(remaining, inverse, T(0.0))), c, gradient, remaining * stress.energy};
+    return {scaled_sum(T(-1.0) * c, gradient, stress.first * scaled_plus(remaining, inverse, T(0.0))), c, gradient, remaining * stress.energy};
   }
 
   /// c [N/m⁷] of a family with this tr K⁻¹.

@@ -110,8 +110,9 @@ std::span<const Field<CorrespondenceSetup>> CorrespondenceSetup::fields() {
         "",
         {},
         optional,
-        "What resists the patterns of displacement that deformation gradients do not see: wan (from each particle's own family) or silling (the same for "
-        "all)."},
+        "What resists zero-energy modes, displacements that deformation gradients do not see: bond-level (bonds are compared with the mean gradient of "
+        "their ends, so that bending and torsion are not resisted), or, for half the cost, wan or silling (with the gradient of each end: for strains that "
+        "are uniform within a horizon; thin bodies bend several times too stiffly)."},
        {"stabilisation_factor", &S::stabilisation_factor, "1", positive(), optional, "Multiplies the stiffness of the stabilisation."},
        influence_field<S>()});
   return all;

@@ -44,7 +44,7 @@ inline constexpr std::string_view influence_words[] = {"one", "inverse", "invers
 
 inline constexpr std::string_view stress_law_words[] = {"hencky", "st-venant-kirchhoff"};  // as perimpact::StressLaw
 
-inline constexpr std::string_view stabilisation_words[] = {"wan", "silling"};  // as perimpact::Stabilisation
+inline constexpr std::string_view stabilisation_words[] = {"bond-level", "wan", "silling"};  // as perimpact::Stabilisation
 
 inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
 enum class PanelKind { triangles, quads };

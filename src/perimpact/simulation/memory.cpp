@@ -7,25 +7,32 @@
 #include <cstdint>
 
 #include "perimpact/family/stencil.hpp"
+#include "perimpact/material/correspondence.hpp"
 #include "perimpact/setup/setup_error.hpp"
 
 namespace perimpact {
 
 namespace {
 
+/// Doubles that CorrespondenceForce keeps of each slot.
+double numbers_of_gradients(const BodySetup& setup, const CorrespondenceSetup& material) {
+  const int dimension = setup.is_plane() ? 2 : 3, square = dimension * dimension;
+  const bool breaks = material.critical_stretch || material.fracture_energy || material.flexural_strength;
+  const int bond_level = material.stabilisation.as<Stabilisation>() == Stabilisation::bond_level ? square * (breaks ? 3 : 2) : 0;
+  return dimension * (dimension + 1) / 2 + 3 + square + 1 + bond_level;
+}
+
 double bytes_of(const BodySetup& setup, const Discretisation& discretisation, std::size_t impactors) {
   const bool is_list = std::holds_alternative<Cloud>(discretisation);
   const Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing.value_or(1), setup.horizon_ratio, setup.is_plane() ? std::optional(1.0) : std::nullopt);
   const SurfaceCorrection correction = setup.surface_correction.as<SurfaceCorrection>();
   const bool own_family = std::holds_alternative<LinearSolidSetup>(setup.material);
-  const bool correspondence = std::holds_alternative<CorrespondenceSetup>(setup.material);
+  const auto* of_gradients = std::get_if<CorrespondenceSetup>(&setup.material);
+  const bool correspondence = of_gradients != nullptr;
   // of the dilatation only the material knows, so the least is counted
   const double vectors = 3 + (!own_family && !correspondence && correction <= SurfaceCorrection::energy ? 2 : 0);
   const double scalars = 1 + (own_family || (!correspondence && correction == SurfaceCorrection::volume) ? 1 : 0) +
-                         (!correspondence    ? 0
-                          : setup.is_plane() ? 10
-                                             : 18) +
-                         (correspondence && is_list ? 3 : 0);
+                         (of_gradients ? numbers_of_gradients(setup, *of_gradients) : 0) + (correspondence && is_list ? 3 : 0);
   const double of_bond =
       1.0 / 8 + (correspondence ? 1.0 / 8 + (is_list ? sizeof(double) : 0) : 0) + (is_list ? 1.0 / 8 + sizeof(std::int32_t) + 2 * sizeof(double) : 0);
   const double of_place = is_list ? 2 * sizeof(Vec3d) + sizeof(double) + sizeof(std::uint32_t) : 0;

@@ -61,35 +61,59 @@ struct PairSums {
     }
   }
 
-  /// ψ(F) + c/2 Σ ω |z|² v V, with the classical laws in the principal stretches, and Wan's c by the tensor C1 itself.
+  /// K⁻¹ of each particle, χ being 1, and F (z is inert in the plane).
+  struct Gradients {
+    std::vector<Mat3> inverse, F;
+  };
+  Gradients gradients() const {
+    const Correspondence& law = *body.internal.correspondence();
+    Gradients all;
+    for (std::size_t i = 0; i < X.size(); ++i) {
+      Mat3 K{}, M{};
+      for_each_neighbour(i, [&](std::size_t j, const Vec3d& xi, double volume) {
+        add_outer(K, xi, xi, law.weight(norm(xi)) * volume), add_outer(M, x[j] - x[i], xi, law.weight(norm(xi)) * volume);
+      });
+      if (body.particles.is_plane()) K.row[2].z = M.row[2].z = 1;
+      all.inverse.push_back(fixtures::inverse_of(K)), all.F.push_back(M * all.inverse.back());
+    }
+    return all;
+  }
+  static void add_outer(Mat3& sum, const Vec3d& a, const Vec3d& b, double weight) {
+    for (std::size_t r = 0; r < 3; ++r) sum.row[r] += (weight * a[r]) * b;
+  }
+
+  /// ψ(F) + c/2 Σ ω |z|² v V, with the classical laws in the principal stretches, and Wan's c by the tensor C1 itself; of the stabilisation bond-level
+  /// F + Σ ω (y - F̄ξ)⊗ξ v V K⁻¹ in place of F, and y - F̄ξ in place of z.
   double correspondence_energy() const {
     const Correspondence& law = *body.internal.correspondence();
     const double kappa = law.elastic().bulk_modulus(), mu = law.elastic().shear_modulus();
-    const bool plane = body.particles.is_plane();
-    const double dimension = plane ? 2 : 3, lambda = kappa - 2 * mu / dimension, delta = body.family.horizon();
+    const bool plane = body.particles.is_plane(), bond_level = law.options().stabilisation == Stabilisation::bond_level;
+    const int dimension = plane ? 2 : 3;
+    const double lambda = kappa - 2 * mu / dimension, delta = body.family.horizon(), thickness = plane ? body.particles.thickness().value() : 1;
+    const double m = weighted_volume(law.options().influence, delta, dimension, thickness);
+    const Gradients all = gradients();
     double total = 0;
     for (std::size_t i = 0; i < X.size(); ++i) {
-      Mat3 K{}, M{};
-      const auto add = [](Mat3& sum, const Vec3d& a, const Vec3d& b, double weight) {
-        for (std::size_t r = 0; r < 3; ++r) sum.row[r] += (weight * a[r]) * b;
-      };
-      for_each_neighbour(i, [&](std::size_t j, const Vec3d& xi, double volume) {
-        add(K, xi, xi, law.weight(norm(xi)) * volume), add(M, x[j] - x[i], xi, law.weight(norm(xi)) * volume);
+      Mat3 F = all.F[i], residuals{};
+      double left = 0;
+      for_each_neighbour(i, [&](std::size_t j, const Vec3d& xi, double v) {
+        const Vec3d own = x[j] - x[i] - all.F[i] * xi, z = bond_level ? 0.5 * (own + (x[j] - x[i] - all.F[j] * xi)) : own;
+        left += law.weight(norm(xi)) * squared_norm(z) * v;
+        add_outer(residuals, z, xi, law.weight(norm(xi)) * v);
       });
-      if (plane) K.row[2].z = M.row[2].z = 1;  // z is inert
-      const Mat3 inverse = fixtures::inverse_of(K), F = M * inverse, C = transpose(F) * F;
-      const double inverse_trace = inverse.row[0].x + inverse.row[1].y + (plane ? 0 : inverse.row[2].z);
+      if (bond_level)
+        for (std::size_t r = 0; r < 3; ++r) F.row[r] += (residuals * all.inverse[i]).row[r];
       double volume_strain = 0, squares = 0;
-      for (const double c : fixtures::eigenvalues_of(C)) {
+      for (const double c : fixtures::eigenvalues_of(transpose(F) * F)) {
         const double strain = law.options().law == StressLaw::hencky ? 0.5 * std::log(c) : 0.5 * (c - 1);
         volume_strain += strain, squares += strain * strain;
       }
-      const double m1_over_m = weighted_volume(Influence::one, delta, plane ? 2 : 3, 1) / weighted_volume(law.options().influence, delta, plane ? 2 : 3, 1);
-      const double silling =
-          0.5 * m1_over_m * kappa / std::numbers::pi * (plane ? 12 / (body.particles.thickness().value() * std::pow(delta, 4)) : 18 / std::pow(delta, 5));
-      const double c = law.options().stabilisation == Stabilisation::wan ? kappa * inverse_trace : silling;
-      double left = 0;
-      for_each_neighbour(i, [&](std::size_t j, const Vec3d& xi, double v) { left += law.weight(norm(xi)) * squared_norm(x[j] - x[i] - F * xi) * v; });
+      const double inverse_trace = all.inverse[i].row[0].x + all.inverse[i].row[1].y + (plane ? 0 : all.inverse[i].row[2].z);
+      const double m1_over_m = weighted_volume(Influence::one, delta, dimension, thickness) / m;
+      const double silling = 0.5 * m1_over_m * kappa / std::numbers::pi * (plane ? 12 / (thickness * std::pow(delta, 4)) : 18 / std::pow(delta, 5));
+      const double c = bond_level                                            ? 2 * dimension * mu / m
+                       : law.options().stabilisation == Stabilisation::wan ? kappa * inverse_trace
+                                                                             : silling;
       total += (0.5 * lambda * volume_strain * volume_strain + mu * squares + 0.5 * c * left) * body.particles.volume(slots[i]);
     }
     return total;
