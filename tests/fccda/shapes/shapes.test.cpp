@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -7,6 +8,7 @@
 #include "fccda/core/error.hpp"
 #include "fccda/shapes/box.hpp"
 #include "fccda/shapes/cylinder.hpp"
+#include "fccda/shapes/prism.hpp"
 #include "fccda/shapes/sphere.hpp"
 #include "fccda/surface/surface.hpp"
 #include "fixtures/surfaces.hpp"
@@ -165,4 +167,24 @@ TEST_CASE("shapes: lengths that are not positive and finite are refused") {
   }
   CHECK_THROWS_WITH_AS(make_box({.size = {1, 1, 1}, .panel = -0.5}), "box: panel is -0.5 m, but it must be positive; leave it out for panels by default.",
                        InputError);
+}
+
+TEST_CASE("prism: the surface over a concave outline is closed, encloses its area times its height, and is the same for both ways round") {
+  PrismShape ell{.outline = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}, .height = 0.5};
+  for (int way = 0; way < 2; ++way) {
+    const Surface surface(make_prism(ell));
+    CHECK(surface.is_closed());
+    CHECK(surface.report().volume == fixtures::relative(4 * 0.5, 1e-14));         // roundings
+    CHECK(surface.report().area == fixtures::relative(2 * 4 + 10 * 0.5, 1e-14));  // two ends, and the walls
+    std::ranges::reverse(ell.outline);
+  }
+  for (const auto& outline : {std::vector<std::array<double, 2>>{{0, 0}, {0.5, -0.1}, {0, 1}, {-0.5, -0.1}}, {{0.5, -0.1}, {0, 1}, {-0.5, -0.1}, {0, 0}}}) {
+    const Surface arrow(make_prism({.outline = outline}));  // a diagonal lies outside
+    CHECK(arrow.report().volume == fixtures::relative(0.5, 1e-14));  // a triangle of 0.55 less one of 0.05
+    CHECK(arrow.report().area == fixtures::relative(2 * 0.5 + 2 * std::hypot(0.5, 1.1) + 2 * std::hypot(0.5, 0.1), 1e-14));
+  }
+  CHECK_THROWS_AS(make_prism({.outline = {{0, 0}, {1, 0}}}), InputError);
+  CHECK_THROWS_AS(make_prism({.outline = {{0, 0}, {1, 1}, {1, 0}, {0, 1}}}), InputError);
+  CHECK_THROWS_AS(make_prism({.outline = {{0, 0}, {1, 0}, {0, std::numeric_limits<double>::quiet_NaN()}}}), InputError);
+  CHECK_THROWS_AS(make_prism({.outline = {{0, 0}, {1, 0}, {0, 1}}, .height = 0}), InputError);
 }
