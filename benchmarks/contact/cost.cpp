@@ -87,7 +87,7 @@ Cost box_then_bvh(Sheet& sheet, const std::shared_ptr<const Surface>& surface, l
     const BodyView view(motion, test.size());
     for (std::size_t i = 0; i < sheet.size(); ++i) {
       const BentPath path = view.path(sheet.position_t0(i), sheet.position_t1(i));
-      const PathAnswer answer = test.ask({.path = path, .offset = 1e-12}, guess[i], effort);
+      const PathAnswer answer = test.ask({.path = path, .radius = test.radius(), .offset = 1e-12}, guess[i], effort);
       if (answer.touch) contacts.push_back({.point = i, .relocation = motion.t1.to_world(answer.touch->relocation)});
     }
     cost.seconds_per_step += (seconds() - begin) / steps;

@@ -15,15 +15,28 @@ void expect_rows_of_three(const py::array& array, const std::string& what) {
   throw fccda::InputError(fmt::format("{} has the shape {}, but one row x, y, z a point is needed: (points, 3).", what, shape_in_words(array)));
 }
 
+bool is_single(const py::array& array) { return py::isinstance<py::array_t<float>>(array); }
+
 bool can_be_walked(const py::array& array) {
-  const auto is_whole = [](py::ssize_t stride) { return stride >= 0 && stride % number_size == 0; };
-  return is_whole(array.strides(0)) && is_whole(array.strides(1)) && reinterpret_cast<std::uintptr_t>(array.data()) % alignof(double) == 0;
+  const py::ssize_t size = array.itemsize();
+  for (py::ssize_t d = 0; d < array.ndim(); ++d)
+    if (array.strides(d) % size != 0) return false;
+  return reinterpret_cast<std::uintptr_t>(array.data()) % static_cast<std::uintptr_t>(size) == 0;
 }
 
-template <class Number>
-fccda::VectorView<Number> view(Number* first, const py::array& array) {
-  const auto component = array.strides(1) / number_size, row = array.strides(0) / number_size;
-  return {first, first + component, first + 2 * component, static_cast<std::size_t>(array.shape(0)), static_cast<std::size_t>(row)};
+template <class View, class Number>
+View view(Number* first, const py::array& array) {
+  const auto component = array.strides(1) / array.itemsize(), row = array.strides(0) / array.itemsize();
+  return {first, first + component, first + 2 * component, static_cast<std::size_t>(array.shape(0)), row};
+}
+
+/// Of floats or doubles, such that its numbers can be walked; a copy where `source` is no such array.
+py::array floats_or_doubles(const py::object& source, const std::string& what) {
+  py::array array = py::array::ensure(source);
+  if (array && is_single(array)) return can_be_walked(array) ? array : py::array(py::array_t<float, py::array::c_style | py::array::forcecast>(array));
+  array = Numbers::ensure(source);
+  if (!array) throw py::type_error(fmt::format("{} is no array of numbers.", what));  // ensure has cleared NumPy's error
+  return can_be_walked(array) ? array : py::array(py::array_t<double, py::array::c_style | py::array::forcecast>(array));
 }
 
 }  // namespace
@@ -33,18 +46,37 @@ std::string shape_in_words(const py::array& array) { return py::str(py::tuple(ar
 fccda::ConstVectors vectors_in(Numbers& array, const std::string& what) {
   expect_rows_of_three(array, what);
   if (!can_be_walked(array)) array = py::array_t<double, py::array::c_style | py::array::forcecast>(array);
-  return view(static_cast<const double*>(array.data()), array);
+  return view<fccda::ConstVectors>(static_cast<const double*>(array.data()), array);
+}
+
+fccda::ConstVectors vectors_in(const py::object& source, const std::string& what, py::array& keep) {
+  keep = floats_or_doubles(source, what);
+  expect_rows_of_three(keep, what);
+  if (is_single(keep)) return view<fccda::ConstVectors>(static_cast<const float*>(keep.data()), keep);
+  return view<fccda::ConstVectors>(static_cast<const double*>(keep.data()), keep);
+}
+
+fccda::Numbers numbers_in(const py::object& source, const std::string& what, py::array& keep) {
+  keep = floats_or_doubles(source, what);
+  if (keep.ndim() > 1)
+    throw fccda::InputError(fmt::format("{} has the shape {}, but one number for all points or one for each is needed.", what, shape_in_words(keep)));
+  const auto numbers = [&](const auto* first) {
+    if (keep.ndim() == 0) return fccda::Numbers(static_cast<double>(*first));
+    return fccda::Numbers(first, static_cast<std::size_t>(keep.shape(0)), keep.strides(0) / keep.itemsize());
+  };
+  return is_single(keep) ? numbers(static_cast<const float*>(keep.data())) : numbers(static_cast<const double*>(keep.data()));
 }
 
 fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what) {
-  if (!py::isinstance<py::array_t<double>>(array))
-    throw fccda::InputError(fmt::format("{} is written to, so it must be an array of float64, but it is one of {}; make it with dtype=float.", what,
+  if (!py::isinstance<py::array_t<double>>(array) && !is_single(array))
+    throw fccda::InputError(fmt::format("{} is written to, so it must be an array of float64 or float32, but it is one of {}; make it with dtype=float.", what,
                                         std::string(py::str(array.dtype()))));
   if (!array.writeable()) throw fccda::InputError(fmt::format("{} is written to, but NumPy says that it may only be read; pass a copy.", what));
   expect_rows_of_three(array, what);
   if (!can_be_walked(array))
-    throw fccda::InputError(fmt::format("{} is written to, but its rows do not lie one behind the other; pass numpy.ascontiguousarray of it.", what));
-  return view(static_cast<double*>(const_cast<void*>(array.data())), array);
+    throw fccda::InputError(fmt::format("{} is written to, but its numbers do not lie at whole numbers of their size; pass numpy.ascontiguousarray of it.", what));
+  void* first = const_cast<void*>(array.data());
+  return is_single(array) ? view<fccda::Vectors>(static_cast<float*>(first), array) : view<fccda::Vectors>(static_cast<double*>(first), array);
 }
 
 py::array_t<double> array_of(std::span<const Vec3d> vectors) {

@@ -50,7 +50,13 @@ std::string shape_in_words(const py::array& array);
 /// numbers do not lie as a view can walk them, `array` becomes a copy.
 fccda::ConstVectors vectors_in(Numbers& array, const std::string& what);
 
-/// The same to be written through. Throws InputError also where the array is not of doubles, or may not be written.
+/// The same of anything that NumPy makes an array of; one of float32 is seen as such. `keep` holds the memory, and must outlive the view.
+fccda::ConstVectors vectors_in(const py::object& source, const std::string& what, py::array& keep);
+
+/// One number, or one for each point, of anything that NumPy makes an array of. Throws InputError for more than one dimension.
+fccda::Numbers numbers_in(const py::object& source, const std::string& what, py::array& keep);
+
+/// Rows of three to be written through. Throws InputError also where the array is not of float64 or float32, or may not be written.
 fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what);
 
 /// The shape (vectors, 3), copied.

@@ -22,7 +22,7 @@ namespace perimpact::python {
 struct ContactRow {
   std::int64_t point;
   std::int32_t panel;
-  double time_fraction, depth;
+  double time_fraction, depth, radius;
   double hit[3], normal[3], relocation[3];
 };
 
@@ -34,11 +34,32 @@ using fccda::Motion;
 using fccda::Pose;
 using fccda::RigidBody;
 using fccda::Surface;
+
+/// What the library advises, as Python says it.
+constexpr fccda::AdviceWords python_words{.declare_outside = "with outside=\"normals\" (the one that the normals point to) or outside=\"reversed\"",
+                                          .cut_open = "with outside=\"normals\" (the side that the normals point to)",
+                                          .clip = "pass clip=True"};
 using Boxes = std::vector<std::pair<Vec3d, Vec3d>>;
 
 // ---- surfaces ----
 
-Surface surface_of(const Mesh& mesh, double weld, const std::string& outside, const std::string& name) {
+/// A surface, and what detectors search on, made by the first of them and shared by all.
+class GivenSurface {
+ public:
+  explicit GivenSurface(Surface surface) : surface_(std::make_shared<const Surface>(std::move(surface))) {}
+  const Surface& surface() const { return *surface_; }
+  const fccda::SurfaceReport& report() const { return surface_->report(); }
+  const fccda::SharedSurface& shared() {
+    if (!shared_) shared_ = fccda::share(surface_);
+    return shared_;
+  }
+
+ private:
+  std::shared_ptr<const Surface> surface_;
+  fccda::SharedSurface shared_;
+};
+
+GivenSurface surface_of(const Mesh& mesh, double weld, const std::string& outside, const std::string& name) {
   fccda::OutsideIs side = fccda::OutsideIs::undeclared;
   if (outside == "normals")
     side = fccda::OutsideIs::normals;
@@ -46,13 +67,17 @@ Surface surface_of(const Mesh& mesh, double weld, const std::string& outside, co
     side = fccda::OutsideIs::reversed;
   else if (outside != "undeclared")
     throw InputError(fmt::format("outside is \"{}\", but it must be one of undeclared, normals, reversed.", outside));
-  return Surface(mesh.panels(), {.weld_distance = weld, .outside = side, .name = name});
+  try {
+    return GivenSurface(Surface(mesh.panels(), {.weld_distance = weld, .outside = side, .name = name}));
+  } catch (const InputError& error) {
+    throw InputError(error.in_words_of(python_words));
+  }
 }
 
-py::tuple bounds_of(const Surface& surface) { return py::make_tuple(surface.report().bounds.low, surface.report().bounds.high); }
+py::tuple bounds_of(const GivenSurface& surface) { return py::make_tuple(surface.report().bounds.low, surface.report().bounds.high); }
 
-py::array_t<int> triangles_of_surface(const Surface& surface) {
-  const auto triangles = surface.triangles();
+py::array_t<int> triangles_of_surface(const GivenSurface& surface) {
+  const auto triangles = surface.surface().triangles();
   py::array_t<int> array({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c) array.mutable_at(static_cast<py::ssize_t>(t), static_cast<py::ssize_t>(c)) = triangles[t].vertex[c];
@@ -60,23 +85,27 @@ py::array_t<int> triangles_of_surface(const Surface& surface) {
 }
 
 void bind_surface(py::module_& module) {
-  py::class_<Surface>(module, "Surface", "The rigid surface that points strike: welded, wound and turned outward. Never changes.")
+  py::class_<GivenSurface>(module, "Surface",
+                           R"(The rigid surface that points strike: welded, wound and turned outward. Never changes.
+
+Detectors of one Surface share it and what they search on, so that each costs no more than what it remembers of its points.)")
       .def(py::init(&surface_of), "mesh"_a, "weld"_a = 0.0, "outside"_a = "undeclared", "name"_a = "surface",
            R"(weld: vertices nearer than this become one [m]; 0 takes 1e-9 of the size.
 outside: of an open surface, the side that its normals point to ("normals") or the other ("reversed"); a closed one knows.
 name: how messages call it.
 
 Raises InputError where the surface cannot be used.)")
-      .def_property_readonly("is_closed", &Surface::is_closed, "Has every edge two triangles?")
       .def_property_readonly(
-          "area", [](const Surface& surface) { return surface.report().area; }, "[m2]")
+          "is_closed", [](const GivenSurface& surface) { return surface.surface().is_closed(); }, "Has every edge two triangles?")
       .def_property_readonly(
-          "volume", [](const Surface& surface) { return surface.report().volume; }, "Enclosed [m3]; 0 where it is open.")
+          "area", [](const GivenSurface& surface) { return surface.report().area; }, "[m2]")
       .def_property_readonly(
-          "centroid", [](const Surface& surface) { return surface.report().centroid; }, "(3,) of the volume, or of the area where it is open [m].")
+          "volume", [](const GivenSurface& surface) { return surface.report().volume; }, "Enclosed [m3]; 0 where it is open.")
+      .def_property_readonly(
+          "centroid", [](const GivenSurface& surface) { return surface.report().centroid; }, "(3,) of the volume, or of the area where it is open [m].")
       .def_property_readonly("bounds", &bounds_of, "The lowest and the highest coordinates: two arrays (3,) [m].")
       .def_property_readonly(
-          "vertices", [](const Surface& surface) { return array_of(surface.vertices()); }, "(n, 3) after welding [m], a copy.")
+          "vertices", [](const GivenSurface& surface) { return array_of(surface.surface().vertices()); }, "(n, 3) after welding [m], a copy.")
       .def_property_readonly("triangles", &triangles_of_surface, "(m, 3) vertices around each triangle, counterclockwise seen from outside; a copy.");
 }
 
@@ -141,7 +170,11 @@ py::array_t<double> moved_points(const Pose& pose, Numbers points, Vec3d (Pose::
 void bind_bodies(py::module_& module) {
   const std::array<double, 4> unturned{1, 0, 0, 0};
   py::class_<Pose>(module, "Pose", "Where a body is: it turns by `attitude`, then moves to `position`.")
-      .def(py::init([](const Vec3d& position, const std::array<double, 4>& attitude) { return Pose(position, quaternion_of(attitude)); }),
+      .def(py::init([](const Vec3d& position, const std::array<double, 4>& attitude) {
+             Pose pose(position, quaternion_of(attitude));
+             fccda::expect_usable(pose, "");
+             return pose;
+           }),
            "position"_a = Vec3d{}, "attitude"_a = unturned, "position: (3,) [m]. attitude: quaternion w, x, y, z of length 1.")
       .def_property_readonly("position", &Pose::position, "(3,) of the origin of the body frame [m].")
       .def_property_readonly(
@@ -157,7 +190,9 @@ void bind_bodies(py::module_& module) {
 
   py::class_<Motion>(module, "Motion", "The way of a body over one step: it turns evenly about `centre`, which moves straight.")
       .def(py::init([](const Pose& t0, const Pose& t1, double dt, const Vec3d& centre) {
-             return Motion{t0, t1, dt, centre};
+             Motion motion{t0, t1, dt, centre};
+             fccda::expect_usable(motion);
+             return motion;
            }),
            "t0"_a, "t1"_a, "dt"_a, "centre"_a = Vec3d{}, "t0, t1: poses at both ends. dt: duration [s]. centre: (3,) in the body frame [m].")
       .def_readonly("t0", &Motion::t0, "Pose at the beginning.")
@@ -178,9 +213,9 @@ rotation is free. position: (3,) of the body frame's origin [m]. attitude: quate
 angular_velocity: (3,) [rad/s], world axes. free: which of "x", "y", "z", "rx", "ry", "rz" impulses may change; the others keep their velocity.)")
       .def_static(
           "filling",
-          [](const Surface& surface, double density, const Vec3d& position, const std::array<double, 4>& attitude, const Vec3d& velocity,
+          [](const GivenSurface& surface, double density, const Vec3d& position, const std::array<double, 4>& attitude, const Vec3d& velocity,
              const Vec3d& angular_velocity, const std::vector<std::string>& free) {
-            if (!surface.is_closed()) throw InputError("the surface is open, so nothing can fill it; give mass and inertia to RigidBody.");
+            if (!surface.surface().is_closed()) throw InputError("the surface is open, so nothing can fill it; give mass and inertia to RigidBody.");
             if (!(density > 0)) throw InputError(fmt::format("density is {} kg/m3, but it must be above 0.", density));
             return body_from(fccda::solid_of_mass(surface.report(), density * surface.report().volume), {position, velocity, angular_velocity, attitude, free});
           },
@@ -220,6 +255,7 @@ py::array_t<ContactRow> rows_of(const std::vector<fccda::Contact>& contacts) {
             .panel = contact.panel,
             .time_fraction = contact.time_fraction,
             .depth = contact.depth,
+            .radius = contact.radius,
             .hit = {},
             .normal = {},
             .relocation = {}};
@@ -243,57 +279,67 @@ std::vector<fccda::Contact> contacts_in(const py::array_t<ContactRow, py::array:
                         .normal = vector_in(row.normal),
                         .relocation = vector_in(row.relocation),
                         .depth = row.depth,
+                        .radius = row.radius,
                         .sliding = detector ? &detector->swept() : nullptr});
   }
   return contacts;
 }
 
-fccda::ContactDetector detector_of(const Surface& surface, double radius, const std::optional<Boxes>& boxes, bool clip) {
+fccda::ContactDetector detector_of(GivenSurface& surface, double radius, const std::optional<Boxes>& boxes, bool clip) {
   fccda::ContactDetector::Options options{.radius = radius};
   if (boxes) {
     std::vector<fccda::BoxUnion::Shape> shapes;
     for (const auto& [size, centre] : *boxes) shapes.push_back({size, centre});
-    options.region = fccda::BoxUnion(shapes, surface, clip ? fccda::Beyond::clip : fccda::Beyond::error);
+    try {
+      options.region = fccda::BoxUnion(shapes, surface.surface(), clip ? fccda::Beyond::clip : fccda::Beyond::error);
+    } catch (const InputError& error) {
+      throw InputError(error.in_words_of(python_words));
+    }
   }
-  return {surface, options};
+  return {surface.shared(), options};
 }
 
-py::array_t<ContactRow> detect(fccda::ContactDetector& detector, const Motion& motion, Numbers x_t0, Numbers x_t1) {
-  const fccda::ConstVectors from = vectors_in(x_t0, "x_t0"), to = vectors_in(x_t1, "x_t1");
+py::array_t<ContactRow> detect(fccda::ContactDetector& detector, const Motion& motion, const py::object& x_t0, const py::object& x_t1,
+                               const std::optional<py::object>& radius) {
+  py::array at_t0, at_t1, radii;
+  const fccda::ConstVectors from = vectors_in(x_t0, "x_t0", at_t0), to = vectors_in(x_t1, "x_t1", at_t1);
+  std::optional<fccda::Numbers> of_each;
+  if (radius) of_each = numbers_in(*radius, "radius", radii);
   std::vector<fccda::Contact> contacts;
   {
     const py::gil_scoped_release release;
-    contacts = detector.detect(motion, from, to);
+    contacts = of_each ? detector.detect(motion, from, to, *of_each) : detector.detect(motion, from, to);
   }
   return rows_of(contacts);
 }
 
-py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, const Pose& pose, Numbers x) {
-  const std::vector<std::size_t> inside = detector.points_inside(pose, vectors_in(x, "x"));
+py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, const Pose& pose, const py::object& x, const std::optional<py::object>& radius) {
+  py::array places, radii;
+  const fccda::ConstVectors at = vectors_in(x, "x", places);
+  const std::vector<std::size_t> inside =
+      radius ? detector.points_inside(pose, at, numbers_in(*radius, "radius", radii)) : detector.points_inside(pose, at);
   py::array_t<std::int64_t> numbers(static_cast<py::ssize_t>(inside.size()));
   std::copy(inside.begin(), inside.end(), numbers.mutable_data());
   return numbers;
 }
 
-fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, Numbers x_t0, const py::array& x_t1,
-                        const py::array& velocity, const Numbers& mass, double friction, const fccda::ContactDetector* detector) {
-  if (!(friction >= 0)) throw InputError(fmt::format("friction is {}, but Coulomb's coefficient must be at least 0.", friction));
+fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, const py::object& x_t0,
+                        const py::array& x_t1, const py::array& velocity, const py::object& mass, double friction,
+                        const fccda::ContactDetector* detector, bool apply) {
   if (friction != 0 && !detector)
     throw InputError("friction needs the detector that found the contacts, which says where panels are in the way; give respond detector=….");
-  const fccda::ConstVectors from = vectors_in(x_t0, "x_t0");
-  const py::array_t<double, py::array::c_style | py::array::forcecast> masses(mass);
-  if (masses.ndim() > 1)
-    throw InputError(fmt::format("mass has the shape {}, but one number for all points or one for each is needed.", shape_in_words(masses)));
-  const auto each = std::span<const double>(masses.data(), static_cast<std::size_t>(masses.size()));
+  py::array at_t0, masses;
+  const fccda::ConstVectors from = vectors_in(x_t0, "x_t0", at_t0);
   const fccda::PointArrays points{.x_t0 = from,
                                   .x_t1 = writable_vectors_in(x_t1, "x_t1"),
                                   .velocity = writable_vectors_in(velocity, "velocity"),
-                                  .mass = masses.ndim() == 0 ? fccda::Masses(*masses.data()) : fccda::Masses(each)};
-  return fccda::respond(contacts_in(contacts, from.size(), detector), motion, body, points, friction);
+                                  .mass = numbers_in(mass, "mass", masses)};
+  const std::vector<fccda::Contact> which = contacts_in(contacts, from.size(), detector);
+  return apply ? fccda::respond(which, motion, body, points, friction) : fccda::respond_without_body(which, motion, body, points, friction);
 }
 
 void bind_contact(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, hit, normal, relocation);
+  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, radius, hit, normal, relocation);
   py::class_<fccda::ContactDetector>(module, "ContactDetector",
                                      R"(Finds which points strike a surface that moves. One detector follows one set of points: it remembers how far each was.
 
@@ -302,13 +348,15 @@ x_t0 of a step is x_t1 of the step before, as relocated; tell of points for whic
            R"(radius: contact radius, points are balls [m]; 0 for points without extent.
 boxes: [(size, centre), …] in the body frame [m], where contact is looked for; everywhere where absent.
 clip: whether the surface may stick out of them, where it is not felt then; else that is an InputError.)")
-      .def("detect", &detect, "motion"_a, "x_t0"_a, "x_t1"_a,
-           R"(The contacts of one step, in point order. x_t0, x_t1: (points, 3) positions in the world at both ends of the step [m]; not changed.
+      .def("detect", &detect, "motion"_a, "x_t0"_a, "x_t1"_a, "radius"_a = py::none(),
+           R"(The contacts of one step, in point order. x_t0, x_t1: (points, 3) positions in the world at both ends of the step [m]; not changed. radius: of each
+point [m], where they are balls of different sizes; they may change from step to step.
 
 A structured array with the fields point, panel (as numbered in the mesh), time_fraction (of first touch, 0 to 1), depth (from where the point had gone to
-the relocation) [m], hit (place of the surface touched first) [m], normal (unit, out of the surface), relocation (where the point belongs) [m].)")
-      .def("points_inside", &points_inside, "pose"_a, "x"_a,
-           "Which of the points x (points, 3) [m] are inside the surface or nearer than the radius: to be asked before the first step.")
+the relocation) [m], hit (place of the surface touched first) [m], normal (unit, out of the surface), relocation (where the point belongs) [m], radius (of contact, of
+the point) [m].)")
+      .def("points_inside", &points_inside, "pose"_a, "x"_a, "radius"_a = py::none(),
+           "Which of the points x (points, 3) [m] are inside the surface or nearer than the radius, theirs [m] where given: to be asked before the first step.")
       .def(
           "moved", [](fccda::ContactDetector& detector, std::size_t point) { detector.moved(point); }, "point"_a,
           "Somebody else displaced the point since the last step.")
@@ -320,12 +368,13 @@ the relocation) [m], hit (place of the surface touched first) [m], normal (unit,
       .def_readonly("contacts", &fccda::Tally::contacts, "Their number.");
 
   module.def("respond", &respond_to, "contacts"_a, "motion"_a, "body"_a, py::kw_only(), "x_t0"_a, "x_t1"_a.noconvert(), "velocity"_a.noconvert(), "mass"_a,
-             "friction"_a = 0.0, "detector"_a = py::none(),
+             "friction"_a = 0.0, "detector"_a = py::none(), "apply"_a = true,
              R"(Puts the points that struck back on the surface, gives them their new velocities, and the body its impulse.
 
-x_t1 [m] and velocity [m/s], which led from x_t0 to x_t1, are (points, 3) arrays of float64 and changed in place. mass [kg]: one number, or one for each point.
-friction: Coulomb's coefficient. detector: the one that found the contacts, in this step; friction needs it, because it moves points along the surface and
-must not push them through a panel that is in the way. Returns the Tally.)");
+x_t1 [m] and velocity [m/s], which led from x_t0 to x_t1, are (points, 3) arrays of float64 or float32 and changed in place. mass [kg]: one number, or one for
+each point. friction: Coulomb's coefficient. detector: the one that found the contacts, in this step; friction needs it, because it moves points along the
+surface and must not push them through a panel that is in the way. apply: False leaves the body as it is, so that the impulses of several sets of points, or of
+several processes, can be added up and given to it at once, with add_impulse. Returns the Tally.)");
 }
 
 }  // namespace

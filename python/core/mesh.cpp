@@ -81,6 +81,12 @@ void expect_positive(double value, const char* what) {
   if (!(value > 0)) throw InputError(fmt::format("{} is {} m, but it must be above 0.", what, value));
 }
 
+double panel_of(const std::optional<double>& panel) {
+  if (!panel) return 0;  // the default of the shape
+  expect_positive(*panel, "panel");
+  return *panel;
+}
+
 }  // namespace
 
 Mesh::Mesh(Numbers vertices, const Faces& faces, const std::optional<std::vector<std::string>>& parts) : Mesh(panels_from(vertices, faces, parts)) {}
@@ -100,26 +106,28 @@ parts: the name of the part that each panel belongs to, for `parts`, `gauges` an
           "parts"_a = std::vector<std::string>(), "The panels of a surface file, in its units: all, or those of the parts named.")
       .def_static(
           "box",
-          [](const Vec3d& size, double panel) {
+          [](const Vec3d& size, const std::optional<double>& panel) {
             for (const double edge : {size.x, size.y, size.z}) expect_positive(edge, "size");
-            expect_positive(panel, "panel");
-            return Mesh(fccda::make_box({.size = size, .panel = panel}));
+            return Mesh(fccda::make_box({.size = size, .panel = panel_of(panel)}));
           },
-          "size"_a, "panel"_a, "A box about the origin with the edges size [m], in panels whose edges along the axes are at most panel [m] long.")
+          "size"_a, "panel"_a = py::none(),
+          "A box about the origin with the edges size [m], in panels whose edges along the axes are at most panel [m] long; without it, two on each side.")
       .def_static(
           "cylinder",
-          [](double diameter, double height, double panel, const std::string& axis) {
-            expect_positive(diameter, "diameter"), expect_positive(height, "height"), expect_positive(panel, "panel");
-            return Mesh(fccda::make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis), .panel = panel}));
+          [](double diameter, double height, const std::optional<double>& panel, const std::string& axis) {
+            expect_positive(diameter, "diameter"), expect_positive(height, "height");
+            return Mesh(fccda::make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis), .panel = panel_of(panel)}));
           },
-          "diameter"_a, "height"_a, "panel"_a, "axis"_a = "z", "A cylinder centred on the origin [m], about the axis x, y or z.")
+          "diameter"_a, "height"_a, "panel"_a = py::none(), "axis"_a = "z",
+          "A cylinder centred on the origin [m], about the axis x, y or z, in panels of at most panel [m]; without it, of a twentieth of the diameter.")
       .def_static(
           "sphere",
-          [](double diameter, double panel) {
-            expect_positive(diameter, "diameter"), expect_positive(panel, "panel");
-            return Mesh(fccda::make_sphere({.diameter = diameter, .panel = panel}));
+          [](double diameter, const std::optional<double>& panel) {
+            expect_positive(diameter, "diameter");
+            return Mesh(fccda::make_sphere({.diameter = diameter, .panel = panel_of(panel)}));
           },
-          "diameter"_a, "panel"_a, "A sphere about the origin [m], no edge of a panel longer than panel [m].")
+          "diameter"_a, "panel"_a = py::none(),
+          "A sphere about the origin [m], no edge of a panel longer than panel [m]; without it, than a twentieth of the diameter.")
       .def_property_readonly(
           "vertices", [](const Mesh& mesh) { return array_of(mesh.panels().vertices); }, "(n, 3) coordinates [m], a copy.")
       .def_property_readonly("faces", &faces_of, "(m, 4) numbers of vertices, the fourth -1 in a triangle; a copy.")

@@ -13,6 +13,7 @@
 #include "fccda/shapes/box.hpp"  // make_box, make_cylinder, make_sphere
 #include "fccda/shapes/cylinder.hpp"
 #include "fccda/shapes/hull.hpp"  // make_hull, make_propeller
+#include "fccda/shapes/prism.hpp"  // make_prism: outlines, for codes in two dimensions
 #include "fccda/shapes/propeller.hpp"
 #include "fccda/shapes/sphere.hpp"
 #include "fccda/surface/read/read_panels.hpp"  // read_panels: STL, OBJ

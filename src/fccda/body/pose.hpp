@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include "fccda/core/quaternion.hpp"
 #include "fccda/core/vec3.hpp"
@@ -39,6 +40,12 @@ struct Motion {
   double dt = 0;   ///< [s]
   Vec3d centre{};  ///< [m] in the body frame; of a rigid body its centre of mass
 };
+
+/// Throws InputError where a pose is not finite or its attitude has not length 1, to 1e-6. `whose`: begins the sentence.
+void expect_usable(const Pose& pose, const std::string& whose);
+
+/// The same of both poses of a motion, its centre and its duration, which may be 0 here.
+void expect_usable(const Motion& motion);
 
 /// The turn from t0 to t1 as a vector along its axis (world), as long as its angle [rad], which is at most π.
 inline Vec3d rotation_vector(const Motion& motion) {

@@ -1,9 +1,10 @@
 #include "fccda/body/rigid_body.hpp"
 
+#include <numbers>
 #include <string>
 
-#include "fccda/core/contract.hpp"
 #include "fccda/core/error.hpp"
+#include "fccda/core/finite.hpp"
 
 namespace fccda {
 
@@ -20,13 +21,37 @@ bool positive_definite(const Mat3& a) {
   return first > 0 && second > 0 && dot(a.row[0], cross(a.row[1], a.row[2])) > 0;
 }
 
+void expect_usable(const RigidBodyProperties& properties, const FreeDegrees& degrees) {
+  if (!(properties.mass > 0 && std::isfinite(properties.mass)))
+    throw InputError("rigid body: the mass is " + in_words(properties.mass) + " kg, but it must be positive and finite.");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    expect_finite(properties.inertia.row[axis], "rigid body: a row of the inertia");
+    if (!(properties.added_mass[axis] >= 0 && std::isfinite(properties.added_mass[axis])))
+      throw InputError("rigid body: the added mass is " + in_words(properties.added_mass) + " kg, but no component may be negative or infinite.");
+  }
+  expect_finite(properties.centre_of_mass, "rigid body: the centre of mass");
+  if (degrees.any_rotation() && !positive_definite(properties.inertia))
+    throw InputError("rigid body: a rotation is free, but the inertia is not positive definite; give the inertia or hold the rotations.");
+}
+
+/// A step has a duration, and the two poses at its ends tell turns of at most π apart.
+void expect_step(double dt, const Vec3d& spin) {
+  if (!(dt >= 0 && std::isfinite(dt)))
+    throw InputError("rigid body: the step lasts " + in_words(dt) + " s, but it must be finite and not negative.");
+  const double angle = dt * norm(spin);
+  if (angle > std::numbers::pi)
+    throw InputError("rigid body: it turns by " + in_words(angle) + " rad in a step of " + in_words(dt) +
+                     " s, and beyond half a turn the poses at its ends cannot tell how; take a shorter step.");
+}
+
 }  // namespace
 
 RigidBody::RigidBody(const RigidBodyProperties& properties, const Pose& pose, const Vec3d& velocity, const Vec3d& angular_velocity, const FreeDegrees& degrees)
     : properties_(properties), degrees_(degrees), com_(pose.to_world(properties.centre_of_mass)), velocity_(velocity), spin_(angular_velocity) {
-  if (!(properties.mass > 0)) throw InputError("rigid body: the mass is " + std::to_string(properties.mass) + " kg, but it must be positive.");
-  if (degrees.any_rotation() && !positive_definite(properties.inertia))
-    throw InputError("rigid body: a rotation is free, but the inertia is not positive definite; give the inertia or hold the rotations.");
+  expect_usable(properties, degrees);
+  expect_usable(pose, "rigid body: ");
+  expect_finite(velocity, "rigid body: the velocity");
+  expect_finite(angular_velocity, "rigid body: the angular velocity");
   place(pose.attitude());
 }
 
@@ -71,6 +96,7 @@ Vec3d RigidBody::spin_of(const Vec3d& angular) const {
 }
 
 Motion RigidBody::advance(double dt) {
+  expect_step(dt, spin_);
   const Pose before = pose_;
   com_ += dt * velocity_;
   if (spin_ == Vec3d{}) {
@@ -85,6 +111,8 @@ Motion RigidBody::advance(double dt) {
 }
 
 void RigidBody::add_impulse(const Vec3d& linear, const Vec3d& angular) {
+  expect_finite(linear, "rigid body: the impulse");
+  expect_finite(angular, "rigid body: the angular impulse");
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (degrees_.translation(axis))
       velocity_[axis] += linear[axis] / (properties_.mass + properties_.added_mass[axis]);
@@ -102,7 +130,9 @@ void RigidBody::count_work_on_rotations(const Vec3d& before, const Vec3d& angula
 }
 
 void RigidBody::drive(std::size_t degree, double velocity) {
-  EXPECTS(degree < 6 && !degrees_.free[degree]);
+  if (degree >= 6 || degrees_.free[degree])
+    throw InputError("rigid body: degree of freedom " + std::to_string(degree) + " is not held, so its velocity cannot be prescribed; the held ones of 0 to 5 can.");
+  expect_finite(velocity, "rigid body: the prescribed velocity");
   const double before = kinetic_energy();
   if (degree < 3) {
     velocity_[degree] = velocity;

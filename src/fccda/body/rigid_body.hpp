@@ -41,17 +41,19 @@ struct FreeDegrees {
 
 class RigidBody {
  public:
-  /// `velocity` [m/s] is that of the centre of mass, `angular_velocity` [rad/s] has world axes. Throws InputError where the mass is
-  /// not positive, or a rotation is free and the inertia cannot resist it.
+  /// `velocity` [m/s] is that of the centre of mass, `angular_velocity` [rad/s] has world axes. Throws InputError where a
+  /// number is not finite, the mass is not positive, the attitude has not length 1, or a rotation is free and the inertia cannot resist it.
   RigidBody(const RigidBodyProperties& properties, const Pose& pose, const Vec3d& velocity, const Vec3d& angular_velocity, const FreeDegrees& degrees);
 
   /// Moves the body for dt [s] with its current velocities: the centre of mass straight, the attitude by the exponential of ω dt.
+  /// Throws InputError where dt is negative or not finite, or the body would turn by more than π in it.
   Motion advance(double dt);
 
-  /// Changes the free velocities; `angular` is about the centre of mass [N s], [N m s].
+  /// Changes the free velocities; `angular` is about the centre of mass [N s], [N m s]. Throws InputError where they are not finite.
   void add_impulse(const Vec3d& linear, const Vec3d& angular);
 
-  /// Gives a held degree of freedom (counted as in FreeDegrees) another velocity [m/s], [rad/s]. The free ones keep their momentum.
+  /// Gives a held degree of freedom (counted as in FreeDegrees) another velocity [m/s], [rad/s]. The free ones keep their momentum. Throws
+  /// InputError where the degree is free or the velocity is not finite.
   void drive(std::size_t degree, double velocity);
 
   const Pose& pose() const { return pose_; }

@@ -12,10 +12,10 @@ namespace fccda {
 class SlidingSurface {
  public:
   /// Where a point gets to that a detector relocated to `from` and friction moves on to `to` [m], places of the world with the body at
-  /// `pose`. It goes straight until the surface is in its way, and along that from there on, in each part by the projection of what is left
+  /// `pose`. `radius` [m]: of contact, of the point. It goes straight until the surface is in its way, and along that from there on, in each part by the projection of what is left
   /// of the whole way. So it is never nearer to the surface than it may be, crosses nothing, and goes no further than it was to. `to` to
   /// the bit where nothing is in the way.
-  virtual Vec3d slide(const Pose& pose, const Vec3d& from, const Vec3d& to) const = 0;
+  virtual Vec3d slide(const Pose& pose, const Vec3d& from, const Vec3d& to, double radius) const = 0;
 
  protected:
   SlidingSurface() = default;
@@ -34,6 +34,7 @@ struct Contact {
   Vec3d normal{};            ///< unit, out of the surface, at the place the point is put back on
   Vec3d relocation{};        ///< [m] where the point belongs at t1: at the contact radius from the surface
   double depth = 0;          ///< [m] from where the point had gone to the relocation
+  double radius = 0;         ///< [m] contact radius of the point
   /// Where friction may take the point; the detector itself, which must be there when contacts are responded to. Null where nothing can be
   /// in the way: on a sphere or cylinder, which falls away to all sides.
   const SlidingSurface* sliding = nullptr;

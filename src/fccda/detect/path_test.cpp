@@ -12,8 +12,13 @@ PathAnswer nothing(double clearance) { return {.clearance = clearance}; }
 
 }  // namespace
 
-PathTest::PathTest(std::shared_ptr<const Surface> surface, Region region, double radius)
-    : surface_(std::move(surface)), bvh_(*surface_), solids_(*surface_), region_(region), radius_(radius) {
+PathTest::PathTest(SharedSurface surface, Region region, double radius)
+    : shared_(std::move(surface)),
+      surface_(&shared_->surface()),
+      bvh_(&shared_->bvh()),
+      solids_(&shared_->solids()),
+      region_(std::move(region)),
+      radius_(radius) {
   const Vec3d extent = surface_->report().bounds.size();
   size_ = std::max({extent.x, extent.y, extent.z});
 }
@@ -23,7 +28,7 @@ int PathTest::side(const ClosestPoint& closest, const Vec3d& point, std::size_t&
   const auto t = static_cast<std::size_t>(closest.triangle);
   if (!surface_->is_closed() && surface_->is_rim(t, closest.feature)) return 0;
   if (dot(point - closest.point, surface_->pseudonormal(t, closest.feature)) < 0) return -1;
-  return solids_.may_be_buried(closest.triangle) && solids_.another_holds(closest.triangle, point, asked) ? -1 : 1;
+  return solids_->may_be_buried(closest.triangle) && solids_->another_holds(closest.triangle, point, asked) ? -1 : 1;
 }
 
 bool PathTest::too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& asked) const {
@@ -31,20 +36,20 @@ bool PathTest::too_near(const ClosestPoint& closest, const Vec3d& point, double 
   return side(closest, point, asked) > 0 && closest.distance < distance;
 }
 
-bool PathTest::is_inside(const Vec3d& point, double tolerance) const {
+bool PathTest::is_inside(const Vec3d& point, double tolerance, double radius) const {
   std::size_t asked = 0;
-  const std::optional<ClosestPoint> closest = bvh_.closest(point);
+  const std::optional<ClosestPoint> closest = bvh_->closest(point);
   return closest && std::visit([&](const auto& region) { return region.contains(closest->point); }, region_) &&
-         too_near(*closest, point, radius_ - tolerance, asked);
+         too_near(*closest, point, radius - tolerance, asked);
 }
 
 bool PathTest::leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& asked) const {
   if (surface_->is_closed() && too_near(at_end, path.end, ball.radius - ball.offset, asked)) return true;
   // No point of the path is nearer than half of what the distances at its ends leave of its length.
   if (at_start.distance + at_end.distance > 2 * ball.radius + path.length() + ball.offset) return false;
-  if (ball.radius == 0) return bvh_.first_hit(path.start, path.end, asked).has_value();
+  if (ball.radius == 0) return bvh_->first_hit(path.start, path.end, asked).has_value();
   const double limit = ball.radius - ball.offset;
-  const std::optional<double> nearest = bvh_.distance_to_segment(path.start, path.end, limit, asked);
+  const std::optional<double> nearest = bvh_->distance_to_segment(path.start, path.end, limit, asked);
   return nearest && *nearest < limit;
 }
 
@@ -60,7 +65,7 @@ std::optional<PathTest::Leg> PathTest::first_leg(const BentPath& path, const Vec
     leg.path.end = path.place(k);
     ClosestPoint next = at_end;
     if (k < parts) {
-      const std::optional<ClosestPoint> found = bvh_.closest(leg.path.end, Bvh::no_cap, leg.at_start.triangle, asked);
+      const std::optional<ClosestPoint> found = bvh_->closest(leg.path.end, Bvh::no_cap, leg.at_start.triangle, asked);
       if (!found) return std::nullopt;
       next = *found;
     }
@@ -72,7 +77,7 @@ std::optional<PathTest::Leg> PathTest::first_leg(const BentPath& path, const Vec
 
 PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effort) const {
   const Path& path = question.path.chord();
-  const double offset = question.offset, reach = radius_ + offset;
+  const double offset = question.offset, reach = question.radius + offset;
   const double way = path.length() + question.path.bulge();  // no place of the path is further from its ends
   if (!std::isfinite(way)) return nothing(0);
 
@@ -87,7 +92,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   std::size_t& asked = effort.panels_asked;
   const double cap = reach + way + question.look_ahead;
   Bvh::Nearby nearby;  // holds the start, and mostly the place of relocation
-  const std::optional<ClosestPoint> at_end = bvh_.closest(path.end, cap, guess, 2 * way + 4 * offset, nearby, asked);
+  const std::optional<ClosestPoint> at_end = bvh_->closest(path.end, cap, guess, 2 * way + 4 * offset, nearby, asked);
   const bool clips = std::visit([](const auto& region) { return region.clips(); }, region_);
   const bool comes = clips && !std::visit([&](const auto& region) { return region.may_touch({path.start, path.start}, reach); }, region_);
   if (at_end) guess = at_end->triangle;
@@ -98,12 +103,12 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   }
 
   // Near: where does it come from?
-  const std::optional<ClosestPoint> found = bvh_.closest(path.start, nearby, guess, asked);
+  const std::optional<ClosestPoint> found = bvh_->closest(path.start, nearby, guess, asked);
   if (!found) return nothing(0);
   ClosestPoint at_start = *found;
   PathAnswer answer = nothing(at_end ? at_end->distance - reach : cap - reach);
   bool entered = question.entered;
-  const bool starts_near = too_near(at_start, path.start, radius_ - offset, asked);
+  const bool starts_near = too_near(at_start, path.start, question.radius - offset, asked);
   if (entered && !starts_near) {
     answer.leaves = true;
     entered = false;
@@ -111,7 +116,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   // A start inside that nothing explains: it came round through what is not felt, be it another part of a clipped closed surface or the
   // rim of an open one. By less than a step's way it is what friction or rounding left of a contact; an open surface that touched it a
   // step ago has it from another impactor that pushes against it.
-  const auto is_deep = [&] { return too_near(at_start, path.start, radius_ - way, asked); };
+  const auto is_deep = [&] { return too_near(at_start, path.start, question.radius - way, asked); };
   const auto came_round = [&] {
     if (surface_->is_closed()) return comes || (clips && question.renumbered && is_deep());
     return !question.touched && is_deep();
@@ -129,17 +134,17 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
 
   // An open surface is struck from its front; from elsewhere, and by what came round its rim, only where its centre crosses.
   const bool in_front = surface_->is_closed() || side(at_start, path.start, asked) > 0;
-  Ball ball{in_front && !entered ? radius_ : 0, offset};
+  Ball ball{in_front && !entered ? question.radius : 0, offset};
   Vec3d start = path.start;
   if (starts_near && !entered) {  // pinched between impactors: from the nearest place outside
-    if (solids_.may_be_buried(at_start.triangle)) at_start = nearest(start, at_start.triangle, asked)->closest;
+    if (solids_->may_be_buried(at_start.triangle)) at_start = nearest(start, at_start.triangle, asked)->closest;
     start = at_start.point + (ball.radius + offset) * outward(at_start, start, 0.5 * offset);
     at_start.distance = ball.radius + offset;
   }
   std::optional<Leg> leg;
-  if (!in_front && !entered && radius_ > 0 && at_start.distance >= radius_ - offset) {
+  if (!in_front && !entered && question.radius > 0 && at_start.distance >= question.radius - offset) {
     // The whole ball has room beside or behind the surface. It may come round to the front, and is struck as a ball if it touches there first.
-    const Ball whole{radius_, offset};
+    const Ball whole{question.radius, offset};
     leg = first_leg(question.path, start, at_start, *at_end, whole, asked);
     if (leg && first_touch(*leg, whole, asked).front)
       ball = whole;
@@ -152,14 +157,14 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   answer.clearance = 0;
   Touch touch = first_touch(*leg, ball, asked);
   if (!std::visit([&](const auto& region) { return region.contains(touch.hit); }, region_)) {
-    answer.enters = surface_->is_closed() && too_near(*at_end, path.end, radius_ - offset, asked);
+    answer.enters = surface_->is_closed() && too_near(*at_end, path.end, question.radius - offset, asked);
     return answer;
   }
   const Vec3d& from = leg->path.start;
   const Vec3d viewer = from + offset * outward(leg->at_start, from, offset);  // a start on the surface sees its own panel
   relocate(touch, path.end, *at_end, {nearby, from, viewer, ball}, asked);
   answer.touch = touch;
-  answer.held = ball.radius == radius_;
+  answer.held = ball.radius == question.radius;
   return answer;
 }
 

@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fccda/body/pose.hpp"
@@ -28,9 +29,7 @@
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/points.hpp"
 #include "fccda/region/all_regions.hpp"
-#include "fccda/search/bvh.hpp"
-#include "fccda/search/solids.hpp"
-#include "fccda/surface/surface.hpp"
+#include "fccda/search/indexed_surface.hpp"
 
 namespace fccda {
 
@@ -46,6 +45,7 @@ struct Touch {
 
 struct PathQuestion {
   BentPath path;
+  double radius = 0;        ///< [m] of contact
   double offset = 0;        ///< [m]
   double look_ahead = 0;    ///< [m] how far beyond the reach of contact a distance is worth knowing
   bool entered = false;     ///< the point is known to have come in where the surface is not felt
@@ -70,22 +70,25 @@ class PathTest {
     double distance;  ///< [m] negative inside a closed surface
   };
 
-  PathTest(std::shared_ptr<const Surface> surface, Region region, double radius);
+  /// `radius` [m]: of contact, of points that have none of their own.
+  PathTest(SharedSurface surface, Region region, double radius);
+  PathTest(std::shared_ptr<const Surface> surface, Region region, double radius) : PathTest(share(std::move(surface)), std::move(region), radius) {}
 
   /// `guess`: a triangle thought to be near, or -1; updated.
   PathAnswer ask(const PathQuestion& question, int& guess, Effort& effort) const;
 
   /// Inside the surface, or nearer to it than the contact radius by more than `tolerance` [m]; in front of it where it is open.
-  bool is_inside(const Vec3d& point, double tolerance) const;
+  bool is_inside(const Vec3d& point, double tolerance) const { return is_inside(point, tolerance, radius_); }
+  bool is_inside(const Vec3d& point, double tolerance, double radius) const;
 
   /// `guess`: a triangle thought to be near, or -1. Nothing for a point that is no number.
   std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& asked) const { return nearest(point, {}, guess, asked); }
 
   /// Where a point at `from` gets to on its way to `to`, as SlidingSurface says, in the frame of the body. `offset` as it was asked with.
-  Vec3d slide(const Vec3d& from, const Vec3d& to, double offset) const;
+  Vec3d slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const;
 
   const Surface& surface() const { return *surface_; }
-  const Solids& solids() const { return solids_; }
+  const Solids& solids() const { return *solids_; }
   double radius() const { return radius_; }  ///< [m]
   double size() const { return size_; }      ///< [m] the largest extent of the surface
 
@@ -132,9 +135,10 @@ class PathTest {
   std::optional<Place> clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& asked) const;
   void relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const;
 
-  std::shared_ptr<const Surface> surface_;
-  Bvh bvh_;
-  Solids solids_;
+  SharedSurface shared_;  // owner of the next three
+  const Surface* surface_;
+  const Bvh* bvh_;
+  const Solids* solids_;
   Region region_;
   double radius_;
   double size_;
@@ -146,7 +150,8 @@ template <Points P>
 std::vector<std::size_t> starting_inside(const PathTest& test, const P& points, const Pose& pose) {
   std::vector<std::size_t> inside;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (points.occupied(i) && test.is_inside(pose.to_body(points.position_t0(i)), 1e-9 * test.size())) inside.push_back(i);
+    if (points.occupied(i) && test.is_inside(pose.to_body(points.position_t0(i)), 1e-9 * test.size(), contact_radius(points, i, test.radius())))
+      inside.push_back(i);
   return inside;
 }
 
@@ -156,7 +161,8 @@ std::vector<std::size_t> still_inside(const PathTest& test, const P& points, con
                                       const IsExcused& is_excused) {
   std::vector<std::size_t> inside;
   for (const std::size_t i : which)
-    if (test.is_inside(pose.to_body(points.position_t1(i)), 1e-9 * test.size()) && !is_excused(i)) inside.push_back(i);
+    if (test.is_inside(pose.to_body(points.position_t1(i)), 1e-9 * test.size(), contact_radius(points, i, test.radius())) && !is_excused(i))
+      inside.push_back(i);
   return inside;
 }
 

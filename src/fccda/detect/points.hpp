@@ -26,4 +26,20 @@ concept Points = requires(const P& points, std::size_t i) {
   { points.block_travel(i) } -> std::convertible_to<double>;      // [m] no point of block i is further from its t0 position at t1
 };
 
+/// Points that are balls of different sizes; others all have the contact radius of their detector. Whoever lets a point grow tells the
+/// detector (`moved`), for it may touch now what was beyond its reach.
+template <class P>
+concept PointsOfOwnRadius = Points<P> && requires(const P& points, std::size_t i) {
+  { points.radius(i) } -> std::convertible_to<double>;        // [m], finite and at least 0
+  { points.largest_radius() } -> std::convertible_to<double>;  // [m] that no point exceeds
+};
+
+template <Points P>
+double contact_radius(const P& points, std::size_t i, double of_others) {
+  if constexpr (PointsOfOwnRadius<P>)
+    return points.radius(i);
+  else
+    return of_others;
+}
+
 }  // namespace fccda

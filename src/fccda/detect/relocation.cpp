@@ -18,11 +18,11 @@ Vec3d PathTest::outward(const ClosestPoint& closest, const Vec3d& point, double 
 }
 
 std::optional<PathTest::Nearest> PathTest::nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& asked) const {
-  const std::optional<ClosestPoint> closest = bvh_.closest(point, nearby, guess, asked);
+  const std::optional<ClosestPoint> closest = bvh_->closest(point, nearby, guess, asked);
   if (!closest) return std::nullopt;
   if (!surface_->is_closed()) return Nearest{*closest, closest->distance};
-  if (!solids_.may_be_buried(closest->triangle)) return Nearest{*closest, side(*closest, point, asked) * closest->distance};
-  const std::optional<Solids::Nearest> deepest = solids_.nearest(point, asked);
+  if (!solids_->may_be_buried(closest->triangle)) return Nearest{*closest, side(*closest, point, asked) * closest->distance};
+  const std::optional<Solids::Nearest> deepest = solids_->nearest(point, asked);
   return Nearest{deepest->closest, deepest->signed_distance};
 }
 
@@ -30,8 +30,8 @@ std::optional<PathTest::Nearest> PathTest::nearest(const Vec3d& point, const Bvh
 // neighbours' triangles may lie buried in it.
 std::optional<ClosestPoint> PathTest::closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest,
                                                      std::size_t& asked) const {
-  if (!solids_.several()) return bvh_.closest_facing(point, viewer, cap, asked);
-  return solids_.closest_facing(surface_->solid_of(static_cast<std::size_t>(closest.triangle)), point, viewer, cap, asked);
+  if (!solids_->several()) return bvh_->closest_facing(point, viewer, cap, asked);
+  return solids_->closest_facing(surface_->solid_of(static_cast<std::size_t>(closest.triangle)), point, viewer, cap, asked);
 }
 
 ClosestPoint PathTest::closest_on(int triangle, const Vec3d& point) const {
@@ -51,7 +51,7 @@ Touch PathTest::first_touch(const Leg& leg, const Ball& ball, std::size_t& asked
   // A ball counts as touching where it is nearer than its radius by more than the offset.
   const double near = std::max(0.0, ball.radius - ball.offset);
   const std::optional<Crossing> first =
-      ball.radius == 0 ? bvh_.first_hit(path.start, path.end, asked) : bvh_.first_touch(path.start, path.end, near, 0.1 * ball.offset, asked);
+      ball.radius == 0 ? bvh_->first_hit(path.start, path.end, asked) : bvh_->first_touch(path.start, path.end, near, 0.1 * ball.offset, asked);
   if (!first) return touch;
   const Vec3d place = path.at(first->fraction);
   const ClosestPoint closest = closest_on(first->triangle, place);
@@ -76,7 +76,7 @@ std::optional<PathTest::Place> PathTest::first_place(const Touch& touch, const V
     return Place{end - std::min(0.0, dot(end - touch.relocation, normal)) * normal, normal, at_end.triangle};
   }
   ClosestPoint closest = at_end;
-  if (solids_.may_be_buried(at_end.triangle)) closest = nearest(end, at_end.triangle, asked)->closest;
+  if (solids_->may_be_buried(at_end.triangle)) closest = nearest(end, at_end.triangle, asked)->closest;
   const auto t = static_cast<std::size_t>(closest.triangle);
   if (!(dot(around.viewer - surface_->corner(t, 0), surface_->normal(t)) > 0)) {  // else nothing that faces the start is closer
     const std::optional<ClosestPoint> facing = closest_facing(end, around.viewer, norm(end - touch.hit) + reach, closest, asked);
@@ -103,7 +103,7 @@ std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& w
     if (now->distance >= ball.radius + 0.5 * ball.offset) break;
     if (projection == most_projections) return std::nullopt;
     ClosestPoint closest = now->closest;
-    if (now->distance < 0 && solids_.several()) {  // inside another solid: not out at the far side of a thin one
+    if (now->distance < 0 && solids_->several()) {  // inside another solid: not out at the far side of a thin one
       if (const std::optional<ClosestPoint> facing = closest_facing(place.point, around.viewer, Bvh::no_cap, closest, asked)) closest = *facing;
     }
     if (projection == 0 && norm(place.point - wanted) > 0) before.add(place.direction, dot(place.direction, place.point));
@@ -117,7 +117,7 @@ std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& w
     const std::optional<Vec3d> common = before.nearest(wanted, 0.25 * ball.offset);
     if (common && norm(*common - wanted) <= furthest) place.point = *common;
   }
-  if (bvh_.first_hit(around.start, place.point, asked)) return std::nullopt;
+  if (bvh_->first_hit(around.start, place.point, asked)) return std::nullopt;
   return place;
 }
 
@@ -132,22 +132,22 @@ void PathTest::relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_e
   touch.triangle = place->triangle;
 }
 
-Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double offset) const {
+Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const {
   constexpr std::size_t most_parts = 8;
   std::size_t asked = 0;
   const Vec3d total = to - from;
   // What came in from behind an open surface is a point, until the ball has room.
-  const bool is_point = radius_ > 0 && !surface_->is_closed() && bvh_.closest(from, radius_ - offset);
-  const double clearance = (is_point ? 0 : radius_) + 0.5 * offset;
+  const bool is_point = radius > 0 && !surface_->is_closed() && bvh_->closest(from, radius - offset);
+  const double clearance = (is_point ? 0 : radius) + 0.5 * offset;
   std::array<Vec3d, most_parts> walls;
   Vec3d place = from, direction = total;
   double left = 1;
   for (std::size_t part = 0; part < most_parts; ++part) {
     const Vec3d end = part == 0 ? to : place + left * direction;
-    const std::optional<Crossing> touch = bvh_.first_touch(place, end, clearance, 0.1 * offset, asked);
+    const std::optional<Crossing> touch = bvh_->first_touch(place, end, clearance, 0.1 * offset, asked);
     const Vec3d reached = touch ? place + touch->fraction * (end - place) : end;
     // Beside an edge an offset away rounding tells no direction, so that a way into it may pass for one along it.
-    if (reached != place && bvh_.distance_to_segment(place, reached, clearance - 0.25 * offset, asked)) return place;
+    if (reached != place && bvh_->distance_to_segment(place, reached, clearance - 0.25 * offset, asked)) return place;
     if (!touch) return end;
     place = reached;
     left *= 1 - touch->fraction;

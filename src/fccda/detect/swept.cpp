@@ -15,14 +15,15 @@ bool same(const Pose& a, const Pose& b) {
 
 }  // namespace
 
-void Swept::begin_step(std::size_t point_count, const Motion& motion) {
+void Swept::begin_step(std::size_t point_count, double largest_radius, const Motion& motion) {
+  expect_usable(motion);
   touched_before_.swap(touched_);
   touched_.clear();
   for (std::vector<std::uint64_t>* numbers : {&entered_, &touched_before_})  // a number given to a new point must not stand for the old one
     numbers->erase(std::lower_bound(numbers->begin(), numbers->end(), point_count), numbers->end());
   if (!same(pose_, motion.t0)) due_.forget();
   pose_ = motion.t1;
-  measure(motion);
+  measure(largest_radius, motion);
 }
 
 // How much nearer to the surface the chord of a point's path in the turning body frame can come, for a travel of m = (point) + (surface)
@@ -30,10 +31,11 @@ void Swept::begin_step(std::size_t point_count, const Motion& motion) {
 // acceleration, where ρ <= R + d is the point's distance from the centre of mass, d that from the surface, and w <= m its way. m holds
 // R θ²/8 already. So nothing can be touched while d > r + m + d θ²/8 + θ m/4, that is while
 //   d - r > κ (1 + θ/4) m + (κ - 1) r,   κ = 1/(1 - θ²/8).
-void Swept::measure(const Motion& motion) {
+void Swept::measure(double largest_radius, const Motion& motion) {
   const Vec3d reach = max(max(test_.surface().report().bounds.high, -test_.surface().report().bounds.low), Vec3d{});
   const double largest = norm(reach) + std::max(largest_magnitude(motion.t0.position()), largest_magnitude(motion.t1.position()));
-  step_.offset = std::max(1e-12 * test_.size(), 32 * std::numeric_limits<double>::epsilon() * largest);
+  // Rounding a relocated place moves it by sqrt(3) roundings of a coordinate at most; twice that keeps it outside.
+  step_.offset = std::max({1e-12 * test_.size(), 32 * std::numeric_limits<double>::epsilon() * largest, 4 * rounding_ * largest});
   const double angle = rotation_angle(motion);
   constexpr double largest_angle = 1;  // κ is 1.14 there
   if (!(angle <= largest_angle)) {
@@ -43,7 +45,14 @@ void Swept::measure(const Motion& motion) {
   }
   const double kappa = 1 / (1 - angle * angle / 8);
   step_.stretch = kappa * (1 + angle / 4);
-  step_.allowance = (kappa - 1) * test_.radius();
+  step_.allowance = (kappa - 1) * largest_radius;
+}
+
+void Swept::grown(std::size_t i) {
+  due_.forget(i);
+  if (test_.surface().is_closed()) return;
+  const auto place = std::lower_bound(touched_.begin(), touched_.end(), i);
+  if (place == touched_.end() || *place != i) touched_.insert(place, i);
 }
 
 void Swept::forget() {
@@ -58,12 +67,13 @@ void Swept::renumbered() {
   renumbered_ = 1;
 }
 
-void Swept::look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view, double look_ahead,
-                    Found& found) {
+void Swept::look_at(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view,
+                    double look_ahead, Found& found) {
   const BentPath path = view.path(position_t0, position_t1);
   const bool entered = has_entered(point);
   const bool fresh = due_.is_new(point);
   const PathAnswer answer = test_.ask({.path = path,
+                                       .radius = radius,
                                        .offset = step_.offset,
                                        .look_ahead = fresh ? Bvh::no_cap : look_ahead,
                                        .entered = entered,
@@ -84,11 +94,12 @@ void Swept::look_at(std::size_t block, std::size_t point, const Vec3d& position_
                             .normal = motion.t1.turn_to_world(touch.normal),
                             .relocation = motion.t1.to_world(touch.relocation),
                             .depth = norm(touch.relocation - path.chord().end),
+                            .radius = radius,
                             .sliding = this});
 }
 
-Vec3d Swept::slide(const Pose& pose, const Vec3d& from, const Vec3d& to) const {
-  const Vec3d end = pose.to_body(to), reached = test_.slide(pose.to_body(from), end, step_.offset);
+Vec3d Swept::slide(const Pose& pose, const Vec3d& from, const Vec3d& to, double radius) const {
+  const Vec3d end = pose.to_body(to), reached = test_.slide(pose.to_body(from), end, radius, step_.offset);
   return reached == end ? to : pose.to_world(reached);
 }
 

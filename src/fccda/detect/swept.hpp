@@ -27,11 +27,17 @@ class Swept final : public SlidingSurface {
  public:
   static constexpr std::string_view name = "swept";
 
-  /// `radius`: contact radius [m], 0 for points without extent.
-  Swept(std::shared_ptr<const Surface> surface, const Region& region, double radius) : test_(std::move(surface), region, radius) {}
+  /// `radius`: contact radius [m] of points that have none of their own (points.hpp), 0 for points without extent.
+  Swept(SharedSurface surface, const Region& region, double radius) : test_(std::move(surface), region, radius) {}
+  Swept(std::shared_ptr<const Surface> surface, const Region& region, double radius) : Swept(share(std::move(surface)), region, radius) {}
+
+  /// Relative rounding of the coordinates that relocated points are kept with, where it is more than that of doubles (2^-24 of floats): relocated points keep
+  /// so much further from the surface.
+  void set_rounding(double of_coordinates) { rounding_ = of_coordinates; }
 
   /// Adds the contacts of one step to `out`, in point order. `surface_travel` [m]: no point of the surface moves further in this step,
-  /// arc and chord included (RigidBody::travel_bound).
+  /// arc and chord included (RigidBody::travel_bound). Throws InputError where the motion is not finite. A point whose path is not finite
+  /// is not looked at.
   template <Points P>
   void detect(const P& points, const Motion& motion, double surface_travel, std::vector<Contact>& out) {
     begin(points, motion);
@@ -53,14 +59,15 @@ class Swept final : public SlidingSurface {
     const BodyView view(motion, test_.size());
     look_at_points(which, found_, [&](std::size_t i, Found& found) {
       const std::size_t block = due_.block_of(i);
-      look_at(block, i, points.position_t0(i), points.position_t1(i), view, look_ahead(points.block_travel(block) + surface_travel), found);
+      look_at(block, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view,
+              look_ahead(points.block_travel(block) + surface_travel), found);
     });
     for (const std::size_t i : which) due_.settle_point(i);
     gather(found_.size(), out);
   }
 
   /// Of a contact of this step.
-  Vec3d slide(const Pose& pose, const Vec3d& from, const Vec3d& to) const override;
+  Vec3d slide(const Pose& pose, const Vec3d& from, const Vec3d& to, double radius) const override;
 
   /// Those of the points, in rising order, that are inside at t1 for all that was done, or nearer than the contact radius. Points that
   /// came in where the surface is not felt do not count.
@@ -71,6 +78,9 @@ class Swept final : public SlidingSurface {
 
   /// Somebody else displaced point i after the last detection.
   void moved(std::size_t i) { due_.forget(i); }
+
+  /// The radius of point i is larger than in the last detection. Where it starts the next step inside, it was pushed there.
+  void grown(std::size_t i);
 
   /// Forgets what is known of distances. Changes no contact, as long as points keep their numbers.
   void forget();
@@ -87,7 +97,7 @@ class Swept final : public SlidingSurface {
     return fccda::starting_inside(test_, points, pose);
   }
 
-  /// Where such points belong [m], in the world; nothing where no place is clear of the surface.
+  /// Where such points of the detector's contact radius belong [m], in the world; nothing where no place is clear of the surface.
   std::vector<std::optional<Vec3d>> nearest_outside(std::span<const Vec3d> points, const Pose& pose) const {
     return fccda::nearest_outside(test_, points, pose);
   }
@@ -99,6 +109,7 @@ class Swept final : public SlidingSurface {
   const Effort& effort() const { return effort_; }                                ///< of all detections so far
   std::size_t buried_triangles() const { return test_.solids().buried_count(); }  ///< that may lie in another closed part, wholly or in part
   const Surface& surface() const { return test_.surface(); }
+  double radius() const { return test_.radius(); }  ///< [m] of points that have none of their own
 
   /// Calls visit(name, list of numbers) for what the next step depends on; the visitor may write. Distances known are no state.
   template <class Visitor>
@@ -145,7 +156,9 @@ class Swept final : public SlidingSurface {
       due_.start(blocks_);
       guess_.assign(points.size(), -1);
     }
-    begin_step(points.size(), motion);
+    double largest_radius = test_.radius();
+    if constexpr (PointsOfOwnRadius<P>) largest_radius = points.largest_radius();
+    begin_step(points.size(), largest_radius, motion);
   }
 
   template <Points P>
@@ -157,7 +170,7 @@ class Swept final : public SlidingSurface {
     for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
       if (!due_.is_due(b, i)) continue;
       if (points.occupied(i))
-        look_at(b, i, points.position_t0(i), points.position_t1(i), view, ahead, found);
+        look_at(b, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view, ahead, found);
       else
         due_.postpone(b, i, Bvh::no_cap);
     }
@@ -176,12 +189,14 @@ class Swept final : public SlidingSurface {
   bool has_entered(std::size_t point) const { return holds(entered_, point); }
   bool was_touched(std::size_t point) const { return holds(touched_before_, point) || holds(touched_, point); }
   double look_ahead(double travel) const { return looks_ahead * step_.approach(travel); }
-  void begin_step(std::size_t point_count, const Motion& motion);
-  void measure(const Motion& motion);
-  void look_at(std::size_t block, std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view, double look_ahead, Found& found);
+  void begin_step(std::size_t point_count, double largest_radius, const Motion& motion);
+  void measure(double largest_radius, const Motion& motion);
+  void look_at(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view, double look_ahead,
+               Found& found);
   void gather(std::size_t shares, std::vector<Contact>& out);
 
   PathTest test_;
+  double rounding_ = 0;  // of coordinates, relative
   Step step_;
   std::vector<std::uint64_t> entered_;  // points inside where the surface is not felt, in order: state
   std::uint64_t entered_count_ = 0;     // how many ever were: state

@@ -2,9 +2,6 @@
 /// (respond/respond.hpp has the equations).
 #pragma once
 
-#include <concepts>
-#include <optional>
-#include <ranges>
 #include <span>
 
 #include "fccda/plain/vectors.hpp"
@@ -12,31 +9,24 @@
 
 namespace fccda {
 
-/// One mass for all points, or one for each [kg].
-class Masses {
- public:
-  Masses(double of_all) : of_all_(of_all) {}
-  template <std::ranges::contiguous_range Range>
-  requires std::convertible_to<Range&, std::span<const double>> Masses(Range&& of_each) : of_each_(std::span<const double>(of_each)) {}
-
-  double operator[](std::size_t i) const { return of_each_ ? (*of_each_)[i] : of_all_; }
-  bool are_for(std::size_t count) const { return !of_each_ || of_each_->size() == count; }
-
- private:
-  double of_all_ = 0;
-  std::optional<std::span<const double>> of_each_;
-};
+using Masses = Numbers;
 
 /// The solver's arrays, in point order.
 struct PointArrays {
   ConstVectors x_t0;  ///< [m]
   Vectors x_t1;       ///< [m] struck points are put back on the surface
   Vectors velocity;   ///< [m/s] that led from x_t0 to x_t1; of struck points the one that leads to where they are put back
-  Masses mass;        ///< [kg]
+  Masses mass;        ///< [kg] one for all, or one for each
 };
 
 /// Changes the points that struck and the body, and returns what the body got. `friction`: Coulomb's coefficient, 0 for none. Throws
-/// InputError where the arrays differ in length or the step of the motion has no duration.
+/// InputError where the arrays differ in length, the step of the motion has no duration, the friction is negative or not finite, or the
+/// mass or velocity of a point that struck is.
 Tally respond(std::span<const Contact> contacts, const Motion& motion, RigidBody& body, const PointArrays& points, double friction = 0);
+
+/// The same but for the body, which stays as it is: where its impulses come from several places, as from the points of each rank of an MPI
+/// program or from several sets of points, the caller adds the tallies up and gives the body their sum, once:
+///   body.add_impulse(tally.impulse, tally.angular_impulse_about_com);
+Tally respond_without_body(std::span<const Contact> contacts, const Motion& motion, const RigidBody& body, const PointArrays& points, double friction = 0);
 
 }  // namespace fccda

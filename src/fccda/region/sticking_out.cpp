@@ -27,8 +27,8 @@ void refuse(const StickingOut& out, const Surface& surface, std::string_view reg
   std::ostringstream text;
   text << std::setprecision(4) << "region: " << out.panels.size() << " of " << surface.report().panels << " panels stick out of " << region << " by up to "
        << out.furthest << " m (panels " << named(out.panels) << "), and contact there would be missed; " << remedy
-       << ", or say `outside: clip` if it is meant.";
-  throw InputError(text.str());
+       << ", or {} if it is meant.";
+  throw InputError(text.str(), Advice::clip);
 }
 
 }  // namespace fccda

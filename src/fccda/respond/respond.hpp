@@ -19,6 +19,7 @@
 #include <span>
 
 #include "fccda/body/rigid_body.hpp"
+#include "fccda/core/finite.hpp"
 #include "fccda/detect/contact.hpp"
 
 namespace fccda {
@@ -28,6 +29,11 @@ struct Tally {
   Vec3d impulse{};                    ///< [N s]
   Vec3d angular_impulse_about_com{};  ///< [N m s]
   std::size_t contacts = 0;
+
+  Tally& operator+=(const Tally& b) {
+    impulse += b.impulse, angular_impulse_about_com += b.angular_impulse_about_com, contacts += b.contacts;
+    return *this;
+  }
 };
 
 /// Points that can be struck.
@@ -54,7 +60,7 @@ inline Struck struck(const Contact& contact, const Vec3d& position_t0, const Vec
   if (speed == 0) return after;
   const Vec3d change = (std::min(friction * pushed, speed) / speed) * sliding;
   const Vec3d wanted = after.position - motion.dt * change;
-  const Vec3d place = contact.sliding ? contact.sliding->slide(motion.t1, after.position, wanted) : wanted;
+  const Vec3d place = contact.sliding ? contact.sliding->slide(motion.t1, after.position, wanted, contact.radius) : wanted;
   if (place == wanted)
     after.velocity -= change;
   else
@@ -67,6 +73,7 @@ inline Struck struck(const Contact& contact, const Vec3d& position_t0, const Vec
 /// called for each contact in order with the impulse on the body [N s]. `motion` is the step the body just made.
 template <StruckPoints P, class Report>
 Tally respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
+  expect_friction(friction);
   Tally tally;
   for (const Contact& contact : contacts) {
     const std::size_t i = contact.point;

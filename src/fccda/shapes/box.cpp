@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "fccda/core/contract.hpp"
-
 namespace fccda {
 namespace {
 
@@ -38,9 +36,10 @@ class SurfaceLattice {
 }  // namespace
 
 Panels make_box(const BoxShape& shape) {
-  EXPECTS(shape.size.x > 0 && shape.size.y > 0 && shape.size.z > 0 && shape.panel > 0);
-  const Vec3d counts{divisions(shape.size.x, shape.panel), divisions(shape.size.y, shape.panel), divisions(shape.size.z, shape.panel)};
-  expect_affordable(4 * (counts.x * counts.y + counts.y * counts.z + counts.z * counts.x), shape.panel, "box");
+  expect_sizes({shape.size.x, shape.size.y, shape.size.z}, shape.panel, "box");
+  const double panel = shape.panel > 0 ? shape.panel : largest_magnitude(shape.size);
+  const Vec3d counts{divisions(shape.size.x, panel), divisions(shape.size.y, panel), divisions(shape.size.z, panel)};
+  expect_affordable(4 * (counts.x * counts.y + counts.y * counts.z + counts.z * counts.x), panel, "box");
   const Place parts{static_cast<int>(counts.x), static_cast<int>(counts.y), static_cast<int>(counts.z)};
   const SurfaceLattice lattice(parts);
 

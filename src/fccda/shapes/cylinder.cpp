@@ -1,23 +1,23 @@
 #include "fccda/shapes/cylinder.hpp"
 
-#include "fccda/core/contract.hpp"
 #include "fccda/shapes/rings.hpp"
 #include "fccda/surface/part_naming.hpp"
 
 namespace fccda {
 
 Panels make_cylinder(const CylinderShape& shape) {
-  EXPECTS(shape.diameter > 0 && shape.height > 0 && shape.panel > 0);
+  expect_sizes({shape.diameter, shape.height}, shape.panel, "cylinder");
+  const double panel = shape.panel > 0 ? shape.panel : shape.diameter / 20;
   const double radius = 0.5 * shape.diameter;
-  const double columns = circle_divisions(radius, shape.panel), rows = divisions(shape.height, shape.panel);
+  const double columns = circle_divisions(radius, panel), rows = divisions(shape.height, panel);
   // rings of the caps have about as many vertices as their circumference has panels
-  expect_affordable(2 * columns * (rows + divisions(radius, shape.panel)), shape.panel, "cylinder");
+  expect_affordable(2 * columns * (rows + divisions(radius, panel)), panel, "cylinder");
 
   Panels out;
   PartNaming parts(out);
   parts.begin("bottom");
   Ring below = add_ring(out, static_cast<int>(columns), radius, -0.5 * shape.height);
-  add_cap(out, below, radius, -0.5 * shape.height, shape.panel, Facing::down);
+  add_cap(out, below, radius, -0.5 * shape.height, panel, Facing::down);
   parts.begin("side");
   const int row_count = static_cast<int>(rows);
   for (int row = 1; row <= row_count; ++row) {
@@ -35,7 +35,7 @@ Panels make_cylinder(const CylinderShape& shape) {
     below = above;
   }
   parts.begin("top");
-  add_cap(out, below, radius, 0.5 * shape.height, shape.panel, Facing::up);
+  add_cap(out, below, radius, 0.5 * shape.height, panel, Facing::up);
   parts.finish();
 
   turn_axis(out, shape.axis);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "fccda/core/error.hpp"
+#include "fccda/shapes/refuse.hpp"
 
 namespace fccda {
 namespace {
@@ -18,6 +19,12 @@ double circle_divisions(double radius, double panel) {
   const double half_chord = 0.5 * panel / radius * (1 + rounding);
   if (half_chord >= 1) return 4;
   return std::max(4.0, 4 * std::ceil(0.25 * std::numbers::pi / std::asin(half_chord)));
+}
+
+void expect_sizes(std::initializer_list<double> lengths, double panel, std::string_view shape) {
+  for (const double length : lengths)
+    if (!(length > 0 && std::isfinite(length))) refuse_shape(shape, "a length is ", length, " m, but it must be positive and finite.");
+  if (!(panel >= 0)) refuse_shape(shape, "panel is ", panel, " m, but it must be positive; leave it out for panels by default.");
 }
 
 void expect_affordable(double panels, double panel, std::string_view shape) {

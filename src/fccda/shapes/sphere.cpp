@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "fccda/core/contract.hpp"
 #include "fccda/shapes/divisions.hpp"
 
 namespace fccda {
@@ -87,12 +86,13 @@ class Subdivision {
 }  // namespace
 
 Panels make_sphere(const SphereShape& shape) {
-  EXPECTS(shape.diameter > 0 && shape.panel > 0);
+  expect_sizes({shape.diameter}, shape.panel, "sphere");
+  const double panel = shape.panel > 0 ? shape.panel : shape.diameter / 20;
   const double radius = 0.5 * shape.diameter;
   // distance of the faces: φ²/√3 for edges of length 2
   constexpr double distance = std::numbers::phi * std::numbers::phi * std::numbers::inv_sqrt3;
-  const double f = divisions(edge / distance * radius, shape.panel);
-  expect_affordable(20 * f * f, shape.panel, "sphere");
+  const double f = divisions(edge / distance * radius, panel);
+  expect_affordable(20 * f * f, panel, "sphere");
 
   Subdivision sphere(static_cast<int>(f), radius);
   const std::array<Vec3d, 12> corners = icosahedron();

@@ -32,7 +32,7 @@ struct Defect {
 /// A surface that cannot be used because of a defect.
 class SurfaceError : public InputError {
  public:
-  SurfaceError(const std::string& sentence, Defect defect) : InputError(sentence), defect_(std::move(defect)) {}
+  SurfaceError(const std::string& sentence, Defect defect, Advice advice = Advice::none) : InputError(sentence, advice), defect_(std::move(defect)) {}
   const Defect& defect() const { return defect_; }
 
  private:

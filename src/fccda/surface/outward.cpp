@@ -15,9 +15,8 @@ void expect_declared(OutsideIs outside, const LinkedTriangles& surface, const st
   const std::vector<std::size_t> rims = triangles_on_rims(surface);
   throw SurfaceError(name + ": the surface is open: " + std::to_string(rims.size()) + (rims.size() == 1 ? " edge belongs" : " edges belong") +
                          " to one panel only, the first to panel " + std::to_string(surface.triangles[rims.front()].panel) +
-                         " (counted from 0); close the holes, or say which side is outside with `outside: normals` (the one that the normals point to) or "
-                         "`outside: reversed`.",
-                     {DefectKind::rim, panels_of(surface.triangles, rims)});
+                         " (counted from 0); close the holes, or say which side is outside {}.",
+                     {DefectKind::rim, panels_of(surface.triangles, rims)}, Advice::declare_outside);
 }
 
 /// A volume that rounding could have made: of a sheet that is folded onto itself.

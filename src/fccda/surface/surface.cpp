@@ -70,9 +70,8 @@ void expect_usable(const Panels& panels, const std::string& name) {
   for (std::size_t s = 0; s < std::min(first.size(), most); ++s) sentence << (s > 0 ? ", " : "") << first[s];
   sentence
       << (first.size() > most ? ", …" : "")
-      << " (counted from 0), and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, "
-         "with `outside: normals` (the side that the normals point to).";
-  throw SurfaceError(sentence.str(), {DefectKind::non_manifold, panels_of(surface.triangles, unjoined.triangles)});
+      << " (counted from 0), and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, {}.";
+  throw SurfaceError(sentence.str(), {DefectKind::non_manifold, panels_of(surface.triangles, unjoined.triangles)}, Advice::cut_open);
 }
 
 Box bounds_of_used(const Panels& panels) {

@@ -26,18 +26,30 @@ AnalyticShape shape_of(const ImpactorSetup& setup) {
   return InfiniteCylinder{.radius = cylinder->diameter / 2, .axis = axis};
 }
 
-Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::shared_ptr<const Surface> surface, const Region& region,
-                       double spacing) {
+/// `shared`: what detectors of this impactor search on, made by the first that needs it.
+Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, const std::shared_ptr<const Surface>& surface, SharedSurface& shared,
+                       const Region& region, double spacing) {
   const double radius = contact.radius_ratio * spacing;
   switch (contact.detector.as<DetectorKind>()) {
     case DetectorKind::analytic:
       return Analytic(shape_of(setup), region, radius);
     case DetectorKind::published:
-      return Published(std::move(surface), region, contact.reading.as<Published::Reading>());
+      return Published(surface, region, contact.reading.as<Published::Reading>());
     case DetectorKind::swept:
       break;
   }
-  return Swept(std::move(surface), region, radius);
+  if (!shared) shared = share(surface);
+  return Swept(shared, region, radius);
+}
+
+/// While a simulation runs, an impulse or a turn out of range is no mistake of the deck.
+template <class Act>
+auto in_run(const std::string& impactor, const Act& act) {
+  try {
+    return act();
+  } catch (const InputError& error) {
+    throw RunError(fmt::format("impactors.{}: {} The run has become unstable; take a smaller time.step.", impactor, error.what()));
+  }
 }
 
 std::optional<PlacedInWater> how_placed(const std::optional<StillWater>& water, const RigidBody& body, const Surface& surface) {
@@ -78,7 +90,8 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       water_(water_of(setup)),
       placed_in_water_(how_placed(water_, body_, *surface_)),
       record_(*surface_, spacings_of(bodies)) {
-  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, region_.region, particles->spacing()));
+  SharedSurface shared;
+  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, shared, region_.region, particles->spacing()));
 }
 
 std::vector<std::size_t> Impactor::starting_inside(std::size_t body, const StruckParticles& particles) const {
@@ -107,7 +120,7 @@ void Impactor::advance(const Step& step) {
   prescribed_.impose(body_, step);
   work_of_loads_ += apply(loads_, body_, step);
   if (water_) float_in_water(step);
-  motion_ = body_.advance(step.dt);
+  motion_ = in_run(name_, [&] { return body_.advance(step.dt); });
   account_.contacts = 0;
   last_step_.impulse = last_step_.angular_impulse = {};
   last_step_.blows.clear();
@@ -138,14 +151,14 @@ std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& par
   const double travel = body_.travel_bound(motion_, radius_);
   std::visit([&](auto& detector) { detector.detect(particles, motion_, travel, contacts_); }, detectors_[body]);
   struck_.clear();
-  return respond_to_contacts(body, particles);
+  return in_run(name_, [&] { return respond_to_contacts(body, particles); });
 }
 
 std::span<const Contact> Impactor::strike_again(std::size_t body, StruckParticles& particles, std::span<const std::size_t> which) {
   contacts_.clear();
   const double travel = body_.travel_bound(motion_, radius_);
   std::visit([&](auto& detector) { detector.detect_again(particles, motion_, travel, which, contacts_); }, detectors_[body]);
-  return respond_to_contacts(body, particles);
+  return in_run(name_, [&] { return respond_to_contacts(body, particles); });
 }
 
 std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, StruckParticles& particles) {

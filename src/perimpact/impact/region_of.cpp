@@ -70,7 +70,7 @@ ImpactorRegion region_of(const RegionSetup& setup, const Surface& surface, const
   try {
     return std::visit([&](const auto& shape) { return made(shape, surface, setup.outside.as<Beyond>()); }, setup.shape);
   } catch (const InputError& error) {
-    throw SetupError("impactors." + impactor + ".region", error.what());
+    throw SetupError("impactors." + impactor + ".region", error);
   }
 }
 

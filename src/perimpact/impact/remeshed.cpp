@@ -45,7 +45,7 @@ Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
       surface = surface_of(coarse.panels, setup.name);
       fccda::expect_no_pockets(self_intersections(surface, fccda::Bvh(surface)), setup.name);
     } catch (const fccda::InputError& error) {
-      throw SetupError("impactors." + setup.name + ".coarsen", std::string(error.what()) + " Coarsening made it so: take a smaller distance.");
+      throw SetupError("impactors." + setup.name + ".coarsen", error.in_words_of(deck_words) + " Coarsening made it so: take a smaller distance.");
     }
   }
   if (!setup.refine.empty()) {
@@ -54,7 +54,7 @@ Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
     try {
       surface = surface_of(refine(surface, refinements), setup.name);
     } catch (const fccda::InputError& error) {
-      throw SetupError("impactors." + setup.name + ".refine", error.what());
+      throw SetupError("impactors." + setup.name + ".refine", error);
     }
     remeshing.is_refined = true;
   }

@@ -44,7 +44,7 @@ GivenSurface surface_of(const SurfaceSetup& setup, const std::string& name) {
   } catch (const fccda::SurfaceError& error) {
     throw DefectiveSurface(key, name, std::move(panels), error);
   } catch (const fccda::InputError& error) {
-    throw SetupError(key, error.what());
+    throw SetupError(key, error);
   }
 }
 

@@ -15,7 +15,7 @@ namespace perimpact {
 class DefectiveSurface : public SetupError {
  public:
   DefectiveSurface(std::string key, std::string impactor, fccda::Panels panels, const fccda::SurfaceError& error)
-      : SetupError(std::move(key), error.what()),
+      : SetupError(std::move(key), error),
         impactor_(std::move(impactor)),
         panels_(std::make_shared<const fccda::Panels>(std::move(panels))),
         defect_(std::make_shared<const fccda::Defect>(error.defect())) {}

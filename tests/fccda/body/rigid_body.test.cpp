@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -149,4 +150,35 @@ TEST_CASE("rigid body: a mass that is not positive and an inertia that cannot re
   CHECK_THROWS_AS(RigidBody({.mass = 0}, Pose(), {}, {}, {}), InputError);
   CHECK_THROWS_AS(RigidBody({.mass = 1}, Pose(), {}, {}, {{false, false, false, false, false, true}}), InputError);
   CHECK_NOTHROW(RigidBody({.mass = 1}, Pose(), {}, {}, {{true, true, true}}));
+}
+
+TEST_CASE("rigid body: numbers that are not finite, steps that run backwards and turns by more than half a revolution are refused") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const RigidBodyProperties unit{.mass = 1, .inertia = Mat3::identity()};
+  const auto refused = [](const auto& act) { CHECK_THROWS_AS(act(), InputError); };
+  for (const double bad : {nan, infinity, -infinity}) {
+    refused([&] { RigidBody({.mass = bad}, Pose(), {}, {}, {}); });
+    refused([&] { RigidBody({.mass = 1, .centre_of_mass = {0, bad, 0}}, Pose(), {}, {}, {}); });
+    refused([&] { RigidBody({.mass = 1, .inertia = Mat3::diagonal({1, bad, 1})}, Pose(), {}, {}, {}); });
+    refused([&] { RigidBody({.mass = 1, .added_mass = {0, 0, bad}}, Pose(), {}, {}, {}); });
+    refused([&] { RigidBody(unit, Pose({bad, 0, 0}), {}, {}, {}); });
+    refused([&] { RigidBody(unit, Pose({}, {bad, 0, 0, 0}), {}, {}, {}); });
+    refused([&] { RigidBody(unit, Pose(), {0, bad, 0}, {}, {}); });
+    refused([&] { RigidBody(unit, Pose(), {}, {0, 0, bad}, {}); });
+    RigidBody body(unit, Pose(), {}, {}, {{true, true, true, false, false, false}});
+    refused([&] { body.advance(bad); });
+    refused([&] { body.add_impulse({bad, 0, 0}, {}); });
+    refused([&] { body.add_impulse({}, {0, bad, 0}); });
+    refused([&] { body.drive(3, bad); });
+    CHECK((body.velocity() == Vec3d{} && body.angular_velocity() == Vec3d{}));  // what is refused changes nothing
+  }
+  refused([&] { RigidBody(unit, Pose({}, {2, 0, 0, 0}), {}, {}, {}); });
+  RigidBody top(unit, Pose(), {}, {0, 0, 10}, {{true, false, false, false, false, false}});
+  CHECK_THROWS_WITH_AS(top.advance(-1), "rigid body: the step lasts -1 s, but it must be finite and not negative.", InputError);
+  CHECK_THROWS_WITH_AS(top.advance(0.5),
+                       "rigid body: it turns by 5 rad in a step of 0.5 s, and beyond half a turn the poses at its ends cannot tell how; take a shorter step.",
+                       InputError);
+  CHECK_NOTHROW(top.advance(0.3));
+  refused([&] { top.drive(0, 1); });  // free
+  refused([&] { top.drive(6, 1); });
 }

@@ -44,8 +44,8 @@ TEST_CASE("box union: a surface that fits exactly is not clipped, one that stick
   const BoxUnion::Shape thin{.size = {1, 1, 0.9}, .centre = {0.5, 0.5, 0.5}};
   CHECK(BoxUnion(thin, cube, Beyond::clip).clips());
   CHECK(complaint(std::span(&thin, 1), cube) ==
-        "region: 6 of 6 panels stick out of the box by up to 0.05 m (panels 0, 1, 2, 3, 4, ...), and contact there would be missed; enlarge the box, or say "
-        "`outside: clip` if it is meant.");
+        "region: 6 of 6 panels stick out of the box by up to 0.05 m (panels 0, 1, 2, 3, 4, ...), and contact there would be missed; enlarge the box, or pass "
+        "Beyond::clip if it is meant.");
 }
 
 TEST_CASE("box union: a panel partly in one box and partly in the next is inside, and a gap between them is not") {
@@ -58,8 +58,8 @@ TEST_CASE("box union: a panel partly in one box and partly in the next is inside
   // The four panels that span the gap, all of whose corners are in boxes; its middle is half as far from both.
   CHECK(
       complaint(halves(0.02), cube) ==
-      "region: 4 of 6 panels stick out of the boxes by up to 0.01 m (panels 0, 1, 2, 3), and contact there would be missed; enlarge them, or add a box, or say "
-      "`outside: clip` if it is meant.");
+      "region: 4 of 6 panels stick out of the boxes by up to 0.01 m (panels 0, 1, 2, 3), and contact there would be missed; enlarge them, or add a box, or pass "
+      "Beyond::clip if it is meant.");
   CHECK(BoxUnion(halves(0.02), cube, Beyond::clip).clips());
 }
 

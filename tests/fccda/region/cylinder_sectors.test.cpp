@@ -108,7 +108,7 @@ TEST_CASE("cylinder sectors: a surface that sticks out is an error naming the pa
   shape.length = 0.9;
   CHECK(complaint(shape, cube) ==
         "region: 6 of 6 panels stick out of the cylinder's sectors by up to 0.05 m (panels 0, 1, 2, 3, 4, ...), and contact there would be missed; enlarge "
-        "radius, length, hub_radius or sector_angle, or leave them out to be fitted, or say `outside: clip` if it is meant.");
+        "radius, length, hub_radius or sector_angle, or leave them out to be fitted, or pass Beyond::clip if it is meant.");
   CHECK(CylinderSectors(shape, cube, Beyond::clip).clips());
   // Four sectors that hold the corners and the hub: the middles of the upright panels are between them.
   shape = {.point = {0.5, 0.5, 0.5}, .radius = 0.75, .length = 1, .hub_radius = 0.4, .blades = 4, .sector_angle = 1, .start_angle = pi / 4 - 0.5};

@@ -1,12 +1,16 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "fccda/core/error.hpp"
 #include "fccda/shapes/box.hpp"
 #include "fccda/shapes/cylinder.hpp"
+#include "fccda/shapes/prism.hpp"
 #include "fccda/shapes/sphere.hpp"
+#include "fccda/surface/surface.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/tolerance.hpp"
 
@@ -141,4 +145,46 @@ TEST_CASE("shapes: far too small panels are refused before memory is asked for")
   CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = 1, .panel = 1e-9}), InputError);
   CHECK_THROWS_AS(make_cylinder({.diameter = 1e-9, .height = 1, .panel = 1e-9}), InputError);
   CHECK_THROWS_AS(make_box({.size = {1, 1e-9, 1e-9}, .panel = 1e-12}), InputError);
+}
+
+TEST_CASE("shapes: without a panel size a box has two triangles or a quad a side, a sphere and a cylinder panels of a twentieth of the diameter") {
+  CHECK(make_box({.size = {1, 2, 3}}).panels.size() == 12);
+  CHECK(make_box({.size = {1, 2, 3}, .panels = PanelKind::quads}).panels.size() == 6);
+  const Surface box(make_box({.size = {1, 2, 3}}));
+  CHECK(box.is_closed());
+  CHECK(box.report().volume == fixtures::relative(6, 1e-14));  // roundings
+  const auto same = [](const Panels& a, const Panels& b) { return a.vertices == b.vertices && a.panels == b.panels; };
+  CHECK(same(make_sphere({.diameter = 2}), make_sphere({.diameter = 2, .panel = 0.1})));
+  CHECK(same(make_cylinder({.diameter = 2, .height = 1}), make_cylinder({.diameter = 2, .height = 1, .panel = 0.1})));
+}
+
+TEST_CASE("shapes: lengths that are not positive and finite are refused") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {0.0, -1.0, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    CHECK_THROWS_AS(make_box({.size = {1, bad, 1}, .panel = 0.5}), InputError);
+    CHECK_THROWS_AS(make_sphere({.diameter = bad, .panel = 0.5}), InputError);
+    CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = bad, .panel = 0.5}), InputError);
+  }
+  CHECK_THROWS_WITH_AS(make_box({.size = {1, 1, 1}, .panel = -0.5}), "box: panel is -0.5 m, but it must be positive; leave it out for panels by default.",
+                       InputError);
+}
+
+TEST_CASE("prism: the surface over a concave outline is closed, encloses its area times its height, and is the same for both ways round") {
+  PrismShape ell{.outline = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}, .height = 0.5};
+  for (int way = 0; way < 2; ++way) {
+    const Surface surface(make_prism(ell));
+    CHECK(surface.is_closed());
+    CHECK(surface.report().volume == fixtures::relative(4 * 0.5, 1e-14));         // roundings
+    CHECK(surface.report().area == fixtures::relative(2 * 4 + 10 * 0.5, 1e-14));  // two ends, and the walls
+    std::ranges::reverse(ell.outline);
+  }
+  for (const auto& outline : {std::vector<std::array<double, 2>>{{0, 0}, {0.5, -0.1}, {0, 1}, {-0.5, -0.1}}, {{0.5, -0.1}, {0, 1}, {-0.5, -0.1}, {0, 0}}}) {
+    const Surface arrow(make_prism({.outline = outline}));  // a diagonal lies outside
+    CHECK(arrow.report().volume == fixtures::relative(0.5, 1e-14));  // a triangle of 0.55 less one of 0.05
+    CHECK(arrow.report().area == fixtures::relative(2 * 0.5 + 2 * std::hypot(0.5, 1.1) + 2 * std::hypot(0.5, 0.1), 1e-14));
+  }
+  CHECK_THROWS_AS(make_prism({.outline = {{0, 0}, {1, 0}}}), InputError);
+  CHECK_THROWS_AS(make_prism({.outline = {{0, 0}, {1, 1}, {1, 0}, {0, 1}}}), InputError);
+  CHECK_THROWS_AS(make_prism({.outline = {{0, 0}, {1, 0}, {0, std::numeric_limits<double>::quiet_NaN()}}}), InputError);
+  CHECK_THROWS_AS(make_prism({.outline = {{0, 0}, {1, 0}, {0, 1}}, .height = 0}), InputError);
 }

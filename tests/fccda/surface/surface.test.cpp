@@ -76,7 +76,7 @@ TEST_CASE("surface: an open one must say which side is outside, and is told how"
   check_refused(
       box,
       "hull: the surface is open: 4 edges belong to one panel only, the first to panel 1 (counted from 0); close the holes, or say which side is outside with "
-      "`outside: normals` (the one that the normals point to) or `outside: reversed`.");
+      "Surface::Options::outside, OutsideIs::normals (the one that the normals point to) or OutsideIs::reversed.");
   const Surface as_given = named(box, OutsideIs::normals), turned = named(box, OutsideIs::reversed);
   CHECK_FALSE(as_given.is_closed());
   CHECK(as_given.report().rim_edges == 4);
@@ -109,9 +109,8 @@ TEST_CASE("surface: an edge with three panels is refused with their numbers") {
   check_refused(
       cube,
       "hull: the surface is non-manifold: 4 edges have more than two panels, the first from (0, 0, 0) to (1, 0, 0) m with the panels 0, 2, 6 (counted from 0), "
-      "and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, with `outside: normals` "
-      "(the "
-      "side that the normals point to).");
+      "and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, with "
+      "Surface::Options::outside, OutsideIs::normals (the side that the normals point to).");
 }
 
 TEST_CASE("surface: a quad whose diagonal carries a wall is named once") {
