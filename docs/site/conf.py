@@ -25,7 +25,7 @@ NAVIGATION = {
                                       "contact", "response", "short_range", "energy", "remesh", "convergence", "detection_evidence", "floating_strip",
                                       "resistance", "readings", "glossary")],
     "Validation": ["validation", "/validation/README"],
-    "Library": ["library/README", "library/reference"],
+    "Library": ["library/README", "library/recipes", "library/reference"],
     "Validation": ["validation"],
     "Developer": ["developer/structure", "developer/testing", "/benchmarks/README", "/CHANGELOG"],
 }

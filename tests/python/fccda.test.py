@@ -80,7 +80,10 @@ def layouts(test):
         return wide[:, 1:4]
 
     plain = once(lambda a: np.array(a))
-    for make in (np.asfortranarray, padded):
+    def reversed_in_memory(a):
+        return a[::-1].copy()[::-1]
+
+    for make in (np.asfortranarray, padded, reversed_in_memory):
         for one, other in zip(once(make), plain):
             test.assertEqual(one.tolist(), other.tolist())
 
@@ -88,13 +91,14 @@ def layouts(test):
     detector, body, motion = fccda.ContactDetector(box), fccda.RigidBody(mass=1.0), fccda.RigidBody(mass=1.0).advance(0.1)
     x = np.zeros((2, 3)) + 2
     contacts = detector.detect(motion, x.astype(np.float32), x.tolist())  # what is only read may be anything that makes an array
+    crooked = np.zeros(2, np.dtype([("x", "f8", 3), ("kind", "i4")]))["x"]  # rows of 28 bytes
     fixed = x.copy()
     fixed.flags.writeable = False
     for x_t1, velocity, sentence in (
-        (x.astype(np.float32), x, "x_t1 is written to, so it must be an array of float64, but it is one of float32; make it with dtype=float."),
+        (x.astype(int), x, "x_t1 is written to, so it must be an array of float64 or float32, but it is one of int64; make it with dtype=float."),
         (x, fixed, "velocity is written to, but NumPy says that it may only be read; pass a copy."),
         (np.zeros((3, 2)), x, "x_t1 has the shape (3, 2), but one row x, y, z a point is needed: (points, 3)."),
-        (x[::-1], x, "x_t1 is written to, but its rows do not lie one behind the other; pass numpy.ascontiguousarray of it."),
+        (crooked, x, "x_t1 is written to, but its numbers do not lie at whole numbers of their size; pass numpy.ascontiguousarray of it."),
     ):
         with test.assertRaises(InputError) as error:
             fccda.respond(contacts, motion, body, x_t0=x, x_t1=x_t1, velocity=velocity, mass=1.0)
@@ -148,6 +152,86 @@ def formulas(test):
         fccda.Pose([0, 0, 0], [1, 1, 0, 0])
     with test.assertRaisesRegex(InputError, "no degree of freedom"):
         fccda.RigidBody(1, free=["u"])
+
+
+@claim("arrays of float32 are seen and changed in place, and none of their rounding takes a point into the surface")
+def singles(test):
+    rng = np.random.default_rng(2)
+    box = fccda.Surface(fccda.Mesh.box([1, 1, 1]))
+    detector, body = fccda.ContactDetector(box), fccda.RigidBody(mass=1.0, position=[100.1, 0, 0], velocity=[0, 0, 1.0])
+    x = (rng.uniform([-0.4, -0.4, 0.6], [0.4, 0.4, 1.2], (500, 3)) + [100.1, 0, 0]).astype(np.float32)
+    velocity, struck = np.zeros_like(x), 0
+    for _ in range(60):
+        x_t0 = x.copy()
+        velocity[:, 2] -= np.float32(0.0981)
+        x += np.float32(0.01) * velocity
+        motion = body.advance(0.01)
+        contacts = detector.detect(motion, x_t0, x)
+        fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x, velocity=velocity, mass=np.ones(1000, np.float32)[::2])
+        struck += len(contacts)
+        test.assertGreaterEqual((x[:, 2].astype(float) - body.pose.position[2]).min(), 0.5)
+    test.assertGreater(struck, 1000)
+
+
+@claim("each point may have a radius of its own, and detectors of one surface find what those of their own do")
+def radii(test):
+    box = fccda.Surface(fccda.Mesh.box([1, 1, 1]))
+    x0, motion = np.array([[0, 0, 2.0], [0.2, 0, 2.0], [0.4, 0, 2.0]]), fccda.Motion(fccda.Pose(), fccda.Pose(), dt=0.1)
+    x1 = x0 - [0, 0, 1.35]  # ends 0.15 above the lid
+    radius = [0.1, 0.2, 0.3]
+    contacts = fccda.ContactDetector(box).detect(motion, x0, x1, radius)
+    test.assertEqual(contacts["point"].tolist(), [1, 2])
+    np.testing.assert_allclose(contacts["relocation"][:, 2], [0.7, 0.8], rtol=0, atol=1e-11)  # the offset is 1e-12 of the size
+    test.assertEqual(contacts["radius"].tolist(), [0.2, 0.3])
+    for kind, size in enumerate(radius):
+        alone = fccda.ContactDetector(box, radius=size).detect(motion, x0, x1)
+        test.assertEqual(kind in alone["point"], kind > 0)
+    test.assertEqual(fccda.ContactDetector(box).points_inside(fccda.Pose(), x1, np.array(radius, np.float32)).tolist(), [1, 2])
+    with test.assertRaisesRegex(InputError, "not one radius for each"):
+        fccda.ContactDetector(box).detect(motion, x0, x1, [0.1, 0.2])
+
+
+@claim("the body stays as it is where its impulses are to be summed first, and the sum does what one call does")
+def summed(test):
+    def strike(parts):
+        detector, body = fccda.ContactDetector(fccda.Surface(fccda.Mesh.box([1, 1, 1]))), fccda.RigidBody(mass=4.0, inertia=[1, 1, 1], free=["z", "rx", "ry"])
+        x0, v = np.array([[0.1, 0.2, 0.6], [-0.3, 0, 0.6]]), np.array([[0, 0, -2.0], [0, 0, -3.0]])
+        x1, motion = x0 + 0.1 * v, body.advance(0.1)
+        contacts = detector.detect(motion, x0, x1)
+        tallies = [fccda.respond(contacts[part], motion, body, x_t0=x0, x_t1=x1, velocity=v, mass=0.5, apply=parts == 1) for part in np.array_split(np.arange(2), parts)]
+        if parts > 1:
+            test.assertEqual(body.velocity.tolist(), [0, 0, 0])
+            body.add_impulse(sum(t.impulse for t in tallies), sum(t.angular_impulse for t in tallies))
+        return body.velocity.tolist() + body.angular_velocity.tolist()
+
+    test.assertEqual(strike(1), strike(2))
+
+
+@claim("numbers that are not finite, friction below 0 and turns of more than half a revolution are refused, in Python's words")
+def refusals(test):
+    box, nan = fccda.Surface(fccda.Mesh.box([1, 1, 1])), float("nan")
+    detector, still = fccda.ContactDetector(box), fccda.Motion(fccda.Pose(), fccda.Pose(), 0.1)
+    x = np.array([[0, 0, 2.0]])
+    body = fccda.RigidBody(1, angular_velocity=[0, 0, 10])
+    for act in (
+        lambda: fccda.Pose([nan, 0, 0]),
+        lambda: fccda.Motion(fccda.Pose(), fccda.Pose(), nan),
+        lambda: fccda.RigidBody(nan),
+        lambda: fccda.RigidBody(1, velocity=[0, nan, 0]),
+        lambda: body.advance(nan),
+        lambda: body.advance(1),
+        lambda: body.add_impulse([nan, 0, 0], [0, 0, 0]),
+        lambda: fccda.RigidBody(1, free=["x"]).drive("x", 1.0),
+        lambda: fccda.respond(detector.detect(still, x, x), still, body, x_t0=x, x_t1=x.copy(), velocity=x.copy(), mass=1.0, friction=-1.0, detector=detector),
+        lambda: detector.detect(still, x, x, [nan]),
+    ):
+        test.assertRaises(InputError, act)
+    lid = fccda.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    with test.assertRaisesRegex(InputError, 'which side is outside with outside="normals"'):
+        fccda.Surface(lid)
+    with test.assertRaisesRegex(InputError, "or pass clip=True if it is meant"):
+        fccda.ContactDetector(box, boxes=[([1, 2, 2], [0.5, 0, 0])])
+    test.assertEqual((len(fccda.Mesh.box([1, 2, 3])), len(fccda.Mesh.sphere(2)) > 1000), (12, True))
 
 
 main()

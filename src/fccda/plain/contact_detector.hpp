@@ -39,10 +39,10 @@ class ContactDetector {
   /// The contacts of one step, in point order, the same for any number of threads. x_t0 and x_t1: positions in the world frame at the
   /// two ends of the step [m]. x_t0 must be x_t1 of the step before, as relocated; for points of which that is not true see below.
   /// motion.t0 is motion.t1 of the step before; a body that was put elsewhere in between has all points looked at again.
-  /// Points may be appended or taken off the end between steps, but not both between the same two. Throws InputError where there are not as many x_t1 as x_t0 or
-  /// the motion is not finite, RunError where a position is not, or a point goes further in the step than `longest_way` sizes of the surface.
+  /// Points may be appended or taken off the end between steps, but not both between the same two. Throws InputError where there are not as many x_t1 as x_t0
+  /// or the motion is not finite, RunError where a position is not, or a point goes further in the step than `longest_way` sizes of the surface.
   ///
-  /// Positions in single precision are relocated to 5e-7 of the largest coordinate from the surface, so that rounding puts none into it.
+  /// Positions in single precision are relocated to 2.4e-7 of the largest coordinate from the surface, so that rounding puts none into it.
   std::vector<Contact> detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1);
 
   /// The same where each point has a contact radius of its own [m], finite and at least 0. They may change from step to step.
