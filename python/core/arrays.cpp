@@ -56,7 +56,7 @@ fccda::ConstVectors vectors_in(const py::object& source, const std::string& what
   return view<fccda::ConstVectors>(static_cast<const double*>(keep.data()), keep);
 }
 
-fccda::Numbers numbers_in(const py::object& source, const std::string& what, py::array& keep) {
+fccda::Numbers each_in(const py::object& source, const std::string& what, py::array& keep) {
   keep = floats_or_doubles(source, what);
   if (keep.ndim() > 1)
     throw fccda::InputError(fmt::format("{} has the shape {}, but one number for all points or one for each is needed.", what, shape_in_words(keep)));

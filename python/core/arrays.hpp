@@ -54,7 +54,7 @@ fccda::ConstVectors vectors_in(Numbers& array, const std::string& what);
 fccda::ConstVectors vectors_in(const py::object& source, const std::string& what, py::array& keep);
 
 /// One number, or one for each point, of anything that NumPy makes an array of. Throws InputError for more than one dimension.
-fccda::Numbers numbers_in(const py::object& source, const std::string& what, py::array& keep);
+fccda::Numbers each_in(const py::object& source, const std::string& what, py::array& keep);
 
 /// Rows of three to be written through. Throws InputError also where the array is not of float64 or float32, or may not be written.
 fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what);

@@ -304,7 +304,7 @@ py::array_t<ContactRow> detect(fccda::ContactDetector& detector, const Motion& m
   py::array at_t0, at_t1, radii;
   const fccda::ConstVectors from = vectors_in(x_t0, "x_t0", at_t0), to = vectors_in(x_t1, "x_t1", at_t1);
   std::optional<fccda::Numbers> of_each;
-  if (radius) of_each = numbers_in(*radius, "radius", radii);
+  if (radius) of_each = each_in(*radius, "radius", radii);
   std::vector<fccda::Contact> contacts;
   {
     const py::gil_scoped_release release;
@@ -317,7 +317,7 @@ py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, 
   py::array places, radii;
   const fccda::ConstVectors at = vectors_in(x, "x", places);
   const std::vector<std::size_t> inside =
-      radius ? detector.points_inside(pose, at, numbers_in(*radius, "radius", radii)) : detector.points_inside(pose, at);
+      radius ? detector.points_inside(pose, at, each_in(*radius, "radius", radii)) : detector.points_inside(pose, at);
   py::array_t<std::int64_t> numbers(static_cast<py::ssize_t>(inside.size()));
   std::copy(inside.begin(), inside.end(), numbers.mutable_data());
   return numbers;
@@ -333,7 +333,7 @@ fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& conta
   const fccda::PointArrays points{.x_t0 = from,
                                   .x_t1 = writable_vectors_in(x_t1, "x_t1"),
                                   .velocity = writable_vectors_in(velocity, "velocity"),
-                                  .mass = numbers_in(mass, "mass", masses)};
+                                  .mass = each_in(mass, "mass", masses)};
   const std::vector<fccda::Contact> which = contacts_in(contacts, from.size(), detector);
   return apply ? fccda::respond(which, motion, body, points, friction) : fccda::respond_without_body(which, motion, body, points, friction);
 }
