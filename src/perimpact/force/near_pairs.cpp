@@ -43,23 +43,24 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const TouchingBody> bod
     std::vector<std::uint32_t>& at = particle_at_.emplace_back(particles.slots(), 0);
     for (const std::uint32_t slot : particles.slot_of()) {
       at[slot] = static_cast<std::uint32_t>(particles_.size());
-      particles_.push_back({static_cast<std::uint32_t>(b), slot, particles.reference(slot), particles.size_of(slot), particles.volume(slot)});
+      particles_.push_back({static_cast<std::uint32_t>(b), slot, particles.reference(slot), particles.size_of(slot), particles.volume(slot),
+                            static_cast<std::uint32_t>(particles_.size())});
       largest = std::max(largest, particles_.back().size);
     }
   }
   skin_ = skin_ratio * finest;
-  longest_ = std::max(bodies.size() > 1 ? law.distance_ratio : 0, law.debris_distance_ratio) * largest;
+  longest_ = weight_reach * law.distance_ratio * largest;
   then_ = VectorArray(particles_.size(), 0);
   stirred_.assign(particles_.size(), 0);
   first_pair_.assign(1, 0);
 }
 
-void NearPairs::update(std::span<const TouchingBody> bodies) {
+bool NearPairs::needs_new_list(std::span<const TouchingBody> bodies) {
   bool holds = is_known_;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (const std::uint32_t slot : exposures_[b].update(bodies[b].particles, bodies[b].family, bodies[b].broken_ends))
       holds = holds && stirred_[particle_at_[b][slot]];
-  if (!holds || has_moved_by_skin(bodies)) make(bodies);
+  return !holds || has_moved_by_skin(bodies);
 }
 
 bool NearPairs::has_moved_by_skin(std::span<const TouchingBody> bodies) {
@@ -185,14 +186,9 @@ void NearPairs::find_of(std::size_t p, std::span<const TouchingBody> bodies, std
       const Member& j = particles_[q];
       if (!looks && !others_stirred && !exposures_[j.body].is_exposed(j.slot)) return;
       const bool one_body = i.body == j.body;
-      const double size = 0.5 * (i.size + j.size);
-      double distance = law_.distance_ratio * size;
-      if (one_body) {
-        const double first = squared_norm(j.reference - i.reference);
-        // of two that have lost no bond theirs is intact, if they had one
-        if (!stirred && !others_stirred && first < surely_bonded) return;
-        distance = std::fmin(share_of_first_distance * std::sqrt(first), law_.debris_distance_ratio * size);
-      }
+      const double distance = weight_reach * (law_.distance_ratio * (0.5 * (i.size + j.size)));
+      // of two that have lost no bond theirs is intact, if they had one
+      if (one_body && !stirred && !others_stirred && squared_norm(j.reference - i.reference) < surely_bonded) return;
       const double least = distance + skin_;
       if (!(squared_norm(then_.at(q) - then_.at(p)) < least * least)) return;
       may_be_bonded = may_be_bonded || one_body;

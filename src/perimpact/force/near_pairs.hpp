@@ -27,24 +27,26 @@ class NearPairs {
   /// A particle that has pairs.
   struct Member {
     std::uint32_t body, slot;
-    Vec3d reference;  ///< [m] X
-    double size;      ///< [m] Δ_i
-    double volume;    ///< [m³]
+    Vec3d reference;         ///< [m] X
+    double size;             ///< [m] Δ_i
+    double volume;           ///< [m³]
+    std::uint32_t particle;  ///< its number among all particles of all bodies
   };
   /// Those that a member may touch, by body and slot. Eight more than `count` may be read.
   struct Pairs {
     std::size_t count;
     const std::int32_t* others;  ///< members
-    const double* distances;     ///< [m] below which they touch
+    const double* distances;     ///< [m] below which they may touch
     const std::uint32_t* bonds;  ///< row of the family of the member's eight slots where their bond is, if it was intact; else no_bond
   };
   static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max();
 
   NearPairs(const ShortRangeLaw& law, std::span<const TouchingBody> bodies);
 
-  /// Makes the list anew where that is needed.
-  void update(std::span<const TouchingBody> bodies);
-  /// Has it made anew at the next update.
+  /// Whether the list does not hold any more, to be asked once a step; make() makes it anew.
+  bool needs_new_list(std::span<const TouchingBody> bodies);
+  void make(std::span<const TouchingBody> bodies);
+  /// Has it made anew in the next step.
   void forget() { is_known_ = false; }
 
   std::span<const Member> members() const { return members_; }  ///< by body and slot
@@ -52,6 +54,9 @@ class NearPairs {
     const std::size_t first = first_pair_[member];
     return {first_pair_[member + 1] - first, others_.data() + first, distances_.data() + first, bonds_.data() + first};
   }
+  std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< its number among all pairs
+  std::size_t pair_count() const { return first_pair_.back(); }
+  std::size_t particle_count() const { return particles_.size(); }
   bool is_exposed(const Member& member) const { return exposures_[member.body].is_exposed(member.slot); }
   std::size_t times_made() const { return times_made_; }
 
@@ -61,7 +66,6 @@ class NearPairs {
     double distance;
   };
   bool has_moved_by_skin(std::span<const TouchingBody> bodies);
-  void make(std::span<const TouchingBody> bodies);
   void mark_cells();
   void find_of(std::size_t particle, std::span<const TouchingBody> bodies, std::vector<Found>& found) const;
   void name_bonds(std::size_t particle, std::span<const TouchingBody> bodies, std::span<Found> found) const;

@@ -462,14 +462,11 @@ std::span<const Field<FragmentContactSetup>> FragmentContactSetup::fields() {
        optional,
        "Force between particles that no intact bond joins, of one body or of two: none (they pass through one another), or repulsive."},
       {"distance_ratio", &S::distance_ratio, "1", positive(), optional,
-       "Distance at which particles of different bodies touch, in spacings, the mean of the two. 1: half a spacing each, as impactors have it, so that the "
-       "material's edges meet."},
-      {"debris_distance_ratio", &S::debris_distance_ratio, "1", positive(), optional,
-       "The same within a body, where it is also at most 0.9 times the distance they had at first. 1.35 lets rubble take up more room than the solid did."},
-      {"stiffness_factor", &S::stiffness_factor, "1", positive(), optional, "How much stiffer contact is than a bond: the 15 of EMU."},
+       "Distance at which faces of particles without a bond touch, of one body or of two, in spacings, the mean of the two. 1: half a spacing each, as "
+       "impactors have it, so that the material's edges meet."},
+      {"stiffness_factor", &S::stiffness_factor, "1", positive(), optional,
+       "How stiff contact is: two faces as if each pair of particles opposite one another had this many times the bond's spring. The 15 of EMU."},
       {"friction", &S::friction, "1", at_least(0), optional, "Coulomb's coefficient of friction between touching particles. Ice on ice has 0.1 to 0.3."},
-      {"friction_speed", &S::friction_speed, "m/s", positive(), optional,
-       "Speed of sliding below which friction grows in proportion to it, so that it does not chatter; slow against what is to be resolved."},
       {"restitution", &S::restitution, "1", between(0.1, 1), optional,
        "Speed at which two free particles part, over that of their approach: 1 without loss. Less takes shorter time steps."}};
   return all;

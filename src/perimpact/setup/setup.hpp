@@ -354,11 +354,9 @@ struct ImpactorContactSetup {
 
 struct FragmentContactSetup {
   Choice law{fragment_law_words};
-  double distance_ratio = 1;            ///< between bodies, in mean spacings
-  double debris_distance_ratio = 1.35;  ///< within a body, in mean spacings
+  double distance_ratio = 1;  ///< of faces, in mean spacings
   double stiffness_factor = 15;
   double friction = 0;
-  double friction_speed = 0.01;  ///< [m/s]
   double restitution = 1;
   static std::span<const Field<FragmentContactSetup>> fields();
 };

@@ -11,9 +11,7 @@ namespace {
 ShortRangeLaw law_of(const FragmentContactSetup& setup) {
   return {.stiffness_factor = setup.stiffness_factor,
           .distance_ratio = setup.distance_ratio,
-          .debris_distance_ratio = setup.debris_distance_ratio,
           .friction = setup.friction,
-          .friction_speed = setup.friction_speed,
           .damping_ratio = damping_ratio_of(setup.restitution)};
 }
 

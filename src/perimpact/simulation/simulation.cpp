@@ -225,7 +225,6 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<GivenForce> 
     pull();
     touch();
     apply_boundaries();
-    note_touch();
     if (fragments_ && fragments_->touching() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
   }
   record();
@@ -239,7 +238,6 @@ void Simulation::step(const KeepRelaxing& keep_on) {
   timers_.timed("forces", [&] { pull(); });
   if (fragments_) timers_.timed("fragments", [&] { touch(); });
   timers_.timed("boundaries", [&] { apply_boundaries(); });
-  if (fragments_) timers_.timed("fragments", [&] { note_touch(); });
   timers_.timed("monitors", [&] {
     if (monitors_.is_due(clock_)) record();
   });
@@ -277,11 +275,7 @@ void Simulation::pull() {
 }
 
 void Simulation::touch() {
-  if (fragments_) fragments_->add_forces(touching_bodies(setup_, bodies_), clock_.dt);
-}
-
-void Simulation::note_touch() {
-  if (fragments_) fragments_->note_work(touching_bodies(setup_, bodies_), clock_.dt);
+  if (fragments_) fragments_->add_forces(touching_bodies(setup_, bodies_), clock_.step > 0 ? clock_.dt : 0);
 }
 
 void Simulation::apply_boundaries() {

@@ -76,6 +76,7 @@ class Simulation {
     visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
+    if (fragments_) fragments_->visit_state(fccda::under("fragments", visit));
     if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
   }
   std::uint64_t state_hash();
@@ -96,7 +97,6 @@ class Simulation {
   void strike();
   void pull();
   void touch();
-  void note_touch();
   void apply_boundaries();
   void relax(const KeepRelaxing& keep_on);
   void record();

@@ -130,9 +130,9 @@ TEST_CASE("consistency: how fragments touch is said only where they do") {
                    "friction is 0.1, but law is none, so fragments do not touch; write law: repulsive, or remove friction."});
   check_complaint({"{law: none}", "{restitution: 0.5}", "0.5}\noutput",
                    "restitution is 0.5, but law is none, so fragments do not touch; write law: repulsive, or remove restitution."});
-  const auto fragments = read(plate_with("{law: none}", "{law: repulsive, friction: 0.1, friction_speed: 1 mm/s}")).setup.contact.fragments;
+  const auto fragments = read(plate_with("{law: none}", "{law: repulsive, friction: 0.1, stiffness_factor: 3}")).setup.contact.fragments;
   CHECK(fragments.friction == 0.1);
-  CHECK(fragments.friction_speed == 0.001);
+  CHECK(fragments.stiffness_factor == 3);
   CHECK(complaint(plate_with("{law: none}", "{law: none, friction: 0, distance_ratio: 1}")) == "");  // as run.json writes it
 }
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <random>
@@ -51,7 +52,6 @@ Setup shattering() {
   Setup setup = with_contact(
       {block("block", {0.010, 0.008, 0.006}, {}, {}, brittle), block("bullet", {0.005, 0.005, 0.005}, {0.0085, 0.002, 0.001}, {-600, 0, 20}, other)}, 1.5e-5);
   setup.contact.fragments.friction = 0.2;
-  setup.contact.fragments.friction_speed = 1;
   setup.contact.fragments.restitution = 0.8;
   return setup;
 }
@@ -164,7 +164,6 @@ TEST_CASE("fragments: a pressed slider is braked by µ times the pressure, and s
   const double spacing = 0.001, acceleration = 3e4, friction = 0.3, speed = 0.3;
   Setup setup = with_contact({block("slab", {0.004, 0.004, 0.003}, {0, 0, -0.0015}, {}), block("slider", {0.004, 0.004, 0.002}, {0, 0, 0.001}, {})}, 1);
   setup.contact.fragments.friction = friction;
-  setup.contact.fragments.friction_speed = 0.003;
   std::vector<Body> bodies;
   for (const BodySetup& body : setup.bodies) bodies.push_back(make_body(body));
   Particles &slab = bodies[0].particles, &slider = bodies[1].particles;
@@ -184,7 +183,7 @@ TEST_CASE("fragments: a pressed slider is braked by µ times the pressure, and s
   const auto mean_speed = [&] { return bodies[1].momentum().x / slider.total_mass(); };
   for (int settling = 0; settling < 4000; ++settling) step(2e5);  // near critical for the layer on its contact
   REQUIRE(std::fabs(bodies[1].momentum().z / slider.total_mass()) < 0.01 * speed);
-  REQUIRE(contact.touching() == 16);
+  REQUIRE(contact.touching() >= 64);  // all pairs within √3 of a spacing along the face of which an end is pressed: corners begin later
   for (const std::uint32_t slot : slider.slot_of()) slider.velocity.set(slot, slider.velocity.at(slot) + Vec3d{speed, 0, 0});
   const double brake = friction * acceleration;
   double time = 0, way = 0;
@@ -193,6 +192,136 @@ TEST_CASE("fragments: a pressed slider is braked by µ times the pressure, and s
   CHECK(speed - mean_speed() == fixtures::relative(brake * time, 0.05));  // tilted by a hundredth, the normals push back by a thirtieth of it
   while (time < 3 * speed / brake) step(0), time += dt;
   CHECK(std::fabs(mean_speed()) < 0.05 * speed);
+}
+
+namespace {
+
+/// Turns a body about an axis through a point: a rigid motion, which strains nothing.
+void turn(Simulation& simulation, const std::string& body, const Vec3d& centre, std::size_t axis, double angle) {
+  std::vector<std::span<double>> x;
+  simulation.visit_state([&](const std::string& name, auto&& values) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<double>>)
+      if (name.starts_with(body + ".position_")) x.push_back(values);
+  });
+  const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
+  for (std::size_t slot = 0; slot < x[0].size(); ++slot) {
+    const double u = x[a][slot] - centre[a], w = x[b][slot] - centre[b];
+    x[a][slot] = centre[a] + std::cos(angle) * u - std::sin(angle) * w;
+    x[b][slot] = centre[b] + std::sin(angle) * u + std::cos(angle) * w;
+  }
+}
+
+BodySetup soft_block(const std::string& name, const Vec3d& size, const Vec3d& position, const Vec3d& velocity) {
+  BodySetup setup = block(name, size, position, velocity, {.spacing = 0.05});
+  BondBasedSetup material;
+  material.youngs_modulus = 1e9, material.density = 1000;
+  setup.material = material;
+  return setup;
+}
+
+Vec3d mean_velocity(const Simulation& simulation, std::size_t body) {
+  return simulation.bodies()[body].momentum() / simulation.bodies()[body].particles.total_mass();
+}
+
+struct Rebound {
+  double restitution, sideways;  // over the speed of approach
+};
+
+/// Two cubes of 8³ particles that meet face to face at ±speed, the second moved sideways by parts of a spacing and turned about the normal.
+Rebound rebound(double speed, double along_y, double along_z, double angle) {
+  const double spacing = 0.05;
+  const Vec3d place{0.23, along_y * spacing, along_z * spacing};
+  Setup setup = with_contact({soft_block("a", {0.4, 0.4, 0.4}, {-0.23, 0, 0}, {speed, 0, 0}), soft_block("b", {0.4, 0.4, 0.4}, place, {-speed, 0, 0})},
+                             0.03 / speed + 4e-3);
+  Simulation simulation(setup);
+  turn(simulation, "b", place, 0, angle);
+  run(simulation);
+  CHECK(value(simulation, "total.contact_energy [J]") == 0);  // they have parted
+  const Vec3d a = mean_velocity(simulation, 0), b = mean_velocity(simulation, 1);
+  return {(b.x - a.x) / (2 * speed), std::hypot(a.y, a.z) / speed};
+}
+
+}  // namespace
+
+TEST_CASE("fragments: blocks that meet face to face do not feel the phase of their lattices, nor how they are turned") {
+  for (const double speed : {1.0, 5.0}) {
+    const Rebound plain = rebound(speed, 0, 0, 0);
+    CAPTURE(speed);
+    CHECK(plain.restitution > 0.5);
+    for (const auto& [y, z, angle] : {std::array{0.5, 0.0, 0.0}, {0.5, 0.5, 0.0}, {0.25, 0.1, 0.0}, {0.0, 0.0, 0.3}, {0.3, 0.1, 0.7854}}) {
+      CAPTURE(y);
+      CAPTURE(angle);
+      const Rebound other = rebound(speed, y, z, angle);
+      CHECK(other.restitution == fixtures::relative(plain.restitution, 0.05));  // what is asked of contact
+      CHECK(other.sideways <= 0.02);
+    }
+  }
+}
+
+TEST_CASE("fragments: a block that slides on another without friction keeps its speed, whatever its lattice's angle") {
+  for (const double angle : {0.0, 0.35}) {
+    CAPTURE(angle);
+    const Vec3d start{-0.4, 0.01, 0.1};
+    Setup setup = with_contact({soft_block("floor", {1.6, 0.6, 0.2}, {0, 0, -0.1}, {}), soft_block("slider", {0.3, 0.3, 0.2}, start, {4, 0, 0})}, 0.2);
+    BodyForceSetup weight;
+    weight.force_density = {0, 0, -1e4};
+    setup.bodies[1].boundaries.push_back({"weight", weight});
+    SolidSetup bottom;
+    bottom.name = "bottom", bottom.shape = BoxSolid{{2, 2, 0.11}}, bottom.position = {0, 0, -0.1};
+    setup.bodies[0].regions = {bottom};
+    setup.bodies[0].boundaries.push_back({"bottom", FixedSetup{"bottom", {}}});
+    Simulation simulation(setup);
+    turn(simulation, "slider", start, 2, angle);
+    double pushed = 0;
+    while (!simulation.clock().is_finished()) {
+      simulation.step();
+      pushed += simulation.fragments()->touching() > 0;
+    }
+    CHECK(pushed > 0.2 * static_cast<double>(simulation.clock().steps));   // it does not fly
+    CHECK(mean_velocity(simulation, 1).x == fixtures::relative(4, 0.01));  // over 16 spacings
+    CHECK(std::fabs(mean_velocity(simulation, 1).y) <= 0.04);
+  }
+}
+
+TEST_CASE("fragments: friction and dashpots take in every step of confined crushing, and the balance closes") {
+  // a heavy sphere into a block in a rigid mould: rubble is pressed and rubs against what boundaries hold
+  fixtures::BodyOptions ice{.spacing = 0.1, .model = fixtures::Model::bond_based};
+  BodySetup body = block("ice", {1.2, 1.2, 0.6}, {0, 0, -0.3}, {}, ice);
+  BondBasedSetup material;
+  material.youngs_modulus = 1.8e9, material.density = 900, material.critical_stretch = 3.2e-4;
+  body.material = material;
+  const auto mould = [&](const std::string& name, const Vec3d& size, const Vec3d& place) {
+    SolidSetup region;
+    region.name = name, region.shape = BoxSolid{size}, region.position = place;
+    body.regions.push_back(region);
+    body.boundaries.push_back({name, FixedSetup{name, {}}});
+  };
+  mould("bottom", {2, 2, 0.21}, {0, 0, -0.2});
+  mould("west", {0.21, 2, 0.39}, {-0.5, 0, 0.1}), mould("east", {0.21, 2, 0.39}, {0.5, 0, 0.1});
+  mould("south", {0.79, 0.21, 0.39}, {0, -0.5, 0.1}), mould("north", {0.79, 0.21, 0.39}, {0, 0.5, 0.1});
+  Setup setup = with_contact({body}, 0.02);
+  ImpactorSetup ball;
+  ball.name = "ball";
+  ball.surface = SphereSurface{.diameter = 0.9, .panel = 0.1};
+  ball.mass = 1000;
+  ball.position = {0, 0, 0.450001};
+  ball.velocity = {0, 0, -5};
+  setup.impactors = {ball};
+  setup.contact.fragments.friction = 0.3;
+  setup.contact.fragments.restitution = 0.7;
+  Simulation simulation(setup);
+  double friction = 0, restitution = 0;
+  bool falls = false;
+  while (!simulation.clock().is_finished()) {
+    simulation.step();
+    const ShortRange& contact = *simulation.fragments();
+    falls = falls || contact.friction_work() < friction || contact.restitution_work() < restitution;
+    friction = contact.friction_work(), restitution = contact.restitution_work();
+  }
+  CHECK(!falls);
+  const double work = std::fabs(value(simulation, "ball.contact_work [J]"));
+  CHECK(friction > 0.005 * work);
+  CHECK(std::fabs(value(simulation, "total.closing_error [J]")) <= 0.005 * work);  // what is asked of contact
 }
 
 TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart, and all together keep their momentum") {
@@ -255,7 +384,7 @@ TEST_CASE("fragments: bodies that start nearer than they may are told of in a wa
   setup.bodies[1].position.x = 0.0116;
   const std::vector<std::string> warnings = Simulation(setup).warnings();
   REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].starts_with("16 pairs of particles start nearer to one another than their contact distance, and the "));
+  CHECK(warnings[0].find(" pairs of particles start nearer to one another than their contact distance, and the ") != std::string::npos);
 }
 
 TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap of rubble is quiet at it") {
