@@ -36,8 +36,10 @@ std::vector<Case> cases() {
   return {{"ordinary-state, nu = 0.25", {.poissons_ratio = 0.25}},
           {"ordinary-state, nu = 0.3", {.poissons_ratio = 0.3}},
           {"linear-peridynamic-solid, nu = 0.3", {.poissons_ratio = 0.3, .model = Model::linear_solid}},
-          {"correspondence, hencky", {.poissons_ratio = 0.3, .model = Model::correspondence}},
-          {"correspondence, st-venant-kirchhoff", {.poissons_ratio = 0.3, .model = Model::correspondence, .law = StressLaw::st_venant_kirchhoff}}};
+          {"correspondence, hencky", {.poissons_ratio = 0.3, .model = Model::correspondence, .stabilisation = Stabilisation::wan}},
+          {"correspondence, hencky, bond-level", {.poissons_ratio = 0.3, .model = Model::correspondence}},
+          {"correspondence, st-venant-kirchhoff",
+           {.poissons_ratio = 0.3, .model = Model::correspondence, .law = StressLaw::st_venant_kirchhoff, .stabilisation = Stabilisation::wan}}};
 }
 
 void measure(const Arguments& arguments, const Case& which, PlaneState plane, bool as_lattice) {

@@ -48,6 +48,7 @@ class Body:
         if self.model != "bond-based":  # which has 1/4 in space and 1/3 in plane stress, whatever a deck says
             material["poissons_ratio"] = self.poisson
         if self.model == "correspondence":
+            material["stabilisation"] = "wan"  # of which the page tells
             material["stabilisation_factor"] = self.stabilisation
         keys = {"plane": self.plane, "horizon_ratio": self.horizon, "surface_correction": self.correction}
         return {"spacing": spacing, "shape": shape, "material": material, **keys}
