@@ -48,10 +48,10 @@ Touch PathTest::first_touch(const Leg& leg, const Ball& ball, std::size_t& asked
               .normal = outward(leg.at_start, path.start, ball.offset),
               .relocation = path.start,
               .triangle = leg.at_start.triangle};
-  // A ball counts as touching where it is nearer than its radius by more than the offset.
-  const double near = std::max(0.0, ball.radius - ball.offset);
+  // At the radius itself, which no offset moves: where the path grazes an edge the normal hangs on it.
+  const double sharp = 1e-3 * ball.offset;
   const std::optional<Crossing> first =
-      ball.radius == 0 ? bvh_->first_hit(path.start, path.end, asked) : bvh_->first_touch(path.start, path.end, near, 0.1 * ball.offset, asked);
+      ball.radius == 0 ? bvh_->first_hit(path.start, path.end, asked) : bvh_->first_touch(path.start, path.end, ball.radius, sharp, asked);
   if (!first) return touch;
   const Vec3d place = path.at(first->fraction);
   const ClosestPoint closest = closest_on(first->triangle, place);

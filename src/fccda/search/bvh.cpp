@@ -283,8 +283,10 @@ std::optional<double> touching(const Vec3d& start, const Vec3d& way, const Corne
     const double fall = -dot(from.line, way), gap = from.distance - radius;  // the distance falls by fall/distance in a whole way
     if (gap <= tolerance && (fraction > 0 || fall > along * from.distance * norm(way) || from.distance == 0)) return fraction;
     if (gap <= tolerance || !(fall > 0)) return std::nullopt;
-    fraction += gap * from.distance / fall;
-    if (!(fraction <= until)) return std::nullopt;
+    const double next = fraction + gap * from.distance / fall;
+    if (!(next <= until)) return std::nullopt;
+    if (next == fraction) return fraction;
+    fraction = next;
   }
   return fraction;
 }
