@@ -6,8 +6,9 @@
 ///
 /// Brittle solids stand more pull across where they are pressed together: s_c + α max(0, -s_min), s_min the least stretch of the bonds of a
 /// particle (the rule of Silling's EMU for the prototype micro-elastic brittle material, as LAMMPS has it: pair_style peri/pmb, `alpha`; there
-/// a bond takes the smaller value of its two particles, here their mean). Squeezed along one axis, a body then breaks across it at
-/// ε = s_c/(ν - α): its strength in compression is 1/(ν - α) times that in tension, and for α >= ν it never breaks so.
+/// a bond takes the smaller value of its two particles, here their mean). Squeezed uniformly along one axis, bonds then break across
+/// it at ε = s_c/(ν - α). Free faces break sooner: their layers part by 0.37 ε where ν = 1/4, so that the strength of a body is
+/// 1/(0.37 - α) times that in tension (docs/theory/damage.md).
 #pragma once
 
 #include <optional>

@@ -131,7 +131,7 @@ std::span<const Field<FailureSetup>> FailureSetup::fields() {
        "A bond shorter than (1 - this) times its first length breaks, with compression: limit."},
       {"compression_hardening", &S::compression_hardening, "1", between(0, 1), optional,
        "α: the critical stretch grows by this times the largest compression of a bond of the two particles (their mean). Squeezed along one axis, "
-       "a body is then 1/(ν - α) times as strong as pulled: 0.1 for 6.7 with ν = 0.25. Ice has 5 to 10. It costs a third to a half of an evaluation of "
+       "a body of ν = 0.25 is then 1/(0.37 - α) times as strong as pulled: 0.17 for 5, 0.27 for 10, as ice has. It costs a third to a half of an evaluation of "
        "forces."},
       {"weibull_modulus", &S::weibull_modulus, "1", between(1, 1000), optional,
        "Scatter: the critical stretch of each particle is multiplied by a random factor of Weibull's distribution with this modulus and mean 1; a bond takes "

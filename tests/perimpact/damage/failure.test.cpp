@@ -211,7 +211,7 @@ std::size_t broken_when_squeezed(double strain, double nu, const BodyOptions& op
 
 }  // namespace
 
-TEST_CASE("failure: with compression hardening a squeezed body breaks across at s_c/(ν - α), and for α of ν and more never") {
+TEST_CASE("failure: with compression hardening uniform squeezing breaks bonds across at s_c/(ν - α), and for α of ν and more none") {
   constexpr double stretch = 1e-3, nu = 0.25;
   for (const double alpha : {0.0, 0.1, 0.2}) {
     const BodyOptions options{.critical_stretch = stretch, .failure = hardening(alpha)};

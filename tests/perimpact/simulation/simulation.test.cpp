@@ -144,13 +144,13 @@ TEST_CASE("simulation: held degrees of freedom keep their velocity, and the hold
 }
 
 TEST_CASE("simulation: energy that appears from nowhere ends the run with a sentence") {
-  Setup setup = struck_plate();
-  setup.time.step = std::nullopt;
-  Simulation probe(setup);
-  setup.time.step = 0.98 * probe.stability().exact;  // the interior just holds, the stiffer edges do not
-  setup.time.end = 400 * *setup.time.step;
-  Simulation simulation(setup);
-  CHECK(!simulation.warnings().empty());
+  Simulation simulation(struck_plate());
+  for (int step = 0; step < 20; ++step) simulation.step();
+  simulation.visit_state([&](const std::string& name, auto&& values) {  // what an unstable step would do
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<double>>)
+      if (name.find("plate.velocity") != std::string::npos)
+        for (double& one : values) one *= 30;
+  });
   std::string sentence;
   try {
     run(simulation);
