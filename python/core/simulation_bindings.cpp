@@ -246,9 +246,21 @@ py::dict history_of(const Run& run) {
   for (std::size_t c = 0; c < columns.size(); ++c) {
     py::array_t<double> column(static_cast<py::ssize_t>(run.rows().size()));
     for (std::size_t r = 0; r < run.rows().size(); ++r) column.mutable_at(static_cast<py::ssize_t>(r)) = run.rows()[r][c];
-    history[py::str(columns[c])] = column;
+    history[py::str(columns[c].heading())] = column;
   }
   return history;
+}
+
+py::dict history_columns_of(const Run& run) {
+  py::dict all;
+  for (const Column& column : run.simulation().monitors().columns()) {
+    py::dict one;
+    one["unit"] = column.unit;
+    one["kind"] = std::string(word_for(column.kind));
+    one["meaning"] = column.meaning;
+    all[py::str(column.heading())] = one;
+  }
+  return all;
 }
 
 py::dict timers_of(const Run& run) {
@@ -332,6 +344,8 @@ To be called before the first step. resume: goes on from the checkpoint in the f
       .def_property_readonly("impactors", &impactors_of, "The impactors by their names.")
       .def_property_readonly("history", &history_of,
                              "What history.csv holds, since this simulation was made: {column: array}, such as \"cylinder.force_y [N]\".")
+      .def_property_readonly("history_columns", &history_columns_of,
+                             "What these columns are: {column: {\"unit\", \"kind\", \"meaning\"}}; the kind is instantaneous, interval mean or cumulative.")
       .def_property_readonly(
           "setup", [](const Run& run) { return dict_of(run.setup()); }, "The set-up as resolved, a dict in SI units that makes the same simulation.")
       .def_property_readonly("warnings", &warnings_of_run, "What is doubtful about the set-up, and about the run so far: sentences.")

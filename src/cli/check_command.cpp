@@ -17,6 +17,7 @@
 #include "io/results/lines.hpp"
 #include "io/results/results_writer.hpp"
 #include "perimpact/impact/approach.hpp"
+#include "perimpact/simulation/memory.hpp"
 #include "perimpact/simulation/stable_step.hpp"
 
 namespace perimpact {
@@ -56,7 +57,6 @@ void print_body(const BodySetup& setup, const Body& body, const std::optional<Fi
   fmt::print("  {:<18}{:.5g} kg{}\n", "mass", body.particles.total_mass(),
              is_exact ? "" : fmt::format(", {:+.2g} % against its solid ({:.5g} kg)", 100 * filled->excess(), filled->solid));
   for (const CrackCut& crack : body.cracks) fmt::print("  {:<18}{} bonds cut\n", "crack " + crack.name, crack.bonds);
-  fmt::print("  {:<18}{}\n", "memory", bytes_in_words(body.memory()));
 }
 
 void print_boundaries(const Boundaries& boundaries) {
@@ -121,6 +121,19 @@ void print_approach(const Simulation& simulation, const Impactor& impactor) {
   }
 }
 
+/// Of the whole run, before any of it is taken.
+Memory memory_needed(const Setup& setup) {
+  std::vector<Discretisation> bodies;
+  for (const BodySetup& body : setup.bodies) bodies.push_back(discretise(body));
+  return memory_of(setup, bodies);
+}
+
+void print_memory(const Memory& memory) {
+  fmt::print("memory\n  {:<18}about {}: {} from the first step on, up to {} more while bodies are made, {} while a picture is written\n", "peak",
+             bytes_in_words(memory.peak()), bytes_in_words(memory.at_rest), bytes_in_words(memory.setting_up), bytes_in_words(memory.pictures));
+  if (memory.rubble > 0) fmt::print("  {:<18}up to {} more where all bonds break\n", "fragments", bytes_in_words(memory.rubble));
+}
+
 void print_lines(const std::vector<Line>& lines, const Simulation& simulation) {
   for (const Line& line : lines)
     fmt::print("line {}\n  {:<18}{} points of {}, written after step {}\n", line.name, "samples", line.samples.size(), simulation.bodies()[line.body].name,
@@ -161,6 +174,7 @@ int check_command(const DeckArguments& arguments) {
   const deck::Deck deck = open_deck(arguments);
   const std::filesystem::path folder = results_folder(arguments, deck.setup) / "check";
   return with_places(deck, folder, [&] {
+    const Memory memory = memory_needed(deck.setup);
     Simulation simulation(deck.setup);
     const std::vector<Line> lines = lines_of(simulation);
     fmt::print("{}\n", deck.setup.title);
@@ -176,6 +190,7 @@ int check_command(const DeckArguments& arguments) {
       print_approach(simulation, impactor);
     }
     print_step(simulation);
+    print_memory(memory);
     print_lines(lines, simulation);
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
     write_pictures(simulation, folder);

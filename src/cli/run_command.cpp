@@ -69,7 +69,8 @@ int run_command(const RunArguments& arguments) {
   const std::filesystem::path folder = results_folder(arguments, deck.setup);
   const std::filesystem::path checkpoint = output::ResultsFolder::checkpoint_in(folder);
 
-  return with_places(deck, folder, [&] {
+  bool is_finished = false;
+  const int code = with_places(deck, folder, [&] {
     std::optional<Checkpoint> earlier;
     if (arguments.resume) {
       earlier.emplace(checkpoint).expect_deck(deck.setup);
@@ -133,9 +134,11 @@ int run_command(const RunArguments& arguments) {
     fmt::print("\nResults: {}\n", std::filesystem::absolute(folder).lexically_normal().string());
     fmt::print("  {}  the curves\n  {}  the pictures, for ParaView\n  {}  what was run\n", (folder / "history.csv").string(), (folder / "frames").string(),
                (folder / "run.json").string());
-    if (!arguments.no_report) try_report(folder);
+    is_finished = true;
     return 0;
   });
+  if (is_finished && !arguments.no_report) try_report(folder);  // once the memory of the run is free again
+  return code;
 }
 
 }  // namespace perimpact

@@ -53,8 +53,8 @@ struct Summary {
 
 constexpr std::size_t fewest_for_spectrum = 16;
 
-Table read_history(const std::filesystem::path& folder) {
-  Table table = read_table(output::ResultsFolder::history_in(folder));
+Table expected_history(const std::filesystem::path& folder) {
+  Table table = read_history(folder);
   if (table.names.front() != "time [s]")
     throw InputError(fmt::format("{}: the first column is no time [s]; take the file as the run wrote it.", table.file.string()));
   const std::vector<double>& times = table.columns.front();
@@ -114,7 +114,7 @@ double edge_of(const Window& window, int windows, int k) { return window.from + 
 
 Summary summary_of(const Table& table, std::size_t column, const Window& window, int windows, std::size_t segment) {
   expect_finite(table, column, window);
-  const Series series(table.columns.front(), table.columns[column], is_mean(table.names[column]) ? RowIs::mean_since_row_before : RowIs::value_at_its_time);
+  const Series series(table.columns.front(), table.columns[column], table.facts[column].is_mean ? RowIs::mean_since_row_before : RowIs::value_at_its_time);
   Summary summary{.name = table.names[column],
                   .mean = series.mean(window.from, window.to),
                   .deviation = series.standard_deviation(window.from, window.to),
@@ -227,7 +227,7 @@ void tell_of_columns(const StatisticsArguments& arguments, const Table& table, c
 
 int statistics_command(const StatisticsArguments& arguments) {
   const std::optional<double> from = quantity_of_option("--from", arguments.from, "s"), to = quantity_of_option("--to", arguments.to, "s");
-  const Table table = read_history(arguments.folder);
+  const Table table = expected_history(arguments.folder);
   const Window window = window_of(table, from, to);
   const std::vector<std::size_t> columns = arguments.columns.empty() ? columns_of_loads(table) : columns_named(table, arguments.columns);
   if (columns.empty() && arguments.channel.of.empty())

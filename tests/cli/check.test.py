@@ -18,7 +18,7 @@ def _(t):
     report = t.report("r")
     t.assertEqual(rows["particles"], "960 (20 x 12 x 4 cells of 0.005 m)")
     t.assertEqual(rows["bonds"].split()[0], str(report["bodies"]["plate"]["bonds"]))
-    t.assertRegex(rows["memory"], r"^\d+ MB$")
+    t.assertRegex(rows["peak"], r"^about \d+ MB: ")
     surface = report["impactors"]["cylinder"]["surface"]
     t.assertEqual(rows["panels"], f"{surface['panels']} ({surface['triangles']} triangles, {surface['vertices']} vertices)")
     t.assertEqual((rows["closure"], rows["size"], rows["components"]), ("closed", "0.04 x 0.04 x 0.04 m", "1"))

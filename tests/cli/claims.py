@@ -126,6 +126,17 @@ class Scene(unittest.TestCase):
         """run.json"""
         return json.loads((self.folder / folder / "run.json").read_text())
 
+    def write_kinds(self, folder, loads=(), **kinds):
+        """history.json for a history.csv that no run has written: `loads` are interval means, all else is instantaneous but for `kinds`."""
+        with open(self.folder / folder / "history.csv") as file:
+            headings = file.readline().rstrip("\n").split(",")
+        columns = []
+        for heading in headings:
+            name, unit = heading[:-1].split(" [")
+            kind = "interval mean" if name in loads else kinds.get(name.replace(".", "_"), "instantaneous")
+            columns.append({"name": name, "unit": unit, "kind": kind, "meaning": "", **({"is_load": True} if name in loads else {})})
+        (self.folder / folder / "history.json").write_text(json.dumps({"format": 1, "columns": columns}))
+
     def history(self, folder):
         """Columns of history.csv by name; every row must be whole."""
         return table(self.folder / folder / "history.csv")

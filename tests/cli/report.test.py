@@ -183,6 +183,7 @@ def _(t):
     path = t.folder / "r/history.csv"
     head = "time [s],cylinder.force_y [N],cylinder.contacts [-]\n"
     path.write_text(head + "".join(f"{k},{k % 7},{k}\n" for k in range(50_001)))
+    t.write_kinds("r", loads=["cylinder.force_y"])
     report = report_of(t, "r")
     curves = report.curves()
     t.assertEqual(curves["time"], [0.0] + [float(min(3 * k, 50_000)) for k in range(1, 16_668)])
@@ -225,6 +226,9 @@ def _(t):
     report = after(without("history.csv"))
     t.assertNotIn("history", report.description)
     t.assertRegex(report.notes[0], r"^d/history\.csv is not there")
+    report = after(without("history.json"))
+    t.assertIn("history", report.description)
+    t.assertRegex(report.notes[0], r"^d/history\.json is not there.*Where rows were joined here, the last of them stands\.$")
     report = after(cut("history.csv", 0.99))
     t.assertNotIn("history", report.description)
     t.assertRegex(report.notes[0], r"^d/history\.csv:\d+: this row ")

@@ -45,7 +45,7 @@ def head_of_vtp(path):
 @claim("results: a run leaves run.json, history, lines, frames, pressure-area curves and a report, nothing else, and ends with 0")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r")
-    wanted = ["checkpoint.h5", "history.csv", "lines/along_y_t2e-05.csv", "pressure_area/cylinder.csv", "pressure_area/cylinder_at_peak.csv", "report.html", "run.json"]
+    wanted = ["checkpoint.h5", "history.csv", "history.json", "lines/along_y_t2e-05.csv", "pressure_area/cylinder.csv", "pressure_area/cylinder_at_peak.csv", "report.html", "run.json"]
     for name in ("plate", "cylinder"):
         wanted += [f"frames/{name}.pvd"] + [f"frames/{name}_{frame:05}.vtp" for frame in range(5)]
     t.assertEqual(t.files("r"), sorted(wanted))
@@ -183,7 +183,7 @@ def _(t):
     deck = t.deck()
     t.expect_success("run", deck, "--set", "time.end=5 us", "--set", "output.frames=0", "--set", "output.folder=elsewhere",
                      "--set", "impactors.cylinder.velocity=[0, -10, 0]", "--set", "bodies.plate.material.critical_stretch=0.01")
-    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "lines/along_y_t5e-06.csv", "pieces/plate_end.csv", "report.html", "run.json"])
+    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "history.json", "lines/along_y_t5e-06.csv", "pieces/plate_end.csv", "report.html", "run.json"])
     setup = t.report("elsewhere")["setup"]
     t.assertEqual((setup["time"]["end"], setup["impactors"]["cylinder"]["velocity"]), (5e-6, [0, -10, 0]))
     t.assertEqual(setup["bodies"]["plate"]["material"]["critical_stretch"], 0.01)

@@ -76,6 +76,7 @@ def write_history(t, times, columns):
     (t.folder / "r").mkdir(exist_ok=True)
     rows = [",".join(["time [s]", *columns])] + [",".join(map(repr, row)) for row in zip(times, *columns.values())]
     (t.folder / "r/history.csv").write_text("\n".join(rows) + "\n")
+    t.write_kinds("r", loads=["ship.force_x"])
 
 
 @claim("statistics: the spectrum is Welch's, by a plain sum over each segment, and says its segments and resolution")
@@ -199,10 +200,12 @@ def _(t):
         t.assertEqual(done.out, "")
     t.assertEqual(t.files("r"), before)
     (t.folder / "r/history.csv").write_text("time [s],ship.force_x [N],ship.contacts [-]\n0,1,0\n1,nan,0\n")
+    t.write_kinds("r", loads=["ship.force_x"])
     t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv:3: ship.force_x [N] is not a finite number", "--to")
     (t.folder / "r/history.csv").write_text("time [s],ship.force_x [N],ship.contacts [-]\n0,1,0\n0,1,0\n")
     t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv:3: time goes from 0 s to 0 s, but it must increase")
     (t.folder / "r/history.csv").write_text("time [s],ice.kinetic_energy [J]\n0,1\n1,1\n")
+    t.write_kinds("r")
     t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv tells of no impactor", "--columns")
 
 

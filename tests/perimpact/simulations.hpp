@@ -20,7 +20,7 @@ inline void run(Simulation& simulation) {
 /// The value in the latest row of history; `column` as in history.csv.
 inline double value(const Simulation& simulation, const std::string& column) {
   const auto& columns = simulation.monitors().columns();
-  const auto found = std::find(columns.begin(), columns.end(), column);
+  const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& one) { return one.heading() == column; });
   REQUIRE_MESSAGE(found != columns.end(), column);
   return simulation.monitors().row()[static_cast<std::size_t>(found - columns.begin())];
 }

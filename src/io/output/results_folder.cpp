@@ -81,7 +81,7 @@ ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std:
   };
   // the checkpoint first: what it goes on from must not be there without the rest
   remove_from(folder_, [](std::string_view name) { return name == "checkpoint.h5"; });
-  remove_from(folder_, [](std::string_view name) { return name == "run.json" || name == "report.html" || name == "history.csv"; });
+  remove_from(folder_, [](std::string_view name) { return name == "run.json" || name == "report.html" || name == "history.csv" || name == "history.json"; });
   remove_from(folder_, [](std::string_view name) { return name == "statistics.csv" || name == "windows.csv" || name == "spectrum.csv"; });
   remove_from(frames(), [&](std::string_view name) { return is_series(frames(), name); });
   remove_from(frames(), is_frame);

@@ -1,6 +1,6 @@
 /// The folder that a run leaves behind, and the one place that knows its names:
 ///
-///   run.json   history.csv   lines/<line>_t<seconds>.csv   frames/<body>_00000.vtp, …   frames/<body>.pvd
+///   run.json   history.csv   history.json   lines/<line>_t<seconds>.csv   frames/<body>_00000.vtp, …   frames/<body>.pvd
 ///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv   pieces/<body>.csv, <body>_end.csv   checkpoint.h5   report.html
 ///
 /// `perimpact statistics` adds statistics.csv, windows.csv, spectrum.csv and pieces/<body>_channel_x.csv, which go with the run that they tell
@@ -27,6 +27,7 @@ class ResultsFolder {
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path run() const { return run_in(folder_); }
   std::filesystem::path history() const { return history_in(folder_); }
+  std::filesystem::path history_columns() const { return history_columns_in(folder_); }
   std::filesystem::path frames() const { return frames_in(folder_); }
   std::filesystem::path lines() const { return folder_ / "lines"; }
   std::filesystem::path pressure_area() const { return pressure_area_in(folder_); }
@@ -36,6 +37,7 @@ class ResultsFolder {
 
   // of a folder that may not be prepared
   static std::filesystem::path history_in(const std::filesystem::path& folder) { return folder / "history.csv"; }
+  static std::filesystem::path history_columns_in(const std::filesystem::path& folder) { return folder / "history.json"; }
   static std::filesystem::path pressure_area_in(const std::filesystem::path& folder) { return folder / "pressure_area"; }
   static std::filesystem::path frames_in(const std::filesystem::path& folder) { return folder / "frames"; }
   static std::filesystem::path run_in(const std::filesystem::path& folder) { return folder / "run.json"; }

@@ -13,11 +13,11 @@ Table joined(const Table& table, std::size_t most_rows) {
   const std::size_t rows = table.rows();
   if (rows <= most_rows) return table;
   const std::size_t together = (rows - 1 + most_rows - 2) / (most_rows - 1);  // the first row stays alone: nothing was before it
-  Table out{.file = table.file, .names = table.names, .columns = std::vector<std::vector<double>>(table.columns.size())};
+  Table out{.file = table.file, .names = table.names, .columns = std::vector<std::vector<double>>(table.columns.size()), .facts = table.facts};
   const std::vector<double>& times = table.columns.front();
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const std::vector<double>& values = table.columns[c];
-    const bool averaged = is_mean(table.names[c]);
+    const bool averaged = !table.facts.empty() && table.facts[c].is_mean;
     out.columns[c].push_back(values.front());
     for (std::size_t first = 1; first < rows; first += together) {
       const std::size_t last = std::min(first + together, rows) - 1;

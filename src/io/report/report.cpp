@@ -57,16 +57,28 @@ Run read_run(const fs::path& folder, std::vector<std::string>& notes) {
   return run;
 }
 
-std::optional<Table> read_history(const fs::path& folder, std::size_t most_rows, std::vector<std::string>& notes) {
+/// Where nothing says what its columns are, the table alone.
+Table history_of(const fs::path& folder, std::vector<std::string>& notes) {
+  if (!fs::exists(output::ResultsFolder::history_in(folder))) return read_table(output::ResultsFolder::history_in(folder));
   try {
-    const Table table = read_table(output::ResultsFolder::history_in(folder));
+    return read_history(folder);
+  } catch (const fccda::InputError& error) {
+    notes.push_back(fmt::format("{} Where rows were joined here, the last of them stands.", error.what()));
+    return read_table(output::ResultsFolder::history_in(folder));
+  }
+}
+
+std::optional<Table> rows_of_history(const fs::path& folder, std::size_t most_rows, std::vector<std::string>& notes) {
+  try {
+    const Table table = history_of(folder, notes);
     if (table.names.front() != "time [s]" || table.rows() == 0) {
       notes.push_back(fmt::format("{} has no rows of time [s] and other columns, so there are no curves.", table.file.string()));
       return {};
     }
     if (table.rows() > most_rows)
       notes.push_back(
-          fmt::format("history.csv has {} rows; the curves here have at most {}: forces and moments are means over several rows, so their peaks are lower.",
+          fmt::format("history.csv has {} rows; the curves here have at most {}: forces, moments and other means over an interval are means over several rows, "
+                      "so their peaks are lower.",
                       table.rows(), most_rows));
     return joined(table, most_rows);
   } catch (const fccda::InputError& error) {
@@ -143,7 +155,7 @@ Report write_report(const fs::path& folder, const Limits& limits) {
                     folder.string()));
   Report report{.file = output::ResultsFolder::report_in(folder)};
   const Run run = read_run(folder, report.notes);
-  const std::optional<Table> history = read_history(folder, limits.history_rows, report.notes);
+  const std::optional<Table> history = rows_of_history(folder, limits.history_rows, report.notes);
   Frames frames = scan_frames(folder, report.notes);
   for (BodyFrames& body : frames.bodies) {
     if (const double spacing = run.spacing_of(body.name); spacing > 0) body.spacing = spacing;

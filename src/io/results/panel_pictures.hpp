@@ -1,7 +1,7 @@
 /// What contact did to the panels of an impactor, as the cell arrays of its pictures:
 ///
 ///   contact_pressure [Pa]   normal, mean over the time since the picture before
-///   peak_pressure [Pa]      the largest mean over one interval of the history so far
+///   peak_pressure [Pa]      the largest mean over one load interval so far (docs/guide/results.md)
 ///   contact_impulse [N s]   since the start, along the axes of the world
 #pragma once
 

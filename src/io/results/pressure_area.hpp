@@ -1,7 +1,7 @@
 /// The pressure-area curves of one impactor, written where it touched something:
 ///
 ///   pressure_area/<impactor>.csv           process curve: a row each interval of the history, from the first with contact
-///   pressure_area/<impactor>_at_peak.csv   spatial curve of the interval of the largest normal force (fccda/respond/nested_areas.hpp)
+///   pressure_area/<impactor>_at_peak.csv   spatial curve of the load interval of the largest normal force (fccda/respond/nested_areas.hpp)
 #pragma once
 
 #include <cstdint>

@@ -7,6 +7,7 @@
 
 #include "fccda/core/error.hpp"
 #include "io/output/file.hpp"
+#include "io/output/json.hpp"
 #include "io/output/vtp.hpp"
 #include "io/results/run_report.hpp"
 
@@ -24,6 +25,28 @@ std::vector<float> of_particles(const Body& body, const Value& value) {
     numbers.insert(numbers.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
   }
   return numbers;
+}
+
+std::vector<std::string> headings_of(std::span<const Column> columns) {
+  std::vector<std::string> headings;
+  for (const Column& column : columns) headings.push_back(column.heading());
+  return headings;
+}
+
+/// What the columns of history.csv are, for programs that read it.
+void write_columns(const std::filesystem::path& path, std::span<const Column> columns) {
+  output::Json json = output::Json::object();
+  json["format"] = 1;
+  for (const Column& column : columns) {
+    output::Json one = output::Json::object();
+    one["name"] = column.name;
+    one["unit"] = column.unit;
+    one["kind"] = word_for(column.kind);
+    one["meaning"] = column.meaning;
+    if (column.is_load) one["is_load"] = true;
+    json["columns"].push_back(std::move(one));
+  }
+  output::write_whole_file(path, json.text());
 }
 
 /// The tables that go on must hold what had been written of them.
@@ -66,13 +89,14 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
     : lines_(lines_of(simulation)),  // before the folder loses the results of an earlier run
       folder_(folder),
-      history_(folder_.history(), simulation.monitors().columns()),
+      history_(folder_.history(), headings_of(simulation.monitors().columns())),
       panel_pictures_(simulation.impactors().size()),
       pressure_area_(simulation.impactors().size()),
       piece_tables_(simulation.bodies().size()),
       frames_wanted_(simulation.setup().output.frames) {
   for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name);
   for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name());
+  write_columns(folder_.history_columns(), simulation.monitors().columns());
   after_step(simulation);
 }
 
@@ -91,6 +115,7 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
     pressure_area_.emplace_back(folder_, simulation.impactors()[i].name(), written.pressure_area[i]);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) piece_tables_.emplace_back(folder_, simulation.bodies()[b].name, written.pieces[b]);
+  write_columns(folder_.history_columns(), simulation.monitors().columns());
   resumed_at_.push_back(simulation.clock().step);
 }
 

@@ -1,4 +1,5 @@
-/// What a run leaves behind, written as it goes: history.csv row by row, frames and lines when their time has come, run.json at the end.
+/// What a run leaves behind, written as it goes: history.json (what the columns of history.csv are) at once, history.csv row by
+/// row, frames and lines when their time has come, run.json at the end.
 #pragma once
 
 #include <optional>

@@ -9,6 +9,8 @@
 #include "fccda/core/error.hpp"
 #include "fccda/core/nearest_word.hpp"
 #include "fccda/surface/file/contents.hpp"
+#include "io/deck/yaml_node.hpp"
+#include "io/output/results_folder.hpp"
 
 namespace perimpact {
 
@@ -62,11 +64,22 @@ bool begins_at_a_joint(std::string_view quantity, std::string_view word) {
   return quantity.starts_with(word) && (quantity.size() == word.size() || quantity[word.size()] == '.' || quantity[word.size()] == '_');
 }
 
-/// What a quantity belongs to, and its own name: ship.bow.force_x gives ship.bow and force_x.
-std::pair<std::string_view, std::string_view> owner_and_name(std::string_view quantity) {
-  const std::size_t stop = quantity.rfind('.');
-  if (stop == std::string_view::npos) return {{}, quantity};
-  return {quantity.substr(0, stop), quantity.substr(stop + 1)};
+[[noreturn]] void refuse_facts(const std::filesystem::path& file, std::string_view what) {
+  throw fccda::InputError(fmt::format("{} {}; take the file as the run wrote it.", file.string(), what));
+}
+
+std::string word_in(const deck::YamlNode& column, std::string_view key) {
+  const deck::YamlNode::Entry* entry = column.find(key);
+  return entry ? entry->value.text : std::string();
+}
+
+ColumnFacts facts_of(const deck::YamlNode& column, const std::string& heading, const std::filesystem::path& file) {
+  if (fmt::format("{} [{}]", word_in(column, "name"), word_in(column, "unit")) != heading)
+    refuse_facts(file, fmt::format("names another column where history.csv has {}", heading));
+  const std::string kind = word_in(column, "kind");
+  if (kind != "instantaneous" && kind != "interval mean" && kind != "cumulative")
+    refuse_facts(file, fmt::format("says that {} is of the kind \"{}\", which is none of instantaneous, interval mean and cumulative", heading, kind));
+  return {.is_mean = kind == "interval mean", .is_load = word_in(column, "is_load") == "true"};
 }
 
 }  // namespace
@@ -84,6 +97,22 @@ Table read_table(const std::filesystem::path& file) {
   return table;
 }
 
+Table read_history(const std::filesystem::path& results) {
+  Table table = read_table(output::ResultsFolder::history_in(results));
+  const std::filesystem::path file = output::ResultsFolder::history_columns_in(results);
+  if (!std::filesystem::exists(file))
+    throw fccda::InputError(
+        fmt::format("{} is not there, which says what each column of history.csv is. Where an older version has run the deck, `perimpact run` of this one "
+                    "writes it into another folder as soon as it starts; copy it from there.",
+                    file.string()));
+  const deck::YamlNode known = deck::parse_document(fccda::contents_of(file), file.string());
+  const deck::YamlNode::Entry* columns = known.find("columns");
+  if (!columns || columns->value.items.size() != table.names.size())
+    refuse_facts(file, fmt::format("does not tell of the {} columns of history.csv", table.names.size()));
+  for (std::size_t c = 0; c < table.names.size(); ++c) table.facts.push_back(facts_of(columns->value.items[c], table.names[c], file));
+  return table;
+}
+
 std::string_view quantity_of(std::string_view column) { return column.substr(0, std::min(column.rfind(" ["), column.size())); }
 
 std::string_view unit_of(std::string_view column) {
@@ -92,23 +121,10 @@ std::string_view unit_of(std::string_view column) {
   return column.substr(bracket + 2, column.size() - bracket - 3);
 }
 
-bool is_mean(std::string_view column) {
-  const std::string_view name = owner_and_name(quantity_of(column)).second;
-  return name.starts_with("force_") || name.starts_with("moment_") || name == "torque";
-}
-
 std::vector<std::size_t> columns_of_loads(const Table& table) {
-  std::vector<std::string> impactors;  // they alone count contacts
-  for (const std::string& column : table.names)
-    if (const auto [owner, name] = owner_and_name(quantity_of(column)); name == "contacts") impactors.emplace_back(owner);
   std::vector<std::size_t> chosen;
-  for (std::size_t c = 0; c < table.names.size(); ++c) {
-    const auto [owner, name] = owner_and_name(quantity_of(table.names[c]));
-    for (const std::string& impactor : impactors) {
-      const bool is_gauge = owner.starts_with(impactor + ".");
-      if ((owner == impactor || is_gauge) && (name.starts_with("force_") || (is_gauge && name == "torque"))) chosen.push_back(c);
-    }
-  }
+  for (std::size_t c = 0; c < table.facts.size(); ++c)
+    if (table.facts[c].is_load) chosen.push_back(c);
   return chosen;
 }
 

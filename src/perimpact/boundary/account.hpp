@@ -29,13 +29,9 @@ class BoundaryAccount {
   /// Beside that force: an impulse [N s] and its work [J].
   void add(const Vec3d& impulse, double work) { impulse_ += impulse, work_ += work; }
 
-  const Vec3d& force() const { return force_; }  ///< [N] on the body, at the latest positions
-  double work() const { return work_; }          ///< [J] done on the body so far
-  Vec3d take_impulse() {                         ///< [N s] on the body since the last call
-    const Vec3d impulse = impulse_;
-    impulse_ = {};
-    return impulse;
-  }
+  const Vec3d& force() const { return force_; }      ///< [N] on the body, at the latest positions
+  double work() const { return work_; }              ///< [J] done on the body so far
+  const Vec3d& impulse() const { return impulse_; }  ///< [N s] on the body so far
 
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
@@ -47,7 +43,7 @@ class BoundaryAccount {
  private:
   Vec3d force_{};         // [N]
   Vec3d displacement_{};  // [m]
-  Vec3d impulse_{};       // [N s]
+  Vec3d impulse_{};       // [N s] so far
   double work_ = 0;       // [J]
 };
 

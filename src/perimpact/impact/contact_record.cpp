@@ -24,7 +24,8 @@ bool ContactRecord::touched() const {
 
 void ContactRecord::add(std::size_t body, const fccda::Contact& contact, const fccda::Vec3d& impulse) {
   panels_.add(body, contact, impulse);
-  normal_impulse_ -= dot(impulse, contact.normal);
+  const double normal = -dot(impulse, contact.normal);
+  normal_impulse_ += normal, load_impulse_ += normal;
   Struck& struck = struck_[body];
   struck.ever = true;
   if (contact.point >= struck.last.size()) struck.last.resize(std::max(contact.point + 1, 2 * struck.last.size()), 0);
@@ -33,20 +34,24 @@ void ContactRecord::add(std::size_t body, const fccda::Contact& contact, const f
 }
 
 void ContactRecord::end_interval(double time, double duration) {
-  panels_.end_interval(duration);
   interval_ = {.time = time, .normal_force = duration > 0 ? normal_impulse_ / duration : 0};
   for (Struck& body : struck_) {
     interval_.contact_area += static_cast<double>(body.particles) * body.face;
     if (steps_ > 0) interval_.mean_contact_area += static_cast<double>(body.contacts) * body.face / static_cast<double>(steps_);
     body.contacts = body.particles = 0;
   }
-  if (interval_.normal_force > peak_.normal_force) {
-    const auto pressure = panels_.interval_pressure();
-    peak_ = {time, interval_.normal_force, {pressure.begin(), pressure.end()}};
-  }
   ++number_;
   steps_ = 0;
   normal_impulse_ = 0;
+}
+
+void ContactRecord::end_load_interval(double time, double duration) {
+  panels_.end_interval(duration);
+  if (const double force = load_impulse_ / duration; force > peak_.normal_force) {
+    const auto pressure = panels_.interval_pressure();
+    peak_ = {time, force, {pressure.begin(), pressure.end()}};
+  }
+  load_impulse_ = 0;
 }
 
 }  // namespace perimpact

@@ -1,5 +1,6 @@
 /// What contact did to one impactor, kept beyond the step: loads of its panels, the process pressure-area curve, and which bodies it has
-/// touched. An interval is the time between two rows of the history.
+/// touched. There are two kinds of intervals: the process curve has those between two rows of the history; pressures of panels and their peak have
+/// intervals of their own (Simulation), so that no setting of the output changes them.
 ///
 /// The process curve is the mean pressure over the whole contact while that grows (C. Daley, PERD/CHC Report 7-108, 2004, section 2):
 ///   p = F_n/A,   F_n = Σ J_n/T,   A = Σ Δ² over the particles that touched in the interval, each counted once
@@ -25,7 +26,7 @@ class ContactRecord {
     double mean_pressure() const { return contact_area > 0 ? normal_force / contact_area : 0; }  ///< [Pa]
   };
 
-  /// The interval of the largest normal force.
+  /// The load interval of the largest normal force.
   struct Peak {
     double time = 0;                     ///< [s] its end
     double normal_force = 0;             ///< [N]
@@ -39,8 +40,10 @@ class ContactRecord {
   void add(std::size_t body, const fccda::Contact& contact, const fccda::Vec3d& impulse);
   /// So many particles were struck that had not yet been in this step: several passes may strike one again.
   void count_struck(std::size_t body, std::size_t particles) { struck_[body].contacts += particles; }
-  /// Closes the interval that began `duration` [s] before `time` [s].
+  /// Closes the interval of the process curve that began `duration` [s] before `time` [s].
   void end_interval(double time, double duration);
+  /// Likewise the interval of the panels' pressures.
+  void end_load_interval(double time, double duration);
 
   const fccda::PanelLoads& panels() const { return panels_; }
   const Interval& interval() const { return interval_; }               ///< that ended last
@@ -62,7 +65,7 @@ class ContactRecord {
     }
     visit("intervals", number_);
     visit("steps", steps_);
-    visit("normal_impulse", normal_impulse_);
+    fccda::visit_members(visit, "normal_impulse", std::array{&normal_impulse_, &load_impulse_});
     fccda::visit_members(visit, "interval", std::array{&interval_.time, &interval_.contact_area, &interval_.mean_contact_area, &interval_.normal_force});
     fccda::visit_members(visit, "peak", std::array{&peak_.time, &peak_.normal_force});
     visit("peak_pressure", peak_.panel_pressure);
@@ -81,6 +84,7 @@ class ContactRecord {
   std::uint32_t number_ = 1;    // of the open interval
   long steps_ = 0;              // that it has so far
   double normal_impulse_ = 0;   // [N s] that it has so far
+  double load_impulse_ = 0;     // [N s] of the open load interval so far
   Interval interval_;
   Peak peak_;
 };

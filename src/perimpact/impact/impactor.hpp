@@ -25,7 +25,7 @@
 
 namespace perimpact {
 
-/// What contact and water did to an impactor since somebody last looked.
+/// What contact and water did to an impactor so far. Who wants means over an interval takes differences.
 struct Account {
   Vec3d impulse{};           ///< [N s]
   Vec3d angular_impulse{};   ///< [N m s] about the centre of mass
@@ -110,10 +110,9 @@ class Impactor {
   /// How many particles came to be inside where the region clips the surface; they were not struck.
   std::uint64_t entered_inside(std::size_t body) const;
 
-  Account& account() { return account_; }
   const Account& account() const { return account_; }
-  const LastStep& last_step() const { return last_step_; }  ///< empty before the first, and where a run was resumed
-  std::span<NamedGauge> gauges() { return gauges_; }        ///< what they summed since somebody last reset them
+  const LastStep& last_step() const { return last_step_; }        ///< empty before the first, and where a run was resumed
+  std::span<const NamedGauge> gauges() const { return gauges_; }  ///< what they summed so far
 
   /// The fastest that it is sure to become: of each degree of freedom, what it has now or the most that its table ever says.
   Vec3d fastest_velocity() const;          ///< [m/s] of the centre of mass
@@ -132,8 +131,11 @@ class Impactor {
   double draught() const { return water_->level - keel(body_, *surface_); }          ///< [m] now, likewise; negative above water
   const std::optional<PlacedInWater>& placed_in_water() const { return placed_in_water_; }
 
-  ContactRecord& record() { return record_; }
   const ContactRecord& record() const { return record_; }
+  /// Closes the interval of the process curve, which is that of the history.
+  void end_history_interval(double time, double duration) { record_.end_interval(time, duration); }
+  /// Closes the interval over which loads of panels are averaged.
+  void end_load_interval(double time, double duration) { record_.end_load_interval(time, duration); }
 
   /// As fccda/core/state.hpp says.
   template <class Visitor>

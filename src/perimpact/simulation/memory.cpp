@@ -3,9 +3,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
 
+#include "fccda/core/pack.hpp"
+#include "fccda/core/parallel.hpp"
 #include "perimpact/family/stencil.hpp"
 #include "perimpact/material/correspondence.hpp"
 #include "perimpact/setup/setup_error.hpp"
@@ -22,41 +29,137 @@ double numbers_of_gradients(const BodySetup& setup, const CorrespondenceSetup& m
   return dimension * (dimension + 1) / 2 + 3 + square + 1 + bond_level;
 }
 
-double bytes_of(const BodySetup& setup, const Discretisation& discretisation, std::size_t impactors) {
-  const bool is_list = std::holds_alternative<Cloud>(discretisation);
-  const Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing.value_or(1), setup.horizon_ratio, setup.is_plane() ? std::optional(1.0) : std::nullopt);
-  const SurfaceCorrection correction = setup.surface_correction.as<SurfaceCorrection>();
-  const bool own_family = std::holds_alternative<LinearSolidSetup>(setup.material);
-  const auto* of_gradients = std::get_if<CorrespondenceSetup>(&setup.material);
-  const bool correspondence = of_gradients != nullptr;
-  // of the dilatation only the material knows, so the least is counted
-  const double vectors = 3 + (!own_family && !correspondence && correction <= SurfaceCorrection::energy ? 2 : 0);
-  const double scalars = 1 + (own_family || (!correspondence && correction == SurfaceCorrection::volume) ? 1 : 0) +
-                         (of_gradients ? numbers_of_gradients(setup, *of_gradients) : 0) + (correspondence && is_list ? 3 : 0);
-  const double of_bond =
-      1.0 / 8 + (correspondence ? 1.0 / 8 + (is_list ? sizeof(double) : 0) : 0) + (is_list ? 1.0 / 8 + sizeof(std::int32_t) + 2 * sizeof(double) : 0);
-  const double of_place = is_list ? 2 * sizeof(Vec3d) + sizeof(double) + sizeof(std::uint32_t) : 0;
-  const double of_slot = sizeof(double) * (3 * vectors + scalars) + static_cast<double>(stencil.size()) * of_bond + 2 * sizeof(std::uint32_t) + of_place;
-  // a detector keeps a due distance and a guess for each slot
-  return (of_slot + static_cast<double>(impactors * (sizeof(double) + sizeof(int)))) * slots_of(setup, discretisation);
+using fccda::squared_norm;
+
+bool has_fragments(const Setup& setup) { return setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none; }
+
+constexpr double lanes = static_cast<double>(fccda::byte_lanes);
+constexpr double number = sizeof(double), vector = sizeof(Vec3d), slot_number = sizeof(std::uint32_t);
+
+/// Along each axis; those of a cube where there are too many to be numbered.
+std::array<double, 3> cells_of(const BodySetup& setup, const BodySolid& solid, double slots) {
+  if (!(slots < std::numeric_limits<std::uint32_t>::max())) return {std::cbrt(slots), std::cbrt(slots), std::cbrt(slots)};
+  const Lattice lattice = lattice_that_fills(setup, solid);
+  return {static_cast<double>(lattice.cells[0]), static_cast<double>(lattice.cells[1]), static_cast<double>(lattice.cells[2])};
 }
+
+/// What the arrays of a body are as long as.
+struct Lengths {
+  double slots;        // of arrays that nothing reads beyond
+  double with_slack;   // of those that a stencil reads (SlotArray)
+  double rows;         // bonds of eight slots: bytes of the bits
+  double entries = 0;  // of a list
+  double tables = 0;   // numbers of the constants of shared surface factors
+};
+
+/// Mean number of rows of eight neighbouring particles in the list of a cloud, of some of them spread over the whole.
+double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
+  const auto size_of = [&](double volume) { return cloud.thickness ? std::sqrt(volume / *cloud.thickness) : std::cbrt(volume); };
+  const std::size_t count = cloud.points.size(), eights = (count + fccda::byte_lanes - 1) / fccda::byte_lanes;
+  const double mean = size_of(std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(count));
+  const double horizon = setup.horizon_ratio * mean;
+  const bool to_the_last = setup.family.as<FamilyRule>() == FamilyRule::hu_ha_bobaru;
+  const std::size_t asked = std::min<std::size_t>(eights, 32);
+  std::vector<double> longest(asked, 0);
+  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(asked), [&](std::ptrdiff_t k) {
+    const std::size_t first = (2 * static_cast<std::size_t>(k) + 1) * eights / (2 * asked) * fccda::byte_lanes;
+    for (std::size_t i = first; i < std::min(first + fccda::byte_lanes, count); ++i) {
+      double bonds = 0;
+      for (std::size_t j = 0; j < count; ++j) {
+        const double reach = horizon + (to_the_last ? 0.25 * (size_of(cloud.volumes[i]) + size_of(cloud.volumes[j])) : 0);
+        bonds += j != i && squared_norm(cloud.points[j] - cloud.points[i]) < reach * reach ? 1 : 0;
+      }
+      longest[static_cast<std::size_t>(k)] = std::max(longest[static_cast<std::size_t>(k)], bonds);
+    }
+  });
+  return std::accumulate(longest.begin(), longest.end(), 0.0) / static_cast<double>(asked);
+}
+
+Lengths lengths_of(const BodySetup& setup, const Discretisation& discretisation) {
+  const double slots = std::ceil(slots_of(setup, discretisation) / lanes) * lanes;
+  if (const auto* cloud = std::get_if<Cloud>(&discretisation)) {
+    const double rows = slots / lanes * rows_of_eight(setup, *cloud);
+    return {.slots = slots, .with_slack = slots, .rows = rows, .entries = rows * lanes};
+  }
+  const Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing.value_or(1), setup.horizon_ratio, setup.is_plane() ? std::optional(1.0) : std::nullopt);
+  const BodySolid& solid = std::get<BodySolid>(discretisation);
+  const std::array<double, 3> cells = cells_of(setup, solid, slots);
+  const double row = slots / (cells[1] * cells[2]), reach = stencil.reach(), family = static_cast<double>(stencil.size());
+  const double slack = reach * (setup.is_plane() ? row : row * cells[1] + row) + reach + lanes;
+  // rows near the surface have factors of their own, and so have those bonded to them; eight packs of a row are enough to share a table
+  const auto inner = [&](std::size_t axis) { return std::max(0.0, cells[axis] - 4 * reach); };
+  const double surface_rows = cells[1] * cells[2] - inner(1) * inner(2);
+  const double shared = row >= 8 * lanes ? std::min(surface_rows, slots / lanes) : 0;
+  return {.slots = slots, .with_slack = slots + 2 * slack, .rows = slots / lanes * family, .tables = shared * family * 4};
+}
+
+struct BodyMemory {
+  double at_rest, setting_up, pictures, rubble;
+};
+
+BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisation, bool has_fragments, std::size_t impactors) {
+  const Lengths length = lengths_of(setup, discretisation);
+  const double n = length.slots, with_slack = length.with_slack;
+  const bool is_list = length.entries > 0;
+  const bool own_family = std::holds_alternative<LinearSolidSetup>(setup.material),
+             correspondence = std::holds_alternative<CorrespondenceSetup>(setup.material);
+  const bool has_dilatation = own_family || std::holds_alternative<OrdinaryStateSetup>(setup.material);
+  const SurfaceCorrection correction = setup.surface_correction.as<SurfaceCorrection>();
+  const bool by_energy = !own_family && !correspondence && correction <= SurfaceCorrection::energy;
+  const bool by_volume = !correspondence && (own_family || correction == SurfaceCorrection::volume);
+
+  double arrays = 9 * number * with_slack + n / 8 + 3 * slot_number * n;  // particles and the family's numbers of their slots, grown one by one
+  arrays += length.rows + number * n;                                     // bonds, volumes of families
+  if (is_list) arrays += 2 * vector * n + number * n + slot_number * n + length.rows + length.entries * (sizeof(std::int32_t) + 2 * number);
+  if (correspondence) {
+    const double of_slot = numbers_of_gradients(setup, std::get<CorrespondenceSetup>(setup.material));
+    arrays += number * of_slot * with_slack + length.rows + (is_list ? vector * n + number * length.entries : 0);
+  } else {
+    arrays += (by_energy ? 2 * vector : by_volume ? number : 0) * with_slack + n / 2 + (has_dilatation ? number * with_slack : 0);
+    arrays += is_list ? (has_dilatation ? 2 : 1) * number * length.entries : by_energy ? number * length.tables : 0;
+  }
+  double at_rest = arrays + static_cast<double>(impactors) * (number + sizeof(int)) * n;  // a due distance and a guess for each slot
+  if (const auto* points = std::get_if<PointsShape>(&setup.shape))                        // of the deck, and of the simulation's own set-up
+    at_rest += 2 * (vector + number) * static_cast<double>(points->points.size());
+  // each sweep of the energy correction makes new factors beside the old ones; the stiffest mode of a cloud is sought on a copy of it
+  const double setting_up = is_list ? arrays + 5 * vector * n : by_energy ? 2 * vector * with_slack + 3 * n : 0;
+  const double pictures = 56 * n;  // measured: arrays in single precision, and what they are packed into
+  double rubble = 0;
+  if (has_fragments) {
+    at_rest += 132 * n;  // measured: particles, places and cells of force/near_pairs.hpp, whatever touches
+    const double pairs = setup.is_plane() ? 8 : 18, pair = 2 * slot_number + number;
+    rubble = (2 * pairs * pair + 2 * vector + 64 + 56) * n;
+  }
+  return {at_rest, setting_up, pictures, rubble};
+}
+
+constexpr double program = 21e6;  // [bytes] measured: the program itself with its libraries
 
 }  // namespace
 
 double physical_memory() { return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE)); }
 
-double memory_of(const Setup& setup, std::span<const Discretisation> bodies) {
-  double sum = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) sum += bytes_of(setup.bodies[b], bodies[b], setup.impactors.size());
+double Memory::peak() const { return at_rest + std::max(setting_up, pictures); }
+
+Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies) {
+  Memory sum{.at_rest = program};
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodyMemory one = memory_of(setup.bodies[b], bodies[b], has_fragments(setup), setup.impactors.size());
+    sum.at_rest += one.at_rest;
+    sum.rubble += one.rubble;
+    sum.setting_up = std::max(sum.setting_up, one.setting_up);  // one body is made after the other
+    if (setup.output.frames > 0) sum.pictures = std::max(sum.pictures, one.pictures);
+  }
   return sum;
 }
 
 void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, double available) {
-  const double needed = memory_of(setup, bodies);
+  const double needed = memory_of(setup, bodies).peak();
   if (!(needed > available)) return;
+  const auto at_rest = [&](std::size_t b) { return memory_of(setup.bodies[b], bodies[b], false, 0).at_rest; };
   std::size_t largest = 0;
   for (std::size_t b = 1; b < bodies.size(); ++b)
-    if (bytes_of(setup.bodies[b], bodies[b], 0) > bytes_of(setup.bodies[largest], bodies[largest], 0)) largest = b;
+    if (at_rest(b) > at_rest(largest)) largest = b;
   const BodySetup& body = setup.bodies[largest];
   if (!body.spacing)
     throw SetupError(

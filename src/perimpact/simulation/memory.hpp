@@ -11,11 +11,20 @@ namespace perimpact {
 
 double physical_memory();  ///< [bytes] of this machine
 
-/// [bytes] of the arrays of all bodies and of what the impactors remember of their particles; surfaces are not counted. `bodies`: what each is cut
-/// into; of the bonds of a cloud, as many as a lattice of its mean spacing has.
-double memory_of(const Setup& setup, std::span<const Discretisation> bodies);
+/// [bytes] What a run takes at most, counted array by array; surfaces are not counted, nor the report, which is made when the rest is free again.
+struct Memory {
+  double at_rest = 0;     ///< that stays from the first step on
+  double setting_up = 0;  ///< the most while the bodies are made
+  double pictures = 0;    ///< the most while a picture is written
+  double rubble = 0;      ///< more, where `contact.fragments` is given and all bonds have broken: 18 pairs a particle (8 in the plane), as in a heap of cubes
 
-/// Throws SetupError, with the key of the largest body, where that is more than `available` [bytes].
+  double peak() const;  ///< without rubble
+};
+
+/// `bodies`: what each is cut into. The bonds of a cloud are counted for some of its particles.
+Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies);
+
+/// Throws SetupError, with the key of the largest body, where the peak is more than `available` [bytes].
 void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, double available);
 
 }  // namespace perimpact

@@ -31,11 +31,18 @@ double kinetic_energy_amid_step(const Particles& particles) {
   return energy;
 }
 
+/// Bounds how much of a long run that has gone wrong is computed and written before it is found out.
+constexpr long most_steps_unchecked = 200;
+
+constexpr ColumnKind instantaneous = ColumnKind::instantaneous, interval_mean = ColumnKind::interval_mean, cumulative = ColumnKind::cumulative;
+
 }  // namespace
 
 Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock)
     : interval_(std::max(1L, setup.history ? std::lround(std::min(*setup.history / clock.dt, static_cast<double>(clock.steps))) : clock.steps / 100)),
-      elastic_(bodies.size(), 0.0) {
+      check_interval_(std::clamp(clock.steps / 100, 1L, most_steps_unchecked)),
+      elastic_(bodies.size(), 0.0),
+      kinetic_(bodies.size(), 0.0) {
   for (const ProbeSetup& probe : setup.probes) {
     const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const Body& candidate) { return candidate.name == probe.body; });
     const std::string key = "output.probes." + probe.name;
@@ -49,127 +56,170 @@ Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const
   }
 }
 
-void Monitors::add(const std::string& column, double value) {
-  if (is_first_) columns_.push_back(column);
+void Monitors::add(std::string_view owner, const Of& of, double value) {
+  if (is_first_) {
+    const std::string name = owner.empty() ? std::string(of.name) : fmt::format("{}.{}", owner, of.name);
+    columns_.push_back({name, std::string(of.unit), of.kind, std::string(of.meaning), of.is_load});
+  }
   row_.push_back(value);
 }
 
-void Monitors::add_vector(const std::string& owner, const char* quantity, const char* unit, const Vec3d& value) {
-  constexpr const char* axes = "xyz";
-  for (std::size_t c = 0; c < 3; ++c) add(fmt::format("{}.{}_{} [{}]", owner, quantity, axes[c], unit), value[c]);
+void Monitors::add(std::string_view owner, const Of& of, const Vec3d& value) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::string name = is_first_ ? fmt::format("{}_{}", of.name, "xyz"[c]) : std::string();
+    add(owner, {name, of.unit, of.kind, of.meaning, of.is_load}, value[c]);
+  }
 }
 
-void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> boundaries, std::span<Impactor> impactors, const Clock& clock, const Relaxed* relaxed,
-                      const std::optional<ShortRange>& fragments) {
-  row_.clear();
-  add("time [s]", clock.time());
-  const double interval = clock.time() - row_time_;  // forces are means over it; nothing has acted before the first row
-  const double per_second = interval > 0 ? 1 / interval : 0;
-  row_time_ = clock.time();
+void Monitors::add_mean(std::string_view owner, const Of& of, double sum) {
+  if (is_first_) sums_.push_back(sum);
+  double& before = sums_[next_sum_++];
+  add(owner, of, per_second_ * (sum - before));
+  before = sum;
+}
 
-  Vec3d momentum{};
-  double energy = 0, work = 0, unpaid = 0;
-  double ripple = 0, taken = 0, contact_loss = 0;  // [J] for the balance
-  double since_amid = 0;                           // [J] that the half kick to this instant gave
-  for (Impactor& impactor : impactors) {
-    const fccda::RigidBody& body = impactor.body();
-    Account& account = impactor.account();
-    add_vector(impactor.name(), "position", "m", body.position_of_com());
-    add_vector(impactor.name(), "velocity", "m/s", body.velocity());
-    add_vector(impactor.name(), "angular_velocity", "rad/s", body.angular_velocity());
-    add_vector(impactor.name(), "force", "N", per_second * account.impulse);
-    add_vector(impactor.name(), "moment", "N m", per_second * account.angular_impulse);
-    add(impactor.name() + ".contacts [-]", static_cast<double>(account.contacts));
-    add(impactor.name() + ".contact_work [J]", impactor.work_of_contact());
-    account.impulse = {}, account.angular_impulse = {};
-    if (impactor.water()) {
-      add(impactor.name() + ".water_force_z [N]", per_second * account.water_impulse);
-      add(impactor.name() + ".water_moment_x [N m]", per_second * account.water_angular_impulse.x);
-      add(impactor.name() + ".water_moment_y [N m]", per_second * account.water_angular_impulse.y);
-      add(impactor.name() + ".displaced_mass [kg]", impactor.water()->density * impactor.afloat().volume);
-      account.water_impulse = 0, account.water_angular_impulse = {};
-    }
-    for (NamedGauge& named : impactor.gauges()) {
-      const fccda::Gauge::Reading& reading = named.gauge.reading();
-      add_vector(named.name, "force", "N", per_second * reading.impulse);
-      add_vector(named.name, "moment", "N m", per_second * reading.angular_impulse);
-      if (named.gauge.has_axis()) add(named.name + ".torque [N m]", per_second * reading.about_axis);
-      named.gauge.reset();
-    }
-    impactor.record().end_interval(clock.time(), interval);
-    momentum += body.momentum();
-    energy += body.kinetic_energy();
-    work += impactor.work_of_holder() + impactor.work_of_loads() + impactor.work_of_water();
-    contact_loss -= impactor.work_of_contact() + impactor.work_on_particles();
+void Monitors::add_mean(std::string_view owner, const Of& of, const Vec3d& sum) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::string name = is_first_ ? fmt::format("{}_{}", of.name, "xyz"[c]) : std::string();
+    add_mean(owner, {name, of.unit, of.kind, of.meaning, of.is_load}, sum[c]);
   }
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const double kinetic = relaxed ? 0 : bodies[b].kinetic_energy(clock.dt);
-    add(bodies[b].name + ".kinetic_energy [J]", kinetic);
-    add(bodies[b].name + ".elastic_energy [J]", elastic_[b]);
-    add(bodies[b].name + ".broken_bonds [-]", static_cast<double>(bodies[b].internal.broken_bonds()));
-    add(bodies[b].name + ".fracture_energy [J]", bodies[b].internal.fracture_energy());
-    for (NamedBoundary& named : boundaries[b].all()) {
-      add_vector(named.name, "force", "N", per_second * named.account().take_impulse());
-      add(named.name + ".work [J]", named.account().work());
-      if (const auto* water = std::get_if<Floating>(&named.boundary)) {
-        add(named.name + ".work_of_weight_and_buoyancy [J]", water->work_of_weight_and_buoyancy());
-        add(named.name + ".work_of_drag [J]", water->work_of_drag());
-      }
-    }
-    momentum += bodies[b].momentum();
-    energy += kinetic + elastic_[b];
-    work += boundaries[b].work();
-    unpaid += boundaries[b].half_kick(clock.time(), clock.dt);
-    ripple += relaxed ? 0 : kinetic - bodies[b].kinetic_energy_of_scheme(clock.dt);
-    since_amid += relaxed ? 0 : kinetic - kinetic_energy_amid_step(bodies[b].particles);
-    taken += bodies[b].internal.fracture_energy();
-    contact_loss -= boundaries[b].undone();
+}
+
+void Monitors::watch(const Scene& scene) {
+  const Balance balance = balance_of(scene);
+  if (is_first_) first_energy_ = balance.energy - balance.work, first_balance_ = balance.sum();
+  if (is_checked(scene.clock) || scene.relaxed) {
+    check_numbers(scene, balance.energy);
+    // Where an impactor presses, the forces at hand lack its share, and the half kick gives energy that is not there; an unstable step blows up both.
+    if (!scene.relaxed) check_energy(scene, balance.energy - std::max(0.0, balance.since_amid), balance.work, balance.unpaid);
+    sound_until_ = scene.clock.step;
   }
-  if (fragments) {
-    add("total.contact_energy [J]", fragments->energy());
-    add("total.friction_work [J]", fragments->friction_work());
-    add("total.restitution_work [J]", fragments->restitution_work());
-    energy += fragments->energy();
-    taken += fragments->friction_work() + fragments->restitution_work();
-  }
-  add_vector("total", "momentum", "kg m/s", momentum);
-  add("total.energy [J]", energy);
-  if (!impactors.empty()) add("total.contact_loss [J]", contact_loss);
-  if (!relaxed) {
-    const double balance = energy - ripple + taken + contact_loss - work;
-    if (is_first_) first_balance_ = balance;
-    add("total.closing_error [J]", balance - first_balance_);
-  }
-  if (relaxed) {
-    add("total.residual [-]", relaxed->residual);
-    add("total.iterations [-]", static_cast<double>(relaxed->iterations));
-  }
-  for (const Probe& probe : probes_) add_vector(probe.name, "displacement", "m", probe.sample.displacement(bodies[probe.body]));
-  if (is_first_) first_energy_ = energy - work;
-  check_numbers(bodies, clock, energy);
-  // Where an impactor presses, the forces at hand lack its share, and the half kick gives energy that is not there; an unstable step blows up both.
-  if (!relaxed) check_energy(bodies, clock, energy - std::max(0.0, since_amid), work, unpaid);
+  if (is_due(scene.clock)) make_row(scene, balance);
   is_first_ = false;
 }
 
-void Monitors::check_numbers(std::span<const Body> bodies, const Clock& clock, double energy) const {
+Monitors::Balance Monitors::balance_of(const Scene& scene) {
+  Balance of;
+  const double dt = scene.clock.dt;
+  for (const Impactor& impactor : scene.impactors) {
+    of.momentum += impactor.body().momentum();
+    of.energy += impactor.body().kinetic_energy();
+    of.work += impactor.work_of_holder() + impactor.work_of_loads() + impactor.work_of_water();
+    of.contact -= impactor.work_of_contact() + impactor.work_on_particles();
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    const Boundaries& boundaries = scene.boundaries[b];
+    const double kinetic = kinetic_[b] = scene.relaxed ? 0 : body.kinetic_energy(dt);
+    of.momentum += body.momentum();
+    of.energy += kinetic + elastic_[b];
+    of.work += boundaries.work();
+    of.unpaid += boundaries.half_kick(scene.clock.time(), dt);
+    of.ripple += scene.relaxed ? 0 : kinetic - body.kinetic_energy_of_scheme(dt);
+    of.since_amid += scene.relaxed ? 0 : kinetic - kinetic_energy_amid_step(body.particles);
+    of.taken += body.internal.fracture_energy();
+    of.contact -= boundaries.undone();
+  }
+  if (scene.fragments) {
+    of.energy += scene.fragments->energy();
+    of.taken += scene.fragments->friction_work() + scene.fragments->restitution_work();
+  }
+  return of;
+}
+
+void Monitors::make_row(const Scene& scene, const Balance& balance) {
+  row_.clear();
+  next_sum_ = 0;
+  const double time = scene.clock.time(), interval = time - row_time_;
+  per_second_ = interval > 0 ? 1 / interval : 0;  // nothing has acted before the first row
+  row_time_ = time;
+  add("", {"time", "s", instantaneous, "end of the step"}, time);
+  for (const Impactor& impactor : scene.impactors) add_impactor(impactor);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(scene, b);
+  if (scene.fragments) {
+    add("total", {"contact_energy", "J", instantaneous, "of the springs between touching particles"}, scene.fragments->energy());
+    add("total", {"friction_work", "J", cumulative, "taken by friction between touching particles"}, scene.fragments->friction_work());
+    add("total", {"restitution_work", "J", cumulative, "taken by dashpots between touching particles"}, scene.fragments->restitution_work());
+  }
+  add("total", {"momentum", "kg m/s", instantaneous, "of all bodies and impactors"}, balance.momentum);
+  add("total", {"energy", "J", instantaneous, "kinetic, elastic and of contact between fragments"}, balance.energy);
+  if (!scene.impactors.empty()) add("total", {"contact_loss", "J", cumulative, "what contact took from impactors and bodies together"}, balance.contact);
+  if (!scene.relaxed)
+    add("total", {"closing_error", "J", instantaneous, "energy now and all that was taken, less energy at first and all that was put in"},
+        balance.sum() - first_balance_);
+  if (scene.relaxed) {
+    add("total", {"residual", "-", instantaneous, "with which the increment ended"}, scene.relaxed->residual);
+    add("total", {"iterations", "-", instantaneous, "that the increment took"}, static_cast<double>(scene.relaxed->iterations));
+  }
+  for (const Probe& probe : probes_)
+    add(probe.name, {"displacement", "m", instantaneous, "mean of the particles nearest to the point"}, probe.sample.displacement(scene.bodies[probe.body]));
+}
+
+void Monitors::add_impactor(const Impactor& impactor) {
+  const fccda::RigidBody& body = impactor.body();
+  const Account& account = impactor.account();
+  const std::string& name = impactor.name();
+  add(name, {"position", "m", instantaneous, "of its centre of mass"}, body.position_of_com());
+  add(name, {"velocity", "m/s", instantaneous, "of its centre of mass"}, body.velocity());
+  add(name, {"angular_velocity", "rad/s", instantaneous, "about the axes of the world"}, body.angular_velocity());
+  add_mean(name, {"force", "N", interval_mean, "of contact on it", true}, account.impulse);
+  add_mean(name, {"moment", "N m", interval_mean, "of contact on it about its centre of mass"}, account.angular_impulse);
+  add(name, {"contacts", "-", instantaneous, "particles in contact in the last step"}, static_cast<double>(account.contacts));
+  add(name, {"contact_work", "J", cumulative, "done on it by contact"}, impactor.work_of_contact());
+  if (impactor.water()) {
+    add_mean(name, {"water_force_z", "N", interval_mean, "of weight, buoyancy and their damping"}, account.water_impulse);
+    add_mean(name, {"water_moment_x", "N m", interval_mean, "of buoyancy and damping about its centre of mass"}, account.water_angular_impulse.x);
+    add_mean(name, {"water_moment_y", "N m", interval_mean, "of buoyancy and damping about its centre of mass"}, account.water_angular_impulse.y);
+    add(name, {"displaced_mass", "kg", instantaneous, "of the water that it displaces"}, impactor.water()->density * impactor.afloat().volume);
+  }
+  for (const NamedGauge& named : impactor.gauges()) {
+    const fccda::Gauge::Reading& reading = named.gauge.reading();
+    add_mean(named.name, {"force", "N", interval_mean, "of contact on the parts of the gauge", true}, reading.impulse);
+    add_mean(named.name, {"moment", "N m", interval_mean, "of that about the point of the gauge"}, reading.angular_impulse);
+    if (named.gauge.has_axis()) add_mean(named.name, {"torque", "N m", interval_mean, "of that about the axis of the gauge", true}, reading.about_axis);
+  }
+}
+
+void Monitors::add_body(const Scene& scene, std::size_t b) {
+  const Body& body = scene.bodies[b];
+  add(body.name, {"kinetic_energy", "J", instantaneous, "of its particles"}, kinetic_[b]);
+  add(body.name, {"elastic_energy", "J", instantaneous, "of its bonds"}, elastic_[b]);
+  add(body.name, {"broken_bonds", "-", cumulative, "each counted once"}, static_cast<double>(body.internal.broken_bonds()));
+  add(body.name, {"fracture_energy", "J", cumulative, "what bonds held as they broke"}, body.internal.fracture_energy());
+  for (const NamedBoundary& named : scene.boundaries[b].all()) {
+    const BoundaryAccount& account = named.account();
+    if (scene.relaxed)
+      add(named.name, {"force", "N", instantaneous, "on the body"}, account.force());
+    else
+      add_mean(named.name, {"force", "N", interval_mean, "on the body"}, account.impulse());
+    add(named.name, {"work", "J", cumulative, "done on the body"}, account.work());
+    if (const auto* water = std::get_if<Floating>(&named.boundary)) {
+      add(named.name, {"work_of_weight_and_buoyancy", "J", cumulative, "done on the body by these"}, water->work_of_weight_and_buoyancy());
+      add(named.name, {"work_of_drag", "J", cumulative, "done on the body by drag, damping and added mass"}, water->work_of_drag());
+    }
+  }
+}
+
+void Monitors::check_numbers(const Scene& scene, double energy) const {
+  const Clock& clock = scene.clock;
   if (std::isfinite(energy)) return;
-  for (const Body& body : bodies)
+  for (const Body& body : scene.bodies)
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       const std::uint32_t slot = body.particles.slot_of()[i];
       if (!is_finite(body.particles.position.at(slot)) || !is_finite(body.particles.force_density.at(slot)))
         throw fccda::RunError(
-            fmt::format("At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. The rows written before are sound; try a "
-                        "smaller time step.",
-                        clock.step, clock.time(), i, body.name));
+            fmt::format("At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. What was written up to step {} is "
+                        "sound; try a smaller time step.",
+                        clock.step, clock.time(), i, body.name, sound_until_));
     }
-  throw fccda::RunError(
-      fmt::format("At step {} ({:.6g} s) the energy is not a number. The rows written before are sound; try a smaller time step.", clock.step, clock.time()));
+  throw fccda::RunError(fmt::format("At step {} ({:.6g} s) the energy is not a number. What was written up to step {} is sound; try a smaller time step.",
+                                    clock.step, clock.time(), sound_until_));
 }
 
-void Monitors::check_energy(std::span<const Body> bodies, const Clock& clock, double energy, double work, double unpaid) const {
+void Monitors::check_energy(const Scene& scene, double energy, double work, double unpaid) const {
+  const Clock& clock = scene.clock;
   // Contact and breaking only take energy. Interpolated velocities leave a ripple of (ω dt)² on the energy of the shortest waves, which hold little of it.
-  const double available = first_energy_ + std::fabs(work) + energy_of_rounding(bodies, clock.dt) + unpaid;
+  const double available = first_energy_ + std::fabs(work) + energy_of_rounding(scene.bodies, clock.dt) + unpaid;
   if (energy - work - first_energy_ - unpaid > 0.05 * available)
     throw fccda::RunError(
         fmt::format("At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the {:.4g} J there were plus the {:.4g} J put in from outside: the time "

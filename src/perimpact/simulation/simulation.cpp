@@ -176,6 +176,15 @@ void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::sp
   }
 }
 
+/// [s] A wave's way through the slowest family, δ/√(E/ρ): what particles need to answer a push. A particle under steady pressure is pushed once in several
+/// steps, so that the pressure of a single step grows as steps become shorter; over this time it does not, and nothing faster is resolved.
+double response_time(const Setup& setup, std::span<const Body> bodies) {
+  double time = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    time = std::max(time, bodies[b].family.horizon() * std::sqrt(bodies[b].particles.density() / elastic_of(setup.bodies[b]).youngs_modulus));
+  return time;
+}
+
 /// An impactor against one of the bodies, as strike_together sees it.
 struct ImpactorOnBody {
   Impactor& impactor;
@@ -206,6 +215,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<GivenForce> 
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
       relaxation_(make_relaxation(setup, bodies_, clock_.dt)),
       impactors_(std::move(start.impactors)),
+      load_steps_(std::clamp(std::lround(std::min(response_time(setup, bodies_) / clock_.dt, 1e9)), 1L, clock_.steps)),
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
   for (const Body& body : bodies_) warn_of_density(body.name, body.particles.density(), warnings_);
   for (const ImpactorSetup& impactor : setup_.impactors)
@@ -227,19 +237,22 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<GivenForce> 
     apply_boundaries();
     if (fragments_ && fragments_->touching() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
   }
-  record();
+  watch();
 }
 
 void Simulation::step(const KeepRelaxing& keep_on) {
   ++clock_.step;
   if (relaxation_) return relax(keep_on);
   timers_.timed("predict", [&] { advance_bodies(); });
-  timers_.timed("contact", [&] { strike(); });
+  timers_.timed("contact", [&] {
+    strike();
+    end_load_interval();
+  });
   timers_.timed("forces", [&] { pull(); });
   if (fragments_) timers_.timed("fragments", [&] { touch(); });
   timers_.timed("boundaries", [&] { apply_boundaries(); });
   timers_.timed("monitors", [&] {
-    if (monitors_.is_due(clock_)) record();
+    if (monitors_.watches(clock_)) watch();
   });
 }
 
@@ -267,7 +280,7 @@ void Simulation::pull() {
   const double dt = clock_.step > 0 ? clock_.dt : 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    if (monitors_.is_due(clock_))
+    if (monitors_.watches(clock_))
       monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family, dt);
     else
       body.internal.evaluate(body.particles, body.family, dt);
@@ -294,12 +307,21 @@ void Simulation::relax(const KeepRelaxing& keep_on) {
     return;
   }
   monitors_.elastic_energy() = std::move(*energy);
-  timers_.timed("monitors", [&] { record(); });
+  timers_.timed("monitors", [&] { watch(); });
 }
 
-void Simulation::record() {
-  monitors_.record(bodies_, boundaries_, impactors_, clock_, relaxation_ ? &relaxation_->latest() : nullptr, fragments_);
-  encounters_.look(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
+void Simulation::end_load_interval() {
+  if (clock_.step % load_steps_ != 0 && !clock_.is_finished()) return;
+  // the last may be cut short: its mean is taken over a whole one all the same, as if nothing pushed afterwards
+  for (Impactor& impactor : impactors_) impactor.end_load_interval(clock_.time(), static_cast<double>(load_steps_) * clock_.dt);
+}
+
+void Simulation::watch() {
+  const double row_before = monitors_.row_time();
+  monitors_.watch({bodies_, boundaries_, impactors_, clock_, fragments_, relaxation_ ? &relaxation_->latest() : nullptr});
+  if (monitors_.is_due(clock_))
+    for (Impactor& impactor : impactors_) impactor.end_history_interval(clock_.time(), clock_.time() - row_before);
+  if (monitors_.is_checked(clock_)) encounters_.look(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
 }
 
 std::size_t Simulation::contacts() const {

@@ -99,7 +99,8 @@ class Simulation {
   void touch();
   void apply_boundaries();
   void relax(const KeepRelaxing& keep_on);
-  void record();
+  void end_load_interval();
+  void watch();
 
   Setup setup_;
   std::vector<std::string> warnings_;
@@ -112,6 +113,7 @@ class Simulation {
   Clock clock_;  // counts increments where bodies are relaxed
   std::optional<Relaxation> relaxation_;
   std::vector<Impactor> impactors_;
+  long load_steps_;                          // over which loads of panels are averaged
   std::vector<std::vector<double>> travel_;  // [m] of each body's blocks in this step
   Monitors monitors_;
   Encounters encounters_;

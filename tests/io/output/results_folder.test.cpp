@@ -23,6 +23,7 @@ TEST_CASE("results: the files of an earlier run go, everything else stays") {
   const Names ours = {"run.json",
                       "run.json.part",
                       "history.csv",
+                      "history.json",
                       "statistics.csv",
                       "windows.csv",
                       "spectrum.csv",
@@ -69,8 +70,9 @@ TEST_CASE("results: an unusable folder keeps the earlier run") {
 
 TEST_CASE("results: where an earlier run goes on its files stay, but for those in part and the one that says how it ended") {
   const TemporaryFolder folder;
-  const Names kept = {"history.csv",    "checkpoint.h5", "lines/along_x_t0.0002.csv", "frames/plate.pvd", "frames/plate_00000.vtp", "pressure_area/hull.csv",
-                      "pieces/ice.csv", "notes.part"};
+  const Names kept = {"history.csv",      "history.json",           "checkpoint.h5",          "lines/along_x_t0.0002.csv",
+                      "frames/plate.pvd", "frames/plate_00000.vtp", "pressure_area/hull.csv", "pieces/ice.csv",
+                      "notes.part"};
   for (const std::string& name : kept) fixtures::put(folder / name, "x");
   for (const char* name : {"run.json", "checkpoint.h5.part", "frames/plate_00001.vtp.part", "frames/plate.pvd.part"}) fixtures::put(folder / name, "x");
   const ResultsFolder results(folder.path(), EarlierRun::continued);

@@ -63,20 +63,53 @@ TEST_CASE("table: a file that is not there or not whole is refused with its line
   CHECK(said("time [s],f [N]\n0,1\n").empty());
 }
 
-TEST_CASE("table: forces, moments and torques are means, momentum and all else are not") {
-  const std::vector<std::string> means = {"ship.force_x [N]", "ship.moment_x [N m]", "ship.bow.torque [N m]", "ice.grip.force_x [N]"};
-  for (const std::string& name : means) CHECK(is_mean(name));
-  for (const char* name : {"total.momentum_x [kg m/s]", "ship.position_x [m]", "ice.grip.work [J]", "time [s]"}) CHECK_FALSE(is_mean(name));
+TEST_CASE("table: what a column of history is stands in history.json, whatever its name") {
+  const fixtures::TemporaryFolder folder;
+  const auto column = [](const char* name, const char* unit, const char* kind, const char* more = "") {
+    return std::string("{\"name\": \"") + name + "\", \"unit\": \"" + unit + "\", \"kind\": \"" + kind + "\"" + more + "}";
+  };
+  const std::string time = column("time", "s", "instantaneous");
+  const auto facts = [&](const std::vector<std::string>& columns) {
+    std::string text = "{\"format\": 1, \"columns\": [";
+    for (const std::string& one : columns) text += (text.back() == '[' ? "" : ", ") + one;
+    fixtures::put(folder / "history.json", text + "]}\n");
+  };
+  fixtures::put(folder / "history.csv", "time [s],ship.water_force_z [N],ship.force_x [N],ship.bow [N m]\n0,0,0,0\n1,2,3,4\n");
+  facts({time, column("ship.water_force_z", "N", "interval mean"), column("ship.force_x", "N", "instantaneous"),
+         column("ship.bow", "N m", "cumulative", ", \"is_load\": true")});
+  const Table table = read_history(folder.path());
+  REQUIRE(table.facts.size() == 4);
+  CHECK((!table.facts[0].is_mean && table.facts[1].is_mean && !table.facts[2].is_mean && !table.facts[3].is_mean));
+  CHECK(columns_of_loads(table) == Numbers{3});
+
+  const auto said = [&] {
+    try {
+      read_history(folder.path());
+    } catch (const fccda::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string place = (folder / "history.json").string();
+  facts({time, column("ship.water_force_z", "N", "interval mean")});
+  CHECK(said() == place + " does not tell of the 4 columns of history.csv; take the file as the run wrote it.");
+  facts({time, column("ship.water_force_z", "N", "mean"), time, time});
+  CHECK(said() == place +
+                      " says that ship.water_force_z [N] is of the kind \"mean\", which is none of instantaneous, interval mean and cumulative; take the "
+                      "file as the run wrote it.");
+  facts({time, column("ship.force_x", "N", "instantaneous"), time, time});
+  CHECK(said() == place + " names another column where history.csv has ship.water_force_z [N]; take the file as the run wrote it.");
+  std::filesystem::remove(folder / "history.json");
+  CHECK(said().starts_with(place + " is not there, which says what each column of history.csv is."));
+}
+
+TEST_CASE("table: a column's heading holds its quantity and its unit") {
   CHECK(quantity_of("ship.force_x [N]") == "ship.force_x");
   CHECK(unit_of("total.momentum_x [kg m/s]") == "kg m/s");
 }
 
-TEST_CASE("table: loads are the forces on impactors, and forces and torques of their gauges, but not of boundaries") {
-  CHECK(columns_of_loads({"history.csv", names, {}}) == Numbers{2, 3, 6, 8});
-}
-
 TEST_CASE("table: columns are chosen by whole names or by beginnings that end at a joint") {
-  const Table table{"r/history.csv", names, {}};
+  const Table table{"r/history.csv", names, {}, {}};
   CHECK(columns_named(table, {"ship.force_x"}) == Numbers{2});
   CHECK(columns_named(table, {"ship.force_x [N]"}) == Numbers{2});
   CHECK(columns_named(table, {"ship.force"}) == Numbers{2, 3});

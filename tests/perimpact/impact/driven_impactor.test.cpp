@@ -108,8 +108,7 @@ TEST_CASE("driven impactor: gauges of all parts add up to its force and moment, 
     }
   }
   CHECK(most > 1e4);
-  CHECK(std::find(simulation.monitors().columns().begin(), simulation.monitors().columns().end(), "cylinder.spin.torque [N m]") !=
-        simulation.monitors().columns().end());
+  CHECK_NOTHROW(value(simulation, "cylinder.spin.torque [N m]"));
 }
 
 TEST_CASE("driven impactor: a density makes the mass and inertia that the mass would") {

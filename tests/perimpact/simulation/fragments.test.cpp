@@ -109,7 +109,7 @@ TEST_CASE("fragments: without contact the same bars pass through one another, an
   Simulation simulation(setup);
   run(simulation);
   CHECK(simulation.bodies()[0].momentum().x == fixtures::relative(simulation.bodies()[0].particles.total_mass() * 10, 1e-12));
-  for (const std::string& column : simulation.monitors().columns()) CHECK(column.find("contact_energy") == std::string::npos);
+  for (const Column& column : simulation.monitors().columns()) CHECK(column.name.find("contact_energy") == std::string::npos);
 }
 
 TEST_CASE(
