@@ -118,8 +118,8 @@ fccda::Effort Impactor::effort(std::size_t body) const {
 
 void Impactor::advance(const Step& step) {
   prescribed_.impose(body_, step);
+  if (water_) float_in_water(step);  // before the loads: damping would take a share of what they give, and move the place at rest by c Δt
   work_of_loads_ += apply(loads_, body_, step);
-  if (water_) float_in_water(step);
   motion_ = in_run(name_, [&] { return body_.advance(step.dt); });
   account_.contacts = 0;
   last_step_.impulse = last_step_.angular_impulse = {};

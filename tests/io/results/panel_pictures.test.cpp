@@ -75,7 +75,10 @@ TEST_CASE("panel pictures: impulses of the panels sum to what the impactor lost,
     CHECK(norm(sum - lost) <= 1e-5 * (norm(lost) + 1e-9));  // written as float, 6e-8 a number
     // the face that strikes looks along -y, so the normal force is the one along y
     const double mean = (hammer.body().momentum() - before).y / (simulation.clock().time() - time);
-    CHECK(force == fixtures::relative(mean, 1e-5));
+    if (mean == 0)
+      CHECK(force == 0);
+    else
+      CHECK(force == fixtures::relative(mean, 1e-6));  // written as float, 6e-8 a number
     was_struck = was_struck || mean > 0;
     const auto peak_now = file.arrays.at("CellData/peak_pressure").as<float>();
     for (std::size_t p = 0; p < faces.size(); ++p) CHECK(peak_now[p] >= peak[p]);
