@@ -68,9 +68,9 @@ TEST_CASE("held: what the particles gain in momentum is the impulse of the holde
   double largest_work = 0;
   for (int step = 0; step < 60; ++step) {
     scene.step();
+    for (NamedBoundary& one : scene.boundaries.all()) impulse += one.account().take_impulse();
     largest_work = std::max(largest_work, std::fabs(scene.boundaries.work()));
   }
-  for (const NamedBoundary& one : scene.boundaries.all()) impulse += one.account().impulse();
   // The two are sums of the same products in another order: rounding of 60 steps and a thousand particles.
   CHECK(norm(scene.body.momentum() - before - impulse) <= 1e-12 * norm(before));
   CHECK(norm(impulse) > 0.1 * norm(before));
@@ -86,10 +86,10 @@ TEST_CASE("held: work of a slow pull is the elastic energy, force times way over
   BoundedBody scene(setup, ends, dt);
   for (int step = 0; step < 1500; ++step) scene.step();
   const double work = scene.boundaries.work();
-  // The pull takes sixty times as long as a wave along the bar. Its force climbs in stairs, by 1/30 at each return of the wave, and is off by half of
-  // that at most where a stair begins or ends; the energy in motion is (1/60)² of the elastic one.
+  // The pull takes sixty times as long as a wave along the bar. Its force climbs in stairs, by 1/30 at each return of the wave, which overshoots on a
+  // lattice: the last one is 3.5 % off the straight line. The energy in motion is (1/60)² of the elastic one.
   CHECK(work == fixtures::relative(scene.elastic_energy, 1e-3));
-  CHECK(work == fixtures::relative(0.5 * scene.boundaries.all()[1].account().force().x * 1e-6, 0.02));
+  CHECK(work == fixtures::relative(0.5 * scene.boundaries.all()[1].account().force().x * 1e-6, 0.05));
 }
 
 TEST_CASE("held: a direction that two hold is refused, other directions of the same particles are not") {
