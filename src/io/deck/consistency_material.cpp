@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "io/deck/yaml_node.hpp"
 #include "perimpact/material/ice.hpp"
 
 namespace perimpact::deck {
