@@ -104,8 +104,8 @@ Motion Coupling::correct(RigidBody& body, double radius) {
     for (std::size_t r = 0; r < 6; ++r) matrix[r][c] = (r < 3 ? answer[r] : answer[r] / length) + (r == c ? 1 : 0);
   }
   const Impulse missing = found_ - assumed_;
-  const Vector6 change = solve(matrix, {missing.linear.x, missing.linear.y, missing.linear.z, missing.angular.x / length, missing.angular.y / length,
-                                        missing.angular.z / length});
+  const Vector6 change =
+      solve(matrix, {missing.linear.x, missing.linear.y, missing.linear.z, missing.angular.x / length, missing.angular.y / length, missing.angular.z / length});
   assumed_.linear += first(change);
   assumed_.angular += length * second(change);
   return move(body, radius);

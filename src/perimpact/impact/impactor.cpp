@@ -112,6 +112,7 @@ void Impactor::advance(const Step& step) {
   motion_ = coupling_.advance(body_, step.dt);
   is_first_pass_ = true;
   pending_.clear();
+  put_back_.clear();
   account_.contacts = 0;
   last_step_.impulse = last_step_.angular_impulse = {};
   last_step_.blows.clear();
@@ -217,6 +218,27 @@ void Impactor::note_pinched(std::size_t body, std::size_t particles, double time
 
 void Impactor::moved(std::size_t body, std::size_t particle) {
   std::visit([&](auto& detector) { detector.moved(particle); }, detectors_[body]);
+}
+
+void Impactor::put_back(std::size_t body, std::size_t particle) {
+  moved(body, particle);
+  put_back_.emplace_back(body, particle);
+}
+
+std::vector<Blow> Impactor::lasting_blows() const {
+  std::vector<Blow> blows;
+  if (!is_coupled_) return blows;
+  std::vector<std::pair<std::size_t, std::size_t>> left_out = put_back_;
+  std::sort(left_out.begin(), left_out.end());
+  for (const Blow& blow : last_step_.blows)
+    if (!std::binary_search(left_out.begin(), left_out.end(), std::pair(blow.body, blow.contact.point))) blows.push_back(blow);
+  return blows;
+}
+
+double Impactor::kinetic_energy() const {
+  RigidBody later = body_;
+  if (is_coupled_) later.add_impulse(0.5 * last_step_.impulse, 0.5 * last_step_.angular_impulse);
+  return later.kinetic_energy();
 }
 
 }  // namespace perimpact

@@ -98,6 +98,9 @@ class Impactor {
   /// Another impactor displaced that particle of a body.
   void moved(std::size_t body, std::size_t particle);
 
+  /// After finish_step(): that particle was put back on a prescribed course.
+  void put_back(std::size_t body, std::size_t particle);
+
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
@@ -125,7 +128,12 @@ class Impactor {
   Account& account() { return account_; }
   const Account& account() const { return account_; }
   const LastStep& last_step() const { return last_step_; }  ///< empty before the first, and where a run was resumed
-  std::span<NamedGauge> gauges() { return gauges_; }        ///< what they summed since somebody last reset them
+  /// Those of the last step's blows whose particles were not put back on a prescribed course after it; none where the impactor gets its
+  /// impulse after the step.
+  std::vector<Blow> lasting_blows() const;
+  /// [J] at the end of the last step, contact going on as in it: its velocity is that of the middle of the step.
+  double kinetic_energy() const;
+  std::span<NamedGauge> gauges() { return gauges_; }  ///< what they summed since somebody last reset them
 
   /// The fastest that it is sure to become: of each degree of freedom, what it has now or the most that its table ever says.
   Vec3d fastest_velocity() const;          ///< [m/s] of the centre of mass
@@ -214,7 +222,8 @@ class Impactor {
   fccda::Coupling coupling_;              // of the step in progress
   bool is_coupled_;
   bool is_first_pass_ = true;
-  std::vector<Pending> pending_;          // of this pass
+  std::vector<Pending> pending_;                               // of this pass
+  std::vector<std::pair<std::size_t, std::size_t>> put_back_;  // body and particle, in the last step
   Account account_;
   LastStep last_step_;
   std::vector<NamedGauge> gauges_;

@@ -31,6 +31,29 @@ double kinetic_energy_amid_step(const Particles& particles) {
   return energy;
 }
 
+/// [J] that contact adds to the kinetic energy of a body at the end of the step, where forces at hand know nothing of it: half of a push that is
+/// taken to go on as it was in the step.
+double contact_share(std::size_t body, const Particles& particles, std::span<const Impactor> impactors, double dt) {
+  struct Push {
+    std::size_t slot;
+    Vec3d impulse;  // [N s]
+  };
+  std::vector<Push> pushes;
+  for (const Impactor& impactor : impactors)
+    for (const Blow& blow : impactor.lasting_blows())
+      if (blow.body == body) pushes.push_back({blow.contact.point, -blow.impulse});
+  std::stable_sort(pushes.begin(), pushes.end(), [](const Push& a, const Push& b) { return a.slot < b.slot; });
+  double energy = 0;
+  for (auto push = pushes.begin(); push != pushes.end();) {
+    const std::size_t slot = push->slot;
+    Vec3d impulse{};
+    for (; push != pushes.end() && push->slot == slot; ++push) impulse += push->impulse;
+    const Vec3d velocity = particles.velocity.at(slot) + (0.5 * dt / particles.density()) * particles.force_density.at(slot);
+    energy += 0.5 * dot(impulse, velocity + 0.25 * (impulse / particles.mass(slot)));
+  }
+  return energy;
+}
+
 }  // namespace
 
 Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock)
@@ -98,12 +121,14 @@ void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> bounda
     }
     impactor.record().end_interval(clock.time(), interval);
     momentum += body.momentum();
-    energy += body.kinetic_energy();
+    const double kinetic = impactor.kinetic_energy();
+    energy += kinetic;
+    ripple += kinetic - body.kinetic_energy();
     work += impactor.work_of_holder() + impactor.work_of_loads() + impactor.work_of_water();
     contact_loss -= impactor.work_of_contact() + impactor.work_on_particles();
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const double kinetic = relaxed ? 0 : bodies[b].kinetic_energy(clock.dt);
+    const double kinetic = relaxed ? 0 : bodies[b].kinetic_energy(clock.dt) + contact_share(b, bodies[b].particles, impactors, clock.dt);
     add(bodies[b].name + ".kinetic_energy [J]", kinetic);
     add(bodies[b].name + ".elastic_energy [J]", elastic_[b]);
     add(bodies[b].name + ".broken_bonds [-]", static_cast<double>(bodies[b].internal.broken_bonds()));

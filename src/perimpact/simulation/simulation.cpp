@@ -268,7 +268,7 @@ void Simulation::strike() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[b][i], clock_.time());
     for (const std::uint32_t slot : boundaries_[b].lead_back(bodies_[b].particles, clock_.latest()))
-      for (Impactor& impactor : impactors_) impactor.moved(b, slot);
+      for (Impactor& impactor : impactors_) impactor.put_back(b, slot);
   }
 }
 
