@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -173,7 +174,7 @@ void Monitors::record(std::span<const Body> bodies, std::span<Boundaries> bounda
   if (is_first_) first_energy_ = energy - work;
   check_numbers(bodies, clock, energy);
   // Where an impactor presses, the forces at hand lack its share, and the half kick gives energy that is not there; an unstable step blows up both.
-  if (!relaxed) check_energy(bodies, clock, energy - std::max(0.0, since_amid), work, unpaid);
+  if (!relaxed) check_energy(bodies, clock, energy - std::max(0.0, since_amid), work, unpaid, contact_loss);
   is_first_ = false;
 }
 
@@ -192,15 +193,22 @@ void Monitors::check_numbers(std::span<const Body> bodies, const Clock& clock, d
       fmt::format("At step {} ({:.6g} s) the energy is not a number. The rows written before are sound; try a smaller time step.", clock.step, clock.time()));
 }
 
-void Monitors::check_energy(std::span<const Body> bodies, const Clock& clock, double energy, double work, double unpaid) const {
+void Monitors::check_energy(std::span<const Body> bodies, const Clock& clock, double energy, double work, double unpaid, double contact_loss) const {
   // Contact and breaking only take energy. Interpolated velocities leave a ripple of (ω dt)² on the energy of the shortest waves, which hold little of it.
   const double available = first_energy_ + std::fabs(work) + energy_of_rounding(bodies, clock.dt) + unpaid;
-  if (energy - work - first_energy_ - unpaid > 0.05 * available)
-    throw fccda::RunError(
-        fmt::format("At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the {:.4g} J there were plus the {:.4g} J put in from outside: the time "
-                    "step of {:.3g} s is "
-                    "not stable for this run; make it smaller.",
-                    clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_, work, clock.dt));
+  const double excess = energy - work - first_energy_ - unpaid;
+  if (!(excess > 0.05 * available)) return;
+  std::string sentence = fmt::format(
+      "At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the {:.4g} J there were plus the {:.4g} J put in from outside: the time step of {:.3g} "
+      "s "
+      "is not stable for this run; make it smaller.",
+      clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_, work, clock.dt);
+  if (-contact_loss > 0.5 * excess)
+    sentence += fmt::format(
+        " Contact with impactors put in {:.3g} J: particles slide over an edge or a tip that is sharper than their spacing, and go too far in a step. Take a "
+        "time.step of {:.2g} s, and smaller ones until total.contact_loss stays above 0.",
+        -contact_loss, clock.dt / 4);
+  throw fccda::RunError(sentence);
 }
 
 }  // namespace perimpact

@@ -48,7 +48,7 @@ class Monitors {
   void add(const std::string& column, double value);
   void add_vector(const std::string& owner, const char* quantity, const char* unit, const Vec3d& value);
   void check_numbers(std::span<const Body> bodies, const Clock& clock, double energy) const;
-  void check_energy(std::span<const Body> bodies, const Clock& clock, double energy, double work, double unpaid) const;
+  void check_energy(std::span<const Body> bodies, const Clock& clock, double energy, double work, double unpaid, double contact_loss) const;
 
   long interval_;  // steps between rows
   double row_time_ = 0;
