@@ -3,7 +3,8 @@
 /// Free components follow
 ///   (m + a) dv = J,    I_ff dω_f = (angular impulse)_f,    I = R I_body Rᵀ about the centre of mass,
 /// where a is the added mass of each axis and f are the free world axes; held components keep their velocity whatever strikes the body. Between impulses the
-/// angular momentum along the free axes is constant: that is the gyroscopic term of Euler's equations in its conserved form.
+/// angular momentum along the free axes is constant: that is the gyroscopic term of Euler's equations in its conserved form. The attitude is
+/// integrated under it by the midpoint rule on rotations, three of them composed to fourth order (docs/theory/response.md).
 ///
 /// What holds a component takes the impulse that would change it. Its work, v·(change of momentum - impulse from outside) and likewise
 /// for rotations, balances the energy.
@@ -39,15 +40,24 @@ struct FreeDegrees {
   bool any_rotation() const { return free[3] || free[4] || free[5]; }
 };
 
+/// Linear and angular velocity.
+struct Twist {
+  Vec3d velocity{};  ///< [m/s] of the centre of mass
+  Vec3d spin{};      ///< [rad/s] about world axes
+};
+
 class RigidBody {
  public:
   /// `velocity` [m/s] is that of the centre of mass, `angular_velocity` [rad/s] has world axes. Throws InputError where a
   /// number is not finite, the mass is not positive, the attitude has not length 1, or a rotation is free and the inertia cannot resist it.
   RigidBody(const RigidBodyProperties& properties, const Pose& pose, const Vec3d& velocity, const Vec3d& angular_velocity, const FreeDegrees& degrees);
 
-  /// Moves the body for dt [s] with its current velocities: the centre of mass straight, the attitude by the exponential of ω dt.
+  /// Moves the body freely for dt [s]: the centre of mass straight, the attitude under constant angular momentum along the free axes.
   /// Throws InputError where dt is negative or not finite, or the body would turn by more than π in it.
   Motion advance(double dt);
+
+  /// What an impulse would change the free velocities by; `angular` is about the centre of mass [N s], [N m s].
+  Twist velocity_change(const Vec3d& linear, const Vec3d& angular) const;
 
   /// Changes the free velocities; `angular` is about the centre of mass [N s], [N m s]. Throws InputError where they are not finite.
   void add_impulse(const Vec3d& linear, const Vec3d& angular);
@@ -87,8 +97,11 @@ class RigidBody {
 
  private:
   void place(const Quaternion& attitude);
-  /// The angular velocity whose free components give `angular` along the free axes, the held ones staying as they are.
-  Vec3d spin_of(const Vec3d& angular) const;
+  /// The angular velocity whose free components give `angular` along the free axes, the held ones being those of `held_at`.
+  Vec3d spin_of(const Mat3& inertia, const Vec3d& angular, const Vec3d& held_at) const;
+  Vec3d spin_of(const Vec3d& angular) const { return spin_of(inertia(), angular, spin_); }
+  /// The attitude after a turn of dt [s] with the angular velocity that `angular` gives in the middle of it: symmetric, of second order.
+  Quaternion turned(const Quaternion& attitude, const Vec3d& angular, double dt) const;
   /// What holds the rotations took the angular momentum from `before` to what it is now, but for `angular`, which came from outside.
   void count_work_on_rotations(const Vec3d& before, const Vec3d& angular);
 

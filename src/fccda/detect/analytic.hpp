@@ -55,6 +55,12 @@ class Analytic {
     gather(out);
   }
 
+  /// As Swept answers it; looks at every point again.
+  template <Points P>
+  void redetect(const P& points, const Motion& motion, double surface_travel, double, std::vector<Contact>& out) {
+    detect(points, motion, surface_travel, out);
+  }
+
   /// The same for chosen points, in rising order, that somebody else displaced since.
   template <Points P>
   void detect_again(const P& points, const Motion& motion, double, std::span<const std::size_t> which, std::vector<Contact>& out) {

@@ -71,6 +71,12 @@ class Published {
     gather(out);
   }
 
+  /// As Swept answers it; looks at every point again.
+  template <Points P>
+  void redetect(const P& points, const Motion& motion, double surface_travel, double, std::vector<Contact>& out) {
+    detect(points, motion, surface_travel, out);
+  }
+
   /// The same for chosen points, in rising order, that somebody else displaced after `detect` in this step.
   template <Points P>
   void detect_again(const P& points, const Motion& motion, double, std::span<const std::size_t> which, std::vector<Contact>& out) {

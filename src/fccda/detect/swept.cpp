@@ -24,6 +24,22 @@ void Swept::begin_step(std::size_t point_count, double largest_radius, const Mot
   if (!same(pose_, motion.t0)) due_.forget();
   pose_ = motion.t1;
   measure(largest_radius, motion);
+  entered_at_t0_ = entered_;
+  entered_count_at_t0_ = entered_count_;
+  changed_.clear();
+  renumbered_at_t0_ = renumbered_;
+}
+
+// Points in contact have no clearance, so that all of them are looked at again; those that entered or left may have some.
+void Swept::begin_again(double largest_radius, const Motion& motion) {
+  touched_.clear();
+  for (const std::uint64_t point : changed_) due_.forget(point);
+  changed_.clear();
+  entered_ = entered_at_t0_;
+  entered_count_ = entered_count_at_t0_;
+  renumbered_ = renumbered_at_t0_;
+  pose_ = motion.t1;
+  measure(largest_radius, motion);
 }
 
 // How much nearer to the surface the chord of a point's path in the turning body frame can come, for a travel of m = (point) + (surface)
@@ -118,6 +134,8 @@ void Swept::gather(std::size_t shares, std::vector<Contact>& out) {
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   if (entering.empty() && leaving.empty()) return;
+  changed_.insert(changed_.end(), entering.begin(), entering.end());
+  changed_.insert(changed_.end(), leaving.begin(), leaving.end());
   // One that goes out and comes in again within a step has not come in anew.
   entered_count_ +=
       static_cast<std::size_t>(std::count_if(entering.begin(), entering.end(), [&](std::uint64_t point) { return !has_entered(point); })) - entered_before;

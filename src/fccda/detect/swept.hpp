@@ -47,13 +47,35 @@ class Swept final : public SlidingSurface {
       if (due_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
-                        [&](std::ptrdiff_t k) { look_at_block(points, view, surface_travel, static_cast<std::size_t>(k)); });
+                        [&](std::ptrdiff_t k) { look_at_block(points, view, surface_travel, static_cast<std::size_t>(k), 0); });
     gather(due_blocks_.size(), out);
     renumbered_ = 0;
   }
 
-  /// The same for chosen points, in rising order, that somebody else displaced after `detect` looked in this step: their paths lead from
-  /// where they were at t0 to where they are now.
+  /// The step that was last detected once more, with another pose of the body at its end: no place of the surface is further than `correction`
+  /// [m] from where it was there before. The points are where they were then, or were reported as `moved`. Finds what `detect` would have
+  /// found with this motion; only points that are near are looked at.
+  template <Points P>
+  void redetect(const P& points, const Motion& motion, double surface_travel, double correction, std::vector<Contact>& out) {
+    begin_again(largest_radius_of(points), motion);
+    const BodyView view(motion, test_.size());
+    due_blocks_.clear();
+    // A path that came near and went away may touch now, so all points are due that have less clearance than their way.
+    for (std::size_t b = 0; b < points.block_count(); ++b) {
+      due_.travel(b, correction);
+      if (due_.is_near(b, way(points, b, surface_travel))) due_blocks_.push_back(b);
+    }
+    if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
+      const auto block = static_cast<std::size_t>(k);
+      look_at_block(points, view, surface_travel, block, way(points, due_blocks_[block], surface_travel));
+    });
+    gather(due_blocks_.size(), out);
+    renumbered_ = 0;
+  }
+
+  /// The same as `detect` for chosen points, in rising order, that somebody else displaced after `detect` looked in this step: their paths lead
+  /// from where they were at t0 to where they are now.
   template <Points P>
   void detect_again(const P& points, const Motion& motion, double surface_travel, std::span<const std::size_t> which, std::vector<Contact>& out) {
     const BodyView view(motion, test_.size());
@@ -156,19 +178,29 @@ class Swept final : public SlidingSurface {
       due_.start(blocks_);
       guess_.assign(points.size(), -1);
     }
-    double largest_radius = test_.radius();
-    if constexpr (PointsOfOwnRadius<P>) largest_radius = points.largest_radius();
-    begin_step(points.size(), largest_radius, motion);
+    begin_step(points.size(), largest_radius_of(points), motion);
   }
 
   template <Points P>
-  void look_at_block(const P& points, const BodyView& view, double surface_travel, std::size_t k) {
+  double largest_radius_of(const P& points) const {
+    if constexpr (PointsOfOwnRadius<P>) return points.largest_radius();
+    return test_.radius();
+  }
+
+  template <Points P>
+  double way(const P& points, std::size_t block, double surface_travel) const {
+    return step_.approach(points.block_travel(block) + surface_travel);
+  }
+
+  /// `near` [m]: points are looked at that are due, or would be after so much more travel.
+  template <Points P>
+  void look_at_block(const P& points, const BodyView& view, double surface_travel, std::size_t k, double near) {
     const std::size_t b = due_blocks_[k];
     Found& found = found_[k];
     found.clear();
     const double ahead = look_ahead(points.block_travel(b) + surface_travel);
     for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
-      if (!due_.is_due(b, i)) continue;
+      if (!due_.is_due(b, i, near)) continue;
       if (points.occupied(i))
         look_at(b, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view, ahead, found);
       else
@@ -190,6 +222,7 @@ class Swept final : public SlidingSurface {
   bool was_touched(std::size_t point) const { return holds(touched_before_, point) || holds(touched_, point); }
   double look_ahead(double travel) const { return looks_ahead * step_.approach(travel); }
   void begin_step(std::size_t point_count, double largest_radius, const Motion& motion);
+  void begin_again(double largest_radius, const Motion& motion);
   void measure(double largest_radius, const Motion& motion);
   void look_at(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view, double look_ahead,
                Found& found);
@@ -203,6 +236,11 @@ class Swept final : public SlidingSurface {
   // In order, kept of open surfaces only: points in contact in the step before, and in this step so far. The latter is state.
   std::vector<std::uint64_t> touched_before_, touched_;
   std::uint64_t renumbered_ = 0;  // 1: which points had entered is to be found again in the next step: state
+
+  // What begin_again() needs of the step in progress.
+  std::vector<std::uint64_t> entered_at_t0_, changed_;  // changed_: points that entered or left in this step
+  std::uint64_t entered_count_at_t0_ = 0, renumbered_at_t0_ = 0;
+
   Effort effort_;
 
   Due due_;                 // caches from here on

@@ -69,10 +69,10 @@ inline Struck struck(const Contact& contact, const Vec3d& position_t0, const Vec
   return after;
 }
 
-/// Relocates the points, gives them their new velocities, and the body the impulse of all of them. `report(contact, impulse)` is
-/// called for each contact in order with the impulse on the body [N s]. `motion` is the step the body just made.
+/// Relocates the points and gives them their new velocities. Returns what the body, whose centre of mass is at `centre_of_mass` at t1, has to get;
+/// `report(contact, impulse)` is called for each contact in order with the impulse on it [N s]. `motion` is the step the body just made.
 template <StruckPoints P, class Report>
-Tally respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
+Tally strike_points(P& points, std::span<const Contact> contacts, const Motion& motion, const Vec3d& centre_of_mass, double friction, Report&& report) {
   expect_friction(friction);
   Tally tally;
   for (const Contact& contact : contacts) {
@@ -82,10 +82,17 @@ Tally respond(P& points, std::span<const Contact> contacts, const Motion& motion
     const Vec3d impulse = -points.mass(i) * (after.velocity - before);
     points.set(i, after.position, after.velocity);
     tally.impulse += impulse;
-    tally.angular_impulse_about_com += cross(after.position - body.position_of_com(), impulse);
+    tally.angular_impulse_about_com += cross(after.position - centre_of_mass, impulse);
     ++tally.contacts;
     report(contact, impulse);
   }
+  return tally;
+}
+
+/// The same, and gives the body the impulse of all of them.
+template <StruckPoints P, class Report>
+Tally respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
+  const Tally tally = strike_points(points, contacts, motion, body.position_of_com(), friction, report);
   body.add_impulse(tally.impulse, tally.angular_impulse_about_com);
   return tally;
 }

@@ -40,7 +40,11 @@ class Due {
     return !(travelled_[b] < next_[b]);
   }
 
-  bool is_due(std::size_t b, std::size_t point) const { return !(travelled_[b] < due_at_[point]); }
+  /// Whether any point of block b would be due after so much more travel [m], which is not added.
+  bool is_near(std::size_t b, double ahead) const { return !(travelled_[b] + ahead < next_[b]); }
+
+  /// `ahead` [m]: as in is_near().
+  bool is_due(std::size_t b, std::size_t point, double ahead = 0) const { return !(travelled_[b] + ahead < due_at_[point]); }
   bool is_new(std::size_t point) const { return due_at_[point] == at_once; }  ///< never asked, or displaced since
 
   /// The point needs no look until its block has travelled `clearance` [m] more; 0: not before the next step.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "perimpact/impact/rigid_body_of.hpp"
 #include "perimpact/impact/surface_of.hpp"
@@ -85,6 +84,8 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       body_(rigid_body_of(setup, *surface_, prescribed_)),
       radius_(surface_->radius_about(body_.properties().centre_of_mass)),
       friction_(contact.friction),
+      coupling_(body_),
+      is_coupled_(contact.detector.as<DetectorKind>() != DetectorKind::published),
       pinched_(bodies.size()),
       gauges_(gauges_of(setup, *surface_, body_)),
       water_(water_of(setup)),
@@ -120,7 +121,11 @@ void Impactor::advance(const Step& step) {
   prescribed_.impose(body_, step);
   if (water_) float_in_water(step);  // before the loads: damping would take a share of what they give, and move the place at rest by c Δt
   work_of_loads_ += apply(loads_, body_, step);
-  motion_ = in_run(name_, [&] { return body_.advance(step.dt); });
+  coupling_ = Coupling(body_);
+  motion_ = in_run(name_, [&] { return coupling_.advance(body_, step.dt); });
+  is_first_pass_ = true;
+  pending_.clear();
+  put_back_.clear();
   account_.contacts = 0;
   last_step_.impulse = last_step_.angular_impulse = {};
   last_step_.blows.clear();
@@ -149,8 +154,14 @@ Vec3d Impactor::fastest_angular_velocity() const {
 std::span<const Contact> Impactor::strike(std::size_t body, StruckParticles& particles) {
   contacts_.clear();
   const double travel = body_.travel_bound(motion_, radius_);
-  std::visit([&](auto& detector) { detector.detect(particles, motion_, travel, contacts_); }, detectors_[body]);
-  struck_.clear();
+  std::visit(
+      [&](auto& detector) {
+        if (is_first_pass_)
+          detector.detect(particles, motion_, travel, contacts_);
+        else
+          detector.redetect(particles, motion_, travel, coupling_.correction(), contacts_);
+      },
+      detectors_[body]);
   return in_run(name_, [&] { return respond_to_contacts(body, particles); });
 }
 
@@ -162,32 +173,51 @@ std::span<const Contact> Impactor::strike_again(std::size_t body, StruckParticle
 }
 
 std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, StruckParticles& particles) {
-  const Vec3d velocity = body_.velocity(), spin = body_.angular_velocity();
-  const Tally tally = respond(particles, contacts_, motion_, body_, friction_, [&](const Contact& contact, const Vec3d& impulse) {
-    for (NamedGauge& named : gauges_) named.gauge.add(contact, particles.position_t1(contact.point), impulse, motion_);
-    record_.add(body, contact, impulse);
-    work_on_particles_ += particles.work_of(contact.point, -impulse);
-    last_step_.blows.push_back({body, contact, impulse});
+  strike_points(particles, contacts_, motion_, body_.position_of_com(), friction_, [&](const Contact& contact, const Vec3d& impulse) {
+    const Vec3d place = particles.position_t1(contact.point);
+    coupling_.add(contact, particles.mass(contact.point), place, impulse, friction_);
+    pending_.push_back({{body, contact, impulse}, place, particles.work_of(contact.point, -impulse)});
   });
-  work_of_contact_ += 0.5 * (dot(tally.impulse, velocity + body_.velocity()) + dot(tally.angular_impulse_about_com, spin + body_.angular_velocity()));
-  account_.impulse += tally.impulse;
-  account_.angular_impulse += tally.angular_impulse_about_com;
-  last_step_.impulse += tally.impulse;
-  last_step_.angular_impulse += tally.angular_impulse_about_com;
-  const std::size_t fresh = add_struck();
-  account_.contacts += fresh;
-  record_.count_struck(body, fresh);
   return contacts_;
 }
 
-// Counts particles, not passes.
-std::size_t Impactor::add_struck() {
-  std::vector<std::size_t> points, all;
-  for (const Contact& contact : contacts_) points.push_back(contact.point);
-  std::set_union(struck_.begin(), struck_.end(), points.begin(), points.end(), std::back_inserter(all));
-  const std::size_t fresh = all.size() - struck_.size();
-  struck_ = std::move(all);
-  return fresh;
+bool Impactor::moved_with_contact() const { return !is_coupled_ || coupling_.agrees(radius_); }
+
+void Impactor::repeat_step(bool last) {
+  constexpr double near = 0.1;
+  const bool leads_nowhere = last && !coupling_.agrees(radius_, near);
+  motion_ = leads_nowhere ? coupling_.retreat(body_, radius_) : coupling_.correct(body_, radius_);
+  is_first_pass_ = false;
+  pending_.clear();
+}
+
+void Impactor::finish_step() {
+  for (const Pending& pending : pending_) {
+    for (NamedGauge& named : gauges_) named.gauge.add(pending.blow.contact, pending.place, pending.blow.impulse, motion_);
+    record_.add(pending.blow.body, pending.blow.contact, pending.blow.impulse);
+    work_on_particles_ += pending.work_on_particle;
+    last_step_.blows.push_back(pending.blow);
+  }
+  count_struck();
+  work_of_contact_ += coupling_.finish(body_);
+  last_step_.impulse = coupling_.found().linear;
+  last_step_.angular_impulse = coupling_.found().angular;
+  account_.impulse += last_step_.impulse;
+  account_.angular_impulse += last_step_.angular_impulse;
+}
+
+// Counts particles, not blows: several impactors may push one back and forth within a step.
+void Impactor::count_struck() {
+  std::vector<std::size_t> points;
+  for (auto blow = pending_.begin(); blow != pending_.end();) {
+    const std::size_t body = blow->blow.body;
+    points.clear();
+    for (; blow != pending_.end() && blow->blow.body == body; ++blow) points.push_back(blow->blow.contact.point);
+    std::sort(points.begin(), points.end());
+    const auto struck = static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
+    account_.contacts += struck;
+    record_.count_struck(body, struck);
+  }
 }
 
 std::vector<std::size_t> Impactor::still_inside(std::size_t body, const StruckParticles& particles, std::span<const std::size_t> which) {
@@ -201,6 +231,27 @@ void Impactor::note_pinched(std::size_t body, std::size_t particles, double time
 
 void Impactor::moved(std::size_t body, std::size_t particle) {
   std::visit([&](auto& detector) { detector.moved(particle); }, detectors_[body]);
+}
+
+void Impactor::put_back(std::size_t body, std::size_t particle) {
+  moved(body, particle);
+  put_back_.emplace_back(body, particle);
+}
+
+std::vector<Blow> Impactor::lasting_blows() const {
+  std::vector<Blow> blows;
+  if (!is_coupled_) return blows;
+  std::vector<std::pair<std::size_t, std::size_t>> left_out = put_back_;
+  std::sort(left_out.begin(), left_out.end());
+  for (const Blow& blow : last_step_.blows)
+    if (!std::binary_search(left_out.begin(), left_out.end(), std::pair(blow.body, blow.contact.point))) blows.push_back(blow);
+  return blows;
+}
+
+double Impactor::kinetic_energy() const {
+  RigidBody later = body_;
+  if (is_coupled_) later.add_impulse(0.5 * last_step_.impulse, 0.5 * last_step_.angular_impulse);
+  return later.kinetic_energy();
 }
 
 }  // namespace perimpact

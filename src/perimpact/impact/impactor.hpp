@@ -13,6 +13,7 @@
 #include "fccda/body/still_water.hpp"
 #include "fccda/core/state.hpp"
 #include "fccda/detect/all_detectors.hpp"
+#include "fccda/respond/coupling.hpp"
 #include "fccda/respond/respond.hpp"
 #include "fccda/surface/surface.hpp"
 #include "perimpact/impact/contact_record.hpp"
@@ -67,11 +68,11 @@ class Impactor {
   /// One detector for each of the bodies, in order. Throws SetupError.
   Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies);
 
-  /// Takes up what motion tables and loads say for the step, and moves the impactor.
+  /// Takes up what motion tables and loads say for the step, and moves the impactor as without contact.
   void advance(const fccda::Step& step);
 
-  /// Detects, relocates, and changes the velocities of particles and impactor (contact.md, "Per step"; seed paper, eqs. 8–10).
-  /// Returns what it found, until the next call.
+  /// Detects, relocates, and changes the velocities of particles (contact.md, "Per step"; seed paper, eqs. 8–10). The impulse of it is collected;
+  /// the impactor gets it from finish_step(). Returns what it found, until the next call.
   std::span<const fccda::Contact> strike(std::size_t body, StruckParticles& particles);
 
   /// The same for particles, in rising order, that other impactors displaced after `strike` in this step.
@@ -80,11 +81,25 @@ class Impactor {
   /// Those of the particles that are inside the surface at the end of the step, or nearer to it than the contact radius.
   std::vector<std::size_t> still_inside(std::size_t body, const StruckParticles& particles, std::span<const std::size_t> which);
 
+  /// Whether the impactor moved as the impulses of this pass say, or well enough. Held impactors do, and those of the detector `published`, which
+  /// get their impulse after the step as in the seed paper.
+  bool moved_with_contact() const;
+
+  /// Begins another pass over all bodies, from where the particles were before the first: the impactor moves with the impulses of the last one.
+  /// `last`: it is the last pass; where the others led nowhere, the impactor moves as without contact again.
+  void repeat_step(bool last);
+
+  /// After the last pass: gives the impactor its impulse, and takes contact into the accounts.
+  void finish_step();
+
   /// So many particles of that body were left inside at `time` [s], between this impactor and others.
   void note_pinched(std::size_t body, std::size_t particles, double time);
 
   /// Another impactor displaced that particle of a body.
   void moved(std::size_t body, std::size_t particle);
+
+  /// After finish_step(): that particle was put back on a prescribed course.
+  void put_back(std::size_t body, std::size_t particle);
 
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
@@ -111,7 +126,12 @@ class Impactor {
   std::uint64_t entered_inside(std::size_t body) const;
 
   const Account& account() const { return account_; }
-  const LastStep& last_step() const { return last_step_; }        ///< empty before the first, and where a run was resumed
+  const LastStep& last_step() const { return last_step_; }  ///< empty before the first, and where a run was resumed
+  /// Those of the last step's blows whose particles were not put back on a prescribed course after it; none where the impactor gets its
+  /// impulse after the step.
+  std::vector<Blow> lasting_blows() const;
+  /// [J] at the end of the last step, contact going on as in it: its velocity is that of the middle of the step.
+  double kinetic_energy() const;
   std::span<const NamedGauge> gauges() const { return gauges_; }  ///< what they summed so far
 
   /// The fastest that it is sure to become: of each degree of freedom, what it has now or the most that its table ever says.
@@ -178,9 +198,15 @@ class Impactor {
   Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, std::size_t crossing_panels, Remeshed remeshed);
 
   void float_in_water(const fccda::Step& step);
-  std::span<const fccda::Contact> respond_to_contacts(std::size_t body, StruckParticles& particles);
-  std::size_t add_struck();
+  /// A blow of this pass, which another pass may replace.
+  struct Pending {
+    Blow blow;
+    Vec3d place;              // [m] of the particle after it
+    double work_on_particle;  // [J]
+  };
 
+  std::span<const fccda::Contact> respond_to_contacts(std::size_t body, StruckParticles& particles);
+  void count_struck();
   std::string name_;
   std::size_t crossing_panels_;
   std::optional<Remeshing> remeshing_;
@@ -195,7 +221,11 @@ class Impactor {
   fccda::Motion motion_;
   std::vector<fccda::Contact> contacts_;  // of the latest detection
   std::vector<Pinched> pinched_;          // by body
-  std::vector<std::size_t> struck_;       // particles of the body struck last, in rising order
+  fccda::Coupling coupling_;              // of the step in progress
+  bool is_coupled_;
+  bool is_first_pass_ = true;
+  std::vector<Pending> pending_;                               // of this pass
+  std::vector<std::pair<std::size_t, std::size_t>> put_back_;  // body and particle, in the last step
   Account account_;
   LastStep last_step_;
   std::vector<NamedGauge> gauges_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include "perimpact/particles/advance.hpp"
 #include "perimpact/particles/particles.hpp"
@@ -35,15 +36,33 @@ class StruckParticles {
 
   /// The particles of a plane body stay in it: surfaces that they meet stand upright (in_plane.hpp), to rounding, which is left out here.
   void set(std::size_t slot, Vec3d position, Vec3d velocity) {
+    before_.push_back({slot, particles_.position.at(slot), particles_.velocity.at(slot)});
     if (particles_.is_plane()) position.z = particles_.position.at(slot).z, velocity.z = particles_.velocity.at(slot).z;
     particles_.position.set(slot, position);
     particles_.velocity.set(slot, velocity);
   }
 
+  /// Takes back everything that was set, and calls visit(slot) for each.
+  template <class Visit>
+  void undo(const Visit& visit) {
+    for (auto set = before_.rbegin(); set != before_.rend(); ++set) {
+      particles_.position.set(set->slot, set->position);
+      particles_.velocity.set(set->slot, set->velocity);
+      visit(set->slot);
+    }
+    before_.clear();
+  }
+
  private:
+  struct Before {
+    std::size_t slot;
+    Vec3d position, velocity;
+  };
+
   Particles& particles_;
   std::span<const double> travel_;
   double dt_;
+  std::vector<Before> before_;  // in the order in which they were set
 };
 
 }  // namespace perimpact

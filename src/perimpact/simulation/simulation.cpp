@@ -265,15 +265,33 @@ void Simulation::advance_bodies() {
 
 void Simulation::strike() {
   for (Impactor& impactor : impactors_) impactor.advance(clock_.latest());
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    StruckParticles particles(bodies_[b].particles, travel_[b], clock_.dt);
-    std::vector<ImpactorOnBody> strikers;
-    for (Impactor& impactor : impactors_) strikers.push_back({impactor, b});
-    const auto pinched = fccda::strike_together(std::span(strikers), particles);
-    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[i].size(), clock_.time());
-    for (const std::uint32_t slot : boundaries_[b].lead_back(bodies_[b].particles, clock_.latest()))
-      for (Impactor& impactor : impactors_) impactor.moved(b, slot);
+  std::vector<StruckParticles> particles;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) particles.emplace_back(bodies_[b].particles, travel_[b], clock_.dt);
+  std::vector<std::vector<std::size_t>> pinched(bodies_.size());  // of each impactor
+  // Impactors move with what contact gives them (docs/theory/response.md, "One velocity"), so that it takes passes.
+  for (int pass = 1;; ++pass) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) pinched[b] = strike_body(b, particles[b]);
+    if (pass == fccda::Coupling::most_passes || std::ranges::all_of(impactors_, &Impactor::moved_with_contact)) break;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      particles[b].undo([&](std::size_t slot) {
+        for (Impactor& impactor : impactors_) impactor.moved(b, slot);
+      });
+    for (Impactor& impactor : impactors_) impactor.repeat_step(pass + 1 == fccda::Coupling::most_passes);
   }
+  for (Impactor& impactor : impactors_) impactor.finish_step();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[b][i], clock_.time());
+    for (const std::uint32_t slot : boundaries_[b].lead_back(bodies_[b].particles, clock_.latest()))
+      for (Impactor& impactor : impactors_) impactor.put_back(b, slot);
+  }
+}
+
+std::vector<std::size_t> Simulation::strike_body(std::size_t body, StruckParticles& particles) {
+  std::vector<ImpactorOnBody> strikers;
+  for (Impactor& impactor : impactors_) strikers.push_back({impactor, body});
+  std::vector<std::size_t> pinched;
+  for (const std::vector<std::size_t>& points : fccda::strike_together(std::span(strikers), particles)) pinched.push_back(points.size());
+  return pinched;
 }
 
 void Simulation::pull() {

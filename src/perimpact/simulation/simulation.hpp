@@ -95,6 +95,7 @@ class Simulation {
  private:
   void advance_bodies();
   void strike();
+  std::vector<std::size_t> strike_body(std::size_t body, StruckParticles& particles);  // how many each impactor has pinched
   void pull();
   void touch();
   void apply_boundaries();
