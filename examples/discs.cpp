@@ -80,7 +80,8 @@ Outcome run(std::size_t ranks) {
   for (std::size_t i = 0; i < count; ++i) outcome.places.push_back(parts[i % ranks].x_t1[i / ranks]);
   for (const Vec3d& place : outcome.places) outcome.off_plane = std::fmax(outcome.off_plane, std::fabs(place.z));
   for (const Rank& rank : parts)
-    outcome.inside += rank.wheel.points_inside(wheel.pose(), rank.x_t1, rank.radius).size() + rank.floor.points_inside(floor.pose(), rank.x_t1, rank.radius).size();
+    outcome.inside +=
+        rank.wheel.points_inside(wheel.pose(), rank.x_t1, rank.radius).size() + rank.floor.points_inside(floor.pose(), rank.x_t1, rank.radius).size();
   return outcome;
 }
 

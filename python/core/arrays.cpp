@@ -74,7 +74,8 @@ fccda::Vectors writable_vectors_in(const py::array& array, const std::string& wh
   if (!array.writeable()) throw fccda::InputError(fmt::format("{} is written to, but NumPy says that it may only be read; pass a copy.", what));
   expect_rows_of_three(array, what);
   if (!can_be_walked(array))
-    throw fccda::InputError(fmt::format("{} is written to, but its numbers do not lie at whole numbers of their size; pass numpy.ascontiguousarray of it.", what));
+    throw fccda::InputError(
+        fmt::format("{} is written to, but its numbers do not lie at whole numbers of their size; pass numpy.ascontiguousarray of it.", what));
   void* first = const_cast<void*>(array.data());
   return is_single(array) ? view<fccda::Vectors>(static_cast<float*>(first), array) : view<fccda::Vectors>(static_cast<double*>(first), array);
 }

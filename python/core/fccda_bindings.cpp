@@ -313,27 +313,25 @@ py::array_t<ContactRow> detect(fccda::ContactDetector& detector, const Motion& m
   return rows_of(contacts);
 }
 
-py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, const Pose& pose, const py::object& x, const std::optional<py::object>& radius) {
+py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, const Pose& pose, const py::object& x,
+                                        const std::optional<py::object>& radius) {
   py::array places, radii;
   const fccda::ConstVectors at = vectors_in(x, "x", places);
-  const std::vector<std::size_t> inside =
-      radius ? detector.points_inside(pose, at, each_in(*radius, "radius", radii)) : detector.points_inside(pose, at);
+  const std::vector<std::size_t> inside = radius ? detector.points_inside(pose, at, each_in(*radius, "radius", radii)) : detector.points_inside(pose, at);
   py::array_t<std::int64_t> numbers(static_cast<py::ssize_t>(inside.size()));
   std::copy(inside.begin(), inside.end(), numbers.mutable_data());
   return numbers;
 }
 
 fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, const py::object& x_t0,
-                        const py::array& x_t1, const py::array& velocity, const py::object& mass, double friction,
-                        const fccda::ContactDetector* detector, bool apply) {
+                        const py::array& x_t1, const py::array& velocity, const py::object& mass, double friction, const fccda::ContactDetector* detector,
+                        bool apply) {
   if (friction != 0 && !detector)
     throw InputError("friction needs the detector that found the contacts, which says where panels are in the way; give respond detector=….");
   py::array at_t0, masses;
   const fccda::ConstVectors from = vectors_in(x_t0, "x_t0", at_t0);
-  const fccda::PointArrays points{.x_t0 = from,
-                                  .x_t1 = writable_vectors_in(x_t1, "x_t1"),
-                                  .velocity = writable_vectors_in(velocity, "velocity"),
-                                  .mass = each_in(mass, "mass", masses)};
+  const fccda::PointArrays points{
+      .x_t0 = from, .x_t1 = writable_vectors_in(x_t1, "x_t1"), .velocity = writable_vectors_in(velocity, "velocity"), .mass = each_in(mass, "mass", masses)};
   const std::vector<fccda::Contact> which = contacts_in(contacts, from.size(), detector);
   return apply ? fccda::respond(which, motion, body, points, friction) : fccda::respond_without_body(which, motion, body, points, friction);
 }
@@ -348,8 +346,9 @@ x_t0 of a step is x_t1 of the step before, as relocated; tell of points for whic
            R"(radius: contact radius, points are balls [m]; 0 for points without extent.
 boxes: [(size, centre), …] in the body frame [m], where contact is looked for; everywhere where absent.
 clip: whether the surface may stick out of them, where it is not felt then; else that is an InputError.)")
-      .def("detect", &detect, "motion"_a, "x_t0"_a, "x_t1"_a, "radius"_a = py::none(),
-           R"(The contacts of one step, in point order. x_t0, x_t1: (points, 3) positions in the world at both ends of the step [m]; not changed. radius: of each
+      .def(
+          "detect", &detect, "motion"_a, "x_t0"_a, "x_t1"_a, "radius"_a = py::none(),
+          R"(The contacts of one step, in point order. x_t0, x_t1: (points, 3) positions in the world at both ends of the step [m]; not changed. radius: of each
 point [m], where they are balls of different sizes; they may change from step to step.
 
 A structured array with the fields point, panel (as numbered in the mesh), time_fraction (of first touch, 0 to 1), depth (from where the point had gone to

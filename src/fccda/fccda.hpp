@@ -12,7 +12,7 @@
 #include "fccda/remesh/refine.hpp"
 #include "fccda/shapes/box.hpp"  // make_box, make_cylinder, make_sphere
 #include "fccda/shapes/cylinder.hpp"
-#include "fccda/shapes/hull.hpp"  // make_hull, make_propeller
+#include "fccda/shapes/hull.hpp"   // make_hull, make_propeller
 #include "fccda/shapes/prism.hpp"  // make_prism: outlines, for codes in two dimensions
 #include "fccda/shapes/propeller.hpp"
 #include "fccda/shapes/sphere.hpp"

@@ -38,8 +38,7 @@ void expect_usable(const RigidBodyProperties& properties, const FreeDegrees& deg
 
 /// A step has a duration, and the two poses at its ends tell turns of at most π apart.
 void expect_step(double dt, const Vec3d& spin) {
-  if (!(dt >= 0 && std::isfinite(dt)))
-    throw InputError("rigid body: the step lasts " + in_words(dt) + " s, but it must be finite and not negative.");
+  if (!(dt >= 0 && std::isfinite(dt))) throw InputError("rigid body: the step lasts " + in_words(dt) + " s, but it must be finite and not negative.");
   const double angle = dt * norm(spin);
   if (angle > std::numbers::pi)
     throw InputError("rigid body: it turns by " + in_words(angle) + " rad in a step of " + in_words(dt) +
@@ -163,7 +162,8 @@ void RigidBody::count_work_on_rotations(const Vec3d& before, const Vec3d& angula
 
 void RigidBody::drive(std::size_t degree, double velocity) {
   if (degree >= 6 || degrees_.free[degree])
-    throw InputError("rigid body: degree of freedom " + std::to_string(degree) + " is not held, so its velocity cannot be prescribed; the held ones of 0 to 5 can.");
+    throw InputError("rigid body: degree of freedom " + std::to_string(degree) +
+                     " is not held, so its velocity cannot be prescribed; the held ones of 0 to 5 can.");
   expect_finite(velocity, "rigid body: the prescribed velocity");
   const double before = kinetic_energy();
   if (degree < 3) {

@@ -12,9 +12,9 @@ namespace fccda {
 class SlidingSurface {
  public:
   /// Where a point gets to that a detector relocated to `from` and friction moves on to `to` [m], places of the world with the body at
-  /// `pose`. `radius` [m]: of contact, of the point. It goes straight until the surface is in its way, and along that from there on, in each part by the projection of what is left
-  /// of the whole way. So it is never nearer to the surface than it may be, crosses nothing, and goes no further than it was to. `to` to
-  /// the bit where nothing is in the way.
+  /// `pose`. `radius` [m]: of contact, of the point. It goes straight until the surface is in its way, and along that from there on, in each part by the
+  /// projection of what is left of the whole way. So it is never nearer to the surface than it may be, crosses nothing, and goes no further than it was to.
+  /// `to` to the bit where nothing is in the way.
   virtual Vec3d slide(const Pose& pose, const Vec3d& from, const Vec3d& to, double radius) const = 0;
 
  protected:

@@ -30,7 +30,7 @@ concept Points = requires(const P& points, std::size_t i) {
 /// detector (`moved`), for it may touch now what was beyond its reach.
 template <class P>
 concept PointsOfOwnRadius = Points<P> && requires(const P& points, std::size_t i) {
-  { points.radius(i) } -> std::convertible_to<double>;        // [m], finite and at least 0
+  { points.radius(i) } -> std::convertible_to<double>;         // [m], finite and at least 0
   { points.largest_radius() } -> std::convertible_to<double>;  // [m] that no point exceeds
 };
 

@@ -104,8 +104,7 @@ double squared_way(ConstVectors x_t0, ConstVectors x_t1, std::size_t i) { return
   std::size_t i = 0;
   while (std::sqrt(squared_way(x_t0, x_t1, i)) <= longest) ++i;
   const std::string sentence = "contact: point " + std::to_string(i) + " goes from " + in_words(x_t0[i]) + " to " + in_words(x_t1[i]) + " in one step, ";
-  if (!std::isfinite(squared_way(x_t0, x_t1, i)))
-    throw RunError(sentence + "which is no way to go; the solver has become unstable, try a shorter step.");
+  if (!std::isfinite(squared_way(x_t0, x_t1, i))) throw RunError(sentence + "which is no way to go; the solver has become unstable, try a shorter step.");
   throw RunError(sentence + "further than the " + in_words(longest) +
                  " m that its contact can be told from rounding; the solver has become unstable, try a shorter step.");
 }
@@ -205,9 +204,7 @@ std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors 
   return contacts_of(ArrayBalls(ArrayPoints(x_t0, x_t1, travel_), radius, largest), motion);
 }
 
-std::vector<std::size_t> ContactDetector::points_inside(const Pose& pose, ConstVectors x) const {
-  return points_inside(pose, x, swept_.radius());
-}
+std::vector<std::size_t> ContactDetector::points_inside(const Pose& pose, ConstVectors x) const { return points_inside(pose, x, swept_.radius()); }
 
 std::vector<std::size_t> ContactDetector::points_inside(const Pose& pose, ConstVectors x, const Numbers& radius) const {
   expect_usable(pose, "contact: ");

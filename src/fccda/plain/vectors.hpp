@@ -65,7 +65,7 @@ class VectorView {
 
   /// What can be written can be read.
   template <class Other>
-  requires(is_const && std::same_as<Other, double>) VectorView(const VectorView<Other>& view)
+  requires(is_const&& std::same_as<Other, double>) VectorView(const VectorView<Other>& view)
       : first_{view.first_[0], view.first_[1], view.first_[2]}, count_(view.count_), stride_(view.stride_), single_(view.single_) {}
 
   std::size_t size() const { return count_; }
@@ -91,8 +91,7 @@ class VectorView {
   }
 
   static std::size_t triples(std::size_t numbers, const char* what) {
-    if (numbers % 3 != 0)
-      throw InputError("vectors: " + std::to_string(numbers) + ' ' + what + " are no whole number of vectors; give x, y and z of each.");
+    if (numbers % 3 != 0) throw InputError("vectors: " + std::to_string(numbers) + ' ' + what + " are no whole number of vectors; give x, y and z of each.");
     return numbers / 3;
   }
 

@@ -26,8 +26,7 @@ std::string named(const std::set<int>& panels) {
 void refuse(const StickingOut& out, const Surface& surface, std::string_view region, std::string_view remedy) {
   std::ostringstream text;
   text << std::setprecision(4) << "region: " << out.panels.size() << " of " << surface.report().panels << " panels stick out of " << region << " by up to "
-       << out.furthest << " m (panels " << named(out.panels) << "), and contact there would be missed; " << remedy
-       << ", or {} if it is meant.";
+       << out.furthest << " m (panels " << named(out.panels) << "), and contact there would be missed; " << remedy << ", or {} if it is meant.";
   throw InputError(text.str(), Advice::clip);
 }
 

@@ -18,7 +18,8 @@ struct CylinderShape {
 /// Wound outward, vertices shared. The lateral vertices lie on the cylinder, in n columns and equal rows. About the axis z column k is at
 /// the angle 2πk/n from +x towards +y (about x from +y towards +z, about y from +z towards +x); n is a multiple of 4, so each of the
 /// four directions along the coordinate axes has a column, and coordinates are mirror images of one another to the last bit. The caps
-/// are rings of triangles about a vertex on the axis, for quads too. Throws InputError where a length is not positive and finite, or there would be too many panels.
+/// are rings of triangles about a vertex on the axis, for quads too. Throws InputError where a length is not positive and finite, or there would be too many
+/// panels.
 Panels make_cylinder(const CylinderShape& shape);
 
 }  // namespace fccda

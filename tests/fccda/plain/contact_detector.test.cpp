@@ -206,9 +206,8 @@ TEST_CASE("plain call: motions that are not finite and points that go too far to
   ContactDetector detector{Surface(make_box({.size = {1, 1, 1}}))};
   const std::vector<Vec3d> above{{0, 0, 1}}, below{{0, 0, -1}};
   for (const double bad : {nan, infinity}) {
-    for (const Motion& motion :
-         {Motion{Pose({bad, 0, 0}), Pose(), 1}, Motion{Pose(), Pose({0, bad, 0}), 1}, Motion{Pose(), Pose({}, {1, bad, 0, 0}), 1}, Motion{Pose(), Pose(), bad},
-          Motion{Pose(), Pose(), 1, {bad, 0, 0}}})
+    for (const Motion& motion : {Motion{Pose({bad, 0, 0}), Pose(), 1}, Motion{Pose(), Pose({0, bad, 0}), 1}, Motion{Pose(), Pose({}, {1, bad, 0, 0}), 1},
+                                 Motion{Pose(), Pose(), bad}, Motion{Pose(), Pose(), 1, {bad, 0, 0}}})
       CHECK_THROWS_AS(detector.detect(motion, above, below), InputError);
     CHECK_THROWS_AS(detector.points_inside(Pose({bad, 0, 0}), above), InputError);
     CHECK_THROWS_AS(detector.points_inside(Pose(), std::vector<Vec3d>{{bad, 0, 0}}), RunError);
@@ -218,9 +217,10 @@ TEST_CASE("plain call: motions that are not finite and points that go too far to
                        "motion at t1: the attitude of the pose is a quaternion of length 2, but it must be 1; normalise it.", InputError);
   for (const double far : {1e6, 1e150})
     CHECK_THROWS_AS(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, far}}, std::vector<Vec3d>{{0, 0, -far}}), RunError);
-  CHECK_THROWS_WITH(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, 1e150}}, below),
-                    "contact: point 0 goes from (0, 0, 1e+150) to (0, 0, -1) in one step, further than the 1e+06 m that its contact can be told from rounding; the "
-                    "solver has become unstable, try a shorter step.");
+  CHECK_THROWS_WITH(
+      detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, 1e150}}, below),
+      "contact: point 0 goes from (0, 0, 1e+150) to (0, 0, -1) in one step, further than the 1e+06 m that its contact can be told from rounding; the "
+      "solver has become unstable, try a shorter step.");
   CHECK(detector.detect(fixtures::at_rest(), above, below).size() == 1);  // what was refused left no trace
   CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, 1e150}}, std::vector<Vec3d>{{0, 0, 1e150}}).empty());
 }

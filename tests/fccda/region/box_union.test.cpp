@@ -56,10 +56,10 @@ TEST_CASE("box union: a panel partly in one box and partly in the next is inside
   CHECK(complaint(halves(0), cube) == "");
   CHECK_FALSE(BoxUnion(halves(0), cube, Beyond::clip).clips());
   // The four panels that span the gap, all of whose corners are in boxes; its middle is half as far from both.
-  CHECK(
-      complaint(halves(0.02), cube) ==
-      "region: 4 of 6 panels stick out of the boxes by up to 0.01 m (panels 0, 1, 2, 3), and contact there would be missed; enlarge them, or add a box, or pass "
-      "Beyond::clip if it is meant.");
+  CHECK(complaint(halves(0.02), cube) ==
+        "region: 4 of 6 panels stick out of the boxes by up to 0.01 m (panels 0, 1, 2, 3), and contact there would be missed; enlarge them, or add a box, or "
+        "pass "
+        "Beyond::clip if it is meant.");
   CHECK(BoxUnion(halves(0.02), cube, Beyond::clip).clips());
 }
 

@@ -179,7 +179,7 @@ TEST_CASE("prism: the surface over a concave outline is closed, encloses its are
     std::ranges::reverse(ell.outline);
   }
   for (const auto& outline : {std::vector<std::array<double, 2>>{{0, 0}, {0.5, -0.1}, {0, 1}, {-0.5, -0.1}}, {{0.5, -0.1}, {0, 1}, {-0.5, -0.1}, {0, 0}}}) {
-    const Surface arrow(make_prism({.outline = outline}));  // a diagonal lies outside
+    const Surface arrow(make_prism({.outline = outline}));           // a diagonal lies outside
     CHECK(arrow.report().volume == fixtures::relative(0.5, 1e-14));  // a triangle of 0.55 less one of 0.05
     CHECK(arrow.report().area == fixtures::relative(2 * 0.5 + 2 * std::hypot(0.5, 1.1) + 2 * std::hypot(0.5, 0.1), 1e-14));
   }

@@ -66,8 +66,9 @@ TEST_CASE("energy balance: it closes for every material while a driven block bre
     CHECK(std::fabs(value(simulation, "sheet.bath.work_of_drag [J]")) > 0.005 * work);  // of either sign: contact does not feel added mass
     CHECK(value(simulation, "sheet.bath.work_of_drag [J]") + value(simulation, "sheet.bath.work_of_weight_and_buoyancy [J]") ==
           fixtures::relative(value(simulation, "sheet.bath.work [J]"), 1e-12));
-    // bonds turn and stretch within a step: that leaves 0.13 % of the fracture energy or less, 3e-6 of the work
-    CHECK(largest < 0.01 * std::min(fracture, loss));
+    // Bonds turn and stretch within a step: that leaves 0.13 % of the fracture energy or less, 3e-6 of the work. Where the stress of a particle
+    // depends on all of its family, a bond that breaks takes some of its neighbours' stress along: 0.13 % of the work with bond-level.
+    CHECK(largest < (one.model == Model::correspondence ? 0.003 * work : 0.01 * std::min(fracture, loss)));
   }
 }
 
