@@ -14,25 +14,24 @@ release = re.search(r"project\(perimpact VERSION ([\d.]+)", (ROOT / "CMakeLists.
 # What is under each heading of the navigation, in order.
 NAVIGATION = {
     "Guide": [
-        "guide/getting_started", "guide/install", "guide/solids", "guide/own_material", "guide/own_surface", "guide/shapes", "guide/surface_formats",
+        "guide/getting_started", "guide/install", "guide/comparison", "guide/solids", "guide/own_material", "guide/own_surface", "guide/shapes", "guide/surface_formats",
         "guide/real_surfaces", "guide/spacing_and_layers", "guide/regions", "guide/results", "guide/loads", "guide/report", "guide/resume", "guide/python", "guide/python_reference",
         "guide/what_went_wrong", "guide/diagnoses", "guide/errors", "guide/deck_reference"],
     "Cases": [
         f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_paddle", "floating_strip",
                                              "crack_branching", "kalthoff_winkler")],
     "Theory": [
-        f"theory/{name}" for name in ("ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary", "water", "ice",
+        f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary", "water", "ice",
                                       "contact", "response", "short_range", "energy", "remesh", "convergence", "detection_evidence", "floating_strip",
                                       "resistance", "readings", "glossary")],
-    "Validation": ["validation", "/validation/README"],
-    "Library": ["library/README", "library/recipes", "library/reference"],
+    "Library": ["library/README", "library/reference"],
     "Validation": ["validation"],
-    "Developer": ["developer/structure", "developer/testing", "/benchmarks/README", "/CHANGELOG"],
+    "Developer": ["developer/structure", "developer/testing", "/validation/README", "/benchmarks/README", "/CONTRIBUTING", "/CHANGELOG"],
 }
 
 extensions = ["myst_parser"]
 root_doc = FRONT
-include_patterns = ["docs/**.md", "cases/*/README.md", "benchmarks/README.md", "README.md", "CHANGELOG.md"] + [
+include_patterns = ["docs/**.md", "cases/*/README.md", "benchmarks/README.md", "README.md", "CHANGELOG.md", "CONTRIBUTING.md"] + [
     f"{folder}/**.md" for folder in ("validation", "python", "report") if (ROOT / folder).is_dir()]
 source_suffix = {".md": "markdown"}
 myst_heading_anchors = 4
