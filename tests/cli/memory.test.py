@@ -71,6 +71,28 @@ def _(t):
     expect_near(t, deck(t, box(60, 50, 34), "brittle", "contact: {fragments: {law: repulsive}}\n"))
 
 
+def expect_rubble_near(t, friction):
+    """A stretch below rounding breaks the bonds of a body that flies; the impactor has the list made anew while all are loose."""
+    (t.folder / "deck.yaml").write_text(f"""title: Rubble
+time: {{end: 10 us, step: 0.5 us}}
+output: {{frames: 1, folder: r}}
+bodies: {{b: {{{box(40, 40, 40)}, velocity: [1, 2, 3], material: {{{MATERIAL["elastic"]}, critical_stretch: 1e-18}}, failure: {{compression: symmetric}}}}}}
+impactors: {{s: {{surface: {{box: {{size: [0.1, 0.1, 0.1], panel: 0.02}}}}, mass: 1, position: [0, 0, 0.2501], velocity: [0, 0, -1000]}}}}
+contact: {{fragments: {{law: repulsive, friction: {friction}}}}}
+""")
+    said = t.expect_success("check", "deck.yaml").out
+    peak, rubble = (float(value) * {"MB": 1e6, "GB": 1e9}[unit]
+                    for value, unit in (re.search(words, said).groups() for words in (r"peak +about ([\d.]+) (MB|GB)", r"fragments +up to ([\d.]+) (MB|GB) more")))
+    taken = measured(t, "deck.yaml")
+    t.assertLess(abs((peak + rubble) / taken - 1), 0.2, f"said {peak / 1e6:.0f} and {rubble / 1e6:.0f} MB more, taken {taken / 1e6:.0f} MB")
+
+
+@claim("memory: check names what rubble takes on top within 20 %, with friction and without")
+def _(t):
+    expect_rubble_near(t, 0)
+    expect_rubble_near(t, 0.1)
+
+
 @claim("memory: check names the peak of a correspondence material within 20 %")
 def _(t):
     expect_near(t, deck(t, box(40, 30, 16), "correspondence"))

@@ -127,17 +127,19 @@ void NearPairs::make(std::span<const TouchingBody> bodies) {
     members_.push_back(particles_[p]);
     first_pair_.push_back(first_pair_.back() + count);
   }
-  others_.resize(first_pair_.back() + fccda::byte_lanes);
-  distances_.resize(others_.size());
-  bonds_.resize(first_pair_.back());
+  resize_to(others_, first_pair_.back() + fccda::byte_lanes);
+  std::fill(others_.end() - fccda::byte_lanes, others_.end(), 0);  // which are read, but are no pairs
+  resize_to(distances_, others_.size());
+  resize_to(bonds_, first_pair_.back());
   fccda::parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t part) {
     const std::vector<Found>& found = parts[static_cast<std::size_t>(part)].found;
-    std::size_t pair = begin_of_part[static_cast<std::size_t>(part)];
-    for (const Found& one : found) {
-      others_[pair] = static_cast<std::int32_t>(member_of[one.particle]);
-      distances_[pair] = one.distance;
-      bonds_[pair++] = one.bond;
-    }
+    std::size_t pair = begin_of_part[static_cast<std::size_t>(part)], next = 0;
+    for (std::size_t p = static_cast<std::size_t>(part) * block; next < found.size(); ++p)
+      for (const std::size_t last = next + parts[static_cast<std::size_t>(part)].counts[p % block]; next < last; ++next) {
+        others_[pair] = static_cast<std::int32_t>(member_of[found[next].particle]);
+        distances_[pair] = reach_of(particles_[p], particles_[found[next].particle]);
+        bonds_[pair++] = found[next].bond;
+      }
   });
 }
 
@@ -186,13 +188,12 @@ void NearPairs::find_of(std::size_t p, std::span<const TouchingBody> bodies, std
       const Member& j = particles_[q];
       if (!looks && !others_stirred && !exposures_[j.body].is_exposed(j.slot)) return;
       const bool one_body = i.body == j.body;
-      const double distance = weight_reach * (law_.distance_ratio * (0.5 * (i.size + j.size)));
       // of two that have lost no bond theirs is intact, if they had one
       if (one_body && !stirred && !others_stirred && squared_norm(j.reference - i.reference) < surely_bonded) return;
-      const double least = distance + skin_;
+      const double least = reach_of(i, j) + skin_;
       if (!(squared_norm(then_.at(q) - then_.at(p)) < least * least)) return;
       may_be_bonded = may_be_bonded || one_body;
-      found.push_back({q, no_bond, distance});
+      found.push_back({q, no_bond});
     });
   });
   std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.particle < b.particle; });

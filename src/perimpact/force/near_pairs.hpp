@@ -22,6 +22,17 @@
 
 namespace perimpact {
 
+/// Its old values are lost. Where it has no room for that many it is let go of first: the arrays of pairs are the largest of a run with rubble, and old and
+/// new ones together would be its peak of memory. An eighth more is room for the next list.
+template <class T, class Allocator>
+void resize_to(std::vector<T, Allocator>& values, std::size_t count) {
+  if (values.capacity() < count) {
+    values = std::vector<T, Allocator>();
+    values.reserve(count + count / 8);
+  }
+  values.resize(count);
+}
+
 class NearPairs {
  public:
   /// A particle that has pairs.
@@ -63,10 +74,10 @@ class NearPairs {
  private:
   struct Found {
     std::uint32_t particle, bond;
-    double distance;
   };
   bool has_moved_by_skin(std::span<const TouchingBody> bodies);
   void mark_cells();
+  double reach_of(const Member& i, const Member& j) const { return weight_reach * (law_.distance_ratio * (0.5 * (i.size + j.size))); }
   void find_of(std::size_t particle, std::span<const TouchingBody> bodies, std::vector<Found>& found) const;
   void name_bonds(std::size_t particle, std::span<const TouchingBody> bodies, std::span<Found> found) const;
 

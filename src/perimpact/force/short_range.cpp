@@ -222,9 +222,13 @@ void ShortRange::take_up_pairs() {
   got_.assign(members.size(), {});
   near_count_.assign(members.size(), 0);
   const std::size_t count = near_pairs_.pair_count();
-  near_.resize(count);
-  seen_.assign(count, evaluation_ - 1);
-  if (law_.friction > 0) slip_.assign(count, {});
+  resize_to(near_, count);
+  resize_to(seen_, count);
+  std::fill(seen_.begin(), seen_.end(), evaluation_ - 1);
+  if (law_.friction > 0) {
+    resize_to(slip_, count);
+    std::fill(slip_.begin(), slip_.end(), Vec3d{});
+  }
 
   std::vector<std::uint32_t> member_of(threshold_.size(), std::numeric_limits<std::uint32_t>::max());
   for (std::size_t m = 0; m < members.size(); ++m) member_of[members[m].particle] = static_cast<std::uint32_t>(m);

@@ -31,8 +31,6 @@ double numbers_of_gradients(const BodySetup& setup, const CorrespondenceSetup& m
 
 using fccda::squared_norm;
 
-bool has_fragments(const Setup& setup) { return setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none; }
-
 constexpr double lanes = static_cast<double>(fccda::byte_lanes);
 constexpr double number = sizeof(double), vector = sizeof(Vec3d), slot_number = sizeof(std::uint32_t);
 
@@ -97,7 +95,19 @@ struct BodyMemory {
   double at_rest, setting_up, pictures, rubble;
 };
 
-BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisation, bool has_fragments, std::size_t impactors) {
+/// [bytes] that force/near_pairs.hpp and force/short_range.hpp take for a particle without bonds in rubble as dense as the solid, most while its list is
+/// made anew.
+double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) {
+  const double dimension = setup.is_plane() ? 2 : 3, of_pair = fragments.friction > 0 ? vector : 0;  // its tangential spring
+  // points of a lattice nearer than 2.5 and than 2 spacings, which the list and the weight function reach
+  const double listed = (setup.is_plane() ? 20 : 80) * std::pow((2 * fragments.distance_ratio + 0.5) / 2.5, dimension);
+  const double near = (setup.is_plane() ? 8 : 26) * std::pow(fragments.distance_ratio, dimension);
+  const double pair = number + 4 * slot_number + of_pair, found = 2 * slot_number, kept = 2 * slot_number + of_pair;  // which is kept once for both
+  const double member = 3 * vector + 13 * number;
+  return listed * (pair + found) + near / 2 * kept + member;
+}
+
+BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisation, const FragmentContactSetup& fragments, std::size_t impactors) {
   const Lengths length = lengths_of(setup, discretisation);
   const double n = length.slots, with_slack = length.with_slack;
   const bool is_list = length.entries > 0;
@@ -125,10 +135,9 @@ BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisatio
   const double setting_up = is_list ? arrays + 5 * vector * n : by_energy ? 2 * vector * with_slack + 3 * n : 0;
   const double pictures = 56 * n;  // measured: arrays in single precision, and what they are packed into
   double rubble = 0;
-  if (has_fragments) {
+  if (fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
     at_rest += 132 * n;  // measured: particles, places and cells of force/near_pairs.hpp, whatever touches
-    const double pairs = setup.is_plane() ? 8 : 18, pair = 2 * slot_number + number;
-    rubble = (2 * pairs * pair + 2 * vector + 64 + 56) * n;
+    rubble = rubble_of(setup, fragments) * n;
   }
   return {at_rest, setting_up, pictures, rubble};
 }
@@ -144,7 +153,7 @@ double Memory::peak() const { return at_rest + std::max(setting_up, pictures); }
 Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies) {
   Memory sum{.at_rest = program};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const BodyMemory one = memory_of(setup.bodies[b], bodies[b], has_fragments(setup), setup.impactors.size());
+    const BodyMemory one = memory_of(setup.bodies[b], bodies[b], setup.contact.fragments, setup.impactors.size());
     sum.at_rest += one.at_rest;
     sum.rubble += one.rubble;
     sum.setting_up = std::max(sum.setting_up, one.setting_up);  // one body is made after the other
@@ -156,7 +165,7 @@ Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies) {
 void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, double available) {
   const double needed = memory_of(setup, bodies).peak();
   if (!(needed > available)) return;
-  const auto at_rest = [&](std::size_t b) { return memory_of(setup.bodies[b], bodies[b], false, 0).at_rest; };
+  const auto at_rest = [&](std::size_t b) { return memory_of(setup.bodies[b], bodies[b], {}, 0).at_rest; };
   std::size_t largest = 0;
   for (std::size_t b = 1; b < bodies.size(); ++b)
     if (at_rest(b) > at_rest(largest)) largest = b;

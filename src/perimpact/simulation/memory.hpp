@@ -16,7 +16,7 @@ struct Memory {
   double at_rest = 0;     ///< that stays from the first step on
   double setting_up = 0;  ///< the most while the bodies are made
   double pictures = 0;    ///< the most while a picture is written
-  double rubble = 0;      ///< more, where `contact.fragments` is given and all bonds have broken: 18 pairs a particle (8 in the plane), as in a heap of cubes
+  double rubble = 0;      ///< more, where `contact.fragments` is given and all bonds have broken: in rubble as dense as the solid
 
   double peak() const;  ///< without rubble
 };
