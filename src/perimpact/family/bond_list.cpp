@@ -36,12 +36,22 @@ class Cells {
     first_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]) + 1, 0);
     for (const std::uint32_t slot : particles.slot_of()) ++first_[index(cell(particles.reference(slot))) + 1];
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-    slots_.resize(particles.size());
+    sorted_.resize(particles.size());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const std::uint32_t slot : particles.slot_of()) slots_[next[index(cell(particles.reference(slot)))]++] = slot;
+    for (const std::uint32_t slot : particles.slot_of()) {
+      const Vec3d X = particles.reference(slot);
+      sorted_[next[index(cell(X))]++] = {X, particles.size_of(slot), slot};
+    }
   }
 
-  /// Calls visit(slot) for all particles in the 27 cells around the point.
+  /// What bonds ask of a particle. Its size takes a root: found once for each, not for each pair.
+  struct Sorted {
+    Vec3d reference;  // [m]
+    double size;      // [m]
+    std::uint32_t slot;
+  };
+
+  /// Calls visit(sorted) for all particles in the 27 cells around the point.
   template <class Visit>
   void around(const Vec3d& point, const Visit& visit) const {
     const auto [i, j, k] = cell(point);
@@ -49,7 +59,7 @@ class Cells {
       for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(j - 1, 0); y <= std::min(j + 1, count_[1] - 1); ++y)
         for (std::ptrdiff_t x = std::max<std::ptrdiff_t>(i - 1, 0); x <= std::min(i + 1, count_[0] - 1); ++x) {
           const std::size_t here = index({x, y, z});
-          for (std::size_t n = first_[here]; n < first_[here + 1]; ++n) visit(slots_[n]);
+          for (std::size_t n = first_[here]; n < first_[here + 1]; ++n) visit(sorted_[n]);
         }
   }
 
@@ -66,7 +76,7 @@ class Cells {
   Vec3d low_{};
   Cell count_{};
   std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> slots_;
+  std::vector<Sorted> sorted_;
 };
 
 struct Neighbour {
@@ -79,12 +89,12 @@ void neighbours_of(std::size_t slot, const Particles& particles, const Cells& ce
   found.clear();
   const Vec3d X = particles.reference(slot);
   const double size = particles.size_of(slot);
-  cells.around(X, [&](std::uint32_t other) {
-    if (other == slot) return;
-    const double length = norm(particles.reference(other) - X), mean = 0.5 * (size + particles.size_of(other));
+  cells.around(X, [&](const Cells::Sorted& other) {
+    if (other.slot == slot) return;
+    const double length = norm(other.reference - X), mean = 0.5 * (size + other.size);
     const bool bonded = rule == FamilyRule::hu_ha_bobaru ? length < horizon + 0.5 * mean : length <= horizon;
     if (!bonded) return;
-    found.push_back({other, length, std::min(1.0, (horizon + 0.5 * mean - length) / mean) * particles.volume(other)});
+    found.push_back({other.slot, length, std::min(1.0, (horizon + 0.5 * mean - length) / mean) * particles.volume(other.slot)});
   });
   std::sort(found.begin(), found.end(), [](const Neighbour& a, const Neighbour& b) { return a.slot < b.slot; });
 }

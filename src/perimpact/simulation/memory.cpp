@@ -57,6 +57,8 @@ double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
   const double mean = size_of(std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(count));
   const double horizon = setup.horizon_ratio * mean;
   const bool to_the_last = setup.family.as<FamilyRule>() == FamilyRule::hu_ha_bobaru;
+  std::vector<double> part(count, 0);  // [m] of the reach, by its own size; cube roots take longer than distances
+  if (to_the_last) std::ranges::transform(cloud.volumes, part.begin(), [&](double volume) { return 0.25 * size_of(volume); });
   const std::size_t asked = std::min<std::size_t>(eights, 32);
   std::vector<double> longest(asked, 0);
   fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(asked), [&](std::ptrdiff_t k) {
@@ -64,7 +66,7 @@ double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
     for (std::size_t i = first; i < std::min(first + fccda::byte_lanes, count); ++i) {
       double bonds = 0;
       for (std::size_t j = 0; j < count; ++j) {
-        const double reach = horizon + (to_the_last ? 0.25 * (size_of(cloud.volumes[i]) + size_of(cloud.volumes[j])) : 0);
+        const double reach = horizon + part[i] + part[j];
         bonds += j != i && squared_norm(cloud.points[j] - cloud.points[i]) < reach * reach ? 1 : 0;
       }
       longest[static_cast<std::size_t>(k)] = std::max(longest[static_cast<std::size_t>(k)], bonds);
