@@ -133,8 +133,9 @@ BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisatio
   double at_rest = arrays + static_cast<double>(impactors) * (number + sizeof(int)) * n;  // a due distance and a guess for each slot
   if (const auto* points = std::get_if<PointsShape>(&setup.shape))                        // of the deck, and of the simulation's own set-up
     at_rest += 2 * (vector + number) * static_cast<double>(points->points.size());
-  // each sweep of the energy correction makes new factors beside the old ones; the stiffest mode of a cloud is sought on a copy of it
-  const double setting_up = is_list ? arrays + 5 * vector * n : by_energy ? 2 * vector * with_slack + 3 * n : 0;
+  // each sweep of the energy correction makes new factors beside the old ones; of the copy on which the stiffest mode is sought, for a given step alone,
+  // nothing is counted
+  const double setting_up = by_energy ? 2 * vector * with_slack + 3 * n : 0;
   const double pictures = 56 * n;  // measured: arrays in single precision, and what they are packed into
   double rubble = 0;
   if (fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
@@ -166,7 +167,7 @@ Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies) {
 
 void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, double available) {
   const double needed = memory_of(setup, bodies).peak();
-  if (!(needed > available)) return;
+  if (needed <= available) return;  // not so where it is not a number
   const auto at_rest = [&](std::size_t b) { return memory_of(setup.bodies[b], bodies[b], {}, 0).at_rest; };
   std::size_t largest = 0;
   for (std::size_t b = 1; b < bodies.size(); ++b)
