@@ -235,6 +235,20 @@ void Bvh::visit_segment(const Vec3d& start, const Vec3d& end, const double& unti
   }
 }
 
+namespace {
+
+/// Of crossings at one place of the path the one of the panel with the smallest number is first, whatever the order in which the tree is walked.
+void take_if_first(const Surface& surface, const Crossing& found, std::optional<Crossing>& first, double& until) {
+  const auto rank = [&](const Crossing& one) {
+    return std::tuple(one.fraction, surface.triangles()[static_cast<std::size_t>(one.triangle)].panel, one.triangle);
+  };
+  if (first && rank(found) >= rank(*first)) return;
+  first = found;
+  until = found.fraction;
+}
+
+}  // namespace
+
 std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std::size_t& asked) const {
   std::optional<Crossing> first;
   if (!is_finite(start) || !is_finite(end)) return first;
@@ -245,10 +259,7 @@ std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std
     const auto t = static_cast<std::size_t>(triangle);
     const std::optional<double> fraction = front_crossing(start, end, corners(t));
     if (!fraction) return;
-    const auto rank = [&](int n, double f) { return std::tuple(f, surface_->triangles()[static_cast<std::size_t>(n)].panel, n); };
-    if (first && rank(triangle, *fraction) >= rank(first->triangle, first->fraction)) return;
-    first = Crossing{triangle, *fraction};
-    until = *fraction;
+    take_if_first(*surface_, {triangle, *fraction}, first, until);
   });
   return first;
 }
@@ -303,10 +314,7 @@ std::optional<Crossing> Bvh::first_touch(const Vec3d& start, const Vec3d& end, d
     const auto t = static_cast<std::size_t>(triangle);
     const std::optional<double> fraction = touching(start, end - start, corners(t), radius, tolerance, until);
     if (!fraction) return;
-    const auto rank = [&](int n, double f) { return std::tuple(f, surface_->triangles()[static_cast<std::size_t>(n)].panel, n); };
-    if (first && rank(triangle, *fraction) >= rank(first->triangle, first->fraction)) return;
-    first = Crossing{triangle, *fraction};
-    until = *fraction;
+    take_if_first(*surface_, {triangle, *fraction}, first, until);
   });
   return first;
 }
