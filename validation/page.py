@@ -21,7 +21,7 @@ HEAD = """# Validation: what is claimed, what we found
 
 Each row has a claim, the source of what is wanted, our number, how far it may be off and why, and whether it is. A row
 that cannot fail is no row: a test moves every number out of its tolerance and sees the row fail. How the program is tested
-otherwise: [testing](developer/testing.md). Where the paper contradicts itself or leaves things open: [readings](theory/readings.md).
+otherwise: [testing](developer/testing.md). Where the paper contradicts itself or leaves things open: [readings](theory/fccda_variants.md).
 """
 
 

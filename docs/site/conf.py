@@ -14,16 +14,16 @@ release = re.search(r"project\(perimpact VERSION ([\d.]+)", (ROOT / "CMakeLists.
 # What is under each heading of the navigation, in order.
 NAVIGATION = {
     "Guide": [
-        "guide/getting_started", "guide/install", "guide/comparison", "guide/solids", "guide/own_material", "guide/own_surface", "guide/shapes", "guide/surface_formats",
-        "guide/real_surfaces", "guide/spacing_and_layers", "guide/regions", "guide/results", "guide/loads", "guide/report", "guide/resume", "guide/python", "guide/python_reference",
-        "guide/what_went_wrong", "guide/diagnoses", "guide/errors", "guide/deck_reference"],
+        "guide/getting_started", "guide/install", "guide/comparison", "guide/solids", "guide/user_materials", "guide/surface_meshes", "guide/shapes", "guide/surface_formats",
+        "guide/real_surfaces", "guide/spacing_and_layers", "guide/regions", "guide/results", "guide/loads", "guide/report", "guide/restart", "guide/python", "guide/python_reference",
+        "guide/troubleshooting", "guide/diagnoses", "guide/errors", "guide/deck_reference"],
     "Cases": [
         f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_paddle", "floating_strip",
                                              "crack_branching", "kalthoff_winkler")],
     "Theory": [
-        f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary", "water", "ice",
-                                      "contact", "response", "short_range", "energy", "remesh", "convergence", "detection_evidence", "floating_strip",
-                                      "resistance", "readings", "glossary")],
+        f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary_conditions", "floating_bodies", "ice",
+                                      "contact", "contact_response", "short_range", "energy", "remeshing", "convergence", "detection_evidence", "floating_strip",
+                                      "resistance", "fccda_variants", "glossary")],
     "Library": ["library/README", "library/reference"],
     "Validation": ["validation"],
     "Developer": ["developer/structure", "developer/testing", "/validation/README", "/benchmarks/README", "/CONTRIBUTING", "/CHANGELOG"],

@@ -241,7 +241,7 @@ def _(t):
 
 @claim("surfaces: the guide's hull, decks and reports are what the program takes and prints")
 def _(t):
-    guide = (Path(__file__).resolve().parents[2] / "docs" / "guide" / "own_surface.md").read_text()
+    guide = (Path(__file__).resolve().parents[2] / "docs" / "guide" / "surface_meshes.md").read_text()
     (t.folder / "half_hull.obj").write_text(half_hull().obj())
     decks = re.findall(r"^```yaml\n(.*?)^```", guide, re.M | re.S)
     deck = next(text for text in decks if text.startswith("title: "))

@@ -80,5 +80,5 @@ def rows():
         Row("contact's share of the run, largest of five", "the paper: much less computation", "share", "%", AtMost(0.05), "400 times as many panels may cost a few times as much; one that looks at all of them takes most of the run"),
         Row("the paper's detector, repaired, feels the plate as the original method does: largest force in the first 30 µs", "`analytic`, `radius_ratio: 0`", "repaired over original", "%", Within(0, 0.1),
             "panels of 2 mm are felt up to 0.6 µs later, of the 14 µs since contact began"),
-        Row("by the letter of the paper's equations: force on the cylinder", "[readings](theory/readings.md)", "letter force", "MN", Exactly(0), "eqs. 14 and 15 refuse every panel of a cylinder along z"),
+        Row("by the letter of the paper's equations: force on the cylinder", "[readings](theory/fccda_variants.md)", "letter force", "MN", Exactly(0), "eqs. 14 and 15 refuse every panel of a cylinder along z"),
     ]  # fmt: skip

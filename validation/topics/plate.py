@@ -108,7 +108,7 @@ particles enter. What differs from what:
 - **contact radius**: without it the cylinder must first cross half a spacing, 0.5 mm or 15.6 µs at 32 m/s. So all comes later: at 200 µs the centre
   has {1e3 * n["original centre"]:.2f} mm instead of {1e3 * n["centre"]:.2f} mm. Finite elements with a gap of 0.5 mm give {1e3 * n["fem_2mm_gap centre"]:.2f} mm: the difference is the gap, nothing else;
 - **panels**: those of 1 mm against none: {1e6 * n["from analytic"]:.1f} µm at most over all times, where they lie up to 5 µm below the cylinder;
-- **response**: impactor and particles have one velocity at the end of a step ([response](theory/response.md#one-velocity)). Contact takes {n["contact loss"]:.2f} J of 803.84 J, the
+- **response**: impactor and particles have one velocity at the end of a step ([response](theory/contact_response.md#one-velocity)). Contact takes {n["contact loss"]:.2f} J of 803.84 J, the
   energy of approach of what is touched; finite elements of 2 mm, whose nodes on the edge carry as much as a layer of particles, lose {n["lost"]:.2f} J. In the paper the impactor feels
   a push a step later, which gives it energy, of first order in the step: finite elements whose cylinder does so gain {n["late gain"]:.2f} J with twice the
   step, and end with {n["fem_2mm_late v200"]:.2f} m/s instead of {n["fem_2mm v200"]:.2f} m/s, the centre {1e3 * (n["fem_2mm_late centre"] - n["fem_2mm centre"]):+.3f} mm further;

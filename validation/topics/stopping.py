@@ -20,7 +20,7 @@ def measure(runner):
 
 def text(n):
     return """A small run whose bonds break, with a checkpoint after every step, is killed at random moments and resumed on one to four threads
-([resume](guide/resume.md)); tables, pictures and state are compared byte by byte."""
+([resume](guide/restart.md)); tables, pictures and state are compared byte by byte."""
 
 
 def rows():

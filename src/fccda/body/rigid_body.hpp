@@ -4,7 +4,7 @@
 ///   (m + a) dv = J,    I_ff dω_f = (angular impulse)_f,    I = R I_body Rᵀ about the centre of mass,
 /// where a is the added mass of each axis and f are the free world axes; held components keep their velocity whatever strikes the body. Between impulses the
 /// angular momentum along the free axes is constant: that is the gyroscopic term of Euler's equations in its conserved form. The attitude is
-/// integrated under it by the midpoint rule on rotations, three of them composed to fourth order (docs/theory/response.md).
+/// integrated under it by the midpoint rule on rotations, three of them composed to fourth order (docs/theory/contact_response.md).
 ///
 /// What holds a component takes the impulse that would change it. Its work, v·(change of momentum - impulse from outside) and likewise
 /// for rotations, balances the energy.

@@ -6,7 +6,7 @@
 ///
 /// V and x_B are the volume under the level z_w and its centre (surface/submerged.hpp), where the body is now. The water lies still: there are no
 /// waves and no pressure from speed, and it does not fall in behind anything. The mass a of the water that comes along with heave is a
-/// property of the body (RigidBodyProperties::added_mass), so that contact feels it too. Docs: docs/theory/water.md.
+/// property of the body (RigidBodyProperties::added_mass), so that contact feels it too. Docs: docs/theory/floating_bodies.md.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// Writes arrays of numbers by name into an HDF5 file, with a fingerprint each (docs/guide/resume.md says what such a file holds). The
+/// Writes arrays of numbers by name into an HDF5 file, with a fingerprint each (docs/guide/restart.md says what such a file holds). The
 /// file appears under its name when finish() returns; until then an earlier one of that name stays.
 ///
 ///   ArraysWriter file(path);

@@ -1,4 +1,4 @@
-/// A checkpoint: all that a run needs to go on after it was stopped, and to end with the very same bits (docs/guide/resume.md).
+/// A checkpoint: all that a run needs to go on after it was stopped, and to end with the very same bits (docs/guide/restart.md).
 #pragma once
 
 #include <cstdint>

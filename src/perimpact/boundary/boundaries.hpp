@@ -1,5 +1,5 @@
 /// All boundary conditions of one body, in the order in which they act: loads, then what damps, then what holds, because a holder's force
-/// makes up for all others (docs/theory/boundary.md).
+/// makes up for all others (docs/theory/boundary_conditions.md).
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 /// stays inside, the sum over a column is Winkler's foundation of the modulus ρ_w g, exactly; a loose particle or fragment floats freely. α is
 /// a damping of all velocities; water that is displaced and comes along weighs C_a times what it would fill. Buoyancy and weight have the
 /// potential U = V (ρ g z + ρ_w g Δ q(t)), t = (z_w - z)/Δ + 1/2, q = 0, t²/2, t - 1/2 for t below 0, up to 1, above; their work is
-/// its decrease. Docs: docs/theory/water.md.
+/// its decrease. Docs: docs/theory/floating_bodies.md.
 #pragma once
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 /// What holds them is a force like any other: at t_n it makes up the sum of forces that leads to the next velocity,
 ///   R = ρ V (v_{n+1/2} - v_{n-1/2})/dt - F            [N]
 /// where F are the other forces, so that momentum, work and the kinetic energy at t_n come out as for all particles. In a state of
-/// equilibrium R = -F. Contact does not move a held direction: what an impactor gives it is handed on to the holder (docs/theory/boundary.md).
+/// equilibrium R = -F. Contact does not move a held direction: what an impactor gives it is handed on to the holder (docs/theory/boundary_conditions.md).
 #pragma once
 
 #include <array>

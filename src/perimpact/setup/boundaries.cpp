@@ -99,7 +99,8 @@ std::span<const Field<AbsorbingSetup>> AbsorbingSetup::fields() {
        required,
        "Where the body ends: +x, -x, +y, -y, +z or -z. The damping rises from 0 at the inner side as the square of the depth."},
       {"reflection", &S::reflection, "1", strictly_between(0, 1), optional,
-       "Share of the amplitude of a wave, straight in and out again, that is left. A thick layer can have a small one; see docs/theory/boundary.md."}};
+       "Share of the amplitude of a wave, straight in and out again, that is left. A thick layer can have a small one; see "
+       "docs/theory/boundary_conditions.md."}};
   return all;
 }
 

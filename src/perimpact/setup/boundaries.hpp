@@ -1,4 +1,4 @@
-/// What a deck says about the boundaries of a body (docs/theory/boundary.md).
+/// What a deck says about the boundaries of a body (docs/theory/boundary_conditions.md).
 #pragma once
 
 #include <optional>
@@ -70,7 +70,7 @@ struct PressureSetup {
   static std::span<const Field<PressureSetup>> fields();
 };
 
-/// Weight, and still water that a body floats in (docs/theory/water.md).
+/// Weight, and still water that a body floats in (docs/theory/floating_bodies.md).
 struct FloatingSetup {
   static constexpr std::string_view name = "floating";
   std::string region;           ///< the whole body where empty

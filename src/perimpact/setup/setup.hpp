@@ -254,7 +254,7 @@ struct RegionSetup {
   static std::span<const Field<RegionSetup>> fields();
 };
 
-/// Smaller panels in some place of the surface. Box, part and angle narrow one another (docs/theory/remesh.md).
+/// Smaller panels in some place of the surface. Box, part and angle narrow one another (docs/theory/remeshing.md).
 struct RefinementSetup {
   std::string name;
   double panel{};                     ///< [m] longest edge
@@ -310,7 +310,7 @@ struct LoadSetup {
   static std::span<const Field<LoadSetup>> fields();
 };
 
-/// Weight, and still water that the impactor floats in (docs/theory/water.md).
+/// Weight, and still water that the impactor floats in (docs/theory/floating_bodies.md).
 struct FloatingImpactorSetup {
   double level = 0;       ///< [m] z of the water's surface
   double density = 1025;  ///< [kg/m³] of the water

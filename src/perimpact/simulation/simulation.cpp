@@ -268,7 +268,7 @@ void Simulation::strike() {
   std::vector<StruckParticles> particles;
   for (std::size_t b = 0; b < bodies_.size(); ++b) particles.emplace_back(bodies_[b].particles, travel_[b], clock_.dt);
   std::vector<std::vector<std::size_t>> pinched(bodies_.size());  // of each impactor
-  // Impactors move with what contact gives them (docs/theory/response.md, "One velocity"), so that it takes passes.
+  // Impactors move with what contact gives them (docs/theory/contact_response.md, "One velocity"), so that it takes passes.
   for (int pass = 1;; ++pass) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) pinched[b] = strike_body(b, particles[b]);
     if (pass == fccda::Coupling::most_passes || std::ranges::all_of(impactors_, &Impactor::moved_with_contact)) break;

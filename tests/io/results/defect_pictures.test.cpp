@@ -45,7 +45,7 @@ TEST_CASE("defect pictures: each panel of each defect is there with its corners,
 }
 
 TEST_CASE("defect pictures: the guide lists the numbers of the kinds") {
-  const std::string guide = fixtures::text_of(PROJECT_FOLDER "/docs/guide/own_surface.md");
+  const std::string guide = fixtures::text_of(PROJECT_FOLDER "/docs/guide/surface_meshes.md");
   for (std::size_t kind = 0; kind < std::size(defect_names); ++kind)
     CHECK_MESSAGE(guide.find("| " + std::to_string(kind) + " | " + std::string(defect_names[kind]) + " |") != std::string::npos, defect_names[kind]);
 }
