@@ -17,7 +17,7 @@ struct Rank {
   std::vector<Vec3d> x_t0, x_t1, velocity;
   std::vector<double> radius, mass;
   ContactDetector wheel, floor;
-  Tally tally{};  // of this step, on the wheel
+  ContactSum tally{};  // of this step, on the wheel
 };
 
 std::vector<Rank> shared_out(std::size_t ranks, const SharedSurface& wheel, const SharedSurface& floor) {
@@ -71,7 +71,7 @@ Outcome run(std::size_t ranks) {
       for (const Contact& contact : on_wheel) rank.floor.moved(contact.point);  // each body tells the other's detector whom it displaced
       for (const Contact& contact : on_floor) rank.wheel.moved(contact.point);
     }
-    Tally sum;  // MPI_Allreduce of seven numbers; the body then moves alike in all processes
+    ContactSum sum;  // MPI_Allreduce of seven numbers; the body then moves alike in all processes
     for (const Rank& rank : parts) sum += rank.tally;
     wheel.add_impulse(sum.impulse, sum.angular_impulse_about_com);
     outcome.angle += dt * wheel.angular_velocity().z;

@@ -124,7 +124,7 @@ struct Outcome {
 
 /// Lets the bar and the body go their way for `time` seconds. Five pictures are written: name_0.vtk to name_4.vtk, and
 /// name_body_0.vtk to name_body_4.vtk of the body.
-Outcome strike(Bar& bar, RigidBody& body, const Panels& panels, double speed, double time, const std::string& name) {
+Outcome resolve_contact(Bar& bar, RigidBody& body, const Panels& panels, double speed, double time, const std::string& name) {
   ContactDetector detector{Surface(panels)};  // nodes have no extent
   const double sound = std::sqrt(youngs / rho);
   const int quarter = static_cast<int>(std::ceil(time * (sound + 4 * speed) / (0.4 * bar.cell) / 4));  // Courant number 0.4; pressed cells are stiffer
@@ -149,7 +149,7 @@ Outcome strike(Bar& bar, RigidBody& body, const Panels& panels, double speed, do
 
     const Motion motion = body.advance(dt);
     const std::vector<Contact> contacts = detector.detect(motion, x_t0, bar.x);
-    const Tally tally = respond(contacts, motion, body, {.x_t0 = x_t0, .x_t1 = bar.x, .velocity = bar.v, .mass = bar.mass});
+    const ContactSum tally = respond(contacts, motion, body, {.x_t0 = x_t0, .x_t1 = bar.x, .velocity = bar.v, .mass = bar.mass});
 
     // The work of an impulse J is J·(v before + v after)/2, before and after the whole step: a node that rests on the wall, pushed there by
     // its cell and back by the wall, gains and loses nothing.
@@ -179,7 +179,7 @@ void strike_wall(int cells) {
   RigidBody wall({.mass = 1}, Pose({0, 0, -0.01}), {}, {}, {});  // held, its upper face at z = 0
   const double arrival = start_gap / speed, contact = 2 * length / sound;
   const double before = bar.momentum(), energy = bar.kinetic_energy();
-  const Outcome outcome = strike(bar, wall, make_box({.size = {0.1, 0.1, 0.02}, .panel = 0.05}), speed, arrival + 1.5 * contact, "bar_on_wall");
+  const Outcome outcome = resolve_contact(bar, wall, make_box({.size = {0.1, 0.1, 0.02}, .panel = 0.05}), speed, arrival + 1.5 * contact, "bar_on_wall");
 
   double sum = 0;
   int count = 0;
@@ -220,7 +220,7 @@ void strike_wedge(int cells) {
   Bar bar(cells, speed);
   RigidBody wedge({.mass = rho * length * bar.section()}, Pose(), {}, {}, {{false, false, true, false, false, false}});  // as heavy as the bar, free along z
   const double before = bar.momentum(), energy = bar.kinetic_energy();
-  const Outcome outcome = strike(bar, wedge, wedge_panels(), speed, start_gap / speed + 3 * length / sound, "bar_on_wedge");
+  const Outcome outcome = resolve_contact(bar, wedge, wedge_panels(), speed, start_gap / speed + 3 * length / sound, "bar_on_wedge");
   const double left = bar.kinetic_energy() + bar.elastic_energy + wedge.kinetic_energy();
   std::size_t inside = 0;
   for (const Vec3d& x : bar.x) inside += x.z < wedge.pose().position().z - std::fabs(x.x) && std::fabs(x.x) < 0.03;

@@ -169,7 +169,7 @@ int main(int argc, char** argv) try {
     }
     const Motion motion = hull.advance(dt);
     const std::vector<Contact> contacts = detector.detect(motion, before, water.x);
-    const Tally tally = respond(contacts, motion, hull, {.x_t0 = before, .x_t1 = water.x, .velocity = water.v, .mass = water.mass});
+    const ContactSum tally = respond(contacts, motion, hull, {.x_t0 = before, .x_t1 = water.x, .velocity = water.v, .mass = water.mass});
 
     contacts_found += contacts.size();
     impulse += tally.impulse.z;

@@ -17,7 +17,7 @@
 #include <map>
 #include <string>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fccda/detect/published.hpp"
 #include "fccda/detect/swept.hpp"
 #include "scene.hpp"
@@ -44,7 +44,7 @@ struct Cost {
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-Region bounding_box(const Surface& surface) {
+ContactBounds bounding_box(const Surface& surface) {
   const Box& bounds = surface.report().bounds;
   return BoxUnion({bounds.size(), bounds.centre()}, surface, Beyond::error);
 }
@@ -86,7 +86,7 @@ Cost box_then_bvh(Sheet& sheet, const std::shared_ptr<const Surface>& surface, l
     const double begin = seconds();
     const BodyView view(motion, test.size());
     for (std::size_t i = 0; i < sheet.size(); ++i) {
-      const BentPath path = view.path(sheet.position_t0(i), sheet.position_t1(i));
+      const CurvedPath path = view.path(sheet.position_t0(i), sheet.position_t1(i));
       const PathAnswer answer = test.ask({.path = path, .radius = test.radius(), .offset = 1e-12}, guess[i], effort);
       if (answer.touch) contacts.push_back({.point = i, .relocation = motion.t1.to_world(answer.touch->relocation)});
     }

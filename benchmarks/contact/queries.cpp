@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "fccda/detect/path_test.hpp"
-#include "fccda/search/bvh.hpp"
+#include "mesh/search/bvh.hpp"
 #include "scene.hpp"
 
 namespace {

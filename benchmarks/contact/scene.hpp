@@ -14,10 +14,10 @@
 #include <random>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
 #include "fccda/detect/contact.hpp"
-#include "fccda/shapes/sphere.hpp"
-#include "fccda/surface/surface.hpp"
+#include "fccda/rigid_body/pose.hpp"
+#include "mesh/shapes/sphere.hpp"
+#include "mesh/surface.hpp"
 
 namespace benchmark {
 

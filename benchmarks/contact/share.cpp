@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "io/deck/deck.hpp"
 #include "perimpact/simulation/simulation.hpp"

@@ -14,7 +14,7 @@
 #include <string>
 #include <type_traits>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulation/simulation.hpp"
 

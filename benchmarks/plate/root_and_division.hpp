@@ -1,14 +1,14 @@
 /// What one core can do at best where every bond costs a square root and a division: the yardstick of the bond pass.
 ///
 /// Vector root and division share one slow unit, which takes a new operand only every few cycles, so their rate bounds any kernel that
-/// uses them. The AVX-512 kernel does not: it makes 1/√ from an estimate and multiply-adds (fccda/core/pack.hpp), and may be faster.
+/// uses them. The AVX-512 kernel does not: it makes 1/√ from an estimate and multiply-adds (base/pack.hpp), and may be faster.
 #pragma once
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "fccda/core/pack.hpp"
+#include "base/pack.hpp"
 
 namespace benchmark {
 

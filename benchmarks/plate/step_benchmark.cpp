@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "io/deck/deck.hpp"
 #include "perimpact/simulation/simulation.hpp"
 #include "root_and_division.hpp"

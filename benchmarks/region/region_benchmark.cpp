@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "fccda/region/boxes.hpp"
-#include "fccda/region/fit_boxes.hpp"
-#include "fccda/region/fit_region.hpp"
-#include "fccda/region/fit_sectors.hpp"
-#include "fccda/search/bvh.hpp"
+#include "fccda/contact_bounds/boxes.hpp"
+#include "fccda/contact_bounds/fit_boxes.hpp"
+#include "fccda/contact_bounds/fit_contact_bounds.hpp"
+#include "fccda/contact_bounds/fit_sectors.hpp"
 #include "fixtures/propeller.hpp"
 #include "fixtures/surfaces.hpp"
+#include "mesh/search/bvh.hpp"
 
 namespace {
 
@@ -72,13 +72,13 @@ void measure(const std::string& name, const Panels& panels) {
   });
   sink += asked;
 
-  std::vector<std::pair<std::string, Region>> regions;
+  std::vector<std::pair<std::string, ContactBounds>> regions;
   for (const int most : {1, 4, 8, 16, 32}) {
     const std::vector<Box> boxes = fit_boxes(surface, {.most = most, .gain = 0});
     regions.emplace_back(fmt::format("{} boxes", boxes.size()), BoxUnion(boxes));
   }
   regions.emplace_back("sectors", CylinderSectors(fit_sectors(surface, {}), surface, Beyond::error));
-  const FittedRegion chosen = fit_region(surface);
+  const FittedBounds chosen = fit_contact_bounds(surface);
   regions.emplace_back("auto", chosen.region);
   fmt::print(stderr, "{}: {}\n", name, chosen.choice);
   for (const auto& [kind, region] : regions) {

@@ -10,14 +10,14 @@
 #include <memory>
 #include <utility>
 
-#include "fccda/inspect/self_intersections.hpp"
-#include "fccda/search/bvh.hpp"
-#include "fccda/surface/connect.hpp"
-#include "fccda/surface/read/read_panels.hpp"
-#include "fccda/surface/surface.hpp"
-#include "fccda/surface/triangulate.hpp"
-#include "fccda/surface/weld.hpp"
-#include "fccda/surface/winding.hpp"
+#include "mesh/connect.hpp"
+#include "mesh/inspect/self_intersections.hpp"
+#include "mesh/search/bvh.hpp"
+#include "mesh/surface.hpp"
+#include "mesh/triangulate.hpp"
+#include "mesh/weld.hpp"
+#include "mesh/winding.hpp"
+#include "mesh_io/read_panels.hpp"
 #include "timed_rounds.hpp"
 
 int main(int argc, char** argv) {
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
     if (only_read) continue;
     {
       const auto surface =
-          timed("fit", [&] { return std::make_unique<const fccda::Surface>(panels, fccda::Surface::Options{.outside = fccda::OutsideIs::normals}); });
+          timed("fit", [&] { return std::make_unique<const fccda::Surface>(panels, fccda::Surface::Options{.outside = fccda::Orientation::normals}); });
       const auto bvh = timed("bvh", [&] { return std::make_unique<const fccda::Bvh>(*surface); });
       timed("check", [&] { return fccda::self_intersections(*surface, *bvh); });
     }
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     fccda::Triangulation triangulation = timed("triangulate", [&] { return triangulate(welded.panels, tolerance); });
     fccda::LinkedTriangles linked{std::move(welded.panels.vertices), std::move(triangulation.triangles), {}};
     timed("connect", [&] { return connect(linked); });
-    timed("wind", [&] { return wind_consistently(linked, "surface"); });
+    timed("wind", [&] { return orient_consistently(linked, "surface"); });
   }
   timed.print();
   return 0;

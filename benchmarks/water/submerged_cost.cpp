@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <ctime>
 
-#include "fccda/core/parallel.hpp"
-#include "fccda/shapes/sphere.hpp"
-#include "fccda/surface/submerged.hpp"
+#include "base/parallel.hpp"
+#include "mesh/shapes/sphere.hpp"
+#include "mesh/submerged.hpp"
 
 int main() {
   using namespace fccda;

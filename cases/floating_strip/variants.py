@@ -35,14 +35,14 @@ class Variant:
             "spacing": spacing,
             "material": material,
             "surface_correction": self.correction,
-            "regions": {
+            "particle_sets": {
                 "edge": {"shape": {"box": {"size": [spacing, 100, 100]}}, "position": [(spacing - self.length) / 2, 0, 0]},
                 "far": {"shape": {"box": {"size": [2, 100, 100]}}, "position": [self.length / 2 - 1, 0, 0]},
             },
-            "boundaries": {
+            "boundary_conditions": {
                 "sea": {"floating": {}},
-                "far": {"fixed": {"region": "far", "directions": ["x", "z"]}},
-                "load": {"body_force": {"region": "edge", "force_density": [0, 0, -load / (spacing * strip.height)], "times": times, "factors": factors}},
+                "far": {"fixed": {"particle_set": "far", "directions": ["x", "z"]}},
+                "load": {"body_force": {"particle_set": "edge", "force_density": [0, 0, -load / (spacing * strip.height)], "times": times, "factors": factors}},
             },
         }
         if self.plate:
@@ -56,13 +56,13 @@ class Variant:
         largest = max(loads, key=abs)
         times = [float(i) for i in range(len(loads) + 1)]
         body = self.body(largest, times, [0.0, *(load / largest for load in loads)], breaks)
-        relax = {"increments": len(loads), "tolerance": tolerance, "most_iterations": 1_000_000}
-        time, output = {"end": times[-1], "relax": relax}, {"frames": len(loads), "checkpoint_every": 0}
+        relax = {"increments": len(loads), "tolerance": tolerance, "max_iterations": 1_000_000}
+        time, output = {"end": times[-1], "relax": relax}, {"frames": len(loads), "checkpoint_interval": 0}
         return {"title": f"A floating strip, relaxed: {self.name()}", "time": time, "bodies": {"ice": body}, "output": output}
 
     def ramp(self, load, end, step=None):
         """A line load that rises from 0 to `load` [N/m]; at half its rate for half a bob, so that it starts none."""
         body = self.body(load, [0.0, HALF_BOB, end], [0.0, 0.5 * HALF_BOB / (end - 0.5 * HALF_BOB), 1.0])
-        output = {"frames": 60, "history": 0.05, "checkpoint_every": 0}
+        output = {"frames": 60, "history_interval": 0.05, "checkpoint_interval": 0}
         time = {"end": end} | ({"step": step} if step else {})
         return {"title": f"A floating strip: {self.name()}", "time": time, "bodies": {"ice": body}, "output": output}

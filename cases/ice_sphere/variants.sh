@@ -23,6 +23,6 @@ done
 # Against Hertz: along an axis of the lattice, and askew
 for across in 20 40 60; do
   spacing=$(awk "BEGIN {printf \"%.17g\", 1 / $across}")
-  variant "hertz_$across" "${unbroken[@]}" bodies.ice.spacing=$spacing output.history="0.05 ms" output.frames=0
-  deck=$case/oblique.yaml variant "hertz_oblique_$across" bodies.ice.spacing=$spacing output.history="0.05 ms" output.frames=0
+  variant "hertz_$across" "${unbroken[@]}" bodies.ice.spacing=$spacing output.history_interval="0.05 ms" output.frames=0
+  deck=$case/oblique.yaml variant "hertz_oblique_$across" bodies.ice.spacing=$spacing output.history_interval="0.05 ms" output.frames=0
 done

@@ -28,7 +28,7 @@ VARIANTS = PANELS | {
     "correction_none": "`surface_correction: none`",
     "published_lattice": "`published: true`",
     "published_repaired": "`detector: published`",
-    "published_letter": "`detector: published`, `reading: letter`",
+    "published_letter": "`detector: published`, `variant: literal`",
 }
 DETECTION = {"panel_2mm": "`swept`, triangles of 2 mm", "analytic": "`analytic`", "published_repaired": "`published`, quads of 2 mm",
              "published_letter": "`published`, `letter`, quads of 2 mm"}  # fmt: skip

@@ -15,7 +15,7 @@ variant() {
   folders+=("$folder")
 }
 stretch=bodies.ice.material.critical_stretch failure=bodies.ice.failure surface=impactors.propeller.surface.propeller
-region=impactors.propeller.region
+region=impactors.propeller.contact_bounds
 folders=()
 
 variant deck
@@ -30,12 +30,12 @@ done
 # Where around the shaft the sphere comes, size of the panels, rubble that passes through rubble
 variant turned_30 bodies.ice.position="[0.80, 0.721, -1.24881]"
 variant turned_60 bodies.ice.position="[0.80, 1.24881, -0.721]"
-variant panels_coarse $surface.panel=0.3 $surface.edge_panel=0.1
-variant panels_fine $surface.panel=0.075 $surface.edge_panel=0.025
+variant panels_coarse $surface.panel=0.3 $surface.blade_edge_length=0.1
+variant panels_fine $surface.panel=0.075 $surface.blade_edge_length=0.025
 variant no_fragments contact.fragments="{law: none}"
 
 # A propeller that nothing holds
-variant free impactors.propeller.free="[x, y, z, rx, ry, rz]"
+variant free impactors.propeller.free_dofs="[x, y, z, rx, ry, rz]"
 
 # What the region saves
 variant region_none $region=null

@@ -10,8 +10,8 @@ ship=impactors.ship
 variant deck
 
 # Speed; so much longer or shorter that the travel is the same
-variant speed_6 "$ship.velocity=[-6 kn, 0, 0]" "time.end=6.65 s" "output.history=0.025 s"
-variant speed_4.5 "$ship.velocity=[-4.5 kn, 0, 0]" "time.end=8.87 s" "output.history=0.0333 s"
+variant speed_6 "$ship.velocity=[-6 kn, 0, 0]" "time.end=6.65 s" "output.history_interval=0.025 s"
+variant speed_4.5 "$ship.velocity=[-4.5 kn, 0, 0]" "time.end=8.87 s" "output.history_interval=0.0333 s"
 
 # Thickness, in four layers; as it floats
 variant thickness_3 "$sheet.shape.box.size=[60 m, 36 m, 3 m]" "$sheet.spacing=0.75 m" "$sheet.position=[-30 m, 0, -1.1341 m]" "time.step=0.33 ms"
@@ -23,7 +23,7 @@ variant stretch_2e-4 $sheet.material.critical_stretch=2e-4
 variant stretch_5e-4 $sheet.material.critical_stretch=5e-4
 
 # Panels of 3 m at the bow too; friction; strength of what is pressed
-variant panels_uniform_3 "$ship.surface.hull.bow_panel=3 m"
+variant panels_uniform_3 "$ship.surface.hull.bow_edge_length=3 m"
 variant friction_0.1 contact.impactors.friction=0.1
 variant hardening_0.2 $sheet.failure.compression_hardening=0.2
 

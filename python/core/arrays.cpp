@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 
 namespace perimpact::python {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "fccda/core/vec3.hpp"
-#include "fccda/plain/vectors.hpp"
+#include "base/vec3.hpp"
+#include "fccda/api/vectors.hpp"
 #include "perimpact/particles/slot_array.hpp"
 
 namespace pybind11::detail {

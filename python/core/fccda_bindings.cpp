@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "fccda/body/solid.hpp"
-#include "fccda/core/error.hpp"
-#include "fccda/plain/contact_detector.hpp"
-#include "fccda/plain/respond_arrays.hpp"
-#include "fccda/region/box_union.hpp"
-#include "fccda/surface/surface.hpp"
+#include "base/error.hpp"
+#include "fccda/api/contact_detector.hpp"
+#include "fccda/api/respond_arrays.hpp"
+#include "fccda/contact_bounds/box_union.hpp"
+#include "fccda/rigid_body/solid.hpp"
 #include "mesh.hpp"
+#include "mesh/surface.hpp"
 
 namespace perimpact::python {
 
@@ -36,7 +36,7 @@ using fccda::RigidBody;
 using fccda::Surface;
 
 /// What the library advises, as Python says it.
-constexpr fccda::AdviceWords python_words{.declare_outside = "with outside=\"normals\" (the one that the normals point to) or outside=\"reversed\"",
+constexpr fccda::AdviceWords python_words{.declare_orientation = "with outside=\"normals\" (the one that the normals point to) or outside=\"reversed\"",
                                           .cut_open = "with outside=\"normals\" (the side that the normals point to)",
                                           .clip = "pass clip=True"};
 using Boxes = std::vector<std::pair<Vec3d, Vec3d>>;
@@ -60,11 +60,11 @@ class GivenSurface {
 };
 
 GivenSurface surface_of(const Mesh& mesh, double weld, const std::string& outside, const std::string& name) {
-  fccda::OutsideIs side = fccda::OutsideIs::undeclared;
+  fccda::Orientation side = fccda::Orientation::undeclared;
   if (outside == "normals")
-    side = fccda::OutsideIs::normals;
+    side = fccda::Orientation::normals;
   else if (outside == "reversed")
-    side = fccda::OutsideIs::reversed;
+    side = fccda::Orientation::reversed;
   else if (outside != "undeclared")
     throw InputError(fmt::format("outside is \"{}\", but it must be one of undeclared, normals, reversed.", outside));
   try {
@@ -323,9 +323,9 @@ py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, 
   return numbers;
 }
 
-fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, const py::object& x_t0,
-                        const py::array& x_t1, const py::array& velocity, const py::object& mass, double friction, const fccda::ContactDetector* detector,
-                        bool apply) {
+fccda::ContactSum respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, const py::object& x_t0,
+                             const py::array& x_t1, const py::array& velocity, const py::object& mass, double friction, const fccda::ContactDetector* detector,
+                             bool apply) {
   if (friction != 0 && !detector)
     throw InputError("friction needs the detector that found the contacts, which says where panels are in the way; give respond detector=….");
   py::array at_t0, masses;
@@ -361,10 +361,10 @@ the point) [m].)")
           "Somebody else displaced the point since the last step.")
       .def("points_changed", &fccda::ContactDetector::points_changed, "Points were renumbered, or many displaced: all are looked at again.");
 
-  py::class_<fccda::Tally>(module, "Tally", "What all contacts of a step did to the body.")
-      .def_readonly("impulse", &fccda::Tally::impulse, "(3,) [N s]; divided by dt, the mean force.")
-      .def_readonly("angular_impulse", &fccda::Tally::angular_impulse_about_com, "(3,) about the centre of mass [N m s].")
-      .def_readonly("contacts", &fccda::Tally::contacts, "Their number.");
+  py::class_<fccda::ContactSum>(module, "Tally", "What all contacts of a step did to the body.")
+      .def_readonly("impulse", &fccda::ContactSum::impulse, "(3,) [N s]; divided by dt, the mean force.")
+      .def_readonly("angular_impulse", &fccda::ContactSum::angular_impulse_about_com, "(3,) about the centre of mass [N m s].")
+      .def_readonly("contacts", &fccda::ContactSum::contacts, "Their number.");
 
   module.def("respond", &respond_to, "contacts"_a, "motion"_a, "body"_a, py::kw_only(), "x_t0"_a, "x_t1"_a.noconvert(), "velocity"_a.noconvert(), "mass"_a,
              "friction"_a = 0.0, "detector"_a = py::none(), "apply"_a = true,

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 
-#include "fccda/core/error.hpp"
-#include "fccda/shapes/box.hpp"
-#include "fccda/shapes/cylinder.hpp"
-#include "fccda/shapes/sphere.hpp"
-#include "fccda/surface/read/read_panels.hpp"
+#include "base/error.hpp"
+#include "mesh/shapes/box.hpp"
+#include "mesh/shapes/cylinder.hpp"
+#include "mesh/shapes/sphere.hpp"
+#include "mesh_io/read_panels.hpp"
 
 namespace perimpact::python {
 

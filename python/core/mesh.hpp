@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "arrays.hpp"
-#include "fccda/surface/panels_in_memory.hpp"
+#include "mesh/panels_in_memory.hpp"
 
 namespace perimpact::python {
 

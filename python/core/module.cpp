@@ -1,5 +1,5 @@
 /// The extension module perimpact._core; python/src/perimpact says what of it is public.
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fccda_bindings.hpp"
 #include "mesh.hpp"
 #include "simulation_bindings.hpp"

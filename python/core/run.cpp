@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "held_interrupts.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/output/results_folder.hpp"
 #include "io/report/report.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact::python {
 
@@ -80,7 +80,7 @@ std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<OwnForceFunction
   const Setup& setup = run->setup();
   std::vector<std::string> names;
   for (const BodySetup& body : setup.bodies) names.push_back(body.name);
-  std::vector<GivenForce> given;
+  std::vector<UserForceOnBody> given;
   for (const OwnForceFunction& force : forces) {
     const auto body = std::find(names.begin(), names.end(), force.body);
     if (body == names.end())
@@ -97,7 +97,7 @@ std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<OwnForceFunction
   return run;
 }
 
-GivenForce Run::given(std::size_t body, const OwnForceFunction& force) {
+UserForceOnBody Run::given(std::size_t body, const OwnForceFunction& force) {
   return {body, force.name, [this, body, name = force.name, function = kept(force.function)](double time, const Body& particles, VectorArray& density) {
             add_own_force(body, name, *function, time, particles, density);
           }};

@@ -48,7 +48,7 @@ class Run : public std::enable_shared_from_this<Run> {
  private:
   using Instant = std::chrono::steady_clock::time_point;
 
-  GivenForce given(std::size_t body, const OwnForceFunction& force);
+  UserForceOnBody given(std::size_t body, const OwnForceFunction& force);
   void add_own_force(std::size_t index, const std::string& name, const py::function& function, double time, const Body& body, VectorArray& density);
   void expect_usable() const;
   bool is_there(std::optional<double> until) const;

@@ -4,8 +4,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
 #include "run.hpp"
 #include "tree.hpp"
@@ -40,7 +40,7 @@ deck::Deck deck_of_dict(const py::dict& setup, const std::filesystem::path& fold
 
 py::object dict_of(const Setup& setup) { return py::module_::import("json").attr("loads")(deck::setup_to_text(setup)); }
 
-std::vector<OwnForceFunction> own_forces(const py::object& forces) {
+std::vector<OwnForceFunction> user_forces(const py::object& forces) {
   std::vector<OwnForceFunction> all;
   if (forces.is_none()) return all;
   for (const auto& [body, of_body] : py::cast<py::dict>(forces))
@@ -153,19 +153,19 @@ simulation's own memory: they show every later step, and cannot be written. The 
 // ---- impactors ----
 
 py::array_t<BlowRow> contacts_of(const ImpactorOfRun& impactor) {
-  const std::vector<Blow>& blows = impactor.get().last_step().blows;
-  py::array_t<BlowRow> array(static_cast<py::ssize_t>(blows.size()));
+  const std::vector<ContactImpulse>& contact_impulses = impactor.get().last_step().contact_impulses;
+  py::array_t<BlowRow> array(static_cast<py::ssize_t>(contact_impulses.size()));
   BlowRow* row = array.mutable_data();
-  for (const Blow& blow : blows) {
-    const fccda::Contact& contact = blow.contact;
-    *row = {.body = static_cast<std::int32_t>(blow.body),
+  for (const ContactImpulse& contact_impulse : contact_impulses) {
+    const fccda::Contact& contact = contact_impulse.contact;
+    *row = {.body = static_cast<std::int32_t>(contact_impulse.body),
             .panel = contact.panel,
             .slot = static_cast<std::int64_t>(contact.point),
             .time_fraction = contact.time_fraction,
             .depth = contact.depth,
             .position = {contact.relocation.x, contact.relocation.y, contact.relocation.z},
             .normal = {contact.normal.x, contact.normal.y, contact.normal.z},
-            .impulse = {blow.impulse.x, blow.impulse.y, blow.impulse.z}};
+            .impulse = {contact_impulse.impulse.x, contact_impulse.impulse.y, contact_impulse.impulse.z}};
     ++row;
   }
   return array;
@@ -290,7 +290,7 @@ void bind_simulation(py::module_& module) {
 Made from a deck (`Simulation.from_deck`) or from a dict of the same keys. Both give the same bits, step for step, as the command line.)")
       .def(
           py::init([](const py::dict& setup, const std::filesystem::path& folder, const py::object& forces) {
-            return Run::of(deck_of_dict(setup, folder), own_forces(forces));
+            return Run::of(deck_of_dict(setup, folder), user_forces(forces));
           }),
           "setup"_a, py::kw_only(), "folder"_a = ".", "forces"_a = py::none(),
           R"(setup: a dict with the keys of a deck. Numbers are SI, text has a unit ("9 mm"); vectors may be arrays; a Mesh may stand for the file of a surface.
@@ -302,7 +302,7 @@ Raises InputError where the set-up cannot be used.)")
       .def_static(
           "from_deck",
           [](const std::filesystem::path& file, const py::object& set, const py::object& forces) {
-            return Run::of(deck_of_file(file, set), own_forces(forces));
+            return Run::of(deck_of_file(file, set), user_forces(forces));
           },
           "file"_a, py::kw_only(), "set"_a = py::none(), "forces"_a = py::none(),
           R"(The simulation of a deck (YAML).

@@ -23,14 +23,14 @@ setup = {
     },
     "impactors": {
         "ball": {
-            "surface": {"sphere": {"diameter": "60 mm", "panel": "4 mm"}},
+            "surface": {"sphere": {"diameter": "60 mm", "edge_length": "4 mm"}},
             "mass": 0.2,
             "position": [0, 0, 0.0405],
             "velocity": [0, 0, -5],
-            "free": ["z"],
+            "free_dofs": ["z"],
         }
     },
-    "output": {"history": "10 us", "probes": {"centre": {"body": "plate", "at": [0, 0, 0]}}},
+    "output": {"history_interval": "10 us", "probes": {"centre": {"body": "plate", "at": [0, 0, 0]}}},
 }
 
 # %% The force: springs under the plate, spread over its thickness

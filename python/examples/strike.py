@@ -32,9 +32,9 @@ setup = {
         }
     },
     "impactors": {
-        "cone": {"surface": {"file": cone}, "mass": 0.05, "position": [0, 0, 0.0105], "velocity": [0, 0, -30], "free": ["z"]},
+        "cone": {"surface": {"file": cone}, "mass": 0.05, "position": [0, 0, 0.0105], "velocity": [0, 0, -30], "free_dofs": ["z"]},
     },
-    "output": {"history": "2 us"},
+    "output": {"history_interval": "2 us"},
 }
 simulation = perimpact.Simulation(setup)
 

@@ -4,21 +4,21 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.hpp"
 #include "cli/commands.hpp"
+#include "cli/contact_bounds_text.hpp"
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
-#include "cli/region_text.hpp"
 #include "cli/remesh_text.hpp"
 #include "cli/surface_text.hpp"
-#include "fccda/core/parallel.hpp"
-#include "fccda/region/region_panels.hpp"
+#include "fccda/contact_bounds/bounds_panels.hpp"
 #include "io/output/results_folder.hpp"
 #include "io/output/vtp.hpp"
 #include "io/results/lines.hpp"
 #include "io/results/results_writer.hpp"
-#include "perimpact/impact/approach.hpp"
+#include "perimpact/diagnostics/approach.hpp"
+#include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/simulation/memory.hpp"
-#include "perimpact/simulation/stable_step.hpp"
 
 namespace perimpact {
 
@@ -59,8 +59,8 @@ void print_body(const BodySetup& setup, const Body& body, const std::optional<Fi
   for (const CrackCut& crack : body.cracks) fmt::print("  {:<18}{} bonds cut\n", "crack " + crack.name, crack.bonds);
 }
 
-void print_boundaries(const Boundaries& boundaries) {
-  for (const NamedBoundary& one : boundaries.all()) fmt::print("  {:<18}{}, {} particles\n", one.name, one.kind, one.particles());
+void print_boundary_conditions(const BoundaryConditions& boundary_conditions) {
+  for (const NamedBoundaryCondition& one : boundary_conditions.all()) fmt::print("  {:<18}{}, {} particles\n", one.name, one.kind, one.particles());
 }
 
 void print_step(const Simulation& simulation) {
@@ -90,17 +90,17 @@ void print_rigid_body(const Impactor& impactor) {
 }
 
 /// One line: what water and weight make of it, first and last.
-void print_afloat(const Impactor& impactor) {
+void print_hydrostatics(const Impactor& impactor) {
   if (!impactor.water()) return;
   const PlacedInWater& placed = *impactor.placed_in_water();
   constexpr double none = 1e-6;  // of the weight
   const double weight = impactor.body().mass() * impactor.water()->gravity;
-  const double force = std::fabs(placed.afloat.force) <= none * weight ? 0 : placed.afloat.force;
+  const double force = std::fabs(placed.hydrostatics.force) <= none * weight ? 0 : placed.hydrostatics.force;
   const char* const does = force == 0 ? "floats at rest" : force > 0 ? "rises" : placed.rise ? "settles" : "sinks";
-  const std::string at_rest = placed.rise ? fmt::format("as it is turned, it rests at a draught of {:.4g} m", placed.draught - *placed.rise)
+  const std::string at_rest = placed.rise ? fmt::format("as it is turned, it rests at a draught of {:.4g} m", placed.draft_ - *placed.rise)
                                           : "it is heavier than all the water that it can displace";
   fmt::print("  {:<18}{}: displaces {:.5g} kg with a draught of {:.4g} m, net force {:+.4g} N upward; {}\n", "in water", does,
-             impactor.water()->density * placed.afloat.volume, placed.draught, force, at_rest);
+             impactor.water()->density * placed.hydrostatics.volume, placed.draft_, force, at_rest);
 }
 
 void print_approach(const Simulation& simulation, const Impactor& impactor) {
@@ -154,13 +154,13 @@ void print_duration(Simulation& simulation) {
   fmt::print("duration\n  about {} on {} threads, without pictures (from {} steps)\n", duration_in_words(seconds), fccda::thread_count(), done);
 }
 
-void write_pictures(const Simulation& simulation, const std::filesystem::path& folder) {
+void write_frames(const Simulation& simulation, const std::filesystem::path& folder) {
   output::prepare_folder(folder);
-  remove_pictures_of_defects(simulation, folder);
+  remove_defect_files(simulation, folder);
   for (const Body& body : simulation.bodies()) write_particles(folder / (body.name + ".vtp"), body, std::nullopt);
   for (const Impactor& impactor : simulation.impactors()) {
     write_impactor(folder / (impactor.name() + "_surface.vtp"), impactor);
-    fccda::Panels region = fccda::region_panels(impactor.region().region);
+    fccda::Panels region = fccda::bounds_panels(impactor.region().region);
     if (region.panels.empty()) continue;
     for (Vec3d& vertex : region.vertices) vertex = impactor.body().pose().to_world(vertex);
     output::write_vtp(folder / (impactor.name() + "_region.vtp"), {.points = output::coordinates(region.vertices), .panels = region.panels},
@@ -180,20 +180,20 @@ int check_command(const DeckArguments& arguments) {
     fmt::print("{}\n", deck.setup.title);
     for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
       print_body(simulation.setup().bodies[b], simulation.bodies()[b], simulation.filled_mass(b));
-      print_boundaries(simulation.boundaries()[b]);
+      print_boundary_conditions(simulation.boundary_conditions()[b]);
     }
     for (const Impactor& impactor : simulation.impactors()) {
       fmt::print("impactor {}\n{}{}", impactor.name(), remesh_text(impactor), surface_text(impactor.surface().report()));
       print_rigid_body(impactor);
-      print_afloat(impactor);
-      fmt::print("{}", region_text(impactor));
+      print_hydrostatics(impactor);
+      fmt::print("{}", contact_bounds_text(impactor));
       print_approach(simulation, impactor);
     }
     print_step(simulation);
     print_memory(memory);
     print_lines(lines, simulation);
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
-    write_pictures(simulation, folder);
+    write_frames(simulation, folder);
     if (!simulation.relaxation()) print_duration(simulation);  // of one increment nothing tells how long another takes
     fmt::print("surfaces, regions and bodies are in {} as VTP\n", folder.string());
     return 0;

@@ -9,11 +9,11 @@
 #include <new>
 #include <system_error>
 
+#include "base/error.hpp"
 #include "cli/commands.hpp"
 #include "cli/report_command.hpp"
 #include "cli/shape_command.hpp"
 #include "cli/statistics_command.hpp"
-#include "fccda/core/error.hpp"
 
 namespace {
 
@@ -85,7 +85,7 @@ void add_new(CLI::App& command, NewArguments& arguments, int& code) {
   command.callback([&arguments, &code] { code = new_command(arguments); });
 }
 
-void complain(const std::string& sentence) { std::fprintf(stderr, "error: %s\n", sentence.c_str()); }
+void print_error(const std::string& sentence) { std::fprintf(stderr, "error: %s\n", sentence.c_str()); }
 
 /// What CLI11 found wrong, as one sentence that says where to read on.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
@@ -159,7 +159,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    complain(usage_error(app, error));
+    print_error(usage_error(app, error));
     return 2;
   }
   return code;
@@ -174,16 +174,16 @@ int main(int argc, char** argv) {
     expect_printed();
     return code;
   } catch (const fccda::InputError& error) {
-    complain(error.what());
+    print_error(error.what());
     return 2;
   } catch (const fccda::RunError& error) {
-    complain(error.what());
+    print_error(error.what());
     return 3;
   } catch (const std::system_error& error) {  // from fmt, where it cannot print
-    complain(fmt::format("the output cannot be printed: {}. Make room, or print elsewhere.", error.code().message()));
+    print_error(fmt::format("the output cannot be printed: {}. Make room, or print elsewhere.", error.code().message()));
     return 3;
   } catch (const std::bad_alloc&) {
-    complain("there is not enough memory for this set-up; take a larger spacing or fewer panels.");
+    print_error("there is not enough memory for this set-up; take a larger spacing or fewer panels.");
     return 3;
   }
 }

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+#include "base/parameter.hpp"
 #include "cli/commands.hpp"
 #include "cli/mesh_report.hpp"
 #include "cli/surface_text.hpp"
-#include "fccda/core/error.hpp"
-#include "fccda/core/parameter.hpp"
-#include "fccda/surface/file/contents.hpp"
-#include "fccda/surface/place.hpp"
-#include "fccda/surface/read/read_panels.hpp"
 #include "io/deck/units.hpp"
 #include "io/output/surface_file.hpp"
-#include "io/results/defect_pictures.hpp"
+#include "io/results/defect_files.hpp"
+#include "mesh/placement.hpp"
+#include "mesh_io/file/contents.hpp"
+#include "mesh_io/read_panels.hpp"
 
 namespace perimpact {
 
@@ -35,7 +35,7 @@ std::filesystem::path defects_file(const std::filesystem::path& surface) { retur
 Surface fit_surface(const Panels& panels, double weld, const std::filesystem::path& file) {
   try {
     // a report is wanted of open surfaces too, and which side is outside changes nothing in it
-    return Surface(panels, {.weld_distance = weld, .outside = OutsideIs::normals, .name = file.string()});
+    return Surface(panels, {.weld_distance = weld, .outside = Orientation::normals, .name = file.string()});
   } catch (const SurfaceError& error) {
     write_defects(defects_file(file), panels, {&error.defect(), 1});
     throw InputError(fmt::format("{} These panels are in {}, for ParaView.", error.what(), defects_file(file).string()));
@@ -45,7 +45,7 @@ Surface fit_surface(const Panels& panels, double weld, const std::filesystem::pa
 /// All that a picture can show.
 std::vector<Defect> defects_of(const Surface& surface, const SelfIntersections& folds) {
   std::vector<Defect> defects = folds.defects;
-  if (!surface.is_closed()) defects.push_back({DefectKind::rim, surface.panels_on_rims()});
+  if (!surface.is_closed()) defects.push_back({DefectKind::rim, surface.panels_on_boundary()});
   return defects;
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "cli/row.hpp"
-#include "fccda/inspect/rims.hpp"
-#include "fccda/inspect/surface_measures.hpp"
-#include "fccda/surface/panel_faces.hpp"
+#include "mesh/inspect/boundary_loops.hpp"
+#include "mesh/inspect/surface_measures.hpp"
+#include "mesh/panel_faces.hpp"
 
 namespace perimpact {
 
@@ -35,12 +35,13 @@ std::optional<std::string> unit_suspicion(const SurfaceReport& report) {
 }
 
 std::optional<std::string> half_suspicion(const Surface& surface) {
-  const std::vector<Rim> all = rims(surface);
+  const std::vector<BoundaryLoop> all = boundary_loops(surface);
   const double tolerance = 1e-6 * norm(surface.report().bounds.size());  // floats of binary STL round by less
   constexpr const char* axes[] = {"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3 && !all.empty(); ++axis) {
-    const bool in_plane = std::all_of(all.begin(), all.end(),
-                                      [&](const Rim& rim) { return std::max(std::abs(rim.bounds.low[axis]), std::abs(rim.bounds.high[axis])) <= tolerance; });
+    const bool in_plane = std::all_of(all.begin(), all.end(), [&](const BoundaryLoop& rim) {
+      return std::max(std::abs(rim.bounds.low[axis]), std::abs(rim.bounds.high[axis])) <= tolerance;
+    });
     if (in_plane)
       return fmt::format("all that is open lies in the plane {0} = 0; where the file holds one half, `complete: {0}` in the deck adds the other", axes[axis]);
   }
@@ -54,7 +55,7 @@ std::optional<double> closing_weld(const Panels& panels, const Surface& surface)
     const double distance = share * size;
     if (distance > 0.5 * surface.report().shortest_edge) break;
     try {
-      const Surface welded(panels, {.weld_distance = distance, .outside = OutsideIs::normals});
+      const Surface welded(panels, {.weld_distance = distance, .outside = Orientation::normals});
       if (welded.report().triangles < surface.report().triangles) break;
       if (welded.is_closed()) return distance;
     } catch (const InputError&) {
@@ -66,7 +67,7 @@ std::optional<double> closing_weld(const Panels& panels, const Surface& surface)
 
 std::string defects_text(const Surface& surface, const SelfIntersections& folds) {
   std::string text;
-  const std::vector<Rim> all = rims(surface);
+  const std::vector<BoundaryLoop> all = boundary_loops(surface);
   constexpr std::size_t most = 10;
   for (std::size_t k = 0; k < std::min(most, all.size()); ++k) {
     const Vec3d size = all[k].bounds.size();
@@ -77,7 +78,7 @@ std::string defects_text(const Surface& surface, const SelfIntersections& folds)
   const SurfaceReport& report = surface.report();
   if (report.cut_edges > 0)
     text += row("non-manifold", fmt::format("{} of more than two panels; along {} of them a panel could not be joined with another, and is cut off there",
-                                            counted(report.crowded_edges, "edge", "edges"), report.cut_edges));
+                                            counted(report.non_manifold_edge_count, "edge", "edges"), report.cut_edges));
   for (const Defect& defect : folds.defects) {
     const std::string panels = counted(defect.panels.size(), "panel", "panels");
     if (defect.kind == DefectKind::inside_out)

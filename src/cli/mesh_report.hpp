@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "fccda/inspect/self_intersections.hpp"
-#include "fccda/search/bvh.hpp"
-#include "fccda/surface/surface.hpp"
+#include "mesh/inspect/self_intersections.hpp"
+#include "mesh/search/bvh.hpp"
+#include "mesh/surface.hpp"
 
 namespace perimpact {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "cli/commands.hpp"
 #include "cli/starters.hpp"
-#include "fccda/core/error.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/json_schema.hpp"
 #include "io/output/file.hpp"

@@ -4,17 +4,17 @@
 
 #include <system_error>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "io/output/results_folder.hpp"
-#include "io/results/defect_pictures.hpp"
-#include "perimpact/impact/surface_of.hpp"
+#include "io/results/defect_files.hpp"
+#include "perimpact/impactor/surface_of.hpp"
 
 namespace perimpact {
 
 namespace {
 
-std::filesystem::path picture_of_defects(const std::filesystem::path& folder, const std::string& impactor) { return folder / (impactor + "_defects.vtp"); }
+std::filesystem::path defect_file_of(const std::filesystem::path& folder, const std::string& impactor) { return folder / (impactor + "_defects.vtp"); }
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& fol
     throw;
   } catch (const DefectiveSurface& error) {
     output::prepare_folder(folder);
-    const std::filesystem::path picture = picture_of_defects(folder, error.impactor());
+    const std::filesystem::path picture = defect_file_of(folder, error.impactor());
     write_defects(picture, error.panels(), {&error.defect(), 1});
     throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), picture.string()));
   } catch (const SetupError& error) {
@@ -42,10 +42,10 @@ void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& fol
   }
 }
 
-void remove_pictures_of_defects(const Simulation& simulation, const std::filesystem::path& folder) {
+void remove_defect_files(const Simulation& simulation, const std::filesystem::path& folder) {
   for (const Impactor& impactor : simulation.impactors()) {
     std::error_code ignored;  // what cannot be removed does no harm
-    std::filesystem::remove(picture_of_defects(folder, impactor.name()), ignored);
+    std::filesystem::remove(defect_file_of(folder, impactor.name()), ignored);
   }
 }
 

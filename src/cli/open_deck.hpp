@@ -18,7 +18,7 @@ std::filesystem::path results_folder(const DeckArguments& arguments, const Setup
 [[noreturn]] void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& folder);
 
 /// Those that an earlier try of the deck left in `folder`: now that there is a simulation, the surfaces have none.
-void remove_pictures_of_defects(const Simulation& simulation, const std::filesystem::path& folder);
+void remove_defect_files(const Simulation& simulation, const std::filesystem::path& folder);
 
 /// Calls f() with its SetupErrors placed so.
 template <class F>

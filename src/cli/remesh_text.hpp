@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "perimpact/impact/impactor.hpp"
+#include "perimpact/impactor/impactor.hpp"
 
 namespace perimpact {
 

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "cli/commands.hpp"
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_command.hpp"
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
 #include "io/checkpoint/checkpoints.hpp"
 #include "io/results/results_writer.hpp"
 
@@ -50,7 +50,7 @@ std::string about_last(const Checkpoints& checkpoints, const std::string& way_ou
 }
 
 /// A line about the checkpoint that the run is going to replace.
-void tell_of_unfinished(const std::filesystem::path& path) {
+void print_unfinished(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return;
   try {
     const Checkpoint earlier(path);
@@ -84,10 +84,10 @@ int run_command(const RunArguments& arguments) {
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);
     Checkpoints checkpoints(checkpoint, simulation);
-    if (!earlier) tell_of_unfinished(checkpoint);
+    if (!earlier) print_unfinished(checkpoint);
     ResultsWriter results = earlier ? ResultsWriter(simulation, folder, checkpoints.resume(*earlier, simulation)) : ResultsWriter(simulation, folder);
     earlier.reset();  // it keeps the file open that the next checkpoint replaces
-    remove_pictures_of_defects(simulation, folder);
+    remove_defect_files(simulation, folder);
     fmt::print("{}\n{} threads, {} {} of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
                simulation.relaxation() ? "increments" : "steps", simulation.clock().dt, folder.string());
     if (arguments.resume) fmt::print("Resumed at step {} (t = {:.4g} s).\n", simulation.clock().step, simulation.clock().time());

@@ -8,14 +8,14 @@
 
 #include "cli/mesh_report.hpp"
 #include "cli/surface_text.hpp"
-#include "fccda/inspect/volume_below.hpp"
-#include "fccda/shapes/wageningen.hpp"
 #include "io/deck/overrides.hpp"
 #include "io/deck/reader.hpp"
 #include "io/deck/reference.hpp"
 #include "io/output/surface_file.hpp"
-#include "perimpact/impact/generated_shape.hpp"
-#include "perimpact/impact/surface_of.hpp"
+#include "marine/wageningen.hpp"
+#include "mesh/inspect/volume_below.hpp"
+#include "perimpact/impactor/generated_shape.hpp"
+#include "perimpact/impactor/surface_of.hpp"
 
 namespace perimpact {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "base/error.hpp"
 #include "cli/channel_text.hpp"
-#include "fccda/core/error.hpp"
 #include "io/output/csv.hpp"
 #include "io/output/file.hpp"
 #include "io/output/results_folder.hpp"
@@ -101,7 +101,7 @@ std::size_t intervals_in(const Window& window) { return static_cast<std::size_t>
 /// Values of a segment of the spectrum; 0 where there are too few rows for one.
 std::size_t segment_of(const Window& window, std::optional<double> wanted) {
   const std::size_t values = intervals_in(window);
-  if (!wanted) return values < fewest_for_spectrum ? 0 : usual_segment(values);
+  if (!wanted) return values < fewest_for_spectrum ? 0 : default_segment(values);
   const double length = std::floor(*wanted / window.interval * (1 + 1e-9));
   if (!(length >= static_cast<double>(fewest_for_spectrum) && length <= static_cast<double>(values)))
     throw InputError(fmt::format("--segment is {:.6g} s, but it must hold from {} rows to all {} of the time chosen: {:.6g} to {:.6g} s.", *wanted,
@@ -199,7 +199,7 @@ void print_spectrum(const Window& window, const Spectrum& spectrum) {
              spectrum.resolution(), 0.5 / spectrum.interval);
 }
 
-void tell_of_columns(const StatisticsArguments& arguments, const Table& table, const std::vector<std::size_t>& columns, const Window& window) {
+void print_columns(const StatisticsArguments& arguments, const Table& table, const std::vector<std::size_t>& columns, const Window& window) {
   const std::size_t segment = segment_of(window, quantity_of_option("--segment", arguments.segment, "s"));
   std::vector<Summary> summaries;
   for (const std::size_t column : columns) summaries.push_back(summary_of(table, column, window, arguments.windows, segment));
@@ -233,7 +233,7 @@ int statistics_command(const StatisticsArguments& arguments) {
   if (columns.empty() && arguments.channel.of.empty())
     throw InputError(fmt::format("{} tells of no impactor, so there are no loads; choose columns with --columns.", table.file.string()));
   const std::string channel = arguments.channel.of.empty() ? "" : channel_text(arguments, to);  // before anything is printed: it may be refused
-  if (!columns.empty()) tell_of_columns(arguments, table, columns, window);
+  if (!columns.empty()) print_columns(arguments, table, columns, window);
   if (!channel.empty()) fmt::print("{}{}", columns.empty() ? "" : "\n", channel);
   return 0;
 }

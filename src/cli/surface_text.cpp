@@ -15,8 +15,8 @@ std::string surface_text(const fccda::SurfaceReport& report) {
   const fccda::Vec3d size = report.bounds.size();
   row("size", fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z));
   row("edges", fmt::format("{:.4g} to {:.4g} m", report.shortest_edge, report.longest_edge));
-  row("closure",
-      report.rim_edges == 0 ? std::string(word_for(report.closure)) : fmt::format("{}, {} edges on a rim", word_for(report.closure), report.rim_edges));
+  row("closure", report.boundary_edges == 0 ? std::string(word_for(report.closure))
+                                            : fmt::format("{}, {} edges on a rim", word_for(report.closure), report.boundary_edges));
   row("components", fmt::format("{}", report.components) + (report.cavities > 0 ? fmt::format(", {} of them walls of hollows", report.cavities) : ""));
   row("area", fmt::format("{:.5g} m2", report.area));
   if (report.closure == fccda::Closure::closed) row("volume", fmt::format("{:.5g} m3", report.volume));
@@ -40,7 +40,8 @@ std::string surface_text(const fccda::SurfaceReport& report) {
   mended(report.degenerate, "triangles without area dropped");
   mended(report.duplicate, "panels that repeat another dropped");
   mended(report.back_to_back, "triangles dropped that lay back to back in pairs");
-  if (report.crowded_edges > 0 && report.cut_edges == 0) mended(report.crowded_edges, "edges of more than two panels, along which parts touch, joined");
+  if (report.non_manifold_edge_count > 0 && report.cut_edges == 0)
+    mended(report.non_manifold_edge_count, "edges of more than two panels, along which parts touch, joined");
   mended(report.rewound, "triangles turned to agree with their neighbours");
   if (report.flipped) row("mended", "the normals pointed inward and were turned outward");
   return text;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fccda/surface/surface.hpp"
+#include "mesh/surface.hpp"
 
 namespace perimpact {
 

@@ -30,7 +30,7 @@ def _(t):
 @claim("check: the first contact is foretold to the step")
 def _(t):
     # In this little time the plate does not answer yet. A row a step, so that the first row with contacts is the step.
-    t.expect_success("run", t.deck(("20 us}", "20 us, step: 0.5 us}")), "--out", "r", "--set", "output.history=0.5 us")
+    t.expect_success("run", t.deck(("20 us}", "20 us, step: 0.5 us}")), "--out", "r", "--set", "output.history_interval=0.5 us")
     out = t.expect_success("check", "deck.yaml", "--out", "r").out
     time, step = re.search(r"touches plate at (\S+) s \(step (\d+)\)", out).groups()
     contacts = t.history("r")["cylinder.contacts [-]"]
@@ -65,20 +65,20 @@ def _(t):
         corners = [[low + (v >> axis & 1) * 0.02 for axis in range(3)] for v in range(8)]
         return [[corners[v] for v in quad] for quad in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))]
 
-    cylinder = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+    cylinder = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
     for second, warns in (0.01, True), (0.03, False):
         quads = cube(0) + cube(second)
         lines = [f"v {x} {y} {z}" for quad in quads for x, y, z in quad] + [f"f {4 * k + 1} {4 * k + 2} {4 * k + 3} {4 * k + 4}" for k in range(len(quads))]
         (t.folder / "cubes.obj").write_text("\n".join(lines))
         out = t.expect_success("check", t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000")), "--out", "r").out
         t.assertEqual("warning: The surface of cylinder has 2 components whose bounding boxes meet" in out, warns, out)
-        held = t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000"), ("free: [y]", "free: []"))
+        held = t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000"), ("free_dofs: [y]", "free_dofs: []"))
         t.assertNotIn("bounding boxes meet", t.expect_success("check", held, "--out", "r").out)
 
 
 @claim("check: the first contact of an impactor that tables or loads move is not foretold")
 def _(t):
-    out = t.expect_success("check", t.deck(("free: [y]", "free: [y]\n    loads: {tow: {force: [0, -1 kN, 0]}}")), "--out", "r").out
+    out = t.expect_success("check", t.deck(("free_dofs: [y]", "free_dofs: [y]\n    loads: {tow: {force: [0, -1 kN, 0]}}")), "--out", "r").out
     t.assertIn("not foretold for plate: tables or loads change the velocity", out)
 
 
@@ -90,7 +90,7 @@ def _(t):
 
 @claim("check: writes body, surface and region as VTP, the region at its place, and touches no results")
 def _(t):
-    t.expect_success("run", t.deck(("free: [y]", "free: [y]\n    region: {box: {size: [50 mm, 50 mm, 30 mm], centre: [0, 1 mm, 0]}, outside: clip}")), "--out", "r")
+    t.expect_success("run", t.deck(("free_dofs: [y]", "free_dofs: [y]\n    contact_bounds: {box: {size: [50 mm, 50 mm, 30 mm], centre: [0, 1 mm, 0]}, on_exceed: clip}")), "--out", "r")
     before = {name: (t.folder / "r" / name).read_bytes() for name in t.files("r")}
     t.expect_success("check", "deck.yaml", "--out", "r")
     t.assertEqual(t.files("r/check"), ["cylinder_region.vtp", "cylinder_surface.vtp", "plate.vtp"])
@@ -115,7 +115,7 @@ def _(t):
          "between its blades there is no gap in angle worth having, so the fan is the whole cylinder"),
         ("{auto: {}}", "cylinder_sectors", 3.14159 / 4, "taken: the cylinder with sectors"),
     ]:
-        deck = t.deck(("free: [y]", f"free: [y]\n    region: {region}")) if region else t.deck()
+        deck = t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    contact_bounds: {region}")) if region else t.deck()
         out = t.expect_success("check", deck, "--out", "r").out
         rows = rows_of(out)
         t.expect_success("run", deck, "--out", "r")
@@ -141,11 +141,11 @@ def _(t):
 
 @claim("check: tells panels before and after coarsening and refinement, run.json too, and parts stay")
 def _(t):
-    keys = "coarsen: {distance: 0.2 mm, panel: 10 mm}\n    refine: {struck: {panel: 1 mm, part: side, box: {size: [20 mm, 20 mm, 10 mm], centre: [0, -20 mm, 0]}}}"
+    keys = "coarsen: {max_deviation: 0.2 mm, max_edge_length: 10 mm}\n    refine: {struck: {edge_length: 1 mm, surface_part: side, box: {size: [20 mm, 20 mm, 10 mm], centre: [0, -20 mm, 0]}}}"
     plain = t.deck()
     t.expect_success("run", plain, "--out", "plain")
     given = t.report("plain")["impactors"]["cylinder"]["surface"]
-    deck = t.deck(("free: [y]", f"free: [y]\n    {keys}"))
+    deck = t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    {keys}"))
     rows = rows_of(t.expect_success("check", deck, "--out", "r").out)
     t.expect_success("run", deck, "--out", "r")
     report = t.report("r")["impactors"]["cylinder"]
@@ -166,16 +166,16 @@ def _(t):
 @claim("check: a refinement that cannot be done is refused at its place, with its name")
 def _(t):
     for wish, sentence in [
-        ("{panel: 1 mm, part: sides}", 'struck: the surface has no part "sides"; did you mean side? Its parts are bottom, side, top.'),
-        ("{panel: 1 nm}", "struck: panels of 1e-09 m would be about 6e+16 of them, more than the 3e+07 that there is room for; panels of 5e-05 m would do."),
+        ("{edge_length: 1 mm, part: sides}", 'struck: the surface has no part "sides"; did you mean side? Its parts are bottom, side, top.'),
+        ("{edge_length: 1 nm}", "struck: panels of 1e-09 m would be about 6e+16 of them, more than the 3e+07 that there is room for; panels of 5e-05 m would do."),
     ]:
-        failed = t.run_program("check", t.deck(("free: [y]", f"free: [y]\n    refine: {{struck: {wish}}}")), "--out", "r")
+        failed = t.run_program("check", t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    refine: {{struck: {wish}}}")), "--out", "r")
         t.assertEqual((failed.code, failed.err), (2, f"error: deck.yaml:15:5: {sentence}\n"))
 
 
 @claim("check: refuses what run refuses, with the same sentence")
 def _(t):
-    for change in [("free: [y]", "free: [y]\n    region: {box_union: {boxes: {a: {size: [40 mm, 40 mm, 30 mm]}}}}"), ("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
+    for change in [("free_dofs: [y]", "free_dofs: [y]\n    contact_bounds: {box_union: {boxes: {a: {size: [40 mm, 40 mm, 30 mm]}}}}"), ("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
         deck = t.deck(change)
         checked, run = (t.run_program(command, deck, "--out", "r") for command in ("check", "run"))
         t.assertEqual((checked.code, checked.err), (run.code, run.err))

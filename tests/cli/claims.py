@@ -27,17 +27,17 @@ bodies:
     material: {model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000 kg/m3}
 impactors:
   cylinder:
-    surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}
+    surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}
     mass: 1 kg
     position: [0, 50 mm, 0]
     velocity: [0, -32 m/s, 0]
-    free: [y]
+    free_dofs: [y]
 contact:
   impactors: {detector: swept}
 output:
   folder: results
   frames: 4
-  history: 2 us
+  history_interval: 2 us
   probes:
     centre: {body: plate, at: [0, 0, 0]}
   lines:

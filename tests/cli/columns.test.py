@@ -18,12 +18,12 @@ def results_table(path):
         return {row["column"]: row for row in csv.DictReader(file)}
 
 
-FLOATING = ("    free: [y]", "    free: [x, y, z]\n    floating: {level: 0, damping: 100}")
+FLOATING = ("    free_dofs: [y]", "    free_dofs: [x, y, z]\n    floating: {level: 0, damping: 100}")
 
 
 @claim("columns: history.json names every column of history.csv with its unit and kind, while a run goes on, when it was killed, and when it was resumed")
 def _(t):
-    deck = t.deck(FLOATING, ("end: 20 us", "end: 400 us"), ("  history: 2 us", "  history: 2 us\n  checkpoint_every: 20 us"))
+    deck = t.deck(FLOATING, ("end: 20 us", "end: 400 us"), ("  history_interval: 2 us", "  history_interval: 2 us\n  checkpoint_interval: 20 us"))
     going = t.start("run", deck, "--out", "r")
     history = t.folder / "r/history.csv"
     while not (t.folder / "r/checkpoint.h5").exists() or history.read_bytes().count(b"\n") < 4:
@@ -49,7 +49,7 @@ def _(t):
 def _(t):
     # nothing touches it, so that weight, buoyancy and damping alone move it
     deck = t.deck(FLOATING, ("position: [0, 50 mm, 0]", "position: [0, 2, 5 mm]"), ("velocity: [0, -32 m/s, 0]", "velocity: [0, 0, -2]"), ("end: 20 us", "end: 400 us"),
-                  ("history: 2 us", "history: 133 us"))
+                  ("history_interval: 2 us", "history_interval: 133 us"))
     t.expect_success("run", deck, "--out", "r")
     t.expect_success("statistics", "r", "--columns", "cylinder.water_force_z")
     mean = float(results_table(t.folder / "r/statistics.csv")["cylinder.water_force_z"]["mean"])
@@ -71,11 +71,11 @@ def _(t):
     t.assertAlmostEqual(float(told["ship.force_x"]["mean"]), (5 * 1 + 25 * 2) / 3, delta=1e-12)
 
 
-@claim("columns: output.history changes no pressure of a panel, nor the pressures at the peak")
+@claim("columns: output.history_interval changes no pressure of a panel, nor the pressures at the peak")
 def _(t):
     found = []
     for history in ("40 us", "2 us", "0.3 us"):
-        deck = t.deck(("end: 20 us", "end: 40 us"), ("history: 2 us", f"history: {history}"))
+        deck = t.deck(("end: 20 us", "end: 40 us"), ("history_interval: 2 us", f"history_interval: {history}"))
         t.expect_success("run", deck, "--out", "r", "--no-report")
         found.append({name: (t.folder / "r" / name).read_bytes() for name in t.files("r") if name.startswith("frames/cylinder") or name.endswith("_at_peak.csv")})
     t.assertEqual(len(found[0]), 1 + 5 + 1)  # the list of pictures, the pictures, the curve

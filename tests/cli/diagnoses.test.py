@@ -2,7 +2,7 @@
 
 from claims import claim, main
 
-SURFACE = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+SURFACE = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
 
 
 def warnings(out):
@@ -47,7 +47,7 @@ def _(t):
     (t.folder / "cube.obj").write_text(box_as_obj(0.02, inward=False))
     t.assertEqual(warnings(t.expect_success("run", deck, "--out", "right").out), [])
     (t.folder / "cube.obj").write_text(box_as_obj(0.02, inward=True))
-    refined = t.deck((SURFACE, "surface: {file: cube.obj}\n    refine: {all: {panel: 10 mm}}"))
+    refined = t.deck((SURFACE, "surface: {file: cube.obj}\n    refine: {all: {edge_length: 10 mm}}"))
     t.assertIn("point inward in 1 of its 1 components", t.expect_success("check", refined, "--out", "r").out)
     deck = t.deck((SURFACE, "surface: {file: cube.obj}"))
     for command in "check", "run":
@@ -73,11 +73,11 @@ def _(t):
     sunk = ("position: [0, 50 mm, 0]", "position: [0, 45 mm, 0]")
     found = {}
     for choice in "remove", "project":
-        deck = t.deck(sunk, ("to: [0, 30 mm, 0]", "to: [0, 20 mm, 0]"), ("detector: swept}", f"detector: swept, starting_inside: {choice}}}"))
+        deck = t.deck(sunk, ("to: [0, 30 mm, 0]", "to: [0, 20 mm, 0]"), ("detector: swept}", f"detector: swept, initial_overlap: {choice}}}"))
         checked = warnings(t.expect_success("check", deck, "--out", choice).out)
         t.assertEqual(warnings(t.expect_success("run", deck, "--out", choice).out), checked)
         report, history = t.report(choice), t.history(choice)
-        found[choice] = report["impactors"]["cylinder"]["detection"]["plate"]["starting_inside"]
+        found[choice] = report["impactors"]["cylinder"]["detection"]["plate"]["initial_overlap"]
         t.assertEqual(len(checked), 1)
         t.assertIn(f"{found[choice]} particles that were inside its surface", checked[0])
         t.assertEqual(report["warnings"], checked)
@@ -87,7 +87,7 @@ def _(t):
     t.assertEqual(found["remove"], found["project"])
     t.assertGreater(found["remove"], 0)
     done = t.run_program("run", t.deck(sunk), "--out", "error")
-    t.expect_complaint(done, 2, "deck.yaml:", f"{found['remove']} particles", "contact.impactors.starting_inside: remove or project.")
+    t.expect_complaint(done, 2, "deck.yaml:", f"{found['remove']} particles", "contact.impactors.initial_overlap: remove or project.")
 
 
 main()

@@ -16,12 +16,12 @@ bodies:
     material: {model: ordinary-state, youngs_modulus: 1 MPa, density: 1000 kg/m3}
 impactors:
   raft:
-    surface: {box: {size: [2 m, 1 m, 0.5 m], panel: 0.5 m}}
+    surface: {box: {size: [2 m, 1 m, 0.5 m], edge_length: 0.5 m}}
     mass: 500 kg
     position: [0, 0, 0]
-    free: [z]
+    free_dofs: [z]
     floating: {level: 0, density: 1000 kg/m3, gravity: 9.81 m/s2, damping: 0}
-output: {folder: results, frames: 0, history: 10 ms}
+output: {folder: results, frames: 0, history_interval: 10 ms}
 """
 
 
@@ -74,7 +74,7 @@ def _(t):
 @claim("floating: an open surface is refused at its key")
 def _(t):
     (t.folder / "lid.obj").write_text("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n")
-    done = t.run_program("check", deck(t, ("{box: {size: [2 m, 1 m, 0.5 m], panel: 0.5 m}}", "{file: lid.obj, outside: normals}")), "--out", "r")
+    done = t.run_program("check", deck(t, ("{box: {size: [2 m, 1 m, 0.5 m], edge_length: 0.5 m}}", "{file: lid.obj, orientation: normals}")), "--out", "r")
     t.expect_complaint(done, 2, "raft.yaml:", "raft is open", "nothing says what it displaces")
 
 

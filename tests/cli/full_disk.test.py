@@ -50,7 +50,7 @@ def _(t):
 
 @claim("full disk: a row of history that does not fit is taken back")
 def _(t):
-    settings = ["--set", "output.frames=0", "--set", "output.history=0.1 us"]
+    settings = ["--set", "output.frames=0", "--set", "output.history_interval=0.1 us"]
     t.expect_success("run", t.deck(), "--out", "whole", *settings)
     lengths = [len(row) for row in (t.folder / "whole/history.csv").read_bytes().splitlines(keepends=True)]
     t.assertGreater(sum(lengths), 5000)

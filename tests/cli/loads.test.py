@@ -22,7 +22,7 @@ def _(t):
 @claim("loads: the spatial curve falls, and ends at the whole force of the peak")
 def _(t):
     # rows as long as the load interval: a horizon of 15 mm at 4886 m/s is 3.07 us, in steps of 0.25 us
-    t.expect_success("run", t.deck(("end: 20 us}", "end: 39 us, step: 0.25 us}"), ("history: 2 us", "history: 3 us")), "--out", "r")
+    t.expect_success("run", t.deck(("end: 20 us}", "end: 39 us, step: 0.25 us}"), ("history_interval: 2 us", "history_interval: 3 us")), "--out", "r")
     curve, peak = table(t.folder / "r/pressure_area/cylinder.csv"), table(t.folder / "r/pressure_area/cylinder_at_peak.csv")
     area, pressure = peak["area [m2]"], peak["mean_pressure [Pa]"]
     t.assertTrue(5 <= len(area) <= 20, area)

@@ -18,7 +18,7 @@ MATERIAL = {
 def deck(t, shape, material, contact=""):
     text = (f"title: Memory\ntime: {{end: 1 us, step: 0.5 us}}\noutput: {{frames: 1, folder: r}}\n"
             f"bodies: {{b: {{{shape}, material: {{{MATERIAL[material]}}}}}}}\n"
-            "impactors: {s: {surface: {box: {size: [0.1, 0.1, 0.1], panel: 0.02}}, mass: 1, position: [0, 0, 100]}}\n" + contact)
+            "impactors: {s: {surface: {box: {size: [0.1, 0.1, 0.1], edge_length: 0.02}}, mass: 1, position: [0, 0, 100]}}\n" + contact)
     (t.folder / "deck.yaml").write_text(text)
     return "deck.yaml"
 
@@ -77,7 +77,7 @@ def expect_rubble_near(t, friction):
 time: {{end: 10 us, step: 0.5 us}}
 output: {{frames: 1, folder: r}}
 bodies: {{b: {{{box(40, 40, 40)}, velocity: [1, 2, 3], material: {{{MATERIAL["elastic"]}, critical_stretch: 1e-18}}, failure: {{compression: symmetric}}}}}}
-impactors: {{s: {{surface: {{box: {{size: [0.1, 0.1, 0.1], panel: 0.02}}}}, mass: 1, position: [0, 0, 0.2501], velocity: [0, 0, -1000]}}}}
+impactors: {{s: {{surface: {{box: {{size: [0.1, 0.1, 0.1], edge_length: 0.02}}}}, mass: 1, position: [0, 0, 0.2501], velocity: [0, 0, -1000]}}}}
 contact: {{fragments: {{law: repulsive, friction: {friction}}}}}
 """)
     said = t.expect_success("check", "deck.yaml").out

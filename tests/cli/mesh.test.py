@@ -99,7 +99,7 @@ def _(t):
     said = rows(t, write(t, "half.obj", hull), "--scale", "0.001")
     # stem, keel, stem and the middle of the deck, which has as many edges as the keel
     t.assertTrue(said["rims"].startswith("64 edges, 27 m around, 12 x 0 x 1.5 m about (0, 0, -0.75) m"), said["rims"])
-    t.assertIn("`complete: y`", said["half?"])
+    t.assertIn("`mirror_merge: y`", said["half?"])
     hull.parts["shell"].pop(100)  # a hole besides
     holed = rows(t, write(t, "holed.obj", hull))
     t.assertNotIn("half?", holed)
@@ -177,7 +177,7 @@ def _(t):
     t.assertIn("closure           closed", t.expect_success("mesh", "cube.obj", "--weld", suggestion[1]).out)
     t.assertIn("closure           closed", t.expect_success("mesh", "cube.obj", "--weld", "0.02 mm").out)
     t.expect_complaint(t.run_program("mesh", "cube.obj", "--weld", "2 kg"), 2, "--weld")
-    deck = changed(DECK, ("surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}", "surface: {file: cube.obj, scale: 0.04, weld: 0.4 um}"))
+    deck = changed(DECK, ("surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}", "surface: {file: cube.obj, scale: 0.04, weld: 0.4 um}"))
     (t.folder / "deck.yaml").write_text(deck)
     t.assertIn("closed", t.expect_success("check", "deck.yaml").out)
 

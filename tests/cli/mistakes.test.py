@@ -5,7 +5,7 @@ import resource
 
 from claims import DECK, changed, claim, main, place_of
 
-CYLINDER = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+CYLINDER = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
 
 
 def refused(t, change, at, *words):
@@ -35,9 +35,9 @@ def _(t):
 def _(t):
     refused(t, ("end: 20 us", "end: 20 us, step: 3 us"), "3 us", "longest stable one", "leave the step out")
     refused(t, ("0, 50 mm, 0", "0, 40 mm, 0"), "[0, 40 mm, 0]", "cylinder starts inside body plate", "56 particles")
-    region = "free: [y]\n    region: {box: {size: [50 mm, 50 mm, 10 mm]%s}}"
-    refused(t, ("free: [y]", region % ""), "region:", "stick out of the box by up to 0.015 m", "outside: clip")
-    refused(t, ("free: [y]", region % ", centre: [1, 0, 0]"), "region:", "no panel of the surface reaches into the box")
+    region = "free_dofs: [y]\n    contact_bounds: {box: {size: [50 mm, 50 mm, 10 mm]%s}}"
+    refused(t, ("free_dofs: [y]", region % ""), "region:", "stick out of the box by up to 0.015 m", "on_exceed: clip")
+    refused(t, ("free_dofs: [y]", region % ", centre: [1, 0, 0]"), "region:", "no panel of the surface reaches into the box")
     refused(t, ("at: [0, 0, 0]", "at: [0, 1 m, 0]"), "[0, 1 m, 0]", "probe centre lies 0.973 m from the nearest particle")
     refused(t, ("to: [0, 30 mm, 0]", "to: [0, 300 mm, 0]"), "along_y:", "runs outside body plate", "move its ends")
     refused(t, ("20 us", "1e30 s"), "1e30 s", "the run would take 1.4", "e+36 steps")
@@ -62,7 +62,7 @@ def _(t):
     refused_surface(t, "{file: none.stl}", "none.stl", "there is no file", "deck's folder")
     refused_surface(t, "{file: cut.stl}", "surface:", "cut.stl:6: the file ends in triangle 1")
     refused_surface(t, "{file: noise.stl}", "surface:", "noise.stl")
-    refused_surface(t, "{file: sheet.obj}", "surface:", "cylinder: the surface is open", "outside: normals")
+    refused_surface(t, "{file: sheet.obj}", "surface:", "cylinder: the surface is open", "orientation: normals")
     refused_surface(t, "{file: fin.obj}", "surface:", "cylinder: ")
     for name in ("none.stl", "cut.stl", "noise.stl"):
         t.expect_complaint(t.run_program("mesh", name), 2, name)

@@ -12,7 +12,7 @@ def _(t):
         checked = t.expect_success("check", f"{name}.yaml")
         t.assertNotIn("warning", checked.out)
         end = {"plate": "4 us", "ship": "20 ms", "propeller": "40 us"}[name]
-        t.expect_success("run", f"{name}.yaml", "--threads", "1", "--set", f"time.end={end}", "--set", "output.frames=1", "--set", f"output.history={end}")
+        t.expect_success("run", f"{name}.yaml", "--threads", "1", "--set", f"time.end={end}", "--set", "output.frames=1", "--set", f"output.history_interval={end}")
         t.assertEqual(t.report(f"results/{name}")["outcome"], "finished", name)
 
 

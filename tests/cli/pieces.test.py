@@ -50,7 +50,7 @@ def _(t):
 def _(t):
     t.expect_success("run", t.deck(BREAKS), "--out", "r", "--set", "output.frames=0")
     t.assertEqual([name for name in t.files("r") if name.startswith("pieces")], ["pieces/plate_end.csv"])
-    process = t.start("run", t.deck(BREAKS, ("end: 20 us", "end: 100 s"), ("history: 2 us", "history: 2 us\n  checkpoint_every: 0")), "--out", "long", "--set",
+    process = t.start("run", t.deck(BREAKS, ("end: 20 us", "end: 100 s"), ("history_interval: 2 us", "history_interval: 2 us\n  checkpoint_interval: 0")), "--out", "long", "--set",
                       "output.frames=0")
     history = t.folder / "long/history.csv"
     while not history.exists() or history.read_bytes().count(b"\n") < 3:

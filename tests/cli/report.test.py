@@ -10,7 +10,7 @@ from reports import ReportFile, read_pictures
 
 # two bodies, one of which breaks to pieces, and an impactor that turns freely
 TWO = (
-    ("free: [y]", "free: [x, y, z, rx, ry, rz]\n    angular_velocity: [2000, 0, 9000]"),
+    ("free_dofs: [y]", "free_dofs: [x, y, z, rx, ry, rz]\n    angular_velocity: [2000, 0, 9000]"),
     ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0001}\n  stone:\n    shape: {box: {size: [20 mm, 20 mm, 20 mm]}}\n    position: [1, 0, 0]\n"
                              "    spacing: 5 mm\n    material: {model: ordinary-state, youngs_modulus: 10 GPa, poissons_ratio: 0.25, density: 1000 kg/m3}"),
 )
@@ -266,7 +266,7 @@ def _(t):
 
 @claim("report: a run that was stopped can be reported")
 def _(t):
-    deck = t.deck(("{end: 20 us}", "{end: 20 ms, step: 0.2 us}"), ("frames: 4", "frames: 4000"), ("history: 2 us", "history: 20 us"))
+    deck = t.deck(("{end: 20 us}", "{end: 20 ms, step: 0.2 us}"), ("frames: 4", "frames: 4000"), ("history_interval: 2 us", "history_interval: 20 us"))
     process = t.start("run", deck, "--out", "r")
     while not (t.folder / "r/frames/plate_00003.vtp").exists():
         t.assertIsNone(process.poll())

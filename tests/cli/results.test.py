@@ -76,8 +76,8 @@ def _(t):
 
 @claim("results: gauges have columns behind those of their impactor, the torque where they have an axis, and add up to its force")
 def _(t):
-    gauges = "gauges: {rim: {parts: [side]}, caps: {parts: [bottom, top]}, hub: {point: [0, 1 mm, 0], axis: [0, 0, 1]}}"
-    t.expect_success("run", t.deck(("free: [y]", f"free: [y]\n    {gauges}")), "--out", "r")
+    gauges = "gauges: {rim: {surface_parts: [side]}, caps: {surface_parts: [bottom, top]}, hub: {point: [0, 1 mm, 0], axis: [0, 0, 1]}}"
+    t.expect_success("run", t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    {gauges}")), "--out", "r")
     history = t.history("r")
     names = list(history)
     first = names.index("cylinder.contact_work [J]") + 1
@@ -95,7 +95,7 @@ def _(t):
 @claim("results: an impactor follows its file of displacements, and run.json holds the table, so that it runs again without the file")
 def _(t):
     (t.folder / "stroke.csv").write_text("time [us], displacement [mm]\n0, 0\n10, -2\n15, -1\n")
-    deck = t.deck(("velocity: [0, -32 m/s, 0]", "motion: {y: {file: stroke.csv}}"), ("free: [y]", "free: []"))
+    deck = t.deck(("velocity: [0, -32 m/s, 0]", "motion: {y: {file: stroke.csv}}"), ("free_dofs: [y]", "free_dofs: []"))
     t.expect_success("run", deck, "--out", "r")
     history = t.history("r")
     for time, y in zip(history["time [s]"], history["cylinder.position_y [m]"], strict=True):

@@ -12,7 +12,7 @@ from claims import claim, main
 # 600 steps of 960 particles, whose bonds break; some tenths of a second
 STEPS = ("time: {end: 20 us}", "time: {end: 30 us, step: 0.05 us}")
 BREAKS = ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002")
-MORE = ("  history: 2 us", "  history: 0.7 us\n  checkpoint_every: 10 ms")
+MORE = ("  history_interval: 2 us", "  history_interval: 0.7 us\n  checkpoint_interval: 10 ms")
 LINE = ("to: [0, 30 mm, 0]}", "to: [0, 30 mm, 0], times: [3 us, 17 us, 30 us]}")
 TIME_DEPENDENT = ("run.json", "report.html", "checkpoint.h5")  # tell how long it took, and where it was resumed
 
@@ -88,7 +88,7 @@ def _(t):
 
 @claim("resume: an interrupted run says how to go on, and run.json says at which steps it did")
 def _(t):
-    changes = ["--set", "impactors.cylinder.velocity=[0, -30, 0]", "--set", "output.checkpoint_every=0"]
+    changes = ["--set", "impactors.cylinder.velocity=[0, -30, 0]", "--set", "output.checkpoint_interval=0"]
     name = deck(t)
     t.assertEqual(run(t, name, "--out", "whole", *changes).code, 0)
     process = t.start("run", name, "--out", "it is here", *changes)
@@ -101,7 +101,7 @@ def _(t):
     t.assertEqual((process.returncode, err), (130, ""))
     step = int(re.search(r"\(step (\d+) of 600\)", out)[1])
     command = re.search(r"; perimpact (run .*) goes on from here", out)[1]
-    t.assertEqual(command, f"run deck.yaml --out 'it is here' --set 'impactors.cylinder.velocity=[0, -30, 0]' --set output.checkpoint_every=0 --resume")
+    t.assertEqual(command, f"run deck.yaml --out 'it is here' --set 'impactors.cylinder.velocity=[0, -30, 0]' --set output.checkpoint_interval=0 --resume")
     done = run(t, name, "--out", "it is here", *changes, "--resume", threads=1)
     t.assertEqual((done.code, done.err), (0, ""))
     t.assertIn(f"Resumed at step {step} (t = ", done.out)
@@ -163,14 +163,14 @@ def _(t):
 @claim("resume: an error says which the last checkpoint is, and after a full disk the run goes on from it")
 def _(t):
     # history.csv outgrows the checkpoint, and the limit
-    name = deck(t, ("[100 mm, 60 mm, 20 mm]", "[30 mm, 60 mm, 20 mm]"), ("history: 0.7 us", "history: 0.05 us"))
+    name = deck(t, ("[100 mm, 60 mm, 20 mm]", "[30 mm, 60 mm, 20 mm]"), ("history_interval: 0.7 us", "history_interval: 0.05 us"))
     t.assertEqual(run(t, name, "--out", "whole").code, 0)
     room = (t.folder / "whole/checkpoint.h5").stat().st_size + 20_000
     t.assertGreater((t.folder / "whole/history.csv").stat().st_size, room + 10_000)
-    quick = ["--set", "output.checkpoint_every=1 us"]
+    quick = ["--set", "output.checkpoint_interval=1 us"]
     done = t.run_program("run", name, "--out", "r", *quick, limits={resource.RLIMIT_FSIZE: room})
     t.expect_complaint(done, 3, "r/history.csv cannot be written", "ulimit -f")
-    t.assertRegex(done.err, r"The last checkpoint is that of step \d+; perimpact run deck\.yaml --out r --set 'output.checkpoint_every=1 us' --resume goes on from it\.")
+    t.assertRegex(done.err, r"The last checkpoint is that of step \d+; perimpact run deck\.yaml --out r --set 'output.checkpoint_interval=1 us' --resume goes on from it\.")
     t.expect_success("run", name, "--out", "r", "--resume")
     expect_same(t, "r", "whole")
     blows_up = t.deck(("end: 20 us", "end: 1 ms, step: 1.5 us"), ("-32 m/s", "-3200 m/s"), MORE, ("frames: 4", "frames: 0"))

@@ -61,7 +61,7 @@ def _(t):
     mistakes = {
         "unknown key": ("spacing: 5 mm", "spacing: 5 mm\n    colour: blue"),
         "misspelt key of a material": ("poissons_ratio", "poisson_ratio"),
-        "key of another material": ("poissons_ratio: 0.25", "poissons_ratio: 0.25, influence: one"),
+        "key of another material": ("poissons_ratio: 0.25", "poissons_ratio: 0.25, influence: constant"),
         "key of another shape": ("{box: {size: [100 mm, 60 mm, 20 mm]}}", "{box: {size: [100 mm, 60 mm, 20 mm]}, scale: 2}"),
         "two shapes": ("{box: {size: [100 mm, 60 mm, 20 mm]}}", "{box: {size: [100 mm, 60 mm, 20 mm]}, sphere: {diameter: 1}}"),
         "no shape": ("{box: {size: [100 mm, 60 mm, 20 mm]}}", "{}"),
@@ -95,7 +95,7 @@ def _(t):
         t.assertEqual(faults(changed(DECK, change)), [], spacing)
         t.expect_success("check", t.deck(change), "--out", "r")
     for damping in ("0.5 1/s", "0.5 Hz"):
-        t.assertEqual(faults(changed(DECK, ("spacing: 5 mm", f"spacing: 5 mm\n    boundaries: {{sea: {{floating: {{damping: {damping}}}}}}}"))), [], damping)
+        t.assertEqual(faults(changed(DECK, ("spacing: 5 mm", f"spacing: 5 mm\n    boundary_conditions: {{sea: {{floating: {{damping: {damping}}}}}}}"))), [], damping)
 
 
 main()

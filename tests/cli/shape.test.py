@@ -70,9 +70,9 @@ def _(t):
 
 @claim("shape: a deck has hull and propeller under the same keys, and says at its place what makes none")
 def _(t):
-    hull = "surface: {hull: {length: 155 mm, breadth: 23 mm, draft: 9 mm, stem_angle: 24 deg, waterline_angle: 22 deg, panel: 5 mm}}"
-    screw = "surface: {propeller: {diameter: 60 mm, pitch_ratio: 0.8, area_ratio: 0.6, panel: 5 mm}}"
-    old = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+    hull = "surface: {hull: {length: 155 mm, breadth: 23 mm, draft: 9 mm, stem_angle: 24 deg, waterline_angle: 22 deg, edge_length: 5 mm}}"
+    screw = "surface: {propeller: {diameter: 60 mm, pitch_ratio: 0.8, area_ratio: 0.6, edge_length: 5 mm}}"
+    old = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
     for surface, part in ((hull, "bow"), (screw, "blade_1")):
         checked = t.expect_success("check", t.deck((old, surface), ("[0, 50 mm, 0]", "[0, 150 mm, 0]"))).out
         t.assertRegex(checked, rf"\b{part}: \d+ panels")
@@ -94,11 +94,11 @@ bodies:
     material: {model: ordinary-state, youngs_modulus: 1.8 GPa, poissons_ratio: 0.25, density: 900, critical_stretch: 3.2e-4}
 impactors:
   ship:
-    surface: {hull: {length: 155, breadth: 23, draft: 9, stem_angle: 24 deg, waterline_angle: 22 deg, panel: 8, bow_panel: 3}}
+    surface: {hull: {length: 155, breadth: 23, draft: 9, stem_angle: 24 deg, waterline_angle: 22 deg, edge_length: 8, bow_edge_length: 3}}
     mass: 22171 t
     velocity: [-20, 0, 0]
-    gauges: {bow: {parts: [bow]}}
-output: {folder: results, frames: 0, history: 0.3 s}
+    gauges: {bow: {surface_parts: [bow]}}
+output: {folder: results, frames: 0, history_interval: 0.3 s}
 """
     )
     t.expect_success("run", "ship.yaml", "--threads", "1")

@@ -31,7 +31,7 @@ def results_table(path):
 
 @claim("statistics: means, deviations and extremes are those of the rows of history, the whole run or a part of it")
 def _(t):
-    t.expect_success("run", t.deck(("history: 2 us", "history: 0.3 us")), "--out", "r")
+    t.expect_success("run", t.deck(("history_interval: 2 us", "history_interval: 0.3 us")), "--out", "r")
     history = t.history("r")
     for limits, (begin, end) in (([], (-math.inf, math.inf)), (["--from", "4.25 us", "--to", "17e-6"], (4.25e-6, 17e-6))):
         t.assertIn("cylinder.force_y [N]", t.expect_success("statistics", "r", *limits).out)
@@ -51,7 +51,7 @@ def _(t):
 
 @claim("statistics: windows tell mean and extremes of equal parts of the time")
 def _(t):
-    t.expect_success("run", t.deck(("history: 2 us", "history: 0.3 us")), "--out", "r")
+    t.expect_success("run", t.deck(("history_interval: 2 us", "history_interval: 0.3 us")), "--out", "r")
     out = t.expect_success("statistics", "r", "--columns", "cylinder.force_y,cylinder.position_y", "--windows", "7").out
     t.assertIn("Written to r: statistics.csv, windows.csv, spectrum.csv", out)
     history, windows = t.history("r"), table(t.folder / "r/windows.csv")
@@ -126,9 +126,9 @@ def _(t):
 
 @claim("statistics: gauges' forces and torques belong to the loads, those of boundaries do not, and --columns chooses any")
 def _(t):
-    deck = t.deck(("    free: [y]", "    free: [y]\n    gauges: {side: {point: [0, 0, 0], axis: [0, 0, 1]}}"),
-                  ("  plate:\n    shape", "  plate:\n    regions: {low: {position: [0, -25 mm, 0], shape: {box: {size: [1, 10 mm, 1]}}}}\n"
-                                         "    boundaries: {grip: {fixed: {region: low}}}\n    shape"), ("20 us}", "20 us, step: 0.5 us}"))
+    deck = t.deck(("    free_dofs: [y]", "    free_dofs: [y]\n    gauges: {side: {point: [0, 0, 0], axis: [0, 0, 1]}}"),
+                  ("  plate:\n    shape", "  plate:\n    particle_sets: {low: {position: [0, -25 mm, 0], shape: {box: {size: [1, 10 mm, 1]}}}}\n"
+                                         "    boundary_conditions: {grip: {fixed: {particle_set: low}}}\n    shape"), ("20 us}", "20 us, step: 0.5 us}"))
     t.expect_success("run", deck, "--out", "r")
     t.expect_success("statistics", "r")
     loads = [f"cylinder.{part}{axis}" for part in ("force_", "side.force_") for axis in "xyz"] + ["cylinder.side.torque"]

@@ -11,7 +11,7 @@ from pathlib import Path
 from claims import changed, claim, main, place_of
 from shapes import Shape, defects, folded_prism, grid_box, half_hull, moebius, prism, two_rooms
 
-GIVEN = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+GIVEN = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
 PLACE = "position: [0, 50 mm, 0]"
 
 # its lower face lies a tenth of a millimetre above the particles' spheres, and beyond the plate's edges along z
@@ -54,7 +54,7 @@ def expect_close(t, one, other, flipped=()):
 @claim("surfaces: half a hull that the deck completes strikes as the whole hull does")
 def _(t):
     (t.folder / "hull.obj").write_text(half_hull().obj())
-    half = run(t, "half", use(t, HULL + ", complete: y", BOW, LONGER))
+    half = run(t, "half", use(t, HULL + ", mirror_merge: y", BOW, LONGER))
     t.assertEqual(t.report("half")["impactors"]["cylinder"]["surface"]["closure"], "closed")
     (t.folder / "hull.obj").write_text(half_hull().with_image(1).obj())
     whole = run(t, "whole", use(t, HULL, BOW, LONGER))
@@ -81,7 +81,7 @@ def _(t):
     except ImportError as missing:
         raise unittest.SkipTest(f"{missing.name} is not installed")
     (t.folder / "box.obj").write_text(grid_box((20, 30, 40), (1, 1, 1)).moved(lambda p: (p[0] + 30, p[1] + 15, p[2] + 50)).obj())
-    keys = "file: box.obj, scale: 0.001, mirror: x, complete: y, rotate: [20 deg, -30 deg, 40 deg], translate: [1 mm, 20 cm, 3 mm]"
+    keys = "file: box.obj, scale: 0.001, mirror: x, mirror_merge: y, rotate: [20 deg, -30 deg, 40 deg], translate: [1 mm, 20 cm, 3 mm]"
     t.expect_success("check", use(t, keys, "position: [0, 0, 0]"), "--out", "r")
     found = [tuple(point) for point in read_vtp(t.folder / "r" / "check" / "cylinder_surface.vtp").points.tolist()]
 
@@ -124,10 +124,10 @@ def _(t):
     (t.folder / "tool.obj").write_text(tool.obj())
     (t.folder / "both.obj").write_text(Shape({"tool": tool.faces(), "side guard": guard.faces()}).obj())
     alone = run(t, "alone", use(t, "file: tool.obj, scale: 0.001", BOX_PLACE))
-    t.assertEqual(run(t, "chosen", use(t, "file: both.obj, scale: 0.001, parts: [tool]", BOX_PLACE)), alone)
-    both = run(t, "both", use(t, 'file: both.obj, scale: 0.001, parts: [tool, "side guard"]', BOX_PLACE))
+    t.assertEqual(run(t, "chosen", use(t, "file: both.obj, scale: 0.001, file_parts: [tool]", BOX_PLACE)), alone)
+    both = run(t, "both", use(t, 'file: both.obj, scale: 0.001, file_parts: [tool, "side guard"]', BOX_PLACE))
     t.assertGreater(both["cylinder.contacts [-]"], alone["cylinder.contacts [-]"])
-    deck = use(t, "file: both.obj, scale: 0.001, parts: [guard]", BOX_PLACE)
+    deck = use(t, "file: both.obj, scale: 0.001, file_parts: [guard]", BOX_PLACE)
     at = place_of((t.folder / deck).read_text(), "surface: {file")
     t.expect_complaint(t.run_program("check", deck), 2, f"deck.yaml:{at}: ", 'the surface has no part "guard"', "its parts are tool, side guard.")
 
@@ -147,15 +147,15 @@ def _(t):
 def _(t):
     (t.folder / "box.obj").write_text(grid_box(BOX, (11, 10, 6)).obj())
     given = run(t, "given", use(t, "file: box.obj, scale: 0.001", BOX_PLACE))
-    generated = run(t, "generated", use(t, "box: {size: [44 mm, 40 mm, 30 mm], panel: 3 mm}", BOX_PLACE))
+    generated = run(t, "generated", use(t, "box: {size: [44 mm, 40 mm, 30 mm], edge_length: 3 mm}", BOX_PLACE))
     expect_close(t, given, generated)
 
-    below = "refine: {below: {panel: 2 mm, box: {size: [30 mm, 10 mm, 30 mm], centre: [0, -20 mm, 0]}}}"
-    changes = {"coarsened": "coarsen: {distance: 1 nm}", "refined": below}
+    below = "refine: {below: {edge_length: 2 mm, box: {size: [30 mm, 10 mm, 30 mm], centre: [0, -20 mm, 0]}}}"
+    changes = {"coarsened": "coarsen: {max_deviation: 1 nm}", "refined": below}
     changes["both"] = "\n    ".join(changes.values())
     triangles = {}
     for folder, keys in changes.items():
-        expect_close(t, given, run(t, folder, use(t, "file: box.obj, scale: 0.001", BOX_PLACE, ("free: [y]", f"free: [y]\n    {keys}"))))
+        expect_close(t, given, run(t, folder, use(t, "file: box.obj, scale: 0.001", BOX_PLACE, ("free_dofs: [y]", f"free_dofs: [y]\n    {keys}"))))
         report = t.report(folder)["impactors"]["cylinder"]
         t.assertEqual(report["surface_as_given"]["panels"], 2 * (110 + 66 + 60))
         t.assertEqual("coarsened" in report, folder != "refined")
@@ -179,15 +179,15 @@ Mesh.MeshSizeMax = 10;
     for name, *options in (("box.step", "-0"), ("box.msh", "-2"), ("box.inp", "-2"), ("solid.inp", "-3", "-format", "inp"), ("box.key", "-3")):
         done = subprocess.run(["gmsh", "box.geo", *options, "-o", name, "-v", "2"], cwd=t.folder, capture_output=True, text=True, timeout=60)
         t.assertEqual(done.returncode, 0, done)
-    expected = run(t, "generated", use(t, "box: {size: [44 mm, 40 mm, 30 mm], panel: 3 mm}", BOX_PLACE))
+    expected = run(t, "generated", use(t, "box: {size: [44 mm, 40 mm, 30 mm], edge_length: 3 mm}", BOX_PLACE))
     for name, scale in (("box.step", 1), ("box.msh", 0.001), ("box.inp", 0.001), ("solid.inp", 0.001), ("box.key", 0.001)):
         expect_close(t, expected, run(t, name.replace(".", "_"), use(t, f"file: {name}, scale: {scale}", BOX_PLACE)))
 
 
 @claim("surfaces: one that cannot be used is refused at its place in the deck, with a picture of its panels")
 def _(t):
-    cases = (("twisted", moebius(), "twisted like Möbius's", ", outside: normals"),
-             ("inside out", folded_prism(), "the surface is inside out between them", ", outside: normals"),
+    cases = (("twisted", moebius(), "twisted like Möbius's", ", orientation: normals"),
+             ("inside out", folded_prism(), "the surface is inside out between them", ", orientation: normals"),
              ("non-manifold edge", two_rooms(), "4 edges have more than two panels", ""),
              ("rim", half_hull(), "the surface is open: 64 edges belong to one panel only", ""))
     for kind, shape, words, more in cases:
@@ -217,8 +217,8 @@ def _(t):
 def _(t):
     rooms = two_rooms().moved(lambda p: (44 * (p[0] - 0.5), 40 * (p[1] - 0.5), 15 * (p[2] - 1)))
     (t.folder / "rooms.obj").write_text(rooms.obj())
-    inertia = ("free: [y]", "free: [y]\n    inertia: [1, 1, 1]")
-    out = t.expect_success("run", use(t, "file: rooms.obj, scale: 0.001, outside: normals", BOX_PLACE, inertia), "--out", "r", "--threads", "1").out
+    inertia = ("free_dofs: [y]", "free_dofs: [y]\n    inertia: [1, 1, 1]")
+    out = t.expect_success("run", use(t, "file: rooms.obj, scale: 0.001, orientation: normals", BOX_PLACE, inertia), "--out", "r", "--threads", "1").out
     said = [line for line in out.splitlines() if line.startswith("warning: ")]
     t.assertEqual(len(said), 1, out)
     t.assertIn("is cut along 4 edges of more than two panels", said[0])

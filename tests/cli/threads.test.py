@@ -5,7 +5,7 @@ from claims import claim, main
 PLATE = ["--set", "output.frames=0"]
 ORDINARY = ["--set", "bodies.plate.material.poissons_ratio=0.3"]
 BREAKING = ["--set", "bodies.plate.material.critical_stretch=0.002", "--set", "time.end=60 us"]
-TUMBLING = ["--set", "impactors.cylinder.free=[x, y, z, rx, ry, rz]", "--set", "impactors.cylinder.angular_velocity=[300, 200, 1000]", "--set",
+TUMBLING = ["--set", "impactors.cylinder.free_dofs=[x, y, z, rx, ry, rz]", "--set", "impactors.cylinder.angular_velocity=[300, 200, 1000]", "--set",
             "contact.impactors.friction=0.2", "--set", "impactors.cylinder.position=[3 mm, 56 mm, 2 mm]", "--set", "time.end=300 us"]
 
 

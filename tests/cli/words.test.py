@@ -48,7 +48,7 @@ def _(t):
     (t.folder / "half.obj").write_text(TETRAHEDRON.rsplit("f", 1)[0])
     out = t.expect_success("mesh", "half.obj").out
     t.assertIn("open, 3 edges on a rim", out)
-    t.assertIn("outside: normals", out)
+    t.assertIn("orientation: normals", out)
 
 
 main()

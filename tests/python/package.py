@@ -22,18 +22,18 @@ SETUP = {
     },
     "impactors": {
         "cylinder": {
-            "surface": {"cylinder": {"diameter": 0.04, "height": 0.04, "axis": "z", "panel": 0.004}},
+            "surface": {"cylinder": {"diameter": 0.04, "height": 0.04, "axis": "z", "edge_length": 0.004}},
             "mass": 1,
             "position": [0, 0.05, 0],
             "velocity": [0, -32, 0],
-            "free": ["y"],
+            "free_dofs": ["y"],
         }
     },
     "contact": {"impactors": {"detector": "swept"}},
     "output": {
         "folder": "results",
         "frames": 4,
-        "history": 2e-6,
+        "history_interval": 2e-6,
         "probes": {"centre": {"body": "plate", "at": [0, 0, 0]}},
         "lines": {"along_y": {"body": "plate", "from": [0, -0.03, 0], "to": [0, 0.03, 0]}},
     },

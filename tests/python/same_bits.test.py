@@ -182,12 +182,12 @@ bodies:
     shape: {box: {size: [100 mm, 30 mm, 30 mm]}}
     spacing: 5 mm
     material: {model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000 kg/m3}
-    regions:
+    particle_sets:
       left: {shape: {box: {size: [15 mm, 40 mm, 40 mm]}}, position: [-50 mm, 0, 0]}
       right: {shape: {box: {size: [15 mm, 40 mm, 40 mm]}}, position: [50 mm, 0, 0]}
-    boundaries:
-      held: {fixed: {region: left}}
-      pulled: {prescribed: {region: right, x: {times: [0, 1 s], displacements: [0, 0.01 mm]}}}
+    boundary_conditions:
+      held: {fixed: {particle_set: left}}
+      pulled: {prescribed: {particle_set: right, x: {times: [0, 1 s], displacements: [0, 0.01 mm]}}}
 output: {frames: 0}
 """
 

@@ -20,7 +20,7 @@ def measure(runner):
     unbroken = found("unbroken", DECK, UNBROKEN, "time.end=80 ms")
     weak = found("stretch_0.002_symmetric", DECK, f"{STRETCH}=0.002", SYMMETRIC)
     tension = found("stretch_0.002", DECK, f"{STRETCH}=0.002")
-    askew = found("hertz_oblique_40", ASKEW, "bodies.ice.spacing=0.025", "output.history=0.05 ms", "output.frames=0")
+    askew = found("hertz_oblique_40", ASKEW, "bodies.ice.spacing=0.025", "output.history_interval=0.05 ms", "output.frames=0")
     return {
         "dust": dust["impulse [-]"],
         "unbroken": unbroken["impulse [-]"],

@@ -9,10 +9,10 @@ TITLE = "Panel sizes"
 LONG = True
 RADIUS = 0.025  # [m]
 SIZES = ("2", "1.5", "1", "0.5", "0.1")  # [mm], the paper's
-PANEL = "impactors.cylinder.surface.cylinder.panel"
+PANEL = "impactors.cylinder.surface.cylinder.edge_length"
 # the paper's own detector; the first 30 µs are enough to see what it finds
 PUBLISHED = ("contact.impactors.detector=published", "contact.impactors.radius_ratio=0", "output.frames=0", "output.lines={}", "time.end=30 us",
-             f"{PANEL}=2 mm", "impactors.cylinder.surface.cylinder.panels=quads")  # fmt: skip
+             f"{PANEL}=2 mm", "impactors.cylinder.surface.cylinder.panel_shape=quads")  # fmt: skip
 
 
 def bound(size):
@@ -29,7 +29,7 @@ def measure(runner):
     folders = {f"{size} mm": runner.run("panels", f"panel_{size}mm", DECK, f"{PANEL}={size} mm", "output.frames=1") for size in SIZES if size != "1"}
     folders["1 mm"] = runner.run("plate", "panel_1mm", DECK, *RUNS["panel_1mm"])
     analytic = runner.run("plate", "analytic", DECK, *ANALYTIC)
-    published = {"repaired": runner.run("panels", "published_repaired", DECK, *PUBLISHED), "letter": runner.run("panels", "published_letter", DECK, *PUBLISHED, "contact.impactors.reading=letter")}
+    published = {"repaired": runner.run("panels", "published_repaired", DECK, *PUBLISHED), "letter": runner.run("panels", "published_letter", DECK, *PUBLISHED, "contact.impactors.variant=literal")}
     exact = read_columns(analytic / "history.csv")
     numbers = {}
     for name, folder in folders.items():

@@ -8,14 +8,14 @@ from runner import ROOT, report, script_of
 TITLE = "A propeller breaks a sphere of ice"
 LONG = False
 DECK = "cases/propeller_ice/deck.yaml"
-SURFACE, REGION = "impactors.propeller.surface.propeller", "impactors.propeller.region"
+SURFACE, REGION = "impactors.propeller.surface.propeller", "impactors.propeller.contact_bounds"
 WHOLE = ("bodies.ice.material.critical_stretch=0.032", "time.end=30 ms", "output.frames=0")  # a sphere that hardly breaks: no chance in how it does
 
 
 def measure(runner):
     script = script_of("cases/propeller_ice/measure.py")
     deck = runner.run("propeller", "deck", DECK)
-    free = runner.run("propeller", "free", DECK, "impactors.propeller.free=[x, y, z, rx, ry, rz]", "output.frames=4")
+    free = runner.run("propeller", "free", DECK, "impactors.propeller.free_dofs=[x, y, z, rx, ry, rz]", "output.frames=4")
     found, freed = script.measure(deck), script.measure(free)
     hashes = {report(folder)["state_hash"] for folder in (
         deck,
@@ -30,7 +30,7 @@ def measure(runner):
         "states": float(len(hashes)),
         "printed": float(re.search(r"is (\S+) times the longest stable one", refused.stderr)[1]),
     }
-    graded = {name: runner.run("propeller", name, DECK, *WHOLE, f"{SURFACE}.panel={panel}", f"{SURFACE}.edge_panel={edge}") for name, panel, edge in (("coarse", 0.3, 0.3), ("graded", 0.15, 0.05), ("fine", 0.05, 0.05))}
+    graded = {name: runner.run("propeller", name, DECK, *WHOLE, f"{SURFACE}.panel={panel}", f"{SURFACE}.blade_edge_length={edge}") for name, panel, edge in (("coarse", 0.3, 0.3), ("graded", 0.15, 0.05), ("fine", 0.05, 0.05))}
     for name, folder in graded.items():
         forces = script.forces(script.history(folder))
         numbers |= {f"{name} panels": float(report(folder)["impactors"]["propeller"]["surface"]["triangles"]), f"{name} peak": forces["thrust: peak [N]"], f"{name} impulse": forces["thrust: impulse [N s]"]}

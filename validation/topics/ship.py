@@ -13,10 +13,10 @@ STEM = math.radians(24)
 SHEET = "bodies.sheet"
 SHORT = (  # the first second of a sheet of three layers, 20 m long
     f"{SHEET}.shape.box.size=[20 m, 36 m, 2 m]", f"{SHEET}.position=[-10 m, 0, -0.7561 m]", f"{SHEET}.spacing=0.66666666666667 m",
-    f"{SHEET}.regions.far_end={{shape: {{box: {{size: [2.1 m, 36 m, 4 m]}}}}, position: [-8.95 m, 0, 0]}}",
-    f"{SHEET}.regions.port={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, -16.95 m, 0]}}",
-    f"{SHEET}.regions.starboard={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, 16.95 m, 0]}}",
-    "impactors.ship.surface.hull.bow_panel=3 m", "time={end: 1 s, step: 0.23 ms}", "output={frames: 2, history: 0.02 s}",
+    f"{SHEET}.particle_sets.far_end={{shape: {{box: {{size: [2.1 m, 36 m, 4 m]}}}}, position: [-8.95 m, 0, 0]}}",
+    f"{SHEET}.particle_sets.port={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, -16.95 m, 0]}}",
+    f"{SHEET}.particle_sets.starboard={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, 16.95 m, 0]}}",
+    "impactors.ship.surface.hull.bow_edge_length=3 m", "time={end: 1 s, step: 0.23 ms}", "output={frames: 2, history_interval: 0.02 s}",
 )  # fmt: skip
 
 

@@ -53,7 +53,7 @@ def main(program, out, largest=60):
         folder = out / name.replace(" ", "_").replace("/", "_")
         if not (folder / "run.json").exists():
             values = [f"bodies.elastic.spacing={1 / across}", f"impactors.rigid.mass={mass}", f"impactors.rigid.velocity={(speed * ALONG).tolist()}"]
-            values += [f"time.end={8e-3 * 20 / speed}", f"output.history={5e-5 * 20 / speed}"]
+            values += [f"time.end={8e-3 * 20 / speed}", f"output.history_interval={5e-5 * 20 / speed}"]
             values += [f"time.step={step}"] if step else []
             values += [f"bodies.elastic.material={{model: {model}, {MATERIAL}}}"] if model else []
             command = [program, "run", DECK, "--out", folder, "--threads", "1", "--no-report"]

@@ -14,11 +14,11 @@
 #include <variant>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
+#include "fccda/contact_bounds/all_contact_bounds.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/every_point.hpp"
 #include "fccda/detect/points.hpp"
-#include "fccda/region/all_regions.hpp"
+#include "fccda/rigid_body/pose.hpp"
 
 namespace fccda {
 
@@ -46,7 +46,7 @@ class Analytic {
   static constexpr std::string_view name = "analytic";
 
   /// `radius`: contact radius [m].
-  Analytic(const AnalyticShape& shape, const Region& region, double radius) : shape_(shape), region_(region), radius_(radius) {}
+  Analytic(const AnalyticShape& shape, const ContactBounds& region, double radius) : shape_(shape), region_(region), radius_(radius) {}
 
   /// Adds the contacts of one step to `out`, in point order. Asks every point; the travel of the surface is not needed.
   template <Points P>
@@ -82,7 +82,7 @@ class Analytic {
 
   /// The points nearer than R + r at the poses of t0. Touching is not inside: 1e-9 R is allowed for.
   template <Points P>
-  std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
+  std::vector<std::size_t> initial_overlap(const P& points, const Pose& pose) const {
     std::vector<std::size_t> inside;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (points.occupied(i) && is_inside(pose.to_body(points.position_t0(i)))) inside.push_back(i);
@@ -123,7 +123,7 @@ class Analytic {
   void look_at(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const;
 
   AnalyticShape shape_;
-  Region region_;
+  ContactBounds region_;
   double radius_;
   Effort effort_;
   std::vector<Found> found_;  // of each block

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "fccda/body/pose.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
+#include "fccda/rigid_body/pose.hpp"
 
 namespace fccda {
 

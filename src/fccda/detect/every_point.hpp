@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fccda/detect/points.hpp"
 
 namespace fccda {

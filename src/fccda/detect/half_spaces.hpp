@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "fccda/core/contract.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/contract.hpp"
+#include "base/vec3.hpp"
 
 namespace fccda {
 

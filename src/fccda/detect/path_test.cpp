@@ -12,7 +12,7 @@ PathAnswer nothing(double clearance) { return {.clearance = clearance}; }
 
 }  // namespace
 
-PathTest::PathTest(SharedSurface surface, Region region, double radius)
+PathTest::PathTest(SharedSurface surface, ContactBounds region, double radius)
     : shared_(std::move(surface)),
       surface_(&shared_->surface()),
       bvh_(&shared_->bvh()),
@@ -26,7 +26,7 @@ PathTest::PathTest(SharedSurface surface, Region region, double radius)
 // 1 outside, -1 inside (or behind), 0 where it cannot be told: beyond the rim of an open surface.
 int PathTest::side(const ClosestPoint& closest, const Vec3d& point, std::size_t& asked) const {
   const auto t = static_cast<std::size_t>(closest.triangle);
-  if (!surface_->is_closed() && surface_->is_rim(t, closest.feature)) return 0;
+  if (!surface_->is_closed() && surface_->is_boundary_edge(t, closest.feature)) return 0;
   if (dot(point - closest.point, surface_->pseudonormal(t, closest.feature)) < 0) return -1;
   return solids_->may_be_buried(closest.triangle) && solids_->another_holds(closest.triangle, point, asked) ? -1 : 1;
 }
@@ -53,7 +53,7 @@ bool PathTest::leads_to_contact(const Path& path, const ClosestPoint& at_start, 
   return nearest && *nearest < limit;
 }
 
-std::optional<PathTest::Leg> PathTest::first_leg(const BentPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end,
+std::optional<PathTest::Leg> PathTest::first_leg(const CurvedPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end,
                                                  const Ball& ball, std::size_t& asked) const {
   const int parts = path.parts();
   Leg leg{{start, start}, at_start, 0, 1.0 / parts};

@@ -24,12 +24,12 @@
 #include <utility>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
-#include "fccda/detect/bent_path.hpp"
+#include "fccda/contact_bounds/all_contact_bounds.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/detect/curved_path.hpp"
 #include "fccda/detect/points.hpp"
-#include "fccda/region/all_regions.hpp"
-#include "fccda/search/indexed_surface.hpp"
+#include "fccda/rigid_body/pose.hpp"
+#include "mesh/search/indexed_surface.hpp"
 
 namespace fccda {
 
@@ -44,7 +44,7 @@ struct Touch {
 };
 
 struct PathQuestion {
-  BentPath path;
+  CurvedPath path;
   double radius = 0;        ///< [m] of contact
   double offset = 0;        ///< [m]
   double look_ahead = 0;    ///< [m] how far beyond the reach of contact a distance is worth knowing
@@ -71,8 +71,8 @@ class PathTest {
   };
 
   /// `radius` [m]: of contact, of points that have none of their own.
-  PathTest(SharedSurface surface, Region region, double radius);
-  PathTest(std::shared_ptr<const Surface> surface, Region region, double radius) : PathTest(share(std::move(surface)), std::move(region), radius) {}
+  PathTest(SharedSurface surface, ContactBounds region, double radius);
+  PathTest(std::shared_ptr<const Surface> surface, ContactBounds region, double radius) : PathTest(share(std::move(surface)), std::move(region), radius) {}
 
   /// `guess`: a triangle thought to be near, or -1; updated.
   PathAnswer ask(const PathQuestion& question, int& guess, Effort& effort) const;
@@ -128,7 +128,7 @@ class PathTest {
   std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest, std::size_t& asked) const;
   std::optional<Nearest> nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& asked) const;
   bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& asked) const;
-  std::optional<Leg> first_leg(const BentPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
+  std::optional<Leg> first_leg(const CurvedPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
                                std::size_t& asked) const;
   Touch first_touch(const Leg& leg, const Ball& ball, std::size_t& asked) const;
   std::optional<Place> first_place(const Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const;
@@ -139,7 +139,7 @@ class PathTest {
   const Surface* surface_;
   const Bvh* bvh_;
   const Solids* solids_;
-  Region region_;
+  ContactBounds region_;
   double radius_;
   double size_;
 };
@@ -147,7 +147,7 @@ class PathTest {
 /// The points that are inside at t0 of the coming step. Touching is not inside: 1e-9 of the surface's size is allowed for, far more than
 /// the rounding of coordinates and far less than what contact would show.
 template <Points P>
-std::vector<std::size_t> starting_inside(const PathTest& test, const P& points, const Pose& pose) {
+std::vector<std::size_t> initial_overlap(const PathTest& test, const P& points, const Pose& pose) {
   std::vector<std::size_t> inside;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points.occupied(i) && test.is_inside(pose.to_body(points.position_t0(i)), 1e-9 * test.size(), contact_radius(points, i, test.radius())))

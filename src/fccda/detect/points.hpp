@@ -5,7 +5,7 @@
 #include <concepts>
 #include <cstddef>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace fccda {
 

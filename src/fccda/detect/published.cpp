@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fccda/search/closest_point.hpp"
+#include "mesh/search/closest_point.hpp"
 
 namespace fccda {
 
@@ -37,10 +37,10 @@ void Rejections::count(Verdict verdict) {
   by_eq20 += verdict == Verdict::eq20;
 }
 
-Published::Published(std::shared_ptr<const Surface> surface, const Region& region, Reading reading)
+Published::Published(std::shared_ptr<const Surface> surface, const ContactBounds& region, PublishedVariant variant)
     : surface_(std::move(surface)),
       region_(region),
-      reading_(reading),
+      variant_(variant),
       sign_(surface_->panels().panels.size(), 1),
       sides_(std::make_shared<const PathTest>(surface_, region_, 0)) {
   // Panels may be wound either way in the file; the surface knows which side is outside, and which panels it dropped.
@@ -78,7 +78,7 @@ void Published::place(const Motion& motion) {
   });
 }
 
-Verdict Published::judge_by_letter(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) {
+Verdict Published::judge_literal(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) {
   const auto& [before, after] = panel;
   if (!within(x_t0.y, before.box.low.y, before.box.high.y) || !within(x_t0.z, before.box.low.z, before.box.high.z)) return Verdict::eq14;
   if (!areas_agree(before.node, before.nodes, x_t0, 2)) return Verdict::eq15;
@@ -89,7 +89,7 @@ Verdict Published::judge_by_letter(const Planes& panel, const Vec3d& x_t0, const
   return Verdict::accepted;
 }
 
-Verdict Published::judge_repaired(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1) {
+Verdict Published::judge_corrected(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1) {
   const auto& [before, after] = panel;
   const Vec3d low = min(x_t0, x_t1), high = max(x_t0, x_t1);
   const Vec3d panel_low = min(before.box.low, after.box.low), panel_high = max(before.box.high, after.box.high);
@@ -106,7 +106,7 @@ Verdict Published::judge_repaired(const Planes& panel, const Vec3d& x_t0, const 
 // Eqs. 18 and 19.
 Vec3d Published::relocated(const Plane& plane, const Vec3d& x_t1) const {
   const Vec3d on_plane = x_t1 - plane.height(x_t1) * plane.normal;
-  if (reading_ == Reading::letter) return on_plane;
+  if (variant_ == PublishedVariant::literal) return on_plane;
   Vec3d best = closest_on_triangle(on_plane, {plane.node[0], plane.node[1], plane.node[2]}).point;
   if (plane.nodes == 4) {
     const Vec3d other = closest_on_triangle(on_plane, {plane.node[2], plane.node[3], plane.node[0]}).point;

@@ -30,15 +30,15 @@
 #include <string_view>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
+#include "fccda/contact_bounds/all_contact_bounds.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/every_point.hpp"
 #include "fccda/detect/nearest_outside.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "fccda/detect/points.hpp"
-#include "fccda/region/all_regions.hpp"
-#include "fccda/surface/surface.hpp"
+#include "fccda/rigid_body/pose.hpp"
+#include "mesh/surface.hpp"
 
 namespace fccda {
 
@@ -59,9 +59,9 @@ struct Rejections {
 class Published {
  public:
   static constexpr std::string_view name = "published";
-  enum class Reading { repaired, letter };
+  enum class PublishedVariant { corrected, literal };
 
-  Published(std::shared_ptr<const Surface> surface, const Region& region, Reading reading);
+  Published(std::shared_ptr<const Surface> surface, const ContactBounds& region, PublishedVariant variant);
 
   /// Adds the contacts of one step to `out`, in point order. The travel of the surface is not needed.
   template <Points P>
@@ -95,8 +95,8 @@ class Published {
 
   /// As Swept answers it, for points without extent.
   template <Points P>
-  std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
-    return fccda::starting_inside(*sides_, points, pose);
+  std::vector<std::size_t> initial_overlap(const P& points, const Pose& pose) const {
+    return fccda::initial_overlap(*sides_, points, pose);
   }
 
   /// As Swept answers it, for points without extent.
@@ -158,15 +158,15 @@ class Published {
   Plane plane(std::size_t panel, const Pose& pose) const;
   void look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const;
   Verdict judge(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) const {
-    return reading_ == Reading::letter ? judge_by_letter(panel, x_t0, x_t1, motion) : judge_repaired(panel, x_t0, x_t1);
+    return variant_ == PublishedVariant::literal ? judge_literal(panel, x_t0, x_t1, motion) : judge_corrected(panel, x_t0, x_t1);
   }
-  static Verdict judge_by_letter(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion);
-  static Verdict judge_repaired(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1);
+  static Verdict judge_literal(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion);
+  static Verdict judge_corrected(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1);
   Vec3d relocated(const Plane& plane, const Vec3d& x_t1) const;
 
   std::shared_ptr<const Surface> surface_;
-  Region region_;
-  Reading reading_;
+  ContactBounds region_;
+  PublishedVariant variant_;
   std::vector<int> sign_;             // of each panel's normal as wound: -1 where the surface was turned outward, 0 where it was dropped
   std::vector<Plane> at_t0_, at_t1_;  // of this step
   Effort effort_;

@@ -133,16 +133,16 @@ void PathTest::relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_e
 }
 
 Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const {
-  constexpr std::size_t most_parts = 8;
+  constexpr std::size_t max_parts = 8;
   std::size_t asked = 0;
   const Vec3d total = to - from;
   // What came in from behind an open surface is a point, until the ball has room.
   const bool is_point = radius > 0 && !surface_->is_closed() && bvh_->closest(from, radius - offset);
   const double clearance = (is_point ? 0 : radius) + 0.5 * offset;
-  std::array<Vec3d, most_parts> walls;
+  std::array<Vec3d, max_parts> walls;
   Vec3d place = from, direction = total;
   double left = 1;
-  for (std::size_t part = 0; part < most_parts; ++part) {
+  for (std::size_t part = 0; part < max_parts; ++part) {
     const Vec3d end = part == 0 ? to : place + left * direction;
     const std::optional<Crossing> touch = bvh_->first_touch(place, end, clearance, 0.1 * offset, asked);
     const Vec3d reached = touch ? place + touch->fraction * (end - place) : end;

@@ -21,7 +21,7 @@ void Swept::begin_step(std::size_t point_count, double largest_radius, const Mot
   touched_.clear();
   for (std::vector<std::uint64_t>* numbers : {&entered_, &touched_before_})  // a number given to a new point must not stand for the old one
     numbers->erase(std::lower_bound(numbers->begin(), numbers->end(), point_count), numbers->end());
-  if (!same(pose_, motion.t0)) due_.forget();
+  if (!same(pose_, motion.t0)) cache_.forget();
   pose_ = motion.t1;
   measure(largest_radius, motion);
   entered_at_t0_ = entered_;
@@ -33,7 +33,7 @@ void Swept::begin_step(std::size_t point_count, double largest_radius, const Mot
 // Points in contact have no clearance, so that all of them are looked at again; those that entered or left may have some.
 void Swept::begin_again(double largest_radius, const Motion& motion) {
   touched_.clear();
-  for (const std::uint64_t point : changed_) due_.forget(point);
+  for (const std::uint64_t point : changed_) cache_.forget(point);
   changed_.clear();
   entered_ = entered_at_t0_;
   entered_count_ = entered_count_at_t0_;
@@ -65,14 +65,14 @@ void Swept::measure(double largest_radius, const Motion& motion) {
 }
 
 void Swept::grown(std::size_t i) {
-  due_.forget(i);
+  cache_.forget(i);
   if (test_.surface().is_closed()) return;
   const auto place = std::lower_bound(touched_.begin(), touched_.end(), i);
   if (place == touched_.end() || *place != i) touched_.insert(place, i);
 }
 
 void Swept::forget() {
-  due_.forget();
+  cache_.forget();
   std::fill(guess_.begin(), guess_.end(), -1);
 }
 
@@ -85,9 +85,9 @@ void Swept::renumbered() {
 
 void Swept::look_at(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view,
                     double look_ahead, Found& found) {
-  const BentPath path = view.path(position_t0, position_t1);
+  const CurvedPath path = view.path(position_t0, position_t1);
   const bool entered = has_entered(point);
-  const bool fresh = due_.is_new(point);
+  const bool fresh = cache_.is_new(point);
   const PathAnswer answer = test_.ask({.path = path,
                                        .radius = radius,
                                        .offset = step_.offset,
@@ -96,7 +96,7 @@ void Swept::look_at(std::size_t block, std::size_t point, double radius, const V
                                        .touched = was_touched(point),
                                        .renumbered = renumbered_ != 0},
                                       guess_[point], found.effort);
-  due_.postpone(block, point, answer.clearance);
+  cache_.postpone(block, point, answer.clearance);
   if (answer.leaves) found.leaving.push_back(point);
   if (answer.enters && (!entered || answer.leaves)) found.entering.push_back(point), found.entered_before += !answer.anew;
   if (answer.held && !test_.surface().is_closed()) found.touched.push_back(point);

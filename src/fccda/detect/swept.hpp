@@ -11,15 +11,15 @@
 #include <string_view>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
-#include "fccda/core/parallel.hpp"
-#include "fccda/detect/bent_path.hpp"
+#include "base/parallel.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/detect/curved_path.hpp"
+#include "fccda/detect/distance_cache.hpp"
 #include "fccda/detect/every_point.hpp"
 #include "fccda/detect/nearest_outside.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "fccda/detect/points.hpp"
-#include "fccda/search/due.hpp"
+#include "fccda/rigid_body/pose.hpp"
 
 namespace fccda {
 
@@ -28,8 +28,8 @@ class Swept final : public SlidingSurface {
   static constexpr std::string_view name = "swept";
 
   /// `radius`: contact radius [m] of points that have none of their own (points.hpp), 0 for points without extent.
-  Swept(SharedSurface surface, const Region& region, double radius) : test_(std::move(surface), region, radius) {}
-  Swept(std::shared_ptr<const Surface> surface, const Region& region, double radius) : Swept(share(std::move(surface)), region, radius) {}
+  Swept(SharedSurface surface, const ContactBounds& region, double radius) : test_(std::move(surface), region, radius) {}
+  Swept(std::shared_ptr<const Surface> surface, const ContactBounds& region, double radius) : Swept(share(std::move(surface)), region, radius) {}
 
   /// Relative rounding of the coordinates that relocated points are kept with, where it is more than that of doubles (2^-24 of floats): relocated points keep
   /// so much further from the surface.
@@ -44,7 +44,7 @@ class Swept final : public SlidingSurface {
     const BodyView view(motion, test_.size());
     due_blocks_.clear();
     for (std::size_t b = 0; b < points.block_count(); ++b)
-      if (due_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
+      if (cache_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
                         [&](std::ptrdiff_t k) { look_at_block(points, view, surface_travel, static_cast<std::size_t>(k), 0); });
@@ -62,8 +62,8 @@ class Swept final : public SlidingSurface {
     due_blocks_.clear();
     // A path that came near and went away may touch now, so all points are due that have less clearance than their way.
     for (std::size_t b = 0; b < points.block_count(); ++b) {
-      due_.travel(b, correction);
-      if (due_.is_near(b, way(points, b, surface_travel))) due_blocks_.push_back(b);
+      cache_.travel(b, correction);
+      if (cache_.is_near(b, way(points, b, surface_travel))) due_blocks_.push_back(b);
     }
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
@@ -80,11 +80,11 @@ class Swept final : public SlidingSurface {
   void detect_again(const P& points, const Motion& motion, double surface_travel, std::span<const std::size_t> which, std::vector<Contact>& out) {
     const BodyView view(motion, test_.size());
     look_at_points(which, found_, [&](std::size_t i, Found& found) {
-      const std::size_t block = due_.block_of(i);
+      const std::size_t block = cache_.block_of(i);
       look_at(block, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view,
               look_ahead(points.block_travel(block) + surface_travel), found);
     });
-    for (const std::size_t i : which) due_.settle_point(i);
+    for (const std::size_t i : which) cache_.update_point(i);
     gather(found_.size(), out);
   }
 
@@ -99,7 +99,7 @@ class Swept final : public SlidingSurface {
   }
 
   /// Somebody else displaced point i after the last detection.
-  void moved(std::size_t i) { due_.forget(i); }
+  void moved(std::size_t i) { cache_.forget(i); }
 
   /// The radius of point i is larger than in the last detection. Where it starts the next step inside, it was pushed there.
   void grown(std::size_t i);
@@ -115,8 +115,8 @@ class Swept final : public SlidingSurface {
   /// The points whose centre is inside the surface, or nearer to it than the contact radius, at t0 of the coming step; in front of an
   /// open surface. Touching is not inside.
   template <Points P>
-  std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
-    return fccda::starting_inside(test_, points, pose);
+  std::vector<std::size_t> initial_overlap(const P& points, const Pose& pose) const {
+    return fccda::initial_overlap(test_, points, pose);
   }
 
   /// Where such points of the detector's contact radius belong [m], in the world; nothing where no place is clear of the surface.
@@ -174,8 +174,8 @@ class Swept final : public SlidingSurface {
     blocks_.clear();
     for (std::size_t b = 0; b < points.block_count(); ++b) blocks_.push_back(points.block_begin(b));
     blocks_.push_back(points.size());
-    if (due_.differs_from(blocks_)) {
-      due_.start(blocks_);
+    if (cache_.differs_from(blocks_)) {
+      cache_.start(blocks_);
       guess_.assign(points.size(), -1);
     }
     begin_step(points.size(), largest_radius_of(points), motion);
@@ -200,13 +200,13 @@ class Swept final : public SlidingSurface {
     found.clear();
     const double ahead = look_ahead(points.block_travel(b) + surface_travel);
     for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
-      if (!due_.is_due(b, i, near)) continue;
+      if (!cache_.is_due(b, i, near)) continue;
       if (points.occupied(i))
         look_at(b, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view, ahead, found);
       else
-        due_.postpone(b, i, Bvh::no_cap);
+        cache_.postpone(b, i, Bvh::no_cap);
     }
-    due_.settle(b);
+    cache_.update_block(b);
   }
 
   template <class Self, class Visitor>
@@ -243,7 +243,7 @@ class Swept final : public SlidingSurface {
 
   Effort effort_;
 
-  Due due_;                 // caches from here on
+  DistanceCache cache_;     // caches from here on
   Pose pose_;               // at the end of the last detection: what `due_` knows of distances holds for it
   std::vector<int> guess_;  // the triangle last found near each point
   std::vector<std::size_t> blocks_, due_blocks_;

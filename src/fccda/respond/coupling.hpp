@@ -26,8 +26,8 @@
 
 #include <array>
 
-#include "fccda/body/rigid_body.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/rigid_body/rigid_body.hpp"
 
 namespace fccda {
 
@@ -38,7 +38,7 @@ struct Impulse {
 
 class Coupling {
  public:
-  static constexpr int most_passes = 12;
+  static constexpr int max_passes = 12;
 
   explicit Coupling(const RigidBody& at_t0) : at_t0_(at_t0) {}
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
-#include "fccda/core/state.hpp"
+#include "base/state.hpp"
 #include "fccda/detect/contact.hpp"
-#include "fccda/surface/surface.hpp"
+#include "fccda/rigid_body/pose.hpp"
+#include "mesh/surface.hpp"
 
 namespace fccda {
 
@@ -43,7 +43,7 @@ class Gauge {
   bool has_axis() const { return axis_.has_value(); }
   void reset() { reading_ = {}; }
 
-  /// As fccda/core/state.hpp says.
+  /// As base/state.hpp says.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit_vector(visit, "impulse", reading_.impulse);

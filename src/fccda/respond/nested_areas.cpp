@@ -6,7 +6,7 @@
 #include <queue>
 #include <tuple>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace fccda {
 

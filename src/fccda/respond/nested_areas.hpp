@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "fccda/surface/panel_faces.hpp"
+#include "mesh/panel_faces.hpp"
 
 namespace fccda {
 

@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/state.hpp"
+#include "base/state.hpp"
 #include "fccda/detect/contact.hpp"
-#include "fccda/surface/panel_faces.hpp"
+#include "mesh/panel_faces.hpp"
 
 namespace fccda {
 
@@ -50,7 +50,7 @@ class PanelLoads {
   std::span<const double> peak_pressure() const { return peak_pressure_; }  ///< [Pa] the largest of these so far
   const PanelFaces& faces() const { return faces_; }
 
-  /// As fccda/core/state.hpp says. Which panels share a push is found again.
+  /// As base/state.hpp says. Which panels share a push is found again.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit_loads(visit, "before", before_);

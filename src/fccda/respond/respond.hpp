@@ -18,19 +18,19 @@
 #include <concepts>
 #include <span>
 
-#include "fccda/body/rigid_body.hpp"
-#include "fccda/core/finite.hpp"
+#include "base/finite.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/rigid_body/rigid_body.hpp"
 
 namespace fccda {
 
 /// What all contacts of a step did to the body.
-struct Tally {
+struct ContactSum {
   Vec3d impulse{};                    ///< [N s]
   Vec3d angular_impulse_about_com{};  ///< [N m s]
   std::size_t contacts = 0;
 
-  Tally& operator+=(const Tally& b) {
+  ContactSum& operator+=(const ContactSum& b) {
     impulse += b.impulse, angular_impulse_about_com += b.angular_impulse_about_com, contacts += b.contacts;
     return *this;
   }
@@ -46,12 +46,12 @@ concept StruckPoints = requires(P& points, std::size_t i, Vec3d vector) {
 };
 
 /// Position at t1 and velocity of a struck point.
-struct Struck {
+struct Resolved {
   Vec3d position, velocity;
 };
 
-inline Struck struck(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Motion& motion, double friction) {
-  Struck after{contact.relocation, (contact.relocation - position_t0) / motion.dt};
+inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Motion& motion, double friction) {
+  Resolved after{contact.relocation, (contact.relocation - position_t0) / motion.dt};
   if (friction == 0) return after;
   const double pushed = std::max(0.0, dot(after.velocity - velocity, contact.normal));  // J_n/m
   const Vec3d relative = after.velocity - mean_velocity(motion, contact.relocation);
@@ -72,13 +72,13 @@ inline Struck struck(const Contact& contact, const Vec3d& position_t0, const Vec
 /// Relocates the points and gives them their new velocities. Returns what the body, whose centre of mass is at `centre_of_mass` at t1, has to get;
 /// `report(contact, impulse)` is called for each contact in order with the impulse on it [N s]. `motion` is the step the body just made.
 template <StruckPoints P, class Report>
-Tally strike_points(P& points, std::span<const Contact> contacts, const Motion& motion, const Vec3d& centre_of_mass, double friction, Report&& report) {
+ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Motion& motion, const Vec3d& centre_of_mass, double friction, Report&& report) {
   expect_friction(friction);
-  Tally tally;
+  ContactSum tally;
   for (const Contact& contact : contacts) {
     const std::size_t i = contact.point;
     const Vec3d before = points.velocity(i);
-    const Struck after = struck(contact, points.position_t0(i), before, motion, friction);
+    const Resolved after = resolved(contact, points.position_t0(i), before, motion, friction);
     const Vec3d impulse = -points.mass(i) * (after.velocity - before);
     points.set(i, after.position, after.velocity);
     tally.impulse += impulse;
@@ -91,14 +91,14 @@ Tally strike_points(P& points, std::span<const Contact> contacts, const Motion& 
 
 /// The same, and gives the body the impulse of all of them.
 template <StruckPoints P, class Report>
-Tally respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
-  const Tally tally = strike_points(points, contacts, motion, body.position_of_com(), friction, report);
+ContactSum respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
+  const ContactSum tally = resolve_points(points, contacts, motion, body.position_of_com(), friction, report);
   body.add_impulse(tally.impulse, tally.angular_impulse_about_com);
   return tally;
 }
 
 template <StruckPoints P>
-Tally respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction) {
+ContactSum respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction) {
   return respond(points, contacts, motion, body, friction, [](const Contact&, const Vec3d&) {});
 }
 

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/checkpoint/fingerprint.hpp"
 #include "io/checkpoint/hdf5.hpp"
 #include "io/output/file.hpp"

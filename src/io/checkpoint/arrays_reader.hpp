@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "fccda/core/state.hpp"
+#include "base/state.hpp"
 #include "io/checkpoint/number_type.hpp"
 
 namespace perimpact::checkpoint {
@@ -18,7 +18,7 @@ class ArraysReader {
   explicit ArraysReader(const std::filesystem::path& path);
   ~ArraysReader();
 
-  /// A visitor of state (fccda/core/state.hpp) that writes into it; lists get the length that they have in the file.
+  /// A visitor of state (base/state.hpp) that writes into it; lists get the length that they have in the file.
   template <class Values>
   void operator()(std::string_view name, Values&& values) {
     using T = typename decltype(fccda::numbers_in(values))::value_type;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/checkpoint/fingerprint.hpp"
 #include "io/checkpoint/hdf5.hpp"
 #include "io/checkpoint/whole_file_driver.hpp"

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "fccda/core/state.hpp"
+#include "base/state.hpp"
 #include "io/checkpoint/number_type.hpp"
 
 namespace perimpact::checkpoint {
@@ -25,7 +25,7 @@ class ArraysWriter {
   explicit ArraysWriter(const std::filesystem::path& path);
   ~ArraysWriter();
 
-  /// A visitor of state (fccda/core/state.hpp).
+  /// A visitor of state (base/state.hpp).
   template <class Values>
   void operator()(std::string_view name, Values&& values) {
     const auto numbers = fccda::numbers_in(values);

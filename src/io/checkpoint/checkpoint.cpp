@@ -5,12 +5,12 @@
 #include <fstream>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/checkpoint/arrays_writer.hpp"
 #include "io/deck/difference.hpp"
 #include "io/deck/named_files.hpp"
 #include "io/deck/setup_to_text.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/simulation/state_hash.hpp"
 
 namespace perimpact {

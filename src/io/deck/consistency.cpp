@@ -72,22 +72,22 @@ void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
            "normalise; remove normalisation.");
 }
 
-bool is_fitted(const RegionSetup& region) {
-  const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape);
-  return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsRegionSetup>(region.shape) ||
-         std::holds_alternative<AutoRegionSetup>(region.shape);
+bool is_fitted(const ContactBoundsSetup& region) {
+  const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape);
+  return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsBoundsSetup>(region.shape) ||
+         std::holds_alternative<AutoBoundsSetup>(region.shape);
 }
 
-void check_region(const RegionSetup& region, const std::string& path, const Places& places) {
-  if (region.outside.as<BeyondRegion>() == BeyondRegion::clip && std::holds_alternative<std::monostate>(region.shape))
+void check_region(const ContactBoundsSetup& region, const std::string& path, const Places& places) {
+  if (region.outside.as<BeyondBounds>() == BeyondBounds::clip && std::holds_alternative<std::monostate>(region.shape))
     refuse(places.of(path + ".outside"), "outside is clip, but there is no region that the surface could stick out of; give one, or remove outside.");
-  if (const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape)) {
+  if (const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape)) {
     for (const char* key : {"count", "gain"})
       if (!boxes->boxes.empty() && places.has(fmt::format("{}.box_union.{}", path, key)))
         refuse(places.of(fmt::format("{}.box_union.{}", path, key)),
                fmt::format("{} is given beside boxes, but only fitted boxes have it; remove one of the two.", key));
   }
-  const auto* sectors = std::get_if<CylinderSectorsRegionSetup>(&region.shape);
+  const auto* sectors = std::get_if<CylinderSectorsBoundsSetup>(&region.shape);
   if (!sectors) return;
   const std::string its = path + ".cylinder_sectors.";
   if (sectors->axis && *sectors->axis == fccda::Vec3d{})
@@ -127,10 +127,10 @@ void check_contact(Setup& setup, const Places& places) {
              fmt::format(
                  "friction is {}, but the published detector answers contact as the seed paper does, without friction; write friction: 0, or detector: swept.",
                  contact.friction));
-  } else if (contact.reading.as<Reading>() != Reading::repaired) {
+  } else if (contact.variant.as<PublishedVariant>() != PublishedVariant::corrected) {
     refuse(places.of(path + "reading"),
            fmt::format("reading is {}, but only the published detector reads the paper, and detector is {}; remove reading, or write detector: published.",
-                       contact.reading.word(), contact.detector.word()));
+                       contact.variant.word(), contact.detector.word()));
   }
   if (detector != DetectorKind::analytic) return;
   for (const ImpactorSetup& impactor : setup.impactors) {
@@ -170,7 +170,7 @@ void make_consistent(Setup& setup, const Places& places, const fs::path& folder)
   check_time(setup.time, places);
   check_names(setup, places);
   for (BodySetup& body : setup.bodies) check_body(body, folder, places);
-  for (BodySetup& body : setup.bodies) make_boundaries_consistent(body, folder, places);
+  for (BodySetup& body : setup.bodies) make_boundary_conditions_consistent(body, folder, places);
   check_relaxation(setup, places);
   for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
   for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 

@@ -44,7 +44,7 @@ void check(FixedSetup& fixed, const Context& context) {
   }
 }
 
-void check_course(CourseSetup& course, const std::string& path, const Context& context) {
+void check_displacement(DisplacementSetup& course, const std::string& path, const Context& context) {
   const Places& places = context.places;
   const std::pair<std::string_view, bool> forms[] = {
       {"velocity", course.velocity.has_value()},  {"displacement", course.displacement.has_value()}, {"times", !course.times.empty()},
@@ -66,7 +66,7 @@ void check(PrescribedSetup& prescribed, const Context& context) {
   if (!prescribed.x && !prescribed.y && !prescribed.z)
     refuse(context.places.of(context.path), fmt::format("{} leads the particles nowhere; give it x, y or z.", context.path));
   for (std::size_t axis = 0; axis < std::size(axis_words); ++axis)
-    if (auto& course = prescribed.of(axis)) check_course(*course, fmt::format("{}.{}", context.path, axis_words[axis]), context);
+    if (auto& course = prescribed.of(axis)) check_displacement(*course, fmt::format("{}.{}", context.path, axis_words[axis]), context);
   if (prescribed.z) context.refuse_along_z("z");
 }
 
@@ -93,8 +93,8 @@ void check(AbsorbingSetup& layer, const Context& context) { refuse_face_along_z(
 
 }  // namespace
 
-void make_boundaries_consistent(BodySetup& body, const std::filesystem::path& folder, const Places& places) {
-  for (BoundarySetup& boundary : body.boundaries)
+void make_boundary_conditions_consistent(BodySetup& body, const std::filesystem::path& folder, const Places& places) {
+  for (BoundaryConditionSetup& boundary : body.boundary_conditions)
     std::visit(
         [&]<class Kind>(Kind& kind) {
           check(kind, {body, fmt::format("bodies.{}.boundaries.{}.{}", body.name, boundary.name, Kind::name), folder, places});
@@ -112,7 +112,7 @@ void check_relaxation(const Setup& setup, const Places& places) {
     const std::string path = "bodies." + body.name;
     if (body.velocity != Vec3d{})
       refuse(places.of(path + ".velocity"), "velocity is not 0, but relax knows no motion, only states of equilibrium; remove one of the two.");
-    for (const BoundarySetup& boundary : body.boundaries)
+    for (const BoundaryConditionSetup& boundary : body.boundary_conditions)
       if (std::holds_alternative<AbsorbingSetup>(boundary.kind))
         refuse(places.of(fmt::format("{}.boundaries.{}.absorbing", path, boundary.name)),
                "absorbing takes waves away, but relax knows no motion; remove one of the two.");

@@ -4,13 +4,13 @@
 #include <filesystem>
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 
 /// Fills in the courses that are in files, of which relative paths start at `folder`. Throws InputError at the place of what contradicts
 /// something else.
-void make_boundaries_consistent(BodySetup& body, const std::filesystem::path& folder, const Places& places);
+void make_boundary_conditions_consistent(BodySetup& body, const std::filesystem::path& folder, const Places& places);
 
 /// What a set-up that relaxes cannot have.
 void check_relaxation(const Setup& setup, const Places& places);

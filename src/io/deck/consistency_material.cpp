@@ -7,7 +7,7 @@
 #include <string>
 
 #include "io/deck/yaml_node.hpp"
-#include "perimpact/material/ice.hpp"
+#include "perimpact/materials/ice/ice.hpp"
 
 namespace perimpact::deck {
 

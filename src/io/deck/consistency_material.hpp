@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 

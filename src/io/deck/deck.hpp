@@ -8,7 +8,7 @@
 
 #include "io/deck/places.hpp"
 #include "io/deck/yaml_node.hpp"
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 

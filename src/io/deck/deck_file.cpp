@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "fccda/surface/panels_in_memory.hpp"
 #include "io/deck/yaml_node.hpp"
+#include "mesh/panels_in_memory.hpp"
 
 namespace perimpact::deck {
 

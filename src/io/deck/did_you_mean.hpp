@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "fccda/core/nearest_word.hpp"
+#include "base/nearest_word.hpp"
 
 namespace perimpact::deck {
 

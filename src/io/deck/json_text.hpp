@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fccda/core/parameter.hpp"
+#include "base/parameter.hpp"
 
 namespace perimpact::deck {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/motion_table.hpp"
+#include "perimpact/deck_model/motion_table.hpp"
 
 namespace perimpact::deck {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact::deck {
 

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 
@@ -55,12 +55,12 @@ void sections(Walker& walk, BodySetup& body) {
   walk.named("regions", body.regions, Presence::optional, "The particles in a solid, under a name of your choice that boundaries and failure use.");
   walk.by_word("material", "model", body.material, "What the body is made of.");
   walk.section("failure", body.failure, Presence::optional, "Which bonds break, beside the critical stretch of the material.");
-  walk.named("boundaries", body.boundaries, Presence::optional,
+  walk.named("boundaries", body.boundary_conditions, Presence::optional,
              "What holds, moves, loads or damps some particles, under a name of your choice; its force and work become columns of history.csv.");
 }
 
 template <class Walker>
-void sections(Walker& walk, BoundarySetup& boundary) {
+void sections(Walker& walk, BoundaryConditionSetup& boundary) {
   walk.alternatives(boundary.kind);
 }
 
@@ -119,12 +119,12 @@ void sections(Walker& walk, MotionSetup& motion) {
 }
 
 template <class Walker>
-void sections(Walker& walk, RegionSetup& region) {
+void sections(Walker& walk, ContactBoundsSetup& region) {
   walk.alternatives(region.shape);
 }
 
 template <class Walker>
-void sections(Walker& walk, BoxUnionRegionSetup& region) {
+void sections(Walker& walk, BoxUnionBoundsSetup& region) {
   walk.named("boxes", region.boxes, Presence::optional, "Boxes as given, each under a name of your choice; instead of count and gain.");
 }
 

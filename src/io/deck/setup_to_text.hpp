@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 

@@ -12,8 +12,8 @@
 #include <mutex>
 #include <optional>
 
-#include "fccda/core/contract.hpp"
-#include "fccda/core/error.hpp"
+#include "base/contract.hpp"
+#include "base/error.hpp"
 #include "io/deck/trimmed.hpp"
 
 namespace perimpact::deck {

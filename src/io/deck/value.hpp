@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fccda/core/parameter.hpp"
+#include "base/parameter.hpp"
 #include "io/deck/yaml_node.hpp"
 
 namespace perimpact::deck {

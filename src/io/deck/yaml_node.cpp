@@ -10,7 +10,7 @@
 #include <optional>
 #include <sstream>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 
 namespace perimpact::deck {
 

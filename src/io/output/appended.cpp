@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <new>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "io/output/file.hpp"
 
 namespace perimpact::output {

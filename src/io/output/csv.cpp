@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace perimpact::output {
 

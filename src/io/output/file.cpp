@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 
 namespace perimpact::output {
 

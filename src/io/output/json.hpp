@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace perimpact::output {
 

@@ -38,13 +38,13 @@ class Series {
 };
 
 /// A frame of a series that is there.
-struct Picture {
+struct FrameFile {
   double time;  ///< [s]
   std::filesystem::path file;
 };
 
 /// Those that a list of Series names, in its order; of names that needed no escape, as those of bodies and impactors. Throws InputError where the file is no
 /// such list.
-std::vector<Picture> pictures_of(const std::filesystem::path& list);
+std::vector<FrameFile> frame_files_of(const std::filesystem::path& list);
 
 }  // namespace perimpact::output

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/output/file.hpp"
 
 namespace perimpact::output {
@@ -71,7 +71,7 @@ void prepare_folder(const fs::path& folder) {
 }
 
 ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std::move(folder)) {
-  for (const fs::path& each : {folder_, frames(), lines(), pressure_area(), pieces()}) prepare_folder(each);
+  for (const fs::path& each : {folder_, frames(), lines(), pressure_area(), fragments()}) prepare_folder(each);
   const auto remove_from = [earlier](const fs::path& from, const auto& is_ours) {
     std::vector<fs::path> files = our_files(from, is_ours);
     if (earlier == EarlierRun::continued)
@@ -86,7 +86,7 @@ ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std:
   remove_from(frames(), [&](std::string_view name) { return is_series(frames(), name); });
   remove_from(frames(), is_frame);
   remove_from(lines(), is_line);
-  for (const fs::path& tables : {pressure_area(), pieces()}) remove_from(tables, [](std::string_view name) { return name.ends_with(".csv"); });
+  for (const fs::path& tables : {pressure_area(), fragments()}) remove_from(tables, [](std::string_view name) { return name.ends_with(".csv"); });
 }
 
 fs::path ResultsFolder::line(std::string_view name, double time) const { return lines() / fmt::format("{}_t{}.csv", name, time); }

@@ -31,7 +31,7 @@ class ResultsFolder {
   std::filesystem::path frames() const { return frames_in(folder_); }
   std::filesystem::path lines() const { return folder_ / "lines"; }
   std::filesystem::path pressure_area() const { return pressure_area_in(folder_); }
-  std::filesystem::path pieces() const { return pieces_in(folder_); }
+  std::filesystem::path fragments() const { return fragments_in(folder_); }
   std::filesystem::path checkpoint() const { return checkpoint_in(folder_); }
   std::filesystem::path line(std::string_view name, double time) const;  ///< time in [s]
 
@@ -41,7 +41,7 @@ class ResultsFolder {
   static std::filesystem::path pressure_area_in(const std::filesystem::path& folder) { return folder / "pressure_area"; }
   static std::filesystem::path frames_in(const std::filesystem::path& folder) { return folder / "frames"; }
   static std::filesystem::path run_in(const std::filesystem::path& folder) { return folder / "run.json"; }
-  static std::filesystem::path pieces_in(const std::filesystem::path& folder) { return folder / "pieces"; }
+  static std::filesystem::path fragments_in(const std::filesystem::path& folder) { return folder / "pieces"; }
   static std::filesystem::path checkpoint_in(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
   static std::filesystem::path report_in(const std::filesystem::path& folder) { return folder / "report.html"; }
 

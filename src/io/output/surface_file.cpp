@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/output/file.hpp"
 
 namespace perimpact::output {

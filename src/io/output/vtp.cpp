@@ -7,7 +7,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 #include "io/output/appended.hpp"
 #include "io/output/file.hpp"
 #include "io/output/xml.hpp"

@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
-#include "fccda/surface/panels.hpp"
+#include "base/vec3.hpp"
+#include "mesh/panels.hpp"
 
 namespace perimpact::output {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 #include "io/report/packing.hpp"
 
 namespace perimpact::report {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 #include "io/output/json.hpp"
 #include "io/output/pvd.hpp"
 #include "io/report/packing.hpp"
@@ -27,18 +27,18 @@ struct Range {
 struct BodyFrames {
   std::string name;
   double spacing = 0;                      ///< [m]
-  std::vector<output::Picture> pictures;   ///< that can be read
+  std::vector<output::FrameFile> frames;   ///< that can be read
   std::vector<fccda::Vec3d> undeformed;    ///< [m] of all particles
   Range place[3], displacement[3], speed;  ///< over all pictures [m] [m] [m/s]
-  std::uint32_t highest_piece = 0;
-  bool has_pieces = false;
+  std::uint32_t highest_fragment = 0;
+  bool has_fragments = false;
   std::vector<bool> is_damaged;  ///< in the last picture
 };
 
 /// The panels of an impactor over the run.
 struct ImpactorFrames {
   std::string name;
-  std::vector<output::Picture> pictures;  ///< that can be read
+  std::vector<output::FrameFile> frames;  ///< that can be read
   std::vector<RigidMotion> motions;       ///< of each picture
   std::vector<fccda::Vec3d> vertices;     ///< [m] in the first picture
   std::vector<std::array<int, 4>> panels;

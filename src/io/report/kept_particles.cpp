@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace perimpact::report {
 

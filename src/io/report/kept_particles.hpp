@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact::report {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "fccda/core/contract.hpp"
-#include "fccda/core/error.hpp"
+#include "base/contract.hpp"
+#include "base/error.hpp"
 
 namespace perimpact::report {
 

@@ -8,8 +8,7 @@
 #include <numeric>
 #include <optional>
 
-#include "fccda/core/error.hpp"
-#include "fccda/surface/file/contents.hpp"
+#include "base/error.hpp"
 #include "io/deck/yaml_node.hpp"
 #include "io/output/file.hpp"
 #include "io/output/results_folder.hpp"
@@ -17,6 +16,7 @@
 #include "io/report/frames.hpp"
 #include "io/report/kept_particles.hpp"
 #include "io/report/page_template.hpp"
+#include "mesh_io/file/contents.hpp"
 
 namespace perimpact::report {
 
@@ -98,15 +98,15 @@ std::vector<double> evenly(const std::vector<double>& times, std::size_t count) 
 }
 
 /// Pictures first, then particles, until there are at most so many particles times pictures.
-Choice choose(const Frames& frames, double most, std::size_t fewest_pictures) {
+Choice choose(const Frames& frames, double most, std::size_t min_frames) {
   const std::vector<double> times = frames.times();
   std::size_t particles = 0;
   for (const BodyFrames& body : frames.bodies) particles += body.undeformed.size();
   const double fitting = particles == 0 ? static_cast<double>(times.size()) : most / static_cast<double>(particles);
-  const auto least = static_cast<double>(std::min(fewest_pictures, times.size()));
-  const double pictures = std::floor(std::clamp(fitting, least, static_cast<double>(times.size())));
+  const auto least = static_cast<double>(std::min(min_frames, times.size()));
+  const double frames = std::floor(std::clamp(fitting, least, static_cast<double>(times.size())));
 
-  Choice choice{.times = evenly(times, static_cast<std::size_t>(pictures)), .particles = {}};
+  Choice choice{.times = evenly(times, static_cast<std::size_t>(frames)), .particles = {}};
   const double share = std::min(1.0, fitting / std::max(1.0, static_cast<double>(choice.times.size())));
   for (const BodyFrames& body : frames.bodies) {
     if (share < 1) {
@@ -161,14 +161,14 @@ Report write_report(const fs::path& folder, const Limits& limits) {
     if (const double spacing = run.spacing_of(body.name); spacing > 0) body.spacing = spacing;
     report.particles_of_run += body.undeformed.size();
   }
-  report.pictures_of_run = frames.times().size();
+  report.frame_files_of_run = frames.times().size();
 
   // what no prediction tells beforehand is how well a run packs: as long as it is too much, that much less is taken
-  double most = static_cast<double>(limits.particle_pictures);
+  double most = static_cast<double>(limits.particle_frames);
   Choice choice;
   PackedFrames packed;
   for (int attempt = 0; attempt < 6; ++attempt) {
-    choice = choose(frames, most, limits.fewest_pictures);
+    choice = choose(frames, most, limits.min_frames);
     packed = pack_frames(frames, choice);
     if (packed.bytes <= limits.bytes || frames.bodies.empty()) break;
     const auto bytes = [](std::size_t count) { return static_cast<double>(count); };
@@ -176,11 +176,11 @@ Report write_report(const fs::path& folder, const Limits& limits) {
     const double room = std::max(bytes(limits.bytes) - bytes(packed.bytes - packed.bytes_of_bodies), 0.01 * bytes(limits.bytes));
     most = 0.95 * now * std::min(room / bytes(packed.bytes_of_bodies), 1.0);
   }
-  report.pictures = choice.times.size();
+  report.frames = choice.times.size();
   report.particles = particles_in(choice);
-  if (report.pictures < report.pictures_of_run)
+  if (report.frames < report.frame_files_of_run)
     report.notes.push_back(fmt::format("{} of {} pictures are shown, evenly chosen, so that the report stays below {:.3g} MB; all of them are in frames/.",
-                                       report.pictures, report.pictures_of_run, 1e-6 * static_cast<double>(limits.bytes)));
+                                       report.frames, report.frame_files_of_run, 1e-6 * static_cast<double>(limits.bytes)));
   if (report.particles < report.particles_of_run)
     report.notes.push_back(
         fmt::format("{} of {} particles are shown: those on the surface and those that are damaged at the end first, the others evenly thinned.",

@@ -12,16 +12,16 @@
 namespace perimpact::report {
 
 struct Limits {
-  std::size_t bytes = 25'000'000;              ///< of the data in the file
-  std::size_t particle_pictures = 20'000'000;  ///< particles times pictures: a browser keeps 11 bytes for each
-  std::size_t fewest_pictures = 40;            ///< before particles are thinned
-  std::size_t history_rows = 20'000;           ///< of curves
+  std::size_t bytes = 25'000'000;            ///< of the data in the file
+  std::size_t particle_frames = 20'000'000;  ///< particles times pictures: a browser keeps 11 bytes for each
+  std::size_t min_frames = 40;               ///< before particles are thinned
+  std::size_t history_rows = 20'000;         ///< of curves
 };
 
 struct Report {
   std::filesystem::path file;
-  std::size_t bytes = 0;                          ///< of the file
-  std::size_t pictures = 0, pictures_of_run = 0;  ///< shown and there: times at which there are some
+  std::size_t bytes = 0;                           ///< of the file
+  std::size_t frames = 0, frame_files_of_run = 0;  ///< shown and there: times at which there are some
   std::size_t particles = 0, particles_of_run = 0;
   std::vector<std::string> notes;  ///< sentences: what is missing, damaged or thinned
 };

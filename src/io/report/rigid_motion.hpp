@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact::report {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact {
 

@@ -11,7 +11,7 @@
 
 #include "io/output/csv.hpp"
 #include "io/output/results_folder.hpp"
-#include "perimpact/impact/impactor.hpp"
+#include "perimpact/impactor/impactor.hpp"
 
 namespace perimpact {
 

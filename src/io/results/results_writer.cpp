@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/output/file.hpp"
 #include "io/output/json.hpp"
 #include "io/output/vtp.hpp"
@@ -61,13 +61,13 @@ void expect_files(const Simulation& simulation, const std::filesystem::path& fol
   expect(output::ResultsFolder::history_in(folder), written.history);
   for (std::size_t i = 0; i < written.pressure_area.size(); ++i)
     if (written.pressure_area[i] > 0) expect(PressureArea::process_curve(folder, simulation.impactors()[i].name()), written.pressure_area[i]);
-  for (std::size_t b = 0; b < written.pieces.size(); ++b)
-    if (written.pieces[b] > 0) expect(PieceTable::table(folder, simulation.bodies()[b].name), written.pieces[b]);
+  for (std::size_t b = 0; b < written.fragments.size(); ++b)
+    if (written.fragments[b] > 0) expect(FragmentTable::table(folder, simulation.bodies()[b].name), written.fragments[b]);
 }
 
 }  // namespace
 
-void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Pieces* pieces) {
+void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Fragments* fragments) {
   const Particles& particles = body.particles;
   const auto position = of_particles(body, [&](std::uint32_t slot) { return particles.position.at(slot); });
   const auto displacement = of_particles(body, [&](std::uint32_t slot) { return particles.displacement(slot); });
@@ -77,7 +77,7 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
   std::vector<output::VtpArray> arrays = {{"displacement", 3, std::span<const float>(displacement)},
                                           {"velocity", 3, std::span<const float>(velocity)},
                                           {"damage", 1, std::span<const float>(damage)}};
-  if (pieces) arrays.push_back({"piece", 1, pieces->of_particles()});
+  if (fragments) arrays.push_back({"piece", 1, fragments->of_particles()});
   std::vector<std::int32_t> numbers;
   if (!particles.numbers().empty()) {
     for (const std::uint32_t slot : particles.slot_of()) numbers.push_back(static_cast<std::int32_t>(particles.numbers()[slot]));
@@ -90,9 +90,9 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
     : lines_(lines_of(simulation)),  // before the folder loses the results of an earlier run
       folder_(folder),
       history_(folder_.history(), headings_of(simulation.monitors().columns())),
-      panel_pictures_(simulation.impactors().size()),
+      panel_frames_(simulation.impactors().size()),
       pressure_area_(simulation.impactors().size()),
-      piece_tables_(simulation.bodies().size()),
+      fragment_tables_(simulation.bodies().size()),
       frames_wanted_(simulation.setup().output.frames) {
   for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name);
   for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name());
@@ -104,7 +104,7 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
     : lines_(lines_of(simulation)),
       folder_((expect_files(simulation, folder, written), folder), output::EarlierRun::continued),
       history_(folder_.history(), simulation.monitors().columns().size(), written.history),
-      panel_pictures_(std::move(written.panel_pictures)),
+      panel_frames_(std::move(written.panel_frames)),
       frames_wanted_(simulation.setup().output.frames),
       next_frame_(static_cast<int>(written.next_frame)),
       last_frame_step_(written.last_frame_step),
@@ -114,7 +114,7 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
   for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name(), std::move(*times++));
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
     pressure_area_.emplace_back(folder_, simulation.impactors()[i].name(), written.pressure_area[i]);
-  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) piece_tables_.emplace_back(folder_, simulation.bodies()[b].name, written.pieces[b]);
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) fragment_tables_.emplace_back(folder_, simulation.bodies()[b].name, written.fragments[b]);
   write_columns(folder_.history_columns(), simulation.monitors().columns());
   resumed_at_.push_back(simulation.clock().step);
 }
@@ -122,14 +122,14 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
 Written ResultsWriter::written() {
   history_.sync();
   for (PressureArea& curve : pressure_area_) curve.sync();
-  for (PieceTable& table : piece_tables_) table.sync();
-  for (const std::filesystem::path& folder : {folder_.frames(), folder_.lines(), folder_.pressure_area(), folder_.pieces()}) output::sync_folder(folder);
+  for (FragmentTable& table : fragment_tables_) table.sync();
+  for (const std::filesystem::path& folder : {folder_.frames(), folder_.lines(), folder_.pressure_area(), folder_.fragments()}) output::sync_folder(folder);
 
   Written written(body_series_.size(), impactor_series_.size());
   written.history = history_.size();
   for (std::size_t i = 0; i < pressure_area_.size(); ++i) written.pressure_area[i] = pressure_area_[i].size();
-  for (std::size_t b = 0; b < piece_tables_.size(); ++b) written.pieces[b] = piece_tables_[b].size();
-  written.panel_pictures = panel_pictures_;
+  for (std::size_t b = 0; b < fragment_tables_.size(); ++b) written.fragments[b] = fragment_tables_[b].size();
+  written.panel_frames = panel_frames_;
   auto times = written.frame_times.begin();
   for (const output::Series& series : body_series_) *times++ = series.times();
   for (const output::Series& series : impactor_series_) *times++ = series.times();
@@ -158,13 +158,13 @@ void ResultsWriter::write_frame(const Simulation& simulation) {
   const double time = simulation.clock().time();
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const Body& body = simulation.bodies()[b];
-    std::optional<Pieces> pieces;
-    if (body.failure) pieces.emplace(body.particles, body.family);
-    body_series_[b].add(time, [&](const std::filesystem::path& path) { write_particles(path, body, time, pieces ? &*pieces : nullptr); });
-    if (pieces) piece_tables_[b].after_frame(folder_, body.name, time, *pieces);
+    std::optional<Fragments> fragments;
+    if (body.failure) fragments.emplace(body.particles, body.family);
+    body_series_[b].add(time, [&](const std::filesystem::path& path) { write_particles(path, body, time, fragments ? &*fragments : nullptr); });
+    if (fragments) fragment_tables_[b].after_frame(folder_, body.name, time, *fragments);
   }
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
-    impactor_series_[i].add(time, [&](const std::filesystem::path& path) { panel_pictures_[i].write(path, simulation.impactors()[i], time); });
+    impactor_series_[i].add(time, [&](const std::filesystem::path& path) { panel_frames_[i].write(path, simulation.impactors()[i], time); });
   last_frame_step_ = simulation.clock().step;
   // where more frames are wanted than there are steps, one of this step stands for several
   while (next_frame_ <= frames_wanted_ && step_of_frame(next_frame_, simulation.clock()) <= last_frame_step_) ++next_frame_;
@@ -187,7 +187,7 @@ void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::s
   output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds, resumed_at_).text());
   for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].finish(folder_, simulation.impactors()[i]);
   for (const Body& body : simulation.bodies())
-    if (body.failure) write_last_pieces(folder_, body);
+    if (body.failure) write_last_fragments(folder_, body);
 }
 
 }  // namespace perimpact

@@ -9,9 +9,9 @@
 #include "io/output/csv.hpp"
 #include "io/output/pvd.hpp"
 #include "io/output/results_folder.hpp"
+#include "io/results/fragment_tables.hpp"
 #include "io/results/lines.hpp"
-#include "io/results/panel_pictures.hpp"
-#include "io/results/piece_tables.hpp"
+#include "io/results/panel_frames.hpp"
 #include "io/results/pressure_area.hpp"
 #include "io/results/written.hpp"
 #include "perimpact/simulation/simulation.hpp"
@@ -51,9 +51,9 @@ class ResultsWriter {
   output::ResultsFolder folder_;
   output::CsvWriter history_;
   std::vector<output::Series> body_series_, impactor_series_;
-  std::vector<PanelPictures> panel_pictures_;  // of each impactor
-  std::vector<PressureArea> pressure_area_;    // of each impactor
-  std::vector<PieceTable> piece_tables_;       // of each body
+  std::vector<PanelFrames> panel_frames_;       // of each impactor
+  std::vector<PressureArea> pressure_area_;     // of each impactor
+  std::vector<FragmentTable> fragment_tables_;  // of each body
   int frames_wanted_;
   int next_frame_ = 0;
   long last_frame_step_ = -1;
@@ -61,6 +61,6 @@ class ResultsWriter {
 };
 
 /// The particles of a body as ParaView shows them: displacement, velocity, damage and, where they are known, its pieces.
-void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Pieces* pieces = nullptr);
+void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Fragments* fragments = nullptr);
 
 }  // namespace perimpact

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "fccda/surface/surface.hpp"
 #include "io/output/json.hpp"
 #include "io/results/results_writer.hpp"
+#include "mesh/surface.hpp"
 
 namespace perimpact {
 

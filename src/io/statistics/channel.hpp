@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact {
 
@@ -29,7 +29,7 @@ struct ChannelColumn {
 
 /// `axis` along which the channel runs, 0 or 1: its width is measured along the other. `places` [m] of the undeformed particles with their
 /// numbers of pieces; `least_share` of the particles, of a piece that remains.
-std::vector<ChannelColumn> channel_columns(std::span<const Vec3d> places, std::span<const std::int32_t> pieces, double spacing, std::size_t axis,
+std::vector<ChannelColumn> channel_columns(std::span<const Vec3d> places, std::span<const std::int32_t> fragments, double spacing, std::size_t axis,
                                            double least_share);
 
 /// Over the columns from `low` to `high` [m] that have a channel.
@@ -44,15 +44,15 @@ struct ChannelWidths {
 ChannelWidths widths_of(std::span<const ChannelColumn> columns, double spacing, double low, double high);
 
 /// Where a results folder tells of a channel.
-struct ChannelPicture {
+struct ChannelFrame {
   std::filesystem::path file;  ///< the picture that was read
   double time;                 ///< [s]
   double spacing;              ///< [m]
   std::vector<Vec3d> places;   ///< [m] undeformed
-  std::vector<std::int32_t> pieces;
+  std::vector<std::int32_t> fragments;
 };
 
 /// The last picture of a body that is not after `latest` [s]. Throws InputError where the folder has none, or the body never breaks.
-ChannelPicture read_channel_picture(const std::filesystem::path& results, const std::string& body, std::optional<double> latest);
+ChannelFrame read_channel_frame(const std::filesystem::path& results, const std::string& body, std::optional<double> latest);
 
 }  // namespace perimpact

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace perimpact {
 
@@ -59,7 +59,7 @@ Spectrum welch(std::span<const double> values, double interval, std::size_t segm
   return spectrum;
 }
 
-std::size_t usual_segment(std::size_t values) {
+std::size_t default_segment(std::size_t values) {
   constexpr std::size_t least = 32;
   const std::size_t of_seven = std::bit_floor(values / 4);  // (7 + 1)/2 of them, end to end
   return std::min(std::max(of_seven, least), std::bit_floor(values));

@@ -34,6 +34,6 @@ Spectrum welch(std::span<const double> values, double interval, std::size_t segm
 
 /// The segment where none is asked for: the longest power of two of which seven fit with their overlap, but 32 values at least where there are as
 /// many. More segments make the density smoother, longer ones resolve finer frequencies.
-std::size_t usual_segment(std::size_t values);
+std::size_t default_segment(std::size_t values);
 
 }  // namespace perimpact

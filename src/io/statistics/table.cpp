@@ -6,11 +6,11 @@
 #include <charconv>
 #include <optional>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/nearest_word.hpp"
-#include "fccda/surface/file/contents.hpp"
+#include "base/error.hpp"
+#include "base/nearest_word.hpp"
 #include "io/deck/yaml_node.hpp"
 #include "io/output/results_folder.hpp"
+#include "mesh_io/file/contents.hpp"
 
 namespace perimpact {
 

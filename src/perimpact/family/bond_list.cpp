@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace perimpact {
 

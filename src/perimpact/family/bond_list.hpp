@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "fccda/core/aligned.hpp"
-#include "fccda/core/pack.hpp"
+#include "base/aligned.hpp"
+#include "base/pack.hpp"
+#include "perimpact/deck_model/setup.hpp"
 #include "perimpact/particles/particles.hpp"
-#include "perimpact/setup/setup.hpp"
 
 namespace perimpact {
 

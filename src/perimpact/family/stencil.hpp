@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "perimpact/deck_model/setup.hpp"
 #include "perimpact/particles/lattice.hpp"
-#include "perimpact/setup/setup.hpp"
 
 namespace perimpact {
 

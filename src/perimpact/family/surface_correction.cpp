@@ -5,7 +5,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace perimpact {
 

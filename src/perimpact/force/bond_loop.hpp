@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "fccda/core/pack.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/pack.hpp"
+#include "base/vec3.hpp"
 #include "perimpact/family/family.hpp"
 
 namespace perimpact {
@@ -64,7 +64,7 @@ class ListedBonds {
 
 /// One bond of each particle of a pack, as it is now.
 template <class Pack, class Bonds>
-struct BondNow {
+struct DeformedBond {
   std::size_t index;                                   ///< of the bond in the stencil, or of the first lane's entry in the list
   typename Bonds::template Neighbour<Pack> neighbour;  ///< neighbour.of(array): the neighbours' values
   unsigned intact;                                     ///< bit l: the bond of lane l exists
@@ -113,7 +113,7 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
     const std::size_t index = bonds.index(eight, row, first);
     const auto neighbour = bonds.template neighbour<Pack>(slot, index);
     const Vec3<Pack> between{neighbour.of(x[0]) - xi.x, neighbour.of(x[1]) - xi.y, neighbour.of(x[2]) - xi.z};
-    const Pack squared_length = fused(between.z, between.z, fused(between.y, between.y, between.x * between.x));
+    const Pack squared_length = fused_multiply_add(between.z, between.z, fused_multiply_add(between.y, between.y, between.x * between.x));
     if constexpr (Breaking::is_armed) {
       const unsigned broken = intact & breaking.bits(index, squared_length, strength, neighbour);
       if (broken) [[unlikely]] {
@@ -124,10 +124,10 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
         *breaking.beyond.broken += static_cast<std::size_t>(__builtin_popcount(broken));
         bytes[row] = static_cast<std::uint8_t>(bytes[row] & ~(broken << first));
         intact &= ~broken;
-        per_broken(BondNow<Pack, Bonds>{index, neighbour, broken, between, squared_length});
+        per_broken(DeformedBond<Pack, Bonds>{index, neighbour, broken, between, squared_length});
       }
     }
-    per_bond(BondNow<Pack, Bonds>{index, neighbour, intact, between, squared_length});
+    per_bond(DeformedBond<Pack, Bonds>{index, neighbour, intact, between, squared_length});
   }
 }
 

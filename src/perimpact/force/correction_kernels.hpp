@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "fccda/core/pack.hpp"
+#include "base/pack.hpp"
 #include "perimpact/family/surface_correction.hpp"
 
 namespace perimpact {
@@ -38,8 +38,8 @@ struct EnergyFactor {
   Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t bond, const Neighbour& j) const {
     const Vec3d& w = half_squares[bond];
     Pack factor = Pack(w.x) * (i.x + j.of(g[0]));
-    factor = fccda::fused(Pack(w.y), i.y + j.of(g[1]), factor);
-    factor = fccda::fused(Pack(w.z), i.z + j.of(g[2]), factor);
+    factor = fccda::fused_multiply_add(Pack(w.y), i.y + j.of(g[1]), factor);
+    factor = fccda::fused_multiply_add(Pack(w.z), i.z + j.of(g[2]), factor);
     return value * factor;
   }
 };

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "fccda/core/pack.hpp"
+#include "base/pack.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {

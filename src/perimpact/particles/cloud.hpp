@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact {
 

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "fccda/core/pack.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/pack.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact {
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <span>
 
-#include "fccda/core/aligned.hpp"
-#include "fccda/core/contract.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/aligned.hpp"
+#include "base/contract.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact {
 

@@ -11,11 +11,11 @@
 #include <numeric>
 #include <vector>
 
-#include "fccda/core/pack.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/pack.hpp"
+#include "base/parallel.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/family/stencil.hpp"
-#include "perimpact/material/correspondence.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/materials/correspondence/correspondence.hpp"
 
 namespace perimpact {
 

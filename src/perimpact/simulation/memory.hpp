@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "perimpact/setup/setup.hpp"
-#include "perimpact/solid/discretise.hpp"
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/discretisation/discretise.hpp"
 
 namespace perimpact {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact {
 
@@ -35,9 +35,9 @@ void expect_one_plane(std::span<const Body> bodies) {
 
 }  // namespace
 
-std::vector<TouchingBody> touching_bodies(const Setup& setup, std::span<Body> bodies) {
+std::vector<ContactingBody> contacting_bodies(const Setup& setup, std::span<Body> bodies) {
   const ShortRangeLaw law = law_of(setup.contact.fragments);
-  std::vector<TouchingBody> all;
+  std::vector<ContactingBody> all;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Body& body = bodies[b];
     const double thickness = body.particles.thickness().value_or(1);
@@ -49,7 +49,7 @@ std::vector<TouchingBody> touching_bodies(const Setup& setup, std::span<Body> bo
 std::optional<ShortRange> short_range_of(const Setup& setup, std::span<Body> bodies) {
   if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) return {};
   expect_one_plane(bodies);
-  return ShortRange(law_of(setup.contact.fragments), touching_bodies(setup, bodies));
+  return ShortRange(law_of(setup.contact.fragments), contacting_bodies(setup, bodies));
 }
 
 std::string warning_of_overlap(const ShortRange& fragments) {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "perimpact/force/short_range.hpp"
-#include "perimpact/setup/setup.hpp"
-#include "perimpact/simulation/body.hpp"
+#include "perimpact/body/body.hpp"
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/self_contact/short_range.hpp"
 
 namespace perimpact {
 
 /// `bodies`: made of setup.bodies, in that order.
-std::vector<TouchingBody> touching_bodies(const Setup& setup, std::span<Body> bodies);
+std::vector<ContactingBody> contacting_bodies(const Setup& setup, std::span<Body> bodies);
 
 /// Nothing where contact.fragments.law is none. Throws SetupError where bodies of two dimensions do not lie in one plane, or not all are.
 std::optional<ShortRange> short_range_of(const Setup& setup, std::span<Body> bodies);

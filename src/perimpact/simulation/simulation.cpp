@@ -6,15 +6,15 @@
 
 #include <fmt/format.h>
 
-#include "fccda/respond/together.hpp"
-#include "perimpact/impact/diagnosis.hpp"
-#include "perimpact/impact/rigid_body_of.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "fccda/respond/resolve_together.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/diagnostics/diagnosis.hpp"
+#include "perimpact/discretisation/particle_set.hpp"
+#include "perimpact/impactor/rigid_body_of.hpp"
+#include "perimpact/integrate/stable_step.hpp"
+#include "perimpact/integrate/stiffest_mode.hpp"
 #include "perimpact/simulation/short_range_of.hpp"
-#include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
-#include "perimpact/simulation/stiffest_mode.hpp"
-#include "perimpact/solid/region.hpp"
 
 namespace perimpact {
 
@@ -26,32 +26,32 @@ std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particl
   return bodies;
 }
 
-std::vector<Boundaries> make_boundaries(const Setup& setup, std::span<const Body> bodies, std::vector<GivenForce> own_forces) {
-  std::vector<Boundaries> boundaries;
+std::vector<BoundaryConditions> make_boundary_conditions(const Setup& setup, std::span<const Body> bodies, std::vector<UserForceOnBody> user_forces) {
+  std::vector<BoundaryConditions> boundary_conditions;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const BodySetup& body = setup.bodies[b];
     const Particles& particles = bodies[b].particles;
-    boundaries.emplace_back(body, elastic_of(body), particles,
-                            [&](const std::string& region, const std::string& key) { return slots_in(region, body, particles, key); });
+    boundary_conditions.emplace_back(body, elastic_of(body), particles,
+                                     [&](const std::string& region, const std::string& key) { return slots_in(region, body, particles, key); });
   }
-  for (GivenForce& given : own_forces) {
+  for (UserForceOnBody& given : user_forces) {
     if (setup.time.relax)
       throw SetupError("time.relax", fmt::format("own forces such as {} act on bodies that move, not on such as are relaxed; remove time.relax, or take "
                                                  "boundaries of the deck.",
                                                  given.name));
     const Body& body = bodies[given.body];  // stays where it is for as long as the simulation lives
-    boundaries[given.body].add({body.name + "." + given.name, "own_force",
-                                OwnForce(body.name + "." + given.name, body.particles,
-                                         [act = std::move(given.function), &body](double time, VectorArray& density) { act(time, body, density); })});
+    boundary_conditions[given.body].add({body.name + "." + given.name, "own_force",
+                                         UserForce(body.name + "." + given.name, body.particles,
+                                                   [act = std::move(given.function), &body](double time, VectorArray& density) { act(time, body, density); })});
   }
-  return boundaries;
+  return boundary_conditions;
 }
 
 constexpr double safety = 0.9;  // of the estimate, which is a bound for linear bodies at rest
 
 Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optional<ShortRange>& fragments, std::vector<std::string>& warnings) {
   Stability stability{0, std::numeric_limits<double>::infinity(), {}};
-  const std::vector<TouchingBody> touching = touching_bodies(setup, bodies);
+  const std::vector<ContactingBody> touching = contacting_bodies(setup, bodies);
   const auto bound = [&](std::size_t b) { return fragments ? fragments->bound(touching, b) : ShortRange::Bound{}; };
   for (std::size_t b = 0; b < bodies.size(); ++b) stability.estimate = std::min(stability.estimate, safe_stable_step(bodies[b], bound(b)));
   if (setup.time.relax) {
@@ -65,8 +65,8 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optio
   if (stability.step > setup.time.end)
     throw SetupError("time.step", fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; make it shorter, or leave it out.",
                                               stability.step, setup.time.end));
-  constexpr double most_steps = 1e15;  // are counted without rounding, and would take thirty years at a million a second
-  if (!(setup.time.end / stability.step <= most_steps))
+  constexpr double max_steps = 1e15;  // are counted without rounding, and would take thirty years at a million a second
+  if (!(setup.time.end / stability.step <= max_steps))
     throw SetupError("time.end", fmt::format("the run would take {:.3g} steps of {:.3g} s; end it earlier, or make the step longer.",
                                              setup.time.end / stability.step, stability.step));
   if (stability.step <= automatic * (1 + 1e-9)) return stability;
@@ -190,11 +190,11 @@ struct ImpactorOnBody {
   Impactor& impactor;
   std::size_t body;
 
-  std::span<const fccda::Contact> strike(StruckParticles& particles) { return impactor.strike(body, particles); }
-  std::span<const fccda::Contact> strike_again(StruckParticles& particles, std::span<const std::size_t> which) {
-    return impactor.strike_again(body, particles, which);
+  std::span<const fccda::Contact> resolve_impactor_contact(ContactParticles& particles) { return impactor.resolve_impactor_contact(body, particles); }
+  std::span<const fccda::Contact> resolve_contact_again(ContactParticles& particles, std::span<const std::size_t> which) {
+    return impactor.resolve_contact_again(body, particles, which);
   }
-  std::vector<std::size_t> still_inside(const StruckParticles& particles, std::span<const std::size_t> which) {
+  std::vector<std::size_t> still_inside(const ContactParticles& particles, std::span<const std::size_t> which) {
     return impactor.still_inside(body, particles, which);
   }
   void moved(std::size_t particle) { impactor.moved(body, particle); }
@@ -204,12 +204,12 @@ struct ImpactorOnBody {
 
 Simulation::Simulation(const Setup& setup) : Simulation(setup, Start(setup)) {}
 
-Simulation::Simulation(const Setup& setup, Start start, std::vector<GivenForce> own_forces)
+Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces)
     : setup_(setup),
-      inside_at_start_(std::move(start.inside)),
+      initial_penetrations_(std::move(start.inside)),
       filled_masses_(std::move(start.filled_masses)),
       bodies_(make_bodies(setup, std::move(start.particles))),
-      boundaries_(make_boundaries(setup, bodies_, std::move(own_forces))),
+      boundary_conditions_(make_boundary_conditions(setup, bodies_, std::move(user_forces))),
       fragments_(short_range_of(setup, bodies_)),
       stability_(find_step(setup, bodies_, fragments_, warnings_)),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
@@ -228,16 +228,16 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<GivenForce> 
   }
   warn_of_overlaps(setup, impactors_, warnings_);
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
-  for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));
+  for (std::string& warning : warnings_of(initial_penetrations_, setup_, bodies_)) warnings_.push_back(std::move(warning));
   warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
   if (!relaxation_) {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) boundaries_[b].place(bodies_[b].particles, 0, Held::Pace::moving);
-    pull();
-    touch();
-    apply_boundaries();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) boundary_conditions_[b].set_initial_state(bodies_[b].particles, 0, PrescribedDisplacement::Regime::moving);
+    compute_bond_forces();
+    add_short_range_forces();
+    apply_boundary_conditions();
     if (fragments_ && fragments_->touching() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
   }
-  watch();
+  sample_monitors();
 }
 
 void Simulation::step(const KeepRelaxing& keep_on) {
@@ -245,87 +245,87 @@ void Simulation::step(const KeepRelaxing& keep_on) {
   if (relaxation_) return relax(keep_on);
   timers_.timed("predict", [&] { advance_bodies(); });
   timers_.timed("contact", [&] {
-    strike();
+    resolve_impactor_contact();
     end_load_interval();
   });
-  timers_.timed("forces", [&] { pull(); });
-  if (fragments_) timers_.timed("fragments", [&] { touch(); });
-  timers_.timed("boundaries", [&] { apply_boundaries(); });
+  timers_.timed("forces", [&] { compute_bond_forces(); });
+  if (fragments_) timers_.timed("fragments", [&] { add_short_range_forces(); });
+  timers_.timed("boundaries", [&] { apply_boundary_conditions(); });
   timers_.timed("monitors", [&] {
-    if (monitors_.watches(clock_)) watch();
+    if (monitors_.samples_step(clock_)) sample_monitors();
   });
 }
 
 void Simulation::advance_bodies() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     advance(bodies_[b].particles, clock_.dt, travel_[b]);
-    boundaries_[b].lead(bodies_[b].particles, clock_.latest(), travel_[b]);
+    boundary_conditions_[b].impose_displacements(bodies_[b].particles, clock_.latest(), travel_[b]);
   }
 }
 
-void Simulation::strike() {
+void Simulation::resolve_impactor_contact() {
   for (Impactor& impactor : impactors_) impactor.advance(clock_.latest());
-  std::vector<StruckParticles> particles;
+  std::vector<ContactParticles> particles;
   for (std::size_t b = 0; b < bodies_.size(); ++b) particles.emplace_back(bodies_[b].particles, travel_[b], clock_.dt);
-  std::vector<std::vector<std::size_t>> pinched(bodies_.size());  // of each impactor
+  std::vector<std::vector<std::size_t>> unresolved(bodies_.size());  // of each impactor
   // Impactors move with what contact gives them (docs/theory/contact_response.md, "One velocity"), so that it takes passes.
   for (int pass = 1;; ++pass) {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) pinched[b] = strike_body(b, particles[b]);
-    if (pass == fccda::Coupling::most_passes || std::ranges::all_of(impactors_, &Impactor::moved_with_contact)) break;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) unresolved[b] = resolve_body(b, particles[b]);
+    if (pass == fccda::Coupling::max_passes || std::ranges::all_of(impactors_, &Impactor::moved_with_contact)) break;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
       particles[b].undo([&](std::size_t slot) {
         for (Impactor& impactor : impactors_) impactor.moved(b, slot);
       });
-    for (Impactor& impactor : impactors_) impactor.repeat_step(pass + 1 == fccda::Coupling::most_passes);
+    for (Impactor& impactor : impactors_) impactor.repeat_step(pass + 1 == fccda::Coupling::max_passes);
   }
   for (Impactor& impactor : impactors_) impactor.finish_step();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[b][i], clock_.time());
-    for (const std::uint32_t slot : boundaries_[b].lead_back(bodies_[b].particles, clock_.latest()))
+    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].record_unresolved(b, unresolved[b][i], clock_.time());
+    for (const std::uint32_t slot : boundary_conditions_[b].reimpose_after_contact(bodies_[b].particles, clock_.latest()))
       for (Impactor& impactor : impactors_) impactor.put_back(b, slot);
   }
 }
 
-std::vector<std::size_t> Simulation::strike_body(std::size_t body, StruckParticles& particles) {
-  std::vector<ImpactorOnBody> strikers;
-  for (Impactor& impactor : impactors_) strikers.push_back({impactor, body});
-  std::vector<std::size_t> pinched;
-  for (const std::vector<std::size_t>& points : fccda::strike_together(std::span(strikers), particles)) pinched.push_back(points.size());
-  return pinched;
+std::vector<std::size_t> Simulation::resolve_body(std::size_t body, ContactParticles& particles) {
+  std::vector<ImpactorOnBody> resolvers;
+  for (Impactor& impactor : impactors_) resolvers.push_back({impactor, body});
+  std::vector<std::size_t> unresolved;
+  for (const std::vector<std::size_t>& points : fccda::resolve_together(std::span(resolvers), particles)) unresolved.push_back(points.size());
+  return unresolved;
 }
 
-void Simulation::pull() {
+void Simulation::compute_bond_forces() {
   const double dt = clock_.step > 0 ? clock_.dt : 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    if (monitors_.watches(clock_))
+    if (monitors_.samples_step(clock_))
       monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family, dt);
     else
       body.internal.evaluate(body.particles, body.family, dt);
   }
 }
 
-void Simulation::touch() {
-  if (fragments_) fragments_->add_forces(touching_bodies(setup_, bodies_), clock_.step > 0 ? clock_.dt : 0);
+void Simulation::add_short_range_forces() {
+  if (fragments_) fragments_->add_forces(contacting_bodies(setup_, bodies_), clock_.step > 0 ? clock_.dt : 0);
 }
 
-void Simulation::apply_boundaries() {
+void Simulation::apply_boundary_conditions() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    boundaries_[b].look(body.particles, body.family, body.internal.broken_ends());
-    boundaries_[b].add_forces(body.particles, clock_.next());
+    boundary_conditions_[b].sample(body.particles, body.family, body.internal.broken_ends());
+    boundary_conditions_[b].add_forces(body.particles, clock_.next());
   }
 }
 
 void Simulation::relax(const KeepRelaxing& keep_on) {
   std::optional<std::vector<double>> energy;
-  timers_.timed("relax", [&] { energy = relaxation_->relax(bodies_, boundaries_, clock_.step, clock_.time(), keep_on); });
+  timers_.timed("relax", [&] { energy = relaxation_->relax(bodies_, boundary_conditions_, clock_.step, clock_.time(), keep_on); });
   if (!energy) {
     --clock_.step;
     return;
   }
   monitors_.elastic_energy() = std::move(*energy);
-  timers_.timed("monitors", [&] { watch(); });
+  timers_.timed("monitors", [&] { sample_monitors(); });
 }
 
 void Simulation::end_load_interval() {
@@ -334,12 +334,12 @@ void Simulation::end_load_interval() {
   for (Impactor& impactor : impactors_) impactor.end_load_interval(clock_.time(), static_cast<double>(load_steps_) * clock_.dt);
 }
 
-void Simulation::watch() {
+void Simulation::sample_monitors() {
   const double row_before = monitors_.row_time();
-  monitors_.watch({bodies_, boundaries_, impactors_, clock_, fragments_, relaxation_ ? &relaxation_->latest() : nullptr});
+  monitors_.sample_monitors({bodies_, boundary_conditions_, impactors_, clock_, fragments_, relaxation_ ? &relaxation_->latest() : nullptr});
   if (monitors_.is_due(clock_))
     for (Impactor& impactor : impactors_) impactor.end_history_interval(clock_.time(), clock_.time() - row_before);
-  if (monitors_.is_checked(clock_)) encounters_.look(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
+  if (monitors_.is_checked(clock_)) proximity_.sample(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
 }
 
 std::size_t Simulation::contacts() const {

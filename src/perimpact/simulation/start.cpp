@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "perimpact/impact/in_plane.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/impactor/in_plane.hpp"
 #include "perimpact/simulation/memory.hpp"
 
 namespace perimpact {
@@ -50,7 +50,7 @@ std::vector<Impactor> place(const Setup& setup, std::span<Particles> particles) 
 
 /// Slots of that body inside that impactor where they are now: nothing moves in a step of no duration.
 std::vector<std::size_t> inside_now(const Impactor& impactor, std::size_t body, Particles& particles) {
-  return impactor.starting_inside(body, StruckParticles(particles, {}, 0));
+  return impactor.initial_overlap(body, ContactParticles(particles, {}, 0));
 }
 
 template <class Visit>
@@ -93,7 +93,8 @@ void project(Start& start, const Setup& setup) {
       for (const std::size_t slot : slots) places.push_back(particles.position.at(slot));
       const std::vector<std::optional<Vec3d>> outside = start.impactors[i].nearest_outside(b, places);
       if (std::none_of(outside.begin(), outside.end(), [](const auto& place) { return place.has_value(); })) return;
-      auto entry = std::find_if(start.inside.begin(), start.inside.end(), [&](const InsideAtStart& known) { return known.impactor == i && known.body == b; });
+      auto entry =
+          std::find_if(start.inside.begin(), start.inside.end(), [&](const InitialPenetration& known) { return known.impactor == i && known.body == b; });
       if (entry == start.inside.end()) entry = start.inside.insert(entry, {i, b, {}});
       for (std::size_t k = 0; k < slots.size(); ++k) {
         if (!outside[k]) continue;
@@ -103,7 +104,7 @@ void project(Start& start, const Setup& setup) {
       std::sort(entry->slots.begin(), entry->slots.end());
       entry->slots.erase(std::unique(entry->slots.begin(), entry->slots.end()), entry->slots.end());
     });
-  for (InsideAtStart& entry : start.inside)
+  for (InitialPenetration& entry : start.inside)
     for (const std::size_t slot : entry.slots) entry.furthest = std::max(entry.furthest, norm(start.particles[entry.body].displacement(slot)));
   for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
     throw SetupError(
@@ -120,14 +121,14 @@ Start::Start(const Setup& setup) : Start(setup, discretised(setup)) {}
 
 Start::Start(const Setup& setup, std::span<const Discretisation> bodies)
     : particles(fill(setup, bodies)), filled_masses(masses_of(bodies, particles)), impactors(place(setup, particles)) {
-  switch (setup.contact.impactors.starting_inside.as<StartingInside>()) {
-    case StartingInside::error:
+  switch (setup.contact.impactors.initial_overlap.as<InitialOverlap>()) {
+    case InitialOverlap::error:
       refuse(*this, setup);
       break;
-    case StartingInside::remove:
+    case InitialOverlap::remove:
       remove(*this, setup);
       break;
-    case StartingInside::project:
+    case InitialOverlap::project:
       project(*this, setup);
       break;
   }
@@ -143,13 +144,13 @@ double largest_stretch(const Body& body, std::span<const std::size_t> slots) {
   return largest;
 }
 
-std::vector<std::string> warnings_of(std::span<const InsideAtStart> inside, const Setup& setup, std::span<const Body> bodies) {
+std::vector<std::string> warnings_of(std::span<const InitialPenetration> inside, const Setup& setup, std::span<const Body> bodies) {
   std::vector<std::string> warnings;
-  for (const InsideAtStart& entry : inside) {
+  for (const InitialPenetration& entry : inside) {
     const std::string where =
         fmt::format("Impactor {} starts inside body {}: {} particles that were inside its surface, or nearer to it than the contact radius,",
                     setup.impactors[entry.impactor].name, bodies[entry.body].name, entry.slots.size());
-    if (setup.contact.impactors.starting_inside.as<StartingInside>() == StartingInside::remove)
+    if (setup.contact.impactors.initial_overlap.as<InitialOverlap>() == InitialOverlap::remove)
       warnings.push_back(fmt::format("{} were removed. The body has a hole there.", where));
     else
       warnings.push_back(fmt::format(

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "perimpact/impact/impactor.hpp"
+#include "perimpact/body/body.hpp"
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/impactor/impactor.hpp"
 #include "perimpact/particles/particles.hpp"
-#include "perimpact/setup/setup.hpp"
-#include "perimpact/simulation/body.hpp"
 
 namespace perimpact {
 
 /// Particles of a body that were inside an impactor, or nearer to it than the contact radius, and were removed or put on its surface.
-struct InsideAtStart {
+struct InitialPenetration {
   std::size_t impactor, body;      ///< index
   std::vector<std::size_t> slots;  ///< ascending
   double furthest = 0;             ///< [m] that any of them was moved
@@ -33,7 +33,7 @@ struct Start {
   std::vector<Particles> particles;                      ///< of each body
   std::vector<std::optional<FilledMass>> filled_masses;  ///< of each body that fills a solid whose volume is known
   std::vector<Impactor> impactors;
-  std::vector<InsideAtStart> inside;
+  std::vector<InitialPenetration> inside;
 
   /// Throws SetupError: a set-up too large for the machine, impactors that cannot be made, particles inside where the deck refuses that or
   /// where there is no place for them.
@@ -47,6 +47,6 @@ struct Start {
 double largest_stretch(const Body& body, std::span<const std::size_t> slots);
 
 /// One sentence an entry: how many particles, which way they went, and what that did to their bonds.
-std::vector<std::string> warnings_of(std::span<const InsideAtStart> inside, const Setup& setup, std::span<const Body> bodies);
+std::vector<std::string> warnings_of(std::span<const InitialPenetration> inside, const Setup& setup, std::span<const Body> bodies);
 
 }  // namespace perimpact

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "fccda/core/state.hpp"
+#include "base/state.hpp"
 
 namespace perimpact {
 

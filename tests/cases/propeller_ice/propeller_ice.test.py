@@ -87,7 +87,7 @@ def regions(scene):
              "fan": "{cylinder_sectors: {}}", "union": "{box_union: {}}", "auto": "{auto: {}}"}
     hashes, looked_at = set(), {}
     for name, region in kinds.items():
-        scene.expect_success("run", CASE / "deck.yaml", "--out", name, *COARSE, "--set", f"impactors.propeller.region={region}")
+        scene.expect_success("run", CASE / "deck.yaml", "--out", name, *COARSE, "--set", f"impactors.propeller.contact_bounds={region}")
         report = scene.report(name)
         hashes.add(report["state_hash"])
         looked_at[name] = report["impactors"]["propeller"]["detection"]["ice"]["points_in_region"]
@@ -99,7 +99,7 @@ def regions(scene):
 
 @claim("propeller_ice: a propeller that nothing holds keeps the momentum of both to rounding while it turns and tumbles")
 def momentum(scene):
-    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", *COARSE, "--set", "impactors.propeller.free=[x, y, z, rx, ry, rz]")
+    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", *COARSE, "--set", "impactors.propeller.free_dofs=[x, y, z, rx, ry, rz]")
     column = scene.history("out")
     scene.assertLess(column["propeller.velocity_x [m/s]"][-1], -0.1)
     scene.assertGreater(column["propeller.angular_velocity_x [rad/s]"][-1], -18.8)

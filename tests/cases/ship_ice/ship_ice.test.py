@@ -17,12 +17,12 @@ def short(t, *settings, folder="r"):
         f"{sheet}.shape.box.size=[20 m, 36 m, 2 m]",
         f"{sheet}.position=[-10 m, 0, -0.7561 m]",
         f"{sheet}.spacing=0.66666666666667 m",
-        f"{sheet}.regions.far_end={{shape: {{box: {{size: [2.1 m, 36 m, 4 m]}}}}, position: [-8.95 m, 0, 0]}}",
-        f"{sheet}.regions.port={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, -16.95 m, 0]}}",
-        f"{sheet}.regions.starboard={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, 16.95 m, 0]}}",
-        "impactors.ship.surface.hull.bow_panel=3 m",
+        f"{sheet}.particle_sets.far_end={{shape: {{box: {{size: [2.1 m, 36 m, 4 m]}}}}, position: [-8.95 m, 0, 0]}}",
+        f"{sheet}.particle_sets.port={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, -16.95 m, 0]}}",
+        f"{sheet}.particle_sets.starboard={{shape: {{box: {{size: [17.9 m, 2.1 m, 4 m]}}}}, position: [1.05 m, 16.95 m, 0]}}",
+        "impactors.ship.surface.hull.bow_edge_length=3 m",
         "time={end: 1 s, step: 0.23 ms}",
-        "output={frames: 2, history: 0.02 s}",
+        "output={frames: 2, history_interval: 0.02 s}",
     ]
     words = [word for setting in [*fixed, *settings] for word in ("--set", setting)]
     t.expect_success("run", CASE / "deck.yaml", "--out", folder, *words)

@@ -30,7 +30,7 @@ TEST_CASE("nearest outside: points inside every body end at the contact radius f
         points.x0.push_back(pose.to_world(place));
       }
       points.x1 = points.x0;
-      CHECK(detector.starting_inside(points, pose).size() == inside.size());
+      CHECK(detector.initial_overlap(points, pose).size() == inside.size());
       const auto places = detector.nearest_outside(points.x0, pose);
       for (std::size_t k = 0; k < inside.size(); ++k) {
         REQUIRE(places[k].has_value());
@@ -42,7 +42,7 @@ TEST_CASE("nearest outside: points inside every body end at the contact radius f
         if (body.name != std::string("hull") && body.name != std::string("torus")) CHECK(way <= least + 1e-9);  // convex: one projection is enough
         points.x0[k] = *places[k];
       }
-      CHECK(detector.starting_inside(points, pose).empty());
+      CHECK(detector.initial_overlap(points, pose).empty());
     }
   }
 }

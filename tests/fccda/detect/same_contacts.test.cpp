@@ -3,8 +3,8 @@
 
 #include <cstring>
 
+#include "fccda/contact_bounds/scenes.hpp"
 #include "fccda/detect/scene.hpp"
-#include "fccda/region/scenes.hpp"
 
 using namespace fccda;
 
@@ -17,7 +17,7 @@ bool same_bits(const Contact& a, const Contact& b) {
 }
 
 /// All contacts of a propeller that turns and goes ahead through a cloud of points at rest.
-std::vector<Contact> contacts_of(const std::shared_ptr<const Surface>& surface, const Region& region, double radius) {
+std::vector<Contact> contacts_of(const std::shared_ptr<const Surface>& surface, const ContactBounds& region, double radius) {
   Swept detector(surface, region, radius);
   const Vec3d axis = normalised(Vec3d{0.3, -0.2, 1});
   const double turn = 0.04, advance = 0.004;

@@ -7,13 +7,13 @@
 #include <random>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/swept.hpp"
-#include "fccda/shapes/box.hpp"
-#include "fccda/shapes/cylinder.hpp"
-#include "fccda/shapes/sphere.hpp"
+#include "fccda/rigid_body/pose.hpp"
 #include "fixtures/surfaces.hpp"
+#include "mesh/shapes/box.hpp"
+#include "mesh/shapes/cylinder.hpp"
+#include "mesh/shapes/sphere.hpp"
 
 namespace fixtures {
 

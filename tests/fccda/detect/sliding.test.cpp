@@ -1,11 +1,11 @@
 // What friction does to points beside other panels, and points in places so narrow that there is hardly any room.
 #include <doctest/doctest.h>
 
+#include "fccda/api/contact_detector.hpp"
+#include "fccda/api/respond_arrays.hpp"
 #include "fccda/detect/half_spaces.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/evidence/truth.hpp"
-#include "fccda/plain/contact_detector.hpp"
-#include "fccda/plain/respond_arrays.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -20,7 +20,7 @@ Surface valley(double width, double height) {
   p.vertices = {{-width, -1, height}, {0, -1, 0}, {0, 1, 0}, {-width, 1, height}, {width, -1, height}, {width, 1, height}};
   p.add_quad(0, 1, 2, 3);
   p.add_quad(1, 4, 5, 2);
-  return Surface(p, {.outside = OutsideIs::normals});
+  return Surface(p, {.outside = Orientation::normals});
 }
 
 struct Fall {
@@ -151,7 +151,7 @@ TEST_CASE("sliding: friction never takes more than Coulomb allows and never spee
     for (const Contact& contact : fixtures::detect(detector, points, motion)) {
       const Path& path = shots.paths[contact.point];
       const Vec3d velocity = path.end - path.start;  // dt is 1
-      const Struck smooth = struck(contact, path.start, velocity, motion, 0), rough = struck(contact, path.start, velocity, motion, friction);
+      const Resolved smooth = resolved(contact, path.start, velocity, motion, 0), rough = resolved(contact, path.start, velocity, motion, friction);
       const Vec3d change = rough.velocity - smooth.velocity;
       CHECK(norm(change) <= friction * std::max(0.0, dot(smooth.velocity - velocity, contact.normal)) * (1 + 1e-12));
       CHECK(norm(rough.velocity) <= norm(smooth.velocity) * (1 + 1e-12));

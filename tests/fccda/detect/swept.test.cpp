@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "fccda/body/rigid_body.hpp"
 #include "fccda/detect/scene.hpp"
+#include "fccda/rigid_body/rigid_body.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -14,7 +14,7 @@ using fixtures::detect;
 
 namespace {
 
-std::vector<bool> struck(const std::vector<Contact>& contacts, std::size_t points) {
+std::vector<bool> resolved(const std::vector<Contact>& contacts, std::size_t points) {
   std::vector<bool> is(points, false);
   for (const Contact& contact : contacts) is[contact.point] = true;
   return is;
@@ -34,7 +34,7 @@ TEST_CASE("swept: every true crossing is found and none invented, on every body,
       for (const Pose& pose : fixtures::orientations()) {
         Swept detector(surface, Unbounded{}, r);
         const std::vector<Contact> contacts = detect(detector, fixtures::points_on(shots.paths, {pose, pose, 1}), {pose, pose, 1});
-        const std::vector<bool> found = struck(contacts, shots.paths.size());
+        const std::vector<bool> found = resolved(contacts, shots.paths.size());
         CHECK(found == shots.touches);  // exact: no tolerance
         true_contacts += contacts.size();
       }
@@ -195,7 +195,7 @@ std::vector<Contact> debris_run(Swept& detector, double radius_of_surface, int s
     points.v.push_back((i % 64 == 0 ? 20 : 0.5) * fixtures::random_direction(random));
   }
   points.x0 = points.x1;
-  for (const std::size_t i : detector.starting_inside(points, Pose())) points.x1[i] = points.x1[i] + Vec3d{3, 0, 0};
+  for (const std::size_t i : detector.initial_overlap(points, Pose())) points.x1[i] = points.x1[i] + Vec3d{3, 0, 0};
   RigidBody body({.mass = 1, .centre_of_mass = {}, .inertia = Mat3::identity()}, Pose(), {0.2, -0.1, 0}, {0, 0.3, 2}, {});
   std::vector<Contact> all;
   const double dt = 0.002;

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "fccda/body/rigid_body.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/detect/swept.hpp"
+#include "fccda/rigid_body/rigid_body.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -26,15 +26,15 @@ double signed_distance(const Vec3d& point) {
   return norm(max(out, Vec3d{})) + std::min(0.0, std::max({out.x, out.y, out.z}));
 }
 
-struct Course {
+struct DisplacementHistory {
   double nearest = 1e300;  // signed distance over the step
   double first = 2;        // share of the step when it is first nearer than r
 };
 
 /// The way of a point in ten thousand tiny steps of exact rotation.
-Course course(const Motion& motion, const Vec3d& spin, const Vec3d& x0, const Vec3d& x1, double r) {
+DisplacementHistory course(const Motion& motion, const Vec3d& spin, const Vec3d& x0, const Vec3d& x1, double r) {
   constexpr int tiny = 10'000;
-  Course result;
+  DisplacementHistory result;
   for (int k = 0; k <= tiny; ++k) {
     const double s = static_cast<double>(k) / tiny;
     const Vec3d com = motion.t0.position() + s * (motion.t1.position() - motion.t0.position());  // the centre of mass is the origin
@@ -66,13 +66,13 @@ TEST_CASE("swept, turning: a thin paddle strikes just what ten thousand tiny ste
                      {0.03, -0.02, 0.01}, spin, {});
       const Motion motion = body.advance(1);
       fixtures::TestPoints points;
-      std::vector<Course> truth;
+      std::vector<DisplacementHistory> truth;
       while (points.size() < 150) {
         // about the places that the paddle sweeps
         const Vec3d place = fixtures::random_in_box(random, {0.05, -0.05, -0.2}, {1.2, 0.05 + 1.2 * angle, 0.2});
         const Vec3d x0 = motion.t0.to_world(place), x1 = x0 + 0.1 * angle * fixtures::random_direction(random);
         if (signed_distance(place) < r + 1e-4) continue;
-        const Course its = course(motion, spin, x0, x1, r);
+        const DisplacementHistory its = course(motion, spin, x0, x1, r);
         // Undecided: between tiny steps the paddle's tip moves on by 1.1 · 0.5/10 000.
         if (std::fabs(its.nearest - r) < 6e-5) continue;
         points.x0.push_back(x0), points.x1.push_back(x1);
@@ -82,7 +82,7 @@ TEST_CASE("swept, turning: a thin paddle strikes just what ten thousand tiny ste
       const std::vector<Contact> contacts = detect(detector, points, motion, body.travel_bound(motion, radius));
       std::vector<bool> found(points.size(), false), expected;
       for (const Contact& contact : contacts) found[contact.point] = true;
-      for (const Course& its : truth) expected.push_back(its.nearest < r);
+      for (const DisplacementHistory& its : truth) expected.push_back(its.nearest < r);
       CHECK(found == expected);
       CHECK(contacts.size() > 10);  // the scene is not empty
       for (const Contact& contact : contacts) {

@@ -143,14 +143,14 @@ TEST_CASE("swept, overlapping parts: a hundred thousand paths along the fillets 
   const std::vector<Contact> contacts = detect(detector, fixtures::points_on(paths));
   std::vector<const Contact*> of(paths.size(), nullptr);
   for (const Contact& contact : contacts) of[contact.point] = &contact;
-  std::size_t struck = 0, missed = 0, left_inside = 0;
+  std::size_t resolved = 0, missed = 0, left_inside = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (of[i] == nullptr)
       missed += assembly.inside(paths[i].end);
     else
-      left_inside += assembly.inside(of[i]->relocation), ++struck;
+      left_inside += assembly.inside(of[i]->relocation), ++resolved;
   }
-  CHECK(struck > 20'000);
+  CHECK(resolved > 20'000);
   CHECK(missed == 0);
   CHECK(left_inside == 0);
 }
@@ -187,7 +187,7 @@ TEST_CASE("swept, overlapping parts: inside is inside any of them, however deep 
       if (assembly.inside(place)) expected.push_back(points.size());
       points.x0.push_back(place);
     }
-    CHECK(Swept(assembly.surface, Unbounded{}, 0).starting_inside(points, Pose()) == expected);
+    CHECK(Swept(assembly.surface, Unbounded{}, 0).initial_overlap(points, Pose()) == expected);
     CHECK(expected.size() > 300);
   }
 }
@@ -219,7 +219,7 @@ TEST_CASE("swept, overlapping parts: the hollow of one part is outside unless an
   fixtures::TestPoints points;
   points.x0 = {{0.1, 0, 0}, {0.3, 0, 0}, {0, 0, 0}, {0, 0, 0.4}, {0, 0, 0.8}, {0.1, 0.1, 0.19}};
   points.x1 = points.x0;
-  CHECK(detector.starting_inside(points, Pose()) == std::vector<std::size_t>{1, 2, 3, 4});
+  CHECK(detector.initial_overlap(points, Pose()) == std::vector<std::size_t>{1, 2, 3, 4});
 }
 
 TEST_CASE("swept, overlapping parts: which triangles may be buried is told, and a single part pays nothing") {

@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "fccda/body/rigid_body.hpp"
 #include "fccda/evidence/shapes.hpp"
 #include "fccda/evidence/truth.hpp"
+#include "fccda/rigid_body/rigid_body.hpp"
 
 using namespace evidence;
 

@@ -43,8 +43,9 @@ struct Frame {
 
 enum class Answer { contact, none, undecided };
 
-struct Striker {
-  Striker(const Panels& panels, double radius) : surface(fixtures::surface_of(panels)), truth(*surface), detector(surface, Unbounded{}, radius), r(radius) {
+struct ContactResolver {
+  ContactResolver(const Panels& panels, double radius)
+      : surface(fixtures::surface_of(panels)), truth(*surface), detector(surface, Unbounded{}, radius), r(radius) {
     const Vec3d extent = surface->report().bounds.size();
     offset = 1e-12 * std::max({extent.x, extent.y, extent.z});
     reach = surface->radius_about({});
@@ -113,23 +114,23 @@ void play(std::uint64_t seed, Count& count) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> unit(0, 1);
   const double r = random() % 2 == 0 ? 0 : 0.05 * unit(random);
-  std::vector<Striker> strikers;
+  std::vector<ContactResolver> resolvers;
   const std::size_t bodies = 1 + random() % 3;
   const double turns = random() % 2 == 0 ? 0 : 0.1;  // [rad] a step at most
   for (std::size_t b = 0; b < bodies; ++b) {
     const double scale = 0.4 + 1.2 * unit(random);
     const Vec3d off = 0.5 * fixtures::random_direction(random);
-    strikers.emplace_back(fixtures::moved(any_shape(random), [&](const Vec3d& p) { return scale * p + off; }), r);
-    strikers[b].advance(Vec3d{0.8 * static_cast<double>(b), 0, 0} + 0.3 * fixtures::random_direction(random), 3 * fixtures::random_direction(random));
+    resolvers.emplace_back(fixtures::moved(any_shape(random), [&](const Vec3d& p) { return scale * p + off; }), r);
+    resolvers[b].advance(Vec3d{0.8 * static_cast<double>(b), 0, 0} + 0.3 * fixtures::random_direction(random), 3 * fixtures::random_direction(random));
   }
   fixtures::TestPoints points;
   points.block = 8;
   while (points.x1.size() < 48) {
     // near one of the bodies, going about anywhere with a liking for the body
-    const Striker& aim = strikers[random() % bodies];
+    const ContactResolver& aim = resolvers[random() % bodies];
     const auto& t = aim.truth.soup().triangles[random() % aim.truth.soup().triangles.size()];
     const Vec3d place = aim.now.there(t[random() % 3] + 0.5 * unit(random) * fixtures::random_direction(random));
-    if (std::any_of(strikers.begin(), strikers.end(), [&](const Striker& s) { return s.signed_distance(s.now.seen(place)) < r + 1e-6; })) continue;
+    if (std::any_of(resolvers.begin(), resolvers.end(), [&](const ContactResolver& s) { return s.signed_distance(s.now.seen(place)) < r + 1e-6; })) continue;
     points.x1.push_back(place);
     const Vec3d heading = fixtures::random_direction(random) + 0.5 * normalised(aim.now.place - place);
     points.v.push_back((random() % 100 == 0 ? 0.8 : 0.08) * unit(random) * heading);
@@ -139,11 +140,11 @@ void play(std::uint64_t seed, Count& count) {
     for (std::size_t i = 0; i < points.size(); ++i) points.x1[i] += points.v[i];
     const double pace = unit(random);  // bodies hurry and slow down
     for (std::size_t b = 0; b < bodies; ++b) {
-      Striker& striker = strikers[b];
-      striker.advance(0.08 * pace * fixtures::random_direction(random), turns * pace * fixtures::random_direction(random));
+      ContactResolver& resolver = resolvers[b];
+      resolver.advance(0.08 * pace * fixtures::random_direction(random), turns * pace * fixtures::random_direction(random));
       std::vector<Answer> truth;
-      for (std::size_t i = 0; i < points.size(); ++i) truth.push_back(striker.judge(points.x0[i], points.x1[i]));
-      const std::vector<Contact> contacts = fixtures::detect(striker.detector, points, striker.motion, travel_bound(striker.motion, {}, striker.reach));
+      for (std::size_t i = 0; i < points.size(); ++i) truth.push_back(resolver.judge(points.x0[i], points.x1[i]));
+      const std::vector<Contact> contacts = fixtures::detect(resolver.detector, points, resolver.motion, travel_bound(resolver.motion, {}, resolver.reach));
       std::vector<bool> found(points.size(), false);
       for (const Contact& contact : contacts) found[contact.point] = true;
       for (std::size_t i = 0; i < points.size(); ++i) {
@@ -159,19 +160,19 @@ void play(std::uint64_t seed, Count& count) {
       }
       for (const Contact& contact : contacts) {
         const std::size_t i = contact.point;
-        const double place = striker.signed_distance(striker.now.seen(contact.relocation)), end = striker.signed_distance(striker.now.seen(points.x1[i]));
+        const double place = resolver.signed_distance(resolver.now.seen(contact.relocation)), end = resolver.signed_distance(resolver.now.seen(points.x1[i]));
         count.relocated_inside += place < r;
         // where the path ended too near, the point is put back at the contact radius; what fell back to the place of first touch is
         // further off by what advancement leaves
-        count.too_far += end < r && place > r + 2 * striker.offset + 1e-6;
+        count.too_far += end < r && place > r + 2 * resolver.offset + 1e-6;
         points.v[i] += contact.relocation - points.x1[i];
         points.x1[i] = contact.relocation;
         for (std::size_t other = 0; other < bodies; ++other)
-          if (other != b) strikers[other].detector.moved(i);
+          if (other != b) resolvers[other].detector.moved(i);
       }
     }
   }
-  for (const Striker& striker : strikers) count.asked += striker.detector.effort().points_asked;
+  for (const ContactResolver& resolver : resolvers) count.asked += resolver.detector.effort().points_asked;
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 
 #include <algorithm>
 
+#include "fccda/api/contact_detector.hpp"
+#include "fccda/api/respond_arrays.hpp"
 #include "fccda/evidence/shapes.hpp"
 #include "fccda/evidence/truth.hpp"
-#include "fccda/plain/contact_detector.hpp"
-#include "fccda/plain/respond_arrays.hpp"
 
 namespace evidence {
 
@@ -231,7 +231,7 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
   std::uniform_real_distribution<double> unit(0, 1);
   const SlidingScene scene = scene_of(kind, random);
   const double r = random() % 2 == 0 ? 0 : std::pow(10.0, -1 - 3 * unit(random)), friction = random() % 4 == 0 ? 0 : unit(random);
-  const Surface surface(scene.panels, {.outside = scene.open ? OutsideIs::normals : OutsideIs::undeclared});
+  const Surface surface(scene.panels, {.outside = scene.open ? Orientation::normals : Orientation::undeclared});
   const fixtures::Soup soup(surface);
   ContactDetector detector(surface, {.radius = r});
   const Vec3d extent = surface.report().bounds.size();
@@ -289,7 +289,7 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (!followed[i]) continue;
       const Vec3d place = body.pose().to_body(x[i]);
-      const auto complain = [&](std::size_t& count) {
+      const auto print_error = [&](std::size_t& count) {
         ++count;
         if (lost.first_seed == 0) lost.first_seed = seed;
       };
@@ -312,7 +312,7 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
                  ((of[i] || step % 10 == 9) && soup.inside(place));
       }
       if (behind) {
-        complain(lost.behind);
+        print_error(lost.behind);
         followed[i] = false;
         continue;
       }
@@ -322,7 +322,7 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
       const double gap = (scene.open ? height(place) : soup.distance(place)) - r;
       if (!held[i] || gap >= 0.25 * offset) continue;
       lost.nearest = std::min(lost.nearest, gap);
-      complain(lost.too_near);
+      print_error(lost.too_near);
     }
   }
   return lost;

@@ -36,7 +36,7 @@ class Swarm {
 
   /// Adds the contacts of the step to what `report(contact, impulse on the body)` hears.
   template <class Report>
-  Tally step(const Report& report) {
+  ContactSum step(const Report& report) {
     Vec3d drawn{};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3d change = setup_.dt * pull * normalised(body.position_of_com() - points.x1[i]);
@@ -49,7 +49,7 @@ class Swarm {
     for (std::size_t i = 0; i < points.size(); ++i) points.x1[i] += setup_.dt * points.v[i];
     return respond(points, fixtures::detect(detector, points, motion, body.travel_bound(motion, reach_)), motion, body, setup_.friction, report);
   }
-  Tally step() {
+  ContactSum step() {
     return step([](const Contact&, const Vec3d&) {});
   }
 

@@ -49,7 +49,8 @@ Vec3d momentum(const fixtures::TestPoints& points) {
 
 /// The contact phase of a step. Returns the passes it took.
 template <class Detector>
-int strike(Detector& detector, RigidBody& body, fixtures::TestPoints& points, double dt, double radius, double friction, std::vector<Contact>& contacts) {
+int resolve_contact(Detector& detector, RigidBody& body, fixtures::TestPoints& points, double dt, double radius, double friction,
+                    std::vector<Contact>& contacts) {
   const fixtures::TestPoints before = points;
   Coupling coupling(body);
   Motion motion = coupling.advance(body, dt);
@@ -60,10 +61,10 @@ int strike(Detector& detector, RigidBody& body, fixtures::TestPoints& points, do
       detector.detect(points, motion, travel, contacts);
     else
       detector.redetect(points, motion, travel, coupling.correction(), contacts);
-    strike_points(points, contacts, motion, body.position_of_com(), friction, [&](const Contact& contact, const Vec3d& impulse) {
+    resolve_points(points, contacts, motion, body.position_of_com(), friction, [&](const Contact& contact, const Vec3d& impulse) {
       coupling.add(contact, points.m[contact.point], points.x1[contact.point], impulse, friction);
     });
-    if (coupling.agrees(radius) || pass == Coupling::most_passes) {
+    if (coupling.agrees(radius) || pass == Coupling::max_passes) {
       coupling.finish(body);
       return pass;
     }
@@ -90,7 +91,7 @@ std::vector<Scene> scenes() {
           if (tray.vertices[static_cast<std::size_t>(panel[k])].z < 0.25 - 1e-9) return false;
         return true;
       });
-      scenes.push_back({"tray", Surface(tray, {.outside = OutsideIs::normals}), radius, friction});
+      scenes.push_back({"tray", Surface(tray, {.outside = Orientation::normals}), radius, friction});
     }
   return scenes;
 }
@@ -117,7 +118,7 @@ TEST_CASE("coupling: a step detected again with another motion finds to the bit 
       fixtures::TestPoints before = points;
       const Pose start = body.pose();
       std::vector<Contact> contacts, expected;
-      repeated += strike(detector, body, points, 2e-3, 0.6, scene.friction, contacts) > 1;
+      repeated += resolve_contact(detector, body, points, 2e-3, 0.6, scene.friction, contacts) > 1;
       const Motion motion{start, body.pose(), 2e-3, body.properties().centre_of_mass};
       all.forget();
       all.detect(before, motion, body.travel_bound(motion, 0.6), expected);
@@ -149,21 +150,21 @@ TEST_CASE("coupling: a body goes the way of the velocity that it has after conta
         const RigidBody start = body;
         const Vec3d before = momentum(points) + body.momentum();
         std::vector<Contact> contacts;
-        const int passes = strike(detector, body, points, 2e-3, 0.6, scene.friction, contacts);
+        const int passes = resolve_contact(detector, body, points, 2e-3, 0.6, scene.friction, contacts);
         repeated += passes > 1;
         // roundings of as many impulses, each a difference of places of order one over the step
         REQUIRE(norm(momentum(points) + body.momentum() - before) < 1e-12);
-        if (passes == Coupling::most_passes) continue;
+        if (passes == Coupling::max_passes) continue;
         ++converged;
         const Vec3d amiss = body.position_of_com() - start.position_of_com() - 2e-3 * body.velocity();
         // what ends the passes, with the turn of the body as far as 0.6 m, and rounding; explicit coupling is amiss by all of it
         REQUIRE(norm(amiss) <
                 2e-3 * 1e-6 * (norm(body.velocity() - start.velocity()) + 0.6 * norm(body.angular_velocity() - start.angular_velocity())) + 1e-11);
         if (scene.friction > 0) continue;
-        std::vector<std::size_t> struck;
-        for (const Contact& contact : contacts) struck.push_back(contact.point);
+        std::vector<std::size_t> resolved;
+        for (const Contact& contact : contacts) resolved.push_back(contact.point);
         const Motion motion{start.pose(), body.pose(), 2e-3, body.properties().centre_of_mass};
-        REQUIRE(detector.still_inside(points, motion, struck).empty());
+        REQUIRE(detector.still_inside(points, motion, resolved).empty());
       }
       CHECK(repeated > 50);
       CHECK(converged >= (scene.friction > 0 ? 140 : 145));  // points that stick and slide by turns may not settle within the passes
@@ -188,7 +189,7 @@ TEST_CASE("coupling: a plate that rests against a spring of points bounces back 
         points.v[i].z -= dt * spring * points.x1[i].z / points.m[i];
         points.x1[i] += dt * points.v[i];
       }
-      strike(detector, body, points, dt, 0.8, 0, contacts);
+      resolve_contact(detector, body, points, dt, 0.8, 0, contacts);
     }
     return body.velocity().z / together - 1;
   };

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/respond/respond.hpp"
 #include "fixtures/tolerance.hpp"
@@ -47,10 +47,10 @@ struct Shower {
       const Motion motion = body.advance(dt);
       points.x0 = points.x1;
       for (std::size_t i = 0; i < points.size(); ++i) points.x1[i] += dt * points.v[i];
-      const Tally tally = respond(points, detect(detector, points, motion, body.travel_bound(motion, radius)), motion, body, 0.3,
-                                  [&](const Contact& contact, const Vec3d& given) {
-                                    for (Gauge& gauge : gauges) gauge.add(contact, points.position_t1(contact.point), given, motion);
-                                  });
+      const ContactSum tally = respond(points, detect(detector, points, motion, body.travel_bound(motion, radius)), motion, body, 0.3,
+                                       [&](const Contact& contact, const Vec3d& given) {
+                                         for (Gauge& gauge : gauges) gauge.add(contact, points.position_t1(contact.point), given, motion);
+                                       });
       impulse += tally.impulse, angular_impulse += tally.angular_impulse_about_com, contacts += tally.contacts;
     }
   }

@@ -62,7 +62,7 @@ Drift drift(double dt, double time, double friction) {
   for (double t = 0; t < time - 0.5 * dt; t += dt) {
     const Motion motion = body.advance(dt);
     predict(points, dt);
-    const Tally tally = respond(points, detect(detector, points, motion, body.travel_bound(motion, radius)), motion, body, friction);
+    const ContactSum tally = respond(points, detect(detector, points, motion, body.travel_bound(motion, radius)), motion, body, friction);
     result.contacts += tally.contacts;
     exchanged += norm(tally.impulse), turned += norm(tally.angular_impulse_about_com);
   }
@@ -96,7 +96,7 @@ TEST_CASE("respond: a frictionless sphere gets no torque; friction gives it one"
     for (int step = 0; step < 100; ++step) {
       const Motion motion = body.advance(2e-3);
       predict(points, 2e-3);
-      const Tally tally = respond(points, detect(detector, points, motion), motion, body, friction);
+      const ContactSum tally = respond(points, detect(detector, points, motion), motion, body, friction);
       turned += norm(tally.angular_impulse_about_com), pushed += norm(tally.impulse);
     }
     CHECK(pushed > 100);
@@ -121,7 +121,7 @@ TEST_CASE("respond: one point stops at the wall; its impulse is m v and friction
     Swept detector(wall, Unbounded{}, 0);
     const Motion motion = body.advance(dt);
     Vec3d reported;
-    const Tally tally =
+    const ContactSum tally =
         respond(points, detect(detector, points, motion), motion, body, friction, [&](const Contact&, const Vec3d& impulse) { reported += impulse; });
     CHECK(reported == tally.impulse);
     const double slowed = std::min(friction * 2, slip);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/file_size_limit.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/checkpoint/arrays_reader.hpp"

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <functional>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/checkpoint/arrays_writer.hpp"
 #include "io/checkpoint/checkpoints.hpp"
 #include "io/deck/deck.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 using namespace perimpact;
 
@@ -30,8 +30,8 @@ impactors:
     mass: 1
     position: [0, 36 mm, 0]
     velocity: [0, -200, 0]
-    free: [y]
-output: {frames: 3, history: 2 us, checkpoint_every: 0}
+    free_dofs: [y]
+output: {frames: 3, history_interval: 2 us, checkpoint_interval: 0}
 )";
 
 /// A box of 2 · 16 mm in y that reaches that far in x; wound outward.
@@ -147,7 +147,7 @@ TEST_CASE("checkpoint: one of another deck is refused with the first key that di
   CHECK(scene.complaint(scene.setup({"bodies.plate.horizon_ratio=4"}), &key).find("is 4 here, but 3.015 in the run") != std::string::npos);
   CHECK(scene.complaint(scene.setup({"output.probes.tip={body: plate, at: [0, 0, 0]}"}), &key).find("but not given in the run") != std::string::npos);
   CHECK(key == "output.probes.tip");
-  CHECK(scene.complaint(scene.setup({"output.folder=elsewhere", "output.checkpoint_every=7 s"})).empty());
+  CHECK(scene.complaint(scene.setup({"output.folder=elsewhere", "output.checkpoint_interval=7 s"})).empty());
 }
 
 TEST_CASE("checkpoint: a surface file that says something else now is seen, and one that lies elsewhere is not") {
@@ -187,7 +187,7 @@ TEST_CASE("checkpoint: tables that hold less than they did are refused before an
 TEST_CASE("checkpoint: one is written when its time has come, and with interval 0 only when asked for") {
   const Scene scene;
   for (const char* every : {"0", "1 h", "1e-9 s"}) {
-    Simulation simulation(scene.setup({std::string("output.checkpoint_every=") + every}));
+    Simulation simulation(scene.setup({std::string("output.checkpoint_interval=") + every}));
     Checkpoints checkpoints(scene.file, simulation);
     ResultsWriter writer(simulation, scene.results);
     simulation.step();

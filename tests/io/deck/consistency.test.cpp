@@ -104,24 +104,24 @@ TEST_CASE("consistency: the step is not longer than the run") {
 }
 
 TEST_CASE("consistency: free holds degrees of freedom, each once") {
-  check_complaint(
-      {"free: [y]", "free: [y, rotation]", "[y, rotation]", "free holds \"rotation\", which is no degree of freedom; known are x, y, z, rx, ry, rz."});
-  check_complaint({"free: [y]", "free: [y, y]", "[y, y]", "free holds y twice; keep one."});
-  CHECK(read(plate_with("free: [y]", "free: [x, y, z, rx, ry, rz]")).setup.impactors[0].free.size() == 6);
-  CHECK(read(plate_with("free: [y]", "free: []")).setup.impactors[0].free.empty());
+  check_complaint({"free_dofs: [y]", "free_dofs: [y, rotation]", "[y, rotation]",
+                   "free holds \"rotation\", which is no degree of freedom; known are x, y, z, rx, ry, rz."});
+  check_complaint({"free_dofs: [y]", "free_dofs: [y, y]", "[y, y]", "free holds y twice; keep one."});
+  CHECK(read(plate_with("free_dofs: [y]", "free_dofs: [x, y, z, rx, ry, rz]")).setup.impactors[0].free.size() == 6);
+  CHECK(read(plate_with("free_dofs: [y]", "free_dofs: []")).setup.impactors[0].free.empty());
 }
 
 TEST_CASE("consistency: the published detector sees points, without friction") {
   CHECK(read(plate_with("detector: swept, friction: 0, radius_ratio: 0.5", "detector: published")).setup.contact.impactors.radius_ratio == 0);
   CHECK(read(plate_with("detector: swept, friction: 0, radius_ratio: 0.5", "detector: swept")).setup.contact.impactors.radius_ratio == 0.5);
-  CHECK(read(plate_with("detector: swept, friction: 0, radius_ratio: 0.5", "detector: published, reading: letter")).setup.contact.impactors.reading.word() ==
+  CHECK(read(plate_with("detector: swept, friction: 0, radius_ratio: 0.5", "detector: published, variant: literal")).setup.contact.impactors.variant.word() ==
         "letter");
   check_complaint({"detector: swept", "detector: published", "0.5}      #",
                    "radius_ratio is 0.5, but the published detector knows particles as points; write radius_ratio: 0, or detector: swept."});
   check_complaint(
       {"detector: swept, friction: 0, radius_ratio: 0.5", "detector: published, friction: 0.3", "0.3",
        "friction is 0.3, but the published detector answers contact as the seed paper does, without friction; write friction: 0, or detector: swept."});
-  check_complaint({"detector: swept", "detector: swept, reading: letter", "letter",
+  check_complaint({"detector: swept", "detector: swept, variant: literal", "letter",
                    "reading is letter, but only the published detector reads the paper, and detector is swept; remove reading, or write detector: published."});
 }
 
@@ -139,16 +139,16 @@ TEST_CASE("consistency: how fragments touch is said only where they do") {
 TEST_CASE("consistency: the analytic detector knows cylinders and spheres") {
   CHECK(complaint(plate_with("swept", "analytic")) == "");
   std::string text = plate_with("swept", "analytic");
-  const std::string cylinder = "{cylinder: {diameter: 0.05, height: 0.025, axis: z, panel: 0.001}}";
-  text.replace(text.find(cylinder), cylinder.size(), "{box: {size: [1, 1, 1], panel: 0.1}}");
+  const std::string cylinder = "{cylinder: {diameter: 0.05, height: 0.025, axis: z, edge_length: 0.001}}";
+  text.replace(text.find(cylinder), cylinder.size(), "{box: {size: [1, 1, 1], edge_length: 0.1}}");
   CHECK(complaint(text) ==
         place_of(text, "analytic") +
             ": detector is analytic, which knows cylinders and spheres only, but the surface of cylinder is another; write detector: swept.");
 }
 
 TEST_CASE("consistency: a surface file is looked for from the deck's folder and must exist") {
-  const std::string cylinder = "{cylinder: {diameter: 0.05, height: 0.025, axis: z, panel: 0.001}}";
-  const std::string text = plate_with(cylinder, "{file: hull.stl, scale: 0.001, outside: normals}");
+  const std::string cylinder = "{cylinder: {diameter: 0.05, height: 0.025, axis: z, edge_length: 0.001}}";
+  const std::string text = plate_with(cylinder, "{file: hull.stl, scale: 0.001, orientation: normals}");
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "perimpact deck test";
   std::filesystem::create_directories(folder);
   const std::filesystem::path hull = folder / "hull.stl";
@@ -169,18 +169,18 @@ TEST_CASE("consistency: a surface file is looked for from the deck's folder and 
 }
 
 TEST_CASE("consistency: boxes of a region are given or fitted, sectors make sense, and the analytic detector takes no fitted region") {
-  const auto region = [](std::string_view text) { return plate_with("{box: {size: [0.05, 0.05, 0.01]}, outside: clip}", text); };
+  const auto region = [](std::string_view text) { return plate_with("{box: {size: [0.05, 0.05, 0.01]}, on_exceed: clip}", text); };
   const std::string boxes = "boxes: {low: {size: [0.05, 0.05, 0.01], centre: [0, 0, -0.005]}, high: {size: [0.05, 0.05, 0.01]}}";
   for (const std::string& fine :
        {"{box_union: {" + boxes + "}}", std::string("{box_union: {count: 8}}"), std::string("{box_union: {gain: 2 %}}"),
-        std::string("{box_union: {count: 8, gain: 0.02}, outside: clip}"), std::string("{box_union: {}}"), std::string("{cylinder_sectors: {}}"),
+        std::string("{box_union: {count: 8, gain: 0.02}, on_exceed: clip}"), std::string("{box_union: {}}"), std::string("{cylinder_sectors: {}}"),
         std::string("{cylinder_sectors: {sector_angle: 30 deg, start_angle: -15 deg, blades: 4}}"), std::string("{auto: {}}"),
-        std::string("{auto: {}, outside: clip}")}) {
+        std::string("{auto: {}, on_exceed: clip}")}) {
     CAPTURE(fine);
     CHECK(complaint(region(fine)) == "");
   }
   const Setup setup = read(region("{box_union: {" + boxes + "}}")).setup;
-  const auto& given = std::get<BoxUnionRegionSetup>(setup.impactors[0].region.shape).boxes;
+  const auto& given = std::get<BoxUnionBoundsSetup>(setup.impactors[0].region.shape).boxes;
   REQUIRE(given.size() == 2);
   CHECK(given[0].name == "low");
   CHECK(given[0].centre == Vec3d{0, 0, -0.005});

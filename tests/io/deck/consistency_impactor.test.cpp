@@ -54,7 +54,7 @@ TEST_CASE("consistency of impactors: a table has times, with velocities or displ
 TEST_CASE("consistency of impactors: tables move what is held and has no other velocity") {
   check_refused("motion: {y: {times: [0], velocities: [1]}}", "y: {times",
                 "y is free, so contact and loads move it, and no table can; take y out of free, or remove its motion.");
-  const std::string text = plate_with("free: [y]", "motion: {y: {times: [0], velocities: [1]}}");
+  const std::string text = plate_with("free_dofs: [y]", "motion: {y: {times: [0], velocities: [1]}}");
   CHECK(complaint(text) == place_of(text, "[0, -32, 0]") + ": y of velocity is not 0, but motion.y says how it moves; write 0, or remove that motion.");
   check_refused("angular_velocity: [0, 0, 3]\n    motion: {rz: {times: [0], velocities: [1]}}", "[0, 0, 3]",
                 "z of angular_velocity is not 0, but motion.rz says how it moves; write 0, or remove that motion.");
@@ -69,7 +69,7 @@ TEST_CASE("consistency of impactors: an angle against time needs the only turnin
   };
   check_refused("motion: {" + rz + ", rx: {times: [0], velocities: [1]}}", "[0, 2]", sentence("motion.rx turns it about another axis"));
   check_refused("angular_velocity: [0, 3, 0]\n    motion: {" + rz + "}", "[0, 2]", sentence("angular_velocity turns it about y too"));
-  const std::string text = plate_with("free: [y]", "free: [rx]\n    motion: {" + rz + "}");
+  const std::string text = plate_with("free_dofs: [y]", "free_dofs: [rx]\n    motion: {" + rz + "}");
   CHECK(complaint(text) == place_of(text, "[0, 2]}") + ": " + sentence("rx is free"));
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("consistency of impactors: loads have a force or a moment, and factors
 }
 
 TEST_CASE("consistency of impactors: gauges have a direction for their axis, and parts only where there are panels") {
-  const std::string gauge = "gauges: {root: {parts: [side], point: [0, 1, 0], axis: [0, 0, 2]}}";
+  const std::string gauge = "gauges: {root: {surface_parts: [side], point: [0, 1, 0], axis: [0, 0, 2]}}";
   CHECK(read(with(gauge)).setup.impactors[0].gauges[0].parts == std::vector<std::string>{"side"});
   check_refused("gauges: {root: {axis: [0, 0, 0]}}", "[0, 0, 0]", "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
   std::string text = with(gauge);
@@ -138,8 +138,8 @@ TEST_CASE("consistency of impactors: a file holds a table of motion with its uni
 
 TEST_CASE("consistency of impactors: panels are made smaller and larger as the deck says, with units") {
   const ImpactorSetup impactor =
-      read(with("coarsen: {distance: 1 mm}\n    refine: {rim: {panel: 0.5 mm, box: {size: [1, 2, 3], centre: [0, 1 cm, 0]}, part: side}, "
-                "round: {panel: 2 mm, angle: 10 deg}}"))
+      read(with("coarsen: {max_deviation: 1 mm}\n    refine: {rim: {edge_length: 0.5 mm, box: {size: [1, 2, 3], centre: [0, 1 cm, 0]}, part: side}, "
+                "round: {edge_length: 2 mm, angle: 10 deg}}"))
           .setup.impactors[0];
   CHECK(impactor.coarsen->distance == 1e-3);
   CHECK(!impactor.coarsen->panel);
@@ -155,7 +155,7 @@ TEST_CASE("consistency of impactors: panels are made smaller and larger as the d
 
 TEST_CASE("consistency of impactors: an angle of panels is less than half a turn, and written with its unit") {
   check_refused(
-      "refine: {round: {panel: 1 mm, angle: 10}}", "10}}",
+      "refine: {round: {edge_length: 1 mm, angle: 10}}", "10}}",
       "angle is 10, but it must be above 0 and below 3.141592653589793. An angle such as 10 deg: only where the surface curves, panels become so small "
       "that they turn by it at most, but not smaller than panel; at creases they are that small. Where absent, curved or not.");
 }
@@ -168,6 +168,6 @@ TEST_CASE("consistency of impactors: panels are changed only where the detector 
     CHECK(complaint(deck) ==
           place_of(deck, key + ":") + ": " + key + " is given, but the analytic detector knows no panels; remove " + key + ", or write detector: swept.");
   };
-  check("refine", "{rim: {panel: 1 mm}}");
+  check("refine", "{rim: {edge_length: 1 mm}}");
   check("coarsen", "{distance: 1 mm}");
 }

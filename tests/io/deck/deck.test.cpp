@@ -37,7 +37,7 @@ TEST_CASE("deck: the example of the guide reads into the Setup it describes") {
   CHECK(cylinder.velocity == Vec3d{0, -32, 0});
   CHECK(cylinder.free == std::vector<std::string>{"y"});
   CHECK(std::get<BoxRegionSetup>(cylinder.region.shape).size == Vec3d{0.05, 0.05, 0.01});
-  CHECK(cylinder.region.outside.as<BeyondRegion>() == BeyondRegion::clip);
+  CHECK(cylinder.region.outside.as<BeyondBounds>() == BeyondBounds::clip);
 
   CHECK(setup.contact.impactors.detector.as<DetectorKind>() == DetectorKind::swept);
   CHECK(setup.contact.impactors.radius_ratio == 0.5);
@@ -81,8 +81,8 @@ TEST_CASE("places: a value knows where it was written, an absent one where its m
   CHECK(places.of("bodies.plate.material.density") == fixtures::place_of(fixtures::plate, "8000"));
   CHECK(places.of("bodies.plate") == fixtures::place_of(fixtures::plate, "plate:"));
   CHECK(places.of("bodies.plate.position") == places.of("bodies.plate"));
-  CHECK(places.of("impactors.cylinder.surface.cylinder.panels") == fixtures::place_of(fixtures::plate, "cylinder: {diameter"));
-  CHECK(places.of("impactors.cylinder.region") == fixtures::place_of(fixtures::plate, "region:"));
+  CHECK(places.of("impactors.cylinder.surface.cylinder.panel_shape") == fixtures::place_of(fixtures::plate, "cylinder: {diameter"));
+  CHECK(places.of("impactors.cylinder.contact_bounds") == fixtures::place_of(fixtures::plate, "region:"));
   CHECK(places.of("output.probes.centre.at") == fixtures::place_of(fixtures::plate, "[0,0,0]"));
   CHECK(places.of("nowhere") == "deck.yaml");
   CHECK(places.has("time.step"));

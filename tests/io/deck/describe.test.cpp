@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/deck/reference.hpp"
 
 using perimpact::deck::describe;
@@ -49,7 +49,7 @@ TEST_CASE("describe: a map is told with all below it") {
         "        Number of states of equilibrium, evenly spread to the end of the run. At each, courses and loads are as at its time.\n"
         "    tolerance: number, above 0 and below 1, default 1e-06\n"
         "        An increment is done when the forces that are out of balance are less than this share of the applied ones and those that hold.\n"
-        "    most_iterations: whole number, from 1 to 1000000000, default 100000\n"
+        "    max_iterations: whole number, from 1 to 1000000000, default 100000\n"
         "        An increment that takes more iterations ends the run.\n");
   CHECK(describe("impactors").starts_with("impactors: map, optional\n  <name>: map\n"));  // not contact.impactors
   CHECK(describe("bodies.plate") == describe("bodies.<name>"));

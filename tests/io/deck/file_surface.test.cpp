@@ -19,7 +19,7 @@ const fixtures::TemporaryFolder& folder() {
 /// The plate deck with a surface from the file hull.stl, which is there.
 std::string with(const std::string& keys) {
   std::ofstream(folder() / "hull.stl") << "solid\n";
-  return fixtures::plate_with("{cylinder: {diameter: 0.05, height: 0.025, axis: z, panel: 0.001}}",
+  return fixtures::plate_with("{cylinder: {diameter: 0.05, height: 0.025, axis: z, edge_length: 0.001}}",
                               "{file: hull.stl" + (keys.empty() ? "" : ", " + keys) + "}");
 }
 
@@ -49,8 +49,8 @@ TEST_CASE("file surface: nothing is changed where the deck says nothing") {
 }
 
 TEST_CASE("file surface: parts, planes, angles and lengths are read, with their units") {
-  const FileSurface surface =
-      surface_of("parts: [stem, \"shell 1\"], scale: 0.001, mirror: x, complete: z, rotate: [90 deg, 0, -0.5], translate: [1 mm, 2, 3 cm], outside: reversed");
+  const FileSurface surface = surface_of(
+      "parts: [stem, \"shell 1\"], scale: 0.001, mirror: x, mirror_merge: z, rotate: [90 deg, 0, -0.5], translate: [1 mm, 2, 3 cm], orientation: reversed");
   CHECK(surface.parts == std::vector<std::string>{"stem", "shell 1"});
   CHECK(surface.scale == 0.001);
   CHECK((surface.mirror.word() == "x" && surface.complete.word() == "z" && surface.outside.word() == "reversed"));
@@ -78,6 +78,6 @@ TEST_CASE("file surface: whole turns either way are angles") {
 }
 
 TEST_CASE("file surface: keys of files do not go with generated shapes, and shapes not with files") {
-  const std::string text = fixtures::plate_with("axis: z, panel: 0.001}}", "axis: z, panel: 0.001}, complete: y}");
+  const std::string text = fixtures::plate_with("axis: z, edge_length: 0.001}}", "axis: z, edge_length: 0.001}, mirror_merge: y}");
   CHECK(fixtures::complaint(text).starts_with(place_of(text, "complete") + ": complete "));
 }

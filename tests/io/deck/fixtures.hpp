@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/deck/deck.hpp"
 
 namespace fixtures {
@@ -23,16 +23,16 @@ bodies:
     material: {model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000}
 impactors:
   cylinder:
-    surface: {cylinder: {diameter: 0.05, height: 0.025, axis: z, panel: 0.001}}   # or {file: hull.stl, scale: 0.001}
+    surface: {cylinder: {diameter: 0.05, height: 0.025, axis: z, edge_length: 0.001}}   # or {file: hull.stl, scale: 0.001}
     mass: 1.57
     position: [0, 0.075, 0]        # of the surface's origin; history gives the centre of mass
     velocity: [0, -32, 0]
-    free: [y]                      # the other degrees of freedom are held
-    region: {box: {size: [0.05, 0.05, 0.01]}, outside: clip}
+    free_dofs: [y]                      # the other degrees of freedom are held
+    contact_bounds: {box: {size: [0.05, 0.05, 0.01]}, on_exceed: clip}
 contact:
   impactors: {detector: swept, friction: 0, radius_ratio: 0.5}      # in spacings, the default (∛V/2 for point clouds); 0 as in the paper
   fragments: {law: none}
-output: {folder: results, frames: 40, history: 1 us, probes: {centre: {body: plate, at: [0,0,0]}}}
+output: {folder: results, frames: 40, history_interval: 1 us, probes: {centre: {body: plate, at: [0,0,0]}}}
 )";
 
 /// The plate deck with the first `old_text` replaced.

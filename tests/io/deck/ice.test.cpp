@@ -21,7 +21,7 @@ ElasticSetup read(const std::string& material) { return fixtures::read(with_mate
 
 TEST_CASE("ice: temperature and salinity give modulus and flexural strength") {
   const ElasticSetup ice = read("{model: bond-based, density: 910, ice: {temperature: -5, salinity: 5}}");
-  // the values of tests/perimpact/material/ice.test.cpp
+  // the values of tests/perimpact/materials/ice/ice.test.cpp
   CHECK(*ice.youngs_modulus == fixtures::relative(7.18024e9, 1e-5));
   CHECK(*ice.flexural_strength == fixtures::relative(0.46137e6, 1e-4));
   CHECK_FALSE(ice.layers);

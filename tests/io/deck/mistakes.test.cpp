@@ -71,7 +71,7 @@ TEST_CASE("mistakes: a value of another type") {
       {"[0, -32, 0]", "-32", "-32",
        "velocity is -32, but three numbers are needed: [x, y, z]. Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."});
   check_complaint({"[0, -32, 0]", "[0, fast, 0]", "fast", "y of velocity is fast, but that is not a number; write a velocity, for example 32 m/s."});
-  check_complaint({"free: [y]", "free: y", "y  ",
+  check_complaint({"free_dofs: [y]", "free: y", "y  ",
                    "free is y, but a list is needed, such as [a, b]. Degrees of freedom that contact and loads may change, of x, y, z, rx, ry, rz. "
                    "The others keep their given velocity, or follow motion."});
   check_complaint(
@@ -99,7 +99,7 @@ TEST_CASE("mistakes: a value out of range, with the range in words") {
                    "The published detector takes 0 only."});
   check_complaint({"0.1, 0.009", "0, 0.009", "0, 0.009",
                    "y of size is 0, but it must be above 0. Edge lengths in x, y and z. Of a body that is just this box, whole multiples of the spacing."});
-  check_complaint({"panel: 0.001", "panel: 0", "0}}   #",
+  check_complaint({"edge_length: 0.001", "edge_length: 0", "0}}   #",
                    "panel is 0, but it must be above 0. Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles "
                    "reach 1.41 times it."});
   check_complaint(
@@ -115,7 +115,7 @@ TEST_CASE("mistakes: a word that is no choice") {
                    "model is elastic, which is not known; known here: ordinary-state, linear-peridynamic-solid, bond-based, correspondence."});
   check_complaint({"{cylinder: {diameter", "{cone: {diameter", "cone",
                    "cone is not a key of impactors.cylinder.surface; known here: cylinder, sphere, box, hull, propeller, file."});
-  check_complaint({"{cylinder: {diameter", "{sphere: {diameter: 1, panel: 1}, cylinder: {diameter", "sphere",
+  check_complaint({"{cylinder: {diameter", "{sphere: {diameter: 1, edge_length: 1}, cylinder: {diameter", "sphere",
                    "impactors.cylinder.surface is both cylinder and sphere; keep one of the two."});
 }
 

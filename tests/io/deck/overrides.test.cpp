@@ -10,7 +10,7 @@ using fixtures::read;
 
 TEST_CASE("overrides: values replace those of the deck, in order, with units and lists") {
   const Setup setup =
-      read(plate, {"contact.impactors.detector=analytic", "impactors.cylinder.surface.cylinder.panel=0.5 mm", "bodies.plate.material.poissons_ratio=0.3",
+      read(plate, {"contact.impactors.detector=analytic", "impactors.cylinder.surface.cylinder.edge_length=0.5 mm", "bodies.plate.material.poissons_ratio=0.3",
                    "output.frames=7", "output.frames=0", "impactors.cylinder.velocity=[0, -3 kn, 0]", "title=a = b"})
           .setup;
   CHECK(setup.contact.impactors.detector.word() == "analytic");
@@ -23,7 +23,7 @@ TEST_CASE("overrides: values replace those of the deck, in order, with units and
 
 TEST_CASE("overrides: what the deck does not have is made, a whole map is replaced") {
   const Setup setup = read(plate, {"bodies.plate.position=[1, 0, 0]", "output.probes.edge.body=plate", "output.probes.edge.at=[0, 0.05, 0]",
-                                   "impactors.cylinder.surface={sphere: {diameter: 1 m, panel: 1 cm}}"})
+                                   "impactors.cylinder.surface={sphere: {diameter: 1 m, edge_length: 1 cm}}"})
                           .setup;
   CHECK(setup.bodies[0].position.x == 1);
   REQUIRE(setup.output.probes.size() == 2);
@@ -55,6 +55,6 @@ TEST_CASE("overrides: places name the --set, and only for what it set") {
   CHECK(places.of("time.step") == "--set time.step");
   CHECK(places.of("time.end") == fixtures::place_of(plate, "200 us"));
   CHECK(places.of("time") == fixtures::place_of(plate, "time:"));
-  CHECK(read(plate, {"impactors.cylinder.surface={sphere: {diameter: 1, panel: 1}}"}).places.of("impactors.cylinder.surface") ==
+  CHECK(read(plate, {"impactors.cylinder.surface={sphere: {diameter: 1, edge_length: 1}}"}).places.of("impactors.cylinder.surface") ==
         "--set impactors.cylinder.surface");
 }

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 

@@ -89,13 +89,13 @@ void check_same(const Setup& a, const Setup& b) {
     REQUIRE(a.bodies[i].cracks.size() == b.bodies[i].cracks.size());
     for (std::size_t k = 0; k < a.bodies[i].cracks.size(); ++k) check_fields(a.bodies[i].cracks[k], b.bodies[i].cracks[k]);
     check_alternative(a.bodies[i].material, b.bodies[i].material);
-    REQUIRE(a.bodies[i].boundaries.size() == b.bodies[i].boundaries.size());
-    for (std::size_t k = 0; k < a.bodies[i].boundaries.size(); ++k) {
-      CHECK(a.bodies[i].boundaries[k].name == b.bodies[i].boundaries[k].name);
-      check_alternative(a.bodies[i].boundaries[k].kind, b.bodies[i].boundaries[k].kind);
-      if (const auto* prescribed = std::get_if<PrescribedSetup>(&a.bodies[i].boundaries[k].kind))
+    REQUIRE(a.bodies[i].boundary_conditions.size() == b.bodies[i].boundary_conditions.size());
+    for (std::size_t k = 0; k < a.bodies[i].boundary_conditions.size(); ++k) {
+      CHECK(a.bodies[i].boundary_conditions[k].name == b.bodies[i].boundary_conditions[k].name);
+      check_alternative(a.bodies[i].boundary_conditions[k].kind, b.bodies[i].boundary_conditions[k].kind);
+      if (const auto* prescribed = std::get_if<PrescribedSetup>(&a.bodies[i].boundary_conditions[k].kind))
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          const auto &one = prescribed->of(axis), &other = std::get<PrescribedSetup>(b.bodies[i].boundaries[k].kind).of(axis);
+          const auto &one = prescribed->of(axis), &other = std::get<PrescribedSetup>(b.bodies[i].boundary_conditions[k].kind).of(axis);
           REQUIRE(one.has_value() == other.has_value());
           if (one) check_fields(*one, *other);
         }
@@ -122,8 +122,8 @@ void check_same(const Setup& a, const Setup& b) {
     for (std::size_t k = 0; k < a.impactors[i].loads.size(); ++k) check_fields(a.impactors[i].loads[k], b.impactors[i].loads[k]);
     REQUIRE(a.impactors[i].gauges.size() == b.impactors[i].gauges.size());
     for (std::size_t k = 0; k < a.impactors[i].gauges.size(); ++k) check_fields(a.impactors[i].gauges[k], b.impactors[i].gauges[k]);
-    if (const auto* boxes = std::get_if<BoxUnionRegionSetup>(&a.impactors[i].region.shape)) {
-      const auto& others = std::get<BoxUnionRegionSetup>(b.impactors[i].region.shape).boxes;
+    if (const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&a.impactors[i].region.shape)) {
+      const auto& others = std::get<BoxUnionBoundsSetup>(b.impactors[i].region.shape).boxes;
       REQUIRE(boxes->boxes.size() == others.size());
       for (std::size_t k = 0; k < others.size(); ++k) {
         CHECK(boxes->boxes[k].name == others[k].name);
@@ -159,18 +159,18 @@ void add_boundaries(Random& random, BodySetup& body, bool relaxes) {
   };
   FixedSetup fixed = some(FixedSetup{});
   fixed.directions = {"z", "x"};
-  body.boundaries = {{"grip", fixed}};
+  body.boundary_conditions = {{"grip", fixed}};
   PrescribedSetup prescribed = some(PrescribedSetup{});
   if (random() % 2) prescribed.x.emplace().velocity = some_number(random, {});
-  CourseSetup& course = prescribed.y.emplace();
+  DisplacementSetup& course = prescribed.y.emplace();
   fill_table(random, course.times, random() % 2 ? course.velocities : course.displacements);
-  body.boundaries.push_back({"pull", prescribed});
+  body.boundary_conditions.push_back({"pull", prescribed});
   BodyForceSetup weight = some(BodyForceSetup{});
   weight.force_density.z = 0;
   if (random() % 2) fill_table(random, weight.times, weight.factors);
-  body.boundaries.push_back({"weight", weight});
-  body.boundaries.push_back({"push", some(PressureSetup{})});
-  if (!relaxes) body.boundaries.push_back({"sink", some(AbsorbingSetup{})});
+  body.boundary_conditions.push_back({"weight", weight});
+  body.boundary_conditions.push_back({"push", some(PressureSetup{})});
+  if (!relaxes) body.boundary_conditions.push_back({"sink", some(AbsorbingSetup{})});
 }
 
 void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
@@ -190,31 +190,31 @@ void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
   gauge.name = "root", gauge.parts.clear();
 }
 
-void fill_region(Random& random, RegionSetup& region) {
+void fill_region(Random& random, ContactBoundsSetup& region) {
   switch (random() % 6) {
     case 1:
       fill_fields(random, region.shape.emplace<BoxRegionSetup>());
       break;
     case 2:
-      fill_fields(random, region.shape.emplace<BoxUnionRegionSetup>());
+      fill_fields(random, region.shape.emplace<BoxUnionBoundsSetup>());
       break;
     case 3:
       for (const char* name : {"bow", "stern"}) {
-        if (!std::holds_alternative<BoxUnionRegionSetup>(region.shape)) region.shape.emplace<BoxUnionRegionSetup>();
-        RegionBoxSetup& box = std::get<BoxUnionRegionSetup>(region.shape).boxes.emplace_back();
+        if (!std::holds_alternative<BoxUnionBoundsSetup>(region.shape)) region.shape.emplace<BoxUnionBoundsSetup>();
+        BoundsBoxSetup& box = std::get<BoxUnionBoundsSetup>(region.shape).boxes.emplace_back();
         fill_fields(random, box);
         box.name = name;
       }
       break;
     case 4: {
-      auto& sectors = region.shape.emplace<CylinderSectorsRegionSetup>();
+      auto& sectors = region.shape.emplace<CylinderSectorsBoundsSetup>();
       fill_fields(random, sectors);
       if (!sectors.sector_angle) sectors.start_angle.reset();
       if (sectors.radius && sectors.hub_radius) sectors.hub_radius = std::min(*sectors.hub_radius, *sectors.radius);
       break;
     }
     case 5:
-      region.shape.emplace<AutoRegionSetup>();
+      region.shape.emplace<AutoBoundsSetup>();
       break;
     default:
       region.outside.index = 0;  // without a region there is nothing to clip
@@ -353,7 +353,7 @@ Setup some_setup(Random& random) {
   if (contact.detector.as<DetectorKind>() == DetectorKind::published)
     contact.radius_ratio = contact.friction = 0;
   else
-    contact.detector = contact.reading = {detector_words}, contact.reading = Choice{reading_words};
+    contact.detector = contact.variant = {detector_words}, contact.variant = Choice{reading_words};
   if (!relaxes) fill_fields(random, setup.contact.fragments);
   if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) setup.contact.fragments = {};
   fill_fields(random, setup.output);

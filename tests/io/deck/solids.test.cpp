@@ -35,13 +35,13 @@ std::string complaint_here(const std::string& text) {
 
 TEST_CASE("solids in a deck: every shape, parts, holes, cracks and regions are read, with their units") {
   fixtures::put(folder() / "ice.stl", "solid\n");
-  const BodySetup body = read_here(plate_with(shape, R"(    shape: {file: ice.stl, scale: 0.001, parts: [floe]}
+  const BodySetup body = read_here(plate_with(shape, R"(    shape: {file: ice.stl, scale: 0.001, file_parts: [floe]}
     spacing: 1 mm
     rotate: [0, 0, 90 deg]
-    parts: {ridge: {shape: {cylinder: {diameter: 2 cm, height: 0.3, axis: x}}, position: [0, 0, 1 cm], rotate: [0, 45 deg, 0]}}
+    add: {ridge: {shape: {cylinder: {diameter: 2 cm, height: 0.3, axis: x}}, position: [0, 0, 1 cm], rotate: [0, 45 deg, 0]}}
     holes: {bore: {shape: {sphere: {diameter: 1 cm}}}, slot: {shape: {box: {size: [1, 2, 3]}}}}
     cracks: {notch: {polygon: [[0, 0, 0], [1 cm, 0, 0], [0, 0, 1 cm]]}}
-    regions: {edge: {shape: {file: ice.stl}}}
+    particle_sets: {edge: {shape: {file: ice.stl}}}
 )"))
                              .setup.bodies[0];
   const auto& file = std::get<FileSolid>(body.shape);
@@ -89,7 +89,7 @@ TEST_CASE("solids in a deck: only a single box has to be whole spacings") {
   CHECK(fixtures::complaint(plate_with("{box: {size: [0.2, 0.1, 0.009]}}", "{sphere: {diameter: 0.01234}}")) == "");
   const std::string odd = "{box: {size: [0.2, 0.1, 0.0095]}}";
   CHECK(fixtures::complaint(plate_with("{box: {size: [0.2, 0.1, 0.009]}}", odd + "\n    rotate: [0, 0, 1]")) == "");
-  CHECK(fixtures::complaint(plate_with("{box: {size: [0.2, 0.1, 0.009]}}", odd + "\n    parts: {top: {shape: {sphere: {diameter: 0.02}}}}")) == "");
+  CHECK(fixtures::complaint(plate_with("{box: {size: [0.2, 0.1, 0.009]}}", odd + "\n    add: {top: {shape: {sphere: {diameter: 0.02}}}}")) == "");
   CHECK(fixtures::complaint(plate_with("{box: {size: [0.2, 0.1, 0.009]}}", odd + "\n    holes: {top: {shape: {sphere: {diameter: 0.02}}}}")) != "");
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("solids in a deck: a file of particles has neither spacing nor parts")
         place_of(spaced, "0.001\n") +
             ": spacing is given, but the shape of plate is a file of particles, which are as far apart as they are; remove spacing, or give a "
             "solid.");
-  const std::string united = plate_with(shape, "    shape: {points: {file: cloud.csv}}\n    parts: {ball: {shape: {sphere: {diameter: 1}}}}\n");
+  const std::string united = plate_with(shape, "    shape: {points: {file: cloud.csv}}\n    add: {ball: {shape: {sphere: {diameter: 1}}}}\n");
   CHECK(complaint_here(united) ==
         place_of(united, "parts:") +
             ": parts is given, but the shape of plate is a file of particles, which has nothing that could be united with a solid; remove "

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/file_size_limit.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/output/csv.hpp"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
-#include "fccda/surface/read/read_panels.hpp"
+#include "base/error.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "mesh_io/read_panels.hpp"
 
 using namespace fccda;
 using fixtures::TemporaryFolder;

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/vtp_file.hpp"
 
@@ -33,7 +33,7 @@ struct Particles {
     for (std::size_t i = 0; i < count; ++i) in_region[i] = i % 3 == 0;
   }
 
-  PolyData picture() const {
+  PolyData frame() const {
     return {.points = std::span(points),
             .point_arrays = {{"displacement", 3, std::span(displacement)}, {"energy \"<&>\"", 1, std::span(energy)}, {"number", 1, std::span(number)}},
             .cell_arrays = {{"in_region", 1, std::span(in_region)}},
@@ -51,7 +51,7 @@ TEST_CASE("vtp: particles come back bit for bit, plain and compressed") {
       CAPTURE(count);
       const TemporaryFolder folder;
       const Particles particles(count);
-      write_vtp(folder / "p.vtp", particles.picture(), compression);
+      write_vtp(folder / "p.vtp", particles.frame(), compression);
       VtpFile file(text_of(folder / "p.vtp"));
 
       CHECK(file.arrays.size() == 7);
@@ -106,7 +106,7 @@ TEST_CASE("vtp: the file is the same for any number of threads") {
   const int threads = fccda::thread_count();
   for (const int count : {1, 3}) {
     fccda::use_threads(count);
-    write_vtp(folder / std::to_string(count), particles.picture(), Compression::zlib);
+    write_vtp(folder / std::to_string(count), particles.frame(), Compression::zlib);
   }
   fccda::use_threads(threads);
   CHECK(text_of(folder / "1") == text_of(folder / "3"));

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/region/region_panels.hpp"
+#include "fccda/contact_bounds/bounds_panels.hpp"
 #include "io/output/pvd.hpp"
 #include "io/output/vtp.hpp"
 

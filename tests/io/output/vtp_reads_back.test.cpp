@@ -1,9 +1,9 @@
 #include <doctest/doctest.h>
 
-#include "fccda/surface/read/read_panels.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/output/vtp.hpp"
+#include "mesh_io/read_panels.hpp"
 
 using namespace perimpact::output;
 
@@ -12,9 +12,9 @@ TEST_CASE("vtp: a surface as it is written is a surface that can be read, bit fo
   for (const fccda::Panels& panels : {fixtures::torus(2, 0.5, 9, 7, 1), fixtures::tetrahedron()}) {
     std::vector<std::int32_t> part(panels.panels.size(), 2);
     part.front() = 7;
-    const PolyData picture{.points = coordinates(panels.vertices), .panels = panels.panels, .cell_arrays = {{"part", 1, std::span(part)}}, .time = 0.5};
+    const PolyData frame{.points = coordinates(panels.vertices), .panels = panels.panels, .cell_arrays = {{"part", 1, std::span(part)}}, .time = 0.5};
     for (const Compression compression : {Compression::none, Compression::zlib}) {
-      write_vtp(folder / "s.vtp", picture, compression);
+      write_vtp(folder / "s.vtp", frame, compression);
       const fccda::Panels back = fccda::read_panels(folder / "s.vtp");
       CHECK(back.vertices == panels.vertices);
       CHECK(back.panels == panels.panels);

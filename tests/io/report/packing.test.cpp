@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "fccda/surface/file/inflate.hpp"
 #include "fixtures/tolerance.hpp"
+#include "mesh_io/file/inflate.hpp"
 
 using namespace perimpact::report;
 
@@ -24,10 +24,10 @@ std::vector<std::uint32_t> unpacked(const std::string& bytes, std::size_t count,
     for (int plane = width - 1; plane >= 0; --plane) folded = 256 * folded + static_cast<unsigned char>(bytes[1 + static_cast<std::size_t>(plane) * count + i]);
     const std::int64_t left = folded % 2 == 0 ? folded / 2 : -(folded + 1) / 2;
     off = prediction >= 3 ? off + left : left;
-    const std::size_t pictures = before.size();
+    const std::size_t frames = before.size();
     std::int64_t predicted = 0;
-    if (prediction % 3 == 1) predicted = before[pictures - 1][i];
-    if (prediction % 3 == 2) predicted = 2 * std::int64_t{before[pictures - 1][i]} - std::int64_t{before[pictures - 2][i]};
+    if (prediction % 3 == 1) predicted = before[frames - 1][i];
+    if (prediction % 3 == 2) predicted = 2 * std::int64_t{before[frames - 1][i]} - std::int64_t{before[frames - 2][i]};
     out.push_back(static_cast<std::uint32_t>(((predicted + off) % modulus + modulus) % modulus));
   }
   return out;
@@ -43,10 +43,10 @@ TEST_CASE("packing: numbers of any size, with wrap-around, come back in picture 
     std::uniform_int_distribution<std::uint32_t> any(0, highest);
     ArrayPacker packer(width);
     std::vector<std::vector<std::uint32_t>> before;
-    for (int picture = 0; picture < 6; ++picture) {
+    for (int frame = 0; frame < 6; ++frame) {
       std::vector<std::uint32_t> numbers(257);
       for (std::size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = picture % 2 == 0 ? any(chance) : picture == 1 ? (i % 2 == 0 ? 0 : highest) : (before.back()[i] + 3) & highest;
+        numbers[i] = frame % 2 == 0 ? any(chance) : frame == 1 ? (i % 2 == 0 ? 0 : highest) : (before.back()[i] + 3) & highest;
       std::string bytes;
       packer.append(numbers, bytes);
       CHECK(unpacked(bytes, numbers.size(), width, before) == numbers);
@@ -64,10 +64,10 @@ TEST_CASE("packing: each prediction is taken where it leaves nothing") {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = (a[i] + b[i]) & 0xffff;
     return a;
   };
-  const auto choice = [](const std::vector<std::vector<std::uint32_t>>& pictures) {
+  const auto choice = [](const std::vector<std::vector<std::uint32_t>>& frames) {
     ArrayPacker packer(2);
     std::string bytes;
-    for (const auto& picture : pictures) bytes.clear(), packer.append(picture, bytes);
+    for (const auto& frame : frames) bytes.clear(), packer.append(frame, bytes);
     return static_cast<int>(bytes[0]);
   };
   CHECK(choice({constant}) == 0);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "io/output/pvd.hpp"
@@ -20,15 +20,15 @@ constexpr double spacing = 0.5;
 /// A sheet of 80 by 60 by 2 cells; `piece_of(i, j, k)` says to which piece a cell belongs, none where that is negative.
 struct Sheet {
   std::vector<Vec3d> places;
-  std::vector<std::int32_t> pieces;
+  std::vector<std::int32_t> fragments;
 
-  explicit Sheet(const std::function<int(int, int, int)>& piece_of) {
+  explicit Sheet(const std::function<int(int, int, int)>& fragment_of) {
     for (int k = 0; k < 2; ++k)
       for (int j = 0; j < 60; ++j)
         for (int i = 0; i < 80; ++i) {
-          if (piece_of(i, j, k) < 0) continue;
+          if (fragment_of(i, j, k) < 0) continue;
           places.push_back({10 + spacing * (i + 0.5), -15 + spacing * (j + 0.5), spacing * k});
-          pieces.push_back(piece_of(i, j, k));
+          fragments.push_back(fragment_of(i, j, k));
         }
   }
 };
@@ -44,7 +44,7 @@ int of_channel(int i, int j, int low, int high) {
 
 TEST_CASE("channel: one that is cut straight through a sheet has its width everywhere, along x and along y") {
   const Sheet sheet([](int i, int j, int) { return of_channel(i, j, 20, 44); });
-  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
   REQUIRE(columns.size() == 80);
   const double rounding = 1e-12;
   for (std::size_t c = 0; c < 80; ++c) {
@@ -64,7 +64,7 @@ TEST_CASE("channel: one that is cut straight through a sheet has its width every
   // the same turned by 90 degrees
   std::vector<Vec3d> turned;
   for (const Vec3d& place : sheet.places) turned.push_back({-place.y, place.x, place.z});
-  const ChannelWidths of_turned = widths_of(channel_columns(turned, sheet.pieces, spacing, 1, 0.1), spacing, -1e9, 1e9);
+  const ChannelWidths of_turned = widths_of(channel_columns(turned, sheet.fragments, spacing, 1, 0.1), spacing, -1e9, 1e9);
   CHECK(of_turned.length == widths.length);
   CHECK(of_turned.mean == fixtures::relative(widths.mean, rounding));
 }
@@ -72,7 +72,7 @@ TEST_CASE("channel: one that is cut straight through a sheet has its width every
 TEST_CASE("channel: of one that widens the extremes are told with their places, within the limits that are given") {
   const auto high = [](int i) { return 22 + i / 4; };  // 2 cells at the lower end, 21 at the upper
   const Sheet sheet([&](int i, int j, int) { return of_channel(i, j, 20, high(i)); });
-  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
   const ChannelWidths all = widths_of(columns, spacing, -1e9, 1e9);
   CHECK(all.narrowest == 1);
   CHECK(all.narrowest_at == 10.25);
@@ -93,7 +93,7 @@ TEST_CASE("channel: broken places beside it are no part of its width, but of all
     if (j == 52 && k == 1) return 300 + i;  // and the other way round
     return of_channel(i, j, 30, 40);
   });
-  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
   for (std::size_t c = 0; c < 80; ++c) {
     CHECK(columns[c].width == 5);
     CHECK(columns[c].all_broken == (c < 40 ? 5.5 : 5.0));
@@ -106,7 +106,7 @@ TEST_CASE("channel: places without particles neither end nor widen it, and where
     if (i < 10 && (j == 25 || j == 40)) return -1;  // a hole in the channel, and one beside it
     return of_channel(i, j, 20, 40);
   });
-  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
   for (std::size_t c = 0; c < 80; ++c) {
     CHECK(columns[c].width == (c < 50 ? 10 : 0));
     CHECK(std::isnan(columns[c].low) == (c >= 50));
@@ -119,7 +119,7 @@ TEST_CASE("channel: places without particles neither end nor widen it, and where
 
 TEST_CASE("channel: the share decides which pieces are the sheet that remains") {
   const Sheet sheet([](int, int j, int) { return j < 20 ? 0 : j < 40 ? 1 : 2; });  // thirds
-  const auto length = [&](double share) { return widths_of(channel_columns(sheet.places, sheet.pieces, spacing, 0, share), spacing, -1e9, 1e9).length; };
+  const auto length = [&](double share) { return widths_of(channel_columns(sheet.places, sheet.fragments, spacing, 0, share), spacing, -1e9, 1e9).length; };
   CHECK(length(0.3) == 0);
   CHECK(length(0.35) == 40);  // nothing remains
 }
@@ -138,26 +138,26 @@ TEST_CASE("channel: it is read from the last picture up to a time, with the plac
     for (const Vec3d& place : sheet->places)  // floes drift off
       for (std::size_t c = 0; c < 3; ++c) points.push_back(static_cast<float>(place[c] + 3 * time));
     series.add(time, [&](const std::filesystem::path& path) {
-      output::write_vtp(path,
-                        {.points = std::span<const float>(points), .point_arrays = {{"piece", 1, std::span<const std::int32_t>(sheet->pieces)}}, .time = time},
-                        output::Compression::zlib);
+      output::write_vtp(
+          path, {.points = std::span<const float>(points), .point_arrays = {{"piece", 1, std::span<const std::int32_t>(sheet->fragments)}}, .time = time},
+          output::Compression::zlib);
     });
     time += 0.25;
   }
   const auto length = [&](std::optional<double> latest) {
-    const ChannelPicture picture = read_channel_picture(folder.path(), "ice", latest);
-    CHECK(picture.spacing == 0.5);
-    return widths_of(channel_columns(picture.places, picture.pieces, picture.spacing, 0, 0.1), picture.spacing, -1e9, 1e9).length;
+    const ChannelFrame frame = read_channel_frame(folder.path(), "ice", latest);
+    CHECK(frame.spacing == 0.5);
+    return widths_of(channel_columns(frame.places, frame.fragments, frame.spacing, 0, 0.1), frame.spacing, -1e9, 1e9).length;
   };
   CHECK(length({}) == 40);
   CHECK(length(0.49) == 20);
   CHECK(length(0.5) == 40);
   CHECK(length(0.1) == 0);
-  CHECK(read_channel_picture(folder.path(), "ice", 0.3).time == 0.25);
+  CHECK(read_channel_frame(folder.path(), "ice", 0.3).time == 0.25);
 
   const auto said = [&](const std::string& body, std::optional<double> latest = {}) {
     try {
-      read_channel_picture(folder.path(), body, latest);
+      read_channel_frame(folder.path(), body, latest);
     } catch (const fccda::InputError& error) {
       return std::string(error.what());
     }

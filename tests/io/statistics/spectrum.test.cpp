@@ -100,13 +100,13 @@ TEST_CASE("spectrum: a constant has none, and no dominant frequency") {
 }
 
 TEST_CASE("spectrum: the usual segment is a power of two that fits, seven times where there is room") {
-  CHECK(usual_segment(16) == 16);
-  CHECK(usual_segment(100) == 32);
-  CHECK(usual_segment(127) == 32);
-  CHECK(usual_segment(1000) == 128);
-  CHECK(usual_segment(1024) == 256);
+  CHECK(default_segment(16) == 16);
+  CHECK(default_segment(100) == 32);
+  CHECK(default_segment(127) == 32);
+  CHECK(default_segment(1000) == 128);
+  CHECK(default_segment(1024) == 256);
   for (std::size_t values = 128; values < 3000; values += 7) {
-    const std::size_t segment = usual_segment(values);
+    const std::size_t segment = default_segment(values);
     CHECK((values - segment) / (segment / 2) + 1 >= 7);
   }
 }

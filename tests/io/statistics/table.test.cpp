@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/output/csv.hpp"
 

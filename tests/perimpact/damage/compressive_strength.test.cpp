@@ -5,7 +5,7 @@
 
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/simulation/stable_step.hpp"
+#include "perimpact/integrate/stable_step.hpp"
 
 using namespace perimpact;
 using fixtures::BodyOptions;

@@ -1,4 +1,4 @@
-#include "perimpact/simulation/failure.hpp"
+#include "perimpact/body/failure.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/damage/strength.hpp"
-#include "perimpact/material/fracture_energy.hpp"
+#include "perimpact/materials/ordinary_state/fracture_energy.hpp"
 
 using namespace perimpact;
 using fixtures::body;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 

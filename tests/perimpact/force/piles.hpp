@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "perimpact/bodies.hpp"
-#include "perimpact/force/short_range.hpp"
 #include "perimpact/particles/advance.hpp"
+#include "perimpact/self_contact/short_range.hpp"
 
 namespace fixtures {
 
@@ -17,8 +17,8 @@ struct Pile {
   ShortRangeLaw law;
   std::vector<Body> bodies;
 
-  std::vector<TouchingBody> touching() {
-    std::vector<TouchingBody> all;
+  std::vector<ContactingBody> touching() {
+    std::vector<ContactingBody> all;
     for (Body& body : bodies) {
       const IsotropicElastic& elastic = body.internal.ordinary_state()->law().elastic();
       all.push_back(

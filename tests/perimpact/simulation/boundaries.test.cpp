@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulations.hpp"
@@ -28,7 +28,7 @@ Setup clamped_plate() {
   BodySetup plate = fixtures::body_setup({.size = {0.02, 0.01, 0.004}, .spacing = 0.001});
   plate.name = "plate";
   plate.regions = {region("left", {0.002, 0.01, 0.004}, {-0.009, 0, 0}), region("right", {0.002, 0.01, 0.004}, {0.009, 0, 0})};
-  plate.boundaries = {{"clamp", FixedSetup{.region = "left", .directions = {}}}};
+  plate.boundary_conditions = {{"clamp", FixedSetup{.region = "left", .directions = {}}}};
   setup.bodies = {plate};
   setup.output.history = 1e-6;
   return setup;
@@ -48,7 +48,7 @@ ImpactorSetup sphere(double x) {
 
 }  // namespace
 
-TEST_CASE("boundaries: force and work of each are columns of the history, and with the impactor's they balance the momentum") {
+TEST_CASE("boundary_conditions: force and work of each are columns of the history, and with the impactor's they balance the momentum") {
   Setup setup = clamped_plate();
   setup.impactors = {sphere(0)};
   Simulation simulation(setup);
@@ -68,7 +68,7 @@ TEST_CASE("boundaries: force and work of each are columns of the history, and wi
   CHECK(value(simulation, "plate.clamp.work [J]") == 0);
 }
 
-TEST_CASE("boundaries: an impactor does not move particles that are held, and bounces off them as if the clamp were stiff") {
+TEST_CASE("boundary_conditions: an impactor does not move particles that are held, and bounces off them as if the clamp were stiff") {
   Setup setup = clamped_plate();
   setup.impactors = {sphere(-0.009)};  // above the clamped layers, whose contact is the whole of it
   setup.impactors[0].surface = SphereSurface{.diameter = 0.001, .panel = 0.0002};
@@ -91,17 +91,17 @@ TEST_CASE("boundaries: an impactor does not move particles that are held, and bo
   CHECK(value(simulation, "total.momentum_z [kg m/s]") - before == fixtures::relative(impulse, 1e-9));
 }
 
-TEST_CASE("boundaries: one, two and four threads end in the same state to the last bit, with one of each kind") {
+TEST_CASE("boundary_conditions: one, two and four threads end in the same state to the last bit, with one of each kind") {
   const auto hash = [](int threads) {
     fccda::use_threads(threads);
     Setup setup = clamped_plate();
     setup.time.end = 4e-6;
-    CourseSetup course;
+    DisplacementSetup course;
     course.velocity = 2;
-    setup.bodies[0].boundaries.push_back({"pull", PrescribedSetup{.region = "right", .x = course}});
-    setup.bodies[0].boundaries.push_back({"weight", BodyForceSetup{.force_density = {0, 0, -1e7}}});
-    setup.bodies[0].boundaries.push_back({"push", PressureSetup{.face = Choice{face_words, 2}, .value = 1e7}});
-    setup.bodies[0].boundaries.push_back({"sink", AbsorbingSetup{.region = "right", .face = Choice{face_words, 0}}});
+    setup.bodies[0].boundary_conditions.push_back({"pull", PrescribedSetup{.region = "right", .x = course}});
+    setup.bodies[0].boundary_conditions.push_back({"weight", BodyForceSetup{.force_density = {0, 0, -1e7}}});
+    setup.bodies[0].boundary_conditions.push_back({"push", PressureSetup{.face = Choice{face_words, 2}, .value = 1e7}});
+    setup.bodies[0].boundary_conditions.push_back({"sink", AbsorbingSetup{.region = "right", .face = Choice{face_words, 0}}});
     setup.impactors = {sphere(0)};
     Simulation simulation(setup);
     run(simulation);
@@ -112,19 +112,19 @@ TEST_CASE("boundaries: one, two and four threads end in the same state to the la
   CHECK(hash(4) == one);
 }
 
-TEST_CASE("boundaries: a region that the body does not have is refused with its key") {
+TEST_CASE("boundary_conditions: a region that the body does not have is refused with its key") {
   Setup setup = clamped_plate();
-  setup.bodies[0].boundaries[0].kind = FixedSetup{.region = "lefft"};
+  setup.bodies[0].boundary_conditions[0].kind = FixedSetup{.region = "lefft"};
   std::string key;
   CHECK(complaint(setup, key) == "body plate has no region lefft; did you mean left?");
-  CHECK(key == "bodies.plate.boundaries.clamp.fixed.region");
+  CHECK(key == "bodies.plate.boundary_conditions.clamp.fixed.particle_set");
 }
 
 TEST_CASE("relax: each increment is a row with its residual and iterations, and loads follow their factors") {
   Setup setup = clamped_plate();
   setup.time = {.end = 2, .relax = RelaxSetup{.increments = 4, .tolerance = 1e-5}};
   setup.output.history.reset();
-  setup.bodies[0].boundaries.push_back(
+  setup.bodies[0].boundary_conditions.push_back(
       {"pull", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = -1e6, .times = {0, 2}, .factors = {0, 1}}});
   setup.output.probes = {{"end", "plate", {0.0095, 0, 0}}};
   fccda::use_threads(1);
@@ -158,9 +158,9 @@ TEST_CASE("relax: impactors are refused") {
   CHECK(key == "impactors.sphere");
 }
 
-TEST_CASE("boundaries: a load that begins at nothing is not taken for an unstable step") {
+TEST_CASE("boundary_conditions: a load that begins at nothing is not taken for an unstable step") {
   Setup setup = clamped_plate();
-  setup.bodies[0].boundaries = {
+  setup.bodies[0].boundary_conditions = {
       {"push", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = 2e5, .times = {0, 80e-6}, .factors = {0, 1}}}};
   setup.output.history = 2e-7;  // a row a step: in the first ones the load has pushed, but nothing has gone anywhere
   Simulation simulation(setup);

@@ -26,7 +26,7 @@ Setup pierced(Model model, double poissons_ratio = 0.25) {
                    {.name = "middle", .shape = BoxSolid{.size = {0.002, 0.002, 0.004}}, .position = {0.002, 0, 0}}};
   FloatingSetup bath;
   bath.density = 12000, bath.gravity = 1e5, bath.drag = 1, bath.damping = 1e4, bath.added_mass = 0.5;
-  sheet.boundaries = {{"bath", bath}, {"clamp", FixedSetup{.region = "left"}}, {"guide", FixedSetup{.region = "middle", .directions = {"x", "z"}}}};
+  sheet.boundary_conditions = {{"bath", bath}, {"clamp", FixedSetup{.region = "left"}}, {"guide", FixedSetup{.region = "middle", .directions = {"x", "z"}}}};
   setup.bodies = {sheet};
   ImpactorSetup block;
   block.name = "block";
@@ -95,19 +95,19 @@ TEST_CASE("energy balance: contact's work on a driven impactor is its force time
 
 TEST_CASE("energy balance: a first blow takes what two bodies lose that go on together") {
   Setup setup = pierced(Model::ordinary_state);
-  setup.bodies[0].boundaries.clear();
+  setup.bodies[0].boundary_conditions.clear();
   setup.contact.impactors.friction = 0;
   setup.impactors[0].position.z = 0.005;  // touches
   setup.output.history = setup.time.step;
   Simulation simulation(setup);
   simulation.step();
-  const std::size_t struck = simulation.contacts();
+  const std::size_t resolved = simulation.contacts();
   const double mass = fixtures::density * 1e-9;  // [kg] of a particle
-  REQUIRE(struck >= 36);
+  REQUIRE(resolved >= 36);
   // each got the block's velocity at once: m V² of work, half of which it has; the lattice touches but for the offset at which contact leaves it,
   // 1e-12 of the block, against a way of 4 µm
-  CHECK(value(simulation, "block.contact_work [J]") == fixtures::relative(-static_cast<double>(struck) * mass * 1600, 1e-8));
-  CHECK(value(simulation, "total.contact_loss [J]") == fixtures::relative(0.5 * static_cast<double>(struck) * mass * 1600, 1e-9));
+  CHECK(value(simulation, "block.contact_work [J]") == fixtures::relative(-static_cast<double>(resolved) * mass * 1600, 1e-8));
+  CHECK(value(simulation, "total.contact_loss [J]") == fixtures::relative(0.5 * static_cast<double>(resolved) * mass * 1600, 1e-9));
 }
 
 TEST_CASE("energy balance: a run that is left off after every step goes on with it to the last bit, for materials that keep what bonds determine") {

@@ -9,12 +9,12 @@
 #include <span>
 #include <type_traits>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/snapshot.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/simulation/short_range_of.hpp"
-#include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulations.hpp"
 
 namespace perimpact {
@@ -167,7 +167,7 @@ TEST_CASE("fragments: a pressed slider is braked by µ times the pressure, and s
   std::vector<Body> bodies;
   for (const BodySetup& body : setup.bodies) bodies.push_back(make_body(body));
   Particles &slab = bodies[0].particles, &slider = bodies[1].particles;
-  const auto touching = touching_bodies(setup, bodies);
+  const auto touching = contacting_bodies(setup, bodies);
   ShortRange contact = *short_range_of(setup, bodies);
   const double dt = 0.3 * silling_askari_step(bodies[1], contact.bound(touching, 1));
   std::vector<double> travel(std::max(travel_blocks(slab), travel_blocks(slider)));
@@ -230,11 +230,12 @@ struct Rebound {
 /// Two cubes of 8³ particles that meet face to face at ±speed, the second moved sideways by parts of a spacing and turned about the normal.
 Rebound rebound(double speed, double along_y, double along_z, double angle) {
   const double spacing = 0.05;
-  const Vec3d place{0.23, along_y * spacing, along_z * spacing};
-  Setup setup = with_contact({soft_block("a", {0.4, 0.4, 0.4}, {-0.23, 0, 0}, {speed, 0, 0}), soft_block("b", {0.4, 0.4, 0.4}, place, {-speed, 0, 0})},
-                             0.03 / speed + 4e-3);
+  const Vec3d set_initial_state{0.23, along_y * spacing, along_z * spacing};
+  Setup setup =
+      with_contact({soft_block("a", {0.4, 0.4, 0.4}, {-0.23, 0, 0}, {speed, 0, 0}), soft_block("b", {0.4, 0.4, 0.4}, set_initial_state, {-speed, 0, 0})},
+                   0.03 / speed + 4e-3);
   Simulation simulation(setup);
-  turn(simulation, "b", place, 0, angle);
+  turn(simulation, "b", set_initial_state, 0, angle);
   run(simulation);
   CHECK(value(simulation, "total.contact_energy [J]") == 0);  // they have parted
   const Vec3d a = mean_velocity(simulation, 0), b = mean_velocity(simulation, 1);
@@ -265,11 +266,11 @@ TEST_CASE("fragments: a block that slides on another without friction keeps its 
     Setup setup = with_contact({soft_block("floor", {1.6, 0.6, 0.2}, {0, 0, -0.1}, {}), soft_block("slider", {0.3, 0.3, 0.2}, start, {4, 0, 0})}, 0.2);
     BodyForceSetup weight;
     weight.force_density = {0, 0, -1e4};
-    setup.bodies[1].boundaries.push_back({"weight", weight});
+    setup.bodies[1].boundary_conditions.push_back({"weight", weight});
     SolidSetup bottom;
     bottom.name = "bottom", bottom.shape = BoxSolid{{2, 2, 0.11}}, bottom.position = {0, 0, -0.1};
     setup.bodies[0].regions = {bottom};
-    setup.bodies[0].boundaries.push_back({"bottom", FixedSetup{"bottom", {}}});
+    setup.bodies[0].boundary_conditions.push_back({"bottom", FixedSetup{"bottom", {}}});
     Simulation simulation(setup);
     turn(simulation, "slider", start, 2, angle);
     double pushed = 0;
@@ -290,11 +291,11 @@ TEST_CASE("fragments: friction and dashpots take in every step of confined crush
   BondBasedSetup material;
   material.youngs_modulus = 1.8e9, material.density = 900, material.critical_stretch = 3.2e-4;
   body.material = material;
-  const auto mould = [&](const std::string& name, const Vec3d& size, const Vec3d& place) {
+  const auto mould = [&](const std::string& name, const Vec3d& size, const Vec3d& set_initial_state) {
     SolidSetup region;
-    region.name = name, region.shape = BoxSolid{size}, region.position = place;
+    region.name = name, region.shape = BoxSolid{size}, region.position = set_initial_state;
     body.regions.push_back(region);
-    body.boundaries.push_back({name, FixedSetup{name, {}}});
+    body.boundary_conditions.push_back({name, FixedSetup{name, {}}});
   };
   mould("bottom", {2, 2, 0.21}, {0, 0, -0.2});
   mould("west", {0.21, 2, 0.39}, {-0.5, 0, 0.1}), mould("east", {0.21, 2, 0.39}, {0.5, 0, 0.1});
@@ -397,7 +398,7 @@ TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap o
   const double without = step();
   // 1/dt² is a sum: what contact adds is 12 · 15 c V/(2 ρ δ)
   const Body body = make_body(setup.bodies[0]);
-  const double k = touching_bodies(setup, std::span(const_cast<Body*>(&body), 1)).front().stiffness, volume = 1e-9;
+  const double k = contacting_bodies(setup, std::span(const_cast<Body*>(&body), 1)).front().stiffness, volume = 1e-9;
   CHECK(1 / (with * with) == fixtures::relative(1 / (without * without) + 12 * k * volume / (2 * fixtures::density), 1e-9));
   CHECK(damped < with);
 }

@@ -7,7 +7,7 @@
 
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 using namespace perimpact;
 

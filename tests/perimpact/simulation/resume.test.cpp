@@ -71,8 +71,8 @@ TEST_CASE("resume: a run left off after every step and taken up by a simulation 
   CHECK(simulation.impactors()[0].record().touched(0));
   CHECK(simulation.impactors()[0].entered_inside(0) > 0);
   CHECK(simulation.impactors()[1].record().touched(0));
-  CHECK(simulation.impactors()[0].work_of_water() != 0);
-  CHECK(simulation.impactors()[1].work_of_loads() > 0);
+  CHECK(simulation.impactors()[0].water_work() != 0);
+  CHECK(simulation.impactors()[1].load_work() > 0);
   CHECK(simulation.impactors()[2].record().touched(1));
   fixtures::expect_same_when_resumed_at_every_step(setup);
 }
@@ -111,8 +111,8 @@ TEST_CASE("resume: a body left off in the middle of the search for equilibrium g
   BodySetup bar = fixtures::body_setup({.size = {0.02, 0.004, 0.004}});
   bar.name = "bar";
   bar.regions = {{.name = "left", .shape = BoxSolid{.size = {0.003, 0.004, 0.004}}, .position = {-0.0085, 0, 0}}};
-  bar.boundaries = {{"clamp", FixedSetup{.region = "left"}},
-                    {"pull", PressureSetup{.face = Choice{face_words, 0}, .value = -1e8, .times = {0, 1}, .factors = {0, 1}}}};
+  bar.boundary_conditions = {{"clamp", FixedSetup{.region = "left"}},
+                             {"pull", PressureSetup{.face = Choice{face_words, 0}, .value = -1e8, .times = {0, 1}, .factors = {0, 1}}}};
   setup.bodies = {bar};
   setup.output.history.reset();
   Simulation whole(setup);

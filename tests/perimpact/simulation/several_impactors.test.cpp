@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulation/simulation.hpp"
@@ -51,14 +51,14 @@ TEST_CASE("several impactors: a block struck from three sides is outside of all 
   const Body& block = simulation.bodies()[0];
   for (const std::uint32_t slot : block.particles.slot_of())
     for (const Impactor& impactor : simulation.impactors()) {
-      const Vec3d place = impactor.body().pose().to_body(block.particles.position.at(slot));
+      const Vec3d set_initial_state = impactor.body().pose().to_body(block.particles.position.at(slot));
       const Vec3d half = 0.5 * impactor.surface().report().bounds.size();
-      const double distance = norm(max(Vec3d{std::fabs(place.x), std::fabs(place.y), std::fabs(place.z)} - half, Vec3d{}));
+      const double distance = norm(max(Vec3d{std::fabs(set_initial_state.x), std::fabs(set_initial_state.y), std::fabs(set_initial_state.z)} - half, Vec3d{}));
       CHECK(distance > 0.001 - 1e-12);  // half a spacing, less offset and rounding
     }
   run(simulation);
   CHECK(std::fabs(value(simulation, "total.momentum_y [kg m/s]") / before - 1) <= 1e-10);
-  for (const Impactor& impactor : simulation.impactors()) CHECK(impactor.pinched(0).count == 0);
+  for (const Impactor& impactor : simulation.impactors()) CHECK(impactor.unresolved(0).count == 0);
   CHECK(simulation.closing_warnings().empty());
 }
 
@@ -71,14 +71,14 @@ TEST_CASE("several impactors: what two plates crush beyond the width of a partic
   Simulation simulation(setup);
   run(simulation);
   const Impactor& first = simulation.impactors()[0];
-  CHECK(first.pinched(0).count > 0);
-  CHECK(first.pinched(0).first == fixtures::relative(2e-7, 1e-12));  // 1e-6 of play each, 1e-6 a step
-  CHECK(simulation.contacts() == 2 * 5 * 4);                         // each particle by both plates, however often they looked
-  CHECK(simulation.impactors()[1].pinched(0).count == 0);            // the last to act puts them out of itself
+  CHECK(first.unresolved(0).count > 0);
+  CHECK(first.unresolved(0).first == fixtures::relative(2e-7, 1e-12));  // 1e-6 of play each, 1e-6 a step
+  CHECK(simulation.contacts() == 2 * 5 * 4);                            // each particle by both plates, however often they looked
+  CHECK(simulation.impactors()[1].unresolved(0).count == 0);            // the last to act puts them out of itself
   const std::vector<std::string> warnings = simulation.closing_warnings();
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("Particles of body sheet were pinched between impactor plate_0 and others, first at t = 2e-07 s: summed over steps, " +
-                         std::to_string(first.pinched(0).count) + " were left inside it") == 0);
+                         std::to_string(first.unresolved(0).count) + " were left inside it") == 0);
 }
 
 TEST_CASE("several impactors: any number of threads ends in the same state to the last bit") {

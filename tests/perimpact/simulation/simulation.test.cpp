@@ -8,11 +8,11 @@
 #include <string>
 #include <type_traits>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/simulations.hpp"
 
 using namespace perimpact;
@@ -135,7 +135,7 @@ TEST_CASE("simulation: held degrees of freedom keep their velocity, and the hold
   Simulation simulation(setup);
   run(simulation);
   CHECK(value(simulation, "cylinder.velocity_y [m/s]") == -32);
-  const double work = simulation.impactors()[0].work_of_holder();
+  const double work = simulation.impactors()[0].constraint_work();
   CHECK(work > 0);
   // relocation is plastic, so a little of the work is lost at first touch; none may appear
   const double gained = value(simulation, "total.energy [J]") - 0.5 * 0.1 * 32 * 32;

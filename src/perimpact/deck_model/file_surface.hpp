@@ -1,0 +1,39 @@
+/// A surface in a file, and how it is brought to where it is wanted.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/parameter.hpp"
+#include "base/vec3.hpp"
+
+namespace perimpact {
+
+using fccda::Choice;
+using fccda::Field;
+using fccda::Vec3d;
+
+inline constexpr std::string_view open_side_words[] = {"undeclared", "normals", "reversed"};
+enum class OpenSide { undeclared, normals, reversed };
+
+inline constexpr std::string_view mirror_plane_words[] = {"none", "x", "y", "z"};  // as fccda::MirrorPlane
+
+/// `surface: {file: hull.stl, scale: 0.001}`
+struct FileSurface {
+  static constexpr std::string_view name = "file";
+  std::string file;                ///< path; a relative one starts at the deck's folder
+  std::vector<std::string> parts;  ///< of the file; all where empty
+  double scale = 1;                ///< multiplies the file's coordinates, so that they become metres
+  Choice mirror{mirror_plane_words};
+  Choice complete{mirror_plane_words};  ///< adds the mirror image
+  Vec3d rotate{};                       ///< [rad] about x, then y, then z
+  Vec3d translate{};                    ///< [m]
+  std::optional<double> weld;           ///< [m] vertices nearer than this become one; 1e-9 of the size where absent
+  Choice outside{open_side_words};      ///< which side of an open surface is outside
+  static std::span<const Field<FileSurface>> fields();
+};
+
+}  // namespace perimpact

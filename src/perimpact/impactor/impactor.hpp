@@ -1,0 +1,239 @@
+/// A rigid body and what it takes to find out which particles it strikes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/state.hpp"
+#include "fccda/detect/all_detectors.hpp"
+#include "fccda/respond/coupling.hpp"
+#include "fccda/respond/respond.hpp"
+#include "fccda/rigid_body/applied_load.hpp"
+#include "fccda/rigid_body/prescribed_motion.hpp"
+#include "fccda/rigid_body/rigid_body.hpp"
+#include "marine/still_water.hpp"
+#include "mesh/surface.hpp"
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/impactor/contact_bounds_of.hpp"
+#include "perimpact/impactor/contact_ledger.hpp"
+#include "perimpact/impactor/contact_particles.hpp"
+#include "perimpact/impactor/gauges_of.hpp"
+#include "perimpact/impactor/remeshed.hpp"
+#include "perimpact/impactor/surface_of.hpp"
+
+namespace perimpact {
+
+/// What contact and water did to an impactor so far. Who wants means over an interval takes differences.
+struct Account {
+  Vec3d impulse{};           ///< [N s]
+  Vec3d angular_impulse{};   ///< [N m s] about the centre of mass
+  std::size_t contacts = 0;  ///< particles struck in the last step
+
+  double water_impulse = 0;       ///< [N s] of weight, buoyancy and damping, upward
+  Vec3d water_angular_impulse{};  ///< [N m s] of these about the centre of mass
+};
+
+/// A particle that an impactor struck, and what the impactor got for it.
+struct ContactImpulse {
+  std::size_t body;  ///< index; the contact's point is a slot of it
+  fccda::Contact contact;
+  Vec3d impulse;  ///< [N s] on the impactor
+};
+
+/// What contact did to an impactor in the last step that was made.
+struct LastStep {
+  Vec3d impulse{};                               ///< [N s]
+  Vec3d angular_impulse{};                       ///< [N m s] about the centre of mass
+  std::vector<ContactImpulse> contact_impulses;  ///< body by body; a particle that other impactors pushed back may be there again
+};
+
+/// How an impactor lay in the water at t = 0.
+struct PlacedInWater {
+  fccda::Hydrostatics hydrostatics;
+  double draft_;               ///< [m] of its lowest place; negative where that is above water
+  std::optional<double> rise;  ///< [m] to where it would be at rest as it is turned; nothing where it sinks
+};
+
+/// Particles of a body that found no place outside of all impactors.
+struct UnresolvedPenetration {
+  std::uint64_t count = 0;  ///< summed over steps
+  double first = 0;         ///< [s] time when one was first, where any was
+};
+
+class Impactor {
+ public:
+  /// One detector for each of the bodies, in order. Throws SetupError.
+  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies);
+
+  /// Takes up what motion tables and loads say for the step, and moves the impactor as without contact.
+  void advance(const fccda::Step& step);
+
+  /// Detects, relocates, and changes the velocities of particles (contact.md, "Per step"; seed paper, eqs. 8–10). The impulse of it is collected;
+  /// the impactor gets it from finish_step(). Returns what it found, until the next call.
+  std::span<const fccda::Contact> resolve_contact(std::size_t body, ContactParticles& particles);
+
+  /// The same for particles, in rising order, that other impactors displaced after `strike` in this step.
+  std::span<const fccda::Contact> resolve_contact_again(std::size_t body, ContactParticles& particles, std::span<const std::size_t> which);
+
+  /// Those of the particles that are inside the surface at the end of the step, or nearer to it than the contact radius.
+  std::vector<std::size_t> still_inside(std::size_t body, const ContactParticles& particles, std::span<const std::size_t> which);
+
+  /// Whether the impactor moved as the impulses of this pass say, or well enough. Held impactors do, and those of the detector `published`, which
+  /// get their impulse after the step as in the seed paper.
+  bool moved_with_contact() const;
+
+  /// Begins another pass over all bodies, from where the particles were before the first: the impactor moves with the impulses of the last one.
+  /// `last`: it is the last pass; where the others led nowhere, the impactor moves as without contact again.
+  void repeat_step(bool last);
+
+  /// After the last pass: gives the impactor its impulse, and takes contact into the accounts.
+  void finish_step();
+
+  /// So many particles of that body were left inside at `time` [s], between this impactor and others.
+  void record_unresolved(std::size_t body, std::size_t particles, double time);
+
+  /// Another impactor displaced that particle of a body.
+  void moved(std::size_t body, std::size_t particle);
+
+  /// After finish_step(): that particle was put back on a prescribed course.
+  void put_back(std::size_t body, std::size_t particle);
+
+  const std::string& name() const { return name_; }
+  const fccda::RigidBody& body() const { return body_; }
+  const fccda::Surface& surface() const { return *surface_; }
+  std::size_t crossing_panels() const { return crossing_panels_; }  ///< of the surface as given, that go through one another within one body
+  const fccda::SurfaceReport& report_as_given() const { return remeshing_ ? remeshing_->given : surface_->report(); }  ///< before panels were changed
+  const std::optional<Remeshing>& remeshing() const { return remeshing_; }  ///< of the surface, where the deck asks for any
+  const ImpactorBounds& region() const { return region_; }
+  const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
+  /// False where contacts name no panel: with the analytic detector.
+  bool names_panels() const { return detectors_.empty() || !std::holds_alternative<fccda::Analytic>(detectors_.front()); }
+  fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
+
+  /// Slots of that body whose particles are inside the surface, or nearer to it than the contact radius. Touching is not inside.
+  std::vector<std::size_t> initial_overlap(std::size_t body, const ContactParticles& particles) const;
+
+  /// Where particles of that body at such places belong; nothing where no place is clear of the surface.
+  std::vector<std::optional<Vec3d>> nearest_outside(std::size_t body, std::span<const Vec3d> places) const;
+
+  std::size_t buried_triangles() const;  ///< of the surface, that may lie in another of its closed parts; 0 where the detector does not ask
+  const UnresolvedPenetration& unresolved(std::size_t body) const { return unresolved_[body]; }
+
+  /// How many particles came to be inside where the region clips the surface; they were not struck.
+  std::uint64_t entered_inside(std::size_t body) const;
+
+  const Account& account() const { return account_; }
+  const LastStep& last_step() const { return last_step_; }  ///< empty before the first, and where a run was resumed
+  /// Those of the last step's blows whose particles were not put back on a prescribed course after it; none where the impactor gets its
+  /// impulse after the step.
+  std::vector<ContactImpulse> contact_impulses_now() const;
+  /// [J] at the end of the last step, contact going on as in it: its velocity is that of the middle of the step.
+  double kinetic_energy() const;
+  std::span<const NamedGauge> gauges() const { return gauges_; }  ///< what they summed so far
+
+  /// The fastest that it is sure to become: of each degree of freedom, what it has now or the most that its table ever says.
+  Vec3d fastest_velocity() const;          ///< [m/s] of the centre of mass
+  Vec3d fastest_angular_velocity() const;  ///< [rad/s]
+
+  /// False where a table, a load or water changes the velocity without any contact.
+  bool coasts() const { return prescribed_.is_empty() && loads_.empty() && !water_; }
+  double constraint_work() const { return body_.constraint_work(); }  ///< [J] done so far by what holds and drives the degrees of freedom that are not free
+  double load_work() const { return load_work_; }                     ///< [J] done so far by the applied loads
+  double contact_work() const { return contact_work_; }               ///< [J] done on it so far by contact
+  double work_on_particles() const { return work_on_particles_; }     ///< [J] done so far on the particles that it struck (docs/theory/energy.md)
+  double water_work() const { return water_work_; }                   ///< [J] done so far by weight, buoyancy and their damping
+
+  const std::optional<fccda::StillWater>& water() const { return water_; }
+  fccda::Hydrostatics hydrostatics() const { return fccda::hydrostatics(body_, *surface_, *water_); }  ///< now, where there is water
+  double draft_() const { return water_->level - keel(body_, *surface_); }                             ///< [m] now, likewise; negative above water
+  const std::optional<PlacedInWater>& placed_in_water() const { return placed_in_water_; }
+
+  const ContactRecord& record() const { return record_; }
+  /// Closes the interval of the process curve, which is that of the history.
+  void end_history_interval(double time, double duration) { record_.end_interval(time, duration); }
+  /// Closes the interval over which loads of panels are averaged.
+  void end_load_interval(double time, double duration) { record_.end_load_interval(time, duration); }
+
+  /// As base/state.hpp says.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    auto its = fccda::under(name_, visit);
+    body_.visit_state(its);
+    its("work_of_loads", load_work_);
+    if (water_) its("work_of_water", water_work_);
+    for (std::size_t b = 0; b < detectors_.size(); ++b) {
+      auto of_body = fccda::under(std::to_string(b), its);
+      std::visit([&](auto& detector) { detector.visit_state(of_body); }, detectors_[b]);
+      of_body("pinched", unresolved_[b].count);
+      of_body("first_pinched", unresolved_[b].first);
+    }
+  }
+
+  /// The same of what was only noted, and changes no step.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    auto its = fccda::under(name_, visit);
+    for (std::size_t b = 0; b < detectors_.size(); ++b)
+      std::visit([&](auto& detector) { detector.visit_record(fccda::under(std::to_string(b), its)); }, detectors_[b]);
+    auto account = fccda::under("account", its);
+    fccda::visit_vector(account, "impulse", account_.impulse);
+    fccda::visit_vector(account, "angular_impulse", account_.angular_impulse);
+    account("contacts", account_.contacts);
+    account("work_of_contact", contact_work_);
+    account("work_on_particles", work_on_particles_);
+    if (water_) {
+      account("water_impulse", account_.water_impulse);
+      fccda::visit_vector(account, "water_angular_impulse", account_.water_angular_impulse);
+    }
+    auto gauges = fccda::under("gauges", its);
+    for (NamedGauge& named : gauges_) named.gauge.visit_state(fccda::under(named.name, gauges));
+    record_.visit_state(fccda::under("record", its));
+  }
+
+ private:
+  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, GivenSurface given);
+  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, std::size_t crossing_panels, Remeshed remeshed);
+
+  void float_in_water(const fccda::Step& step);
+  /// A blow of this pass, which another pass may replace.
+  struct Pending {
+    ContactImpulse contact_impulse;
+    Vec3d place;              // [m] of the particle after it
+    double work_on_particle;  // [J]
+  };
+
+  std::span<const fccda::Contact> respond_to_contacts(std::size_t body, ContactParticles& particles);
+  void count_in_contact();
+  std::string name_;
+  std::size_t crossing_panels_;
+  std::optional<Remeshing> remeshing_;
+  std::shared_ptr<const fccda::Surface> surface_;
+  ImpactorBounds region_;
+  fccda::PrescribedMotion prescribed_;
+  std::vector<fccda::AppliedLoad> loads_;
+  fccda::RigidBody body_;
+  double radius_;  // [m] of all vertices about the centre of mass
+  double friction_;
+  std::vector<fccda::Detector> detectors_;  // one a body
+  fccda::Motion motion_;
+  std::vector<fccda::Contact> contacts_;           // of the latest detection
+  std::vector<UnresolvedPenetration> unresolved_;  // by body
+  fccda::Coupling coupling_;                       // of the step in progress
+  bool is_coupled_;
+  bool is_first_pass_ = true;
+  std::vector<Pending> pending_;                               // of this pass
+  std::vector<std::pair<std::size_t, std::size_t>> put_back_;  // body and particle, in the last step
+  Account account_;
+  LastStep last_step_;
+  std::vector<NamedGauge> gauges_;
+  std::optional<fccda::StillWater> water_;
+  std::optional<PlacedInWater> placed_in_water_;
+  double load_work_ = 0, water_work_ = 0;            // [J]
+  double contact_work_ = 0, work_on_particles_ = 0;  // [J]
+  ContactRecord record_;
+};
+
+}  // namespace perimpact

@@ -1,0 +1,64 @@
+#include "perimpact/impactor/remeshed.hpp"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "mesh/inspect/self_intersections.hpp"
+#include "mesh/remesh/coarsen.hpp"
+#include "mesh/remesh/refine.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
+
+namespace perimpact {
+
+namespace {
+
+using fccda::Surface;
+
+fccda::Refinement refinement_of(const RefinementSetup& setup) {
+  fccda::Refinement refinement{.name = setup.name, .panel = setup.panel, .angle = setup.angle};
+  if (setup.box) refinement.box = fccda::Box{setup.box->centre - 0.5 * setup.box->size, setup.box->centre + 0.5 * setup.box->size};
+  if (!setup.part.empty()) refinement.part = setup.part;
+  return refinement;
+}
+
+/// Changed panels are wound outward already, whatever the given ones were.
+Surface surface_of(const fccda::Panels& panels, const std::string& name) { return Surface(panels, {.outside = fccda::Orientation::normals, .name = name}); }
+
+}  // namespace
+
+Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
+  if (!setup.coarsen && setup.refine.empty()) return {std::move(given), std::nullopt};
+  if (given.report().cut_edges > 0) {
+    throw SetupError(
+        "impactors." + setup.name,
+        "the surface is cut along edges of more than two panels, and its panels would no longer meet there once some are halved or merged; delete the "
+        "inner walls, or leave refine and coarsen out.");
+  }
+  Remeshing remeshing{.given = given.report()};
+  Surface surface = std::move(given);
+  if (setup.coarsen) {
+    const double any_length = std::numeric_limits<double>::infinity();
+    const fccda::Coarsened coarse = coarsen(surface, {.distance = setup.coarsen->distance, .panel = setup.coarsen->panel.value_or(any_length)});
+    remeshing.coarsened = CoarseningReport{coarse.panels.panels.size(), coarse.distance, coarse.volume_change};
+    try {
+      surface = surface_of(coarse.panels, setup.name);
+      fccda::expect_no_pockets(self_intersections(surface, fccda::Bvh(surface)), setup.name);
+    } catch (const fccda::InputError& error) {
+      throw SetupError("impactors." + setup.name + ".coarsen", error.in_words_of(deck_words) + " Coarsening made it so: take a smaller distance.");
+    }
+  }
+  if (!setup.refine.empty()) {
+    std::vector<fccda::Refinement> refinements;
+    for (const RefinementSetup& refinement : setup.refine) refinements.push_back(refinement_of(refinement));
+    try {
+      surface = surface_of(refine(surface, refinements), setup.name);
+    } catch (const fccda::InputError& error) {
+      throw SetupError("impactors." + setup.name + ".refine", error);
+    }
+    remeshing.is_refined = true;
+  }
+  return {std::move(surface), std::move(remeshing)};
+}
+
+}  // namespace perimpact

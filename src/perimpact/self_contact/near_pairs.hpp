@@ -1,0 +1,107 @@
+/// Pairs of particles that may touch before the list is made anew: a cache, of which no result depends.
+///
+/// A pair touches where its particles are nearer than their contact distance, have no intact bond, and at least one of them is exposed
+/// (force/exposure.hpp). The list holds every such pair, as long as
+///   no two particles have come nearer to one another by more than the skin: no displacement since differs by more than half of it from one
+///     that is near the middle of all, so that a flight of all together costs nothing;
+///   bonds broke only near particles that had lost one before, where the list holds bonded pairs too.
+/// It is made anew in the step in which either ends. Which pairs it holds besides is never felt: pairs that do not touch are skipped, and those
+/// that do are in the order of body and slot.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/aligned.hpp"
+#include "perimpact/family/exposure.hpp"
+#include "perimpact/self_contact/contacting_body.hpp"
+#include "perimpact/self_contact/short_range_law.hpp"
+#include "perimpact/self_contact/wrapped_cells.hpp"
+
+namespace perimpact {
+
+/// Its old values are lost. Where it has no room for that many it is let go of first: the arrays of pairs are the largest of a run with rubble, and old and
+/// new ones together would be its peak of memory. An eighth more is room for the next list.
+template <class T, class Allocator>
+void resize_to(std::vector<T, Allocator>& values, std::size_t count) {
+  if (values.capacity() < count) {
+    values = std::vector<T, Allocator>();
+    values.reserve(count + count / 8);
+  }
+  values.resize(count);
+}
+
+class NearPairs {
+ public:
+  /// A particle that has pairs.
+  struct Member {
+    std::uint32_t body, slot;
+    Vec3d reference;         ///< [m] X
+    double size;             ///< [m] Δ_i
+    double volume;           ///< [m³]
+    std::uint32_t particle;  ///< its number among all particles of all bodies
+  };
+  /// Those that a member may touch, by body and slot. Eight more than `count` may be read.
+  struct Pairs {
+    std::size_t count;
+    const std::int32_t* others;  ///< members
+    const double* distances;     ///< [m] below which they may touch
+    const std::uint32_t* bonds;  ///< row of the family of the member's eight slots where their bond is, if it was intact; else no_bond
+  };
+  static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max();
+
+  NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
+
+  /// Whether the list does not hold any more, to be asked once a step; make() makes it anew.
+  bool needs_new_list(std::span<const ContactingBody> bodies);
+  void make(std::span<const ContactingBody> bodies);
+  /// Has it made anew in the next step.
+  void forget() { is_known_ = false; }
+
+  std::span<const Member> members() const { return members_; }  ///< by body and slot
+  Pairs pairs_of(std::size_t member) const {
+    const std::size_t first = first_pair_[member];
+    return {first_pair_[member + 1] - first, others_.data() + first, distances_.data() + first, bonds_.data() + first};
+  }
+  std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< its number among all pairs
+  std::size_t pair_count() const { return first_pair_.back(); }
+  std::size_t particle_count() const { return particles_.size(); }
+  bool is_exposed(const Member& member) const { return exposures_[member.body].is_exposed(member.slot); }
+  std::size_t times_made() const { return times_made_; }
+
+ private:
+  struct Found {
+    std::uint32_t particle, bond;
+  };
+  bool has_moved_by_skin(std::span<const ContactingBody> bodies);
+  void mark_cells();
+  double reach_of(const Member& i, const Member& j) const { return weight_reach * (law_.distance_ratio * (0.5 * (i.size + j.size))); }
+  void find_of(std::size_t particle, std::span<const ContactingBody> bodies, std::vector<Found>& found) const;
+  void name_bonds(std::size_t particle, std::span<const ContactingBody> bodies, std::span<Found> found) const;
+
+  ShortRangeLaw law_;
+  double skin_ = 0, longest_ = 0;  // [m] skin, contact distance
+  std::vector<Exposure> exposures_;
+
+  // of all particles of all bodies, by body and slot
+  std::vector<Member> particles_;
+  VectorArray reference_positions_;                      // [m] where they were when the list was made
+  Vec3d drift_{};                                        // [m] about how far they have gone since, all together
+  std::vector<std::uint8_t> near_damage_;                // near one that has lost a bond
+  std::vector<std::vector<std::uint32_t>> particle_at_;  // of body and slot
+
+  WrappedCells cells_;
+  std::vector<std::uint8_t> cell_marks_;
+
+  std::vector<Member> members_;
+  std::vector<std::size_t> first_pair_;
+  fccda::AlignedVector<std::int32_t> others_;
+  fccda::AlignedVector<double> distances_;
+  std::vector<std::uint32_t> bonds_;
+  bool is_known_ = false;
+  std::size_t times_made_ = 0;
+};
+
+}  // namespace perimpact
