@@ -9,7 +9,7 @@
 using namespace fccda;
 
 int main(int argc, char** argv) try {
-  const Surface surface(argc > 1 ? read_panels(argv[1]) : make_sphere({.diameter = 2, .panel = 0.1}));
+  const Surface surface(argc > 1 ? read_panels(argv[1]) : make_sphere({.diameter = 2, .edge_length = 0.1}));
   ContactDetector detector(surface, {.radius = 0.02});  // the points are balls [m]
   RigidBody body({.mass = 1}, Pose(), {}, {}, {});      // at rest, and nothing is free to move
 

@@ -179,7 +179,7 @@ void strike_wall(int cells) {
   RigidBody wall({.mass = 1}, Pose({0, 0, -0.01}), {}, {}, {});  // held, its upper face at z = 0
   const double arrival = start_gap / speed, contact = 2 * length / sound;
   const double before = bar.momentum(), energy = bar.kinetic_energy();
-  const Outcome outcome = resolve_contact(bar, wall, make_box({.size = {0.1, 0.1, 0.02}, .panel = 0.05}), speed, arrival + 1.5 * contact, "bar_on_wall");
+  const Outcome outcome = resolve_contact(bar, wall, make_box({.size = {0.1, 0.1, 0.02}, .edge_length = 0.05}), speed, arrival + 1.5 * contact, "bar_on_wall");
 
   double sum = 0;
   int count = 0;

@@ -65,7 +65,7 @@ int main() try {
   }
 
   // A slab that turns among them, free in all six degrees.
-  const auto surface = std::make_shared<const Surface>(make_box({.size = {1.2, 0.8, 0.2}, .panel = 0.1}));
+  const auto surface = std::make_shared<const Surface>(make_box({.size = {1.2, 0.8, 0.2}, .edge_length = 0.1}));
   const RigidBodyProperties properties{.mass = 5, .inertia = Mat3::diagonal({0.28, 0.62, 0.87})};
   RigidBody slab(properties, Pose(), {}, {0, 0, 0.3}, {{true, true, true, true, true, true}});
   const double reach = surface->radius_about(properties.centre_of_mass);

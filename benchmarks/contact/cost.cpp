@@ -123,7 +123,7 @@ Sample all_panels(Sheet& sheet, const std::shared_ptr<const Surface>& surface, l
   sheet.repeat(wanted);  // where fewer are in the box, each is timed several times
   sample.timed = sheet.size();
 
-  Published detector(surface, Unbounded(), Published::Reading::repaired);
+  Published detector(surface, Unbounded(), Published::Variant::corrected);
   std::vector<Contact> contacts;
   const double begin = seconds();
   detector.detect(sheet, motion, 0, contacts);

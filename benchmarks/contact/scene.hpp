@@ -25,7 +25,7 @@ using fccda::Vec3d;
 
 /// The hull, with the multiple 20 f² of triangles that is nearest to `panels`.
 inline std::shared_ptr<const fccda::Surface> hull(double panels) {
-  const auto sphere = [](double panel) { return fccda::make_sphere({.diameter = 1, .panel = panel}); };
+  const auto sphere = [](double panel) { return fccda::make_sphere({.diameter = 1, .edge_length = panel}); };
   const double wanted = std::max(2.0, std::round(std::sqrt(panels / 20)));
   constexpr double trial = 0.2;
   const double of_trial = std::sqrt(static_cast<double>(sphere(trial).panels.size()) / 20);

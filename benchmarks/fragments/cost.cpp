@@ -42,7 +42,7 @@ Setup plate(bool touches) {
   setup.bodies = {body};
   setup.contact.fragments.law.index = static_cast<int>(touches ? FragmentLaw::repulsive : FragmentLaw::none);
   setup.contact.fragments.friction = 0.1;
-  setup.output.history = 0.5;
+  setup.output.history_interval = 0.5;
   return setup;
 }
 

@@ -25,7 +25,7 @@ using namespace fccda;
 
 /// A hull: full amidships, fine at both ends, with a keel and bilges; 10 by 2 by 1.
 Panels hull() {
-  return fixtures::moved(make_sphere({.diameter = 1, .panel = 0.02}), [](const Vec3d& p) {
+  return fixtures::moved(make_sphere({.diameter = 1, .edge_length = 0.02}), [](const Vec3d& p) {
     const double x = 2 * p.x, fullness = std::pow(std::max(0.0, 1 - x * x), -0.3);
     return Vec3d{10 * p.x, 2 * fullness * p.y, (p.z < 0 ? 1.6 : 0.4) * p.z};
   });
@@ -104,6 +104,6 @@ int main() {
       "surface,triangles,region,share of the bounding box,rejected in it,may_touch in it [ns],may_touch around it [ns],distance [ns],look at the surface "
       "[ns]\n");
   measure("hull", hull());
-  measure("propeller", fixtures::propeller({.panel = 0.01}));
-  measure("skewed propeller", fixtures::propeller({.skew = 0.7, .panel = 0.01}));
+  measure("propeller", fixtures::propeller({.edge_length = 0.01}));
+  measure("skewed propeller", fixtures::propeller({.skew = 0.7, .edge_length = 0.01}));
 }

@@ -67,7 +67,7 @@ def write_vtp(path, points, faces):
     with open(path, "wb") as file:
         file.write(f"""<?xml version="1.0"?>
 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
-<PolyData><Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(faces)}">
+<PolyData><Fragment NumberOfPoints="{len(points)}" NumberOfPolys="{len(faces)}">
 <Points><DataArray type="Float64" NumberOfComponents="3" format="appended" offset="{offsets[0]}"/></Points>
 <Polys><DataArray type="Int64" Name="connectivity" format="appended" offset="{offsets[1]}"/>
 <DataArray type="Int64" Name="offsets" format="appended" offset="{offsets[2]}"/></Polys>

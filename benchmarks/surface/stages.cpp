@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
     if (only_read) continue;
     {
       const auto surface =
-          timed("fit", [&] { return std::make_unique<const fccda::Surface>(panels, fccda::Surface::Options{.outside = fccda::Orientation::normals}); });
+          timed("fit", [&] { return std::make_unique<const fccda::Surface>(panels, fccda::Surface::Options{.orientation = fccda::Orientation::normals}); });
       const auto bvh = timed("bvh", [&] { return std::make_unique<const fccda::Bvh>(*surface); });
       timed("check", [&] { return fccda::self_intersections(*surface, *bvh); });
     }

@@ -17,7 +17,7 @@ int main() {
   use_threads(1);
   fmt::print("panels,depth [m],ns a panel,ms\n");
   for (const double panel : {0.1, 0.03, 0.013}) {
-    const Surface ball(make_sphere({.diameter = 2, .panel = panel}));
+    const Surface ball(make_sphere({.diameter = 2, .edge_length = panel}));
     const auto panels = static_cast<double>(ball.triangles().size());
     for (const double depth : {0.1, 1.1, 1.9}) {
       double least = 1e300, volume = 0;

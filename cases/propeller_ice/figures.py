@@ -6,7 +6,7 @@
 fig21      panels of the propeller, and the region where contact is looked for (figure 21 of the paper)
 fig22      the sphere at four times, from ahead and from the side (figure 22)
 forces     thrust, torque and spindle torques against time, means over a millisecond
-fragments  the pieces at the end for four critical stretches
+fragments  the fragments at the end for four critical stretches
 """
 
 import sys
@@ -135,16 +135,16 @@ def fragments(results):
         folder = results / ("deck" if stretch == "0.003" else f"stretch_{stretch}")
         time, ice = at(folder, "ice", 1)
         _, screw = at(folder, "propeller", 1)
-        piece = ice.point["piece"]
-        size = np.bincount(piece)
-        largest = [number for number in np.argsort(-size) if size[number] > 0.01 * len(piece)]
-        colours = np.tile([0.62, 0.62, 0.62], (len(piece), 1))
+        fragment = ice.point["fragment"]
+        size = np.bincount(fragment)
+        largest = [number for number in np.argsort(-size) if size[number] > 0.01 * len(fragment)]
+        colours = np.tile([0.62, 0.62, 0.62], (len(fragment), 1))
         for number, colour in zip(largest, PIECES * 10):
-            colours[piece == number] = to_rgb(colour)
+            colours[fragment == number] = to_rgb(colour)
         picture = scene(AHEAD, 270, 290, 88, (0.3, 0, -0.85))
         picture.add_shells(shells(screw), SAND)
         picture.add_balls(ice.points, BALL, colours)
-        found = f"{len(largest)} piece{'s' if len(largest) != 1 else ''} above 1 %"
+        found = f"{len(largest)} fragment{'s' if len(largest) != 1 else ''} above 1 %"
         show(axis, picture.picture(2), f"critical stretch {stretch}\n{found}")
     figure.subplots_adjust(left=0.005, right=0.995, top=0.86, bottom=0.005, wspace=0.02)
     save(figure, "fragments")

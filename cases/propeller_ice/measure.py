@@ -5,7 +5,7 @@
 
 thrust, torque   of the whole propeller, along and about +x. The peak is the mean over the millisecond in which its amount is largest, the mean that
                  over the time in which the thrust's impulse goes from 5 % to 95 %. Spindle torque: about a blade's own radial axis.
-pieces           particles that hang together by intact bonds at the end, as run.json and pieces/ice_end.csv have them
+fragments           particles that hang together by intact bonds at the end, as run.json and fragments/ice_end.csv have them
 inside           of all particles in all pictures, those around which the panels wind: each is looked at along a ray in +x, and the panels that
                  the ray leaves through, less those that it enters through, say how many of the overlapping parts hold it. The nearest is the
                  smallest distance of any particle from any triangle. Nothing of the program is used for it: the places of particles and of
@@ -72,19 +72,19 @@ def forces(column):
     return found
 
 
-# ---- pieces
+# ---- fragments
 
 
 def fragments(folder, run):
     body = run["bodies"]["ice"]
-    whole, pieces = body["mass [kg]"], body["pieces"]
-    with open(Path(folder) / "pieces/ice_end.csv", newline="") as file:
+    whole, fragments = body["mass [kg]"], body["fragments"]
+    with open(Path(folder) / "fragments/ice_end.csv", newline="") as file:
         masses = [float(row["mass [kg]"]) / whole for row in csv.DictReader(file)]
     return {
-        "pieces above 1 % of the mass [-]": pieces["above_1_percent"],
-        "largest piece [-]": pieces["largest [kg]"] / whole,
-        "second [-]": pieces["second_largest [kg]"] / whole,
-        "in pieces below 1 % [-]": 1 - sum(mass for mass in masses if mass > 0.01),
+        "fragments above 1 % of the mass [-]": fragments["above_1_percent"],
+        "largest fragment [-]": fragments["largest [kg]"] / whole,
+        "second [-]": fragments["second_largest [kg]"] / whole,
+        "in fragments below 1 % [-]": 1 - sum(mass for mass in masses if mass > 0.01),
         "broken bonds [-]": 1 - body["intact_bonds"] / body["bonds"],
     }
 

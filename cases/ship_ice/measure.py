@@ -3,7 +3,7 @@
 
 A line for each results folder. Loads are of contact on the part `bow`: the largest row of F_x within the first metres (SETTLED), in which the sheet
 answers the first blow; the mean over all the travel, which is the work over its length; mean and largest mean over a second after these metres;
-F_z/F_x; how often the load came, and the time between. Then the travel in the ice; broken bonds; through-cracks (below); pieces of 1 % of the sheet's mass and more beside the one that remains;
+F_z/F_x; how often the load came, and the time between. Then the travel in the ice; broken bonds; through-cracks (below); fragments of 1 % of the sheet's mass and more beside the one that remains;
 work of the ship, and the closing error of the energy over it.
 
 Through-cracks: along lines in the direction of travel, one for each row of particles within the breadth of the ship, the cracked stretches of the sheet
@@ -78,8 +78,8 @@ def measure(folder):
     loads = times_of_loads(time[time >= first], along[time >= first])
     sheet = read_vtp(series(folder, "sheet")[-1][1])
     breadth = report["setup"]["impactors"]["ship"]["surface"]["hull"]["breadth"]
-    with open(Path(folder) / "pieces/sheet.csv", newline="") as lines:
-        pieces = list(csv.DictReader(lines))[-1]
+    with open(Path(folder) / "fragments/sheet.csv", newline="") as lines:
+        fragments = list(csv.DictReader(lines))[-1]
     return {
         "travel": travel,
         "first peak": along[~late].max(),
@@ -91,9 +91,9 @@ def measure(folder):
         "ratio": up.sum() / along.sum(),
         "broken": rows["sheet.broken_bonds [-]"][-1] / report["bodies"]["sheet"]["bonds"],
         "cracks": through_cracks(sheet.points - sheet.point["displacement"], sheet.point["damage"], breadth),
-        "large pieces": int(pieces["above_1_percent [-]"]) - 1,
+        "large fragments": int(fragments["above_1_percent [-]"]) - 1,
         "work": work,
-        "closing": np.abs(rows["total.closing_error [J]"]).max() / work,
+        "closing": np.abs(rows["total.energy_balance_error [J]"]).max() / work,
     }
 
 
@@ -107,7 +107,7 @@ def show(folder):
     print(
         f"{Path(folder).name:24s} {m['travel']:5.1f} m  peak {m['first peak'] / 1e6:5.2f} MN  mean {m['mean of all'] / 1e3:5.0f} kN, late {m['mean'] / 1e3:5.0f} kN  1 s {m['largest 1 s'] / 1e3:5.0f} kN"
         f"  loads {loads_of(m)}"
-        f"  F_z/F_x {m['ratio']:.4f}  broken {100 * m['broken']:4.1f} %  cracks {m['cracks']:d}  pieces {m['large pieces']:d}  work {m['work'] / 1e6:.2f} MJ  closing {m['closing']:.0e}"
+        f"  F_z/F_x {m['ratio']:.4f}  broken {100 * m['broken']:4.1f} %  cracks {m['cracks']:d}  fragments {m['large fragments']:d}  work {m['work'] / 1e6:.2f} MJ  closing {m['closing']:.0e}"
     )
 
 

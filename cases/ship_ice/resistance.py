@@ -33,7 +33,7 @@ class ShipInIce:
     ice: float = 900.0  # ρ_i [kg/m3]
     water: float = 1025.0  # ρ_w [kg/m3]
     friction: float = 0.1  # µ between ice and hull
-    ride_up: float = 0.0  # h_r, height that ice pieces ride up the slope, for ISO 19906 [m]
+    ride_up: float = 0.0  # h_r, height that ice fragments ride up the slope, for ISO 19906 [m]
     ice_friction: float = 0.1  # µ_i of ice on ice, for ISO 19906
     porosity: float = 0.3  # e of rubble, for ISO 19906
     repose: float = 10.0  # θ, angle of the rubble's surface, for ISO 19906 [deg]

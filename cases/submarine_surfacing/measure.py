@@ -26,10 +26,10 @@ def ice_on(columns, part=""):
     return np.convolve(force, np.ones(rows), "same") / np.convolve(np.ones_like(force), np.ones(rows), "same")
 
 
-def closing_error(columns):
+def energy_balance_error(columns):
     """The largest of all rows [J], and over the energy that changed hands, as docs/theory/energy.md has it."""
     works = [name for name in columns if name.endswith((".contact_work [J]", ".work [J]"))]
-    largest = abs(columns["total.closing_error [J]"]).max()
+    largest = abs(columns["total.energy_balance_error [J]"]).max()
     return largest, largest / sum(abs(columns[name]).max() for name in works)
 
 
@@ -42,10 +42,10 @@ def main():
         most = force.argmax()
         print(f"{folder.name}: {part[1:]} {force[most] / 1e6:.2f} MN at {time[most]:.2f} s, after a rise of {height[most] - height[0]:.2f} m")
     ice = report["bodies"]["ice"]
-    pieces, timers = ice["pieces"], sum(report["timers [s]"].values())
-    print(f"{folder.name}: {100 * (1 - ice['intact_bonds'] / ice['bonds']):.1f} % of the bonds broken; {pieces['above_1_percent']} pieces above 1 %, "
-          f"{pieces['pieces']} of two and more particles, {100 * pieces['single_particles'] / ice['particles']:.1f} % of the particles single")
-    error, share = closing_error(columns)
+    fragments, timers = ice["fragments"], sum(report["timers [s]"].values())
+    print(f"{folder.name}: {100 * (1 - ice['intact_bonds'] / ice['bonds']):.1f} % of the bonds broken; {fragments['above_1_percent']} fragments above 1 %, "
+          f"{fragments['fragments']} of two and more particles, {100 * fragments['single_particles'] / ice['particles']:.1f} % of the particles single")
+    error, share = energy_balance_error(columns)
     print(f"{folder.name}: closing error {error:.3g} J at most, {share:.1e} of what changed hands; {report['steps']} steps in {timers:.0f} s "
           f"on {report['threads']} thread")
     if columns["submarine.velocity_z [m/s]"].ptp() == 0:

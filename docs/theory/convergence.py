@@ -97,7 +97,7 @@ def measure(program, folder):
     def one(job):
         problem, body = job
         result, errors = PROBLEMS[problem](body, run)
-        print(f"{result.report['wall [s]']:6.1f} s  {problem} {body.name()}", flush=True)
+        print(f"{result.report['wall_time [s]']:6.1f} s  {problem} {body.name()}", flush=True)
         return job, (result.particles, errors)
 
     jobs = {(problem, body) for problem, _, bodies in series() for body in bodies}

@@ -68,7 +68,7 @@ GivenSurface surface_of(const Mesh& mesh, double weld, const std::string& outsid
   else if (outside != "undeclared")
     throw InputError(fmt::format("outside is \"{}\", but it must be one of undeclared, normals, reversed.", outside));
   try {
-    return GivenSurface(Surface(mesh.panels(), {.weld_distance = weld, .outside = side, .name = name}));
+    return GivenSurface(Surface(mesh.panels(), {.weld_distance = weld, .orientation = side, .name = name}));
   } catch (const InputError& error) {
     throw InputError(error.in_words_of(python_words));
   }

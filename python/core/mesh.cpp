@@ -108,7 +108,7 @@ parts: the name of the part that each panel belongs to, for `parts`, `gauges` an
           "box",
           [](const Vec3d& size, const std::optional<double>& panel) {
             for (const double edge : {size.x, size.y, size.z}) expect_positive(edge, "size");
-            return Mesh(fccda::make_box({.size = size, .panel = panel_of(panel)}));
+            return Mesh(fccda::make_box({.size = size, .edge_length = panel_of(panel)}));
           },
           "size"_a, "panel"_a = py::none(),
           "A box about the origin with the edges size [m], in panels whose edges along the axes are at most panel [m] long; without it, two on each side.")
@@ -116,7 +116,7 @@ parts: the name of the part that each panel belongs to, for `parts`, `gauges` an
           "cylinder",
           [](double diameter, double height, const std::optional<double>& panel, const std::string& axis) {
             expect_positive(diameter, "diameter"), expect_positive(height, "height");
-            return Mesh(fccda::make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis), .panel = panel_of(panel)}));
+            return Mesh(fccda::make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis), .edge_length = panel_of(panel)}));
           },
           "diameter"_a, "height"_a, "panel"_a = py::none(), "axis"_a = "z",
           "A cylinder centred on the origin [m], about the axis x, y or z, in panels of at most panel [m]; without it, of a twentieth of the diameter.")
@@ -124,7 +124,7 @@ parts: the name of the part that each panel belongs to, for `parts`, `gauges` an
           "sphere",
           [](double diameter, const std::optional<double>& panel) {
             expect_positive(diameter, "diameter");
-            return Mesh(fccda::make_sphere({.diameter = diameter, .panel = panel_of(panel)}));
+            return Mesh(fccda::make_sphere({.diameter = diameter, .edge_length = panel_of(panel)}));
           },
           "diameter"_a, "panel"_a = py::none(),
           "A sphere about the origin [m], no edge of a panel longer than panel [m]; without it, than a twentieth of the diameter.")

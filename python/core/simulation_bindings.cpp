@@ -27,15 +27,22 @@ using namespace py::literals;
 
 // ---- set-ups ----
 
+/// Deprecated keys, as Python warns of what will change.
+deck::Deck with_warnings(deck::Deck deck) {
+  for (const std::string& warning : deck.warnings)
+    if (PyErr_WarnEx(PyExc_FutureWarning, warning.c_str(), 2) != 0) throw py::error_already_set();
+  return deck;
+}
+
 deck::Deck deck_of_file(const std::filesystem::path& file, const py::object& changes) {
   deck::YamlNode tree = deck::read_deck_tree(file);
   if (!changes.is_none()) change(tree, py::cast<py::dict>(changes));
-  return deck::deck_of_tree(tree, file.string(), file.parent_path());
+  return with_warnings(deck::deck_of_tree(std::move(tree), file.string(), file.parent_path()));
 }
 
 deck::Deck deck_of_dict(const py::dict& setup, const std::filesystem::path& folder) {
   constexpr const char* whole = "the set-up";
-  return deck::deck_of_tree(tree_of(setup, whole), whole, folder);
+  return with_warnings(deck::deck_of_tree(tree_of(setup, whole), whole, folder));
 }
 
 py::object dict_of(const Setup& setup) { return py::module_::import("json").attr("loads")(deck::setup_to_text(setup)); }

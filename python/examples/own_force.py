@@ -53,7 +53,7 @@ for name, forces in {"free": None, "on springs": {"plate": {"springs": springs}}
     deflections[name] = history["centre.displacement_z [m]"]
     print(f"{name}: the centre is at {1e3 * deflections[name][-1]:.2f} mm in the end, {1e3 * deflections[name].min():.2f} mm at the lowest")
 print(f"work of the springs on the plate: {history['plate.springs.work [J]'][-1]:.3g} J")
-print(f"the balance of energy closes to {np.abs(history['total.closing_error [J]']).max():.1e} J of {0.5 * 0.2 * 5**2:.3g} J")
+print(f"the balance of energy closes to {np.abs(history['total.energy_balance_error [J]']).max():.1e} J of {0.5 * 0.2 * 5**2:.3g} J")
 
 # %% Draw both
 figure, axes = plt.subplots(figsize=(7, 3.6), layout="constrained")

@@ -24,7 +24,7 @@ export interface Quantity {
   key: string;
   label: string;
   unit: string;
-  kind: Kind; // numbers name things: pieces, bodies
+  kind: Kind; // numbers name things: fragments, bodies
 }
 
 export class BodyData {
@@ -194,6 +194,6 @@ export function quantitiesOf(bodies: BodyData[]): Quantity[] {
     { key: "displacement_z", label: "displacement z", unit: "m", kind: "signed" },
   ];
   if (bodies.length > 1) out.push({ key: "body", label: "body", unit: "", kind: "number" });
-  if (bodies.some((body) => body.array("piece"))) out.push({ key: "piece", label: "piece", unit: "", kind: "number" });
+  if (bodies.some((body) => body.array("fragment"))) out.push({ key: "fragment", label: "fragment", unit: "", kind: "number" });
   return out;
 }

@@ -107,7 +107,7 @@ function show(): void {
     }
     bodies.forEach((body, number) => stage?.showBody(number, body.shownAt(current), values[number], kind, shown));
     if (key === "body") scales.push(legend("body", bodies.map((body) => body.about.name)));
-    else if (key === "piece") scales.push(legend("piece", ["0, the heaviest", "1", "2", "3 and so on, in turn"]));
+    else if (key === "fragment") scales.push(legend("fragment", ["0, the heaviest", "1", "2", "3 and so on, in turn"]));
     else scales.push(scale(label, unit, shown, kind));
   }
   if (impactors.length > 0) {
@@ -163,7 +163,7 @@ function tell(): void {
     `displacement ${withUnit(Math.hypot(...u), "m")}`,
     `speed ${withUnit(value("speed"), "m/s")}`,
   ];
-  if (data.array("piece")) lines.push(`piece ${value("piece")}`);
+  if (data.array("fragment")) lines.push(`fragment ${value("fragment")}`);
   home.textContent = lines.join("\n");
 }
 
@@ -254,7 +254,7 @@ function bindKeys(): void {
 }
 
 function bindControls(): void {
-  const mayBreak = bodies.some((body) => body.array("piece"));
+  const mayBreak = bodies.some((body) => body.array("fragment"));
   colour.replaceChildren(...quantities.map(({ key, label, unit }) => new Option(unit ? `${label} [${unit}]` : label, key, false, key === (mayBreak ? "damage" : "speed"))));
   const names = [...new Set(impactors.flatMap((impactor) => impactor.about.arrays.map((array) => array.name)))];
   panels.replaceChildren(new Option("plain", ""), ...names.map((name) => new Option(name.replaceAll("_", " "), name)));

@@ -23,7 +23,7 @@ function rows(entries: [string, string][]): HTMLTableElement {
   );
 }
 
-/** "wall [s]" is the quantity `wall` in the unit `s`. */
+/** "wall_time [s]" is the quantity `wall` in the unit `s`. */
 function parted(key: string): { name: string; unit: string } {
   const found = /^(.*) \[([^\]]*)\]$/.exec(key);
   return { name: (found ? found[1] : key).replaceAll("_", " "), unit: found ? found[2] : "" };
@@ -69,14 +69,14 @@ function warningsOf(run: Members): string[] {
 export function showRun(home: HTMLElement, run: Members | undefined): void {
   if (!run) return missing(home, "How the run went is not known");
   if (typeof run.failure === "string") home.append(element("h2", { textContent: "Failure" }), list([run.failure]));
-  const keys = ["outcome", "program", "steps", "time [s]", "resumed_at_steps", "threads", "wall [s]", "state_hash"];
+  const keys = ["outcome", "program", "steps", "time [s]", "resumed_at_steps", "threads", "wall_time [s]", "state_hash"];
   home.append(
     rows(
       keys
         .filter((key) => key in run)
         .map((key) => {
           const { name, unit } = parted(key);
-          return [name, unit === "s" && name === "wall" ? `${text(run[key] as number)} s` : inWords(run[key], unit)];
+          return [name, unit === "s" && name === "wall_time" ? `${text(run[key] as number)} s` : inWords(run[key], unit)];
         }),
     ),
   );
@@ -211,7 +211,7 @@ export function showNotes(home: HTMLElement, about: Description): void {
       element("h3", { textContent: `${body.name}: ${body.shown.toLocaleString("en").replaceAll(",", " ")} particles` }),
       rows([
         ["undeformed places, along an axis", `± ${half(largest(body.undeformed))}`],
-        ...body.arrays.filter((array) => array.step > 0 && array.name !== "piece").map((array): [string, string] => [array.name.replaceAll("_", " "), `± ${array.unit ? half(array) : text(array.step / 2)}`]),
+        ...body.arrays.filter((array) => array.step > 0 && array.name !== "fragment").map((array): [string, string] => [array.name.replaceAll("_", " "), `± ${array.unit ? half(array) : text(array.step / 2)}`]),
       ]),
     );
   }

@@ -8,7 +8,7 @@
 
 namespace perimpact {
 
-/// The widths in words; column by column they are written to pieces/<body>_channel_<axis>.csv. `latest` [s]: of the picture that is read. Throws
+/// The widths in words; column by column they are written to fragments/<body>_channel_<axis>.csv. `latest` [s]: of the picture that is read. Throws
 /// InputError.
 std::string channel_text(const StatisticsArguments& arguments, std::optional<double> latest);
 

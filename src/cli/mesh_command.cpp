@@ -35,7 +35,7 @@ std::filesystem::path defects_file(const std::filesystem::path& surface) { retur
 Surface fit_surface(const Panels& panels, double weld, const std::filesystem::path& file) {
   try {
     // a report is wanted of open surfaces too, and which side is outside changes nothing in it
-    return Surface(panels, {.weld_distance = weld, .outside = Orientation::normals, .name = file.string()});
+    return Surface(panels, {.weld_distance = weld, .orientation = Orientation::normals, .name = file.string()});
   } catch (const SurfaceError& error) {
     write_defects(defects_file(file), panels, {&error.defect(), 1});
     throw InputError(fmt::format("{} These panels are in {}, for ParaView.", error.what(), defects_file(file).string()));

@@ -55,7 +55,7 @@ std::optional<double> closing_weld(const Panels& panels, const Surface& surface)
     const double distance = share * size;
     if (distance > 0.5 * surface.report().shortest_edge) break;
     try {
-      const Surface welded(panels, {.weld_distance = distance, .outside = Orientation::normals});
+      const Surface welded(panels, {.weld_distance = distance, .orientation = Orientation::normals});
       if (welded.report().triangles < surface.report().triangles) break;
       if (welded.is_closed()) return distance;
     } catch (const InputError&) {

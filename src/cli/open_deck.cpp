@@ -20,7 +20,9 @@ std::filesystem::path defect_file_of(const std::filesystem::path& folder, const 
 
 deck::Deck open_deck(const DeckArguments& arguments) {
   if (arguments.threads > 0) fccda::use_threads(arguments.threads);
-  return deck::read_deck(arguments.deck, arguments.set);
+  deck::Deck deck = deck::read_deck(arguments.deck, arguments.set);
+  for (const std::string& warning : deck.warnings) fmt::print("warning: {}\n", warning);
+  return deck;
 }
 
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup) {

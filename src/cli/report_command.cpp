@@ -9,7 +9,7 @@ namespace perimpact {
 
 int report_command(const ReportArguments& arguments) {
   const report::Report report = report::write_report(arguments.folder, {.bytes = static_cast<std::size_t>(1e6 * arguments.megabytes)});
-  fmt::print("{}: {:.1f} MB, {} of {} pictures, {} of {} particles\n", report.file.string(), 1e-6 * static_cast<double>(report.bytes), report.pictures,
+  fmt::print("{}: {:.1f} MB, {} of {} pictures, {} of {} particles\n", report.file.string(), 1e-6 * static_cast<double>(report.bytes), report.frames,
              report.frame_files_of_run, report.particles, report.particles_of_run);
   for (const std::string& note : report.notes) fmt::print("note: {}\n", note);
   return 0;

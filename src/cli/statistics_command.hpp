@@ -18,7 +18,7 @@ struct StatisticsArguments {
   struct Channel {
     std::string of;        ///< body:axis; empty: none is looked for
     std::string from, to;  ///< lengths along the axis; empty: the whole body
-    double sheet = 0.1;    ///< share of the particles that a piece of the remaining sheet has at least
+    double sheet = 0.1;    ///< share of the particles that a fragment of the remaining sheet has at least
   } channel;
 };
 

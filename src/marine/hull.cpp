@@ -44,7 +44,7 @@ using Triangles = std::vector<std::array<int, 3>>;
 class HullPanels {
  public:
   explicit HullPanels(const HullForm& form)
-      : form_(form), shape_(form.shape()), bow_edge_length_(shape_.bow_edge_length > 0 ? shape_.bow_edge_length : shape_.panel) {}
+      : form_(form), shape_(form.shape()), bow_edge_length_(shape_.bow_edge_length > 0 ? shape_.bow_edge_length : shape_.edge_length) {}
 
   Panels make() {
     expect_affordable(estimate(), bow_edge_length_, "hull");
@@ -61,7 +61,7 @@ class HullPanels {
  private:
   double widest() const { return std::fmax(form_.section(shape_.freeboard), form_.section(0)); }
   double length_of_side() const { return form_.stern(shape_.freeboard) - form_.stem(shape_.freeboard) - form_.bow_length() - form_.stern_length(); }
-  double size_behind_bow(double distance) const { return std::fmin(shape_.panel, bow_edge_length_ + growth * distance); }
+  double size_behind_bow(double distance) const { return std::fmin(shape_.edge_length, bow_edge_length_ + growth * distance); }
 
   /// Triangles, from above.
   double estimate() const {
@@ -69,7 +69,7 @@ class HullPanels {
     const double girth = 2 * widest() + height / std::sin(std::fmin(shape_.stem_angle, shape_.stern_angle)) + widest();
     const double bow = form_.bow_length() + widest(), rest = length_of_side() + form_.stern_length() + widest();
     return 4 * girth *
-           (bow / (bow_edge_length_ * bow_edge_length_) + (1 / bow_edge_length_ - 1 / shape_.panel) / growth + rest / (shape_.panel * shape_.panel));
+           (bow / (bow_edge_length_ * bow_edge_length_) + (1 / bow_edge_length_ - 1 / shape_.edge_length) / growth + rest / (shape_.edge_length * shape_.edge_length));
   }
 
   /// Columns over one stretch, the last one left out: at equal counts of edges of the wanted size along the longest waterline.
@@ -215,8 +215,8 @@ HullForm::HullForm(const HullShape& shape)
     refuse("the bow is ", bow_length_, " m long (fullness * breadth/2 / tan of waterline_angle) and the stern ", stern_length_,
            " m, but the bottom between stem and stern only ", bottom_length,
            " m; take larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
-  if (shape.bow_edge_length > shape.panel)
-    refuse("bow_panel is ", shape.bow_edge_length, " m, but the bow is made finer, not coarser, than panel, ", shape.panel, " m.");
+  if (shape.bow_edge_length > shape.edge_length)
+    refuse("bow_panel is ", shape.bow_edge_length, " m, but the bow is made finer, not coarser, than panel, ", shape.edge_length, " m.");
 }
 
 double HullForm::section(double z) const {

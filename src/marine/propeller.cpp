@@ -215,8 +215,8 @@ std::vector<MonotoneCubic> curve(const std::vector<double>& radius, const std::v
 BladeForm::BladeForm(const PropellerShape& shape) : shape_(shape), root_(root_in_hub * 0.5 * shape.hub_ratio * shape.diameter) {
   EXPECTS(shape.blades >= 1 && shape.diameter > 0 && shape.hub_ratio > 0 && shape.hub_ratio < 1 && shape.hub_length > 0);
   EXPECTS(shape.thickness_factor > 0 && shape.edge_thickness > 0 && shape.edge_thickness < 1 && shape.panel > 0 && shape.blade_edge_length >= 0);
-  if (shape.blade_edge_length > shape.panel)
-    refuse("edge_panel is ", shape.blade_edge_length, " m, but edges are made finer, not coarser, than panel, ", shape.panel, " m.");
+  if (shape.blade_edge_length > shape.edge_length)
+    refuse("edge_panel is ", shape.blade_edge_length, " m, but edges are made finer, not coarser, than panel, ", shape.edge_length, " m.");
   if (!shape.sections) {
     EXPECTS(shape.pitch_ratio > 0 && shape.area_ratio > 0);
     if (shape.blades < wageningen::fewest_blades || shape.blades > wageningen::most_blades)
@@ -299,20 +299,20 @@ double HubForm::radius_at(double z) const {
 Panels make_propeller(const PropellerShape& shape) {
   const BladeForm form(shape);
   const HubForm hub{.radius = 0.5 * shape.hub_ratio * shape.diameter, .length = shape.hub_length};
-  const double hub_panel = std::fmin(shape.panel, 0.5 * hub.radius), blade_edge_length = shape.blade_edge_length > 0 ? shape.blade_edge_length : shape.panel;
+  const double hub_panel = std::fmin(shape.edge_length, 0.5 * hub.radius), blade_edge_length = shape.blade_edge_length > 0 ? shape.blade_edge_length : shape.edge_length;
   check_root(form, hub, hub_panel);
   // two triangles to each square of panels on both sides, along the outlines bands of edge_panel and their gradual growth; halving doubles at most
   const double area = form.expanded_area_ratio(root_in_hub * shape.hub_ratio) * pi * form.tip_radius() * form.tip_radius();
   const double outline = shape.blades * 3 * form.tip_radius();
-  const double graded = outline / growth * (1 / blade_edge_length - 1 / shape.panel) + outline / blade_edge_length;
-  expect_affordable(8 * (area / (shape.panel * shape.panel) + graded), blade_edge_length, "propeller");
+  const double graded = outline / growth * (1 / blade_edge_length - 1 / shape.edge_length) + outline / blade_edge_length;
+  expect_affordable(8 * (area / (shape.edge_length * shape.edge_length) + graded), blade_edge_length, "propeller");
   expect_affordable(4 * pi * hub.radius * (hub.length + hub.radius) / (hub_panel * hub_panel), hub_panel, "propeller's hub");
 
   Panels out;
   PartNaming parts(out);
   parts.begin("hub");
   add_hub(out, hub, hub_panel);
-  const Panels blade = Sheet(form, shape.panel, blade_edge_length).closed();
+  const Panels blade = Sheet(form, shape.edge_length, blade_edge_length).closed();
   for (int k = 0; k < shape.blades; ++k) {
     parts.begin("blade_" + std::to_string(k + 1));
     append(out, blade, 2 * pi * k / shape.blades);

@@ -41,7 +41,7 @@ void complete(Panels& panels, MirrorPlane plane) {
 void place(Panels& panels, const Placement& placement) {
   for (Vec3d& vertex : panels.vertices) vertex *= placement.scale;
   if (placement.mirror != MirrorPlane::none) mirror(panels, placement.mirror, 0, 0);
-  if (placement.complete != MirrorPlane::none) complete(panels, placement.complete);
+  if (placement.mirror_merge != MirrorPlane::none) complete(panels, placement.mirror_merge);
   const Vec3d& angles = placement.rotate;
   const Mat3 turn =
       (Quaternion::from_rotation({0, 0, angles.z}) * Quaternion::from_rotation({0, angles.y, 0}) * Quaternion::from_rotation({angles.x, 0, 0})).matrix();

@@ -133,7 +133,7 @@ Surface::Surface(const Panels& panels, const Options& options) : panels_(panels)
   const Components components = build_components(options);
   report_.components = components.count;
 
-  const Outward outward = orient_outward(linked_, components, options.outside, options.name);
+  const Outward outward = orient_outward(linked_, components, options.orientation, options.name);
   report_.flipped = outward.flipped;
   report_.cavities = outward.cavities;
   report_.may_overlap = components_that_may_overlap(linked_, components);
@@ -159,8 +159,8 @@ Components Surface::build_components(const Options& options) {
   Components components = orient_consistently(linked_, options.name);
   report_.rewound = components.rewound;
   if (!connection.non_manifold_edges.empty()) {
-    const Unjoined cut = join_non_manifold(linked_, connection.non_manifold_edges, options.outside == Orientation::reversed);
-    if (!cut.edges.empty() && options.outside == Orientation::undeclared) refuse_non_manifold(cut, linked_, options.name);
+    const Unjoined cut = join_non_manifold(linked_, connection.non_manifold_edges, options.orientation == Orientation::reversed);
+    if (!cut.edges.empty() && options.orientation == Orientation::undeclared) refuse_non_manifold(cut, linked_, options.name);
     report_.cut_edges = cut.edges.size();
     report_.boundary_edges += cut.triangles.size();
     components = orient_consistently(linked_, options.name);

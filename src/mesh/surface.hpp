@@ -60,7 +60,7 @@ class Surface {
   struct Options {
     double weld_tolerance = 1e-9;  ///< vertices nearer than this times the size of the surface become one
     double weld_distance = 0;      ///< [m] or nearer than this, where that is more: closes gaps that rounding left between parts
-    Orientation outside = Orientation::undeclared;
+    Orientation orientation = Orientation::undeclared;
     std::string name = "surface";  ///< how messages call it
   };
 

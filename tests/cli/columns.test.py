@@ -37,7 +37,7 @@ def _(t):
     wanted = {"time [s]": "instantaneous", "cylinder.position_y [m]": "instantaneous", "cylinder.force_y [N]": "interval mean",
               "cylinder.moment_z [N m]": "interval mean", "cylinder.water_force_z [N]": "interval mean", "cylinder.water_moment_x [N m]": "interval mean",
               "cylinder.displaced_mass [kg]": "instantaneous", "cylinder.contact_work [J]": "cumulative", "plate.broken_bonds [-]": "cumulative",
-              "plate.kinetic_energy [J]": "instantaneous", "total.contact_loss [J]": "cumulative", "total.momentum_x [kg m/s]": "instantaneous"}
+              "plate.kinetic_energy [J]": "instantaneous", "total.contact_dissipation [J]": "cumulative", "total.momentum_x [kg m/s]": "instantaneous"}
     t.assertEqual({column: killed[column] for column in wanted}, wanted)
     t.expect_success("statistics", "r")
     t.expect_success("run", deck, "--out", "r", "--resume")

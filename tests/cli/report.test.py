@@ -8,7 +8,7 @@ import shutil
 from claims import claim, main, table
 from reports import ReportFile, read_pictures
 
-# two bodies, one of which breaks to pieces, and an impactor that turns freely
+# two bodies, one of which breaks to fragments, and an impactor that turns freely
 TWO = (
     ("free_dofs: [y]", "free_dofs: [x, y, z, rx, ry, rz]\n    angular_velocity: [2000, 0, 9000]"),
     ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0001}\n  stone:\n    shape: {box: {size: [20 mm, 20 mm, 20 mm]}}\n    position: [1, 0, 0]\n"
@@ -41,9 +41,9 @@ def expect_frames(t, report, folder, name, kept=None):
                 t.assertLessEqual(abs(x - arrays["points"][particle][axis]), bound)
             t.assertLessEqual(abs(picture["speed"][shown] - math.hypot(*v)), half["speed"])
             t.assertLessEqual(abs(picture["damage"][shown] - arrays["damage"][particle][0]), half["damage"])
-            t.assertEqual("piece" in picture, "piece" in arrays)
-            if "piece" in picture:
-                t.assertEqual(round(picture["piece"][shown]), arrays["piece"][particle][0])
+            t.assertEqual("fragment" in picture, "fragment" in arrays)
+            if "fragment" in picture:
+                t.assertEqual(round(picture["fragment"][shown]), arrays["fragment"][particle][0])
 
 
 def report_of(t, folder, *arguments):
@@ -64,7 +64,7 @@ def _(t):
     report = report_of(t, "r")
     t.assertEqual(report.notes, [])
     t.assertEqual(report.times, times_of(t.folder / "r/frames/plate.pvd"))
-    t.assertGreater(max(round(p) for p in report.body("plate")[2][-1]["piece"]), 0, "nothing broke off: this run does not show what it should")
+    t.assertGreater(max(round(p) for p in report.body("plate")[2][-1]["fragment"]), 0, "nothing broke off: this run does not show what it should")
     for name in ("plate", "stone"):
         expect_frames(t, report, t.folder / "r", name)
         body, _, _ = report.body(name)

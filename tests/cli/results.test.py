@@ -29,8 +29,8 @@ def columns_of_the_deck():
         "plate.fracture_energy [J]",
         *vector("total", "momentum", "kg m/s"),
         "total.energy [J]",
-        "total.contact_loss [J]",
-        "total.closing_error [J]",
+        "total.contact_dissipation [J]",
+        "total.energy_balance_error [J]",
         *vector("centre", "displacement", "m"),
     ]
 
@@ -160,7 +160,7 @@ def _(t):
     t.assertAlmostEqual(report["bodies"]["plate"]["mass [kg]"], 0.1 * 0.06 * 0.02 * 8000, delta=1e-12)
     t.assertEqual(report["impactors"]["cylinder"]["surface"]["closure"], "closed")
     t.assertEqual(list(report["timers [s]"]), ["predict", "contact", "forces", "boundaries", "monitors"])
-    t.assertLessEqual(sum(report["timers [s]"].values()), report["wall [s]"])
+    t.assertLessEqual(sum(report["timers [s]"].values()), report["wall_time [s]"])
 
 
 @claim("results: the Setup in run.json, with its defaults filled in, is a deck that gives the same state again")
@@ -183,7 +183,7 @@ def _(t):
     deck = t.deck()
     t.expect_success("run", deck, "--set", "time.end=5 us", "--set", "output.frames=0", "--set", "output.folder=elsewhere",
                      "--set", "impactors.cylinder.velocity=[0, -10, 0]", "--set", "bodies.plate.material.critical_stretch=0.01")
-    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "history.json", "lines/along_y_t5e-06.csv", "pieces/plate_end.csv", "report.html", "run.json"])
+    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "history.csv", "history.json", "lines/along_y_t5e-06.csv", "fragments/plate_end.csv", "report.html", "run.json"])
     setup = t.report("elsewhere")["setup"]
     t.assertEqual((setup["time"]["end"], setup["impactors"]["cylinder"]["velocity"]), (5e-6, [0, -10, 0]))
     t.assertEqual(setup["bodies"]["plate"]["material"]["critical_stretch"], 0.01)

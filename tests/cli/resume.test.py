@@ -34,7 +34,7 @@ def expect_same(t, folder, whole):
             t.assertEqual((t.folder / folder / name).read_bytes(), (t.folder / whole / name).read_bytes(), name)
     report, wanted = t.report(folder), t.report(whole)
     for each in report, wanted:
-        for key in ("wall [s]", "timers [s]", "threads", "resumed_at_steps"):
+        for key in ("wall_time [s]", "timers [s]", "threads", "resumed_at_steps"):
             each.pop(key, None)
         for impactor in each["impactors"].values():  # what detectors remember of distances is looked up again
             for detection in impactor["detection"].values():

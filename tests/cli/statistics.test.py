@@ -166,7 +166,7 @@ def _(t):
     for words in ("channel along x in body plate at 2e-05 s (r/frames/plate_00001.vtp)", "length            0.2 m", "mean 0.03 m, standard deviation ",
                   "narrowest         0.03 m", "0.006 m2 of the channel"):
         t.assertIn(words, out)
-    columns = table(t.folder / "r/pieces/plate_channel_x.csv")
+    columns = table(t.folder / "r/fragments/plate_channel_x.csv")
     t.assertEqual(len(columns["along_x [m]"]), 80)
     for along, low, high, width in zip(*(columns[name] for name in ("along_x [m]", "low_y [m]", "high_y [m]", "width [m]"))):
         for got, wanted in ((low, -0.075), (high, -0.045), (width, 0.03)):
@@ -214,7 +214,7 @@ def _(t):
     t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
     before = t.files("r")
     t.expect_success("statistics", "r", "--windows", "2", "--channel", "plate:x")
-    t.assertEqual(sorted(set(t.files("r")) - set(before)), ["pieces/plate_channel_x.csv", "statistics.csv", "windows.csv"])
+    t.assertEqual(sorted(set(t.files("r")) - set(before)), ["fragments/plate_channel_x.csv", "statistics.csv", "windows.csv"])
     t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
     t.assertEqual(t.files("r"), before)
 

@@ -31,7 +31,7 @@ HullShape ship(double panel, double bow_edge_length) {
           .stem_angle = 24 * degree,
           .waterline_angle = 22 * degree,
           .bilge_radius = 3,
-          .panel = panel,
+          .edge_length = panel,
           .bow_edge_length = bow_edge_length};
 }
 
@@ -49,8 +49,8 @@ HullShape any_hull(std::mt19937_64& random) {
   hull.stern_waterline_angle = between(15, 60) * degree;
   hull.bilge_radius = random() % 3 ? hull.draft * between(0, 1) : 0;
   hull.flare = random() % 2 ? between(-10, 25) * degree : 0;
-  hull.panel = hull.breadth * between(0.05, 0.5);
-  hull.bow_edge_length = random() % 2 ? hull.panel * between(0.2, 1) : 0;
+  hull.edge_length = hull.breadth * between(0.05, 0.5);
+  hull.bow_edge_length = random() % 2 ? hull.edge_length * between(0.2, 1) : 0;
   return hull;
 }
 
@@ -204,7 +204,7 @@ TEST_CASE("hull: random hulls are closed, like a sphere, outward, their own mirr
 TEST_CASE("hull: the volume below the waterline of random hulls comes to the sum over the formulas") {
   int count = 0;
   for_random_hulls(8, [&](HullShape shape, const Panels&) {
-    shape.panel = shape.bow_edge_length = 0.02 * shape.breadth;
+    shape.edge_length = shape.bow_edge_length = 0.02 * shape.breadth;
     if (shape.length > 6 * shape.breadth) return;  // many panels
     const double exact = displacement(shape);
     CHECK(volume_below(Surface(make_hull(shape)), 0) == fixtures::relative(exact, 3e-3));  // chords of a fiftieth of the breadth
@@ -216,10 +216,10 @@ TEST_CASE("hull: the volume below the waterline of random hulls comes to the sum
 TEST_CASE("hull: edges keep to the sizes asked, in the bow and elsewhere, and grow gradually between") {
   double longest = 0;
   for_random_hulls(60, [&](const HullShape& shape, const Panels& hull) {
-    const double bow = shape.bow_edge_length > 0 ? shape.bow_edge_length : shape.panel;
+    const double bow = shape.bow_edge_length > 0 ? shape.bow_edge_length : shape.edge_length;
     const auto ratio = [](const PartTriangle& t, double size) { return std::fmax(norm(t.a - t.b), std::fmax(norm(t.b - t.c), norm(t.c - t.a))) / size; };
     for (const char* name : {"bow", "side", "stern", "bilge", "bottom", "deck"})
-      for (const PartTriangle& t : part(hull, name)) longest = std::fmax(longest, ratio(t, name == std::string("bow") ? bow : shape.panel));
+      for (const PartTriangle& t : part(hull, name)) longest = std::fmax(longest, ratio(t, name == std::string("bow") ? bow : shape.edge_length));
   });
   CHECK(longest > 1);     // diagonals; 1.40 among these hulls
   CHECK(longest <= 1.5);  // what the header says

@@ -29,7 +29,7 @@ PropellerShape b4(double panel, double blade_edge_length) {
           .hub_ratio = 0.301,
           .hub_length = 1.236,
           .axis = Axis::z,
-          .panel = panel,
+          .edge_length = panel,
           .blade_edge_length = blade_edge_length};
 }
 
@@ -46,8 +46,8 @@ PropellerShape any_propeller(std::mt19937_64& random) {
   shape.edge_thickness = between(0.05, 0.3);
   shape.hand = random() % 2 ? Hand::left : Hand::right;
   shape.axis = static_cast<Axis>(random() % 3);
-  shape.panel = shape.diameter * between(0.02, 0.05);
-  shape.blade_edge_length = random() % 2 ? shape.panel * between(0.3, 1) : 0;
+  shape.edge_length = shape.diameter * between(0.02, 0.05);
+  shape.blade_edge_length = random() % 2 ? shape.edge_length * between(0.3, 1) : 0;
   if (random() % 3 == 0) {
     const double chord = between(0.2, 0.4), tip = random() % 2 ? 0 : 0.5 * chord;
     shape.sections = PropellerSections{.radius = {0.15, 0.5, 0.8, 1},
@@ -222,7 +222,7 @@ TEST_CASE("propeller: no edge is longer than asked at its middle, and edges are 
   std::mt19937_64 random(2);
   for (int made = 0; made < 15; ++made) {
     PropellerShape shape = some_propeller(random);
-    shape.axis = Axis::z, shape.hand = Hand::right, shape.blade_edge_length = 0.25 * shape.panel;
+    shape.axis = Axis::z, shape.hand = Hand::right, shape.blade_edge_length = 0.25 * shape.edge_length;
     const Panels all = make_propeller(shape);
     const BladeForm form(shape);
     double longest = 0, longest_at_tip = 0;
@@ -236,8 +236,8 @@ TEST_CASE("propeller: no edge is longer than asked at its middle, and edges are 
       }
     });
     CAPTURE(made);
-    CHECK(longest <= std::hypot(shape.panel, thick) * (1 + 1e-12));                                       // diagonals of the band along the outline
-    CHECK(longest > 0.5 * shape.panel);                                                                   // not needlessly fine: halving stops in time
+    CHECK(longest <= std::hypot(shape.edge_length, thick) * (1 + 1e-12));                                 // diagonals of the band along the outline
+    CHECK(longest > 0.5 * shape.edge_length);                                                             // not needlessly fine: halving stops in time
     CHECK(longest_at_tip <= std::hypot(shape.blade_edge_length * (1 + 0.3 * 0.5), thick) * (1 + 1e-12));  // size grows by 0.3 of the distance
   }
 }

@@ -24,7 +24,7 @@ constexpr StillWater sea{.level = 0.2, .density = 1025, .gravity = 9.81};
 
 const Vec3d size{4, 2, 1};  // [m] of the box, along x, y, z
 
-Surface make_box_surface() { return Surface(make_box({.size = size, .panel = 0.5})); }
+Surface make_box_surface() { return Surface(make_box({.size = size, .edge_length = 0.5})); }
 
 /// A box of half the density of water, its middle so high above the level.
 RigidBody afloat_box(const Surface& box, double above, const FreeDegrees& degrees, const Quaternion& attitude = {}) {
@@ -83,13 +83,13 @@ TEST_CASE("still water: box, sphere and lying cylinder are at rest where Archime
     const Surface surface(panels);
     return level_at_rest(RigidBody({.mass = mass}, Pose({0, 0, 3}), {}, {}, heave), surface, sea);
   };
-  CHECK(*level(make_box({.size = size, .panel = 0.5}), 2000) == fixtures::relative(3 - 0.5 + 2000 / (1025.0 * 8), 1e-14));  // roundings
+  CHECK(*level(make_box({.size = size, .edge_length = 0.5}), 2000) == fixtures::relative(3 - 0.5 + 2000 / (1025.0 * 8), 1e-14));  // roundings
   // half of a surface that is its own mirror image, panels and all
-  const Panels ball = make_sphere({.diameter = 2, .panel = 0.1}), log = make_cylinder({.diameter = 1, .height = 3, .axis = Axis::x, .panel = 0.05});
+  const Panels ball = make_sphere({.diameter = 2, .edge_length = 0.1}), log = make_cylinder({.diameter = 1, .height = 3, .axis = Axis::x, .edge_length = 0.05});
   for (const Panels& panels : {ball, log}) CHECK(std::fabs(*level(panels, 0.5 * 1025 * Surface(panels).report().volume) - 3) < 1e-12);
   // a cap of the height of a quarter of the diameter holds 5/32 of the sphere
   CHECK(*level(ball, 1025 * 4 * std::numbers::pi / 3 * 5 / 32) == fixtures::relative(3 - 0.5, 0.01 * 0.1));  // panel²/8 inside, on a waterplane of 3/4 π
-  CHECK(!level(make_box({.size = size, .panel = 0.5}), 8201).has_value());                                   // 8200 kg of water
+  CHECK(!level(make_box({.size = size, .edge_length = 0.5}), 8201).has_value());                                   // 8200 kg of water
 }
 
 TEST_CASE("still water: a heeled box rights itself with the moment of the wall-sided formula") {
@@ -144,7 +144,7 @@ TEST_CASE("still water: a box rolls with the period of its metacentric height") 
 
 TEST_CASE("still water: the work is what kinetic energy gains, and what the potential loses to the second order of the step") {
   // a sphere, of which the waterplane changes as it bobs, far out of the water and under it
-  const Surface ball(make_sphere({.diameter = 2, .panel = 0.2}));
+  const Surface ball(make_sphere({.diameter = 2, .edge_length = 0.2}));
   double last = 0;
   for (const double dt : {8e-3, 4e-3, 2e-3}) {
     RigidBody body(solid_of_mass(ball.report(), 1500), Pose({0, 0, 1.7}), {}, {}, heave);
@@ -166,7 +166,7 @@ TEST_CASE("still water: the work is what kinetic energy gains, and what the pote
 }
 
 TEST_CASE("still water: with damping a dropped body comes to rest at its draught, and air damps nothing") {
-  const Surface ball(make_sphere({.diameter = 2, .panel = 0.2}));
+  const Surface ball(make_sphere({.diameter = 2, .edge_length = 0.2}));
   StillWater thick = sea;
   thick.damping = 3;
   RigidBody body(solid_of_mass(ball.report(), 1500), Pose({0, 0, 2}), {}, {}, heave);

@@ -28,13 +28,13 @@ Panels reversed(Panels panels) {
   return panels;
 }
 
-Surface open_surface(const Panels& panels) { return Surface(panels, {.outside = Orientation::normals, .name = "hull"}); }
+Surface open_surface(const Panels& panels) { return Surface(panels, {.orientation = Orientation::normals, .name = "hull"}); }
 
 }  // namespace
 
 TEST_CASE("crowded: boxes that share a face become one body, the wall between them goes") {
   for (const double panel : {1.0, 0.25}) {
-    const Panels box = make_box({.size = {1, 1, 1}, .panel = panel});
+    const Panels box = make_box({.size = {1, 1, 1}, .edge_length = panel});
     Panels two = box;
     add(two, box, {1, 0, 0});
     const Surface surface(two);
@@ -48,7 +48,7 @@ TEST_CASE("crowded: boxes that share a face become one body, the wall between th
 }
 
 TEST_CASE("crowded: boxes that touch along an edge hang together there, and their outside is outside") {
-  const Panels box = make_box({.size = {1, 1, 1}, .panel = 0.5});
+  const Panels box = make_box({.size = {1, 1, 1}, .edge_length = 0.5});
   Panels two = box;
   add(two, box, {1, 1, 0});
   const Surface surface(two);
@@ -72,7 +72,7 @@ TEST_CASE("crowded: boxes that touch along an edge hang together there, and thei
 }
 
 TEST_CASE("crowded: an inner wall is refused with its panels, or cut off where the outside is declared, and the outer walls stay whole") {
-  Panels cube = make_box({.size = {1, 1, 1}, .panel = 0.5});
+  Panels cube = make_box({.size = {1, 1, 1}, .edge_length = 0.5});
   Panels wall;  // across the middle, y = 0
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) wall.vertices.push_back({0.5 * i - 0.5, 0, 0.5 * j - 0.5});
@@ -105,7 +105,7 @@ TEST_CASE("crowded: an inner wall is refused with its panels, or cut off where t
 
 TEST_CASE("crowded: a panel that both halves of a hull carry in their common plane is a crumb, and goes") {
   // a tetrahedral body with a triangle of no thickness beyond one of its edges
-  Panels body = make_box({.size = {1, 1, 1}, .panel = 0.02});
+  Panels body = make_box({.size = {1, 1, 1}, .edge_length = 0.02});
   const int tip = int(body.vertices.size());
   const auto at = [&](const Vec3d& place) {
     for (std::size_t v = 0; v < body.vertices.size(); ++v)
@@ -129,7 +129,7 @@ TEST_CASE("crowded: a panel that both halves of a hull carry in their common pla
 }
 
 TEST_CASE("crowded: a sheet given from both sides stays, once") {
-  const Panels box = make_box({.size = {1, 1, 1}, .panel = 0.5});
+  const Panels box = make_box({.size = {1, 1, 1}, .edge_length = 0.5});
   Panels sheet{box.vertices, {}, {}, {}};
   for (const auto& p : box.panels)
     if (box.vertices[std::size_t(p[0])].z > 0.4 && box.vertices[std::size_t(p[1])].z > 0.4 && box.vertices[std::size_t(p[2])].z > 0.4)
@@ -156,7 +156,7 @@ TEST_CASE("crowded: a repeated panel goes whatever its winding, and a third in o
 }
 
 TEST_CASE("crowded: a wall of which a part is given from both sides keeps it, closed and open") {
-  Panels cube = make_box({.size = {1, 1, 1}, .panel = 0.5, .panels = PanelKind::quads});
+  Panels cube = make_box({.size = {1, 1, 1}, .edge_length = 0.5, .panels = PanelKind::quads});
   auto back = cube.panels[3];
   std::swap(back[1], back[3]);
   cube.panels.push_back(back);
@@ -169,7 +169,7 @@ TEST_CASE("crowded: a wall of which a part is given from both sides keeps it, cl
 }
 
 TEST_CASE("crowded: parts of squares share a face whatever corner its panels begin with") {
-  const Panels box = make_box({.size = {1, 1, 1}, .panel = 0.5, .panels = PanelKind::quads});
+  const Panels box = make_box({.size = {1, 1, 1}, .edge_length = 0.5, .panels = PanelKind::quads});
   for (std::size_t turn = 0; turn < 4; ++turn) {
     Panels other = box;
     for (auto& p : other.panels) std::rotate(p.begin(), p.begin() + std::ptrdiff_t(turn), p.end());
@@ -185,12 +185,12 @@ TEST_CASE("crowded: parts of squares share a face whatever corner its panels beg
 }
 
 TEST_CASE("crowded: an inner wall of a hull whose normals point inward leaves its outer wall whole too") {
-  Panels cube = reversed(make_box({.size = {1, 1, 1}, .panel = 0.5}));
+  Panels cube = reversed(make_box({.size = {1, 1, 1}, .edge_length = 0.5}));
   const int first = int(cube.panels.size());
   Panels wall{{{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5}, {-0.5, 0, 0.5}, {0, 0, -0.5}, {0.5, 0, 0}, {0, 0, 0.5}, {-0.5, 0, 0}, {0, 0, 0}}, {}, {}, {}};
   for (const auto& quad : {std::array{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}}) wall.panels.push_back(quad);
   add(cube, wall, {0, 0, 0});
-  const Surface surface(cube, {.outside = Orientation::reversed, .name = "hull"});
+  const Surface surface(cube, {.orientation = Orientation::reversed, .name = "hull"});
   for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
     if (surface.triangles()[t].panel >= first) continue;
     for (std::size_t e = 0; e < 3; ++e) CHECK(surface.neighbour(t, e) >= 0);

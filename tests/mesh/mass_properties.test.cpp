@@ -34,7 +34,7 @@ TEST_CASE("mass properties: a turned and moved brick has those of the brick, tur
   const Vec3d size{1, 2, 3};
   const Mat3 turn = Quaternion::from_rotation({0.3, -1.1, 0.7}).matrix();
   const Vec3d shift{100, -50, 20};
-  const SurfaceReport r = report(fixtures::moved(make_box({.size = size, .panel = 0.4}), [&](const Vec3d& v) { return turn * v + shift; }));
+  const SurfaceReport r = report(fixtures::moved(make_box({.size = size, .edge_length = 0.4}), [&](const Vec3d& v) { return turn * v + shift; }));
   constexpr double far = 1e-11;  // a hundred lengths from the origin cost two digits
   CHECK(r.volume == fixtures::relative(6, far));
   CHECK(norm(r.centroid - shift) < 100 * far);
@@ -50,7 +50,7 @@ TEST_CASE("mass properties: a turned and moved brick has those of the brick, tur
 TEST_CASE("mass properties: a cylinder of n sides has exactly those of the prism") {
   for (const PanelKind kind : {PanelKind::triangles, PanelKind::quads}) {
     const double R = 0.025, h = 0.03, n = circle_divisions(R, 0.004), a = 2 * pi / n;
-    const SurfaceReport r = report(make_cylinder({.diameter = 2 * R, .height = h, .panel = 0.004, .panels = kind}));
+    const SurfaceReport r = report(make_cylinder({.diameter = 2 * R, .height = h, .edge_length = 0.004, .panels = kind}));
     const double area = 0.5 * n * R * R * std::sin(a);
     const double polar = area * R * R * (2 + std::cos(a)) / 6;  // of a regular polygon about its middle
     CHECK(r.volume == fixtures::relative(area * h, rounding));
@@ -65,7 +65,7 @@ TEST_CASE("mass properties: a cylinder of n sides has exactly those of the prism
 
 TEST_CASE("mass properties: sphere and torus come near the smooth ones with the square of the panel size") {
   const auto error_of_sphere = [](double panel) {
-    const SurfaceReport r = report(make_sphere({.diameter = 2, .panel = panel}));
+    const SurfaceReport r = report(make_sphere({.diameter = 2, .edge_length = panel}));
     return std::array{1 - r.volume / (4 * pi / 3), 1 - r.area / (4 * pi), 1 - r.inertia_diagonal.y / (8 * pi / 15)};
   };
   const auto error_of_torus = [](int around) {

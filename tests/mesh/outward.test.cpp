@@ -28,7 +28,7 @@ Panels panels_of(const Surface& surface) {
 
 TEST_CASE("winding: panels turned over at random are mended, and counted") {
   std::mt19937_64 random(1);
-  for (const Panels& good : {make_sphere({.diameter = 1, .panel = 0.1}), fixtures::torus(2, 0.5, 30, 15, 1), make_box({.size = {1, 2, 3}, .panel = 0.3})}) {
+  for (const Panels& good : {make_sphere({.diameter = 1, .edge_length = 0.1}), fixtures::torus(2, 0.5, 30, 15, 1), make_box({.size = {1, 2, 3}, .edge_length = 0.3})}) {
     const Surface expected(good);
     Panels spoilt = good;
     std::size_t turned = 0;
@@ -46,17 +46,17 @@ TEST_CASE("winding: panels turned over at random are mended, and counted") {
 }
 
 TEST_CASE("winding: the majority of an open surface's panels decides") {
-  Panels open = make_sphere({.diameter = 1, .panel = 0.1});
+  Panels open = make_sphere({.diameter = 1, .edge_length = 0.1});
   open.panels.resize(open.panels.size() - 7);
   std::swap(open.panels[0][1], open.panels[0][2]);  // the first one is wrong
-  const Surface surface(open, {.outside = Orientation::normals, .name = "bowl"});
+  const Surface surface(open, {.orientation = Orientation::normals, .name = "bowl"});
   CHECK(surface.report().rewound == 1);
   for (std::size_t t = 0; t < surface.triangles().size(); ++t) CHECK(dot(surface.normal(t), surface.corner(t, 0)) > 0);
 }
 
 TEST_CASE("outward: a closed surface given inside out is turned as a whole") {
   for (const Panels& good :
-       {make_sphere({.diameter = 1, .panel = 0.1}), fixtures::torus(2, 0.5, 30, 15), make_cylinder({.diameter = 1, .height = 2, .panel = 0.2})}) {
+       {make_sphere({.diameter = 1, .edge_length = 0.1}), fixtures::torus(2, 0.5, 30, 15), make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.2})}) {
     const Surface as_given(good), turned(fixtures::reversed(good));
     CHECK(as_given.report().flipped == 0);
     CHECK(turned.report().flipped == 1);
@@ -67,7 +67,7 @@ TEST_CASE("outward: a closed surface given inside out is turned as a whole") {
 }
 
 TEST_CASE("outward: the inner wall of a hollow sphere faces the hollow, however the two are wound") {
-  const Panels outer = make_sphere({.diameter = 2, .panel = 0.15}), inner = scaled(outer, 0.5);
+  const Panels outer = make_sphere({.diameter = 2, .edge_length = 0.15}), inner = scaled(outer, 0.5);
   for (const Panels& first : {outer, fixtures::reversed(outer)}) {
     for (const Panels& second : {inner, fixtures::reversed(inner)}) {
       for (const bool inner_first : {false, true}) {
@@ -84,7 +84,7 @@ TEST_CASE("outward: the inner wall of a hollow sphere faces the hollow, however 
 }
 
 TEST_CASE("outward: a ball in the hollow of a ball is solid again, and a second hollow beside it is none of its business") {
-  const Panels ball = make_box({.size = {1, 1, 1}, .panel = 0.25});
+  const Panels ball = make_box({.size = {1, 1, 1}, .edge_length = 0.25});
   Panels all = scaled(ball, 10);
   all = fixtures::joined(all, scaled(ball, 6, {-1.5, 0, 0}));  // a hollow
   all = fixtures::joined(all, scaled(ball, 2, {-2, 0.5, 0}));  // a solid in it
@@ -97,8 +97,8 @@ TEST_CASE("outward: a ball in the hollow of a ball is solid again, and a second 
 }
 
 TEST_CASE("outward: a blade that is sunk in a hub, or in the arm of an angle, stays solid") {
-  const Panels hub = make_cylinder({.diameter = 2, .height = 2, .panel = 0.3});
-  const Panels blade = fixtures::moved(make_box({.size = {0.2, 2, 0.5}, .panel = 0.1}), [](const Vec3d& v) { return v + Vec3d{0, 1.2, 0}; });
+  const Panels hub = make_cylinder({.diameter = 2, .height = 2, .edge_length = 0.3});
+  const Panels blade = fixtures::moved(make_box({.size = {0.2, 2, 0.5}, .edge_length = 0.1}), [](const Vec3d& v) { return v + Vec3d{0, 1.2, 0}; });
   const Surface propeller(fixtures::joined(hub, fixtures::reversed(blade)));
   CHECK(propeller.report().cavities == 0);
   CHECK(propeller.report().flipped == 1);
@@ -108,7 +108,7 @@ TEST_CASE("outward: a blade that is sunk in a hub, or in the arm of an angle, st
       {{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}, {0, 0, 4}, {4, 0, 4}, {4, 1, 4}, {1, 1, 4}, {1, 4, 4}, {0, 4, 4}},
       {{0, 3, 2, 1}, {0, 5, 4, 3}, {6, 7, 8, 9}, {6, 9, 10, 11}, {0, 1, 7, 6}, {1, 2, 8, 7}, {2, 3, 9, 8}, {3, 4, 10, 9}, {4, 5, 11, 10}, {5, 0, 6, 11}}};
   CHECK(Surface(angle).report().volume == fixtures::relative(28, 1e-12));
-  const Panels bar = scaled(make_box({.size = {1, 1, 1}, .panel = 0.25}), 1, {1.1, 1.1, 2});
+  const Panels bar = scaled(make_box({.size = {1, 1, 1}, .edge_length = 0.25}), 1, {1.1, 1.1, 2});
   CHECK(Surface(fixtures::joined(angle, bar)).report().cavities == 0);
   CHECK(Surface(fixtures::joined(angle, scaled(bar, 1, {-0.6, -0.6, 0}))).report().cavities == 1);  // wholly in the corner
   CHECK(Surface(fixtures::joined(angle, scaled(bar, 1, {1.5, 1.5, 0}))).report().cavities == 0);    // in the box, outside the angle
@@ -116,7 +116,7 @@ TEST_CASE("outward: a blade that is sunk in a hub, or in the arm of an angle, st
 
 TEST_CASE("outward: rays through vertices and along edges of the outer wall do not mislead") {
   // both boxes have the same lattice planes, so the ray of every middle has y or z of the outer box's vertices or diagonals
-  const Panels outer = make_box({.size = {3, 3, 3}, .panel = 0.125}), inner = make_box({.size = {1.5, 1.5, 1.5}, .panel = 0.375});
+  const Panels outer = make_box({.size = {3, 3, 3}, .edge_length = 0.125}), inner = make_box({.size = {1.5, 1.5, 1.5}, .edge_length = 0.375});
   CHECK(Surface(fixtures::joined(outer, inner)).report().cavities == 1);
   CHECK(Surface(fixtures::joined(outer, scaled(inner, 1, {3, 0, 0}))).report().cavities == 0);
 }

@@ -11,7 +11,7 @@
 using namespace fccda;
 
 TEST_CASE("panel faces: areas of all panels make the surface, and each knows its four neighbours on a box of quads") {
-  const Surface surface(make_box({.size = {1, 0.6, 0.4}, .panel = 0.2, .panels = PanelKind::quads}));
+  const Surface surface(make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.2, .panels = PanelKind::quads}));
   const PanelFaces faces(surface);
   REQUIRE(faces.size() == 2 * (5 * 3 + 3 * 2 + 5 * 2));
   double area = 0;
@@ -28,7 +28,7 @@ TEST_CASE("panel faces: areas of all panels make the surface, and each knows its
 }
 
 TEST_CASE("panel faces: what lies around a panel is what a search over all panels of that side finds, and nothing round a corner") {
-  const PanelFaces faces(Surface(make_box({.size = {1, 1, 0.02}, .panel = 0.1, .panels = PanelKind::triangles})));
+  const PanelFaces faces(Surface(make_box({.size = {1, 1, 0.02}, .edge_length = 0.1, .panels = PanelKind::triangles})));
   for (std::size_t p = 0; p < faces.size(); p += 7) {
     std::vector<int> expected;  // the box's faces are convex, so what is near on the same side also hangs together
     for (std::size_t q = 0; q < faces.size(); ++q)

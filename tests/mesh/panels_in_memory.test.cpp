@@ -12,7 +12,7 @@ using namespace fccda;
 
 namespace {
 
-Panels box(double height) { return make_box({.size = {1, 1, height}, .panel = 1}); }
+Panels box(double height) { return make_box({.size = {1, 1, height}, .edge_length = 1}); }
 
 }  // namespace
 

@@ -65,7 +65,7 @@ TEST_CASE("parts: they stay with their panels through welding, splitting, turnin
 
 TEST_CASE("parts: a cylinder has a side, a bottom and a top, whatever its axis") {
   for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
-    const Surface cylinder(make_cylinder({.diameter = 1, .height = 2, .axis = axis, .panel = 0.05}));
+    const Surface cylinder(make_cylinder({.diameter = 1, .height = 2, .axis = axis, .edge_length = 0.05}));
     const auto direction = static_cast<std::size_t>(axis);
     REQUIRE(cylinder.part_names().size() == 3);
     for (const Triangle& triangle : cylinder.triangles()) {

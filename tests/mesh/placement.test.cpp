@@ -47,7 +47,7 @@ TEST_CASE("place: scale comes before translation, and translation after rotation
 
 TEST_CASE("place: a mirrored body is still outward, in triangles and in quads") {
   for (const PanelKind kind : {PanelKind::triangles, PanelKind::quads}) {
-    Panels box = make_box({.size = {1, 2, 3}, .panel = 0.5, .panels = kind});
+    Panels box = make_box({.size = {1, 2, 3}, .edge_length = 0.5, .panels = kind});
     for (Vec3d& v : box.vertices) v += Vec3d{5, 6, 7};
     for (const auto& [plane, centre] : {std::pair{MirrorPlane::x, Vec3d{-5, 6, 7}}, {MirrorPlane::y, {5, -6, 7}}, {MirrorPlane::z, {5, 6, -7}}}) {
       const Surface surface(placed(box, {.mirror = plane}));
@@ -59,7 +59,7 @@ TEST_CASE("place: a mirrored body is still outward, in triangles and in quads") 
 }
 
 TEST_CASE("place: half a ship becomes a whole one, with a wall in its plane or without, and keeps its parts") {
-  Panels half = make_box({.size = {4, 1, 1}, .panel = 0.5, .panels = PanelKind::quads});
+  Panels half = make_box({.size = {4, 1, 1}, .edge_length = 0.5, .panels = PanelKind::quads});
   for (Vec3d& v : half.vertices) v.y += 0.5;
   half.part.assign(half.panels.size(), 0);
   half.part[0] = 1;
@@ -75,7 +75,7 @@ TEST_CASE("place: half a ship becomes a whole one, with a wall in its plane or w
         given.part.erase(given.part.begin() + std::ptrdiff_t(p));
       }
     }
-    const Surface ship(placed(given, {.complete = MirrorPlane::y}));
+    const Surface ship(placed(given, {.mirror_merge = MirrorPlane::y}));
     CHECK(ship.is_closed());
     CHECK(ship.report().components == 1);
     CHECK(ship.report().volume == fixtures::relative(8, 1e-12));

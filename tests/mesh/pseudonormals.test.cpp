@@ -126,7 +126,7 @@ TEST_CASE("pseudonormals: the sign at faces, edges and vertices is the winding n
 
 TEST_CASE("pseudonormals: a hollow body has its inside between the walls") {
   std::mt19937_64 random(2);
-  const Panels outer = make_box({.size = {2, 2, 2}, .panel = 1}), inner = make_box({.size = {1.5, 1.5, 1.5}, .panel = 0.75});
+  const Panels outer = make_box({.size = {2, 2, 2}, .edge_length = 1}), inner = make_box({.size = {1.5, 1.5, 1.5}, .edge_length = 0.75});
   CHECK(wrong_sides(Surface(fixtures::joined(outer, inner)), 6000, 0.4, random) == 0);
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("pseudonormals: all are unit vectors, of tiny and huge bodies too") {
 
 TEST_CASE("pseudonormals: on the edge of an open sheet folded onto itself they point away from it") {
   const Panels folded{{{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}, {0.6, 1, 0}}, {{0, 1, 2, -1}, {1, 0, 3, -1}}};
-  const Surface surface(folded, {.outside = Orientation::normals, .name = "fold"});
+  const Surface surface(folded, {.orientation = Orientation::normals, .name = "fold"});
   CHECK(surface.pseudonormal(0, Feature::edge_0) == Vec3d{0, -1, 0});
 }
 

@@ -20,14 +20,14 @@ namespace {
 
 Surface ship() {
   constexpr double degree = std::numbers::pi / 180;
-  return Surface(make_hull({.length = 30, .breadth = 5, .draft = 2, .freeboard = 1, .stem_angle = 30 * degree, .waterline_angle = 25 * degree, .panel = 0.5}));
+  return Surface(make_hull({.length = 30, .breadth = 5, .draft = 2, .freeboard = 1, .stem_angle = 30 * degree, .waterline_angle = 25 * degree, .edge_length = 0.5}));
 }
 
 }  // namespace
 
 TEST_CASE("submerged: the first moments of a heeled box are those of the wall-sided formula") {
   const double length = 3, breadth = 2, depth = 1.5;
-  const Surface box(make_box({.size = {length, breadth, depth}, .panel = 0.3}));
+  const Surface box(make_box({.size = {length, breadth, depth}, .edge_length = 0.3}));
   for (const double tangent : {0.0, 0.1, -0.4}) {
     for (const double draft_ : {0.6, 0.75, 0.9}) {  // the waterline stays on the sides
       const double cosine = 1 / std::sqrt(1 + tangent * tangent);
@@ -52,7 +52,7 @@ TEST_CASE("submerged: volume, centre and waterplane of a sphere are the cap's, c
   for (const double depth : {0.4, 1.0, 1.7}) {  // of the lowest place
     double last = 0;
     for (const double panel : {0.1, 0.05}) {
-      const SubmergedVolume wet = submerged(Surface(make_sphere({.diameter = 2 * radius, .panel = panel})), {.up = up, .height = depth - radius});
+      const SubmergedVolume wet = submerged(Surface(make_sphere({.diameter = 2 * radius, .edge_length = panel})), {.up = up, .height = depth - radius});
       const double volume = std::numbers::pi * depth * depth * (3 * radius - depth) / 3;
       const double below = 0.75 * (2 * radius - depth) * (2 * radius - depth) / (3 * radius - depth);  // of the centroid under the centre
       // chords of the length of a panel lie up to panel²/8 inside the sphere
@@ -67,7 +67,7 @@ TEST_CASE("submerged: volume, centre and waterplane of a sphere are the cap's, c
 }
 
 TEST_CASE("submerged: of an upright cylinder the share of its height, of a lying one the circle's segment") {
-  const Surface cylinder(make_cylinder({.diameter = 2, .height = 3, .axis = Axis::z, .panel = 0.05}));
+  const Surface cylinder(make_cylinder({.diameter = 2, .height = 3, .axis = Axis::z, .edge_length = 0.05}));
   for (const double depth : {0.3, 1.1, 2.9}) {
     const SubmergedVolume wet = submerged(cylinder, {.height = depth - 1.5});
     CHECK(wet.volume == fixtures::relative(cylinder.report().volume * depth / 3, 1e-12));  // a prism
@@ -84,7 +84,7 @@ TEST_CASE("submerged: of an upright cylinder the share of its height, of a lying
 
 TEST_CASE("submerged: what lies on the two sides of any plane adds up to the whole, and both see the same waterplane") {
   std::mt19937_64 random(11);
-  for (const Surface& surface : {ship(), Surface(make_sphere({.diameter = 2, .panel = 0.2})), Surface(fixtures::tetrahedron())}) {
+  for (const Surface& surface : {ship(), Surface(make_sphere({.diameter = 2, .edge_length = 0.2})), Surface(fixtures::tetrahedron())}) {
     const SurfaceReport& whole = surface.report();
     const double size = norm(whole.bounds.high - whole.bounds.low);
     std::uniform_real_distribution<double> offset(-0.4 * size, 0.4 * size);
@@ -116,7 +116,7 @@ TEST_CASE("submerged: the waterplane is how fast the volume grows, and its heigh
 }
 
 TEST_CASE("submerged: nothing above the plane, the report's volume below it, and the same for any number of threads") {
-  const Surface ball(make_sphere({.diameter = 2, .panel = 0.05}));
+  const Surface ball(make_sphere({.diameter = 2, .edge_length = 0.05}));
   CHECK(submerged(ball, {.height = -1.01}).volume == 0);
   CHECK(submerged(ball, {.height = 1.01}).volume == ball.report().volume);
   CHECK(submerged(ball, {.height = 1.01}).centre == ball.report().centroid);

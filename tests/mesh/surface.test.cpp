@@ -16,7 +16,7 @@ using doctest::Contains;
 
 namespace {
 
-Surface named(const Panels& panels, Orientation outside = Orientation::undeclared) { return Surface(panels, {.outside = outside, .name = "hull"}); }
+Surface named(const Panels& panels, Orientation outside = Orientation::undeclared) { return Surface(panels, {.orientation = outside, .name = "hull"}); }
 
 /// Panels and the whole sentence that refuses them.
 void check_refused(const Panels& panels, const char* sentence) { CHECK_THROWS_WITH_AS(named(panels), sentence, InputError); }
@@ -42,7 +42,7 @@ TEST_CASE("surface: a cube of quads is closed, with eight vertices and twelve tr
 }
 
 TEST_CASE("surface: neighbours are mutual and share the edge that says so") {
-  for (const Panels& panels : {fixtures::unit_cube(), fixtures::exploded(fixtures::torus(2, 0.5, 20, 10)), make_sphere({.diameter = 1, .panel = 0.1})}) {
+  for (const Panels& panels : {fixtures::unit_cube(), fixtures::exploded(fixtures::torus(2, 0.5, 20, 10)), make_sphere({.diameter = 1, .edge_length = 0.1})}) {
     const Surface surface = named(panels);
     for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
       for (std::size_t e = 0; e < 3; ++e) {
@@ -66,7 +66,7 @@ TEST_CASE("surface: vertices - edges + faces tell sphere and torus apart after w
     return int(report.vertices) - int(3 * report.triangles / 2) + int(report.triangles);
   };
   CHECK(euler(fixtures::exploded(fixtures::unit_cube())) == 2);
-  CHECK(euler(fixtures::exploded(make_sphere({.diameter = 1, .panel = 0.1}))) == 2);
+  CHECK(euler(fixtures::exploded(make_sphere({.diameter = 1, .edge_length = 0.1}))) == 2);
   CHECK(euler(fixtures::exploded(fixtures::torus(2, 0.5, 24, 12, 1))) == 0);
 }
 
@@ -179,7 +179,7 @@ TEST_CASE("surface: a body whose tips touch in one vertex has that vertex twice"
 }
 
 TEST_CASE("surface: construction gives the same bits for any number of threads") {
-  const Panels panels = fixtures::exploded(make_sphere({.diameter = 1, .panel = 0.02}));
+  const Panels panels = fixtures::exploded(make_sphere({.diameter = 1, .edge_length = 0.02}));
   const int before = thread_count();
   use_threads(1);
   const Surface alone = named(panels);

@@ -128,7 +128,7 @@ TEST_CASE("slivers: a triangle with one on each side takes them one after the ot
 
 TEST_CASE("slivers: one at a rim is left out") {
   const Panels sheet{{{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 3, -1}, {1, 2, 3, -1}, {0, 2, 1, -1}}};
-  const Surface surface(sheet, {.outside = Orientation::normals, .name = "sheet"});
+  const Surface surface(sheet, {.orientation = Orientation::normals, .name = "sheet"});
   CHECK(surface.report().degenerate == 1);
   CHECK(surface.report().triangles == 2);
 }

@@ -102,10 +102,10 @@ TEST_CASE("weld: a distance closes the gaps that rounding left, and what lies fu
   std::mt19937 random(5);
   std::uniform_real_distribution<double> slip(-5e-5, 5e-5);
   for (Vec3d& v : cube.vertices) v += Vec3d{slip(random), slip(random), slip(random)};
-  CHECK_FALSE(Surface(cube, {.outside = Orientation::normals}).is_closed());
+  CHECK_FALSE(Surface(cube, {.orientation = Orientation::normals}).is_closed());
   const Surface closed(cube, {.weld_distance = 2e-4});
   CHECK(closed.is_closed());
   CHECK(closed.report().vertices == 8);
   CHECK(closed.report().volume == fixtures::relative(1, 1e-3));  // corners moved by 1e-4
-  CHECK_FALSE(Surface(cube, {.weld_distance = 1e-6, .outside = Orientation::normals}).is_closed());
+  CHECK_FALSE(Surface(cube, {.weld_distance = 1e-6, .orientation = Orientation::normals}).is_closed());
 }

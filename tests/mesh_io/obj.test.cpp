@@ -71,7 +71,7 @@ TEST_CASE("obj: a convex polygon becomes a fan of its area") {
       text += "v " + std::to_string(std::cos(u)) + " " + std::to_string(std::sin(u)) + " 2\n";
       face += " " + std::to_string(k + 1);
     }
-    const Surface polygon(parse(text + face), {.outside = Orientation::normals, .name = "polygon"});
+    const Surface polygon(parse(text + face), {.orientation = Orientation::normals, .name = "polygon"});
     CHECK(polygon.triangles().size() == std::size_t(sides - 2));
     CHECK(polygon.report().area == fixtures::relative(0.5 * sides * std::sin(2 * std::numbers::pi / sides), 1e-5));  // six digits of to_string
     for (std::size_t t = 0; t < polygon.triangles().size(); ++t) CHECK(polygon.normal(t).z == 1);
@@ -79,14 +79,14 @@ TEST_CASE("obj: a convex polygon becomes a fan of its area") {
 }
 
 TEST_CASE("obj: a polygon with corners on a straight side is whole") {
-  const Surface polygon(parse("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4 5"), {.outside = Orientation::normals, .name = "polygon"});
+  const Surface polygon(parse("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4 5"), {.orientation = Orientation::normals, .name = "polygon"});
   CHECK(polygon.report().area == fixtures::relative(4, 1e-12));
   CHECK(polygon.report().boundary_edges == 5);
 }
 
 TEST_CASE("obj: a re-entrant polygon is cut inside, and one whose sides cross is refused") {
   const std::string dart = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3.9 0.1 0\nv 0 4 0\n";
-  const Surface inside(parse(dart + "f 1 2 3 4 5"), {.outside = Orientation::normals, .name = "dart"});
+  const Surface inside(parse(dart + "f 1 2 3 4 5"), {.orientation = Orientation::normals, .name = "dart"});
   CHECK(inside.report().area == fixtures::relative(8.2, 1e-12));  // shoelace: (0 + 16 - 15.2 + 15.6 + 0)/2
   check_refused("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 0\nv 2 5 0\nf 1 2 3 4 5",
                 "hull.obj:6: the face with 5 vertices cannot be cut into triangles, for its sides cross one another; triangulate the mesh when exporting it.");

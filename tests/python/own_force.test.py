@@ -71,7 +71,7 @@ def swings(test):
     # the velocity of each instant is interpolated, which has a ripple of (ω dt)² = 1.6e-3
     np.testing.assert_allclose(kinetic - work, kinetic[0], rtol=0, atol=2e-3 * kinetic.max())
     # the balance knows the ripple, and closes to rounding: energies cancel to 1e-16 of what the bonds' positions round to
-    test.assertLess(np.abs(history["total.closing_error [J]"]).max(), 1e-9 * kinetic.max())
+    test.assertLess(np.abs(history["total.energy_balance_error [J]"]).max(), 1e-9 * kinetic.max())
 
 
 @claim("a force may be given for all, for each particle or for each slot, with the same result")

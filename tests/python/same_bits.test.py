@@ -78,7 +78,7 @@ def body_of_mesh(test):
     test.assertEqual(len(body), 20 * 12 * 4)
 
 
-@claim("steps one by one, runs in pieces, callbacks and any number of threads change no bit")
+@claim("steps one by one, runs in fragments, callbacks and any number of threads change no bit")
 def same_steps(test):
     deck = test.folder / test.deck()
     wanted = finished(perimpact.Simulation.from_deck(deck))
@@ -88,13 +88,13 @@ def same_steps(test):
         one_by_one.step()
     test.assertEqual(one_by_one.state_hash, wanted)
 
-    pieces = perimpact.Simulation.from_deck(deck)
+    fragments = perimpact.Simulation.from_deck(deck)
     times = []
-    pieces.run(until=5e-6)
-    test.assertTrue(5e-6 <= pieces.time < 5e-6 + pieces.dt, pieces.time)
-    pieces.run(callback=lambda simulation: times.append(simulation.step_number), every=7)
+    fragments.run(until=5e-6)
+    test.assertTrue(5e-6 <= fragments.time < 5e-6 + fragments.dt, fragments.time)
+    fragments.run(callback=lambda simulation: times.append(simulation.step_number), every=7)
     test.assertEqual(np.unique(np.diff(times)).tolist(), [7])
-    test.assertEqual(pieces.state_hash, wanted)
+    test.assertEqual(fragments.state_hash, wanted)
 
     stopped = perimpact.Simulation.from_deck(deck)
     stopped.run(callback=lambda simulation: simulation.step_number < 3)

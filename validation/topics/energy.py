@@ -11,7 +11,7 @@ def closing(folder):
     """The largest closing error of all rows over the energy that changed hands."""
     history = read_columns(folder / "history.csv")
     works = [name for name in history if name.endswith((".contact_work [J]", ".work [J]"))]
-    return max(map(abs, history["total.closing_error [J]"])) / sum(max(map(abs, history[name])) for name in works)
+    return max(map(abs, history["total.energy_balance_error [J]"])) / sum(max(map(abs, history[name])) for name in works)
 
 
 def measure(runner):

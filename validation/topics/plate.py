@@ -83,7 +83,7 @@ def measure(runner):
         "line x": line_apart(folders["panel_1mm"], "x", read_columns(FEM / f"fem_{FINE}mm_line_x.csv")) / abs(fem[CENTRE][-1]),
         "line y": line_apart(folders["panel_1mm"], "y", read_columns(FEM / f"fem_{FINE}mm_line_y.csv")) / abs(fem[CENTRE][-1]),
         "momentum": max(abs(p / momentum[0] - 1) for p in momentum),
-        "contact loss": meshed["total.contact_loss [J]"][-1],
+        "contact loss": meshed["total.contact_dissipation [J]"][-1],
         "from analytic": max(apart(meshed, histories["analytic"], column) for column in (CENTRE, Y)),
         "original centre": at(original, CENTRE, 200e-6),
         "original cylinder": at(original, Y, 200e-6) - original[Y][0],

@@ -28,5 +28,5 @@ def rows():
         Row("kills", "[kills.test.py](../tests/long/kills.test.py)", "kills", "count", AtLeast(200), "that many were asked for"),
         Row("of them while a checkpoint was being written", "the same", "in writing", "count", AtLeast(11), "one in twenty: the moment that matters is met"),
         Row("runs gone on with", "the same", "resumed", "count", AtLeast(51), "one in four, else kills came before anything was kept"),
-        Row("runs that ended with another bit", "the run in one piece", "different", "count", Exactly(0), "bits"),
+        Row("runs that ended with another bit", "the run in one fragment", "different", "count", Exactly(0), "bits"),
     ]

@@ -21,5 +21,5 @@ for folder in sys.argv[1:]:
     print(folder)
     for name in told:
         print(f"  {name:42} {history[name][-1]:12.5g}")
-    error, work = largest["total.closing_error [J]"], sum(largest[name] for name in works)
+    error, work = largest["total.energy_balance_error [J]"], sum(largest[name] for name in works)
     print(f"  {'largest closing error [J]':42} {error:12.3g}   {error / work:.1e} of {work:.5g} J")

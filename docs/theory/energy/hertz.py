@@ -41,9 +41,9 @@ def measure(folder):
         "step": run["time [s]"] / run["steps"],
         "peak": force.max() / (1.25 * mass * speed**2 / approach),
         "duration": (times[pressed[-1]] - times[pressed[0] - 1]) / (2.943 * approach / speed),
-        "loss": column["total.contact_loss [J]"][-1] / brought,
+        "loss": column["total.contact_dissipation [J]"][-1] / brought,
         "rise": (energy.max() - energy[0]) / energy[0],
-        "closing": np.abs(column["total.closing_error [J]"]).max() / brought,
+        "closing": np.abs(column["total.energy_balance_error [J]"]).max() / brought,
         "momentum": max(np.abs(column[f"total.momentum_{axis} [kg m/s]"] / column[f"total.momentum_{axis} [kg m/s]"][0] - 1).max() for axis in "xyz"),
     }
 

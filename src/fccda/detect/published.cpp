@@ -37,7 +37,7 @@ void Rejections::count(Verdict verdict) {
   by_eq20 += verdict == Verdict::eq20;
 }
 
-Published::Published(std::shared_ptr<const Surface> surface, const ContactBounds& region, PublishedVariant variant)
+Published::Published(std::shared_ptr<const Surface> surface, const ContactBounds& region, Variant variant)
     : surface_(std::move(surface)),
       region_(region),
       variant_(variant),
@@ -106,7 +106,7 @@ Verdict Published::judge_corrected(const Planes& panel, const Vec3d& x_t0, const
 // Eqs. 18 and 19.
 Vec3d Published::relocated(const Plane& plane, const Vec3d& x_t1) const {
   const Vec3d on_plane = x_t1 - plane.height(x_t1) * plane.normal;
-  if (variant_ == PublishedVariant::literal) return on_plane;
+  if (variant_ == Variant::literal) return on_plane;
   Vec3d best = closest_on_triangle(on_plane, {plane.node[0], plane.node[1], plane.node[2]}).point;
   if (plane.nodes == 4) {
     const Vec3d other = closest_on_triangle(on_plane, {plane.node[2], plane.node[3], plane.node[0]}).point;

@@ -59,9 +59,9 @@ struct Rejections {
 class Published {
  public:
   static constexpr std::string_view name = "published";
-  enum class PublishedVariant { corrected, literal };
+  enum class Variant { corrected, literal };
 
-  Published(std::shared_ptr<const Surface> surface, const ContactBounds& region, PublishedVariant variant);
+  Published(std::shared_ptr<const Surface> surface, const ContactBounds& region, Variant variant);
 
   /// Adds the contacts of one step to `out`, in point order. The travel of the surface is not needed.
   template <Points P>
@@ -158,7 +158,7 @@ class Published {
   Plane plane(std::size_t panel, const Pose& pose) const;
   void look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const;
   Verdict judge(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) const {
-    return variant_ == PublishedVariant::literal ? judge_literal(panel, x_t0, x_t1, motion) : judge_corrected(panel, x_t0, x_t1);
+    return variant_ == Variant::literal ? judge_literal(panel, x_t0, x_t1, motion) : judge_corrected(panel, x_t0, x_t1);
   }
   static Verdict judge_literal(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion);
   static Verdict judge_corrected(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1);
@@ -166,7 +166,7 @@ class Published {
 
   std::shared_ptr<const Surface> surface_;
   ContactBounds region_;
-  PublishedVariant variant_;
+  Variant variant_;
   std::vector<int> sign_;             // of each panel's normal as wound: -1 where the surface was turned outward, 0 where it was dropped
   std::vector<Plane> at_t0_, at_t1_;  // of this step
   Effort effort_;

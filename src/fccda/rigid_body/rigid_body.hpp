@@ -92,7 +92,7 @@ class RigidBody {
     std::array<double, 4> parts{attitude.w, attitude.x, attitude.y, attitude.z};
     visit(std::string_view("attitude"), std::span<double>(parts));
     place({parts[0], parts[1], parts[2], parts[3]});
-    visit(std::string_view("work_of_holder"), std::span<double>(&constraint_work_, 1));
+    visit(std::string_view("constraint_work"), std::span<double>(&constraint_work_, 1));
   }
 
  private:

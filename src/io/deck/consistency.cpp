@@ -79,7 +79,7 @@ bool is_fitted(const ContactBoundsSetup& region) {
 }
 
 void check_region(const ContactBoundsSetup& region, const std::string& path, const Places& places) {
-  if (region.outside.as<BeyondBounds>() == BeyondBounds::clip && std::holds_alternative<std::monostate>(region.shape))
+  if (region.on_exceed.as<BeyondBounds>() == BeyondBounds::clip && std::holds_alternative<std::monostate>(region.shape))
     refuse(places.of(path + ".outside"), "outside is clip, but there is no region that the surface could stick out of; give one, or remove outside.");
   if (const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape)) {
     for (const char* key : {"count", "gain"})
@@ -102,9 +102,9 @@ void check_region(const ContactBoundsSetup& region, const std::string& path, con
 void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Places& places) {
   const std::string path = "impactors." + impactor.name;
   if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = full_path_of_surface(file->file, folder, places.of(path + ".surface.file"));
-  check_region(impactor.region, path + ".region", places);
+  check_region(impactor.contact_bounds, path + ".region", places);
   std::set<std::string> seen;
-  for (const std::string& direction : impactor.free) {
+  for (const std::string& direction : impactor.free_dofs) {
     if (std::find(std::begin(degree_words), std::end(degree_words), direction) == std::end(degree_words))
       refuse(places.of(path + ".free"),
              fmt::format("free holds \"{}\", which is no degree of freedom; known are {}.", direction, fmt::join(degree_words, ", ")));
@@ -138,7 +138,7 @@ void check_contact(Setup& setup, const Places& places) {
       refuse(
           places.of(path + "detector"),
           fmt::format("detector is analytic, which knows cylinders and spheres only, but the surface of {} is another; write detector: swept.", impactor.name));
-    if (is_fitted(impactor.region))
+    if (is_fitted(impactor.contact_bounds))
       refuse(places.of("impactors." + impactor.name + ".region"),
              "region is fitted to the panels of the surface, but the analytic detector strikes what those are cut from; give a box, or write detector: swept.");
   }

@@ -105,7 +105,7 @@ void make_boundary_conditions_consistent(BodySetup& body, const std::filesystem:
 void check_relaxation(const Setup& setup, const Places& places) {
   if (!setup.time.relax) return;
   if (setup.time.step) refuse(places.of("time.step"), "step is given beside relax, which counts in increments; remove one of the two.");
-  if (setup.output.history) refuse(places.of("output.history"), "history is given, but relax makes a row of each increment; remove history.");
+  if (setup.output.history_interval) refuse(places.of("output.history_interval"), "history is given, but relax makes a row of each increment; remove history.");
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none)
     refuse(places.of("contact.fragments.law"), "law is repulsive, but bodies that are relaxed do not touch; remove one of the two.");
   for (const BodySetup& body : setup.bodies) {

@@ -24,7 +24,7 @@ void check_mass(const ImpactorSetup& impactor, const std::string& path, const Pl
 bool is_rotation(std::size_t degree) { return degree >= 3; }
 
 bool is_free(const ImpactorSetup& impactor, std::size_t degree) {
-  return std::find(impactor.free.begin(), impactor.free.end(), degree_words[degree]) != impactor.free.end();
+  return std::find(impactor.free_dofs.begin(), impactor.free_dofs.end(), degree_words[degree]) != impactor.free_dofs.end();
 }
 
 /// An angle about one axis says where the impactor is only while it turns about no other.
@@ -71,7 +71,7 @@ void check_load(const LoadSetup& load, const std::string& path, const Places& pl
 
 void check_gauge(const GaugeSetup& gauge, DetectorKind detector, const std::string& path, const Places& places) {
   if (gauge.axis && *gauge.axis == Vec3d{}) refuse(places.of(path + ".axis"), "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
-  if (!gauge.parts.empty() && detector == DetectorKind::analytic)
+  if (!gauge.surface_parts.empty() && detector == DetectorKind::analytic)
     refuse(places.of(path + ".parts"), "parts is given, but the analytic detector knows no panels; remove parts, or write detector: swept.");
 }
 

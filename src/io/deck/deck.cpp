@@ -2,8 +2,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "io/deck/consistency.hpp"
+#include "io/deck/deprecated_keys.hpp"
 #include "io/deck/overrides.hpp"
 #include "io/deck/reader.hpp"
 
@@ -37,11 +39,11 @@ Deck read_deck(const fs::path& file, std::span<const std::string> overrides) {
 Deck read_deck_text(std::string_view text, const std::string& name, const fs::path& folder, std::span<const std::string> overrides) {
   YamlNode document = parse_document(text, name);
   for (const std::string& change : overrides) apply_override(document, change);
-  return deck_of_tree(document, name, folder);
+  return deck_of_tree(std::move(document), name, folder);
 }
 
-Deck deck_of_tree(const YamlNode& document, const std::string& name, const fs::path& folder) {
-  Deck deck{.setup = {}, .places = Places(name)};
+Deck deck_of_tree(YamlNode document, const std::string& name, const fs::path& folder) {
+  Deck deck{.setup = {}, .places = Places(name), .warnings = rename_deprecated_keys(document)};
   Reader(document, "", name, deck.places).read(deck.setup);
   make_consistent(deck.setup, deck.places, folder);
   return deck;

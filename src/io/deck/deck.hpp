@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/deck/places.hpp"
 #include "io/deck/yaml_node.hpp"
@@ -14,7 +15,8 @@ namespace perimpact::deck {
 
 struct Deck {
   Setup setup;
-  Places places;  ///< "bodies.plate.spacing" → "deck.yaml:7:14"
+  Places places;                      ///< "bodies.plate.spacing" → "deck.yaml:7:14"
+  std::vector<std::string> warnings;  ///< deprecated keys, a sentence each
 };
 
 /// Reads a deck with changes of the form "key.path=value", applied in order. Relative file names in it start at the deck's folder.
@@ -29,6 +31,6 @@ Deck read_deck_text(std::string_view text, const std::string& name, const std::f
 YamlNode read_deck_tree(const std::filesystem::path& file);
 
 /// The same from a tree, read or made by code, whose places say where each value comes from.
-Deck deck_of_tree(const YamlNode& document, const std::string& name, const std::filesystem::path& folder);
+Deck deck_of_tree(YamlNode document, const std::string& name, const std::filesystem::path& folder);
 
 }  // namespace perimpact::deck

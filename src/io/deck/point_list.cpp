@@ -31,9 +31,9 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
-class Parser {
+class PointListParser {
  public:
-  explicit Parser(const std::string& file) : file_(file) {}
+  explicit PointListParser(const std::string& file) : file_(file) {}
 
   void header(std::string_view line) {
     ++line_;
@@ -111,7 +111,7 @@ class Parser {
 PointList read_point_list(const std::filesystem::path& path, const std::string& place) {
   const std::string file = full_path(path, place);
   std::ifstream stream = open_file(file, place);
-  Parser parser(file);
+  PointListParser parser(file);
   std::string line;
   std::getline(stream, line);
   parser.header(line);

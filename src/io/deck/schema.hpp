@@ -49,13 +49,13 @@ void sections(Walker& walk, TimeSetup& time) {
 template <class Walker>
 void sections(Walker& walk, BodySetup& body) {
   walk.one_of("shape", body.shape, Presence::required, "The solid that is filled with particles, or a file of particles.");
-  walk.named("parts", body.parts, Presence::optional, "A solid that is united with the shape, under a name of your choice.");
+  walk.named("add", body.add, Presence::optional, "A solid that is united with the shape, under a name of your choice.");
   walk.named("holes", body.holes, Presence::optional, "A solid that is taken out of shape and parts, under a name of your choice.");
   walk.named("cracks", body.cracks, Presence::optional, "A crack that is there from the start, under a name of your choice.");
-  walk.named("regions", body.regions, Presence::optional, "The particles in a solid, under a name of your choice that boundaries and failure use.");
+  walk.named("particle_sets", body.particle_sets, Presence::optional, "The particles in a solid, under a name of your choice that boundaries and failure use.");
   walk.by_word("material", "model", body.material, "What the body is made of.");
   walk.section("failure", body.failure, Presence::optional, "Which bonds break, beside the critical stretch of the material.");
-  walk.named("boundaries", body.boundary_conditions, Presence::optional,
+  walk.named("boundary_conditions", body.boundary_conditions, Presence::optional,
              "What holds, moves, loads or damps some particles, under a name of your choice; its force and work become columns of history.csv.");
 }
 
@@ -88,7 +88,7 @@ void sections(Walker& walk, ImpactorSetup& impactor) {
   walk.section("coarsen", impactor.coarsen, Presence::optional, "Merges panels where the surface is cut finer than its shape needs, before refine.");
   walk.named("refine", impactor.refine, Presence::optional,
              "Makes panels smaller in some place, under a name of your choice; the shape stays. Where several hold, the smallest panel counts.");
-  walk.section("region", impactor.region, Presence::optional, "Where contact is looked for. Where absent, wherever the surface is.");
+  walk.section("contact_bounds", impactor.contact_bounds, Presence::optional, "Where contact is looked for. Where absent, wherever the surface is.");
   walk.section("motion", impactor.motion, Presence::optional, "Motion against time of degrees of freedom that are not free.");
   walk.named("loads", impactor.loads, Presence::optional, "A force or moment on the impactor besides contact, under a name of your choice.");
   walk.section("floating", impactor.floating, Presence::optional,

@@ -22,9 +22,9 @@ std::pair<std::string_view, std::string_view> columns_of(std::string_view line) 
                                          : std::pair(trimmed_cell(line.substr(0, comma)), trimmed_cell(line.substr(comma + 1)));
 }
 
-class Parser {
+class TimeSeriesParser {
  public:
-  Parser(const std::string& file, bool of_rotation) : file_(file), of_rotation_(of_rotation) {}
+  TimeSeriesParser(const std::string& file, bool of_rotation) : file_(file), of_rotation_(of_rotation) {}
 
   void header(std::string_view line) {
     ++line_;
@@ -95,7 +95,7 @@ class Parser {
 TimeSeries read_time_series(const std::filesystem::path& path, bool of_rotation, const std::string& place) {
   const std::string file = full_path(path, place);
   std::ifstream stream = open_file(file, place);
-  Parser parser(file, of_rotation);
+  TimeSeriesParser parser(file, of_rotation);
   std::string line;
   std::getline(stream, line);
   parser.header(line);

@@ -1,9 +1,9 @@
 /// The folder that a run leaves behind, and the one place that knows its names:
 ///
 ///   run.json   history.csv   history.json   lines/<line>_t<seconds>.csv   frames/<body>_00000.vtp, …   frames/<body>.pvd
-///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv   pieces/<body>.csv, <body>_end.csv   checkpoint.h5   report.html
+///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv   fragments/<body>.csv, <body>_end.csv   checkpoint.h5   report.html
 ///
-/// `perimpact statistics` adds statistics.csv, windows.csv, spectrum.csv and pieces/<body>_channel_x.csv, which go with the run that they tell
+/// `perimpact statistics` adds statistics.csv, windows.csv, spectrum.csv and fragments/<body>_channel_x.csv, which go with the run that they tell
 /// of. `check` writes into check/, which runs leave alone.
 #pragma once
 
@@ -41,7 +41,7 @@ class ResultsFolder {
   static std::filesystem::path pressure_area_in(const std::filesystem::path& folder) { return folder / "pressure_area"; }
   static std::filesystem::path frames_in(const std::filesystem::path& folder) { return folder / "frames"; }
   static std::filesystem::path run_in(const std::filesystem::path& folder) { return folder / "run.json"; }
-  static std::filesystem::path fragments_in(const std::filesystem::path& folder) { return folder / "pieces"; }
+  static std::filesystem::path fragments_in(const std::filesystem::path& folder) { return folder / "fragments"; }
   static std::filesystem::path checkpoint_in(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
   static std::filesystem::path report_in(const std::filesystem::path& folder) { return folder / "report.html"; }
 

@@ -23,7 +23,7 @@ struct Tag {
   fccda::VtpArray array;
 };
 
-/// The one piece that write_vtp writes, all arrays appended as raw bytes.
+/// The one fragment that write_vtp writes, all arrays appended as raw bytes.
 class Reader {
  public:
   Reader(std::string_view contents, std::string file) : contents_(contents), tags_(contents, file), file_(std::move(file)) { read_tags(); }

@@ -104,9 +104,9 @@ Choice choose(const Frames& frames, double most, std::size_t min_frames) {
   for (const BodyFrames& body : frames.bodies) particles += body.undeformed.size();
   const double fitting = particles == 0 ? static_cast<double>(times.size()) : most / static_cast<double>(particles);
   const auto least = static_cast<double>(std::min(min_frames, times.size()));
-  const double frames = std::floor(std::clamp(fitting, least, static_cast<double>(times.size())));
+  const double shown = std::floor(std::clamp(fitting, least, static_cast<double>(times.size())));
 
-  Choice choice{.times = evenly(times, static_cast<std::size_t>(frames)), .particles = {}};
+  Choice choice{.times = evenly(times, static_cast<std::size_t>(shown)), .particles = {}};
   const double share = std::min(1.0, fitting / std::max(1.0, static_cast<double>(choice.times.size())));
   for (const BodyFrames& body : frames.bodies) {
     if (share < 1) {

@@ -41,17 +41,17 @@ void add_particles(BodyFrames& body, const FrameReader& frame, const output::Fra
   const FrameArray& displacement = needed(frame, entry.file, "displacement", 3);
   const FrameArray& velocity = needed(frame, entry.file, "velocity", 3);
   const FrameArray& damage = needed(frame, entry.file, "damage", 1);
-  const FrameArray* piece = array_of(frame, "piece", 1);
+  const FrameArray* fragment = array_of(frame, "fragment", 1);
   const std::size_t count = frame.points.size();
   const bool is_first = body.frames.empty();
   if (!is_first && count != body.undeformed.size())
     throw InputError(
         fmt::format("{} shows {} particles, but the pictures before it {}; take the files of one run.", entry.file.string(), count, body.undeformed.size()));
-  if (!is_first && (piece != nullptr) != body.has_fragments)
-    throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name pieces; take the files of one run.", entry.file.string(),
-                                 piece ? "it does" : "those do"));
+  if (!is_first && (fragment != nullptr) != body.has_fragments)
+    throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name fragments; take the files of one run.", entry.file.string(),
+                                 fragment ? "it does" : "those do"));
   if (is_first) {
-    body.has_fragments = piece != nullptr;
+    body.has_fragments = fragment != nullptr;
     for (std::size_t i = 0; i < count; ++i) {
       const double* u = &displacement.numbers[3 * i];
       body.undeformed.push_back(frame.points[i] - Vec3d{u[0], u[1], u[2]});
@@ -64,7 +64,7 @@ void add_particles(BodyFrames& body, const FrameReader& frame, const output::Fra
     for (std::size_t axis = 0; axis < 3; ++axis) body.displacement[axis].include(displacement.numbers[3 * i + axis]);
     body.speed.include(velocity.scalar(i));
     body.is_damaged[i] = damage.numbers[i] > 0;
-    if (piece) body.highest_fragment = std::max(body.highest_fragment, static_cast<std::uint32_t>(std::max(0.0, piece->numbers[i])));
+    if (fragment) body.highest_fragment = std::max(body.highest_fragment, static_cast<std::uint32_t>(std::max(0.0, fragment->numbers[i])));
   }
   body.frames.push_back(entry);
 }
@@ -126,17 +126,17 @@ std::vector<double> Frames::times() const {
 }
 
 Frames scan_frames(const std::filesystem::path& folder, std::vector<std::string>& notes) {
-  const std::filesystem::path frames = output::ResultsFolder::frames_in(folder);
+  const std::filesystem::path folder_of_frames = output::ResultsFolder::frames_in(folder);
   std::vector<std::filesystem::path> lists;
   std::error_code missing;
-  for (const auto& entry : std::filesystem::directory_iterator(frames, missing))
+  for (const auto& entry : std::filesystem::directory_iterator(folder_of_frames, missing))
     if (entry.path().extension() == ".pvd") lists.push_back(entry.path());
   std::sort(lists.begin(), lists.end());
 
   Frames frames;
   if (lists.empty())
     notes.push_back(
-        fmt::format("{} holds no series of pictures (.pvd), so nothing can be shown in space; `output.frames` in the deck asks for them.", frames.string()));
+        fmt::format("{} holds no series of pictures (.pvd), so nothing can be shown in 3-D; `output.frames` in the deck asks for them.", folder_of_frames.string()));
   for (const std::filesystem::path& list : lists) try {
       scan_series(list, frames, notes);
     } catch (const InputError& error) {

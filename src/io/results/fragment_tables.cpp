@@ -9,7 +9,7 @@ namespace {
 
 const std::vector<std::string>& fragment_columns() {
   static const std::vector<std::string> all = {
-      "time [s]", "pieces [-]", "single_particles [-]", "largest [kg]", "second_largest [kg]", "above_1_percent [-]", "outside_largest [kg]"};
+      "time [s]", "fragments [-]", "single_particles [-]", "largest [kg]", "second_largest [kg]", "above_1_percent [-]", "outside_largest [kg]"};
   return all;
 }
 
@@ -42,14 +42,14 @@ void write_last_fragments(const output::ResultsFolder& folder, const Body& body)
     rows.insert(rows.end(), {static_cast<double>(n), static_cast<double>(fragment.particles), fragment.mass});
     for (const Vec3d& v : {state.centre, state.extent, state.velocity}) rows.insert(rows.end(), {v.x, v.y, v.z});
   }
-  const std::vector<std::string> columns = {"piece [-]",    "particles [-]", "mass [kg]",    "centre_x [m]",     "centre_y [m]",     "centre_z [m]",
+  const std::vector<std::string> columns = {"fragment [-]",    "particles [-]", "mass [kg]",    "centre_x [m]",     "centre_y [m]",     "centre_z [m]",
                                             "extent_x [m]", "extent_y [m]",  "extent_z [m]", "velocity_x [m/s]", "velocity_y [m/s]", "velocity_z [m/s]"};
   output::write_csv(folder.fragments() / (body.name + "_end.csv"), columns, rows);
 }
 
 output::Json fragment_report(const FragmentCount& count) {
   output::Json json = output::Json::object();
-  json["pieces"] = count.fragments;
+  json["fragments"] = count.fragments;
   json["single_particles"] = count.single_particles;
   json["largest [kg]"] = count.largest;
   json["second_largest [kg]"] = count.second_largest;

@@ -1,7 +1,7 @@
-/// The pieces of one body that may break, in numbers:
+/// The fragments of one body that may break, in numbers:
 ///
-///   pieces/<body>.csv       a row each picture: how many, how heavy
-///   pieces/<body>_end.csv   a row each piece of two and more particles, at the end: where, how large, how fast
+///   fragments/<body>.csv       a row each picture: how many, how heavy
+///   fragments/<body>_end.csv   a row each fragment of two and more particles, at the end: where, how large, how fast
 #pragma once
 
 #include <cstdint>

@@ -77,7 +77,7 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
   std::vector<output::VtpArray> arrays = {{"displacement", 3, std::span<const float>(displacement)},
                                           {"velocity", 3, std::span<const float>(velocity)},
                                           {"damage", 1, std::span<const float>(damage)}};
-  if (fragments) arrays.push_back({"piece", 1, fragments->of_particles()});
+  if (fragments) arrays.push_back({"fragment", 1, fragments->of_particles()});
   std::vector<std::int32_t> numbers;
   if (!particles.numbers().empty()) {
     for (const std::uint32_t slot : particles.slot_of()) numbers.push_back(static_cast<std::int32_t>(particles.numbers()[slot]));

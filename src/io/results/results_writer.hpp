@@ -60,7 +60,7 @@ class ResultsWriter {
   std::vector<std::int64_t> resumed_at_;  // steps
 };
 
-/// The particles of a body as ParaView shows them: displacement, velocity, damage and, where they are known, its pieces.
+/// The particles of a body as ParaView shows them: displacement, velocity, damage and, where they are known, its fragments.
 void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Fragments* fragments = nullptr);
 
 }  // namespace perimpact

@@ -28,7 +28,7 @@ Json body_report(const Body& body, const BoundaryConditions& boundary_conditions
     json["failure"]["fracture_energy [J/m2]"] = failure->fracture_energy;
     json["failure"]["flexural_strength [Pa]"] = failure->flexural_strength;
     json["failure"]["layers"] = failure->layers;
-    json["pieces"] = fragment_report(Fragments(body.particles, body.family).count());
+    json["fragments"] = fragment_report(Fragments(body.particles, body.family).count());
   }
   json["memory [byte]"] = body.memory();
   json["mass [kg]"] = body.particles.total_mass();
@@ -109,7 +109,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
     against["entered_inside"] = impactor.entered_inside(b);
     against["pinched"] = impactor.unresolved(b).count;
   }
-  json["work_of_holder [J]"] = impactor.constraint_work();
+  json["constraint_work [J]"] = impactor.constraint_work();
   json["work_of_loads [J]"] = impactor.load_work();
   if (impactor.water()) json["floating"] = floating_report(impactor);
   return json;
@@ -185,7 +185,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   json["time [s]"] = clock.time();
   if (!resumed_at.empty()) json["resumed_at_steps"] = std::vector(resumed_at.begin(), resumed_at.end());
   json["threads"] = fccda::thread_count();
-  json["wall [s]"] = wall_seconds;
+  json["wall_time [s]"] = wall_seconds;
   json["state_hash"] = fmt::format("{:016x}", simulation.state_hash());
   if (simulation.relaxation()) {
     json["increment [s]"] = clock.dt;

@@ -13,7 +13,7 @@ namespace perimpact {
 struct Written {
   std::uint64_t history = 0;                     ///< [byte] of history.csv
   std::vector<std::uint64_t> pressure_area;      ///< [byte] of each impactor's process curve; 0 where there is none yet
-  std::vector<std::uint64_t> fragments;          ///< [byte] of each body's table of pieces; 0 where there is none
+  std::vector<std::uint64_t> fragments;          ///< [byte] of each body's table of fragments; 0 where there is none
   std::vector<PanelFrames> panel_frames;         ///< of each impactor
   std::vector<std::vector<double>> frame_times;  ///< [s] of each series, bodies before impactors
   std::int64_t next_frame = 0;                   ///< to be written
@@ -28,7 +28,7 @@ struct Written {
   void visit_state(Visitor&& visit) {
     visit("history", history);
     visit("pressure_area", std::span<std::uint64_t>(pressure_area));
-    visit("pieces", std::span<std::uint64_t>(fragments));
+    visit("fragments", std::span<std::uint64_t>(fragments));
     for (std::size_t i = 0; i < panel_frames.size(); ++i) panel_frames[i].visit_state(fccda::under("panel_pictures." + std::to_string(i), visit));
     for (std::size_t s = 0; s < frame_times.size(); ++s) visit("frame_times." + std::to_string(s), frame_times[s]);
     visit("next_frame", next_frame);

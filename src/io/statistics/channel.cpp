@@ -70,7 +70,7 @@ double spacing_of(const std::filesystem::path& results, const std::string& body)
         fmt::format("--channel: {} has no body {}; there is {}.", results.string(), body, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }
   const deck::YamlNode* spacing = member(found, "spacing [m]");
-  if (!member(found, "pieces") || !spacing)
+  if (!member(found, "fragments") || !spacing)
     throw fccda::InputError(
         fmt::format("--channel: body {} never breaks, so it has no channel; its material needs critical_stretch, or the body failure.", body));
   return std::stod(spacing->text);
@@ -154,8 +154,8 @@ ChannelFrame read_channel_frame(const std::filesystem::path& results, const std:
     throw fccda::InputError(fmt::format("{} lists no picture up to {:.4g} s; take a later --to.", list.string(), latest.value_or(0)));
   frame.file = std::prev(behind)->file;
   frame.time = std::prev(behind)->time;
-  for (const double fragment : fccda::read_point_values(frame.file, "piece").values) frame.fragments.push_back(static_cast<std::int32_t>(fragment));
-  frame.places = fccda::read_point_values(frames.front().file, "piece").points;  // that at t = 0
+  for (const double fragment : fccda::read_point_values(frame.file, "fragment").values) frame.fragments.push_back(static_cast<std::int32_t>(fragment));
+  frame.places = fccda::read_point_values(frames.front().file, "fragment").points;  // that at t = 0
   if (frame.places.size() != frame.fragments.size() || frame.places.empty())
     throw fccda::InputError(
         fmt::format("{} and {} hold other numbers of particles; they are not of one run.", frames.front().file.string(), frame.file.string()));

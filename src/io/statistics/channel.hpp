@@ -1,6 +1,6 @@
 /// The channel that a ship leaves in a sheet of ice, seen from above.
 ///
-/// The sheet that remains is every piece that holds a given share of the particles at least: two halves of a split floe remain both, broken floes
+/// The sheet that remains is every fragment that holds a given share of the particles at least: two halves of a split floe remain both, broken floes
 /// and single particles do not. A cell of one spacing is *broken through* where it has particles and none of them belongs to the sheet
 /// that remains. Across each column of cells the channel is the widest row of such cells without a gap; all places are those of the undeformed sheet, so
 /// floes that drifted off leave their gap where they were broken out.
@@ -28,7 +28,7 @@ struct ChannelColumn {
 };
 
 /// `axis` along which the channel runs, 0 or 1: its width is measured along the other. `places` [m] of the undeformed particles with their
-/// numbers of pieces; `least_share` of the particles, of a piece that remains.
+/// numbers of fragments; `least_share` of the particles, of a fragment that remains.
 std::vector<ChannelColumn> channel_columns(std::span<const Vec3d> places, std::span<const std::int32_t> fragments, double spacing, std::size_t axis,
                                            double least_share);
 

@@ -49,10 +49,10 @@ class Coarsener {
   Coarsener(const Surface& surface, const Coarsening& wanted)
       : surface_(surface),
         mesh_(surface),
-        distance_(wanted.distance),
-        panel_(wanted.panel),
+        distance_(wanted.max_deviation),
+        panel_(wanted.max_edge_length),
         moved_(surface.triangles().size(), 0.0),
-        room_(clearance(surface, wanted.distance)),
+        room_(clearance(surface, wanted.max_deviation)),
         shares_place_(shared_places(surface)) {}
 
   /// Passes over vertices whose surroundings changed in the pass before. In a pass no vertex is looked at whose triangles changed in

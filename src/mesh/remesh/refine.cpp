@@ -17,9 +17,9 @@ namespace {
 /// The size that would do, rounded up to two digits.
 double affordable_panel(Refinement refinement, const TargetSize& wanted, double most) {
   for (double count = wanted.estimated_panels(refinement); count > most; count = wanted.estimated_panels(refinement))
-    refinement.panel *= std::clamp(std::sqrt(count / most), 1.1, 1e6);  // halvings of thin triangles do not go with the square
-  const double digit = std::pow(10.0, std::floor(std::log10(refinement.panel)) - 1);
-  return std::ceil(refinement.panel / digit) * digit;
+    refinement.edge_length *= std::clamp(std::sqrt(count / most), 1.1, 1e6);  // halvings of thin triangles do not go with the square
+  const double digit = std::pow(10.0, std::floor(std::log10(refinement.edge_length)) - 1);
+  return std::ceil(refinement.edge_length / digit) * digit;
 }
 
 void expect_affordable(std::span<const Refinement> refinements, const TargetSize& wanted, double most) {
@@ -35,7 +35,7 @@ void expect_affordable(std::span<const Refinement> refinements, const TargetSize
   const double left = std::max(most - (total - largest), 0.5 * most);
   std::ostringstream sentence;
   sentence.precision(2);
-  sentence << culprit->name << ": panels of " << culprit->panel << " m would be about " << largest << " of them, more than the " << left
+  sentence << culprit->name << ": panels of " << culprit->edge_length << " m would be about " << largest << " of them, more than the " << left
            << " that there is room for; panels of " << affordable_panel(*culprit, wanted, left) << " m would do.";
   throw InputError(sentence.str());
 }

@@ -59,16 +59,16 @@ void TargetSize::expect_panels_in(const SizeRequest& request) const {
     text << "(" << one.low.x << ", " << one.low.y << ", " << one.low.z << ") to (" << one.high.x << ", " << one.high.y << ", " << one.high.z << ") m";
     return text.str();
   };
-  throw InputError(request.refinement.name + ": no panel" + (request.refinement.part ? " of part " + *request.refinement.part : "") +
+  throw InputError(request.refinement.name + ": no panel" + (request.refinement.surface_part ? " of part " + *request.refinement.surface_part : "") +
                    " reaches into the box from " + words(box) + ", and the surface goes from " + words(surface_.report().bounds) + "; mend the box.");
 }
 
 TargetSize::SizeRequest TargetSize::request_of(const Refinement& refinement) const {
   const auto names = surface_.part_names();
-  if (refinement.part && std::find(names.begin(), names.end(), *refinement.part) == names.end())
-    throw InputError(refinement.name + ": " + no_such_part(*refinement.part, names));
+  if (refinement.surface_part && std::find(names.begin(), names.end(), *refinement.surface_part) == names.end())
+    throw InputError(refinement.name + ": " + no_such_part(*refinement.surface_part, names));
   SizeRequest request{refinement, {}};
-  for (const std::string& name : names) request.holds_for_part.push_back(!refinement.part || *refinement.part == name);
+  for (const std::string& name : names) request.holds_for_part.push_back(!refinement.surface_part || *refinement.surface_part == name);
   return request;
 }
 
@@ -78,7 +78,7 @@ bool TargetSize::holds_for_part_of(const SizeRequest& request, std::size_t trian
 
 /// [m] of a triangle that touches no crease; infinity where it is flat.
 double TargetSize::smooth_size(const SizeRequest& request, std::size_t triangle) const {
-  return request.refinement.angle ? std::max(request.refinement.panel, *request.refinement.angle / curvature_.largest[triangle]) : request.refinement.panel;
+  return request.refinement.angle ? std::max(request.refinement.edge_length, *request.refinement.angle / curvature_.largest[triangle]) : request.refinement.edge_length;
 }
 
 double TargetSize::of(const Bisection& bisection, const Bisection::Piece& piece) const {
@@ -86,7 +86,7 @@ double TargetSize::of(const Bisection& bisection, const Bisection::Piece& piece)
   double smallest = std::numeric_limits<double>::infinity();
   for (const SizeRequest& request : requests_) {
     if (!holds_for_part_of(request, given)) continue;
-    const double size = request.refinement.angle && bisection.touches_crease(piece) ? request.refinement.panel : smooth_size(request, given);
+    const double size = request.refinement.angle && bisection.touches_crease(piece) ? request.refinement.edge_length : smooth_size(request, given);
     if (!(size < smallest)) continue;
     if (request.refinement.box && !reaches_into(*request.refinement.box, {bisection.corner(piece, 0), bisection.corner(piece, 1), bisection.corner(piece, 2)}))
       continue;
@@ -111,7 +111,7 @@ double TargetSize::estimated_panels(const Refinement& refinement) const {
     if (length > size) panels += 8 * area_of(part) / (size * size) + 2 * length / size;
     // A row along a crease, and rows twice as wide beside it.
     for (std::size_t e = 0; refinement.angle && e < 3; ++e)
-      if (curvature_.is_crease[t][e]) panels += 16 * std::min(length, norm(corners[(e + 1) % 3] - corners[e])) / refinement.panel;
+      if (curvature_.is_crease[t][e]) panels += 16 * std::min(length, norm(corners[(e + 1) % 3] - corners[e])) / refinement.edge_length;
   }
   return panels;
 }

@@ -36,8 +36,8 @@ class SurfaceLattice {
 }  // namespace
 
 Panels make_box(const BoxShape& shape) {
-  expect_sizes({shape.size.x, shape.size.y, shape.size.z}, shape.panel, "box");
-  const double panel = shape.panel > 0 ? shape.panel : largest_magnitude(shape.size);
+  expect_sizes({shape.size.x, shape.size.y, shape.size.z}, shape.edge_length, "box");
+  const double panel = shape.edge_length > 0 ? shape.edge_length : largest_magnitude(shape.size);
   const Vec3d counts{divisions(shape.size.x, panel), divisions(shape.size.y, panel), divisions(shape.size.z, panel)};
   expect_affordable(4 * (counts.x * counts.y + counts.y * counts.z + counts.z * counts.x), panel, "box");
   const Place parts{static_cast<int>(counts.x), static_cast<int>(counts.y), static_cast<int>(counts.z)};

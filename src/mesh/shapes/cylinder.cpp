@@ -6,8 +6,8 @@
 namespace fccda {
 
 Panels make_cylinder(const CylinderShape& shape) {
-  expect_sizes({shape.diameter, shape.height}, shape.panel, "cylinder");
-  const double panel = shape.panel > 0 ? shape.panel : shape.diameter / 20;
+  expect_sizes({shape.diameter, shape.height}, shape.edge_length, "cylinder");
+  const double panel = shape.edge_length > 0 ? shape.edge_length : shape.diameter / 20;
   const double radius = 0.5 * shape.diameter;
   const double columns = circle_divisions(radius, panel), rows = divisions(shape.height, panel);
   // rings of the caps have about as many vertices as their circumference has panels

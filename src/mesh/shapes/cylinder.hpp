@@ -11,7 +11,7 @@ struct CylinderShape {
   double diameter = 0;  ///< [m]
   double height = 0;    ///< [m]
   Axis axis = Axis::z;
-  double panel = 0;  ///< [m] longest edge around, along and between the rings of the caps; diagonals are up to √2 longer. 0: a twentieth of the diameter
+  double edge_length = 0;  ///< [m] longest edge around, along and between the rings of the caps; diagonals are up to √2 longer. 0: a twentieth of the diameter
   PanelKind panels = PanelKind::triangles;
 };
 

@@ -86,8 +86,8 @@ class Subdivision {
 }  // namespace
 
 Panels make_sphere(const SphereShape& shape) {
-  expect_sizes({shape.diameter}, shape.panel, "sphere");
-  const double panel = shape.panel > 0 ? shape.panel : shape.diameter / 20;
+  expect_sizes({shape.diameter}, shape.edge_length, "sphere");
+  const double panel = shape.edge_length > 0 ? shape.edge_length : shape.diameter / 20;
   const double radius = 0.5 * shape.diameter;
   // distance of the faces: φ²/√3 for edges of length 2
   constexpr double distance = std::numbers::phi * std::numbers::phi * std::numbers::inv_sqrt3;

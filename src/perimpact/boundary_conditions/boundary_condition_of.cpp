@@ -58,7 +58,7 @@ Boundary made(const FixedSetup& fixed, const Place& set_initial_state) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (fixed.directions.empty() || std::find(fixed.directions.begin(), fixed.directions.end(), axis_words[axis]) != fixed.directions.end())
       histories[axis] = DisplacementHistory::rest();
-  return PrescribedDisplacement(set_initial_state.slots(fixed.region), std::move(histories));
+  return PrescribedDisplacement(set_initial_state.slots(fixed.particle_set), std::move(histories));
 }
 
 DisplacementHistory displacement_history_of(const DisplacementSetup& setup, const std::string& key) {
@@ -73,11 +73,11 @@ Boundary made(const PrescribedSetup& prescribed, const Place& set_initial_state)
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (const auto& course = prescribed.of(axis))
       histories[axis] = displacement_history_of(*course, fmt::format("{}.{}", set_initial_state.key, axis_words[axis]));
-  return PrescribedDisplacement(set_initial_state.slots(prescribed.region), std::move(histories));
+  return PrescribedDisplacement(set_initial_state.slots(prescribed.particle_set), std::move(histories));
 }
 
 Boundary made(const BodyForceSetup& load, const Place& set_initial_state) {
-  std::vector<std::uint32_t> slots = set_initial_state.slots(load.region);
+  std::vector<std::uint32_t> slots = set_initial_state.slots(load.particle_set);
   std::vector<double> volumes;
   for (const std::uint32_t slot : slots) volumes.push_back(set_initial_state.of.particles.volume(slot));
   return Load(std::move(slots), std::move(volumes), set_initial_state.of.particles, load.force_density, set_initial_state.factor(load.times, load.factors));
@@ -87,7 +87,7 @@ Boundary made(const BodyForceSetup& load, const Place& set_initial_state) {
 Boundary made(const PressureSetup& load, const Place& set_initial_state) {
   const Face face(load.face.index);
   const Particles& particles = set_initial_state.of.particles;
-  std::vector<std::uint32_t> slots = set_initial_state.slots(load.region);
+  std::vector<std::uint32_t> slots = set_initial_state.slots(load.particle_set);
   std::vector<double> areas;
   if (const Lattice* lattice = particles.lattice()) {
     slots = outermost(*lattice, slots, load.face.index);
@@ -107,7 +107,7 @@ Boundary made(const PressureSetup& load, const Place& set_initial_state) {
 
 Boundary made(const FloatingSetup& floating, const Place& set_initial_state) {
   const Particles& particles = set_initial_state.of.particles;
-  std::vector<std::uint32_t> slots = set_initial_state.slots(floating.region);
+  std::vector<std::uint32_t> slots = set_initial_state.slots(floating.particle_set);
   Water water{.level = floating.level.value_or(0),
               .density = floating.density,
               .gravity = floating.gravity,
@@ -143,12 +143,12 @@ void expect_end_of_body(const AbsorbingSetup& layer, const std::vector<std::uint
   throw SetupError(set_initial_state.key,
                    fmt::format("the layer ends where body {} goes on towards {}, so waves would meet its strongest damping first and be thrown back. "
                                "Let region {} reach the end of the body there, or name the face that it reaches.",
-                               set_initial_state.of.body.name, layer.face.word(), layer.region));
+                               set_initial_state.of.body.name, layer.face.word(), layer.particle_set));
 }
 
 Boundary made(const AbsorbingSetup& layer, const Place& set_initial_state) {
   const Face face(layer.face.index);
-  std::vector<std::uint32_t> slots = set_initial_state.slots(layer.region);
+  std::vector<std::uint32_t> slots = set_initial_state.slots(layer.particle_set);
   expect_end_of_body(layer, slots, set_initial_state);
   std::vector<double> depths;  // [m] along the face's normal
   for (const std::uint32_t slot : slots) depths.push_back(face.sign * set_initial_state.of.particles.reference(slot)[face.axis]);

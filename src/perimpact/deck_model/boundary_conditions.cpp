@@ -7,7 +7,7 @@ using enum Presence;
 
 namespace {
 
-constexpr std::string_view region_sentence = "Name of one of the body's regions. Where absent, the whole body.";
+constexpr std::string_view particle_set_sentence = "Name of one of the body's regions. Where absent, the whole body.";
 constexpr std::string_view load_times_sentence = "Times of the factors, increasing.";
 constexpr std::string_view load_factors_sentence =
     "What the load is multiplied by at each time, on straight lines between; the first holds before, the last after. Where absent, 1.";
@@ -17,7 +17,7 @@ constexpr std::string_view load_factors_sentence =
 std::span<const Field<FixedSetup>> FixedSetup::fields() {
   using S = FixedSetup;
   static const Field<S> all[] = {
-      {"region", &S::region, "", {}, optional, region_sentence},
+      {"particle_set", &S::particle_set, "", {}, optional, particle_set_sentence},
       {"directions", &S::directions, "", {}, optional, "Directions in which the particles keep their undeformed place, of x, y, z. Where absent, all."}};
   return all;
 }
@@ -45,13 +45,13 @@ std::span<const Field<DisplacementSetup>> DisplacementSetup::fields() {
 }
 
 std::span<const Field<PrescribedSetup>> PrescribedSetup::fields() {
-  static const Field<PrescribedSetup> all[] = {{"region", &PrescribedSetup::region, "", {}, optional, region_sentence}};
+  static const Field<PrescribedSetup> all[] = {{"particle_set", &PrescribedSetup::particle_set, "", {}, optional, particle_set_sentence}};
   return all;
 }
 
 std::span<const Field<BodyForceSetup>> BodyForceSetup::fields() {
   using S = BodyForceSetup;
-  static const Field<S> all[] = {{"region", &S::region, "", {}, optional, region_sentence},
+  static const Field<S> all[] = {{"particle_set", &S::particle_set, "", {}, optional, particle_set_sentence},
                                  {"force_density", &S::force_density, "N/m3", any_number(), required,
                                   "Force on each cubic metre along the axes of the world; weight is density times -9.81 m/s2."},
                                  {"times", &S::times, "s", any_number(), optional, load_times_sentence},
@@ -62,7 +62,7 @@ std::span<const Field<BodyForceSetup>> BodyForceSetup::fields() {
 std::span<const Field<PressureSetup>> PressureSetup::fields() {
   using S = PressureSetup;
   static const Field<S> all[] = {
-      {"region", &S::region, "", {}, optional, region_sentence},
+      {"particle_set", &S::particle_set, "", {}, optional, particle_set_sentence},
       {"face", &S::face, "", {}, required, "Which way the face looks: +x, -x, +y, -y, +z or -z. Pressed are the outermost particles that way in each row."},
       {"value", &S::value, "Pa", any_number(), required, "Pressure, which pushes against that direction; a negative one pulls. It keeps its direction."},
       {"area", &S::area, "m2", positive(), optional,
@@ -75,7 +75,7 @@ std::span<const Field<PressureSetup>> PressureSetup::fields() {
 std::span<const Field<FloatingSetup>> FloatingSetup::fields() {
   using S = FloatingSetup;
   static const Field<S> all[] = {
-      {"region", &S::region, "", {}, optional, region_sentence},
+      {"particle_set", &S::particle_set, "", {}, optional, particle_set_sentence},
       {"level", &S::level, "m", any_number(), optional,
        "Height z of the water's surface. Where absent, the one at which the particles float as they are placed; run.json says it."},
       {"density", &S::density, "kg/m3", positive(), optional, "Density of the water."},
@@ -91,7 +91,7 @@ std::span<const Field<FloatingSetup>> FloatingSetup::fields() {
 std::span<const Field<AbsorbingSetup>> AbsorbingSetup::fields() {
   using S = AbsorbingSetup;
   static const Field<S> all[] = {
-      {"region", &S::region, "", {}, required, "Name of one of the body's regions: the layer, from its inner side to where the body ends."},
+      {"particle_set", &S::particle_set, "", {}, required, "Name of one of the body's regions: the layer, from its inner side to where the body ends."},
       {"face",
        &S::face,
        "",

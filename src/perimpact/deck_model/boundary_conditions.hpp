@@ -25,7 +25,7 @@ inline constexpr std::string_view face_words[] = {"+x", "-x", "+y", "-y", "+z", 
 /// Particles that keep their place in some directions.
 struct FixedSetup {
   static constexpr std::string_view name = "fixed";
-  std::string region;                   ///< the whole body where empty
+  std::string particle_set;                   ///< the whole body where empty
   std::vector<std::string> directions;  ///< of x, y, z; all where empty
   static std::span<const Field<FixedSetup>> fields();
 };
@@ -40,7 +40,7 @@ struct DisplacementSetup : MotionTable {
 /// Particles that follow a course in some directions.
 struct PrescribedSetup {
   static constexpr std::string_view name = "prescribed";
-  std::string region;  ///< the whole body where empty
+  std::string particle_set;  ///< the whole body where empty
   std::optional<DisplacementSetup> x, y, z;
   static std::span<const Field<PrescribedSetup>> fields();
 
@@ -51,7 +51,7 @@ struct PrescribedSetup {
 /// A force on each cubic metre: weight, inertia of an accelerated frame, traction spread over a layer.
 struct BodyForceSetup {
   static constexpr std::string_view name = "body_force";
-  std::string region;         ///< the whole body where empty
+  std::string particle_set;         ///< the whole body where empty
   Vec3d force_density{};      ///< [N/m³]
   std::vector<double> times;  ///< [s] of `factors`; constant where empty
   std::vector<double> factors;
@@ -61,7 +61,7 @@ struct BodyForceSetup {
 /// A pressure on the outermost particles.
 struct PressureSetup {
   static constexpr std::string_view name = "pressure";
-  std::string region;  ///< the whole body where empty
+  std::string particle_set;  ///< the whole body where empty
   Choice face{face_words};
   double value{};              ///< [Pa] pushes into the body
   std::optional<double> area;  ///< [m²]; the faces of the outermost particles of a lattice where absent
@@ -73,7 +73,7 @@ struct PressureSetup {
 /// Weight, and still water that a body floats in (docs/theory/floating_bodies.md).
 struct FloatingSetup {
   static constexpr std::string_view name = "floating";
-  std::string region;           ///< the whole body where empty
+  std::string particle_set;           ///< the whole body where empty
   std::optional<double> level;  ///< [m] z of the water's surface; that at which the body floats as it is placed where absent
   double density = 1025;        ///< [kg/m³] of the water
   double gravity = 9.81;        ///< [m/s²]
@@ -86,7 +86,7 @@ struct FloatingSetup {
 /// A layer that swallows waves on their way out.
 struct AbsorbingSetup {
   static constexpr std::string_view name = "absorbing";
-  std::string region;
+  std::string particle_set;
   Choice face{face_words};   ///< of the layer, where the body ends
   double reflection = 1e-3;  ///< [-] share of a wave's amplitude that comes back
   static std::span<const Field<AbsorbingSetup>> fields();

@@ -41,8 +41,8 @@ std::span<const Field<HullSurface>> HullSurface::fields() {
        "Half angle between waterline and centreline at the stern. Where absent, 30 deg."},
       {"flare", &S::flare, "rad", between(-0.5236, 1.0472), optional,
        "Angle of the sides from the vertical, outward as they rise; below 0 they fall inward. With flare the angles of the bow hold on the waterline only."},
-      {"panel", &S::panel, "m", positive(), required, "Edge length of panels. Diagonals reach 1.5 times it."},
-      {"bow_panel", &S::bow_edge_length, "m", positive(), optional,
+      {"edge_length", &S::edge_length, "m", positive(), required, "Edge length of panels. Diagonals reach 1.5 times it."},
+      {"bow_edge_length", &S::bow_edge_length, "m", positive(), optional,
        "Edge length of panels in the bow; behind it they grow by a fifth of the distance up to panel. Where absent, panel."}};
   return all;
 }
@@ -87,8 +87,8 @@ std::span<const Field<PropellerSurface>> PropellerSurface::fields() {
        optional,
        "right or left. A right-handed propeller goes ahead, along its positive axis, while it turns about it by the right-hand rule."},
       {"axis", &S::axis, "", {}, optional, "Direction of the shaft, forward: x, y or z."},
-      {"panel", &S::panel, "m", positive(), required, "Longest edge of panels; diagonals on the hub reach 1.41 times it."},
-      {"edge_panel", &S::blade_edge_length, "m", positive(), optional,
+      {"edge_length", &S::edge_length, "m", positive(), required, "Longest edge of panels; diagonals on the hub reach 1.41 times it."},
+      {"blade_edge_length", &S::blade_edge_length, "m", positive(), optional,
        "Longest edge of panels at leading edge, trailing edge and tip; away from them panels grow by 0.3 of the distance up to panel. Where absent, panel."}};
   return all;
 }

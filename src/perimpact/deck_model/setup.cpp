@@ -15,7 +15,7 @@ std::span<const Field<RelaxSetup>> RelaxSetup::fields() {
        "Number of states of equilibrium, evenly spread to the end of the run. At each, courses and loads are as at its time."},
       {"tolerance", &S::tolerance, "1", strictly_between(0, 1), optional,
        "An increment is done when the forces that are out of balance are less than this share of the applied ones and those that hold."},
-      {"most_iterations", &S::max_iterations, "1", between(1, 1e9), optional, "An increment that takes more iterations ends the run."}};
+      {"max_iterations", &S::max_iterations, "1", between(1, 1e9), optional, "An increment that takes more iterations ends the run."}};
   return all;
 }
 
@@ -200,16 +200,16 @@ std::span<const Field<CylinderSurface>> CylinderSurface::fields() {
   static const Field<S> all[] = {{"diameter", &S::diameter, "m", positive(), required, "Diameter."},
                                  {"height", &S::height, "m", positive(), required, "Length along the axis, centred on the origin."},
                                  {"axis", &S::axis, "", {}, optional, "Direction of the axis: x, y or z."},
-                                 {"panel", &S::panel, "m", positive(), required,
+                                 {"edge_length", &S::edge_length, "m", positive(), required,
                                   "Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles reach 1.41 times it."},
-                                 {"panels", &S::panels, "", {}, optional, "triangles or quads."}};
+                                 {"panel_shape", &S::panel_shape, "", {}, optional, "triangles or quads."}};
   return all;
 }
 
 std::span<const Field<SphereSurface>> SphereSurface::fields() {
   using S = SphereSurface;
   static const Field<S> all[] = {{"diameter", &S::diameter, "m", positive(), required, "Diameter."},
-                                 {"panel", &S::panel, "m", positive(), required, "Largest edge of the panels."}};
+                                 {"edge_length", &S::edge_length, "m", positive(), required, "Largest edge of the panels."}};
   return all;
 }
 
@@ -217,8 +217,8 @@ std::span<const Field<BoxSurface>> BoxSurface::fields() {
   using S = BoxSurface;
   static const Field<S> all[] = {
       {"size", &S::size, "m", positive(), required, "Edge lengths in x, y and z, centred on the origin."},
-      {"panel", &S::panel, "m", positive(), required, "Largest edge of the panels along x, y and z. Diagonals of triangles reach 1.41 times it."},
-      {"panels", &S::panels, "", {}, optional, "triangles or quads."}};
+      {"edge_length", &S::edge_length, "m", positive(), required, "Largest edge of the panels along x, y and z. Diagonals of triangles reach 1.41 times it."},
+      {"panel_shape", &S::panel_shape, "", {}, optional, "triangles or quads."}};
   return all;
 }
 
@@ -233,11 +233,11 @@ std::span<const Field<FileSurface>> FileSurface::fields() {
        required,
        "A mesh: STL, OBJ, PLY, OFF, VTK, VTP, VTU, MSH (Gmsh), INP (Abaqus), K, KEY or DYN (LS-DYNA), each also packed as .gz; STEP and IGES if gmsh is "
        "installed. A relative path starts at the deck's folder."},
-      {"parts", &S::parts, "", {}, optional, "Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists them."},
+      {"file_parts", &S::file_parts, "", {}, optional, "Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists them."},
       {"scale", &S::scale, "1", positive(), optional, "Multiplies the coordinates, so that they become metres: 0.001 for a file in millimetres."},
       {"mirror", &S::mirror, "", {}, optional, "Mirrors the surface at the plane x = 0, y = 0 or z = 0: turns left into right."},
-      {"complete",
-       &S::complete,
+      {"mirror_merge",
+       &S::mirror_merge,
        "",
        {},
        optional,
@@ -248,8 +248,8 @@ std::span<const Field<FileSurface>> FileSurface::fields() {
       {"weld", &S::weld, "m", positive(), optional,
        "Vertices nearer than this become one: closes gaps that rounding left between panels. Where absent, 1e-9 of the surface's size. `perimpact mesh` says "
        "what would close a surface."},
-      {"outside",
-       &S::outside,
+      {"orientation",
+       &S::orientation,
        "",
        {},
        optional,
@@ -297,8 +297,8 @@ std::span<const Field<CylinderSectorsBoundsSetup>> CylinderSectorsBoundsSetup::f
 std::span<const Field<AutoBoundsSetup>> AutoBoundsSetup::fields() { return {}; }
 
 std::span<const Field<ContactBoundsSetup>> ContactBoundsSetup::fields() {
-  static const Field<ContactBoundsSetup> all[] = {{"outside",
-                                                   &ContactBoundsSetup::outside,
+  static const Field<ContactBoundsSetup> all[] = {{"on_exceed",
+                                                   &ContactBoundsSetup::on_exceed,
                                                    "",
                                                    {},
                                                    optional,
@@ -309,8 +309,8 @@ std::span<const Field<ContactBoundsSetup>> ContactBoundsSetup::fields() {
 std::span<const Field<RefinementSetup>> RefinementSetup::fields() {
   using S = RefinementSetup;
   static const Field<S> all[] = {
-      {"panel", &S::panel, "m", positive(), required, "Longest edge that panels shall have there. Panels are halved until none is longer."},
-      {"part", &S::part, "", {}, optional, "Only panels of this part of the surface. Where absent, of all parts."},
+      {"edge_length", &S::edge_length, "m", positive(), required, "Longest edge that panels shall have there. Panels are halved until none is longer."},
+      {"surface_part", &S::surface_part, "", {}, optional, "Only panels of this part of the surface. Where absent, of all parts."},
       {"angle", &S::angle, "rad", strictly_between(0, std::numbers::pi), optional,
        "An angle such as 10 deg: only where the surface curves, panels become so small that they turn by it at most, but not smaller than panel; at creases "
        "they are that small. Where absent, curved or not."}};
@@ -320,15 +320,15 @@ std::span<const Field<RefinementSetup>> RefinementSetup::fields() {
 std::span<const Field<CoarseningSetup>> CoarseningSetup::fields() {
   using S = CoarseningSetup;
   static const Field<S> all[] = {
-      {"distance", &S::distance, "m", positive(), required, "No point of the surface moves by more than this. Exactly flat places need next to nothing."},
-      {"panel", &S::panel, "m", positive(), optional, "No edge is made longer than this. Where absent, any length will do."}};
+      {"max_deviation", &S::max_deviation, "m", positive(), required, "No point of the surface moves by more than this. Exactly flat places need next to nothing."},
+      {"max_edge_length", &S::max_edge_length, "m", positive(), optional, "No edge is made longer than this. Where absent, any length will do."}};
   return all;
 }
 
 std::span<const Field<GaugeSetup>> GaugeSetup::fields() {
   using S = GaugeSetup;
   static const Field<S> all[] = {
-      {"parts", &S::parts, "", {}, optional, "Names of parts of the surface (perimpact mesh lists them). Where absent, the whole surface."},
+      {"surface_parts", &S::surface_parts, "", {}, optional, "Names of parts of the surface (perimpact mesh lists them). Where absent, the whole surface."},
       {"point", &S::point, "m", any_number(), optional,
        "Point of the moments, from the surface's origin and along its axes; it moves with the impactor. Where absent, the centre of mass."},
       {"axis", &S::axis, "1", any_number(), optional,
@@ -422,8 +422,8 @@ std::span<const Field<ImpactorSetup>> ImpactorSetup::fields() {
       {"position", &S::position, "m", any_number(), optional, "Where the surface's origin is at t = 0."},
       {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."},
       {"angular_velocity", &S::angular_velocity, "rad/s", any_number(), optional, "Angular velocity at t = 0; degrees of freedom that are not free keep it."},
-      {"free",
-       &S::free,
+      {"free_dofs",
+       &S::free_dofs,
        "",
        {},
        optional,
@@ -440,13 +440,13 @@ std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
        {},
        optional,
        "swept (never misses), published (the seed paper's panel test) or analytic (distance to the centre; sphere and cylinder only)."},
-      {"reading", &S::variant, "", {}, optional, "How the published detector reads the paper: repaired, or letter (as printed). The others do not use it."},
+      {"variant", &S::variant, "", {}, optional, "How the published detector reads the paper: repaired, or letter (as printed). The others do not use it."},
       {"friction", &S::friction, "1", at_least(0), optional,
        "Coulomb's coefficient of friction between particles and impactors. The published detector takes 0 only."},
       {"radius_ratio", &S::radius_ratio, "1", between(0, 1), optional,
        "Contact radius in spacings: a particle touches at this distance from the surface. 0.5 puts the surface at the material's edge, 0 at the particles' "
        "centres as in the paper. The published detector takes 0 only, and has it where this is absent."},
-      {"starting_inside",
+      {"initial_overlap",
        &S::initial_overlap,
        "",
        {},
@@ -498,8 +498,8 @@ std::span<const Field<OutputSetup>> OutputSetup::fields() {
   static const Field<S> all[] = {
       {"folder", &S::folder, "", {}, optional, "Folder of the results, from the working folder; --out overrides it."},
       {"frames", &S::frames, "1", between(0, 100000), optional, "Number of pictures after the one at t = 0. 0: none."},
-      {"history", &S::history, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."},
-      {"checkpoint_every", &S::checkpoint_interval, "s", at_least(0), optional,
+      {"history_interval", &S::history_interval, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."},
+      {"checkpoint_interval", &S::checkpoint_interval, "s", at_least(0), optional,
        "Time on the clock on the wall, not in the simulation, between checkpoints: from the last one a run that was stopped goes on (perimpact run DECK "
        "--resume). There is always one at the end and when the run is interrupted; 0: no others."}};
   return all;

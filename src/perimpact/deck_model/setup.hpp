@@ -40,7 +40,7 @@ enum class PlaneState { none, stress, strain };  // as perimpact::Plane
 inline constexpr std::string_view compression_words[] = {"none", "symmetric", "limit"};
 enum class CompressionFailure { none, symmetric, limit };
 
-inline constexpr std::string_view influence_words[] = {"one", "inverse", "inverse-square", "parabolic", "gaussian"};  // as perimpact::Influence
+inline constexpr std::string_view influence_words[] = {"constant", "inverse", "inverse-square", "parabolic", "gaussian"};  // as perimpact::Influence
 
 inline constexpr std::string_view stress_law_words[] = {"hencky", "st-venant-kirchhoff"};  // as perimpact::StressLaw
 
@@ -52,13 +52,13 @@ enum class PanelKind { triangles, quads };
 inline constexpr std::string_view detector_words[] = {"swept", "published", "analytic"};
 enum class DetectorKind { swept, published, analytic };
 
-inline constexpr std::string_view reading_words[] = {"repaired", "letter"};
+inline constexpr std::string_view variant_words[] = {"corrected", "literal"};
 enum class PublishedVariant { corrected, literal };
 
-inline constexpr std::string_view starting_inside_words[] = {"error", "remove", "project"};
+inline constexpr std::string_view initial_overlap_words[] = {"error", "remove", "project"};
 enum class InitialOverlap { error, remove, project };
 
-inline constexpr std::string_view beyond_region_words[] = {"error", "clip"};
+inline constexpr std::string_view on_exceed_words[] = {"error", "clip"};
 enum class BeyondBounds { error, clip };
 
 inline constexpr std::string_view fragment_law_words[] = {"none", "repulsive"};
@@ -163,9 +163,9 @@ struct BodySetup {
   Choice plane{plane_words};                    ///< of a body of two dimensions, a single layer in z
   MaterialSetup material;
   std::optional<FailureSetup> failure;
-  std::vector<SolidSetup> parts;    ///< united with the shape
+  std::vector<SolidSetup> add;    ///< united with the shape
   std::vector<SolidSetup> holes;    ///< taken out of it
-  std::vector<SolidSetup> regions;  ///< names for what is in them
+  std::vector<SolidSetup> particle_sets;  ///< names for what is in them
   std::vector<CrackSetup> cracks;
   std::vector<BoundaryConditionSetup> boundary_conditions;
   static std::span<const Field<BodySetup>> fields();
@@ -183,23 +183,23 @@ struct CylinderSurface {
   double diameter{};  ///< [m]
   double height{};    ///< [m]
   Choice axis{axis_words, 2};
-  double panel{};  ///< [m]
-  Choice panels{panel_words};
+  double edge_length{};  ///< [m]
+  Choice panel_shape{panel_words};
   static std::span<const Field<CylinderSurface>> fields();
 };
 
 struct SphereSurface {
   static constexpr std::string_view name = "sphere";
   double diameter{};  ///< [m]
-  double panel{};     ///< [m]
+  double edge_length{};     ///< [m]
   static std::span<const Field<SphereSurface>> fields();
 };
 
 struct BoxSurface {
   static constexpr std::string_view name = "box";
   Vec3d size{};    ///< [m]
-  double panel{};  ///< [m]
-  Choice panels{panel_words};
+  double edge_length{};  ///< [m]
+  Choice panel_shape{panel_words};
   static std::span<const Field<BoxSurface>> fields();
 };
 
@@ -250,31 +250,31 @@ struct AutoBoundsSetup {
 struct ContactBoundsSetup {
   /// none: wherever the surface is
   std::variant<std::monostate, BoxRegionSetup, BoxUnionBoundsSetup, CylinderSectorsBoundsSetup, AutoBoundsSetup> shape;
-  Choice outside{beyond_region_words};
+  Choice on_exceed{on_exceed_words};
   static std::span<const Field<ContactBoundsSetup>> fields();
 };
 
 /// Smaller panels in some place of the surface. Box, part and angle narrow one another (docs/theory/remeshing.md).
 struct RefinementSetup {
   std::string name;
-  double panel{};                     ///< [m] longest edge
+  double edge_length{};                     ///< [m] longest edge
   std::optional<BoxRegionSetup> box;  ///< everywhere where absent
-  std::string part;                   ///< of the surface; all where empty
+  std::string surface_part;                   ///< of the surface; all where empty
   std::optional<double> angle;        ///< [rad] that panels turn by at most where the surface curves; everywhere where absent
   static std::span<const Field<RefinementSetup>> fields();
 };
 
 /// Larger panels where the surface is cut finer than its shape needs.
 struct CoarseningSetup {
-  double distance{};            ///< [m] that the surface moves by at most
-  std::optional<double> panel;  ///< [m] no edge is made longer; any length where absent
+  double max_deviation{};            ///< [m] that the surface moves by at most
+  std::optional<double> max_edge_length;  ///< [m] no edge is made longer; any length where absent
   static std::span<const Field<CoarseningSetup>> fields();
 };
 
 /// Sums contact on some parts of the surface, as a load cell would.
 struct GaugeSetup {
   std::string name;
-  std::vector<std::string> parts;  ///< of the surface; all where empty
+  std::vector<std::string> surface_parts;  ///< of the surface; all where empty
   std::optional<Vec3d> point;      ///< [m] of the moments, from the surface's origin, moving along; the centre of mass where absent
   std::optional<Vec3d> axis;       ///< direction of the torque, along the surface's axes, turning along
   static std::span<const Field<GaugeSetup>> fields();
@@ -330,10 +330,10 @@ struct ImpactorSetup {
   Vec3d position{};                     ///< [m] of the surface's origin at t = 0
   Vec3d velocity{};                     ///< [m/s]
   Vec3d angular_velocity{};             ///< [rad/s]
-  std::vector<std::string> free;        ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
+  std::vector<std::string> free_dofs;        ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
   std::optional<CoarseningSetup> coarsen;
   std::vector<RefinementSetup> refine;
-  ContactBoundsSetup region;
+  ContactBoundsSetup contact_bounds;
   MotionSetup motion;
   std::vector<LoadSetup> loads;
   std::optional<FloatingImpactorSetup> floating;
@@ -345,10 +345,10 @@ struct ImpactorSetup {
 
 struct ImpactorContactSetup {
   Choice detector{detector_words};
-  Choice variant{reading_words};  ///< of the published detector
+  Choice variant{variant_words};  ///< of the published detector
   double friction = 0;
   double radius_ratio = 0.5;  ///< contact radius in spacings
-  Choice initial_overlap{starting_inside_words};
+  Choice initial_overlap{initial_overlap_words};
   static std::span<const Field<ImpactorContactSetup>> fields();
 };
 
@@ -388,7 +388,7 @@ struct LineSetup {
 struct OutputSetup {
   std::string folder = "results";
   int frames = 40;                   ///< number of pictures after the one at t = 0; 0: none at all
-  std::optional<double> history;     ///< [s] between rows; a hundredth of the run where absent
+  std::optional<double> history_interval;     ///< [s] between rows; a hundredth of the run where absent
   double checkpoint_interval = 300;  ///< [s] of the clock on the wall; 0: none but the last
   std::vector<ProbeSetup> probes;
   std::vector<LineSetup> lines;

@@ -42,10 +42,10 @@ std::span<const Field<FileSolid>> FileSolid::fields() {
        {},
        required,
        "A closed surface, of which the inside is filled: any file that impactors.<name>.surface can read. A relative path starts at the deck's folder."},
-      {"parts", &S::parts, "", {}, optional, "Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists them."},
+      {"file_parts", &S::file_parts, "", {}, optional, "Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists them."},
       {"scale", &S::scale, "1", positive(), optional, "Multiplies the coordinates, so that they become metres: 0.001 for a file in millimetres."},
       {"mirror", &S::mirror, "", {}, optional, "Mirrors the surface at the plane x = 0, y = 0 or z = 0."},
-      {"complete", &S::complete, "", {}, optional, "Adds the mirror image at the plane x = 0, y = 0 or z = 0. Panels in that plane go."},
+      {"mirror_merge", &S::mirror_merge, "", {}, optional, "Adds the mirror image at the plane x = 0, y = 0 or z = 0. Panels in that plane go."},
       {"rotate", &S::rotate, "rad", between(-full_turn, full_turn), optional, "Turns the surface about the axes x, y and z through the origin, in this order."},
       {"translate", &S::translate, "m", any_number(), optional, "Moves the surface. Scale, mirror, complete, rotate and translate act in this order."},
       {"weld", &S::weld, "m", positive(), optional,
@@ -104,7 +104,7 @@ std::span<const Field<CellsShape>> CellsShape::fields() {
        "INP "
        "(Abaqus), K, KEY or DYN (LS-DYNA), each also packed as .gz. The origin of its coordinates is the body's position. A relative path starts at the deck's "
        "folder."},
-      {"parts", &S::parts, "", {}, optional, "Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists them."},
+      {"file_parts", &S::file_parts, "", {}, optional, "Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists them."},
       {"scale", &S::scale, "1", positive(), optional, "Multiplies the coordinates, so that they become metres: 0.001 for a file in millimetres."},
       {"thickness", &S::thickness, "m", positive(), optional, "Of a plane body: its thickness, which areas are multiplied by."}};
   return all;

@@ -41,7 +41,7 @@ BodySolid::BodySolid(const BodySetup& body) {
   const std::optional<SolidShape> shape = solid_shape(body.shape);
   EXPECTS(shape.has_value());
   united_.push_back(solid_at(*shape, frame_of(body), key));
-  for (const SolidSetup& part : body.parts) united_.push_back(solid_of(part, body, key + ".parts." + part.name));
+  for (const SolidSetup& part : body.add) united_.push_back(solid_of(part, body, key + ".parts." + part.name));
   for (const SolidSetup& hole : body.holes) holes_.push_back(solid_of(hole, body, key + ".holes." + hole.name));
 }
 

@@ -50,7 +50,7 @@ Cloud given(const PointsShape& shape) {
 }
 
 Cloud given(const CellsShape& shape) {
-  const fccda::Elements mesh = fccda::read_elements(shape.file, shape.parts);
+  const fccda::Elements mesh = fccda::read_elements(shape.file, shape.file_parts);
   const bool is_plane = shape.thickness.has_value();
   Cloud cloud{.thickness = shape.thickness};
   std::vector<Vec3d> corners;

@@ -12,7 +12,7 @@
 
 namespace perimpact {
 
-bool is_plain_box(const BodySetup& body) { return std::holds_alternative<BoxSolid>(body.shape) && body.rotate == Vec3d{} && body.parts.empty(); }
+bool is_plain_box(const BodySetup& body) { return std::holds_alternative<BoxSolid>(body.shape) && body.rotate == Vec3d{} && body.add.empty(); }
 
 namespace {
 

@@ -17,9 +17,9 @@ namespace {
 
 [[noreturn]] void refuse_name(std::string_view region, const BodySetup& body, const std::string& key) {
   std::vector<std::string> names;
-  for (const SolidSetup& one : body.regions) names.push_back(one.name);
+  for (const SolidSetup& one : body.particle_sets) names.push_back(one.name);
   const std::string_view meant = fccda::nearest_word(region, names);
-  const std::string way_out = names.empty()   ? fmt::format("it has none; add one under bodies.{}.regions.", body.name)
+  const std::string way_out = names.empty()   ? fmt::format("it has none; add one under bodies.{}.particle_sets.", body.name)
                               : meant.empty() ? fmt::format("its regions are {}.", fmt::join(names, ", "))
                                               : fmt::format("did you mean {}?", meant);
   throw SetupError(key, fmt::format("body {} has no region {}; {}", body.name, region, way_out));
@@ -28,9 +28,9 @@ namespace {
 }  // namespace
 
 std::vector<std::size_t> slots_in(std::string_view region, const BodySetup& body, const Particles& particles, const std::string& key) {
-  const auto found = std::find_if(body.regions.begin(), body.regions.end(), [&](const SolidSetup& one) { return one.name == region; });
-  if (found == body.regions.end()) refuse_name(region, body, key);
-  const std::string key_of_region = fmt::format("bodies.{}.regions.{}", body.name, region);
+  const auto found = std::find_if(body.particle_sets.begin(), body.particle_sets.end(), [&](const SolidSetup& one) { return one.name == region; });
+  if (found == body.particle_sets.end()) refuse_name(region, body, key);
+  const std::string key_of_region = fmt::format("bodies.{}.particle_sets.{}", body.name, region);
   const Solid solid = solid_of(*found, body, key_of_region);
   const std::span<const std::uint32_t> slots = particles.slot_of();
   std::vector<std::uint8_t> inside(slots.size());

@@ -42,7 +42,7 @@ Panels placed(Panels panels, const Frame& frame) {
 
 std::shared_ptr<const Surface> closed_surface(const Panels& panels, double weld, const std::string& name) {
   // `outside` declared, so that an open surface comes back and is told here, where one is needed that encloses something
-  auto surface = std::make_shared<const Surface>(panels, Surface::Options{.weld_distance = weld, .outside = Orientation::normals, .name = name});
+  auto surface = std::make_shared<const Surface>(panels, Surface::Options{.weld_distance = weld, .orientation = Orientation::normals, .name = name});
   if (!surface->is_closed())
     throw InputError(
         fmt::format("{}: the surface is open, {} of its edges have a panel on one side only, so it has no inside that could be filled; "

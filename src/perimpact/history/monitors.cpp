@@ -62,7 +62,7 @@ double contact_share(std::size_t body, const Particles& particles, std::span<con
 }  // namespace
 
 Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock)
-    : interval_(std::max(1L, setup.history ? std::lround(std::min(*setup.history / clock.dt, static_cast<double>(clock.steps))) : clock.steps / 100)),
+    : interval_(std::max(1L, setup.history_interval ? std::lround(std::min(*setup.history_interval / clock.dt, static_cast<double>(clock.steps))) : clock.steps / 100)),
       check_interval_(std::clamp(clock.steps / 100, 1L, most_steps_unchecked)),
       elastic_(bodies.size(), 0.0),
       kinetic_(bodies.size(), 0.0) {
@@ -147,7 +147,7 @@ Monitors::Balance Monitors::balance_of(const Scene& scene) {
   }
   if (scene.fragments) {
     of.energy += scene.fragments->energy();
-    of.taken += scene.fragments->friction_work() + scene.fragments->restitution_work();
+    of.taken += scene.fragments->friction_dissipation() + scene.fragments->dashpot_dissipation();
   }
   return of;
 }
@@ -163,14 +163,14 @@ void Monitors::make_row(const Scene& scene, const Balance& balance) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(scene, b);
   if (scene.fragments) {
     add("total", {"contact_energy", "J", instantaneous, "of the springs between touching particles"}, scene.fragments->energy());
-    add("total", {"friction_work", "J", cumulative, "taken by friction between touching particles"}, scene.fragments->friction_work());
-    add("total", {"restitution_work", "J", cumulative, "taken by dashpots between touching particles"}, scene.fragments->restitution_work());
+    add("total", {"friction_dissipation", "J", cumulative, "taken by friction between touching particles"}, scene.fragments->friction_dissipation());
+    add("total", {"dashpot_dissipation", "J", cumulative, "taken by dashpots between touching particles"}, scene.fragments->dashpot_dissipation());
   }
   add("total", {"momentum", "kg m/s", instantaneous, "of all bodies and impactors"}, balance.momentum);
   add("total", {"energy", "J", instantaneous, "kinetic, elastic and of contact between fragments"}, balance.energy);
-  if (!scene.impactors.empty()) add("total", {"contact_loss", "J", cumulative, "what contact took from impactors and bodies together"}, balance.contact);
+  if (!scene.impactors.empty()) add("total", {"contact_dissipation", "J", cumulative, "what contact took from impactors and bodies together"}, balance.contact);
   if (!scene.relaxed)
-    add("total", {"closing_error", "J", instantaneous, "energy now and all that was taken, less energy at first and all that was put in"},
+    add("total", {"energy_balance_error", "J", instantaneous, "energy now and all that was taken, less energy at first and all that was put in"},
         balance.sum() - first_balance_);
   if (scene.relaxed) {
     add("total", {"residual", "-", instantaneous, "with which the increment ended"}, scene.relaxed->residual);
@@ -219,8 +219,8 @@ void Monitors::add_body(const Scene& scene, std::size_t b) {
       add_mean(named.name, {"force", "N", interval_mean, "on the body"}, account.impulse());
     add(named.name, {"work", "J", cumulative, "done on the body"}, account.work());
     if (const auto* water = std::get_if<Floating>(&named.boundary)) {
-      add(named.name, {"work_of_weight_and_buoyancy", "J", cumulative, "done on the body by these"}, water->weight_buoyancy_work());
-      add(named.name, {"work_of_drag", "J", cumulative, "done on the body by drag, damping and added mass"}, water->drag_work());
+      add(named.name, {"weight_buoyancy_work", "J", cumulative, "done on the body by these"}, water->weight_buoyancy_work());
+      add(named.name, {"drag_work", "J", cumulative, "done on the body by drag, damping and added mass"}, water->drag_work());
     }
   }
 }
@@ -241,7 +241,7 @@ void Monitors::check_numbers(const Scene& scene, double energy) const {
                                     clock.step, clock.time(), sound_until_));
 }
 
-void Monitors::check_energy(const Scene& scene, double energy, double work, double unpaid, double contact_loss) const {
+void Monitors::check_energy(const Scene& scene, double energy, double work, double unpaid, double contact_dissipation) const {
   const Clock& clock = scene.clock;
   // Contact and breaking only take energy. Interpolated velocities leave a ripple of (ω dt)² on the energy of the shortest waves, which hold little of it.
   const double available = first_energy_ + std::fabs(work) + energy_of_rounding(scene.bodies, clock.dt) + unpaid;
@@ -252,11 +252,11 @@ void Monitors::check_energy(const Scene& scene, double energy, double work, doub
       "s "
       "is not stable for this run; make it smaller.",
       clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_, work, clock.dt);
-  if (-contact_loss > 0.5 * excess)
+  if (-contact_dissipation > 0.5 * excess)
     sentence += fmt::format(
         " Contact with impactors put in {:.3g} J: particles slide over an edge or a tip that is sharper than their spacing, and go too far in a step. Take a "
-        "time.step of {:.2g} s, and smaller ones until total.contact_loss stays above 0.",
-        -contact_loss, clock.dt / 4);
+        "time.step of {:.2g} s, and smaller ones until total.contact_dissipation stays above 0.",
+        -contact_dissipation, clock.dt / 4);
   throw fccda::RunError(sentence);
 }
 

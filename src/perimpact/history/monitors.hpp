@@ -91,7 +91,7 @@ class Monitors {
   void add_mean(std::string_view owner, const Of& of, double sum);
   void add_mean(std::string_view owner, const Of& of, const Vec3d& sum);
   void check_numbers(const Scene& scene, double energy) const;
-  void check_energy(const Scene& scene, double energy, double work, double unpaid, double contact_loss) const;
+  void check_energy(const Scene& scene, double energy, double work, double unpaid, double contact_dissipation) const;
 
   long interval_, check_interval_;  // steps between rows, and between checks
   double row_time_ = 0;

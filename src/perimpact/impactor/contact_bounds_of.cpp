@@ -68,7 +68,7 @@ ImpactorBounds made(const AutoBoundsSetup&, const Surface& surface, Beyond) {
 
 ImpactorBounds contact_bounds_of(const ContactBoundsSetup& setup, const Surface& surface, const std::string& impactor) {
   try {
-    return std::visit([&](const auto& shape) { return made(shape, surface, setup.outside.as<Beyond>()); }, setup.shape);
+    return std::visit([&](const auto& shape) { return made(shape, surface, setup.on_exceed.as<Beyond>()); }, setup.shape);
   } catch (const InputError& error) {
     throw SetupError("impactors." + impactor + ".region", error);
   }

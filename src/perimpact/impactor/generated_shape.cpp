@@ -14,8 +14,8 @@ fccda::HullShape shape_of(const HullSurface& s) {
                          .fullness = s.fullness,
                          .bilge_radius = s.bilge_radius.value_or(s.draft / 3),
                          .flare = s.flare,
-                         .panel = s.panel,
-                         .bow_edge_length = s.bow_edge_length.value_or(s.panel)};
+                         .edge_length = s.edge_length,
+                         .bow_edge_length = s.bow_edge_length.value_or(s.edge_length)};
   if (s.stern_angle) shape.stern_angle = *s.stern_angle;
   if (s.stern_waterline_angle) shape.stern_waterline_angle = *s.stern_waterline_angle;
   return shape;
@@ -39,8 +39,8 @@ fccda::PropellerShape shape_of(const PropellerSurface& s) {
                               .hand = s.hand.as<fccda::Hand>(),
                               .axis = s.axis.as<fccda::Axis>(),
                               .sections = {},
-                              .panel = s.panel,
-                              .blade_edge_length = s.blade_edge_length.value_or(s.panel)};
+                              .edge_length = s.edge_length,
+                              .blade_edge_length = s.blade_edge_length.value_or(s.edge_length)};
   if (s.sections) {
     const PropellerSectionsSetup& own = *s.sections;
     shape.sections = fccda::PropellerSections{own.radius, own.chord, own.thickness, own.pitch, own.rake, own.skew, own.camber};

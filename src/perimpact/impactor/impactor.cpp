@@ -33,7 +33,7 @@ Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& c
     case DetectorKind::analytic:
       return Analytic(shape_of(setup), region, radius);
     case DetectorKind::published:
-      return Published(surface, region, contact.variant.as<Published::PublishedVariant>());
+      return Published(surface, region, contact.variant.as<Published::Variant>());
     case DetectorKind::swept:
       break;
   }
@@ -78,7 +78,7 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       crossing_panels_(crossing_panels),
       remeshing_(std::move(remeshed.remeshing)),
       surface_(std::make_shared<const Surface>(std::move(remeshed.surface))),
-      region_(contact_bounds_of(setup.region, *surface_, setup.name)),
+      region_(contact_bounds_of(setup.contact_bounds, *surface_, setup.name)),
       prescribed_(motion_of(setup)),
       loads_(loads_of(setup)),
       body_(rigid_body_of(setup, *surface_, prescribed_)),

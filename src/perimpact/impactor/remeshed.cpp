@@ -16,14 +16,14 @@ namespace {
 using fccda::Surface;
 
 fccda::Refinement refinement_of(const RefinementSetup& setup) {
-  fccda::Refinement refinement{.name = setup.name, .panel = setup.panel, .angle = setup.angle};
+  fccda::Refinement refinement{.name = setup.name, .edge_length = setup.edge_length, .angle = setup.angle};
   if (setup.box) refinement.box = fccda::Box{setup.box->centre - 0.5 * setup.box->size, setup.box->centre + 0.5 * setup.box->size};
-  if (!setup.part.empty()) refinement.part = setup.part;
+  if (!setup.surface_part.empty()) refinement.surface_part = setup.surface_part;
   return refinement;
 }
 
 /// Changed panels are wound outward already, whatever the given ones were.
-Surface surface_of(const fccda::Panels& panels, const std::string& name) { return Surface(panels, {.outside = fccda::Orientation::normals, .name = name}); }
+Surface surface_of(const fccda::Panels& panels, const std::string& name) { return Surface(panels, {.orientation = fccda::Orientation::normals, .name = name}); }
 
 }  // namespace
 
@@ -39,7 +39,7 @@ Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
   Surface surface = std::move(given);
   if (setup.coarsen) {
     const double any_length = std::numeric_limits<double>::infinity();
-    const fccda::Coarsened coarse = coarsen(surface, {.distance = setup.coarsen->distance, .panel = setup.coarsen->panel.value_or(any_length)});
+    const fccda::Coarsened coarse = coarsen(surface, {.max_deviation = setup.coarsen->max_deviation, .max_edge_length = setup.coarsen->max_edge_length.value_or(any_length)});
     remeshing.coarsened = CoarseningReport{coarse.panels.panels.size(), coarse.distance, coarse.volume_change};
     try {
       surface = surface_of(coarse.panels, setup.name);

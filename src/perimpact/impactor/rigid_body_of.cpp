@@ -49,7 +49,7 @@ RigidBodyProperties properties_of(const ImpactorSetup& setup, const Surface& sur
 
 FreeDegrees degrees_of(const ImpactorSetup& setup) {
   FreeDegrees degrees;
-  for (const std::string& word : setup.free)
+  for (const std::string& word : setup.free_dofs)
     for (std::size_t d = 0; d < std::size(degree_words); ++d)
       if (word == degree_words[d]) degrees.free[d] = true;
   return degrees;
@@ -91,7 +91,7 @@ PrescribedMotion motion_of(const ImpactorSetup& setup) {
     const MotionTable* table = setup.motion.of(degree);
     if (!table) continue;
     const std::string key = fmt::format("{}.motion.{}", key_of(setup), degree_words[degree]);
-    if (std::find(setup.free.begin(), setup.free.end(), degree_words[degree]) != setup.free.end())
+    if (std::find(setup.free_dofs.begin(), setup.free_dofs.end(), degree_words[degree]) != setup.free_dofs.end())
       throw SetupError(key, fmt::format("{} of {} is free, so no table can move it; hold it, or remove its motion.", degree_words[degree], setup.name));
     const bool is_velocity = table->displacements.empty();
     motion.prescribe(degree, is_velocity ? PrescribedMotion::Of::velocity : PrescribedMotion::Of::displacement,
@@ -117,7 +117,7 @@ std::optional<StillWater> water_of(const ImpactorSetup& setup) {
 }
 
 bool is_weighed_by_volume(const ImpactorSetup& setup) {
-  const bool may_turn = std::any_of(setup.free.begin(), setup.free.end(), [](const std::string& degree) { return degree.starts_with('r'); });
+  const bool may_turn = std::any_of(setup.free_dofs.begin(), setup.free_dofs.end(), [](const std::string& degree) { return degree.starts_with('r'); });
   return setup.density.has_value() || !setup.centre_of_mass || (may_turn && !setup.inertia);
 }
 

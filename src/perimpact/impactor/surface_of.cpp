@@ -13,17 +13,17 @@ namespace {
 
 fccda::PanelKind kind(const Choice& panels) { return panels.as<fccda::PanelKind>(); }
 
-fccda::Panels panels_of(const CylinderSurface& s) { return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.panel, kind(s.panels)}); }
-fccda::Panels panels_of(const SphereSurface& s) { return fccda::make_sphere({s.diameter, s.panel}); }
-fccda::Panels panels_of(const BoxSurface& s) { return fccda::make_box({s.size, s.panel, kind(s.panels)}); }
+fccda::Panels panels_of(const CylinderSurface& s) { return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.edge_length, kind(s.panel_shape)}); }
+fccda::Panels panels_of(const SphereSurface& s) { return fccda::make_sphere({s.diameter, s.edge_length}); }
+fccda::Panels panels_of(const BoxSurface& s) { return fccda::make_box({s.size, s.edge_length, kind(s.panel_shape)}); }
 fccda::Panels panels_of(const HullSurface& s) { return fccda::make_hull(shape_of(s)); }
 fccda::Panels panels_of(const PropellerSurface& s) { return fccda::make_propeller(shape_of(s)); }
 fccda::Panels panels_of(const FileSurface& s) { return panels_of_file(s); }
 
 /// Surfaces that we make ourselves are closed; a file says.
-fccda::Orientation outside(const SurfaceSetup& setup) {
+fccda::Orientation orientation(const SurfaceSetup& setup) {
   const auto* file = std::get_if<FileSurface>(&setup);
-  return file ? file->outside.as<fccda::Orientation>() : fccda::Orientation::undeclared;
+  return file ? file->orientation.as<fccda::Orientation>() : fccda::Orientation::undeclared;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ GivenSurface surface_of(const SurfaceSetup& setup, const std::string& name) {
   try {
     panels = std::visit([](const auto& surface) { return panels_of(surface); }, setup);
     const auto* file = std::get_if<FileSurface>(&setup);
-    GivenSurface given{fccda::Surface(panels, {.weld_distance = file ? file->weld.value_or(0) : 0, .outside = outside(setup), .name = name})};
+    GivenSurface given{fccda::Surface(panels, {.weld_distance = file ? file->weld.value_or(0) : 0, .orientation = orientation(setup), .name = name})};
     if (file) {
       const fccda::SelfIntersections found = fccda::self_intersections(given.surface, fccda::Bvh(given.surface));
       fccda::expect_no_pockets(found, name);

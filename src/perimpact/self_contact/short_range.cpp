@@ -82,7 +82,7 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   double energy = 0;
   std::array<double, 2> work{};
   std::size_t touching = 0;
-  for (const PairSum& got : pair_sums_) energy += got.energy, work[0] += got.friction_work, work[1] += got.damped_work, touching += got.touching;
+  for (const PairSum& got : pair_sums_) energy += got.energy, work[0] += got.friction_dissipation, work[1] += got.damped_work, touching += got.touching;
   energy_ = energy;
   in_contact_now_ = touching / 2;
   for (std::size_t k = 0; k < 2; ++k) work_[k] += work[k];
@@ -157,7 +157,7 @@ ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const Contacting
     if ((my == 0 && its == 0) || length == 0) {  // two in one place are pushed nowhere
       if (slip && squared_norm(*slip) > 0) {     // what the spring held when the pressure ended
         const double k = tangential_stiffness(i, j);
-        got.friction_work += 0.25 * k * squared_norm(*slip);
+        got.friction_dissipation += 0.25 * k * squared_norm(*slip);
         *slip = {};
       }
       continue;
@@ -180,7 +180,7 @@ ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const Contacting
                                       law_, dt, slip ? *slip : none);
     force += touch.normal + touch.friction;
     got.energy += 0.5 * touch.tangential_energy;
-    got.friction_work += 0.5 * touch.friction_work, got.damped_work += 0.5 * touch.damped_work;
+    got.friction_dissipation += 0.5 * touch.friction_dissipation, got.damped_work += 0.5 * touch.damped_work;
     ++got.touching;
   }
   if (got.touching == 0) return got;

@@ -25,8 +25,8 @@ class ShortRange {
 
   double energy() const { return energy_; }                 ///< [J] of all springs, at the last evaluation
   std::size_t touching() const { return in_contact_now_; }  ///< pairs, at the last evaluation
-  double friction_work() const { return work_[0]; }         ///< [J] taken by friction so far; never falls
-  double restitution_work() const { return work_[1]; }      ///< [J] taken by the dashpots so far; never falls
+  double friction_dissipation() const { return work_[0]; }         ///< [J] taken by friction so far; never falls
+  double dashpot_dissipation() const { return work_[1]; }      ///< [J] taken by the dashpots so far; never falls
   const NearPairs& near_pairs() const { return near_pairs_; }
   void forget();  ///< has the pairs looked for anew; changes no result
 
@@ -56,7 +56,7 @@ class ShortRange {
  private:
   /// What a member gets, beside its force density.
   struct PairSum {
-    double energy = 0, friction_work = 0, damped_work = 0;  // [J] its halves of those of its pairs
+    double energy = 0, friction_dissipation = 0, damped_work = 0;  // [J] its halves of those of its pairs
     std::uint32_t touching = 0;
   };
   /// Where a member's pairs push with: B o [J] against its own body and against others.

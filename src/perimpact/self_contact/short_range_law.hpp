@@ -95,7 +95,7 @@ struct Touch {
 struct TouchForce {
   Vec3d normal, friction;
   double tangential_energy;           ///< [J] of the tangential spring
-  double friction_work, damped_work;  ///< [J] taken in the last step, never negative
+  double friction_dissipation, damped_work;  ///< [J] taken in the last step, never negative
 };
 
 /// `slip` [m]: of the tangential spring, s; brought to the end of the step dt [s] that led here.
@@ -115,7 +115,7 @@ inline TouchForce force_of(const Touch& touch, const ShortRangeLaw& law, double 
     force.friction = touch.tangential_stiffness * slip;
     force.tangential_energy = 0.5 * touch.tangential_stiffness * squared_norm(slip);
     // the mean of the forces before and after the step, on the way that was slipped: with the spring's energy, exactly the work in leapfrog
-    force.friction_work = std::fmax(0.0, 0.5 * touch.tangential_stiffness * dot(before + slip, reached - slip));
+    force.friction_dissipation = std::fmax(0.0, 0.5 * touch.tangential_stiffness * dot(before + slip, reached - slip));
   }
   return force;
 }

@@ -102,7 +102,7 @@ std::optional<Relaxation> make_relaxation(const Setup& setup, std::span<const Bo
 /// Increments are few, and each is a row.
 OutputSetup output_of(const Setup& setup, double dt) {
   OutputSetup output = setup.output;
-  if (setup.time.relax) output.history = dt;
+  if (setup.time.relax) output.history_interval = dt;
   return output;
 }
 
@@ -154,7 +154,7 @@ void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, s
   for (std::size_t i = 0; i < impactors.size(); ++i) {
     const fccda::Surface& surface = impactors[i].surface();
     const std::size_t count = surface.report().may_overlap;
-    const bool is_moved_by_contact = !setup.impactors[i].free.empty();  // the mass of others is only told
+    const bool is_moved_by_contact = !setup.impactors[i].free_dofs.empty();  // the mass of others is only told
     if (count > 0 && surface.is_closed() && is_moved_by_contact && is_weighed_by_volume(setup.impactors[i]))
       warnings.push_back(
           fmt::format("The surface of {} has {} components whose bounding boxes meet: where they overlap, what they share counts twice in mass, centre of mass "
@@ -190,7 +190,7 @@ struct ImpactorOnBody {
   Impactor& impactor;
   std::size_t body;
 
-  std::span<const fccda::Contact> resolve_impactor_contact(ContactParticles& particles) { return impactor.resolve_impactor_contact(body, particles); }
+  std::span<const fccda::Contact> resolve_contact(ContactParticles& particles) { return impactor.resolve_contact(body, particles); }
   std::span<const fccda::Contact> resolve_contact_again(ContactParticles& particles, std::span<const std::size_t> which) {
     return impactor.resolve_contact_again(body, particles, which);
   }
@@ -250,7 +250,7 @@ void Simulation::step(const KeepRelaxing& keep_on) {
   });
   timers_.timed("forces", [&] { compute_bond_forces(); });
   if (fragments_) timers_.timed("fragments", [&] { add_short_range_forces(); });
-  timers_.timed("boundaries", [&] { apply_boundary_conditions(); });
+  timers_.timed("boundary conditions", [&] { apply_boundary_conditions(); });
   timers_.timed("monitors", [&] {
     if (monitors_.samples_step(clock_)) sample_monitors();
   });
@@ -312,7 +312,7 @@ void Simulation::add_short_range_forces() {
 void Simulation::apply_boundary_conditions() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    boundary_conditions_[b].sample(body.particles, body.family, body.internal.broken_ends());
+    boundary_conditions_[b].update_exposed_surface(body.particles, body.family, body.internal.broken_ends());
     boundary_conditions_[b].add_forces(body.particles, clock_.next());
   }
 }
@@ -336,7 +336,7 @@ void Simulation::end_load_interval() {
 
 void Simulation::sample_monitors() {
   const double row_before = monitors_.row_time();
-  monitors_.sample_monitors({bodies_, boundary_conditions_, impactors_, clock_, fragments_, relaxation_ ? &relaxation_->latest() : nullptr});
+  monitors_.watch({bodies_, boundary_conditions_, impactors_, clock_, fragments_, relaxation_ ? &relaxation_->latest() : nullptr});
   if (monitors_.is_due(clock_))
     for (Impactor& impactor : impactors_) impactor.end_history_interval(clock_.time(), clock_.time() - row_before);
   if (monitors_.is_checked(clock_)) proximity_.sample(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());

@@ -84,7 +84,7 @@ def breaks(scene):
     iterations = whole.history()["total.iterations [-]"][-1]
     for factor, code in ((0.98, 0), (1.02, 3)):
         deck = variant.relaxed([factor * load])
-        # a piece that has come off is turned over by the load and finds no rest: the search is ended after three times what it takes
+        # a fragment that has come off is turned over by the load and finds no rest: the search is ended after three times what it takes
         deck["time"]["relax"]["max_iterations"] = int(3 * iterations)
         (scene.folder / "deck.yaml").write_text(json.dumps(deck))
         done = scene.run_program("run", "deck.yaml", "--out", f"out {factor}", "--threads", "1")

@@ -110,12 +110,12 @@ def momentum(scene):
         scene.assertLess(max(abs(value - total[0]) for value in total) / ice, 1e-12)
 
 
-@claim("propeller_ice: the deck breaks the sphere into three pieces or more above one per cent of its mass")
-def pieces(scene):
+@claim("propeller_ice: the deck breaks the sphere into three fragments or more above one per cent of its mass")
+def fragments(scene):
     measure = measures()
     scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--set", "output.frames=20", "--set", "time.end=20 ms")
     found = measure.fragments(scene.folder / "out", scene.report("out"))
-    scene.assertGreaterEqual(found["pieces above 1 % of the mass [-]"], 3)
+    scene.assertGreaterEqual(found["fragments above 1 % of the mass [-]"], 3)
     scene.assertGreater(found["broken bonds [-]"], 0.5)
 
 

@@ -73,7 +73,7 @@ def _(t):
     rows = short(t)
     work = -rows["ship.contact_work [J]"][-1]
     t.assertGreater(work, 1e4)
-    t.assertLess(max(abs(error) for error in rows["total.closing_error [J]"]), 0.02 * work)
+    t.assertLess(max(abs(error) for error in rows["total.energy_balance_error [J]"]), 0.02 * work)
 
 
 @claim("ship: a load that falls to half of the mean has ended, and one that only swings has not")

@@ -133,7 +133,7 @@ TEST_CASE("plain call: points may be appended, taken off the end and renumbered 
 }
 
 TEST_CASE("plain call: a point that somebody else put before the surface is struck there") {
-  const Surface surface(make_box({.size = {1, 1, 1}, .panel = 1}));
+  const Surface surface(make_box({.size = {1, 1, 1}, .edge_length = 1}));
   ContactDetector detector(surface, {.radius = ball});
   const Motion rest = fixtures::at_rest();
   CHECK(detector.detect(rest, std::vector<double>{0, 0, 50}, std::vector<double>{0, 0, 49}).empty());
@@ -142,7 +142,7 @@ TEST_CASE("plain call: a point that somebody else put before the surface is stru
 }
 
 TEST_CASE("plain call: a body put elsewhere by hand between two steps strikes points that it had been far from") {
-  const Surface surface(make_box({.size = {1, 1, 20}, .panel = 1}));
+  const Surface surface(make_box({.size = {1, 1, 20}, .edge_length = 1}));
   const double quarter = std::numbers::pi / 2;
   struct Scene {
     Pose pose;
@@ -160,7 +160,7 @@ TEST_CASE("plain call: a body put elsewhere by hand between two steps strikes po
 }
 
 TEST_CASE("plain call: a point that came in where the surface is not felt stays excused when points are renumbered") {
-  const Surface surface(make_box({.size = {1, 1, 1}, .panel = 0.25}));
+  const Surface surface(make_box({.size = {1, 1, 1}, .edge_length = 0.25}));
   ContactDetector detector(surface, {.region = BoxUnion({.size = {2, 2, 0.5}}, surface, Beyond::clip)});
   const Vec3d far{0, 0, 5}, above{0.4, 0, 0.26}, in{0.4, 0, 0.24}, deeper{0.4, 0, 0.23};
   CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{far, above}, std::vector<Vec3d>{far, in}).empty());
@@ -170,7 +170,7 @@ TEST_CASE("plain call: a point that came in where the surface is not felt stays 
 }
 
 TEST_CASE("plain call: points that begin inside are named, touching ones are not") {
-  ContactDetector detector{Surface(make_box({.size = {1, 1, 1}, .panel = 1})), {.radius = ball}};
+  ContactDetector detector{Surface(make_box({.size = {1, 1, 1}, .edge_length = 1})), {.radius = ball}};
   const std::vector<Vec3d> x{{0, 0, 0}, {0, 0, 0.5 + ball}, {0, 0, 0.5 + 0.5 * ball}, {0, 0, 2}};
   CHECK(detector.points_inside(Pose(), x) == std::vector<std::size_t>{0, 2});
   CHECK(detector.points_inside(Pose({0, 0, 2}), x) == std::vector<std::size_t>{3});
@@ -289,7 +289,7 @@ TEST_CASE("plain call: a point that grows is put back at its new radius, though 
   Panels floor;
   floor.vertices = {{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}};
   floor.add_quad(0, 1, 2, 3);
-  for (const Surface& surface : {Surface(make_box({.size = {10, 10, 2}})), Surface(floor, {.outside = Orientation::normals})}) {
+  for (const Surface& surface : {Surface(make_box({.size = {10, 10, 2}})), Surface(floor, {.orientation = Orientation::normals})}) {
     const double top = surface.is_closed() ? 1 : 0;
     ContactDetector detector(surface);
     const std::vector<Vec3d> x{{0, 0, top + 1}, {1, 0, top + 1}};
@@ -337,7 +337,7 @@ TEST_CASE("plain call: points kept in floats never end inside, nor behind an ope
   valley.add_quad(0, 1, 2, 3);
   valley.add_quad(1, 4, 5, 2);
   for (const double radius : {0.0, ball}) {
-    ContactDetector detector(Surface(valley, {.outside = Orientation::normals}), {.radius = radius});
+    ContactDetector detector(Surface(valley, {.orientation = Orientation::normals}), {.radius = radius});
     RigidBody body({.mass = 1}, Pose({100.1, 0, 0}), {}, {}, {});  // coordinates of 100 m are rounded by 4e-6 m
     std::mt19937_64 random(3);
     std::vector<float> x_t1, velocity(3 * 200);

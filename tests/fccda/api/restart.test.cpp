@@ -21,7 +21,7 @@ Surface plate() {
     for (int i = 0; i <= 4; ++i) square.vertices.push_back({0.25 * i - 0.5, 0.25 * j - 0.5, 0});
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) square.add_quad(5 * j + i, 5 * j + i + 1, 5 * j + i + 6, 5 * j + i + 5);
-  return Surface(square, {.outside = Orientation::normals});
+  return Surface(square, {.orientation = Orientation::normals});
 }
 
 /// Two open plates face each other and close in on points between them, so that each pushes them against the other, then they open again.

@@ -72,7 +72,7 @@ TEST_CASE("region: what is rejected is nowhere within the margin, by looking clo
 
 TEST_CASE("region: paths that are not numbers are not rejected") {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
-  const Surface surface(fixtures::propeller({.panel = 0.06}));
+  const Surface surface(fixtures::propeller({.edge_length = 0.06}));
   for (const fixtures::NamedRegion& region : fixtures::every_region(surface)) {
     CAPTURE(region.name);
     CHECK(std::visit([&](const auto& its) { return its.may_touch({{0, 0, 9}, {nothing, nothing, nothing}}, 0.1); }, region.region));

@@ -124,7 +124,7 @@ TEST_CASE("cylinder sectors: a region in the middle of a large panel is reached 
   Panels square;
   square.vertices = {{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}};
   square.add_quad(0, 1, 2, 3);
-  const Surface wall(square, {.outside = Orientation::normals});
+  const Surface wall(square, {.orientation = Orientation::normals});
   const CylinderSectors::Shape small{.point = {13, 17, 0}, .radius = 1, .length = 1, .hub_radius = 0.2, .blades = 3, .sector_angle = 0.4};
   CHECK(CylinderSectors(small, wall, Beyond::clip).clips());
   CHECK(complaint({.point = {13, 17, 2}, .radius = 1, .length = 1, .hub_radius = 1}, wall, Beyond::clip).starts_with("region: no panel"));
@@ -135,7 +135,7 @@ TEST_CASE("cylinder sectors: a piece shorter than the slack may cut the corner b
   Panels piece;
   piece.vertices = {{0.9995, -0.0017, 0}, {1.0015, 0, 0}, {0.9995, -0.0017, 0.001}};
   piece.add_triangle(0, 1, 2);
-  const Surface surface(piece, {.outside = Orientation::normals});
+  const Surface surface(piece, {.orientation = Orientation::normals});
   const CylinderSectors fan({.radius = 4, .length = 2, .hub_radius = 1, .blades = 3, .sector_angle = 1, .start_angle = 0}, surface, Beyond::error);
   const Vec3d middle = 0.5 * (piece.vertices[0] + piece.vertices[1]);
   REQUIRE(std::hypot(middle.x, middle.y) > 1.0004);  // outside the hub, and below the sector

@@ -70,7 +70,7 @@ TEST_CASE("fit boxes: splitting stops where a split would save less than the wan
 
 TEST_CASE("fit boxes: a hollow of many boxes about a thick body is not left out where the body is full") {
   // A ball fills π/6 of its box; boxes around its skin alone would fill less.
-  const Surface ball(make_sphere({.diameter = 1, .panel = 0.1}));
+  const Surface ball(make_sphere({.diameter = 1, .edge_length = 0.1}));
   const double volume = volume_of(fit_boxes(ball, {.most = 200, .gain = 0}));
   CHECK(volume >= ball.report().volume);
   CHECK(volume < 0.7);  // π/6 = 0.52
@@ -79,7 +79,7 @@ TEST_CASE("fit boxes: a hollow of many boxes about a thick body is not left out 
 TEST_CASE("fit boxes: the wall of an open surface is all there is to hold") {
   Panels open = fixtures::torus(1, 0.3, 32, 4);
   open.panels.resize(open.panels.size() - 4);  // a slice of the ring is missing
-  const Surface surface(open, {.outside = Orientation::normals});
+  const Surface surface(open, {.orientation = Orientation::normals});
   REQUIRE_FALSE(surface.is_closed());
   const BoxUnion boxes(fit_boxes(surface, {.most = 40, .gain = 0}));
   CHECK_FALSE(boxes.contains({0, 0, 0}));

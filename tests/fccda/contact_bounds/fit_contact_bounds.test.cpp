@@ -10,7 +10,7 @@ using namespace fccda;
 TEST_CASE("fit region: a block has its box, a hull boxes, a slanting shaft a cylinder, and the sentence says so") {
   const auto choice = [](const Panels& panels) { return fit_contact_bounds(Surface(panels)); };
   const FittedBounds block = choice(fixtures::unit_cube()), hull = choice(fixtures::hull_like()),
-                     shaft = choice(fixtures::askew(make_cylinder({.diameter = 1, .height = 8, .axis = Axis::z, .panel = 0.2})));
+                     shaft = choice(fixtures::askew(make_cylinder({.diameter = 1, .height = 8, .axis = Axis::z, .edge_length = 0.2})));
   REQUIRE(std::holds_alternative<BoxUnion>(block.region));
   CHECK(std::get<BoxUnion>(block.region).boxes().size() == 1);
   CHECK(block.choice == "of the bounding box, 1 box fills 100 % and a cylinder with sectors 122 %; taken: the bounding box");
@@ -34,7 +34,7 @@ TEST_CASE("fit region: a flat open surface has its flat box") {
   Panels square;
   square.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   square.add_quad(0, 1, 2, 3);
-  const ContactBounds region = fit_contact_bounds(Surface(square, {.outside = Orientation::normals})).region;
+  const ContactBounds region = fit_contact_bounds(Surface(square, {.orientation = Orientation::normals})).region;
   REQUIRE(std::holds_alternative<BoxUnion>(region));
   CHECK(std::get<BoxUnion>(region).contains({0.5, 0.5, 0}));
 }

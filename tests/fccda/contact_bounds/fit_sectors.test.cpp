@@ -27,7 +27,7 @@ void check_holds(const CylinderSectors::Shape& shape, const Surface& surface) {
 TEST_CASE("fit sectors: a propeller's axis, blades, radius and length are found, whatever its orientation") {
   for (const int blades : {3, 4, 5, 7}) {
     CAPTURE(blades);
-    const fixtures::PropellerShape sizes{.blades = blades, .chord = 0.2, .panel = 0.05};
+    const fixtures::PropellerShape sizes{.blades = blades, .chord = 0.2, .edge_length = 0.05};
     const Surface straight(fixtures::propeller(sizes)), turned(fixtures::askew(fixtures::propeller(sizes)));
     const CylinderSectors::Shape a = fit_sectors(straight, {}), b = fit_sectors(turned, {});
     check_holds(a, straight);
@@ -44,7 +44,7 @@ TEST_CASE("fit sectors: a propeller's axis, blades, radius and length are found,
 
 TEST_CASE("fit sectors: the fan is as narrow as the blades are") {
   // Plates of known width: two edges at ±0.1 rad at a radius of 1, a hub of 0.2.
-  Panels plates = make_cylinder({.diameter = 0.4, .height = 0.5, .axis = Axis::z, .panel = 0.05});
+  Panels plates = make_cylinder({.diameter = 0.4, .height = 0.5, .axis = Axis::z, .edge_length = 0.05});
   for (int blade = 0; blade < 3; ++blade) {
     const double at = 2 * pi * blade / 3 + 0.3;
     plates = fixtures::joined(plates, fixtures::moved(fixtures::unit_cube(), [&](const Vec3d& p) {
@@ -99,7 +99,7 @@ TEST_CASE("fit sectors: what is given stays, the rest is fitted around it") {
 }
 
 TEST_CASE("fit sectors: of a cylinder in any direction the whole cylinder is left") {
-  const Surface surface(fixtures::askew(make_cylinder({.diameter = 1, .height = 3, .axis = Axis::x, .panel = 0.1})));
+  const Surface surface(fixtures::askew(make_cylinder({.diameter = 1, .height = 3, .axis = Axis::x, .edge_length = 0.1})));
   const CylinderSectors::Shape shape = fit_sectors(surface, {});
   CHECK_FALSE(shape.has_gaps());
   // the mesh is inscribed: its volume is less by 2 % at most

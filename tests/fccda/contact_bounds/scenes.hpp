@@ -43,7 +43,7 @@ inline Panels step_body() {
 }
 
 inline Panels hull_like() {
-  return moved(fccda::make_sphere({.diameter = 1, .panel = 0.1}), [](const Vec3d& p) { return Vec3d{4 * p.x, p.y, p.z < 0 ? 1.2 * p.z : 0.3 * p.z}; });
+  return moved(fccda::make_sphere({.diameter = 1, .edge_length = 0.1}), [](const Vec3d& p) { return Vec3d{4 * p.x, p.y, p.z < 0 ? 1.2 * p.z : 0.3 * p.z}; });
 }
 
 /// Turned, so that nothing lies along the axes.
@@ -57,9 +57,9 @@ inline std::vector<ToBound> surfaces_to_bound() {
   all.push_back({"cube", Surface(unit_cube())});
   all.push_back({"step", Surface(step_body())});
   all.push_back({"hull", Surface(hull_like())});
-  all.push_back({"propeller", Surface(propeller({.panel = 0.06}))});
-  all.push_back({"skewed propeller, askew", Surface(askew(propeller({.skew = 0.6, .panel = 0.06})))});
-  all.push_back({"blades that overlap in angle", Surface(propeller({.blades = 5, .chord = 0.9, .pitch = 0.3, .panel = 0.06}))});
+  all.push_back({"propeller", Surface(propeller({.edge_length = 0.06}))});
+  all.push_back({"skewed propeller, askew", Surface(askew(propeller({.skew = 0.6, .edge_length = 0.06})))});
+  all.push_back({"blades that overlap in angle", Surface(propeller({.blades = 5, .chord = 0.9, .pitch = 0.3, .edge_length = 0.06}))});
   return all;
 }
 

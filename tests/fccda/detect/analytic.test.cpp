@@ -76,7 +76,7 @@ TEST_CASE("analytic: away from the surface after contact is no contact, straight
 TEST_CASE("analytic: the mesh of a sphere converges to it as the square of its panels") {
   const std::vector<Path> paths = random_paths(1000, 0.15, 33);
   const auto error = [&](double panel) {
-    Swept mesh(fixtures::surface_of(make_sphere({.diameter = 1, .panel = panel})), Unbounded{}, 0);
+    Swept mesh(fixtures::surface_of(make_sphere({.diameter = 1, .edge_length = panel})), Unbounded{}, 0);
     Analytic exact(Sphere{.radius = 0.5}, Unbounded{}, 0);
     const std::vector<Contact> a = detect(mesh, fixtures::points_on(paths)), b = detect(exact, fixtures::points_on(paths));
     double most = 0;

@@ -10,7 +10,7 @@ using fixtures::detect;
 
 namespace {
 
-using PublishedVariant = Published::PublishedVariant;
+using PublishedVariant = Published::Variant;
 
 /// Paths from outside to inside, so each is a true crossing; short beside the panels, which is where the method does best.
 std::vector<Path> true_crossings(const Surface& surface, std::size_t count, std::uint64_t seed) {

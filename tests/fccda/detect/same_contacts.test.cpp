@@ -40,7 +40,7 @@ std::vector<Contact> contacts_of(const std::shared_ptr<const Surface>& surface, 
 }  // namespace
 
 TEST_CASE("same contacts: a turning propeller finds the same contacts to the bit with every region that holds it") {
-  const auto surface = fixtures::surface_of(fixtures::propeller({.skew = 0.3, .panel = 0.06}));
+  const auto surface = fixtures::surface_of(fixtures::propeller({.skew = 0.3, .edge_length = 0.06}));
   for (const double radius : {0.0, 0.01}) {
     CAPTURE(radius);
     const std::vector<Contact> expected = contacts_of(surface, Unbounded{}, radius);

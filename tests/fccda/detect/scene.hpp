@@ -88,10 +88,10 @@ struct Body {
 };
 
 inline Panels cylinder() {
-  return fccda::make_cylinder({.diameter = 1, .height = 0.5, .axis = fccda::Axis::z, .panel = 0.1, .panels = fccda::PanelKind::quads});
+  return fccda::make_cylinder({.diameter = 1, .height = 0.5, .axis = fccda::Axis::z, .edge_length = 0.1, .panels = fccda::PanelKind::quads});
 }
-inline Panels sphere() { return fccda::make_sphere({.diameter = 1, .panel = 0.12}); }
-inline Panels box() { return fccda::make_box({.size = {1, 0.6, 0.4}, .panel = 0.2, .panels = fccda::PanelKind::quads}); }
+inline Panels sphere() { return fccda::make_sphere({.diameter = 1, .edge_length = 0.12}); }
+inline Panels box() { return fccda::make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.2, .panels = fccda::PanelKind::quads}); }
 
 /// A blade: an ellipsoid of 1 × 0.4 × 0.016, thinner towards its edges.
 inline Panels blade() {

@@ -20,7 +20,7 @@ Surface valley(double width, double height) {
   p.vertices = {{-width, -1, height}, {0, -1, 0}, {0, 1, 0}, {-width, 1, height}, {width, -1, height}, {width, 1, height}};
   p.add_quad(0, 1, 2, 3);
   p.add_quad(1, 4, 5, 2);
-  return Surface(p, {.outside = Orientation::normals});
+  return Surface(p, {.orientation = Orientation::normals});
 }
 
 struct Fall {
@@ -178,7 +178,7 @@ TEST_CASE("sliding: the nearest place before planes lies on one, two or three of
 }
 
 TEST_CASE("first touch: of a ball that comes in at a shallow angle it is when and where the ball meets the plate") {
-  const auto plate = fixtures::surface_of(make_box({.size = {4, 4, 0.2}, .panel = 4}));  // top at z = 0.1
+  const auto plate = fixtures::surface_of(make_box({.size = {4, 4, 0.2}, .edge_length = 4}));  // top at z = 0.1
   const double r = 0.01;
   for (const double degrees : {0.1, 1.0, 3.0, 5.0, 30.0, 90.0}) {
     CAPTURE(degrees);
@@ -213,7 +213,7 @@ TEST_CASE("first touch: on faces, edges and vertices of any body it is where the
 
 TEST_CASE("crossing: a path in the plane of a panel that passes beside it is no contact, in any orientation") {
   // Of a plate's top face, beside it in all directions. In turned frames the heights are rounding.
-  const Panels plate = make_box({.size = {1, 1, 0.1}, .panel = 1});
+  const Panels plate = make_box({.size = {1, 1, 0.1}, .edge_length = 1});
   std::mt19937_64 random(12);
   std::uniform_real_distribution<double> unit(-1, 1);
   std::size_t contacts = 0, paths_tried = 0;

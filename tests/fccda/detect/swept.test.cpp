@@ -120,7 +120,7 @@ TEST_CASE("swept: whatever goes into a thin blade comes out on the side it came 
 }
 
 TEST_CASE("swept: a point that ends nearer to the far side of a thin plate is put back straight above where it ended") {
-  const auto plate = fixtures::surface_of(make_box({.size = {1, 1, 0.01}, .panel = 0.25}));
+  const auto plate = fixtures::surface_of(make_box({.size = {1, 1, 0.01}, .edge_length = 0.25}));
   for (const double r : {0.0, 0.02}) {
     Swept detector(plate, Unbounded{}, r);
     const std::vector<Contact> contacts = detect(detector, fixtures::points_on({{{0.1, 0.13, 0.03}, {0.14, 0.13, -0.004}}}));
@@ -327,7 +327,7 @@ TEST_CASE("swept: a glancing blow is put back by no more than it went in, so tha
 
 TEST_CASE("swept: of overlapping closed parts only the outside of all is surface") {
   // a bar sunk in a box
-  const Panels bar = fixtures::moved(make_box({.size = {0.1, 0.1, 1}, .panel = 0.1}), [](const Vec3d& p) { return p + Vec3d{0, 0, 0.5}; });
+  const Panels bar = fixtures::moved(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), [](const Vec3d& p) { return p + Vec3d{0, 0, 0.5}; });
   const auto surface = fixtures::surface_of(fixtures::joined(fixtures::box(), bar));
   const fixtures::Soup box{Surface(fixtures::box())}, rod{Surface(bar)};
   std::mt19937_64 random(14);

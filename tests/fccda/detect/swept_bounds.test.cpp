@@ -15,7 +15,7 @@ namespace {
 /// The paper's cylinder (section 5.1), diameter 50 mm, and a region as wide as it is and 10 mm thick.
 constexpr double R = 0.025, spacing = 0.001;
 std::shared_ptr<const Surface> plate_cylinder() {
-  return fixtures::surface_of(make_cylinder({.diameter = 2 * R, .height = R, .axis = Axis::z, .panel = spacing}));
+  return fixtures::surface_of(make_cylinder({.diameter = 2 * R, .height = R, .axis = Axis::z, .edge_length = spacing}));
 }
 constexpr BoxUnion::Shape plate_box{.size = {2 * R, 2 * R, 0.01}};
 
@@ -26,7 +26,7 @@ std::shared_ptr<const Surface> open_square() {
     for (int i = 0; i <= 4; ++i) square.vertices.push_back({0.25 * i - 0.5, 0.25 * j - 0.5, 0});
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) square.add_quad(5 * j + i, 5 * j + i + 1, 5 * j + i + 6, 5 * j + i + 5);
-  return std::make_shared<const Surface>(square, Surface::Options{.outside = Orientation::normals});
+  return std::make_shared<const Surface>(square, Surface::Options{.orientation = Orientation::normals});
 }
 
 struct ListReader {
@@ -104,7 +104,7 @@ TEST_CASE("swept, region: inside counts where the point comes in, even if the ne
   // A diamond with an edge at x = -√½; the region begins at x = -0.3. A point inside at x = -0.28, 0.1 below the upper panels there, has its
   // nearest place at x = -0.35, which is in the region.
   const double quarter = std::numbers::pi / 4;
-  const auto surface = fixtures::surface_of(fixtures::moved(make_box({.size = {1, 1, 1}, .panel = 0.25}), [&](const Vec3d& p) {
+  const auto surface = fixtures::surface_of(fixtures::moved(make_box({.size = {1, 1, 1}, .edge_length = 0.25}), [&](const Vec3d& p) {
     return Vec3d{std::cos(quarter) * p.x + std::sin(quarter) * p.z, p.y, -std::sin(quarter) * p.x + std::cos(quarter) * p.z};
   }));
   const Vec3d start = Vec3d{-0.35, 0.01, std::sqrt(0.5) - 0.35} - 0.1 * Vec3d{-std::sqrt(0.5), 0, std::sqrt(0.5)};

@@ -16,7 +16,7 @@ namespace {
 /// A thin paddle that turns about an axis beside it.
 constexpr Vec3d half{0.5, 0.005, 0.15};
 Panels paddle() {
-  return fixtures::moved(make_box({.size = 2.0 * half, .panel = 0.1}), [](const Vec3d& p) { return p + Vec3d{0.6, 0, 0}; });
+  return fixtures::moved(make_box({.size = 2.0 * half, .edge_length = 0.1}), [](const Vec3d& p) { return p + Vec3d{0.6, 0, 0}; });
 }
 
 /// Signed distance from the paddle: the box's, in closed form.
@@ -101,7 +101,7 @@ TEST_CASE("swept, turning: a thin paddle strikes just what ten thousand tiny ste
 TEST_CASE("swept, turning: what a straight chord would miss is struck, by the time it takes the arc to get there") {
   // The arc of a point at rest, 1.1 from the axis, bulges out of its chord by 1.1 (1 - cos 0.25) = 0.034; a peg stands in the bulge only.
   const double angle = 0.5;
-  const auto peg = fixtures::surface_of(fixtures::moved(make_box({.size = {0.01, 0.01, 0.2}, .panel = 0.1}), [](const Vec3d& p) {
+  const auto peg = fixtures::surface_of(fixtures::moved(make_box({.size = {0.01, 0.01, 0.2}, .edge_length = 0.1}), [](const Vec3d& p) {
     return p + Vec3d{1.095, 0, 0};
   }));
   RigidBody body({.mass = 1, .centre_of_mass = {}, .inertia = Mat3::identity()}, Pose(), {}, {0, 0, angle}, {});

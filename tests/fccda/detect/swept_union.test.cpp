@@ -44,9 +44,9 @@ Panels placed(const Panels& panels, const Vec3d& where, const Vec3d& rotation) {
 
 /// A hub of a cylinder along z with four skewed blades sunk in it; the panels of the two are as long as given.
 Assembly propeller(double hub_panel, double blade_panel) {
-  std::vector<Panels> parts{make_cylinder({.diameter = 0.3, .height = 0.3, .axis = Axis::z, .panel = hub_panel})};
+  std::vector<Panels> parts{make_cylinder({.diameter = 0.3, .height = 0.3, .axis = Axis::z, .edge_length = hub_panel})};
   for (int blade = 0; blade < 4; ++blade) {
-    const Panels plate = placed(make_box({.size = {0.4, 0.2, 0.02}, .panel = blade_panel}), {0.28, 0, 0}, {0, 0, 0});
+    const Panels plate = placed(make_box({.size = {0.4, 0.2, 0.02}, .edge_length = blade_panel}), {0.28, 0, 0}, {0, 0, 0});
     parts.push_back(placed(placed(plate, {}, {0.5, 0, 0}), {}, {0, 0, 0.5 * std::numbers::pi * blade}));
   }
   return Assembly(std::move(parts));
@@ -60,7 +60,7 @@ Assembly heap(std::uint64_t seed) {
   for (int k = 0; k < 5; ++k) {
     const double a = 0.1 + 0.3 * unit(random), b = 0.1 + 0.3 * unit(random), c = 0.03 + 0.2 * unit(random);
     const double panel = k % 2 == 0 ? 1 : 0.1;  // coarse ones are cut, fine ones buried
-    const Panels part = k < 3 ? make_box({.size = {a, b, c}, .panel = panel}) : make_cylinder({.diameter = a, .height = b, .axis = Axis::x, .panel = 0.1});
+    const Panels part = k < 3 ? make_box({.size = {a, b, c}, .edge_length = panel}) : make_cylinder({.diameter = a, .height = b, .axis = Axis::x, .edge_length = 0.1});
     parts.push_back(
         placed(part, fixtures::random_in_box(random, {-0.12, -0.12, -0.12}, {0.12, 0.12, 0.12}), 3 * unit(random) * fixtures::random_direction(random)));
   }
@@ -157,7 +157,7 @@ TEST_CASE("swept, overlapping parts: a hundred thousand paths along the fillets 
 
 TEST_CASE("swept, overlapping parts: what is deep in the hub, beside a buried blade, is put back straight above, not along the blade") {
   // a tall rod sunk in a block: the point ends 0.02 below the top of the block and 0.005 beside the rod
-  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .panel = 0.1}), placed(make_box({.size = {0.1, 0.1, 1}, .panel = 0.1}), {0, 0, 0.5}, {})});
+  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
   Swept detector(assembly.surface, Unbounded{}, 0);
   const std::vector<Contact> contacts = detect(detector, fixtures::points_on({{{0.055, 0.01, 0.21}, {0.055, 0.01, 0.18}}}));
   REQUIRE(contacts.size() == 1);
@@ -166,7 +166,7 @@ TEST_CASE("swept, overlapping parts: what is deep in the hub, beside a buried bl
 }
 
 TEST_CASE("swept, overlapping parts: a point that goes into the hub through a thin blade stays on the side of the blade it came from") {
-  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .panel = 0.1}), placed(make_box({.size = {0.02, 1, 1}, .panel = 0.1}), {0, 0, 0.5}, {})});
+  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.02, 1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
   Swept detector(assembly.surface, Unbounded{}, 0);
   // ends nearer to the far face of the blade, at x = -0.01
   const std::vector<Contact> contacts = detect(detector, fixtures::points_on({{{0.03, 0, 0.21}, {-0.005, 0.1, 0.15}}}));
@@ -193,7 +193,7 @@ TEST_CASE("swept, overlapping parts: inside is inside any of them, however deep 
 }
 
 TEST_CASE("swept, overlapping parts: a point that slides along a fillet keeps sliding") {
-  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .panel = 0.1}), placed(make_box({.size = {0.1, 1, 1}, .panel = 0.1}), {0, 0.2, 0.5}, {})});
+  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.1, 1, 1}, .edge_length = 0.1}), {0, 0.2, 0.5}, {})});
   for (const double r : {0.0, 0.02}) {
     Swept detector(assembly.surface, Unbounded{}, r);
     fixtures::TestPoints points;
@@ -209,11 +209,11 @@ TEST_CASE("swept, overlapping parts: a point that slides along a fillet keeps sl
 
 TEST_CASE("swept, overlapping parts: the hollow of one part is outside unless another fills it") {
   // a box with a cubic hollow of 0.4, and a rod of 0.1 that runs right through
-  const Panels wall = fixtures::joined(make_box({.size = {1, 1, 1}, .panel = 0.25}), make_box({.size = {0.4, 0.4, 0.4}, .panel = 0.1}));
+  const Panels wall = fixtures::joined(make_box({.size = {1, 1, 1}, .edge_length = 0.25}), make_box({.size = {0.4, 0.4, 0.4}, .edge_length = 0.1}));
   const Surface hollow(wall);
   REQUIRE(hollow.report().cavities == 1);
   REQUIRE(hollow.report().solids == 1);
-  const auto surface = fixtures::surface_of(fixtures::joined(wall, make_box({.size = {0.1, 0.1, 2}, .panel = 0.1})));
+  const auto surface = fixtures::surface_of(fixtures::joined(wall, make_box({.size = {0.1, 0.1, 2}, .edge_length = 0.1})));
   REQUIRE(surface->report().solids == 2);
   Swept detector(surface, Unbounded{}, 0);
   fixtures::TestPoints points;
@@ -228,7 +228,7 @@ TEST_CASE("swept, overlapping parts: which triangles may be buried is told, and 
   CHECK(Swept(fixtures::surface_of(fixtures::hull()), Unbounded{}, 0).buried_triangles() == 0);
   // a rod of 0.1 × 0.1 × 1 stands on the middle of a box that is 0.4 high: of its panels, 0.1 long, more than half are above by more than
   // their own size
-  const Assembly sunk({fixtures::box(), placed(make_box({.size = {0.1, 0.1, 1}, .panel = 0.1}), {0, 0, 0.5}, {})});
+  const Assembly sunk({fixtures::box(), placed(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
   const std::size_t buried = Swept(sunk.surface, Unbounded{}, 0).buried_triangles();
   CHECK(buried > 2 * (4 * 2 + 1));
   CHECK(buried < sunk.surface->triangles().size() / 3);

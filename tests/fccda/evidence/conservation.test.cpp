@@ -51,7 +51,7 @@ TEST_CASE("evidence: the drift of angular momentum halves with the step") {
 TEST_CASE("evidence: without friction a meshed sphere is pushed past its middle by less than a panel, half as much with panels half as long") {
   // A face's normal misses the middle by as much as the foot of the point is away from the middle of the face.
   const auto lever = [](double panel) {
-    const auto sphere = fixtures::surface_of(make_sphere({.diameter = 1, .panel = panel}));
+    const auto sphere = fixtures::surface_of(make_sphere({.diameter = 1, .edge_length = panel}));
     Swarm swarm(sphere, {.centre_of_mass = {}});
     double pushed = 0, turned = 0;
     for (int step = 0; step < 300; ++step) {

@@ -94,9 +94,9 @@ TEST_CASE("evidence: meshed spheres and cylinders converge to the analytic ones 
     AnalyticShape shape;
     Panels (*panels)(double);
   };
-  for (const Twin& twin : {Twin{"sphere", Sphere{.radius = 0.5}, [](double panel) { return make_sphere({.diameter = 1, .panel = panel}); }},
+  for (const Twin& twin : {Twin{"sphere", Sphere{.radius = 0.5}, [](double panel) { return make_sphere({.diameter = 1, .edge_length = panel}); }},
                            Twin{"cylinder", InfiniteCylinder{.radius = 0.5},
-                                [](double panel) { return make_cylinder({.diameter = 1, .height = 1, .axis = Axis::z, .panel = panel}); }}}) {
+                                [](double panel) { return make_cylinder({.diameter = 1, .height = 1, .axis = Axis::z, .edge_length = panel}); }}}) {
     CAPTURE(std::string(twin.name));
     const auto from_centre = [&](const Vec3d& place) { return std::visit([&](const auto& shape) { return norm(shape.from_centre(place)); }, twin.shape); };
     std::mt19937_64 random(93);

@@ -58,12 +58,12 @@ Push push(const Panels& panels, double radius, int steps) {
 }  // namespace
 
 TEST_CASE("evidence: a point pushed along for 100 000 steps by a turning, flying surface stays on it") {
-  const Panels ball = make_sphere({.diameter = 1, .panel = 0.3});
+  const Panels ball = make_sphere({.diameter = 1, .edge_length = 0.3});
   const Panels hull = fixtures::moved(ball, [](const Vec3d& p) {
     const double bump = 1 + 0.15 * std::sin(9 * p.x) * std::cos(7 * p.y + 1) * std::cos(8 * p.z);
     return Vec3d{bump * p.x, 0.5 * bump * p.y, 0.4 * bump * p.z};
   });
-  const std::array<fixtures::Body, 3> bodies{{{"sphere", ball}, {"box", make_box({.size = {1, 0.6, 0.4}, .panel = 0.6})}, {"hull", hull}}};
+  const std::array<fixtures::Body, 3> bodies{{{"sphere", ball}, {"box", make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.6})}, {"hull", hull}}};
   constexpr std::array radii{0.0, 0.02};
   std::array<Push, 6> pushes;
   parallel_for_uneven(6, [&](std::ptrdiff_t n) {

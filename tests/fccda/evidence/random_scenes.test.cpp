@@ -11,10 +11,10 @@ namespace {
 
 /// Coarse ones, of 80 to 320 triangles.
 Panels any_shape(std::mt19937_64& random) {
-  const Panels ball = make_sphere({.diameter = 1, .panel = 0.3});
+  const Panels ball = make_sphere({.diameter = 1, .edge_length = 0.3});
   switch (random() % 7) {
     case 0:
-      return make_cylinder({.diameter = 1, .height = 0.5, .axis = static_cast<Axis>(random() % 3), .panel = 0.25, .panels = PanelKind::quads});
+      return make_cylinder({.diameter = 1, .height = 0.5, .axis = static_cast<Axis>(random() % 3), .edge_length = 0.25, .panels = PanelKind::quads});
     case 1:
       return ball;
     case 2:
@@ -22,7 +22,7 @@ Panels any_shape(std::mt19937_64& random) {
     case 3:
       return fixtures::torus(0.4, 0.15, 20, 8, 1);
     case 4:
-      return make_box({.size = {1, 0.6, 0.4}, .panel = 0.25});
+      return make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.25});
     case 5:
       return fixtures::moved(ball, [](const Vec3d& p) { return Vec3d{p.x, 0.4 * p.y, 0.03 * p.z}; });
     default:

@@ -10,7 +10,7 @@ namespace evidence {
 
 using namespace fccda;
 
-inline Panels cylinder(Axis axis) { return make_cylinder({.diameter = 1, .height = 0.5, .axis = axis, .panel = 0.05, .panels = PanelKind::quads}); }
+inline Panels cylinder(Axis axis) { return make_cylinder({.diameter = 1, .height = 0.5, .axis = axis, .edge_length = 0.05, .panels = PanelKind::quads}); }
 
 /// Its axis is none of the coordinate axes, its panels are parallel to none of their planes.
 inline Panels oblique_cylinder() {
@@ -18,7 +18,7 @@ inline Panels oblique_cylinder() {
   return fixtures::moved(cylinder(Axis::z), [&](const Vec3d& p) { return askew.to_world(p); });
 }
 
-inline Panels sphere() { return make_sphere({.diameter = 1, .panel = 0.06}); }
+inline Panels sphere() { return make_sphere({.diameter = 1, .edge_length = 0.06}); }
 
 /// An ellipsoid of 1 × 0.4 × 0.016, thinner towards its edge: 4 % of its chord.
 inline Panels blade() {
@@ -42,7 +42,7 @@ inline std::vector<fixtures::Body> shapes() {
           {"sphere", sphere()},
           {"torus", fixtures::torus(0.4, 0.15, 60, 30)},
           {"torus of warped quads", fixtures::torus(0.4, 0.15, 60, 30, 1)},
-          {"box", make_box({.size = {1, 0.6, 0.4}, .panel = 0.04, .panels = PanelKind::quads})},
+          {"box", make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.04, .panels = PanelKind::quads})},
           {"blade", blade()},
           {"hull", hull()}};
 }

@@ -164,10 +164,10 @@ inline SlidingScene folded_sheet(std::mt19937_64& random) {
 /// Convex and concave, thick and thin.
 inline SlidingScene closed_body(std::mt19937_64& random) {
   const auto any = [&]() -> Panels {
-    const Panels ball = make_sphere({.diameter = 1, .panel = 0.3});
+    const Panels ball = make_sphere({.diameter = 1, .edge_length = 0.3});
     switch (random() % 7) {
       case 0:
-        return make_box({.size = {1, 0.6, 0.4}, .panel = 0.5});
+        return make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.5});
       case 1:
         return fixtures::torus(0.4, 0.15, 12, 6);
       case 2:  // a blade
@@ -185,7 +185,7 @@ inline SlidingScene closed_body(std::mt19937_64& random) {
         return prism({{-0.5, 0.5}, {-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.5}}, {{-0.4, 0.5}, {-0.4, 0}, {0.4, 0}, {0.4, 0.5}});
       }
       default:
-        return make_cylinder({.diameter = 1, .height = 0.5, .axis = Axis::z, .panel = 0.3, .panels = PanelKind::quads});
+        return make_cylinder({.diameter = 1, .height = 0.5, .axis = Axis::z, .edge_length = 0.3, .panels = PanelKind::quads});
     }
   };
   return {.panels = any()};
@@ -231,7 +231,7 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
   std::uniform_real_distribution<double> unit(0, 1);
   const SlidingScene scene = scene_of(kind, random);
   const double r = random() % 2 == 0 ? 0 : std::pow(10.0, -1 - 3 * unit(random)), friction = random() % 4 == 0 ? 0 : unit(random);
-  const Surface surface(scene.panels, {.outside = scene.open ? Orientation::normals : Orientation::undeclared});
+  const Surface surface(scene.panels, {.orientation = scene.open ? Orientation::normals : Orientation::undeclared});
   const fixtures::Soup soup(surface);
   ContactDetector detector(surface, {.radius = r});
   const Vec3d extent = surface.report().bounds.size();

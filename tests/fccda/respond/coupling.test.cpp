@@ -83,15 +83,15 @@ std::vector<Scene> scenes() {
   std::vector<Scene> scenes;
   for (const double friction : {0.0, 0.3})
     for (const double radius : {0.0, 0.02}) {
-      scenes.push_back({"box", Surface(make_box({.size = {0.8, 0.6, 0.5}, .panel = 0.2})), radius, friction});
-      scenes.push_back({"sphere", Surface(make_sphere({.diameter = 0.8, .panel = 0.1})), radius, friction});
-      Panels tray = make_box({.size = {0.8, 0.6, 0.5}, .panel = 0.25});  // without its lid: open
+      scenes.push_back({"box", Surface(make_box({.size = {0.8, 0.6, 0.5}, .edge_length = 0.2})), radius, friction});
+      scenes.push_back({"sphere", Surface(make_sphere({.diameter = 0.8, .edge_length = 0.1})), radius, friction});
+      Panels tray = make_box({.size = {0.8, 0.6, 0.5}, .edge_length = 0.25});  // without its lid: open
       std::erase_if(tray.panels, [&](const auto& panel) {
         for (std::size_t k = 0; k < panel.size(); ++k)
           if (tray.vertices[static_cast<std::size_t>(panel[k])].z < 0.25 - 1e-9) return false;
         return true;
       });
-      scenes.push_back({"tray", Surface(tray, {.outside = Orientation::normals}), radius, friction});
+      scenes.push_back({"tray", Surface(tray, {.orientation = Orientation::normals}), radius, friction});
     }
   return scenes;
 }
@@ -174,7 +174,7 @@ TEST_CASE("coupling: a body goes the way of the velocity that it has after conta
 TEST_CASE("coupling: a plate that rests against a spring of points bounces back with its energy, to second order in the step") {
   // A rigid box of 1 kg meets a wall of points, each held by a spring: one mass on springs, whose velocity after half a period is the opposite.
   const auto loss = [](double dt) {
-    const auto surface = std::make_shared<const Surface>(Surface(make_box({.size = {1, 1, 0.1}, .panel = 0.5})));
+    const auto surface = std::make_shared<const Surface>(Surface(make_box({.size = {1, 1, 0.1}, .edge_length = 0.5})));
     Swept detector(surface, Unbounded(), 0);
     fixtures::TestPoints points;
     for (int i = 0; i < 5; ++i)

@@ -24,7 +24,7 @@ int panel_at(const PanelFaces& faces, const Vec3d& place) {
 }
 
 /// A unit cube in square panels; its top is z = 0.5.
-Surface cube(double panel) { return Surface(make_box({.size = {1, 1, 1}, .panel = panel, .panels = PanelKind::quads})); }
+Surface cube(double panel) { return Surface(make_box({.size = {1, 1, 1}, .edge_length = panel, .panels = PanelKind::quads})); }
 
 constexpr Vec3d up{0, 0, 1};
 

@@ -82,7 +82,7 @@ Vec3d momentum(const std::vector<Striking>& resolvers, const fixtures::TestPoint
 Panels wall(const Vec3d& normal, double where) {
   const Quaternion turn = Quaternion::from_rotation(std::atan2(normal.y, normal.x) * Vec3d{0, 0, 1});
   const Mat3 matrix = turn.matrix();
-  return fixtures::moved(make_box({.size = {0.4, 4, 2}, .panel = 0.4}), [&](const Vec3d& p) { return matrix * (p + Vec3d{where - 0.2, 0, 0}); });
+  return fixtures::moved(make_box({.size = {0.4, 4, 2}, .edge_length = 0.4}), [&](const Vec3d& p) { return matrix * (p + Vec3d{where - 0.2, 0, 0}); });
 }
 
 }  // namespace
@@ -200,7 +200,7 @@ std::shared_ptr<const Surface> open_plate(double where) {
   Panels plate;
   plate.vertices = {{where, -1, -1}, {where, 1, -1}, {where, 1, 1}, {where, -1, 1}};
   plate.add_quad(0, 1, 2, 3);
-  return std::make_shared<const Surface>(plate, Surface::Options{.outside = Orientation::normals});
+  return std::make_shared<const Surface>(plate, Surface::Options{.orientation = Orientation::normals});
 }
 
 }  // namespace
@@ -251,7 +251,7 @@ Closing closing_spheres(bool forget) {
   for (int k = 0; k < 3; ++k) {
     const double angle = 2 * std::numbers::pi * k / 3;
     const Vec3d direction{std::cos(angle), std::sin(angle), 0};
-    const Panels sphere = fixtures::moved(make_sphere({.diameter = 1, .panel = 0.3}), [&](const Vec3d& p) { return p + 0.75 * direction; });
+    const Panels sphere = fixtures::moved(make_sphere({.diameter = 1, .edge_length = 0.3}), [&](const Vec3d& p) { return p + 0.75 * direction; });
     spheres.emplace_back(sphere, r, -1.0 * direction, Vec3d{0.2, -0.1, 0.3 * k}, all_free);
   }
   std::mt19937_64 random(63);
@@ -317,12 +317,12 @@ TEST_CASE("together: forgetting all distances, and any number of threads, change
 }
 
 TEST_CASE("together: the published and the analytic detector look again too") {
-  const auto ball = fixtures::surface_of(make_sphere({.diameter = 1, .panel = 0.05}));
+  const auto ball = fixtures::surface_of(make_sphere({.diameter = 1, .edge_length = 0.05}));
   fixtures::TestPoints points = points_at({{0.6, 0, 0}, {0.4, 0.01, 0.02}, {0, 0.01, 0.7}, {0.02, 0.01, 0.45}});
   points.x0[1] = {0.6, 0.01, 0.02}, points.x0[3] = {0.02, 0.01, 0.6};
   const std::vector<std::size_t> which{1, 2};
   const Motion motion = fixtures::at_rest();
-  Published published(ball, Unbounded{}, Published::Reading::repaired);
+  Published published(ball, Unbounded{}, Published::Variant::corrected);
   Analytic analytic(Sphere{.radius = 0.5}, Unbounded{}, 0);
   Swept swept(ball, Unbounded{}, 0);
   const auto again = [&](auto& detector) {

@@ -88,7 +88,7 @@ TEST_CASE("checkpoint: a simulation made anew goes on from it to the same state,
   // what a run wrote behind its checkpoint before it was killed
   append(parted.results / "history.csv", "1,2,3\n4,5");
   append(parted.results / "pressure_area/block.csv", "6,7");
-  append(parted.results / "pieces/plate.csv", "8,9\n");
+  append(parted.results / "fragments/plate.csv", "8,9\n");
   fixtures::put(parted.results / "frames/plate_00002.vtp", "later");
   fixtures::put(parted.results / "frames/block_00004.vtp.part", "in part");
   fixtures::put(parted.results / "run.json", "of a run that was interrupted");
@@ -114,7 +114,7 @@ TEST_CASE("checkpoint: a simulation made anew goes on from it to the same state,
   CHECK(simulation.state_hash() == other.state_hash());
   CHECK(simulation.bodies()[0].internal.broken_bonds() > 0);
   std::set<std::string> names = fixtures::files_in(whole.results);
-  for (const char* table : {"pressure_area/block.csv", "pieces/plate.csv"}) CHECK(names.count(table) == 1);
+  for (const char* table : {"pressure_area/block.csv", "fragments/plate.csv"}) CHECK(names.count(table) == 1);
   CHECK(fixtures::files_in(parted.results) == names);
   names.erase("checkpoint.h5");  // it knows where the run was resumed, and what detection had to ask again
   for (const std::string& name : names) CHECK_MESSAGE(fixtures::text_of(parted.results / name) == fixtures::text_of(whole.results / name), name);
@@ -167,7 +167,7 @@ TEST_CASE("checkpoint: so is a file that changes nothing at the start, but may l
 }
 
 TEST_CASE("checkpoint: tables that hold less than they did are refused before anything is changed") {
-  for (const char* name : {"history.csv", "pressure_area/block.csv", "pieces/plate.csv"}) {
+  for (const char* name : {"history.csv", "pressure_area/block.csv", "fragments/plate.csv"}) {
     const Scene scene;
     scene.run_to(9);
     const auto table = scene.results / name;

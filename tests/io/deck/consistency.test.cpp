@@ -107,8 +107,8 @@ TEST_CASE("consistency: free holds degrees of freedom, each once") {
   check_complaint({"free_dofs: [y]", "free_dofs: [y, rotation]", "[y, rotation]",
                    "free holds \"rotation\", which is no degree of freedom; known are x, y, z, rx, ry, rz."});
   check_complaint({"free_dofs: [y]", "free_dofs: [y, y]", "[y, y]", "free holds y twice; keep one."});
-  CHECK(read(plate_with("free_dofs: [y]", "free_dofs: [x, y, z, rx, ry, rz]")).setup.impactors[0].free.size() == 6);
-  CHECK(read(plate_with("free_dofs: [y]", "free_dofs: []")).setup.impactors[0].free.empty());
+  CHECK(read(plate_with("free_dofs: [y]", "free_dofs: [x, y, z, rx, ry, rz]")).setup.impactors[0].free_dofs.size() == 6);
+  CHECK(read(plate_with("free_dofs: [y]", "free_dofs: []")).setup.impactors[0].free_dofs.empty());
 }
 
 TEST_CASE("consistency: the published detector sees points, without friction") {
@@ -164,7 +164,7 @@ TEST_CASE("consistency: a surface file is looked for from the deck's folder and 
   const auto surface = std::get<FileSurface>(read_there().setup.impactors[0].surface);
   CHECK(surface.file == hull.string());
   CHECK(surface.scale == 0.001);
-  CHECK(surface.outside.as<OpenSide>() == OpenSide::normals);
+  CHECK(surface.orientation.as<OpenSide>() == OpenSide::normals);
   std::filesystem::remove_all(folder);
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("consistency: boxes of a region are given or fitted, sectors make sens
     CHECK(complaint(region(fine)) == "");
   }
   const Setup setup = read(region("{box_union: {" + boxes + "}}")).setup;
-  const auto& given = std::get<BoxUnionBoundsSetup>(setup.impactors[0].region.shape).boxes;
+  const auto& given = std::get<BoxUnionBoundsSetup>(setup.impactors[0].contact_bounds.shape).boxes;
   REQUIRE(given.size() == 2);
   CHECK(given[0].name == "low");
   CHECK(given[0].centre == Vec3d{0, 0, -0.005});

@@ -45,7 +45,7 @@ std::string relaxed(const std::string& old_text = "title:", const std::string& n
 
 TEST_CASE("consistency of boundary_conditions: each kind is read with its units and defaults") {
   CHECK(boundary<FixedSetup>("fixed: {}").directions.empty());
-  CHECK(boundary<FixedSetup>("fixed: {particle_set: left, directions: [x, z]}").region == "left");
+  CHECK(boundary<FixedSetup>("fixed: {particle_set: left, directions: [x, z]}").particle_set == "left");
   const auto prescribed = boundary<PrescribedSetup>("prescribed: {x: {velocity: 36 km/h}, y: {times: [0, 1 ms], displacements: [0, 2 mm]}}");
   CHECK(*prescribed.x->velocity == fixtures::relative(10, 1e-15));
   CHECK(prescribed.y->displacements == std::vector{0.0, 0.002});

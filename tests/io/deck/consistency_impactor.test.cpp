@@ -88,7 +88,7 @@ TEST_CASE("consistency of impactors: loads have a force or a moment, and factors
 
 TEST_CASE("consistency of impactors: gauges have a direction for their axis, and parts only where there are panels") {
   const std::string gauge = "gauges: {root: {surface_parts: [side], point: [0, 1, 0], axis: [0, 0, 2]}}";
-  CHECK(read(with(gauge)).setup.impactors[0].gauges[0].parts == std::vector<std::string>{"side"});
+  CHECK(read(with(gauge)).setup.impactors[0].gauges[0].surface_parts == std::vector<std::string>{"side"});
   check_refused("gauges: {root: {axis: [0, 0, 0]}}", "[0, 0, 0]", "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
   std::string text = with(gauge);
   text.replace(text.find("swept"), 5, "analytic");
@@ -141,13 +141,13 @@ TEST_CASE("consistency of impactors: panels are made smaller and larger as the d
       read(with("coarsen: {max_deviation: 1 mm}\n    refine: {rim: {edge_length: 0.5 mm, box: {size: [1, 2, 3], centre: [0, 1 cm, 0]}, part: side}, "
                 "round: {edge_length: 2 mm, angle: 10 deg}}"))
           .setup.impactors[0];
-  CHECK(impactor.coarsen->distance == 1e-3);
-  CHECK(!impactor.coarsen->panel);
+  CHECK(impactor.coarsen->max_deviation == 1e-3);
+  CHECK(!impactor.coarsen->max_edge_length);
   REQUIRE(impactor.refine.size() == 2);
   CHECK(impactor.refine[0].name == "rim");
-  CHECK(impactor.refine[0].panel == 0.5e-3);
+  CHECK(impactor.refine[0].edge_length == 0.5e-3);
   CHECK(impactor.refine[0].box->centre == Vec3d{0, 0.01, 0});
-  CHECK(impactor.refine[0].part == "side");
+  CHECK(impactor.refine[0].surface_part == "side");
   CHECK(!impactor.refine[0].angle);
   CHECK(*impactor.refine[1].angle == fixtures::relative(0.17453292519943295, 1e-15));
   CHECK(!impactor.refine[1].box);

@@ -31,19 +31,19 @@ TEST_CASE("deck: the example of the guide reads into the Setup it describes") {
   CHECK(surface.diameter == 0.05);
   CHECK(surface.height == 0.025);
   CHECK(surface.axis.word() == "z");
-  CHECK(surface.panel == 0.001);
+  CHECK(surface.edge_length == 0.001);
   CHECK(cylinder.mass == 1.57);
   CHECK(cylinder.position == Vec3d{0, 0.075, 0});
   CHECK(cylinder.velocity == Vec3d{0, -32, 0});
-  CHECK(cylinder.free == std::vector<std::string>{"y"});
-  CHECK(std::get<BoxRegionSetup>(cylinder.region.shape).size == Vec3d{0.05, 0.05, 0.01});
-  CHECK(cylinder.region.outside.as<BeyondBounds>() == BeyondBounds::clip);
+  CHECK(cylinder.free_dofs == std::vector<std::string>{"y"});
+  CHECK(std::get<BoxRegionSetup>(cylinder.contact_bounds.shape).size == Vec3d{0.05, 0.05, 0.01});
+  CHECK(cylinder.contact_bounds.on_exceed.as<BeyondBounds>() == BeyondBounds::clip);
 
   CHECK(setup.contact.impactors.detector.as<DetectorKind>() == DetectorKind::swept);
   CHECK(setup.contact.impactors.radius_ratio == 0.5);
   CHECK(setup.output.folder == "results");
   CHECK(setup.output.frames == 40);
-  CHECK(setup.output.history == 1e-6);
+  CHECK(setup.output.history_interval == 1e-6);
   REQUIRE(setup.output.probes.size() == 1);
   CHECK(setup.output.probes[0].name == "centre");
   CHECK(setup.output.probes[0].body == "plate");

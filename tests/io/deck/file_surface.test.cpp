@@ -42,18 +42,18 @@ void check_refused(const std::string& keys, std::string_view at, const std::stri
 TEST_CASE("file surface: nothing is changed where the deck says nothing") {
   const FileSurface surface = surface_of("");
   CHECK(surface.file == (folder() / "hull.stl").string());
-  CHECK(surface.parts.empty());
+  CHECK(surface.file_parts.empty());
   CHECK(surface.scale == 1);
-  CHECK((surface.mirror.word() == "none" && surface.complete.word() == "none" && surface.outside.word() == "undeclared"));
+  CHECK((surface.mirror.word() == "none" && surface.mirror_merge.word() == "none" && surface.orientation.word() == "undeclared"));
   CHECK((surface.rotate == Vec3d{} && surface.translate == Vec3d{}));
 }
 
 TEST_CASE("file surface: parts, planes, angles and lengths are read, with their units") {
   const FileSurface surface = surface_of(
       "parts: [stem, \"shell 1\"], scale: 0.001, mirror: x, mirror_merge: z, rotate: [90 deg, 0, -0.5], translate: [1 mm, 2, 3 cm], orientation: reversed");
-  CHECK(surface.parts == std::vector<std::string>{"stem", "shell 1"});
+  CHECK(surface.file_parts == std::vector<std::string>{"stem", "shell 1"});
   CHECK(surface.scale == 0.001);
-  CHECK((surface.mirror.word() == "x" && surface.complete.word() == "z" && surface.outside.word() == "reversed"));
+  CHECK((surface.mirror.word() == "x" && surface.mirror_merge.word() == "z" && surface.orientation.word() == "reversed"));
   CHECK(surface.rotate.x == fixtures::relative(std::numbers::pi / 2, 1e-15));  // rounding of the unit
   CHECK((surface.rotate.y == 0 && surface.rotate.z == -0.5));
   CHECK((surface.translate.x == 1e-3 && surface.translate.y == 2 && surface.translate.z == 0.03));

@@ -14,7 +14,7 @@ TEST_CASE("overrides: values replace those of the deck, in order, with units and
                    "output.frames=7", "output.frames=0", "impactors.cylinder.velocity=[0, -3 kn, 0]", "title=a = b"})
           .setup;
   CHECK(setup.contact.impactors.detector.word() == "analytic");
-  CHECK(std::get<CylinderSurface>(setup.impactors[0].surface).panel == 0.0005);
+  CHECK(std::get<CylinderSurface>(setup.impactors[0].surface).edge_length == 0.0005);
   CHECK(std::get<OrdinaryStateSetup>(setup.bodies[0].material).poissons_ratio == 0.3);
   CHECK(setup.output.frames == 0);
   CHECK(setup.impactors[0].velocity.y == fixtures::relative(-1.5433333, 1e-7));  // 3 · 1852/3600, to the digits written

@@ -45,17 +45,17 @@ TEST_CASE("solids in a deck: every shape, parts, holes, cracks and regions are r
 )"))
                              .setup.bodies[0];
   const auto& file = std::get<FileSolid>(body.shape);
-  CHECK((file.file == (folder() / "ice.stl").string() && file.scale == 0.001 && file.parts == std::vector<std::string>{"floe"}));
+  CHECK((file.file == (folder() / "ice.stl").string() && file.scale == 0.001 && file.file_parts == std::vector<std::string>{"floe"}));
   CHECK(body.rotate.z == fixtures::relative(std::numbers::pi / 2, 1e-15));  // rounding of the unit
-  REQUIRE(body.parts.size() == 1);
-  const auto& ridge = std::get<CylinderSolid>(body.parts[0].shape);
-  CHECK((body.parts[0].name == "ridge" && ridge.diameter == 0.02 && ridge.height == 0.3 && ridge.axis.word() == "x"));
-  CHECK((body.parts[0].position == Vec3d{0, 0, 0.01} && body.parts[0].rotate.y > 0.7));
+  REQUIRE(body.add.size() == 1);
+  const auto& ridge = std::get<CylinderSolid>(body.add[0].shape);
+  CHECK((body.add[0].name == "ridge" && ridge.diameter == 0.02 && ridge.height == 0.3 && ridge.axis.word() == "x"));
+  CHECK((body.add[0].position == Vec3d{0, 0, 0.01} && body.add[0].rotate.y > 0.7));
   REQUIRE(body.holes.size() == 2);
   CHECK((std::get<SphereSolid>(body.holes[0].shape).diameter == 0.01 && std::get<BoxSolid>(body.holes[1].shape).size == Vec3d{1, 2, 3}));
   REQUIRE(body.cracks.size() == 1);
   CHECK((body.cracks[0].name == "notch" && body.cracks[0].polygon == std::vector<Vec3d>{{0, 0, 0}, {0.01, 0, 0}, {0, 0, 0.01}}));
-  CHECK(std::get<FileSolid>(body.regions.at(0).shape).file == file.file);
+  CHECK(std::get<FileSolid>(body.particle_sets.at(0).shape).file == file.file);
 }
 
 TEST_CASE("solids in a deck: points are read from their file, cells have its path") {

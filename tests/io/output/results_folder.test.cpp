@@ -27,8 +27,8 @@ TEST_CASE("results: the files of an earlier run go, everything else stays") {
                       "statistics.csv",
                       "windows.csv",
                       "spectrum.csv",
-                      "pieces/ice.csv",
-                      "pieces/ice_end.csv.part",
+                      "fragments/ice.csv",
+                      "fragments/ice_end.csv.part",
                       "lines/along_x_t0.0002.csv",
                       "lines/a_t_t5e-05.csv",
                       "frames/plate.pvd",
@@ -71,7 +71,7 @@ TEST_CASE("results: an unusable folder keeps the earlier run") {
 TEST_CASE("results: where an earlier run goes on its files stay, but for those in part and the one that says how it ended") {
   const TemporaryFolder folder;
   const Names kept = {"history.csv",      "history.json",           "checkpoint.h5",          "lines/along_x_t0.0002.csv",
-                      "frames/plate.pvd", "frames/plate_00000.vtp", "pressure_area/hull.csv", "pieces/ice.csv",
+                      "frames/plate.pvd", "frames/plate_00000.vtp", "pressure_area/hull.csv", "fragments/ice.csv",
                       "notes.part"};
   for (const std::string& name : kept) fixtures::put(folder / name, "x");
   for (const char* name : {"run.json", "checkpoint.h5.part", "frames/plate_00001.vtp.part", "frames/plate.pvd.part"}) fixtures::put(folder / name, "x");

@@ -28,14 +28,14 @@ Setup struck_block() {
   setup.bodies = {block};
   ImpactorSetup hammer;
   hammer.name = "hammer";
-  hammer.surface = BoxSurface{.size = {0.06, 0.02, 0.06}, .panel = 0.002};
+  hammer.surface = BoxSurface{.size = {0.06, 0.02, 0.06}, .edge_length = 0.002};
   hammer.mass = 0.1;
   hammer.position = {0.003, 0.0201, 0.002};
   hammer.velocity = {1, -32, 0};
-  hammer.free = {"x", "y", "z"};
+  hammer.free_dofs = {"x", "y", "z"};
   setup.impactors = {hammer};
   setup.contact.impactors.friction = 0.2;
-  setup.output.history = 2e-6;
+  setup.output.history_interval = 2e-6;
   return setup;
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("panel pictures: impulses of the panels sum to what the impactor lost,
 TEST_CASE("panel pictures: an analytic sphere names no panels and has no arrays") {
   const fixtures::TemporaryFolder folder;
   Setup setup = struck_block();
-  setup.impactors[0].surface = SphereSurface{.diameter = 0.02, .panel = 0.002};
+  setup.impactors[0].surface = SphereSurface{.diameter = 0.02, .edge_length = 0.002};
   setup.contact.impactors.detector.index = static_cast<int>(DetectorKind::analytic);
   const Simulation simulation(setup);
   PanelFrames pictures;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double spacing = 0.5;
 
-/// A sheet of 80 by 60 by 2 cells; `piece_of(i, j, k)` says to which piece a cell belongs, none where that is negative.
+/// A sheet of 80 by 60 by 2 cells; `piece_of(i, j, k)` says to which fragment a cell belongs, none where that is negative.
 struct Sheet {
   std::vector<Vec3d> places;
   std::vector<std::int32_t> fragments;
@@ -117,7 +117,7 @@ TEST_CASE("channel: places without particles neither end nor widen it, and where
   CHECK(widths_of(columns, spacing, 40, 50).length == 0);
 }
 
-TEST_CASE("channel: the share decides which pieces are the sheet that remains") {
+TEST_CASE("channel: the share decides which fragments are the sheet that remains") {
   const Sheet sheet([](int, int j, int) { return j < 20 ? 0 : j < 40 ? 1 : 2; });  // thirds
   const auto length = [&](double share) { return widths_of(channel_columns(sheet.places, sheet.fragments, spacing, 0, share), spacing, -1e9, 1e9).length; };
   CHECK(length(0.3) == 0);
@@ -128,7 +128,7 @@ TEST_CASE("channel: it is read from the last picture up to a time, with the plac
   const fixtures::TemporaryFolder folder;
   const std::filesystem::path frames = folder / "frames";
   std::filesystem::create_directories(frames);
-  fixtures::put(folder / "run.json", R"({"bodies": {"ice": {"spacing [m]": 0.5, "pieces": {"pieces": 3}}, "rock": {"spacing [m]": 0.5}}})");
+  fixtures::put(folder / "run.json", R"({"bodies": {"ice": {"spacing [m]": 0.5, "fragments": {"fragments": 3}}, "rock": {"spacing [m]": 0.5}}})");
   output::Series series(frames, "ice");
   const Sheet whole([](int, int, int) { return 0; }), half([](int i, int j, int) { return i < 40 ? of_channel(i, j, 20, 44) : 0; }),
       broken([](int i, int j, int) { return of_channel(i, j, 20, 44); });
@@ -139,7 +139,7 @@ TEST_CASE("channel: it is read from the last picture up to a time, with the plac
       for (std::size_t c = 0; c < 3; ++c) points.push_back(static_cast<float>(place[c] + 3 * time));
     series.add(time, [&](const std::filesystem::path& path) {
       output::write_vtp(
-          path, {.points = std::span<const float>(points), .point_arrays = {{"piece", 1, std::span<const std::int32_t>(sheet->fragments)}}, .time = time},
+          path, {.points = std::span<const float>(points), .point_arrays = {{"fragment", 1, std::span<const std::int32_t>(sheet->fragments)}}, .time = time},
           output::Compression::zlib);
     });
     time += 0.25;

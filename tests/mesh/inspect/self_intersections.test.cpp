@@ -32,7 +32,7 @@ Panels figure_of_eight() {
 
 /// A sphere of radius 1 whose top is pushed down by `depth`.
 Panels dented_sphere(double depth) {
-  Panels out = make_sphere({.diameter = 2, .panel = 0.1});
+  Panels out = make_sphere({.diameter = 2, .edge_length = 0.1});
   for (Vec3d& v : out.vertices) v.z -= depth * std::max(0.0, 2 * v.z - 1);
   return out;
 }
@@ -50,7 +50,7 @@ std::size_t crossings_of_all_pairs(const Surface& surface) {
 }  // namespace
 
 TEST_CASE("self-intersections: bodies that have none have none, in any orientation") {
-  for (const Panels& panels : {make_sphere({.diameter = 1, .panel = 0.1}), make_box({.size = {1, 2, 3}, .panel = 0.2, .panels = PanelKind::quads}),
+  for (const Panels& panels : {make_sphere({.diameter = 1, .edge_length = 0.1}), make_box({.size = {1, 2, 3}, .edge_length = 0.2, .panels = PanelKind::quads}),
                                fixtures::torus(2, 0.5, 48, 24), dented_sphere(1)}) {
     const SelfIntersections found = inspect(Surface(panels));
     CHECK(found.crossings == 0);
@@ -86,7 +86,7 @@ TEST_CASE("self-intersections: a dent that comes out on the other side is inside
 }
 
 TEST_CASE("self-intersections: bodies that overlap are not meant") {
-  Panels two = make_box({.size = {1, 1, 1}, .panel = 0.3});
+  Panels two = make_box({.size = {1, 1, 1}, .edge_length = 0.3});
   const Panels box = two;
   const int first = int(box.vertices.size());
   for (const Vec3d& v : box.vertices) two.vertices.push_back(v + Vec3d{0.45, 0.35, 0.25});
@@ -111,7 +111,7 @@ TEST_CASE("self-intersections: a body that is inside out is told beside an open 
   const int first = int(panels.vertices.size());
   panels.vertices.insert(panels.vertices.end(), {{5, 0, 0}, {6, 0, 0}, {6, 1, 0}});
   panels.add_triangle(first, first + 1, first + 2);
-  const SelfIntersections found = inspect(Surface(panels, {.outside = Orientation::normals}));
+  const SelfIntersections found = inspect(Surface(panels, {.orientation = Orientation::normals}));
   REQUIRE(found.defects.size() == 1);
   CHECK(found.defects[0].kind == DefectKind::inside_out);
 }

@@ -16,7 +16,7 @@ namespace {
 
 Surface box(const Vec3d& size, double panel, PanelKind kind = PanelKind::quads) { return Surface(make_box({size, panel, kind})); }
 
-Surface cylinder(double panel) { return Surface(make_cylinder({.diameter = 2, .height = 1, .panel = panel})); }
+Surface cylinder(double panel) { return Surface(make_cylinder({.diameter = 2, .height = 1, .edge_length = panel})); }
 
 }  // namespace
 
@@ -54,8 +54,8 @@ TEST_CASE("surface measures: a box is as thick as it is long that way, the wall 
   CHECK(thicknesses(plate, Bvh(plate), 1000).size() == plate.triangles().size());
   CHECK(thicknesses(plate, Bvh(plate), 10).size() <= 10);
 
-  const Panels inner = make_box({.size = {0.8, 0.8, 0.8}, .panel = 0.4});
-  const Surface hollow(fixtures::joined(make_box({.size = {1, 1, 1}, .panel = 0.25}), inner));
+  const Panels inner = make_box({.size = {0.8, 0.8, 0.8}, .edge_length = 0.4});
+  const Surface hollow(fixtures::joined(make_box({.size = {1, 1, 1}, .edge_length = 0.25}), inner));
   REQUIRE(hollow.report().cavities == 1);
   for (const Thickness& part : thicknesses(hollow, Bvh(hollow), 1000)) {
     const double off_edges = std::max({std::min(std::fabs(part.place.x), std::fabs(part.place.y)), std::min(std::fabs(part.place.y), std::fabs(part.place.z)),
@@ -63,8 +63,8 @@ TEST_CASE("surface measures: a box is as thick as it is long that way, the wall 
     if (off_edges < 0.35) CHECK(part.thickness == fixtures::relative(0.1, 1e-9));  // elsewhere a ray may run along a side wall
   }
 
-  Panels open = make_box({.size = {1, 1, 1}, .panel = 0.5});
+  Panels open = make_box({.size = {1, 1, 1}, .edge_length = 0.5});
   open.panels.pop_back();
-  const Surface bowl(open, {.outside = Orientation::normals});
+  const Surface bowl(open, {.orientation = Orientation::normals});
   CHECK(thicknesses(bowl, Bvh(bowl), 1000).empty());
 }

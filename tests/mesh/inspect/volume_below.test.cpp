@@ -13,7 +13,7 @@
 using namespace fccda;
 
 TEST_CASE("volume below: of a box that floats at any height, whether panels are cut by the waterline or end there") {
-  const Surface box(make_box({.size = {3, 2, 1}, .panel = 0.25}));
+  const Surface box(make_box({.size = {3, 2, 1}, .edge_length = 0.25}));
   for (const double height : {-2.0, -0.5, -0.25, -0.1, 0.0, 0.33, 0.5, 7.0}) {
     const double depth = std::fmin(1, std::fmax(0, height + 0.5));
     CHECK(volume_below(box, height) == fixtures::absolute(6 * depth, 1e-12 * 6, "m3"));  // of the whole: sums of a few hundred terms
@@ -22,7 +22,7 @@ TEST_CASE("volume below: of a box that floats at any height, whether panels are 
 
 TEST_CASE("volume below: of a sphere that floats askew, the cap's formula") {
   const double radius = 1, panel = 0.05;
-  const Panels ball = fixtures::moved(make_sphere({.diameter = 2 * radius, .panel = panel}), [](const Vec3d& p) { return p + Vec3d{0, 0, 5}; });
+  const Panels ball = fixtures::moved(make_sphere({.diameter = 2 * radius, .edge_length = panel}), [](const Vec3d& p) { return p + Vec3d{0, 0, 5}; });
   const Surface surface(ball);
   for (const double height : {4.3, 5.0, 5.6}) {
     const double h = height - 4;

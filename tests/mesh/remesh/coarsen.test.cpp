@@ -48,7 +48,7 @@ Panels part(const Panels& panels, int number) {
 
 TEST_CASE("coarsen: a finely cut cube becomes twelve triangles, with all its corners and its volume") {
   for (const double panel : {0.1, 0.05}) {
-    const Coarsened coarse = coarsen(surface_from(make_box({.size = {1, 1, 1}, .panel = panel})), {flat, any_size});
+    const Coarsened coarse = coarsen(surface_from(make_box({.size = {1, 1, 1}, .edge_length = panel})), {flat, any_size});
     CHECK(coarse.panels.panels.size() == 12);
     CHECK(coarse.panels.vertices.size() == 8);
     CHECK(fixtures::is_watertight(coarse.panels));
@@ -70,7 +70,7 @@ TEST_CASE("coarsen: no point of either surface lies further from the other than 
                                 {"torus", fixtures::torus(0.4, 0.15, 24, 12, 1), 0.02},
                                 {"cylinder", fixtures::cylinder(), 0.01},
                                 {"box", fixtures::box(), 0.05},
-                                {"shaken box", fixtures::shaken(make_box({.size = {1, 0.6, 0.4}, .panel = 0.1}), 0.005, 3), 0.03}};
+                                {"shaken box", fixtures::shaken(make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.1}), 0.005, 3), 0.03}};
   for (const Case& c : cases) {
     CAPTURE(c.name);
     const Surface given = surface_from(c.panels);
@@ -99,7 +99,7 @@ TEST_CASE("coarsen: no point of either surface lies further from the other than 
 
 TEST_CASE("coarsen: no edge becomes longer than asked") {
   for (const double panel : {0.25, 0.4}) {
-    const Coarsened coarse = coarsen(surface_from(make_box({.size = {1, 1, 1}, .panel = 0.05})), {flat, panel});
+    const Coarsened coarse = coarsen(surface_from(make_box({.size = {1, 1, 1}, .edge_length = 0.05})), {flat, panel});
     double longest = 0;
     for (const Triangle3& t : triangles_of(coarse.panels)) longest = std::max(longest, fixtures::longest_edge(t));
     CHECK(longest <= panel);
@@ -109,7 +109,7 @@ TEST_CASE("coarsen: no edge becomes longer than asked") {
 }
 
 TEST_CASE("coarsen: a smaller distance leaves more panels, and one far below the curve's own all of them") {
-  const Surface sphere = surface_from(make_sphere({.diameter = 1, .panel = 0.05}));
+  const Surface sphere = surface_from(make_sphere({.diameter = 1, .edge_length = 0.05}));
   std::size_t last = 0;
   for (const double distance : {0.1, 0.02, 0.005, 0.001}) {
     const std::size_t count = coarsen(sphere, {distance, any_size}).panels.panels.size();
@@ -133,7 +133,7 @@ TEST_CASE("coarsen: parts keep their names, and each moves by no more than the d
 }
 
 TEST_CASE("coarsen: on flat faces parts with straight borders keep their areas") {
-  const Panels fine = in_two_parts(make_box({.size = {1, 1, 1}, .panel = 0.1}), 0.2);
+  const Panels fine = in_two_parts(make_box({.size = {1, 1, 1}, .edge_length = 0.1}), 0.2);
   const Surface given = surface_from(fine), after = surface_from(coarsen(given, {flat, any_size}).panels);
   CHECK(after.triangles().size() == 20);  // of each half an end of two and four sides of two
   for (const std::size_t k : {0u, 1u}) CHECK(after.report().parts[k].area == fixtures::relative(given.report().parts[k].area, 1e-13));  // rounding
@@ -148,8 +148,8 @@ TEST_CASE("coarsen: a rim moves along itself only, and by no more than the dista
   CHECK(area == fixtures::relative(1, 1e-15));
 
   // a round hole's rim, by its own points: the upper half of a sphere
-  Panels bowl{make_sphere({.diameter = 1, .panel = 0.06}).vertices, {}, {}, {}};
-  for (const auto& p : make_sphere({.diameter = 1, .panel = 0.06}).panels)
+  Panels bowl{make_sphere({.diameter = 1, .edge_length = 0.06}).vertices, {}, {}, {}};
+  for (const auto& p : make_sphere({.diameter = 1, .edge_length = 0.06}).panels)
     if (bowl.vertices[std::size_t(p[0])].z + bowl.vertices[std::size_t(p[1])].z + bowl.vertices[std::size_t(p[2])].z > 0) bowl.panels.push_back(p);
   const Surface given = surface_from(bowl);
   const double distance = 0.02;
@@ -170,17 +170,17 @@ TEST_CASE("coarsen: a rim moves along itself only, and by no more than the dista
 TEST_CASE("coarsen: thin walls do not fold through themselves, though the distance is larger than they are thick") {
   // an arched sheet, a tenth as thick as the distance allows it to move
   const auto arch = [](const Vec3d& p) { return Vec3d{p.x, p.y, p.z - 0.4 * p.x * p.x + 0.05 * std::sin(8 * p.y)}; };
-  const Panels sheet = fixtures::moved(make_box({.size = {1, 1, 0.01}, .panel = 0.08}), arch);
+  const Panels sheet = fixtures::moved(make_box({.size = {1, 1, 0.01}, .edge_length = 0.08}), arch);
   const Coarsened coarse = coarsen(surface_from(sheet), {0.1, any_size});
   CHECK(coarse.panels.panels.size() < 0.9 * static_cast<double>(sheet.panels.size()));
   CHECK(fixtures::self_crossings(triangles_of(coarse.panels)) == 0);
   // a wedge of the same kind, thick at one end
-  const Panels wedge = fixtures::moved(make_box({.size = {1, 1, 0.2}, .panel = 0.08}), [&](const Vec3d& p) { return arch({p.x, p.y, p.z * (0.53 - p.x)}); });
+  const Panels wedge = fixtures::moved(make_box({.size = {1, 1, 0.2}, .edge_length = 0.08}), [&](const Vec3d& p) { return arch({p.x, p.y, p.z * (0.53 - p.x)}); });
   const Coarsened sharp = coarsen(surface_from(wedge), {0.1, any_size});
   CHECK(sharp.panels.panels.size() < 0.9 * static_cast<double>(wedge.panels.size()));
   CHECK(fixtures::self_crossings(triangles_of(sharp.panels)) == 0);
   // two spheres, one in the other, with a narrow gap between
-  const Panels shell = fixtures::joined(make_sphere({.diameter = 1, .panel = 0.1}), fixtures::reversed(make_sphere({.diameter = 0.96, .panel = 0.13})));
+  const Panels shell = fixtures::joined(make_sphere({.diameter = 1, .edge_length = 0.1}), fixtures::reversed(make_sphere({.diameter = 0.96, .edge_length = 0.13})));
   const Coarsened thin = coarsen(surface_from(shell), {0.1, any_size});
   CHECK(thin.panels.panels.size() < shell.panels.size());
   CHECK(fixtures::self_crossings(triangles_of(thin.panels)) == 0);
@@ -191,7 +191,7 @@ TEST_CASE("coarsen: parts that touch still do so in single places, where two of 
   // the edge from (0, 1, 1) to (1, 1, 1) of a box, and on it that of a tetrahedron, which has a vertex elsewhere than the box has them
   const Vec3d m{0.4, 1, 1}, p{0, 1, 1}, q{1, 1, 1}, r{0.5, 1.3, 1.5}, s{0.5, 0.7, 1.5};
   const Panels tetrahedron{{p, m, q, r, s}, {{0, 3, 1, -1}, {1, 3, 2, -1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {0, 4, 3, -1}, {2, 3, 4, -1}}, {}, {}};
-  const Panels box = fixtures::moved(make_box({.size = {1, 1, 1}, .panel = 0.25}), [](const Vec3d& x) { return x + Vec3d{0.5, 0.5, 0.5}; });
+  const Panels box = fixtures::moved(make_box({.size = {1, 1, 1}, .edge_length = 0.25}), [](const Vec3d& x) { return x + Vec3d{0.5, 0.5, 0.5}; });
   const Panels both = fixtures::joined(box, tetrahedron);
   const Surface given(both), after(coarsen(given, {flat, any_size}).panels);
   CHECK(after.report().components == 2);
@@ -212,7 +212,7 @@ TEST_CASE("coarsen: the result has the same bits for any number of threads") {
 }
 
 TEST_CASE("coarsen: particles strike a coarsened box where they strike the finely cut one") {
-  const Panels fine = make_box({.size = {1, 0.6, 0.4}, .panel = 0.05});
+  const Panels fine = make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.05});
   const auto before = std::make_shared<const Surface>(fine);
   const auto after = std::make_shared<const Surface>(coarsen(*before, {flat, any_size}).panels);
   REQUIRE(after->triangles().size() == 12);

@@ -65,7 +65,7 @@ TEST_CASE("collapsible: whatever is collapsed, a sphere stays one until a tetrah
     };
   };
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    CHECK(collapsed(make_sphere({.diameter = 1, .panel = 0.25}), seed, expect(2)).panels.size() == 4);
+    CHECK(collapsed(make_sphere({.diameter = 1, .edge_length = 0.25}), seed, expect(2)).panels.size() == 4);
     const Panels torus = collapsed(fixtures::torus(1, 0.3, 12, 8), seed, expect(0));
     expect(0)(torus);
     CHECK(torus.panels.size() >= 14);  // fewer than seven vertices make no torus (Heawood 1890)

@@ -35,7 +35,7 @@ inline double smallest_angle(const Triangle3& t) {
   return smallest;
 }
 
-inline fccda::Surface surface_from(const Panels& panels) { return fccda::Surface(panels, {.outside = fccda::Orientation::normals}); }
+inline fccda::Surface surface_from(const Panels& panels) { return fccda::Surface(panels, {.orientation = fccda::Orientation::normals}); }
 
 /// Vertices put elsewhere by up to `share` of the size of the panels about them, the same for the same seed.
 inline Panels shaken(Panels panels, double share, unsigned seed) {

@@ -32,13 +32,13 @@ std::vector<Case> closed_cases() {
   return {{"cube", fixtures::unit_cube(), 0.1},
           {"tetrahedron", fixtures::tetrahedron(), 0.13},
           {"warped torus", fixtures::torus(1, 0.3, 12, 7, 1), 0.12},
-          {"shaken sphere", fixtures::shaken(make_sphere({.diameter = 1, .panel = 0.2}), 0.03, 5), 0.05},
-          {"cylinder", make_cylinder({.diameter = 1, .height = 3, .panel = 0.4}), 0.15},
+          {"shaken sphere", fixtures::shaken(make_sphere({.diameter = 1, .edge_length = 0.2}), 0.03, 5), 0.05},
+          {"cylinder", make_cylinder({.diameter = 1, .height = 3, .edge_length = 0.4}), 0.15},
           {"two boxes",
-           fixtures::joined(make_box({.size = {1, 0.1, 0.1}, .panel = 0.3}), fixtures::moved(fixtures::unit_cube(),
-                                                                                             [](const Vec3d& x) {
-                                                                                               return x + Vec3d{2, 0, 0};
-                                                                                             })),
+           fixtures::joined(make_box({.size = {1, 0.1, 0.1}, .edge_length = 0.3}), fixtures::moved(fixtures::unit_cube(),
+                                                                                                   [](const Vec3d& x) {
+                                                                                                     return x + Vec3d{2, 0, 0};
+                                                                                                   })),
            0.2}};
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("refine: area, volume, centroid and inertia stay, and the surface stay
   for (const Case& c : closed_cases()) {
     CAPTURE(c.name);
     const Surface given = surface_from(c.panels);
-    const Panels refined = refine(given, std::vector<Refinement>{{.panel = c.panel}});
+    const Panels refined = refine(given, std::vector<Refinement>{{.edge_length = c.panel}});
     CHECK(fixtures::is_watertight(refined));
     CHECK(fixtures::euler_characteristic(refined) == fixtures::euler_characteristic(refine(given, {})));
     const SurfaceReport before = given.report(), after = Surface(refined).report();
@@ -84,7 +84,7 @@ TEST_CASE("refine: area, volume, centroid and inertia stay, and the surface stay
 TEST_CASE("refine: every new vertex lies on the surface as given") {
   const Panels torus = fixtures::torus(1, 0.3, 12, 7, 1);
   const auto given = triangles_of(refine(surface_from(torus), {}));
-  for (const Vec3d& vertex : refine(surface_from(torus), std::vector<Refinement>{{.panel = 0.12}}).vertices) {
+  for (const Vec3d& vertex : refine(surface_from(torus), std::vector<Refinement>{{.edge_length = 0.12}}).vertices) {
     const bool lies_on_one = std::any_of(given.begin(), given.end(), [&](const Triangle3& t) {
       // in its plane, and the three triangles with its edges cover no more than it does
       const double covered = fixtures::area({vertex, t[0], t[1]}) + fixtures::area({vertex, t[1], t[2]}) + fixtures::area({vertex, t[2], t[0]});
@@ -102,7 +102,7 @@ TEST_CASE("refine: no angle becomes smaller than half the smallest of the mesh, 
       const Surface given = surface_from(fixtures::askew_plate(6, stretch, seed));
       const Box corner{{0, 0, -1}, {0.3 * stretch, 0.2, 1}};
       const Panels refined =
-          refine(given, std::vector<Refinement>{{.panel = 0.1 * std::max(0.3, stretch)}, {.panel = 0.02 * std::max(0.3, stretch), .box = corner}});
+          refine(given, std::vector<Refinement>{{.edge_length = 0.1 * std::max(0.3, stretch)}, {.edge_length = 0.02 * std::max(0.3, stretch), .box = corner}});
       double before = 4, after = 4;
       for (const Triangle3& t : triangles_of(given.panels())) before = std::min(before, fixtures::smallest_angle(t));
       for (const Triangle3& t : triangles_of(refined)) after = std::min(after, fixtures::smallest_angle(t));
@@ -111,8 +111,8 @@ TEST_CASE("refine: no angle becomes smaller than half the smallest of the mesh, 
 }
 
 TEST_CASE("refine: with no wish, or a coarse one, nothing changes") {
-  const Panels sphere = make_sphere({.diameter = 1, .panel = 0.1});
-  for (const std::vector<Refinement>& wishes : {std::vector<Refinement>{}, std::vector<Refinement>{{.panel = 0.1}}}) {
+  const Panels sphere = make_sphere({.diameter = 1, .edge_length = 0.1});
+  for (const std::vector<Refinement>& wishes : {std::vector<Refinement>{}, std::vector<Refinement>{{.edge_length = 0.1}}}) {
     const Panels refined = refine(surface_from(sphere), wishes);
     CHECK(refined.panels.size() == sphere.panels.size());
     CHECK(kept(sphere, refined) == sphere.panels.size());
@@ -120,10 +120,10 @@ TEST_CASE("refine: with no wish, or a coarse one, nothing changes") {
 }
 
 TEST_CASE("refine: every panel that reaches into a box is small, and far from it panels stay as they are") {
-  const Panels sphere = make_sphere({.diameter = 1, .panel = 0.1});
+  const Panels sphere = make_sphere({.diameter = 1, .edge_length = 0.1});
   const Box box{{0.4, -0.1, -0.1}, {0.6, 0.1, 0.1}};
   const double panel = 0.02;
-  const Panels refined = refine(surface_from(sphere), std::vector<Refinement>{{.panel = panel, .box = box}});
+  const Panels refined = refine(surface_from(sphere), std::vector<Refinement>{{.edge_length = panel, .box = box}});
   std::size_t inside = 0, far = 0, far_given = 0;
   for (const Triangle3& t : triangles_of(refined)) {
     // sampled, because a panel may reach into a box with no corner there
@@ -147,7 +147,7 @@ TEST_CASE("refine: every panel that reaches into a box is small, and far from it
 TEST_CASE("refine: a small box in the middle of a large panel is found, though no corner lies in it") {
   const Panels cube = fixtures::unit_cube();
   const Box box{{0.3, 0.55, 0.99}, {0.31, 0.56, 1.01}};
-  const Panels refined = refine(surface_from(cube), std::vector<Refinement>{{.panel = 0.02, .box = box}});
+  const Panels refined = refine(surface_from(cube), std::vector<Refinement>{{.edge_length = 0.02, .box = box}});
   double longest = 0;
   for (const Triangle3& t : triangles_of(refined))
     if (box.distance(middle(t)) == 0) longest = std::max(longest, fixtures::longest_edge(t));
@@ -157,9 +157,9 @@ TEST_CASE("refine: a small box in the middle of a large panel is found, though n
 }
 
 TEST_CASE("refine: a named part becomes small, parts keep names and area, and only those beside it are halved along") {
-  const Panels cylinder = make_cylinder({.diameter = 1, .height = 2, .panel = 0.2, .panels = PanelKind::quads});
+  const Panels cylinder = make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.2, .panels = PanelKind::quads});
   const Surface given = surface_from(cylinder);
-  const Surface refined(refine(given, std::vector<Refinement>{{.panel = 0.06, .part = "top"}}));
+  const Surface refined(refine(given, std::vector<Refinement>{{.edge_length = 0.06, .surface_part = "top"}}));
   CHECK(std::vector(refined.part_names().begin(), refined.part_names().end()) == std::vector<std::string>{"bottom", "side", "top"});
   for (std::size_t t = 0; t < refined.triangles().size(); ++t)
     if (refined.part_of_panel(refined.triangles()[t].panel) == 2)
@@ -170,27 +170,29 @@ TEST_CASE("refine: a named part becomes small, parts keep names and area, and on
 }
 
 TEST_CASE("refine: a part that is none is refused with the names that there are") {
-  const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .panel = 0.3}));
-  CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.panel = 0.1, .part = "sides"}}),
+  const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.3}));
+  CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.edge_length = 0.1, .surface_part = "sides"}}),
                        "refinement: the surface has no part \"sides\"; did you mean side? Its parts are bottom, side, top.", InputError);
-  CHECK_THROWS_WITH_AS(refine(surface_from(fixtures::unit_cube()), std::vector<Refinement>{{.panel = 0.1, .part = "side"}}),
+  CHECK_THROWS_WITH_AS(refine(surface_from(fixtures::unit_cube()), std::vector<Refinement>{{.edge_length = 0.1, .surface_part = "side"}}),
                        "refinement: the surface has no part \"side\"; its panels have no names, so leave the parts out, or name them in its file.", InputError);
 }
 
 TEST_CASE("refine: a box without panels is refused, because it is a mistake of place or unit") {
-  const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .panel = 0.3}));
-  CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.name = "bow", .panel = 0.1, .box = Box{{10, 0, 0}, {20, 1, 1}}}}),
+  const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.3}));
+  CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.name = "bow", .edge_length = 0.1, .box = Box{{10, 0, 0}, {20, 1, 1}}}}),
                        "bow: no panel reaches into the box from (10, 0, 0) to (20, 1, 1) m, and the surface goes from (-0.5, -0.5, -1) to (0.5, 0.5, 1) m; "
                        "mend the box.",
                        InputError);
-  CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.panel = 0.1, .box = Box{{0, 0, 0.5}, {1, 1, 2}}, .part = "bottom"}}),
+  CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.edge_length = 0.1, .box = Box{{0, 0, 0.5}, {1, 1, 2}}, .surface_part = "bottom"}}),
                        doctest::Contains("no panel of part bottom reaches into the box"), InputError);
 }
 
 TEST_CASE("refine: of several wishes the smallest counts, and what is given together narrows one another") {
-  const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .panel = 0.3}));
+  const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.3}));
   const Box upper{{-1, -1, 0.5}, {1, 1, 2}};
-  const Surface refined(refine(cylinder, std::vector<Refinement>{{.panel = 0.2}, {.panel = 0.05, .box = upper, .part = "side"}, {.panel = 0.1, .box = upper}}));
+  const Surface refined(
+      refine(cylinder,
+             std::vector<Refinement>{{.edge_length = 0.2}, {.edge_length = 0.05, .box = upper, .surface_part = "side"}, {.edge_length = 0.1, .box = upper}}));
   std::size_t fine = 0;
   for (std::size_t t = 0; t < refined.triangles().size(); ++t) {
     const Triangle3 corners{refined.corner(t, 0), refined.corner(t, 1), refined.corner(t, 2)};
@@ -212,16 +214,16 @@ TEST_CASE("refine: on cylinder, sphere and torus panels turn by at most the angl
     double radius;  // [m] smallest
     const char* part = nullptr;
   };
-  std::vector<Round> rounds{{"cylinder", make_cylinder({.diameter = 2, .height = 2, .panel = 0.35}), 1, "side"},
-                            {"sphere", make_sphere({.diameter = 2, .panel = 0.35}), 1},
+  std::vector<Round> rounds{{"cylinder", make_cylinder({.diameter = 2, .height = 2, .edge_length = 0.35}), 1, "side"},
+                            {"sphere", make_sphere({.diameter = 2, .edge_length = 0.35}), 1},
                             {"torus", fixtures::torus(1, 0.3, 40, 14), 0.3}};
   for (const Round& round : rounds)
     for (const double panel : {0.001, 0.08}) {
       CAPTURE(round.name);
       CAPTURE(panel);
       const double angle = 15 * pi / 180;
-      Refinement request{.panel = panel, .angle = angle};
-      if (round.part) request.part = round.part, request.box = Box{{-9, -9, -0.6}, {9, 9, 0.6}};  // away from the crease at its ends
+      Refinement request{.edge_length = panel, .angle = angle};
+      if (round.part) request.surface_part = round.part, request.box = Box{{-9, -9, -0.6}, {9, 9, 0.6}};  // away from the crease at its ends
       const Panels refined = refine(surface_from(round.panels), std::vector<Refinement>{request});
       // Chords of 13 panels a turn bend by up to 1 % less or more than the arc; the estimate of spheres and tori, whose triangles are not all
       // alike, is off by up to a fifth.
@@ -236,7 +238,7 @@ TEST_CASE("refine: on cylinder, sphere and torus panels turn by at most the angl
 
 TEST_CASE("refine: by curvature alone flat faces stay coarse, and creases get the wanted size") {
   const Panels box = fixtures::unit_cube();
-  const Panels refined = refine(surface_from(box), std::vector<Refinement>{{.panel = 0.05, .angle = 0.1}});
+  const Panels refined = refine(surface_from(box), std::vector<Refinement>{{.edge_length = 0.05, .angle = 0.1}});
   const auto on_edge = [](const Vec3d& p) { return (p.x == 0 || p.x == 1) + (p.y == 0 || p.y == 1) + (p.z == 0 || p.z == 1) >= 2; };
   double longest = 0;
   for (const Triangle3& t : triangles_of(refined)) {
@@ -249,20 +251,20 @@ TEST_CASE("refine: by curvature alone flat faces stay coarse, and creases get th
 
 TEST_CASE("refine: a size that would give more panels than there is room for is refused with one that does") {
   const Surface cube = surface_from(fixtures::unit_cube());
-  CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.name = "hull", .panel = 1e-5}}),
+  CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.name = "hull", .edge_length = 1e-5}}),
                        "hull: panels of 1e-05 m would be about 4.8e+11 of them, more than the 3e+07 that there is room for; panels of 0.0014 m would do.",
                        InputError);
   // what is named does do, and is not far too large
-  CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.panel = 0.01}}, 1e4), doctest::Contains("panels of 0.077 m would do"), InputError);
-  const std::size_t count = refine(cube, std::vector<Refinement>{{.panel = 0.077}}, 1e4).panels.size();
+  CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.edge_length = 0.01}}, 1e4), doctest::Contains("panels of 0.077 m would do"), InputError);
+  const std::size_t count = refine(cube, std::vector<Refinement>{{.edge_length = 0.077}}, 1e4).panels.size();
   CHECK(count <= 10000);
   CHECK(count > 2500);
 }
 
 TEST_CASE("refine: an open surface keeps its rim, and its normals point to its outside") {
   Panels plate = fixtures::askew_plate(4, 1, 3);
-  const Surface given(plate, {.outside = Orientation::reversed});
-  const Surface refined(refine(given, std::vector<Refinement>{{.panel = 0.1}}), {.outside = Orientation::normals});
+  const Surface given(plate, {.orientation = Orientation::reversed});
+  const Surface refined(refine(given, std::vector<Refinement>{{.edge_length = 0.1}}), {.orientation = Orientation::normals});
   CHECK(refined.report().closure == Closure::open);
   CHECK(refined.report().area == fixtures::relative(1, 1e-13));  // a square of 1 m, summed
   CHECK(refined.normal(0).z == -1);

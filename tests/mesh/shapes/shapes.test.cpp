@@ -56,17 +56,17 @@ TEST_CASE("shapes: each is watertight, wound outward and like a sphere, for coar
   for (const double panel : panel_sizes) {
     for (const PanelKind kind : {PanelKind::triangles, PanelKind::quads}) {
       for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
-        const Panels cylinder = make_cylinder({.diameter = 0.05, .height = 0.025, .axis = axis, .panel = panel, .panels = kind});
+        const Panels cylinder = make_cylinder({.diameter = 0.05, .height = 0.025, .axis = axis, .edge_length = panel, .panels = kind});
         CHECK(fixtures::is_watertight(cylinder));
         CHECK(fixtures::euler_characteristic(cylinder) == 2);
         CHECK(volume(cylinder) > 0);
       }
-      const Panels box = make_box({.size = {0.03, 0.05, 0.021}, .panel = panel, .panels = kind});
+      const Panels box = make_box({.size = {0.03, 0.05, 0.021}, .edge_length = panel, .panels = kind});
       CHECK(fixtures::is_watertight(box));
       CHECK(fixtures::euler_characteristic(box) == 2);
       CHECK(volume(box) == fixtures::relative(0.03 * 0.05 * 0.021, 1e-12));  // rounding of some thousand terms
     }
-    const Panels sphere = make_sphere({.diameter = 0.05, .panel = panel});
+    const Panels sphere = make_sphere({.diameter = 0.05, .edge_length = panel});
     CHECK(fixtures::is_watertight(sphere));
     CHECK(fixtures::euler_characteristic(sphere) == 2);
     CHECK(volume(sphere) > 0);
@@ -79,11 +79,11 @@ TEST_CASE("shapes: no edge is longer than the panel, diagonals not longer than â
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 100; ++trial) sizes.push_back(std::uniform_real_distribution<double>(0.002, 0.06)(random));
   for (const double panel : sizes) {
-    CHECK(longest_side(make_sphere({.diameter = 0.05, .panel = panel})) <= panel * rounding);
-    CHECK(longest_side(make_box({.size = {0.03, 0.05, 0.021}, .panel = panel, .panels = PanelKind::quads})) <= panel * rounding);
-    CHECK(longest_side(make_box({.size = {0.03, 0.05, 0.021}, .panel = panel})) <= sqrt2 * panel * rounding);
-    CHECK(longest_side(make_cylinder({.diameter = 0.05, .height = 0.025, .panel = panel})) <= sqrt2 * panel * rounding);
-    Panels lateral = make_cylinder({.diameter = 0.05, .height = 0.025, .panel = panel, .panels = PanelKind::quads});
+    CHECK(longest_side(make_sphere({.diameter = 0.05, .edge_length = panel})) <= panel * rounding);
+    CHECK(longest_side(make_box({.size = {0.03, 0.05, 0.021}, .edge_length = panel, .panels = PanelKind::quads})) <= panel * rounding);
+    CHECK(longest_side(make_box({.size = {0.03, 0.05, 0.021}, .edge_length = panel})) <= sqrt2 * panel * rounding);
+    CHECK(longest_side(make_cylinder({.diameter = 0.05, .height = 0.025, .edge_length = panel})) <= sqrt2 * panel * rounding);
+    Panels lateral = make_cylinder({.diameter = 0.05, .height = 0.025, .edge_length = panel, .panels = PanelKind::quads});
     std::erase_if(lateral.panels, [](const auto& p) { return p[3] < 0; });
     CHECK(longest_side(lateral) <= panel * rounding);
   }
@@ -104,7 +104,7 @@ TEST_CASE("shapes: a whole number of panels is taken as such") {
 TEST_CASE("shapes: the cylinder's columns lie on the coordinate planes and mirror one another to the last bit") {
   for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
     for (const double panel : panel_sizes) {
-      const Panels cylinder = make_cylinder({.diameter = 0.05, .height = 0.025, .axis = axis, .panel = panel});
+      const Panels cylinder = make_cylinder({.diameter = 0.05, .height = 0.025, .axis = axis, .edge_length = panel});
       const auto along = static_cast<std::size_t>(axis), u = (along + 1) % 3, v = (along + 2) % 3;
       for (std::size_t mirror = 0; mirror < 3; ++mirror) CHECK(is_mirror_image(cylinder, mirror));
       CHECK(cylinder.vertices[0][u] == 0.025);  // column 0
@@ -122,9 +122,9 @@ TEST_CASE("shapes: the cylinder's columns lie on the coordinate planes and mirro
 
 TEST_CASE("shapes: sphere and box are mirror images too, and the sphere's vertices lie on the sphere") {
   for (const double panel : panel_sizes) {
-    const Panels sphere = make_sphere({.diameter = 0.05, .panel = panel});
+    const Panels sphere = make_sphere({.diameter = 0.05, .edge_length = panel});
     for (const Vec3d& p : sphere.vertices) CHECK(norm(p) == fixtures::relative(0.025, 1e-15));
-    const Panels box = make_box({.size = {0.03, 0.05, 0.021}, .panel = panel});
+    const Panels box = make_box({.size = {0.03, 0.05, 0.021}, .edge_length = panel});
     for (std::size_t axis = 0; axis < 3; ++axis) CHECK(is_mirror_image(box, axis));
   }
 }
@@ -134,17 +134,17 @@ TEST_CASE("shapes: the cylinder has exactly the volume of its prism, whatever th
     for (const PanelKind kind : {PanelKind::triangles, PanelKind::quads}) {
       const double n = circle_divisions(0.025, panel);
       const double prism = 0.5 * n * 0.025 * 0.025 * std::sin(2 * pi / n) * 0.025;
-      CHECK(volume(make_cylinder({.diameter = 0.05, .height = 0.025, .panel = panel, .panels = kind})) == fixtures::relative(prism, 1e-12));  // rounding
+      CHECK(volume(make_cylinder({.diameter = 0.05, .height = 0.025, .edge_length = panel, .panels = kind})) == fixtures::relative(prism, 1e-12));  // rounding
     }
   }
 }
 
 TEST_CASE("shapes: far too small panels are refused before memory is asked for") {
-  CHECK_THROWS_WITH_AS(make_sphere({.diameter = 1, .panel = 1e-9}),
+  CHECK_THROWS_WITH_AS(make_sphere({.diameter = 1, .edge_length = 1e-9}),
                        "sphere: panels of 1e-09 m would be 8.75388e+18 in number, more than the 1e+08 that fit in memory; use larger ones.", InputError);
-  CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = 1, .panel = 1e-9}), InputError);
-  CHECK_THROWS_AS(make_cylinder({.diameter = 1e-9, .height = 1, .panel = 1e-9}), InputError);
-  CHECK_THROWS_AS(make_box({.size = {1, 1e-9, 1e-9}, .panel = 1e-12}), InputError);
+  CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = 1, .edge_length = 1e-9}), InputError);
+  CHECK_THROWS_AS(make_cylinder({.diameter = 1e-9, .height = 1, .edge_length = 1e-9}), InputError);
+  CHECK_THROWS_AS(make_box({.size = {1, 1e-9, 1e-9}, .edge_length = 1e-12}), InputError);
 }
 
 TEST_CASE("shapes: without a panel size a box has two triangles or a quad a side, a sphere and a cylinder panels of a twentieth of the diameter") {
@@ -154,18 +154,18 @@ TEST_CASE("shapes: without a panel size a box has two triangles or a quad a side
   CHECK(box.is_closed());
   CHECK(box.report().volume == fixtures::relative(6, 1e-14));  // roundings
   const auto same = [](const Panels& a, const Panels& b) { return a.vertices == b.vertices && a.panels == b.panels; };
-  CHECK(same(make_sphere({.diameter = 2}), make_sphere({.diameter = 2, .panel = 0.1})));
-  CHECK(same(make_cylinder({.diameter = 2, .height = 1}), make_cylinder({.diameter = 2, .height = 1, .panel = 0.1})));
+  CHECK(same(make_sphere({.diameter = 2}), make_sphere({.diameter = 2, .edge_length = 0.1})));
+  CHECK(same(make_cylinder({.diameter = 2, .height = 1}), make_cylinder({.diameter = 2, .height = 1, .edge_length = 0.1})));
 }
 
 TEST_CASE("shapes: lengths that are not positive and finite are refused") {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, infinity, std::numeric_limits<double>::quiet_NaN()}) {
-    CHECK_THROWS_AS(make_box({.size = {1, bad, 1}, .panel = 0.5}), InputError);
-    CHECK_THROWS_AS(make_sphere({.diameter = bad, .panel = 0.5}), InputError);
-    CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = bad, .panel = 0.5}), InputError);
+    CHECK_THROWS_AS(make_box({.size = {1, bad, 1}, .edge_length = 0.5}), InputError);
+    CHECK_THROWS_AS(make_sphere({.diameter = bad, .edge_length = 0.5}), InputError);
+    CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = bad, .edge_length = 0.5}), InputError);
   }
-  CHECK_THROWS_WITH_AS(make_box({.size = {1, 1, 1}, .panel = -0.5}), "box: panel is -0.5 m, but it must be positive; leave it out for panels by default.",
+  CHECK_THROWS_WITH_AS(make_box({.size = {1, 1, 1}, .edge_length = -0.5}), "box: panel is -0.5 m, but it must be positive; leave it out for panels by default.",
                        InputError);
 }
 

@@ -138,12 +138,12 @@ TEST_CASE("elements: quadratic surface elements become panels over their middle 
   elements.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 1, 0}};
   elements.add(ElementKind::quad_9, counted(9), elements.part_number(""));
   CHECK(panels_of(elements, "file").panels.size() == 4);
-  CHECK(Surface(panels_of(elements, "file"), {.outside = Orientation::normals}).report().area == fixtures::relative(4, 1e-12));
+  CHECK(Surface(panels_of(elements, "file"), {.orientation = Orientation::normals}).report().area == fixtures::relative(4, 1e-12));
   elements.kinds[0] = ElementKind::quad_8;
   elements.nodes.pop_back();
   elements.ends[0] = 8;
   CHECK(panels_of(elements, "file").panels.size() == 5);
-  CHECK(Surface(panels_of(elements, "file"), {.outside = Orientation::normals}).report().area == fixtures::relative(4, 1e-12));
+  CHECK(Surface(panels_of(elements, "file"), {.orientation = Orientation::normals}).report().area == fixtures::relative(4, 1e-12));
 }
 
 TEST_CASE("elements: three solids on one face and polygons that cannot be cut are refused") {

@@ -109,7 +109,7 @@ double area_of(const Curved& solid) {
 }  // namespace
 
 TEST_CASE("gmsh: quads and triangles come back with all digits from every version, as text and binary in both byte orders") {
-  for (const Panels& given : {fixtures::unit_cube(), make_sphere({.diameter = 0.7, .panel = 0.2}), fixtures::torus(2, 0.5, 9, 7)}) {
+  for (const Panels& given : {fixtures::unit_cube(), make_sphere({.diameter = 0.7, .edge_length = 0.2}), fixtures::torus(2, 0.5, 9, 7)}) {
     for (const GmshForm& form : fixtures::every_gmsh_form()) {
       CAPTURE(described(form));
       const Panels back = parse(gmsh_file(fixtures::gmsh_mesh(given), form));

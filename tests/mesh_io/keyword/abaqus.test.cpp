@@ -50,7 +50,7 @@ void check_read_or_refused(const std::string& contents, std::size_t most_nodes) 
 
 TEST_CASE("abaqus: shells and solids of each kind come back to the last bit") {
   check_equal(parse(fixtures::abaqus_text(fixtures::elements_of(fixtures::unit_cube(), "cube"))), fixtures::elements_of(fixtures::unit_cube(), "cube"));
-  const Elements sphere = fixtures::elements_of(make_sphere({.diameter = 2, .panel = 0.5}), "ball");
+  const Elements sphere = fixtures::elements_of(make_sphere({.diameter = 2, .edge_length = 0.5}), "ball");
   check_equal(parse(fixtures::abaqus_text(sphere)), sphere);
   for (const ElementKind kind : {ElementKind::hexahedron, ElementKind::wedge, ElementKind::tetrahedron}) {
     const Elements block = fixtures::block_of(kind, 3);

@@ -54,7 +54,7 @@ void check_read_or_refused(const std::string& contents, std::size_t most_nodes) 
 
 TEST_CASE("lsdyna: shells come back to the last bit from columns of every width and from between commas") {
   for (const Elements& written :
-       {fixtures::elements_of(fixtures::unit_cube(), "cube of quads"), fixtures::elements_of(make_sphere({.diameter = 2, .panel = 0.5}), "ball")}) {
+       {fixtures::elements_of(fixtures::unit_cube(), "cube of quads"), fixtures::elements_of(make_sphere({.diameter = 2, .edge_length = 0.5}), "ball")}) {
     for (const LsdynaForm form : forms) {
       CAPTURE(static_cast<int>(form));
       const Elements read = parse(fixtures::lsdyna_text(written, form));

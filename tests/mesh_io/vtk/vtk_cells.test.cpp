@@ -103,7 +103,7 @@ TEST_CASE("vtk cells: each kind of solid has a closed skin of its volume") {
 TEST_CASE("vtk cells: each kind of face has its area and looks to the side that it winds about") {
   for (const Body& face : faces()) {
     CAPTURE(face.type);
-    const Surface surface(panels_of(one(face.type, points_of(face)), "mesh.vtu"), {.outside = Orientation::normals});
+    const Surface surface(panels_of(one(face.type, points_of(face)), "mesh.vtu"), {.orientation = Orientation::normals});
     CHECK(surface.report().area == fixtures::relative(face.volume, 1e-12));
     CHECK(surface.report().degenerate == 0);
     for (std::size_t t = 0; t < surface.triangles().size(); ++t) CHECK(surface.normal(t).z == fixtures::relative(1, 1e-12));
@@ -113,7 +113,7 @@ TEST_CASE("vtk cells: each kind of face has its area and looks to the side that 
 TEST_CASE("vtk cells: the triangles of a strip all look to the side of the first") {
   const Panels panels = panels_of(one(6, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}, {1, 2, 0}}), "mesh.vtu");
   CHECK(panels.panels == std::vector<std::array<int, 4>>{{0, 1, 2, -1}, {2, 1, 3, -1}, {2, 3, 4, -1}, {4, 3, 5, -1}});
-  CHECK(Surface(panels, {.outside = Orientation::normals}).report().rewound == 0);
+  CHECK(Surface(panels, {.orientation = Orientation::normals}).report().rewound == 0);
 }
 
 TEST_CASE("vtk cells: points and lines are passed over, whatever their kind") {

@@ -41,14 +41,14 @@ Setup cantilever(int layers, int width, int length, const char* calibration, dou
     SolidSetup region{.name = name};
     region.position = {sign * 0.5 * (length - columns) * spacing, 0, 0};
     region.shape = BoxSolid{{columns * spacing, size.y, size.z}};
-    body.regions.push_back(region);
+    body.particle_sets.push_back(region);
   };
   end("held", 3, -1);
   end("pushed", 1, 1);
   FixedSetup fixed;
-  fixed.region = "held";
+  fixed.particle_set = "held";
   BodyForceSetup load;
-  load.region = "pushed";
+  load.particle_set = "pushed";
   load.force_density = {0, 0, -force / (size.y * size.z * spacing)};
   body.boundary_conditions = {{"wall", fixed}, {"push", load}};
   Setup setup;

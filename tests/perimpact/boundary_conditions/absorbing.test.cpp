@@ -28,7 +28,8 @@ struct Echo {
 Echo echo(std::optional<double> reflection) {
   BodySetup setup = fixtures::body_setup({.size = {length, 0.004, 0.004}});
   setup.boundary_conditions = {{"sides", FixedSetup{.directions = {"y", "z"}}}};
-  if (reflection) setup.boundary_conditions.push_back({"sink", AbsorbingSetup{.region = "layer", .face = Choice{face_words, 0}, .reflection = *reflection}});
+  if (reflection)
+    setup.boundary_conditions.push_back({"sink", AbsorbingSetup{.particle_set = "layer", .face = Choice{face_words, 0}, .reflection = *reflection}});
   BoundedBody scene(setup, {{"layer", [](const Vec3d& X) { return X.x > inner; }}}, dt);
   const double speed = std::sqrt(IsotropicElastic{fixtures::youngs_modulus, 0.25}.p_wave_modulus() / fixtures::density);
   for (const std::uint32_t slot : scene.body.particles.slot_of()) {
@@ -87,8 +88,8 @@ TEST_CASE("absorbing: velocities fall by (1 - α dt/2)/(1 + α dt/2) a step, wha
 
 TEST_CASE("absorbing: a direction in which particles are held loses nothing to the layer") {
   BodySetup setup = fixtures::body_setup({.size = {0.01, 0.004, 0.004}});
-  setup.boundary_conditions = {{"sink", AbsorbingSetup{.region = "right", .face = Choice{face_words, 0}}},
-                               {"end", FixedSetup{.region = "last", .directions = {"x"}}}};
+  setup.boundary_conditions = {{"sink", AbsorbingSetup{.particle_set = "right", .face = Choice{face_words, 0}}},
+                               {"end", FixedSetup{.particle_set = "last", .directions = {"x"}}}};
   const Body body = make_body(setup);
   const BoundaryConditions boundary_conditions(
       setup, elastic_of(setup), body.particles,

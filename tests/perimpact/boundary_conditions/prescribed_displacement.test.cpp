@@ -37,8 +37,8 @@ DisplacementSetup at_velocity(double velocity) {
 TEST_CASE("held: at the end of every step led particles are where the table says, to the bit, and their velocity is its slope") {
   BodySetup setup = bar_setup();
   // kinks between steps and at one, and times after the last point
-  setup.boundary_conditions = {{"pull", PrescribedSetup{.region = "right", .x = displaced({0, 3.3e-6, 6e-6}, {0, 2e-6, -1e-6}), .y = at_velocity(0.5)}},
-                               {"grip", FixedSetup{.region = "left", .directions = {"x", "z"}}}};
+  setup.boundary_conditions = {{"pull", PrescribedSetup{.particle_set = "right", .x = displaced({0, 3.3e-6, 6e-6}, {0, 2e-6, -1e-6}), .y = at_velocity(0.5)}},
+                               {"grip", FixedSetup{.particle_set = "left", .directions = {"x", "z"}}}};
   BoundedBody scene(setup, ends, dt);
   const fccda::TimeTable table({0, 3.3e-6, 6e-6}, {0, 2e-6, -1e-6});
   std::size_t wrong = 0, moved_freely = 0;
@@ -59,8 +59,8 @@ TEST_CASE("held: at the end of every step led particles are where the table says
 TEST_CASE("held: what the particles gain in momentum is the impulse of the holders, and what they gain in energy is their work") {
   BodySetup setup = bar_setup();
   setup.velocity = {3, -1, 2};
-  setup.boundary_conditions = {{"pull", PrescribedSetup{.region = "right", .x = displaced({0, 4e-6, 8e-6}, {0, 4e-6, 0})}},
-                               {"grip", FixedSetup{.region = "left", .directions = {}}}};
+  setup.boundary_conditions = {{"pull", PrescribedSetup{.particle_set = "right", .x = displaced({0, 4e-6, 8e-6}, {0, 4e-6, 0})}},
+                               {"grip", FixedSetup{.particle_set = "left", .directions = {}}}};
   BoundedBody scene(setup, ends, dt);
   const Vec3d before = scene.body.momentum();
   const double energy_before = scene.energy() - scene.boundary_conditions.work();
@@ -81,8 +81,8 @@ TEST_CASE("held: what the particles gain in momentum is the impulse of the holde
 
 TEST_CASE("held: work of a slow pull is the elastic energy, force times way over two") {
   BodySetup setup = bar_setup();
-  setup.boundary_conditions = {{"grip", FixedSetup{.region = "left", .directions = {"x"}}},
-                               {"pull", PrescribedSetup{.region = "right", .x = displaced({0, 300e-6}, {0, 1e-6})}}};
+  setup.boundary_conditions = {{"grip", FixedSetup{.particle_set = "left", .directions = {"x"}}},
+                               {"pull", PrescribedSetup{.particle_set = "right", .x = displaced({0, 300e-6}, {0, 1e-6})}}};
   BoundedBody scene(setup, ends, dt);
   for (int step = 0; step < 1500; ++step) scene.step();
   const double work = scene.boundary_conditions.work();
@@ -94,8 +94,8 @@ TEST_CASE("held: work of a slow pull is the elastic energy, force times way over
 
 TEST_CASE("held: a direction that two hold is refused, other directions of the same particles are not") {
   BodySetup setup = bar_setup();
-  setup.boundary_conditions = {{"grip", FixedSetup{.region = "left", .directions = {"x", "y"}}},
-                               {"guide", PrescribedSetup{.region = "left", .z = at_velocity(1)}}};
+  setup.boundary_conditions = {{"grip", FixedSetup{.particle_set = "left", .directions = {"x", "y"}}},
+                               {"guide", PrescribedSetup{.particle_set = "left", .z = at_velocity(1)}}};
   BoundedBody(setup, ends, dt);
   setup.boundary_conditions.push_back({"all", PrescribedSetup{.y = at_velocity(1)}});
   std::string key, sentence;

@@ -64,7 +64,7 @@ TEST_CASE("own force: its work is the kinetic energy that it takes from a body i
   const double way = n * dt * 1.0 - 500 * dt * dt * n * (n + 1) / 2;
   CHECK(fixtures::value(simulation, "block.own.work [J]") == fixtures::relative(-500 * mass * way, 1e-10));  // 160 particles, 200 steps
   CHECK(fixtures::value(simulation, "block.own.force_x [N]") == fixtures::relative(-500 * mass, 1e-10));
-  CHECK(std::fabs(fixtures::value(simulation, "total.closing_error [J]")) < 1e-10 * 0.5 * mass);
+  CHECK(std::fabs(fixtures::value(simulation, "total.energy_balance_error [J]")) < 1e-10 * 0.5 * mass);
 }
 
 TEST_CASE("own force: what is no number, leaves the plane, or has the name of another is told") {

@@ -15,7 +15,7 @@ namespace {
 ImpactorSetup cylinder() {
   ImpactorSetup setup;
   setup.name = "cylinder";
-  setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .panel = 0.001};
+  setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .edge_length = 0.001};
   setup.mass = 1.57;
   setup.position = {0, 0.075, 0};
   setup.velocity = {0, -32, 0};
@@ -49,33 +49,33 @@ TEST_CASE("diagnosis: panels below a quarter of the spacing, and not those just 
 
 TEST_CASE("diagnosis: facets more than half a spacing off the cylinder, and not flat panels of any size") {
   ImpactorSetup setup = cylinder();
-  setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .panel = 0.009};  // 0.009²/(8 · 0.025) = 0.41 mm
+  setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .edge_length = 0.009};  // 0.009²/(8 · 0.025) = 0.41 mm
   CHECK_FALSE(panels_too_coarse(made(setup), plate()).has_value());
-  setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .panel = 0.013};  // 0.85 mm
+  setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .edge_length = 0.013};  // 0.85 mm
   CHECK(holds(panels_too_coarse(made(setup), plate()), "more than half of the spacing of body plate (0.001 m)"));
-  setup.surface = BoxSurface{.size = {1, 1, 1}, .panel = 1};
+  setup.surface = BoxSurface{.size = {1, 1, 1}, .edge_length = 1};
   CHECK(diagnose(made(setup), plate(), dt).empty());
 }
 
 TEST_CASE("diagnosis: a surface in millimetres is a hundred bodies large") {
   ImpactorSetup setup = cylinder();
-  setup.surface = BoxSurface{.size = {50, 25, 25}, .panel = 50};
+  setup.surface = BoxSurface{.size = {50, 25, 25}, .edge_length = 50};
   CHECK(holds(panels_of_another_unit(made(setup), plate()), "scale: 0.001"));
 }
 
 TEST_CASE("diagnosis: a needle and a grain fall between particles, a thin blade does not") {
   ImpactorSetup setup = cylinder();
-  setup.surface = BoxSurface{.size = {0.1, 0.002, 0.002}, .panel = 0.002};
+  setup.surface = BoxSurface{.size = {0.1, 0.002, 0.002}, .edge_length = 0.002};
   CHECK(holds(falls_between(made(setup), plate()), "falls between them"));
-  setup.surface = SphereSurface{.diameter = 0.001, .panel = 0.0003};
+  setup.surface = SphereSurface{.diameter = 0.001, .edge_length = 0.0003};
   CHECK(falls_between(made(setup), plate()).has_value());
-  setup.surface = BoxSurface{.size = {0.1, 0.05, 0.001}, .panel = 0.005};
+  setup.surface = BoxSurface{.size = {0.1, 0.05, 0.001}, .edge_length = 0.005};
   CHECK_FALSE(falls_between(made(setup), plate()).has_value());
 }
 
 TEST_CASE("diagnosis: a step that goes through a thin plate names panel and place, and the step that does not") {
   ImpactorSetup setup = cylinder();
-  setup.surface = BoxSurface{.size = {0.1, 0.0004, 0.1}, .panel = 0.02};
+  setup.surface = BoxSurface{.size = {0.1, 0.0004, 0.1}, .edge_length = 0.02};
   const Impactor thin = made(setup);
   CHECK_FALSE(step_through(thin, plate(), 1.2e-5).has_value());   // 32 m/s · 12 µs = 0.38 mm
   const Diagnosis through = step_through(thin, plate(), 1.5e-5);  // 0.48 mm
@@ -94,7 +94,7 @@ TEST_CASE("diagnosis: the way of a step is judged by the most that a table ever 
   table.velocities = {}, table.displacements = {0, 10, -22, -22};  // the same speed
   CHECK_FALSE(step_through(made(setup), plate(), 3.1e-5).has_value());
   CHECK(step_through(made(setup), plate(), 3.2e-5).has_value());
-  setup.surface = BoxSurface{.size = {0.1, 0.003, 0.1}, .panel = 0.02};  // 3 mm thick, thrice the spacing
+  setup.surface = BoxSurface{.size = {0.1, 0.003, 0.1}, .edge_length = 0.02};  // 3 mm thick, thrice the spacing
   CHECK(holds(step_through(made(setup), plate(), 1e-4), "at most 3.1e-05 s"));
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("diagnosis: particles behind an open surface are counted, those in fro
   std::ofstream(file) << "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 2 3 4\n";  // normal -y
   ImpactorSetup setup = cylinder();
   FileSurface square{.file = file.string()};
-  square.outside.index = 1;  // normals
+  square.orientation.index = 1;  // normals
   setup.surface = square;
   setup.position = {}, setup.velocity = {};
   // 4 x 4 x 1 particles, half a metre apart, about the square: y from -0.75 to 0.75
@@ -116,7 +116,7 @@ TEST_CASE("diagnosis: particles behind an open surface are counted, those in fro
   CHECK(holds(starts_behind(wall, plate(), particles), "8 of the 16 particles of body plate start behind the open surface of impactor cylinder"));
   setup.position = {1.5, 0, 0};  // its rim is at x = 0.5: half of the particles lie beyond it
   CHECK(particles_behind(made(setup), particles) == 2);
-  setup.surface = BoxSurface{.size = {3, 3, 3}, .panel = 1};
+  setup.surface = BoxSurface{.size = {3, 3, 3}, .edge_length = 1};
   CHECK(particles_behind(made(setup), particles) == 0);  // closed: that is starting_inside's business
   std::filesystem::remove(file);
 }

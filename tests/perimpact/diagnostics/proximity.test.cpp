@@ -22,12 +22,12 @@ Setup flyby() {
   setup.bodies = {block};
   ImpactorSetup cube;
   cube.name = "cube";
-  cube.surface = BoxSurface{.size = {0.01, 0.01, 0.01}, .panel = 0.005};
+  cube.surface = BoxSurface{.size = {0.01, 0.01, 0.01}, .edge_length = 0.005};
   cube.mass = 1;
   cube.position = {-0.03, 0.018, 0};  // 3 mm above the face
   cube.velocity = {1500, 0, 0};
   setup.impactors = {cube};
-  setup.output.history = 1e-6;
+  setup.output.history_interval = 1e-6;
   return setup;
 }
 
@@ -70,7 +70,8 @@ TEST_CASE("encounters: particles that get inside where the region clips are coun
   Setup setup = flyby();
   setup.impactors[0].position = {0, 0.016, 0};
   setup.impactors[0].velocity = {0, -200, 0};
-  setup.impactors[0].region = {BoxRegionSetup{.size = {0.012, 0.006, 0.012}, .centre = {0, 0.001, 0}}, Choice{beyond_region_words, 1}};  // without its front
+  setup.impactors[0].contact_bounds = {BoxRegionSetup{.size = {0.012, 0.006, 0.012}, .centre = {0, 0.001, 0}},
+                                       Choice{on_exceed_words, 1}};  // without its front
   const std::vector<std::string> warnings = closing(setup);
   REQUIRE(!warnings.empty());
   const std::string& last = warnings.back();

@@ -94,7 +94,7 @@ TEST_CASE("cloud: parts of a mesh may be chosen, and holes take cells out") {
   const fixtures::TemporaryFolder folder;
   fixtures::put(folder / "block.inp", fixtures::abaqus_text(fixtures::block_of(ElementKind::hexahedron, 3)));
   CellsShape shape = cells(folder / "block.inp");
-  shape.parts = {"ice"};
+  shape.file_parts = {"ice"};
   BodySetup body = body_of(shape);
   CHECK(cloud_of(body).points.size() == 9);
   body.position = {0, 0, 7};

@@ -41,7 +41,7 @@ TEST_CASE("filling: the volume of particles goes to that of the shape as the spa
   BodySetup ring = body_of(CylinderSolid{1, 0.5, {axis_words, 2}}, 0);
   ring.holes = {named(CylinderSolid{0.5, 1, {axis_words, 2}})};
   BodySetup dumbbell = body_of(BoxSolid{{1, 0.2, 0.2}}, 0);
-  dumbbell.parts = {named(SphereSolid{0.6}, {0.9, 0, 0})};
+  dumbbell.add = {named(SphereSolid{0.6}, {0.9, 0, 0})};
   // the bar ends inside the ball: at x = 0.5 m, where the ball's cap begins at 0.6 m, they do not meet
   const std::pair<BodySetup, double> bodies[] = {{body_of(SphereSolid{1}, 0), pi / 6},
                                                  {body_of(CylinderSolid{1, 0.7, {axis_words, 1}}, 0), pi / 4 * 0.7},
@@ -79,7 +79,7 @@ TEST_CASE("filling: particles on the face of a hole or part belong to it, whatev
 
 TEST_CASE("filling: a part that fits the lattice of the shape continues it") {
   BodySetup beam = body_of(BoxSolid{{1, 0.2, 0.2}}, 0.05);
-  beam.parts = {named(BoxSolid{{0.2, 0.2, 0.6}}, {0.4, 0, 0.4})};  // a T's web on its end
+  beam.add = {named(BoxSolid{{0.2, 0.2, 0.6}}, {0.4, 0, 0.4})};  // a T's web on its end
   CHECK(filled_volume(beam) == fixtures::relative(0.04 + 0.2 * 0.2 * 0.6, 1e-12));
 }
 

@@ -15,7 +15,7 @@ namespace {
 BodySetup block() {
   BodySetup setup = fixtures::body_setup({.size = {10, 10, 5}, .spacing = 1});
   setup.position = {100, 0, 0};
-  setup.regions = {{"left", BoxSolid{{2, 20, 20}}, {-5, 0, 0}, {}},
+  setup.particle_sets = {{"left", BoxSolid{{2, 20, 20}}, {-5, 0, 0}, {}},
                    {"rod", CylinderSolid{3.1, 20, {axis_words, 2}}, {-0.5, 0.5, 0}, {}},
                    {"far", SphereSolid{1}, {50, 0, 0}, {}}};
   return setup;
@@ -43,7 +43,7 @@ TEST_CASE("region: its slots are those of the particles in the solid, in rising 
   CHECK(rod.size() == 9 * 5);  // a particle on the axis, four at 1 m, four at 1.41 m
 
   BodySetup wider = block();
-  wider.regions[0].shape = BoxSolid{{3, 20, 20}};  // ends at 96.5 m, through the second layer
+  wider.particle_sets[0].shape = BoxSolid{{3, 20, 20}};  // ends at 96.5 m, through the second layer
   CHECK(slots_in("left", wider, particles, "key").size() == 2 * 10 * 5);
 }
 
@@ -64,6 +64,6 @@ TEST_CASE("region: a name that is none and a region without particles are told w
         "region far of body body holds no particle; its place is from the body's position, in metres: move it, or make it larger than a spacing of 1 m.");
   CHECK(key == "bodies.body.particle_sets.far");
   BodySetup bare = block();
-  bare.regions.clear();
+  bare.particle_sets.clear();
   CHECK(complaint("left", bare, key) == "body body has no region left; it has none; add one under bodies.body.particle_sets.");
 }

@@ -47,7 +47,7 @@ void cut_across(Body& body, double at) {
 
 }  // namespace
 
-TEST_CASE("pieces: they are what a search along bonds finds, on lattices and lists, in space and in the plane") {
+TEST_CASE("fragments: they are what a search along bonds finds, on lattices and lists, in space and in the plane") {
   for (const fixtures::BodyOptions& options : kinds_of_bodies())
     for (const double share : {0.0, 0.8, 0.93, 0.97, 0.99}) {
       Body body = fixtures::body(options);
@@ -58,7 +58,7 @@ TEST_CASE("pieces: they are what a search along bonds finds, on lattices and lis
       std::map<std::size_t, std::size_t> particles_of;
       for (std::size_t p = 0; p < body.particles.size(); ++p) {
         const std::size_t slot = body.particles.slot_of()[p];
-        // a search begins with the smallest slot of a piece, which is that piece's name
+        // a search begins with the smallest slot of a fragment, which is that fragment's name
         CHECK(fragments.all()[static_cast<std::size_t>(fragments.of_particles()[p])].first_slot == beginning.at(slot));
         ++particles_of[beginning.at(slot)];
       }
@@ -69,7 +69,7 @@ TEST_CASE("pieces: they are what a search along bonds finds, on lattices and lis
     }
 }
 
-TEST_CASE("pieces: the heaviest is number 0, and of equally heavy ones the one with the smallest slot comes first") {
+TEST_CASE("fragments: the heaviest is number 0, and of equally heavy ones the one with the smallest slot comes first") {
   for (const fixtures::BodyOptions& options : kinds_of_bodies()) {
     Body body = fixtures::body(options);
     cut_at_random(body, 0.97);
@@ -85,7 +85,7 @@ TEST_CASE("pieces: the heaviest is number 0, and of equally heavy ones the one w
   }
 }
 
-TEST_CASE("pieces: a body that is cut twice has three, with the masses, places, extents and velocities of the slabs") {
+TEST_CASE("fragments: a body that is cut twice has three, with the masses, places, extents and velocities of the slabs") {
   Body body = fixtures::body({.size = {0.020, 0.008, 0.006}});  // x from -10 to 10 mm
   cut_across(body, -0.006);
   cut_across(body, 0.002);
@@ -117,7 +117,7 @@ TEST_CASE("pieces: a body that is cut twice has three, with the masses, places, 
   CHECK(count.outside_largest == fixtures::relative(0.6 * body.particles.total_mass(), rounding));
 }
 
-TEST_CASE("pieces: particles without a bond are counted apart from pieces") {
+TEST_CASE("fragments: particles without a bond are counted apart from fragments") {
   Body body = fixtures::body({.size = {0.020, 0.010, 0.001}, .plane = PlaneState::stress});
   const std::size_t lost[] = {body.particles.slot_of()[0], body.particles.slot_of()[77], body.particles.slot_of()[150]};
   body.family.cut(

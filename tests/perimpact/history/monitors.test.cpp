@@ -26,13 +26,13 @@ Setup struck_block(std::optional<double> history) {
   setup.bodies = {block};
   ImpactorSetup hammer;
   hammer.name = "hammer";
-  hammer.surface = BoxSurface{.size = {0.06, 0.02, 0.06}, .panel = 0.01};
+  hammer.surface = BoxSurface{.size = {0.06, 0.02, 0.06}, .edge_length = 0.01};
   hammer.mass = 0.2;
   hammer.position = {0, 0.0301, 0};
   hammer.velocity = {0, -5, 0};
-  hammer.free = {"y"};
+  hammer.free_dofs = {"y"};
   setup.impactors = {hammer};
-  setup.output.history = history;
+  setup.output.history_interval = history;
   return setup;
 }
 

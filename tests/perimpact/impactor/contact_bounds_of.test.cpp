@@ -16,7 +16,7 @@ using fccda::Surface;
 
 namespace {
 
-Surface block() { return Surface(fccda::make_box({.size = {2, 1, 1}, .panel = 1})); }
+Surface block() { return Surface(fccda::make_box({.size = {2, 1, 1}, .edge_length = 1})); }
 
 std::string complaint(const ContactBoundsSetup& setup, const Surface& surface) {
   try {
@@ -58,7 +58,7 @@ TEST_CASE("region of: every kind of region that a Setup names is made, and says 
 }
 
 TEST_CASE("region of: count and gain bound the fitted boxes") {
-  const Surface surface(fixtures::propeller({.panel = 0.06}));
+  const Surface surface(fixtures::propeller({.edge_length = 0.06}));
   const auto boxes = [&](const BoxUnionBoundsSetup& shape) {
     return std::get<BoxUnion>(contact_bounds_of({.shape = shape}, surface, "ram").region).boxes().size();
   };
@@ -73,7 +73,7 @@ TEST_CASE("region of: a surface that sticks out is refused at the region's key, 
   const ContactBoundsSetup small{.shape = BoxUnionBoundsSetup{.boxes = {{"bow", {0.5, 1, 1}, {0.75, 0, 0}}}}};
   CHECK(complaint(small, surface).starts_with("impactors.ram.contact_bounds: region: 18 of 20 panels stick out of the box by up to 1.5 m"));
   ContactBoundsSetup clipping = small;
-  clipping.outside.index = 1;
+  clipping.on_exceed.index = 1;
   CHECK(complaint(clipping, surface) == "");
   CHECK(complaint({.shape = CylinderSectorsBoundsSetup{.radius = 0.3}}, surface).find("stick out of the cylinder's sectors") != std::string::npos);
 }

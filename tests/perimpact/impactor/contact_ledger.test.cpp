@@ -12,7 +12,7 @@ using fccda::Vec3d;
 namespace {
 
 /// A cube of 1 m in panels of 0.1 m; panel 0 lies on some face.
-fccda::Surface cube() { return fccda::Surface(fccda::make_box({.size = {1, 1, 1}, .panel = 0.1, .panels = fccda::PanelKind::quads})); }
+fccda::Surface cube() { return fccda::Surface(fccda::make_box({.size = {1, 1, 1}, .edge_length = 0.1, .panels = fccda::PanelKind::quads})); }
 
 /// A contact of that particle on a panel, and the impulse that pushes it in.
 void push(ContactRecord& record, std::size_t body, std::size_t particle, int panel, double impulse) {

@@ -26,11 +26,11 @@ Setup plate_and_cylinder() {
   setup.bodies = {plate};
   ImpactorSetup cylinder;
   cylinder.name = "cylinder";
-  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.02, .panel = 0.001};
+  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.02, .edge_length = 0.001};
   cylinder.mass = 0.1;
   cylinder.position = {0.003, 0.02, 0};
   setup.impactors = {cylinder};
-  setup.output.history = 2e-6;
+  setup.output.history_interval = 2e-6;
   return setup;
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("driven impactor: a table of displacements is met while it strikes, an
 
 TEST_CASE("driven impactor: a load that presses a free one into the plate does the work that energy gains") {
   Setup setup = plate_and_cylinder();
-  setup.impactors[0].free = {"y"};
+  setup.impactors[0].free_dofs = {"y"};
   LoadSetup push;
   push.name = "push", push.force = {0, -200e3, 0}, push.times = {0, 10e-6, 30e-6}, push.factors = {0, 1, 0};
   setup.impactors[0].loads = {push};
@@ -83,11 +83,11 @@ TEST_CASE("driven impactor: a load that presses a free one into the plate does t
 TEST_CASE("driven impactor: gauges of all parts add up to its force and moment, row by row") {
   Setup setup = plate_and_cylinder();
   ImpactorSetup& cylinder = setup.impactors[0];
-  cylinder.velocity = {0, -32, 0}, cylinder.angular_velocity = {300, 0, 200}, cylinder.free = {"x", "y", "z", "rx", "ry", "rz"};
+  cylinder.velocity = {0, -32, 0}, cylinder.angular_velocity = {300, 0, 200}, cylinder.free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
   setup.contact.impactors.friction = 0.3;
   for (const char* part : {"bottom", "side", "top"}) {
     GaugeSetup gauge;
-    gauge.name = part, gauge.parts = {part};
+    gauge.name = part, gauge.surface_parts = {part};
     cylinder.gauges.push_back(gauge);
   }
   GaugeSetup spin;
@@ -131,14 +131,14 @@ TEST_CASE("driven impactor: what cannot be is refused with its key") {
   CHECK(complaint(both, key) == "impactor cylinder needs a mass or a density, and not both.");
   CHECK(key == "impactors.cylinder");
   Setup free = plate_and_cylinder();
-  free.impactors[0].free = {"y"};
+  free.impactors[0].free_dofs = {"y"};
   free.impactors[0].motion.y.emplace().times = {0};
   free.impactors[0].motion.y->velocities = {1};
   CHECK(complaint(free, key) == "y of cylinder is free, so no table can move it; hold it, or remove its motion.");
   CHECK(key == "impactors.cylinder.motion.y");
   Setup part = plate_and_cylinder();
   GaugeSetup gauge;
-  gauge.name = "bow", gauge.parts = {"sides"};
+  gauge.name = "bow", gauge.surface_parts = {"sides"};
   part.impactors[0].gauges = {gauge};
   CHECK(complaint(part, key) == "gauge bow: the surface has no part \"sides\"; did you mean side? Its parts are bottom, side, top.");
   CHECK(key == "impactors.cylinder.gauges.bow.surface_parts");

@@ -27,12 +27,12 @@ Setup block_and_raft() {
   setup.bodies = {block};
   ImpactorSetup raft;
   raft.name = "raft";
-  raft.surface = BoxSurface{.size = {2, 1, 0.5}, .panel = 0.25};
+  raft.surface = BoxSurface{.size = {2, 1, 0.5}, .edge_length = 0.25};
   raft.density = 512.5;
-  raft.free = {"z"};
+  raft.free_dofs = {"z"};
   raft.floating.emplace();
   setup.impactors = {raft};
-  setup.output.history = 0.02;
+  setup.output.history_interval = 0.02;
   return setup;
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("floating impactor: a load at the rail of a raft sinks it by its weigh
   Setup setup = block_and_raft();
   setup.time.end = 12;
   ImpactorSetup& raft = setup.impactors[0];
-  raft.free = {"z", "rx"};
+  raft.free_dofs = {"z", "rx"};
   raft.floating->damping = 4;
   const double force = 200, beside = 0.1, above = 0.25;
   LoadSetup cargo;
@@ -115,7 +115,7 @@ TEST_CASE("floating impactor: an open surface is refused with its key") {
   Setup setup = block_and_raft();
   ::fixtures::put(folder / "sheet.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
   ImpactorSetup& raft = setup.impactors[0];
-  raft.surface = FileSurface{.file = (folder / "sheet.obj").string(), .outside = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
+  raft.surface = FileSurface{.file = (folder / "sheet.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
   raft.density.reset();
   raft.mass = 10;
   std::string key;

@@ -26,14 +26,14 @@ Setup struck_plate() {
   setup.bodies = {plate};
   ImpactorSetup cylinder;
   cylinder.name = "cylinder";
-  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.01, .panel = 0.002};
+  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.01, .edge_length = 0.002};
   cylinder.mass = 0.05;
   cylinder.position = {0.003, 0.0206, height};
   cylinder.velocity = {2, -30, 0};
-  cylinder.free = {"x", "y", "rz"};
+  cylinder.free_dofs = {"x", "y", "rz"};
   setup.impactors = {cylinder};
   setup.contact.impactors.friction = 0.3;
-  setup.output.history = 5e-6;
+  setup.output.history_interval = 5e-6;
   return setup;
 }
 
@@ -68,10 +68,10 @@ TEST_CASE("in plane: an impactor that leaves the plane, or may, is refused") {
   CHECK(holds(complaint(setup), "impactors.cylinder: cylinder moves or is free in z, but a"));
   CHECK(holds(complaint(setup), sentence));
   setup = struck_plate();
-  setup.impactors[0].free.push_back("ry");
+  setup.impactors[0].free_dofs.push_back("ry");
   CHECK(holds(complaint(setup), "is free in ry"));
   setup = struck_plate();
-  setup.impactors[0].free = {"x", "y"};
+  setup.impactors[0].free_dofs = {"x", "y"};
   setup.impactors[0].angular_velocity = {1, 0, 0};
   CHECK(holds(complaint(setup), "is free in rx"));
 }
@@ -82,7 +82,7 @@ TEST_CASE("in plane: an open surface must go on through the plane") {
   const auto wall = [&](double low) {
     ::fixtures::put(folder / "wall.obj",
                     "v -0.01 0 " + std::to_string(low) + "\nv 0.01 0 " + std::to_string(low) + "\nv 0.01 0 0.04\nv -0.01 0 0.04\nf 1 2 3 4\n");
-    setup.impactors[0].surface = FileSurface{.file = (folder / "wall.obj").string(), .outside = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
+    setup.impactors[0].surface = FileSurface{.file = (folder / "wall.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
     setup.impactors[0].position = {0, 0.0121, 0};
     setup.impactors[0].inertia = Vec3d{1e-6, 1e-6, 1e-6};
     return complaint(setup);
@@ -100,11 +100,11 @@ TEST_CASE("in plane: a surface must stand upright wherever contact spheres can m
   setup.impactors[0].position.z = height + 0.0021;
   CHECK(holds(complaint(setup), sentence));
   CHECK(holds(complaint(setup), "leans by 90 degrees"));
-  setup.impactors[0].surface = SphereSurface{.diameter = 0.02, .panel = 0.002};
+  setup.impactors[0].surface = SphereSurface{.diameter = 0.02, .edge_length = 0.002};
   setup.impactors[0].position.z = height;
   CHECK(holds(complaint(setup), sentence));
-  setup.impactors[0].surface = CylinderSurface{.diameter = 0.02, .height = 0.01, .axis = Choice{axis_words, 0}, .panel = 0.002};
+  setup.impactors[0].surface = CylinderSurface{.diameter = 0.02, .height = 0.01, .axis = Choice{axis_words, 0}, .edge_length = 0.002};
   CHECK(holds(complaint(setup), sentence));
-  setup.impactors[0].surface = BoxSurface{.size = {0.01, 0.01, 0.01}, .panel = 0.005};
+  setup.impactors[0].surface = BoxSurface{.size = {0.01, 0.01, 0.01}, .edge_length = 0.005};
   CHECK(complaint(setup).empty());
 }

@@ -29,10 +29,10 @@ TEST_CASE("remeshed: nothing is done where nothing is asked for") {
 }
 
 TEST_CASE("remeshed: panels are merged first and halved then, and the report on the given surface is kept") {
-  const Surface given(plate(), {.outside = fccda::Orientation::normals});
-  ImpactorSetup setup{.name = "ship", .coarsen = CoarseningSetup{.distance = 1e-6}};
+  const Surface given(plate(), {.orientation = fccda::Orientation::normals});
+  ImpactorSetup setup{.name = "ship", .coarsen = CoarseningSetup{.max_deviation = 1e-6}};
   CHECK(remeshed(given, setup).surface.triangles().size() == 2);
-  setup.refine.push_back({.name = "corner", .panel = 0.1, .box = BoxRegionSetup{.size = {0.2, 0.2, 1}, .centre = {0, 0, 0}}});
+  setup.refine.push_back({.name = "corner", .edge_length = 0.1, .box = BoxRegionSetup{.size = {0.2, 0.2, 1}, .centre = {0, 0, 0}}});
   const Remeshed both = remeshed(given, setup);
   CHECK(both.remeshing->given.panels == 100);
   CHECK(both.remeshing->coarsened->panels == 2);
@@ -44,8 +44,9 @@ TEST_CASE("remeshed: panels are merged first and halved then, and the report on 
 TEST_CASE("remeshed: an open surface keeps its outside, whichever way its panels were wound") {
   for (const auto outside : {fccda::Orientation::normals, fccda::Orientation::reversed}) {
     const double up = outside == fccda::Orientation::normals ? 1 : -1;
-    const Remeshed both = remeshed(Surface(plate(), {.outside = outside}),
-                                   ImpactorSetup{.name = "ship", .coarsen = CoarseningSetup{.distance = 1e-6}, .refine = {{.name = "all", .panel = 0.3}}});
+    const Remeshed both =
+        remeshed(Surface(plate(), {.orientation = outside}),
+                 ImpactorSetup{.name = "ship", .coarsen = CoarseningSetup{.max_deviation = 1e-6}, .refine = {{.name = "all", .edge_length = 0.3}}});
     CHECK(both.surface.triangles().size() > 4);
     for (std::size_t t = 0; t < both.surface.triangles().size(); ++t) CHECK(both.surface.normal(t).z == up);
   }

@@ -111,7 +111,7 @@ BodySetup pulled_bar(double displacement, std::optional<double> critical_stretch
   BodySetup setup = fixtures::body_setup({.size = {0.012, 0.003, 0.003}, .critical_stretch = critical_stretch});
   DisplacementSetup course;
   course.times = {0, 1}, course.displacements = {0, displacement};
-  setup.boundary_conditions = {{"grip", FixedSetup{.region = "left", .directions = {}}}, {"pull", PrescribedSetup{.region = "right", .x = course}}};
+  setup.boundary_conditions = {{"grip", FixedSetup{.particle_set = "left", .directions = {}}}, {"pull", PrescribedSetup{.particle_set = "right", .x = course}}};
   return setup;
 }
 const fixtures::Regions ends = {{"left", [](const Vec3d& X) { return X.x < -0.005; }}, {"right", [](const Vec3d& X) { return X.x > 0.005; }}};
@@ -123,8 +123,8 @@ TEST_CASE("relax: in a block under tension strain and contraction are those of t
   constexpr double spacing = 0.02, traction = 200e6;  // [m] [Pa]
   BodySetup setup = fixtures::body_setup({.size = {1, 0.1, 0.1}, .spacing = spacing});
   setup.material = OrdinaryStateSetup{{.youngs_modulus = 200e9, .poissons_ratio = 0.25, .density = 7850}};
-  setup.boundary_conditions = {{"clamp", FixedSetup{.region = "left", .directions = {}}},
-                               {"pull", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = -traction}}};
+  setup.boundary_conditions = {{"clamp", FixedSetup{.particle_set = "left", .directions = {}}},
+                               {"pull", PressureSetup{.particle_set = "right", .face = Choice{face_words, 0}, .value = -traction}}};
   RelaxedBody block(setup, make_body(setup),
                     {{"left", [](const Vec3d& X) { return X.x < -0.5 + 3 * spacing; }}, {"right", [](const Vec3d& X) { return X.x > 0.5 - spacing; }}});
   block.to(1, {});
@@ -160,7 +160,7 @@ TEST_CASE("relax: the state found is that of the stiffness matrix, whatever the 
     double first = 1;
     Body body = fixtures::body(options);
     for (const std::uint32_t slot : body.particles.slot_of()) first = std::min(first, body.particles.reference(slot).x);
-    setup.boundary_conditions = {{"clamp", FixedSetup{.region = "left", .directions = {}}}, {"weight", BodyForceSetup{.force_density = force_density}}};
+    setup.boundary_conditions = {{"clamp", FixedSetup{.particle_set = "left", .directions = {}}}, {"weight", BodyForceSetup{.force_density = force_density}}};
     const std::vector<Vec3d> expected = direct_solution(fixtures::body(options), force_density);
     const double spacing = body.particles.spacing();
     RelaxedBody bar(setup, std::move(body), {{"left", [=](const Vec3d& X) { return X.x <= first + 0.5 * spacing; }}});

@@ -21,7 +21,7 @@ namespace {
 class AllPairs {
  public:
   std::vector<std::vector<Vec3d>> force;  // [N] of each body and slot, of the last evaluation
-  double energy = 0, friction_work = 0, damped_work = 0;
+  double energy = 0, friction_dissipation = 0, damped_work = 0;
   std::size_t touching = 0;
 
   void evaluate(const Pile& pile, double dt) {
@@ -85,7 +85,7 @@ class AllPairs {
       const double push_i = same ? own_push[a] : other_push[a], push_j = same ? own_push[b] : other_push[b];
       const double k_t = stiffness(i, j) * i.volume * j.volume / 6, d = distance(i, j), r = norm(j.x - i.x);
       if (push_i == 0 && push_j == 0) {
-        friction_work += k_t * dot(slip, slip) / 2;
+        friction_dissipation += k_t * dot(slip, slip) / 2;
         slip = {};
         continue;
       }
@@ -100,7 +100,7 @@ class AllPairs {
       const Vec3d reached = turned + dt * (w - apart * n);
       const double most = law.friction * oblique * normal / k_t;
       const Vec3d held = norm(reached) > most ? most / norm(reached) * reached : reached;
-      friction_work += std::max(0.0, k_t * dot(turned + held, reached - held) / 2);
+      friction_dissipation += std::max(0.0, k_t * dot(turned + held, reached - held) / 2);
       energy += k_t * dot(held, held) / 2;
       slip = held;
       const Vec3d f = k_t * held - normal * n;
@@ -208,8 +208,8 @@ TEST_CASE("short range: forces are those of a sum over all pairs, for lattices a
           CHECK(difference(pile, expected) <= 1e-10);  // sums of some twenty forces in another order, of overlaps that are small differences
           CHECK(contact.energy() == fixtures::relative(expected.energy, 1e-10));
           if (step > 0) {
-            CHECK(contact.friction_work() == fixtures::relative(expected.friction_work, 1e-9));
-            CHECK(contact.restitution_work() == fixtures::relative(expected.damped_work, 1e-9));
+            CHECK(contact.friction_dissipation() == fixtures::relative(expected.friction_dissipation, 1e-9));
+            CHECK(contact.dashpot_dissipation() == fixtures::relative(expected.damped_work, 1e-9));
           }
           drift(pile, dt);
         }

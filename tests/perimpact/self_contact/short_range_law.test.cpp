@@ -53,7 +53,7 @@ double restitution_of_two(double wanted, double steps) {
   if (wanted == 1) CHECK(energy == fixtures::relative(mass, 0.01));  // 2 m v²/2 all in the spring, but for where in a step its end falls
   const double relative_velocity = pile.bodies[1].particles.velocity.at(0).x - pile.bodies[0].particles.velocity.at(0).x;
   // what the dashpot took is what is missing
-  CHECK(mass * (1 - 0.25 * relative_velocity * relative_velocity) == fixtures::absolute(contact.restitution_work(), 0.01 * mass, "J"));
+  CHECK(mass * (1 - 0.25 * relative_velocity * relative_velocity) == fixtures::absolute(contact.dashpot_dissipation(), 0.01 * mass, "J"));
   return relative_velocity / 2;
 }
 
@@ -93,8 +93,8 @@ TEST_CASE("short-range law: friction stores up to Coulomb's limit and takes what
                         .oblique_share = 0.9};
       for (int n = 0; n < steps; ++n) {
         force = force_of(touch, law, 1e-3 / steps, slip);
-        CHECK(force.friction_work >= 0);
-        work += force.friction_work, stored = force.tangential_energy;
+        CHECK(force.friction_dissipation >= 0);
+        work += force.friction_dissipation, stored = force.tangential_energy;
       }
       if (std::fabs(speed) > 1) CHECK(std::fabs(force.friction.z) == fixtures::relative(most, 1e-12));  // rounding
     }
@@ -123,7 +123,7 @@ TEST_CASE("short-range law: a tangential spring that turns with its pair keeps i
   }
   touch.spring = 0;
   const TouchForce released = force_of(touch, law, 1e-6, slip);
-  CHECK(released.friction_work == fixtures::relative(held, 1e-12));
+  CHECK(released.friction_dissipation == fixtures::relative(held, 1e-12));
   CHECK(released.tangential_energy == 0);
 }
 

@@ -27,10 +27,10 @@ Setup clamped_plate() {
   setup.time = {.end = 20e-6, .step = 2e-7};
   BodySetup plate = fixtures::body_setup({.size = {0.02, 0.01, 0.004}, .spacing = 0.001});
   plate.name = "plate";
-  plate.regions = {region("left", {0.002, 0.01, 0.004}, {-0.009, 0, 0}), region("right", {0.002, 0.01, 0.004}, {0.009, 0, 0})};
-  plate.boundary_conditions = {{"clamp", FixedSetup{.region = "left", .directions = {}}}};
+  plate.particle_sets = {region("left", {0.002, 0.01, 0.004}, {-0.009, 0, 0}), region("right", {0.002, 0.01, 0.004}, {0.009, 0, 0})};
+  plate.boundary_conditions = {{"clamp", FixedSetup{.particle_set = "left", .directions = {}}}};
   setup.bodies = {plate};
-  setup.output.history = 1e-6;
+  setup.output.history_interval = 1e-6;
   return setup;
 }
 
@@ -38,11 +38,11 @@ Setup clamped_plate() {
 ImpactorSetup sphere(double x) {
   ImpactorSetup impactor;
   impactor.name = "sphere";
-  impactor.surface = SphereSurface{.diameter = 0.006, .panel = 0.0008};
+  impactor.surface = SphereSurface{.diameter = 0.006, .edge_length = 0.0008};
   impactor.mass = 0.01;
   impactor.position = {x, 0, 0.0052};
   impactor.velocity = {0, 0, -20};
-  impactor.free = {"z"};
+  impactor.free_dofs = {"z"};
   return impactor;
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("boundary_conditions: force and work of each are columns of the histor
 TEST_CASE("boundary_conditions: an impactor does not move particles that are held, and bounces off them as if the clamp were stiff") {
   Setup setup = clamped_plate();
   setup.impactors = {sphere(-0.009)};  // above the clamped layers, whose contact is the whole of it
-  setup.impactors[0].surface = SphereSurface{.diameter = 0.001, .panel = 0.0002};
+  setup.impactors[0].surface = SphereSurface{.diameter = 0.001, .edge_length = 0.0002};
   setup.impactors[0].position = {-0.009, 0, 0.0026};
   setup.time.end = 40e-6;
   Simulation simulation(setup);
@@ -98,10 +98,10 @@ TEST_CASE("boundary_conditions: one, two and four threads end in the same state 
     setup.time.end = 4e-6;
     DisplacementSetup course;
     course.velocity = 2;
-    setup.bodies[0].boundary_conditions.push_back({"pull", PrescribedSetup{.region = "right", .x = course}});
+    setup.bodies[0].boundary_conditions.push_back({"pull", PrescribedSetup{.particle_set = "right", .x = course}});
     setup.bodies[0].boundary_conditions.push_back({"weight", BodyForceSetup{.force_density = {0, 0, -1e7}}});
     setup.bodies[0].boundary_conditions.push_back({"push", PressureSetup{.face = Choice{face_words, 2}, .value = 1e7}});
-    setup.bodies[0].boundary_conditions.push_back({"sink", AbsorbingSetup{.region = "right", .face = Choice{face_words, 0}}});
+    setup.bodies[0].boundary_conditions.push_back({"sink", AbsorbingSetup{.particle_set = "right", .face = Choice{face_words, 0}}});
     setup.impactors = {sphere(0)};
     Simulation simulation(setup);
     run(simulation);
@@ -114,7 +114,7 @@ TEST_CASE("boundary_conditions: one, two and four threads end in the same state 
 
 TEST_CASE("boundary_conditions: a region that the body does not have is refused with its key") {
   Setup setup = clamped_plate();
-  setup.bodies[0].boundary_conditions[0].kind = FixedSetup{.region = "lefft"};
+  setup.bodies[0].boundary_conditions[0].kind = FixedSetup{.particle_set = "lefft"};
   std::string key;
   CHECK(complaint(setup, key) == "body plate has no region lefft; did you mean left?");
   CHECK(key == "bodies.plate.boundary_conditions.clamp.fixed.particle_set");
@@ -123,9 +123,9 @@ TEST_CASE("boundary_conditions: a region that the body does not have is refused 
 TEST_CASE("relax: each increment is a row with its residual and iterations, and loads follow their factors") {
   Setup setup = clamped_plate();
   setup.time = {.end = 2, .relax = RelaxSetup{.increments = 4, .tolerance = 1e-5}};
-  setup.output.history.reset();
+  setup.output.history_interval.reset();
   setup.bodies[0].boundary_conditions.push_back(
-      {"pull", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = -1e6, .times = {0, 2}, .factors = {0, 1}}});
+      {"pull", PressureSetup{.particle_set = "right", .face = Choice{face_words, 0}, .value = -1e6, .times = {0, 2}, .factors = {0, 1}}});
   setup.output.probes = {{"end", "plate", {0.0095, 0, 0}}};
   fccda::use_threads(1);
   Simulation simulation(setup);
@@ -150,7 +150,7 @@ TEST_CASE("relax: each increment is a row with its residual and iterations, and 
 TEST_CASE("relax: impactors are refused") {
   Setup setup = clamped_plate();
   setup.time = {.end = 1, .relax = RelaxSetup{}};
-  setup.output.history.reset();
+  setup.output.history_interval.reset();
   setup.impactors = {sphere(0)};
   std::string key;
   CHECK(complaint(setup, key) ==
@@ -161,8 +161,8 @@ TEST_CASE("relax: impactors are refused") {
 TEST_CASE("boundary_conditions: a load that begins at nothing is not taken for an unstable step") {
   Setup setup = clamped_plate();
   setup.bodies[0].boundary_conditions = {
-      {"push", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = 2e5, .times = {0, 80e-6}, .factors = {0, 1}}}};
-  setup.output.history = 2e-7;  // a row a step: in the first ones the load has pushed, but nothing has gone anywhere
+      {"push", PressureSetup{.particle_set = "right", .face = Choice{face_words, 0}, .value = 2e5, .times = {0, 80e-6}, .factors = {0, 1}}}};
+  setup.output.history_interval = 2e-7;  // a row a step: in the first ones the load has pushed, but nothing has gone anywhere
   Simulation simulation(setup);
   CHECK_NOTHROW(run(simulation));
   CHECK(value(simulation, "plate.push.work [J]") > 0);

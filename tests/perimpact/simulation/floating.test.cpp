@@ -33,7 +33,7 @@ Setup block(double z, const FloatingSetup& water, double end, double density = i
   body.material = OrdinaryStateSetup{ElasticSetup{.youngs_modulus = 2e6, .poissons_ratio = 0.25, .density = density}};
   body.boundary_conditions = {{"sea", water}};
   setup.bodies = {body};
-  setup.output.history = 0.01;
+  setup.output.history_interval = 0.01;
   return setup;
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("floating: in search of equilibrium a block comes to float where Archi
   for (const double away : {0.15, -0.1}) {
     Setup setup = block(hydrostatics + away, calm(), 1);
     setup.time.relax = RelaxSetup{.increments = 1, .tolerance = 1e-6};
-    setup.output.history.reset();
+    setup.output.history_interval.reset();
     Simulation simulation(setup);
     while (!simulation.clock().is_finished()) simulation.step();
     CHECK(std::fabs(middle(simulation) - hydrostatics) < 0.005);  // the layers' own settlement, as above

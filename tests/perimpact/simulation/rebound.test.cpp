@@ -26,13 +26,13 @@ Setup ball_and_block(double mass, double speed) {
   setup.bodies = {block};
   ImpactorSetup ball;
   ball.name = "ball";
-  ball.surface = SphereSurface{.diameter = 0.012, .panel = 0.0005};
+  ball.surface = SphereSurface{.diameter = 0.012, .edge_length = 0.0005};
   ball.mass = mass;
   ball.position = {0, 0, 0.00600001};
   ball.velocity = {0, 0, -speed};
-  ball.free = {"x", "y", "z", "rx", "ry", "rz"};
+  ball.free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
   setup.impactors = {ball};
-  setup.output.history = 1e-9;
+  setup.output.history_interval = 1e-9;
   return setup;
 }
 
@@ -49,10 +49,10 @@ Bounce bounce(const Setup& setup) {
   while (!simulation.clock().is_finished()) {
     simulation.step();
     found.highest = std::max(found.highest, value(simulation, "total.energy [J]"));
-    found.closing = std::max(found.closing, std::fabs(value(simulation, "total.closing_error [J]")));
+    found.closing = std::max(found.closing, std::fabs(value(simulation, "total.energy_balance_error [J]")));
     found.momentum = std::max(found.momentum, std::fabs(value(simulation, "total.momentum_z [kg m/s]") - momentum));
   }
-  found.loss = value(simulation, "total.contact_loss [J]");
+  found.loss = value(simulation, "total.contact_dissipation [J]");
   return found;
 }
 

@@ -18,7 +18,7 @@ namespace {
 Setup lively(const ::fixtures::TemporaryFolder& folder) {
   Setup setup;
   setup.time = {.end = 4.4e-6, .step = 2e-7};
-  setup.output.history = 1.4e-6;
+  setup.output.history_interval = 1.4e-6;
   BodySetup plate = fixtures::body_setup({.size = {0.032, 0.016, 0.008}, .spacing = 0.002, .poissons_ratio = 0.3, .critical_stretch = 1e-3});
   plate.name = "plate";
   BodySetup block = fixtures::body_setup({.size = {0.008, 0.008, 0.008}, .spacing = 0.002, .correction = SurfaceCorrection::volume});
@@ -28,27 +28,27 @@ Setup lively(const ::fixtures::TemporaryFolder& folder) {
   setup.bodies = {plate, block};
   ImpactorSetup cylinder;
   cylinder.name = "cylinder";
-  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.02, .panel = 0.001};
+  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.02, .edge_length = 0.001};
   cylinder.mass = 0.1;
   cylinder.position = {0.003, 0.0181, 0};
   cylinder.velocity = {0, -100, 0};
   cylinder.angular_velocity = {0, 0, 800};
-  cylinder.free = {"x", "y", "z", "rx", "ry", "rz"};
-  cylinder.region = {BoxRegionSetup{.size = {0.02, 0.02, 0.006}}, Choice{beyond_region_words, 1}};
+  cylinder.free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
+  cylinder.contact_bounds = {BoxRegionSetup{.size = {0.02, 0.02, 0.006}}, Choice{on_exceed_words, 1}};
   cylinder.gauges = {{.name = "shaft", .axis = Vec3d{0, 0, 1}}};
   cylinder.floating = {.level = 0.002, .added_mass = 0.5, .damping = 100};
   ImpactorSetup ball;
   ball.name = "ball";
-  ball.surface = SphereSurface{.diameter = 0.01, .panel = 0.002};
+  ball.surface = SphereSurface{.diameter = 0.01, .edge_length = 0.002};
   ball.mass = 0.01;
   ball.position = {-0.01, 0, 0.0091};
   ball.motion.z = TranslationTable{{{0, 8e-6}, {-50, -150}, {}, {}}};
-  ball.free = {"y"};
+  ball.free_dofs = {"y"};
   ball.loads = {{.name = "push", .force = {0, 1e4, 0}, .times = {0, 8e-6}, .factors = {0, 1}}};
   ImpactorSetup sheet;
   sheet.name = "sheet";
   ::fixtures::put(folder / "sheet.obj", "v -0.01 0 -0.01\nv -0.01 0 0.01\nv 0.01 0 0.01\nv 0.01 0 -0.01\nf 1 2 3 4\n");
-  sheet.surface = FileSurface{.file = (folder / "sheet.obj").string(), .outside = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
+  sheet.surface = FileSurface{.file = (folder / "sheet.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
   sheet.mass = 0.01;
   sheet.inertia = Vec3d{1e-6, 1e-6, 1e-6};
   sheet.centre_of_mass = Vec3d{};
@@ -110,11 +110,11 @@ TEST_CASE("resume: a body left off in the middle of the search for equilibrium g
   setup.time = {.end = 1, .relax = RelaxSetup{.increments = 2, .tolerance = 1e-8}};
   BodySetup bar = fixtures::body_setup({.size = {0.02, 0.004, 0.004}});
   bar.name = "bar";
-  bar.regions = {{.name = "left", .shape = BoxSolid{.size = {0.003, 0.004, 0.004}}, .position = {-0.0085, 0, 0}}};
-  bar.boundary_conditions = {{"clamp", FixedSetup{.region = "left"}},
+  bar.particle_sets = {{.name = "left", .shape = BoxSolid{.size = {0.003, 0.004, 0.004}}, .position = {-0.0085, 0, 0}}};
+  bar.boundary_conditions = {{"clamp", FixedSetup{.particle_set = "left"}},
                              {"pull", PressureSetup{.face = Choice{face_words, 0}, .value = -1e8, .times = {0, 1}, .factors = {0, 1}}}};
   setup.bodies = {bar};
-  setup.output.history.reset();
+  setup.output.history_interval.reset();
   Simulation whole(setup);
   std::optional<Simulation> resumed(std::in_place, setup);
   long iterations = 0, parts = 0;

@@ -29,11 +29,11 @@ Setup block_between(std::size_t plates, double speed) {
     ImpactorSetup plate;
     plate.name = "plate_" + std::to_string(k);
     const Vec3d along{std::fabs(inward[k].x), std::fabs(inward[k].y), 0};
-    plate.surface = BoxSurface{.size = {along.x > 0 ? thickness : 0.1, along.y > 0 ? thickness : 0.1, 0.1}, .panel = 0.01};
+    plate.surface = BoxSurface{.size = {along.x > 0 ? thickness : 0.1, along.y > 0 ? thickness : 0.1, 0.1}, .edge_length = 0.01};
     plate.mass = 0.01;
     plate.position = -(reach + 0.5 * thickness + 1e-6) * inward[k];
     plate.velocity = speed * inward[k];
-    plate.free = {"x", "y", "z"};
+    plate.free_dofs = {"x", "y", "z"};
     setup.impactors.push_back(plate);
   }
   return setup;
@@ -67,7 +67,7 @@ TEST_CASE("several impactors: what two plates crush beyond the width of a partic
   setup.bodies[0] = fixtures::body_setup({.size = {0.002, 0.01, 0.008}, .spacing = 0.002, .poissons_ratio = 0.25});
   setup.bodies[0].name = "sheet";
   setup.impactors[0].position.x += 0.004, setup.impactors[1].position.x -= 0.004;
-  for (std::size_t k = 0; k < 2; ++k) setup.impactors[k].velocity.x = k == 0 ? 10 : -10, setup.impactors[k].free = {};
+  for (std::size_t k = 0; k < 2; ++k) setup.impactors[k].velocity.x = k == 0 ? 10 : -10, setup.impactors[k].free_dofs = {};
   Simulation simulation(setup);
   run(simulation);
   const Impactor& first = simulation.impactors()[0];
@@ -85,7 +85,7 @@ TEST_CASE("several impactors: any number of threads ends in the same state to th
   const int before = fccda::thread_count();
   Setup setup = block_between(4, 8);
   setup.impactors[0].angular_velocity = {0, 0, 300};
-  setup.impactors[0].free = {"x", "y", "z", "rx", "ry", "rz"};
+  setup.impactors[0].free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
   setup.contact.impactors.friction = 0.2;
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 4}) {

@@ -31,13 +31,13 @@ Setup struck_plate(double nu = 0.25) {
   setup.bodies = {plate};
   ImpactorSetup cylinder;
   cylinder.name = "cylinder";
-  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.02, .panel = 0.001};
+  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.02, .edge_length = 0.001};
   cylinder.mass = 0.1;
   cylinder.position = {0.003, 0.02, 0};
   cylinder.velocity = {0, -32, 0};
-  cylinder.free = {"x", "y", "z", "rx", "ry", "rz"};
+  cylinder.free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
   setup.impactors = {cylinder};
-  setup.output.history = 2e-6;
+  setup.output.history_interval = 2e-6;
   setup.output.probes = {{"centre", "plate", {0, 0, 0}}};
   return setup;
 }
@@ -93,7 +93,7 @@ TEST_CASE("simulation: the hash sees a single changed bit of the state") {
 
 TEST_CASE("simulation: a fine mesh and the analytic cylinder do the same within three times the facet error") {
   Setup meshed = struck_plate(), analytic = struck_plate();
-  for (Setup* setup : {&meshed, &analytic}) setup->impactors[0].position.x = 0, setup->impactors[0].free = {"y"};
+  for (Setup* setup : {&meshed, &analytic}) setup->impactors[0].position.x = 0, setup->impactors[0].free_dofs = {"y"};
   analytic.contact.impactors.detector.index = static_cast<int>(DetectorKind::analytic);
   Simulation a(meshed), b(analytic);
   run(a), run(b);
@@ -105,7 +105,7 @@ TEST_CASE("simulation: a fine mesh and the analytic cylinder do the same within 
 
 TEST_CASE("simulation: a region exactly as wide as the cylinder changes no force") {
   Setup without = struck_plate(), with = struck_plate();
-  with.impactors[0].region = {BoxRegionSetup{.size = {0.02, 0.02, 0.01}}, Choice{beyond_region_words, 1}};
+  with.impactors[0].contact_bounds = {BoxRegionSetup{.size = {0.02, 0.02, 0.01}}, Choice{on_exceed_words, 1}};
   Simulation a(without), b(with);
   while (!a.clock().is_finished()) {
     a.step(), b.step();
@@ -130,7 +130,7 @@ TEST_CASE("simulation: what cannot run is refused with its key: a step beyond th
 
 TEST_CASE("simulation: held degrees of freedom keep their velocity, and the holder's work balances the energy") {
   Setup setup = struck_plate();
-  setup.impactors[0].free = {};
+  setup.impactors[0].free_dofs = {};
   setup.impactors[0].position.x = 0;
   Simulation simulation(setup);
   run(simulation);

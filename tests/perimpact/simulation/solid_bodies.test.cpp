@@ -89,7 +89,7 @@ TEST_CASE("solid bodies: a body without particles is refused, particles without 
   CHECK(key == "bodies.body.spacing");
   setup = ball();
   setup.cracks.clear();
-  setup.parts = {{"crumb", BoxSolid{{0.001, 0.001, 0.001}}, {0.0205, 0.0005, 0.0005}, {}}};
+  setup.add = {{"crumb", BoxSolid{{0.001, 0.001, 0.001}}, {0.0205, 0.0005, 0.0005}, {}}};
   CHECK(warns_of(Simulation(run_of(setup)), "1 particles of body body have no bond, the solid is too thin there"));
 }
 

@@ -27,13 +27,13 @@ Setup sunk_ball(InitialOverlap choice) {
   setup.bodies = {block};
   ImpactorSetup ball;
   ball.name = "ball";
-  ball.surface = SphereSurface{.diameter = 0.012, .panel = 0.001};
+  ball.surface = SphereSurface{.diameter = 0.012, .edge_length = 0.001};
   ball.mass = 0.01;
   ball.position = {0.001, 0.012, 0};
-  ball.free = {"x", "y", "z"};
+  ball.free_dofs = {"x", "y", "z"};
   setup.impactors = {ball};
   setup.contact.impactors.initial_overlap.index = static_cast<int>(choice);
-  setup.output.history = 2e-6;
+  setup.output.history_interval = 2e-6;
   return setup;
 }
 
@@ -136,11 +136,11 @@ TEST_CASE("start: projected out of two balls that overlap, no particle is inside
 
 TEST_CASE("start: an impactor that holds the whole body leaves nothing to remove, and particles between two faces have no place") {
   Setup setup = sunk_ball(InitialOverlap::remove);
-  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.1, 0.1}, .panel = 0.1};
+  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.1, 0.1}, .edge_length = 0.1};
   CHECK(complaint(setup).find("leaves nothing of it") != std::string::npos);
 
   setup = sunk_ball(InitialOverlap::project);
-  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.02, 0.1}, .panel = 0.1};
+  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.02, 0.1}, .edge_length = 0.1};
   setup.impactors[0].position = {0, 0.0101, 0};  // upper half of the block
   setup.impactors.push_back(setup.impactors[0]);
   setup.impactors[1].name = "second";

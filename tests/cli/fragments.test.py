@@ -1,4 +1,4 @@
-"""What a run tells of the pieces of bodies that break."""
+"""What a run tells of the fragments of bodies that break."""
 
 import signal
 import time
@@ -17,39 +17,39 @@ def arrays_of(path):
     return [part[: part.index('"')] for part in head.split('Name="')[1:] if part[: part.index('"')] != "TimeValue"]
 
 
-@claim("pieces: a body that breaks has a table against the pictures' times, one at the end, and an array beside the damage")
+@claim("fragments: a body that breaks has a table against the pictures' times, one at the end, and an array beside the damage")
 def _(t):
     t.expect_success("run", t.deck(BREAKS, FAST, LONGER), "--out", "r")
-    curve, end, report = table(t.folder / "r/pieces/plate.csv"), table(t.folder / "r/pieces/plate_end.csv"), t.report("r")["bodies"]["plate"]
+    curve, end, report = table(t.folder / "r/fragments/plate.csv"), table(t.folder / "r/fragments/plate_end.csv"), t.report("r")["bodies"]["plate"]
     for got, wanted in zip(curve["time [s]"], (0, 7.5e-6, 15e-6, 22.5e-6, 30e-6), strict=True):
         t.assertAlmostEqual(got, wanted, delta=1e-15)  # rounding of 600 steps
-    # whole at first: one piece of the whole mass
+    # whole at first: one fragment of the whole mass
     t.assertEqual([curve[name][0] for name in list(curve)[1:]], [1, 0, report["mass [kg]"], 0, 1, 0])
-    t.assertEqual(report["pieces"]["single_particles"] > 0, True)
-    for column, entry in (("pieces [-]", "pieces"), ("single_particles [-]", "single_particles"), ("largest [kg]", "largest [kg]"),
+    t.assertEqual(report["fragments"]["single_particles"] > 0, True)
+    for column, entry in (("fragments [-]", "fragments"), ("single_particles [-]", "single_particles"), ("largest [kg]", "largest [kg]"),
                           ("second_largest [kg]", "second_largest [kg]"), ("above_1_percent [-]", "above_1_percent"), ("outside_largest [kg]", "outside_largest [kg]")):
-        t.assertEqual(curve[column][-1], report["pieces"][entry], column)
+        t.assertEqual(curve[column][-1], report["fragments"][entry], column)
     particle = 8000 * 0.005**3
-    t.assertEqual(len(end["piece [-]"]), report["pieces"]["pieces"])
-    t.assertEqual(sum(end["particles [-]"]) + report["pieces"]["single_particles"], report["particles"])
+    t.assertEqual(len(end["fragment [-]"]), report["fragments"]["fragments"])
+    t.assertEqual(sum(end["particles [-]"]) + report["fragments"]["single_particles"], report["particles"])
     for particles, mass in zip(end["particles [-]"], end["mass [kg]"]):
         t.assertAlmostEqual(mass / (particles * particle), 1, delta=1e-12)  # sums of up to 960 numbers
     for frame in range(5):
-        t.assertEqual(arrays_of(t.folder / f"r/frames/plate_{frame:05}.vtp"), ["displacement", "velocity", "damage", "piece"])
+        t.assertEqual(arrays_of(t.folder / f"r/frames/plate_{frame:05}.vtp"), ["displacement", "velocity", "damage", "fragment"])
 
 
-@claim("pieces: of a body that never breaks nothing is told of them")
+@claim("fragments: of a body that never breaks nothing is told of them")
 def _(t):
     t.expect_success("run", t.deck(FAST), "--out", "r")
-    t.assertEqual([name for name in t.files("r") if name.startswith("pieces")], [])
-    t.assertNotIn("pieces", t.report("r")["bodies"]["plate"])
+    t.assertEqual([name for name in t.files("r") if name.startswith("fragments")], [])
+    t.assertNotIn("fragments", t.report("r")["bodies"]["plate"])
     t.assertEqual(arrays_of(t.folder / "r/frames/plate_00001.vtp"), ["displacement", "velocity", "damage"])
 
 
-@claim("pieces: without pictures there is the table of the end alone, also of a run that was interrupted")
+@claim("fragments: without pictures there is the table of the end alone, also of a run that was interrupted")
 def _(t):
     t.expect_success("run", t.deck(BREAKS), "--out", "r", "--set", "output.frames=0")
-    t.assertEqual([name for name in t.files("r") if name.startswith("pieces")], ["pieces/plate_end.csv"])
+    t.assertEqual([name for name in t.files("r") if name.startswith("fragments")], ["fragments/plate_end.csv"])
     process = t.start("run", t.deck(BREAKS, ("end: 20 us", "end: 100 s"), ("history_interval: 2 us", "history_interval: 2 us\n  checkpoint_interval: 0")), "--out", "long", "--set",
                       "output.frames=0")
     history = t.folder / "long/history.csv"
@@ -59,16 +59,16 @@ def _(t):
     process.send_signal(signal.SIGINT)
     process.communicate(timeout=60)
     t.assertEqual(process.returncode, 130)
-    t.assertEqual(sum(table(t.folder / "long/pieces/plate_end.csv")["particles [-]"]) + t.report("long")["bodies"]["plate"]["pieces"]["single_particles"], 960)
+    t.assertEqual(sum(table(t.folder / "long/fragments/plate_end.csv")["particles [-]"]) + t.report("long")["bodies"]["plate"]["fragments"]["single_particles"], 960)
 
 
-@claim("pieces: a body that a crack has parted begins as two, each with its own size and speed")
+@claim("fragments: a body that a crack has parted begins as two, each with its own size and speed")
 def _(t):
     deck = t.deck(BREAKS, ("    spacing: 5 mm", "    spacing: 5 mm\n    velocity: [1, 2, 3]\n    cracks: {middle: {polygon: [[20 mm, -1, -1], [20 mm, 1, -1], [20 mm, 1, 1], [20 mm, -1, 1]]}}"),
                   ("position: [0, 50 mm, 0]", "position: [0, 150 mm, 0]"))
     t.expect_success("run", deck, "--out", "r")
-    curve, end = table(t.folder / "r/pieces/plate.csv"), table(t.folder / "r/pieces/plate_end.csv")
-    t.assertEqual((curve["pieces [-]"], curve["single_particles [-]"]), ([2] * 5, [0] * 5))
+    curve, end = table(t.folder / "r/fragments/plate.csv"), table(t.folder / "r/fragments/plate_end.csv")
+    t.assertEqual((curve["fragments [-]"], curve["single_particles [-]"]), ([2] * 5, [0] * 5))
     t.assertEqual(end["particles [-]"], [14 * 12 * 4, 6 * 12 * 4])
     moved = 20e-6  # of 20 us at 1 m/s
     for name, wanted in (("centre_x [m]", [-0.015 + moved, 0.035 + moved]), ("centre_z [m]", [3 * moved] * 2), ("extent_x [m]", [0.07, 0.03]), ("extent_y [m]", [0.06] * 2),
