@@ -13,10 +13,10 @@ PAGES = ROOT / "docs/guide/tutorials"
 sys.path.insert(0, str(ROOT / "tests/cli"))
 from claims import claim, main  # noqa: E402
 
-COLUMN = re.compile(r"(first|last|largest|smallest) `([^`]+)` in `([^`]+\.csv)`")
+COLUMN = re.compile(r"(first|last|largest|smallest|sum of) `([^`]+)` in `([^`]+\.csv)`")
 RATIO = re.compile(r"sum of `([^`]+)` over sum of `([^`]+)` in `([^`]+\.csv)`")
 REPORT = re.compile(r"`([^`]+)` in `([^`]*run\.json)`")
-PICK = {"first": lambda values: values[0], "last": lambda values: values[-1], "largest": max, "smallest": min}
+PICK = {"first": lambda values: values[0], "last": lambda values: values[-1], "largest": max, "smallest": min, "sum of": sum}
 
 
 def commands_of(page):
