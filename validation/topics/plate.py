@@ -59,7 +59,7 @@ def line_apart(folder, name, reference):
 
 
 def reference():
-    """What finite elements gave: committed, and made anew by the topic fem."""
+    """The stored finite-element results; the topic fem repeats them."""
     numbers = {}
     for name in (f"fem_{FINE}mm", f"fem_{COARSE}mm", "fem_2mm", "fem_2mm_gap", "fem_2mm_late"):
         numbers |= {f"{name} {quantity}": value for quantity, value in values(read_columns(FEM / f"{name}.csv")).items()}
