@@ -86,11 +86,11 @@ class Plate:
 
 
 def strike(plate, early, edge, centre, speed, mass, step, late):
-    """Puts right what overlaps at the end of the step. New velocity of the cylinder, impulse on it along y, loss of energy.
+    """Resolves overlaps at the end of the step. New velocity of the cylinder, impulse on it along y, loss of energy.
 
     early: velocities half a step before. Forces change them to half a step after; work is the impulse times the mean of both.
     """
-    from_axis = plate.free[edge, :2] * ((plate.X + plate.u)[edge, :2] - [0, centre])  # on the plane of symmetry rounding would grow: there the tip is a summit
+    from_axis = plate.free[edge, :2] * ((plate.X + plate.u)[edge, :2] - [0, centre])  # rounding would grow on the plane of symmetry
     distance = np.linalg.norm(from_axis, axis=1)
     touching = np.flatnonzero(distance < RADIUS)
     while len(touching):
