@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the picture of this case from a results folder:
+"""Draws the figure of this case from a results folder:
 
     cases/floating_strip/figure.py results/floating_strip        writes figures/floating_strip.png beside this script
 """
@@ -17,7 +17,7 @@ from measure import Run, broken, read_vtp  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
 SHADES = LinearSegmentedColormap.from_list("ice", ["0.62", "C1", "C3", "k"])
-SHOWN, RAISED = 45.0, 3.5  # of the strip, and one picture over the next [m]
+SHOWN, RAISED = 45.0, 3.5  # length of strip shown, and offset between frames [m]
 
 
 def main():

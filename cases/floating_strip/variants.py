@@ -1,17 +1,17 @@
-"""The strip of deck.yaml with other layers, widths, sides and corrections, as decks: for docs/theory/floating_strip.py and the tests."""
+"""The strip of deck.yaml with other layers, widths, sides and corrections, as decks, for docs/theory/floating_strip.py and the tests."""
 
 from dataclasses import dataclass
 
 from theory import Strip
 
-HALF_BOB = 1.33  # half the period of the ice's bob [s]
+HALF_BOB = 1.33  # half the heave period of the ice [s]
 
 
 @dataclass(frozen=True)
 class Variant:
     layers: int
     across: int = 4  # particles across
-    plate: bool = True  # nothing moves across; otherwise the sides are free
+    plate: bool = True  # no lateral motion; otherwise the sides are free
     correction: str = "automatic"
     calibration: str = "none"  # bending_calibration of the body
     length: float = 214.0  # 8/λ [m]
@@ -52,7 +52,7 @@ class Variant:
         return body
 
     def relaxed(self, loads, breaks=True, tolerance=1e-6):
-        """States of equilibrium under line loads [N/m], one after the other."""
+        """Static equilibrium under a sequence of line loads [N/m]."""
         largest = max(loads, key=abs)
         times = [float(i) for i in range(len(loads) + 1)]
         body = self.body(largest, times, [0.0, *(load / largest for load in loads)], breaks)
@@ -61,7 +61,7 @@ class Variant:
         return {"title": f"A floating strip, relaxed: {self.name()}", "time": time, "bodies": {"ice": body}, "output": output}
 
     def ramp(self, load, end, step=None):
-        """A line load that rises from 0 to `load` [N/m]; at half its rate for half a bob, so that it starts none."""
+        """A line load that rises from 0 to `load` [N/m]; at half the rate for half a heave period, which suppresses oscillation."""
         body = self.body(load, [0.0, HALF_BOB, end], [0.0, 0.5 * HALF_BOB / (end - 0.5 * HALF_BOB), 1.0])
         output = {"frames": 60, "history_interval": 0.05, "checkpoint_interval": 0}
         time = {"end": end} | ({"step": step} if step else {})

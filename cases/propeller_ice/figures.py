@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Draws the pictures of this case from the folder that variants.sh fills:
+"""Draws the figures of this case from the folder that variants.sh fills:
 
     cases/propeller_ice/figures.py results/propeller_ice      two minutes; writes figures/*.png beside this script
 
-fig21      panels of the propeller, and the region where contact is looked for (figure 21 of the paper)
+fig21      panels of the propeller, and the contact bounds (figure 21 of the paper)
 fig22      the sphere at four times, from ahead and from the side (figure 22)
 forces     thrust, torque and spindle torques against time, means over a millisecond
 fragments  the fragments at the end for four critical stretches

@@ -23,9 +23,9 @@ sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
 from render import Scene  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
-INSTANTS = 0.6, 2.4, 4.4, 10.0  # [s] of the free rise: the sail has cracked the ice, it stands in it, the hull lifts it, at rest
-END = 1e9  # [s] later than any picture
-FLOE = 2e-3  # share of the ice from which on a fragment has its own colour
+INSTANTS = 0.6, 2.4, 4.4, 10.0  # [s] of the free rise: the sail has cracked the ice, penetrates it, the hull lifts it, at rest
+END = 1e9  # [s] later than any frame
+FLOE = 2e-3  # share of the ice above which a fragment has its own colour
 COLOURS = LinearSegmentedColormap.from_list("damage", ["#eaf3fa", "#a9cbe3", "#e8a15a", "#b3312c"])
 FLOES = [colour for k, colour in enumerate(plt.get_cmap("tab20").colors) if k not in (14, 15)]  # without greys
 RED, BLUE, GREY = "#b3312c", "#2f6f9f", "0.45"
@@ -38,7 +38,7 @@ def by_damage(ice):
 
 
 def by_fragment(ice):
-    """The heaviest fragments in colours of their own, smaller ones pale, single particles grey."""
+    """The heaviest fragments in distinct colours, smaller ones pale, single particles grey."""
     fragment = ice.point["fragment"].astype(int).ravel()
     size = np.bincount(fragment)
     colours = np.tile([0.80, 0.83, 0.86], (len(fragment), 1))
@@ -81,7 +81,7 @@ def draw_fragments(runs, spacing):
 
 
 def draw_forces(given, unhardened, mass):
-    """Over the height of the submarine, which is its speed times time."""
+    """Against the rise of the submarine, which is its speed times time."""
     rise = given["submarine.position_z [m]"] - given["submarine.position_z [m]"][0]
     figure, axis = plt.subplots(figsize=(10.5, 4.6), layout="constrained")
     for part, colour in ((".sail", BLUE), (".hull", RED)):

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 LAST = 0.3  # [s] at the end, over which the balance is averaged
-MEAN = 0.1  # [s] that forces are averaged over: each push of a particle is a single blow
+MEAN = 0.1  # [s] averaging time of forces: contacts of single particles are impulses
 GRAVITY = 9.81
 
 
@@ -20,14 +20,14 @@ def history(folder):
 
 
 def ice_on(columns, part=""):
-    """Force of the ice, downward [N], averaged about each row; rows are means already, so impulses stay."""
+    """Force of the ice, downward [N], averaged about each row; rows are means already, so impulses are conserved."""
     force = -columns[f"submarine{part}.force_z [N]"]
     rows = max(1, round(MEAN / (columns["time [s]"][2] - columns["time [s]"][1])))
     return np.convolve(force, np.ones(rows), "same") / np.convolve(np.ones_like(force), np.ones(rows), "same")
 
 
 def energy_balance_error(columns):
-    """The largest of all rows [J], and over the energy that changed hands, as docs/theory/energy.md has it."""
+    """The largest of all rows [J], and relative to the energy exchanged, as in docs/theory/energy.md."""
     works = [name for name in columns if name.endswith((".contact_work [J]", ".work [J]"))]
     largest = abs(columns["total.energy_balance_error [J]"]).max()
     return largest, largest / sum(abs(columns[name]).max() for name in works)

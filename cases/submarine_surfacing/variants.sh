@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the rises of README.md, one after the other, and measures them: cases/submarine_surfacing/variants.sh [RESULTS [PERIMPACT]], as
-# scripts/variants.bash says. README.md says how long they take.
+# Runs and measures the three runs of README.md: cases/submarine_surfacing/variants.sh [RESULTS [PERIMPACT]], as
+# scripts/variants.bash describes. Run times: README.md.
 set -euo pipefail
 source "$(dirname "$0")/../../scripts/variants.bash"
 
