@@ -216,7 +216,7 @@ HullForm::HullForm(const HullShape& shape)
            " m, but the bottom between stem and stern only ", bottom_length,
            " m; take larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
   if (shape.bow_edge_length > shape.edge_length)
-    refuse("bow_panel is ", shape.bow_edge_length, " m, but the bow is made finer, not coarser, than panel, ", shape.edge_length, " m.");
+    refuse("bow_edge_length is ", shape.bow_edge_length, " m, but the bow is made finer, not coarser, than edge_length, ", shape.edge_length, " m.");
 }
 
 double HullForm::section(double z) const {

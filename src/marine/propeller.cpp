@@ -216,7 +216,7 @@ BladeForm::BladeForm(const PropellerShape& shape) : shape_(shape), root_(root_in
   EXPECTS(shape.blades >= 1 && shape.diameter > 0 && shape.hub_ratio > 0 && shape.hub_ratio < 1 && shape.hub_length > 0);
   EXPECTS(shape.thickness_factor > 0 && shape.edge_thickness > 0 && shape.edge_thickness < 1 && shape.panel > 0 && shape.blade_edge_length >= 0);
   if (shape.blade_edge_length > shape.edge_length)
-    refuse("edge_panel is ", shape.blade_edge_length, " m, but edges are made finer, not coarser, than panel, ", shape.edge_length, " m.");
+    refuse("blade_edge_length is ", shape.blade_edge_length, " m, but edges are made finer, not coarser, than edge_length, ", shape.edge_length, " m.");
   if (!shape.sections) {
     EXPECTS(shape.pitch_ratio > 0 && shape.area_ratio > 0);
     if (shape.blades < wageningen::fewest_blades || shape.blades > wageningen::most_blades)
