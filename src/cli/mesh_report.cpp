@@ -43,7 +43,8 @@ std::optional<std::string> half_suspicion(const Surface& surface) {
       return std::max(std::abs(rim.bounds.low[axis]), std::abs(rim.bounds.high[axis])) <= tolerance;
     });
     if (in_plane)
-      return fmt::format("all that is open lies in the plane {0} = 0; where the file holds one half, `complete: {0}` in the deck adds the other", axes[axis]);
+      return fmt::format("all that is open lies in the plane {0} = 0; where the file holds one half, `mirror_merge: {0}` in the deck adds the other",
+                         axes[axis]);
   }
   return std::nullopt;
 }

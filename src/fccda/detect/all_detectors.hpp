@@ -3,7 +3,7 @@
 ///   detect(points, motion, surface_travel, out)   adds the contacts of a step, in point order
 ///   detect_again(points, motion, surface_travel, which, out)   the same for points that others moved after that
 ///   still_inside(points, motion, which)           those of the points that are inside at t1
-///   starting_inside(points, pose)                 points that are inside before the first step
+///   initial_overlap(points, pose)                 points that are inside before the first step
 ///   nearest_outside(places, pose)                 where those belong, if they are to be put outside
 ///   moved(point), forget()                        what a detector remembers of distances does not hold any more
 ///   effort()                                      work done so far

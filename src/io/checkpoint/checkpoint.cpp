@@ -26,7 +26,7 @@ const std::filesystem::path& expect_there(const std::filesystem::path& path) {
 }
 
 /// What files say is compared by its fingerprint, wherever they lie now.
-bool may_differ(std::string_view key) { return key == "output.folder" || key == "output.checkpoint_every" || key.ends_with(".file"); }
+bool may_differ(std::string_view key) { return key == "output.folder" || key == "output.checkpoint_interval" || key.ends_with(".file"); }
 
 std::string in_words(const std::string& value) { return value.empty() ? "not given" : value; }
 

@@ -19,7 +19,7 @@ class Checkpoints {
   /// Goes on from one: it counts as the last.
   Written resume(Checkpoint& from, Simulation& simulation);
 
-  /// Call after every step, when its results have been written. Writes one where output.checkpoint_every has passed.
+  /// Call after every step, when its results have been written. Writes one where output.checkpoint_interval has passed.
   void after_step(Simulation& simulation, ResultsWriter& results);
 
   /// Writes one now.

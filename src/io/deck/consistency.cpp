@@ -80,7 +80,8 @@ bool is_fitted(const ContactBoundsSetup& region) {
 
 void check_region(const ContactBoundsSetup& region, const std::string& path, const Places& places) {
   if (region.on_exceed.as<BeyondBounds>() == BeyondBounds::clip && std::holds_alternative<std::monostate>(region.shape))
-    refuse(places.of(path + ".outside"), "outside is clip, but there is no region that the surface could stick out of; give one, or remove outside.");
+    refuse(places.of(path + ".on_exceed"),
+           "on_exceed is clip, but there are no contact bounds that the surface could exceed; give bounds, or remove on_exceed.");
   if (const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape)) {
     for (const char* key : {"count", "gain"})
       if (!boxes->boxes.empty() && places.has(fmt::format("{}.box_union.{}", path, key)))
@@ -102,13 +103,13 @@ void check_region(const ContactBoundsSetup& region, const std::string& path, con
 void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Places& places) {
   const std::string path = "impactors." + impactor.name;
   if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = full_path_of_surface(file->file, folder, places.of(path + ".surface.file"));
-  check_region(impactor.contact_bounds, path + ".region", places);
+  check_region(impactor.contact_bounds, path + ".contact_bounds", places);
   std::set<std::string> seen;
   for (const std::string& direction : impactor.free_dofs) {
     if (std::find(std::begin(degree_words), std::end(degree_words), direction) == std::end(degree_words))
-      refuse(places.of(path + ".free"),
-             fmt::format("free holds \"{}\", which is no degree of freedom; known are {}.", direction, fmt::join(degree_words, ", ")));
-    if (!seen.insert(direction).second) refuse(places.of(path + ".free"), fmt::format("free holds {} twice; keep one.", direction));
+      refuse(places.of(path + ".free_dofs"),
+             fmt::format("free_dofs contains \"{}\", which is no degree of freedom; known are {}.", direction, fmt::join(degree_words, ", ")));
+    if (!seen.insert(direction).second) refuse(places.of(path + ".free_dofs"), fmt::format("free_dofs contains {} twice; keep one.", direction));
   }
 }
 
@@ -128,8 +129,8 @@ void check_contact(Setup& setup, const Places& places) {
                  "friction is {}, but the published detector answers contact as the seed paper does, without friction; write friction: 0, or detector: swept.",
                  contact.friction));
   } else if (contact.variant.as<PublishedVariant>() != PublishedVariant::corrected) {
-    refuse(places.of(path + "reading"),
-           fmt::format("reading is {}, but only the published detector reads the paper, and detector is {}; remove reading, or write detector: published.",
+    refuse(places.of(path + "variant"),
+           fmt::format("variant is {}, but only the published detector has variants, and detector is {}; remove variant, or write detector: published.",
                        contact.variant.word(), contact.detector.word()));
   }
   if (detector != DetectorKind::analytic) return;
@@ -139,8 +140,8 @@ void check_contact(Setup& setup, const Places& places) {
           places.of(path + "detector"),
           fmt::format("detector is analytic, which knows cylinders and spheres only, but the surface of {} is another; write detector: swept.", impactor.name));
     if (is_fitted(impactor.contact_bounds))
-      refuse(places.of("impactors." + impactor.name + ".region"),
-             "region is fitted to the panels of the surface, but the analytic detector strikes what those are cut from; give a box, or write detector: swept.");
+      refuse(places.of("impactors." + impactor.name + ".contact_bounds"),
+             "contact_bounds are fitted to the panels of the surface, but the analytic detector uses the exact shape; give a box, or write detector: swept.");
   }
 }
 

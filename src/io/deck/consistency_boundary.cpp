@@ -20,7 +20,7 @@ namespace {
 /// Of one boundary: its key, and what its checks need besides.
 struct Context {
   const BodySetup& body;
-  std::string path;  // "bodies.plate.boundaries.grip.fixed"
+  std::string path;  // "bodies.plate.boundary_conditions.grip.fixed"
   const std::filesystem::path& folder;
   const Places& places;
 
@@ -97,7 +97,7 @@ void make_boundary_conditions_consistent(BodySetup& body, const std::filesystem:
   for (BoundaryConditionSetup& boundary : body.boundary_conditions)
     std::visit(
         [&]<class Kind>(Kind& kind) {
-          check(kind, {body, fmt::format("bodies.{}.boundaries.{}.{}", body.name, boundary.name, Kind::name), folder, places});
+          check(kind, {body, fmt::format("bodies.{}.boundary_conditions.{}.{}", body.name, boundary.name, Kind::name), folder, places});
         },
         boundary.kind);
 }
@@ -105,7 +105,8 @@ void make_boundary_conditions_consistent(BodySetup& body, const std::filesystem:
 void check_relaxation(const Setup& setup, const Places& places) {
   if (!setup.time.relax) return;
   if (setup.time.step) refuse(places.of("time.step"), "step is given beside relax, which counts in increments; remove one of the two.");
-  if (setup.output.history_interval) refuse(places.of("output.history_interval"), "history is given, but relax makes a row of each increment; remove history.");
+  if (setup.output.history_interval)
+    refuse(places.of("output.history_interval"), "history_interval is given, but relax writes a row for each increment; remove history_interval.");
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none)
     refuse(places.of("contact.fragments.law"), "law is repulsive, but bodies that are relaxed do not touch; remove one of the two.");
   for (const BodySetup& body : setup.bodies) {
@@ -114,7 +115,7 @@ void check_relaxation(const Setup& setup, const Places& places) {
       refuse(places.of(path + ".velocity"), "velocity is not 0, but relax knows no motion, only states of equilibrium; remove one of the two.");
     for (const BoundaryConditionSetup& boundary : body.boundary_conditions)
       if (std::holds_alternative<AbsorbingSetup>(boundary.kind))
-        refuse(places.of(fmt::format("{}.boundaries.{}.absorbing", path, boundary.name)),
+        refuse(places.of(fmt::format("{}.boundary_conditions.{}.absorbing", path, boundary.name)),
                "absorbing takes waves away, but relax knows no motion; remove one of the two.");
   }
 }

@@ -52,7 +52,8 @@ void check_motion(ImpactorSetup& impactor, const std::string& path, const std::f
     check_table(*table, key, places);
     read_table(*table, is_rotation(degree), key, folder, places);
     if (is_free(impactor, degree))
-      refuse(places.of(key), fmt::format("{0} is free, so contact and loads move it, and no table can; take {0} out of free, or remove its motion.", word));
+      refuse(places.of(key),
+             fmt::format("{0} is free, so contact and loads move it, and no table can; take {0} out of free_dofs, or remove its motion.", word));
     const std::string given = is_rotation(degree) ? "angular_velocity" : "velocity";
     const std::size_t axis = degree % 3;
     if ((is_rotation(degree) ? impactor.angular_velocity : impactor.velocity)[axis] != 0)
@@ -72,7 +73,8 @@ void check_load(const LoadSetup& load, const std::string& path, const Places& pl
 void check_gauge(const GaugeSetup& gauge, DetectorKind detector, const std::string& path, const Places& places) {
   if (gauge.axis && *gauge.axis == Vec3d{}) refuse(places.of(path + ".axis"), "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
   if (!gauge.surface_parts.empty() && detector == DetectorKind::analytic)
-    refuse(places.of(path + ".parts"), "parts is given, but the analytic detector knows no panels; remove parts, or write detector: swept.");
+    refuse(places.of(path + ".surface_parts"),
+           "surface_parts is given, but the analytic detector has no panels; remove surface_parts, or write detector: swept.");
 }
 
 void check_remeshing(const std::string& path, DetectorKind detector, const Places& places) {

@@ -72,7 +72,7 @@ void make_cloud_consistent(BodySetup& body, const std::string& path, const fs::p
              fmt::format("{} is given, but the shape of {} is a file of particles, {}; remove {}, or give a solid.", key, body.name, what, key));
   };
   brings_its_own("spacing", body.spacing.has_value(), "which are as far apart as they are");
-  brings_its_own("parts", !body.add.empty(), "which has nothing that could be united with a solid");
+  brings_its_own("add", !body.add.empty(), "which has nothing that could be united with a solid");
   if (auto* cells = std::get_if<CellsShape>(&body.shape)) {
     check_thickness(cells->thickness, body.is_plane(), path + ".shape.cells", places);
     cells->file = full_path(folder / cells->file, places.of(path + ".shape.cells.file"));
@@ -93,7 +93,7 @@ void make_shape_consistent(BodySetup& body, const fs::path& folder, const Places
   const std::string path = "bodies." + body.name;
   check_plane(body, path, places);
   find_file(body.shape, path, folder, places);
-  for (const auto& [key, solids] : {std::pair{"parts", &body.add}, std::pair{"holes", &body.holes}, std::pair{"regions", &body.particle_sets}})
+  for (const auto& [key, solids] : {std::pair{"add", &body.add}, std::pair{"holes", &body.holes}, std::pair{"particle_sets", &body.particle_sets}})
     for (SolidSetup& solid : *solids) find_file(solid.shape, fmt::format("{}.{}.{}", path, key, solid.name), folder, places);
   if (std::holds_alternative<PointsShape>(body.shape) || std::holds_alternative<CellsShape>(body.shape))
     return make_cloud_consistent(body, path, folder, places);

@@ -35,7 +35,7 @@ Json body_report(const Body& body, const BoundaryConditions& boundary_conditions
   if (filled) json["mass_of_solid [kg]"] = filled->solid;
   for (const CrackCut& crack : body.cracks) json["cracks"][crack.name]["bonds"] = crack.bonds;
   for (const NamedBoundaryCondition& one : boundary_conditions.all()) {
-    Json& entry = json["boundaries"][one.name.substr(body.name.size() + 1)];
+    Json& entry = json["boundary_conditions"][one.name.substr(body.name.size() + 1)];
     entry["kind"] = one.kind;
     entry["particles"] = one.particles();
     entry["work [J]"] = one.account().work();
@@ -91,7 +91,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   json["centre_of_mass [m]"] = json_vector(properties.centre_of_mass);
   json["inertia [kg m2]"] = json_vector({inertia.row[0].x, inertia.row[1].y, inertia.row[2].z});
   json["products_of_inertia [kg m2]"] = json_vector(fccda::products_of_inertia(properties));
-  json["region"] = contact_bounds_report(impactor);
+  json["contact_bounds"] = contact_bounds_report(impactor);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];
@@ -105,7 +105,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
       against["rejected_by"]["eq. 17"] = rejections.by_eq17;
       against["rejected_by"]["eq. 20"] = rejections.by_eq20;
     }
-    against["starting_inside"] = particles_initially_inside(simulation, number, b);
+    against["initial_overlap"] = particles_initially_inside(simulation, number, b);
     against["entered_inside"] = impactor.entered_inside(b);
     against["pinched"] = impactor.unresolved(b).count;
   }

@@ -34,9 +34,10 @@ BoundaryConditions::BoundaryConditions(const BodySetup& body, const IsotropicEla
 void BoundaryConditions::add(NamedBoundaryCondition boundary) {
   for (const NamedBoundaryCondition& one : all_)
     if (one.name == boundary.name)
-      throw SetupError("bodies." + boundary.name, fmt::format("{} is the name of a boundary already, and would name the columns of both in history.csv; "
-                                                              "choose another.",
-                                                              boundary.name));
+      throw SetupError("bodies." + boundary.name,
+                       fmt::format("{} is the name of a boundary condition already, and would name the columns of both in history.csv; "
+                                   "choose another.",
+                                   boundary.name));
   all_.push_back(std::move(boundary));
 }
 
@@ -53,8 +54,8 @@ void BoundaryConditions::refuse_constrained_twice(const BodySetup& body, const P
         }
         const std::string& name = body.boundary_conditions[k].name;
         throw SetupError(
-            fmt::format("bodies.{}.boundaries.{}", body.name, name),
-            fmt::format("{} holds particles of body {} in direction {} that {} holds too; let their regions not overlap, or take the direction out "
+            fmt::format("bodies.{}.boundary_conditions.{}", body.name, name),
+            fmt::format("{} holds particles of body {} in direction {} that {} holds too; let their particle sets not overlap, or take the direction out "
                         "of one.",
                         name, body.name, axis_words[axis], body.boundary_conditions[static_cast<std::size_t>(holder[slot])].name));
       }
@@ -69,10 +70,12 @@ void BoundaryConditions::refuse_floating_twice(const BodySetup& body, const Part
     if (!water) continue;
     for (const std::uint32_t slot : water->slots()) {
       if (hydrostatics[slot] != 0)
-        throw SetupError(fmt::format("bodies.{}.boundaries.{}", body.name, body.boundary_conditions[k].name),
-                         fmt::format("{} gives particles of body {} weight and water that another floating boundary gives them already; let their regions not "
-                                     "overlap, or remove one.",
-                                     body.boundary_conditions[k].name, body.name));
+        throw SetupError(
+            fmt::format("bodies.{}.boundary_conditions.{}", body.name, body.boundary_conditions[k].name),
+            fmt::format(
+                "{} gives particles of body {} weight and water that another floating boundary condition gives them already; let their particle sets not "
+                "overlap, or remove one.",
+                body.boundary_conditions[k].name, body.name));
       hydrostatics[slot] = 1;
     }
   }

@@ -68,15 +68,14 @@ std::vector<std::string> ProximityMonitor::warnings(std::span<const Body> bodies
             impactor, body, time_, std::max(proximity.nearest, 0.0), proximity.nearest_time,
             impactors[i].surface().is_closed() ? "" : ", and which side of its open surface is outside (outside: normals or reversed)"));
       if (proximity.entered_by)
-        warnings.push_back(fmt::format(
-            "{} particles of body {} came to be inside impactor {} where it is not felt, the first by t = {:.4g} s, and were not struck. {}",
-            impactors[i].entered_inside(b), body, impactor, *proximity.entered_by,
-            impactors[i].surface().is_closed()
-                ? fmt::format("Enlarge impactors.{}.region.", impactor)
-                : fmt::format(
-                      "They came round the rim of its open surface, or past impactors.{}.region; let it reach further, or, if its normals point to the wrong "
-                      "side, turn it with outside.",
-                      impactor)));
+        warnings.push_back(
+            fmt::format("{} particles of body {} came to be inside impactor {} where it is not felt, the first by t = {:.4g} s, and were not struck. {}",
+                        impactors[i].entered_inside(b), body, impactor, *proximity.entered_by,
+                        impactors[i].surface().is_closed() ? fmt::format("Enlarge impactors.{}.contact_bounds.", impactor)
+                                                           : fmt::format("They came round the rim of its open surface, or past impactors.{}.contact_bounds; "
+                                                                         "let it reach further, or, if its normals point to the wrong "
+                                                                         "side, turn it with outside.",
+                                                                         impactor)));
       if (const UnresolvedPenetration& unresolved = impactors[i].unresolved(b); unresolved.count > 0)
         warnings.push_back(fmt::format(
             "Particles of body {} were pinched between impactor {} and others, first at t = {:.4g} s: summed over steps, {} were left inside it, since "

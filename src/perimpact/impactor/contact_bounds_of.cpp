@@ -70,7 +70,7 @@ ImpactorBounds contact_bounds_of(const ContactBoundsSetup& setup, const Surface&
   try {
     return std::visit([&](const auto& shape) { return made(shape, surface, setup.on_exceed.as<Beyond>()); }, setup.shape);
   } catch (const InputError& error) {
-    throw SetupError("impactors." + impactor + ".region", error);
+    throw SetupError("impactors." + impactor + ".contact_bounds", error);
   }
 }
 

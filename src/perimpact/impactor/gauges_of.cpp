@@ -20,7 +20,7 @@ std::vector<NamedGauge> gauges_of(const ImpactorSetup& setup, const Surface& sur
     try {
       gauges.push_back({setup.name + "." + gauge.name, Gauge(mounting, surface)});
     } catch (const InputError& error) {
-      throw SetupError(key + ".parts", fmt::format("gauge {}: {}", gauge.name, error.what()));
+      throw SetupError(key + ".surface_parts", fmt::format("gauge {}: {}", gauge.name, error.what()));
     }
   }
   return gauges;

@@ -39,13 +39,14 @@ Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
   Surface surface = std::move(given);
   if (setup.coarsen) {
     const double any_length = std::numeric_limits<double>::infinity();
-    const fccda::Coarsened coarse = coarsen(surface, {.max_deviation = setup.coarsen->max_deviation, .max_edge_length = setup.coarsen->max_edge_length.value_or(any_length)});
+    const fccda::Coarsened coarse =
+        coarsen(surface, {.max_deviation = setup.coarsen->max_deviation, .max_edge_length = setup.coarsen->max_edge_length.value_or(any_length)});
     remeshing.coarsened = CoarseningReport{coarse.panels.panels.size(), coarse.distance, coarse.volume_change};
     try {
       surface = surface_of(coarse.panels, setup.name);
       fccda::expect_no_pockets(self_intersections(surface, fccda::Bvh(surface)), setup.name);
     } catch (const fccda::InputError& error) {
-      throw SetupError("impactors." + setup.name + ".coarsen", error.in_words_of(deck_words) + " Coarsening made it so: take a smaller distance.");
+      throw SetupError("impactors." + setup.name + ".coarsen", error.in_words_of(deck_words) + " Coarsening made it so: take a smaller max_deviation.");
     }
   }
   if (!setup.refine.empty()) {

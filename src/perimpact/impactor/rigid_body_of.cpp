@@ -75,9 +75,9 @@ RigidBody rigid_body_of(const ImpactorSetup& setup, const Surface& surface, cons
     spin[axis] = motion.velocity_at(3 + axis, 0, spin[axis]);
   }
   if (const FreeDegrees degrees = degrees_of(setup); degrees.any_rotation() && !setup.inertia && !surface.is_closed())
-    throw SetupError(key_of(setup) + ".free", fmt::format("a rotation of {} is free, but its surface is open, so it has no inertia of its own; give the "
-                                                          "inertia, close the surface, or hold the rotations.",
-                                                          setup.name));
+    throw SetupError(key_of(setup) + ".free_dofs", fmt::format("a rotation of {} is free, but its surface is open, so it has no inertia of its own; give the "
+                                                               "inertia, close the surface, or hold the rotations.",
+                                                               setup.name));
   try {
     return RigidBody(properties, Pose(setup.position), velocity, spin, degrees_of(setup));
   } catch (const InputError& error) {

@@ -65,7 +65,7 @@ void refuse(Start& start, const Setup& setup) {
     const std::string& impactor = setup.impactors[i].name;
     throw SetupError("impactors." + impactor + ".position",
                      fmt::format("impactor {} starts inside body {}: {} particles are inside its surface, or nearer to it than the contact radius. Move it "
-                                 "away, or check the units of its surface; or say what becomes of them with contact.impactors.starting_inside: remove or "
+                                 "away, or check the units of its surface; or say what becomes of them with contact.impactors.initial_overlap: remove or "
                                  "project.",
                                  impactor, setup.bodies[b].name, slots.size()));
   });
@@ -75,7 +75,7 @@ void remove(Start& start, const Setup& setup) {
   for_each_inside(start, [&](std::size_t i, std::size_t b, std::vector<std::size_t> slots) {
     if (slots.size() == start.particles[b].size())
       throw SetupError("impactors." + setup.impactors[i].name + ".position",
-                       fmt::format("every particle that body {} has left is inside impactor {}, so starting_inside: remove leaves nothing of it. Move the "
+                       fmt::format("every particle that body {} has left is inside impactor {}, so initial_overlap: remove leaves nothing of it. Move the "
                                    "impactor away, or check the units of its surface.",
                                    setup.bodies[b].name, setup.impactors[i].name));
     start.particles[b].remove(slots);
@@ -110,7 +110,7 @@ void project(Start& start, const Setup& setup) {
     throw SetupError(
         "impactors." + setup.impactors[i].name + ".position",
         fmt::format("{} particles of body {} that start inside impactor {} cannot be put on its surface: no place near them is clear of all impactors. "
-                    "Write starting_inside: remove, or move the impactor away.",
+                    "Write initial_overlap: remove, or move the impactor away.",
                     slots.size(), setup.bodies[b].name, setup.impactors[i].name));
   });
 }
