@@ -26,7 +26,7 @@ def main():
     pictures = [read_vtp(path) for path in run.pictures]
     loads = np.array([run.load(picture.time) for picture in pictures])
     edge = np.array([-run.mean(picture.point["displacement"][:, 2])[0] for picture in pictures])
-    level = run.report["bodies"]["ice"]["boundaries"]["sea"]["level [m]"]
+    level = run.report["bodies"]["ice"]["boundary_conditions"]["sea"]["level [m]"]
 
     plt.rcParams.update({"font.size": 12})
     figure, (side, curve) = plt.subplots(2, 1, figsize=(10, 8.2), height_ratios=(1.25, 1), layout="constrained")

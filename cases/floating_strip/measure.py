@@ -32,7 +32,7 @@ class Run:
         self.section, self.row, self.layer = (np.rint((places[:, p] - places[:, p].min()) / self.spacing).astype(int) for p in range(3))
         self.layers = int(self.layer.max()) + 1
         self.x = self.spacing * (np.arange(self.section.max() + 1) + 0.5)
-        material, boundaries = body["material"], body["boundaries"]
+        material, boundaries = body["material"], body["boundary_conditions"]
         self.strip = Strip(
             height=self.layers * self.spacing,
             young=material["youngs_modulus"],

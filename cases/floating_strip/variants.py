@@ -46,7 +46,7 @@ class Variant:
             },
         }
         if self.plate:
-            body["boundaries"]["sides"] = {"fixed": {"directions": ["y"]}}
+            body["boundary_conditions"]["sides"] = {"fixed": {"directions": ["y"]}}
         if self.calibration != "none":
             body["bending_calibration"] = self.calibration
         return body

@@ -57,7 +57,7 @@ def draw_box(axis, region, axes):
 def fig13(runs, path):
     """Model set-up: plate, cylinder and contact bounds, from the front and from the side."""
     run = next(run for run in runs if run.panel is None or run.panel >= 0.5)
-    plate, cylinder, region = (run.checked(name) for name in ("plate", "cylinder_surface", "cylinder_region"))
+    plate, cylinder, region = (run.checked(name) for name in ("plate", "cylinder_surface", "cylinder_contact_bounds"))
     figure, (front, side) = plt.subplots(1, 2, figsize=(9, 5.2), width_ratios=[220, 60], sharey=True)
     for axis, axes in ((front, [0, 1]), (side, [2, 1])):
         draw_particles(axis, plate, axes, s=1.5, color="#4b7ba6")

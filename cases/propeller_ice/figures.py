@@ -56,7 +56,7 @@ def save(figure, name):
 
 def fig21(folder):
     _, screw = at(folder, "propeller", 0)
-    region = report(folder)["impactors"]["propeller"]["region"]
+    region = report(folder)["impactors"]["propeller"]["contact_bounds"]
     figure, axes = plt.subplots(1, 2, figsize=(10.4, 5.2))
     view = {"direction": (0.75, -0.5, 0.35), "up": (0, 0, 1)}
     for axis, title in zip(axes, ("11 704 panels, finer along edges and tips", "region: cylinder with four sectors, fitted")):

@@ -165,8 +165,8 @@ def momentum(column):
 def cost(run):
     detection = run["impactors"]["propeller"]["detection"]["ice"]
     return {
-        "region": run["impactors"]["propeller"]["region"]["kind"],
-        "points in region [-]": detection["points_in_region"],
+        "region": run["impactors"]["propeller"]["contact_bounds"]["kind"],
+        "points in region [-]": detection["points_in_bounds"],
         "points asked [-]": detection["points_asked"],
         "panels asked [-]": detection["panels_asked"],
         "contact [s]": run["timers [s]"]["contact"],

@@ -131,7 +131,7 @@ def draw_forces(folder, file):
 def draw_bow(folder, file):
     """The bow's panels, and the boxes of its contact bounds, from the side and from above."""
     corners = corners_of(read_vtp(folder / "ship_surface.vtp"))
-    region = read_vtp(folder / "ship_region.vtp")
+    region = read_vtp(folder / "ship_contact_bounds.vtp")
     figure, axes = plt.subplots(2, 1, figsize=(11, 3.9), gridspec_kw={"height_ratios": (0.65, 1)})
     for axis, up, word in zip(axes, (2, 1), ("z [m]", "y [m]")):
         seen = corners[:, :, 2].max(axis=1) <= 0.5 if up == 1 else corners[:, :, 1].mean(axis=1) <= 0  # from above the submerged part, from the side port

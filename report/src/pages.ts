@@ -160,7 +160,7 @@ export function showChecks(home: HTMLElement, run: Members | undefined): void {
     );
     for (const [body, found] of Object.entries(members(impactor.detection))) {
       const contact = members(found);
-      const odd = ["starting_inside", "entered_inside", "pinched"].filter((key) => typeof contact[key] === "number" && (contact[key] as number) > 0);
+      const odd = ["initial_overlap", "entered_inside", "pinched"].filter((key) => typeof contact[key] === "number" && (contact[key] as number) > 0);
       home.append(element("h3", { textContent: `Contact with ${body}` }));
       home.append(
         verdict(odd.length === 0, "no particle started, got or was left inside", odd.map((key) => `${parted(key).name}: ${inWords(contact[key], "")}`).join(", ")),

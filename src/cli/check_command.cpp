@@ -163,7 +163,7 @@ void write_frames(const Simulation& simulation, const std::filesystem::path& fol
     fccda::Panels region = fccda::bounds_panels(impactor.region().region);
     if (region.panels.empty()) continue;
     for (Vec3d& vertex : region.vertices) vertex = impactor.body().pose().to_world(vertex);
-    output::write_vtp(folder / (impactor.name() + "_region.vtp"), {.points = output::coordinates(region.vertices), .panels = region.panels},
+    output::write_vtp(folder / (impactor.name() + "_contact_bounds.vtp"), {.points = output::coordinates(region.vertices), .panels = region.panels},
                       output::Compression::zlib);
   }
 }

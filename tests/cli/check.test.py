@@ -93,9 +93,9 @@ def _(t):
     t.expect_success("run", t.deck(("free_dofs: [y]", "free_dofs: [y]\n    contact_bounds: {box: {size: [50 mm, 50 mm, 30 mm], centre: [0, 1 mm, 0]}, on_exceed: clip}")), "--out", "r")
     before = {name: (t.folder / "r" / name).read_bytes() for name in t.files("r")}
     t.expect_success("check", "deck.yaml", "--out", "r")
-    t.assertEqual(t.files("r/check"), ["cylinder_region.vtp", "cylinder_surface.vtp", "plate.vtp"])
+    t.assertEqual(t.files("r/check"), ["cylinder_contact_bounds.vtp", "cylinder_surface.vtp", "plate.vtp"])
     t.assertEqual({name: (t.folder / "r" / name).read_bytes() for name in t.files("r") if not name.startswith("check/")}, before)
-    for name, points in ("plate", 960), ("cylinder_region", 8):
+    for name, points in ("plate", 960), ("cylinder_contact_bounds", 8):
         content = (t.folder / f"r/check/{name}.vtp").read_bytes()
         head = xml.fromstring(content[: content.index(b"<AppendedData")] + b"</VTKFile>")
         t.assertEqual(head.find(".//Piece").get("NumberOfPoints"), str(points))
@@ -119,23 +119,23 @@ def _(t):
         out = t.expect_success("check", deck, "--out", "r").out
         rows = rows_of(out)
         t.expect_success("run", deck, "--out", "r")
-        report = t.report("r")["impactors"]["cylinder"]["region"]
+        report = t.report("r")["impactors"]["cylinder"]["contact_bounds"]
         t.assertEqual(report["kind"], kind)
-        t.assertEqual("cylinder_region.vtp" in " ".join(t.files("r/check")), region is not None)
+        t.assertEqual("cylinder_contact_bounds.vtp" in " ".join(t.files("r/check")), region is not None)
         if region is None:
-            t.assertEqual(rows["region"], "none: contact wherever the surface is")
+            t.assertEqual(rows["contact bounds"], "none: contact wherever the surface is")
             continue
-        t.assertEqual(rows["region"], kind)
+        t.assertEqual(rows["contact bounds"], kind)
         t.assertIs(report["clips"], False)
         # boxes are widened by 1e-8 of the coordinates
         t.assertAlmostEqual(report["volume [m3]"] / (0.04**3), report["share_of_bounding_box"], 4)
         if share:
             t.assertAlmostEqual(report["share_of_bounding_box"], share, 4)
         words = f"saves {100 * (1 - report['share_of_bounding_box']):.0f} %" if report["share_of_bounding_box"] <= 1 else " m3, "
-        t.assertIn(words, rows["region volume"])
-        t.assertEqual(report.get("fitted"), rows.get("region fitted"))
+        t.assertIn(words, rows["bounds volume"])
+        t.assertEqual(report.get("fitted"), rows.get("bounds fitted"))
         t.assertTrue((fitted or "None") in str(report.get("fitted")), report)
-        for file in (t.folder / "r").rglob("*_region.vtp"):
+        for file in (t.folder / "r").rglob("*_contact_bounds.vtp"):
             file.unlink()
 
 

@@ -38,7 +38,7 @@ def expect_same(t, folder, whole):
             each.pop(key, None)
         for impactor in each["impactors"].values():  # what detectors remember of distances is looked up again
             for detection in impactor["detection"].values():
-                for key in ("points_in_region", "points_asked", "panels_asked"):
+                for key in ("points_in_bounds", "points_asked", "panels_asked"):
                     del detection[key]
     t.assertEqual(report, wanted)
 

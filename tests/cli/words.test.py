@@ -8,7 +8,7 @@ TETRAHEDRON = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nf 1 3 2\nf 1 2 4\nf 1 4 3\
 @claim("words: describe prints the whole deck reference, or one key with unit, range, default and meaning")
 def _(t):
     whole = t.expect_success("describe").out
-    for key in ("time", "bodies", "impactors", "contact", "output", "poissons_ratio", "radius_ratio", "region", "probes"):
+    for key in ("time", "bodies", "impactors", "contact", "output", "poissons_ratio", "radius_ratio", "contact_bounds", "probes"):
         t.assertIn(key, whole)
     one = t.expect_success("describe", "poissons_ratio").out
     t.assertTrue(one.startswith("bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25"), one)

@@ -29,7 +29,7 @@ void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d&
   const double reach = shape_radius() + radius_;
   const double offset = 1e-12 * reach;
   if (!std::visit([&](const auto& region) { return region.may_touch(path, radius_ + offset); }, region_)) return;
-  ++found.effort.points_in_region;
+  ++found.effort.points_in_bounds;
   ++found.effort.points_asked;
 
   // |a + f w| <= reach, a and w being the start's and the way's parts off the centre or axis

@@ -42,19 +42,19 @@ struct Contact {
 
 /// How much work a detection was, for the run report.
 struct Effort {
-  std::size_t points_in_region = 0;  ///< whose path may touch the region
+  std::size_t points_in_bounds = 0;  ///< whose path may touch the region
   std::size_t points_asked = 0;      ///< whose distance to the surface was looked up
   std::size_t panels_asked = 0;      ///< pairs of point and triangle (or panel) that were computed
 
   Effort& operator+=(const Effort& b) {
-    points_in_region += b.points_in_region, points_asked += b.points_asked, panels_asked += b.panels_asked;
+    points_in_bounds += b.points_in_bounds, points_asked += b.points_asked, panels_asked += b.panels_asked;
     return *this;
   }
 
   /// As core/state.hpp says.
   template <class Visitor>
   void visit(Visitor& visitor) {
-    visitor("points_in_region", points_in_region);
+    visitor("points_in_bounds", points_in_bounds);
     visitor("points_asked", points_asked);
     visitor("panels_asked", panels_asked);
   }

@@ -84,7 +84,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   // Far from the region or from the surface's bounds.
   const bool may_touch = std::visit([&](const auto& region) { return region.may_touch(path, reach + question.path.bulge()); }, region_);
   if (!may_touch) return nothing(question.entered ? 0 : std::visit([&](const auto& region) { return region.distance_at_least(path.end); }, region_) - reach);
-  ++effort.points_in_region;
+  ++effort.points_in_bounds;
   const double from_bounds = surface_->report().bounds.distance(path.end);
   if (from_bounds > reach + way && !question.entered) return nothing(from_bounds - reach);
 

@@ -122,7 +122,7 @@ void Published::look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1,
   const Vec3d low = min(path.start, path.end), high = max(path.start, path.end);
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!(low[axis] <= bounds.high[axis] && high[axis] >= bounds.low[axis])) return;
-  ++found.effort.points_in_region;
+  ++found.effort.points_in_bounds;
   ++found.effort.points_asked;
   for (std::size_t panel = 0; panel < sign_.size(); ++panel) {
     if (sign_[panel] == 0) continue;

@@ -95,7 +95,7 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];
-    against["points_in_region"] = effort.points_in_region;
+    against["points_in_bounds"] = effort.points_in_bounds;
     against["points_asked"] = effort.points_asked;
     against["panels_asked"] = effort.panels_asked;
     if (const fccda::Published* published = impactor.published(b)) {

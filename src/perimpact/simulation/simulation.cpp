@@ -250,7 +250,7 @@ void Simulation::step(const KeepRelaxing& keep_on) {
   });
   timers_.timed("forces", [&] { compute_bond_forces(); });
   if (fragments_) timers_.timed("fragments", [&] { add_short_range_forces(); });
-  timers_.timed("boundary conditions", [&] { apply_boundary_conditions(); });
+  timers_.timed("boundary_conditions", [&] { apply_boundary_conditions(); });
   timers_.timed("monitors", [&] {
     if (monitors_.samples_step(clock_)) sample_monitors();
   });

@@ -99,7 +99,7 @@ def deck(scene):
     scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--set", "time.end=0.02 s", "--set", "output.frames=0", "--set", "output.history_interval=0.01 s",
                          "--set", "bodies.ice.boundary_conditions.sea.floating.damping=1 1/s", "--threads", "1")  # fmt: skip
     report, history = scene.report("out"), scene.history("out")
-    sea = report["bodies"]["ice"]["boundaries"]["sea"]
+    sea = report["bodies"]["ice"]["boundary_conditions"]["sea"]
     scene.assertAlmostEqual(sea["floats_at [m]"], -1 + 2 * 900 / 1025, delta=1e-9)  # found by halving, to rounding
     # 40 kN/m over 4/3 m, at half the rate for the first 1.33 s: 0.02267 of it then; the mean over the row is that of its middle
     last, before = history["time [s]"][-1], history["time [s]"][-2]

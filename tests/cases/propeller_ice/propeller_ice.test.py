@@ -90,7 +90,7 @@ def regions(scene):
         scene.expect_success("run", CASE / "deck.yaml", "--out", name, *COARSE, "--set", f"impactors.propeller.contact_bounds={region}")
         report = scene.report(name)
         hashes.add(report["state_hash"])
-        looked_at[name] = report["impactors"]["propeller"]["detection"]["ice"]["points_in_region"]
+        looked_at[name] = report["impactors"]["propeller"]["detection"]["ice"]["points_in_bounds"]
     scene.assertEqual(len(hashes), 1, hashes)
     scene.assertLess(looked_at["fan"], looked_at["cylinder"])
     scene.assertLess(looked_at["cylinder"], looked_at["box"])

@@ -102,7 +102,7 @@ TEST_CASE("resume: counts of the work of detection go on") {
   fixtures::run(second);
   CHECK(first.impactors()[0].effort(0).points_asked > 0);
   CHECK(second.impactors()[0].effort(0).points_asked == whole.impactors()[0].effort(0).points_asked);
-  CHECK(second.impactors()[1].effort(1).points_in_region == whole.impactors()[1].effort(1).points_in_region);
+  CHECK(second.impactors()[1].effort(1).points_in_bounds == whole.impactors()[1].effort(1).points_in_bounds);
 }
 
 TEST_CASE("resume: a body left off in the middle of the search for equilibrium goes on to the same state, to the last bit") {
