@@ -19,7 +19,7 @@ struct RenamedWord {
   std::string_view path, old_word, word;
 };
 
-// Paths are written in current names: the map that a path leads to was reached after the keys above it were renamed.
+// Paths are in current names: a map is reached only after the keys above it have been renamed.
 constexpr RenamedKey renamed_keys[] = {
     {"time.relax", "most_iterations", "max_iterations"},
     {"bodies.*", "parts", "add"},

@@ -35,7 +35,7 @@ struct Place {
 
   std::vector<std::uint32_t> slots(const std::string& region) const {
     if (region.empty()) return {of.particles.slot_of().begin(), of.particles.slot_of().end()};
-    const std::vector<std::size_t> slots = of.slots_of(region, key + ".region");
+    const std::vector<std::size_t> slots = of.slots_of(region, key + ".particle_set");
     return {slots.begin(), slots.end()};
   }
 

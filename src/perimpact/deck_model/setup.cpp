@@ -312,7 +312,7 @@ std::span<const Field<RefinementSetup>> RefinementSetup::fields() {
       {"edge_length", &S::edge_length, "m", positive(), required, "Longest edge that panels shall have there. Panels are halved until none is longer."},
       {"surface_part", &S::surface_part, "", {}, optional, "Only panels of this part of the surface. Where absent, of all parts."},
       {"angle", &S::angle, "rad", strictly_between(0, std::numbers::pi), optional,
-       "An angle such as 10 deg: only where the surface curves, panels become so small that they turn by it at most, but not smaller than panel; at creases "
+       "An angle such as 10 deg: only where the surface curves, panels become so small that they turn by it at most, but not smaller than edge_length; at creases "
        "they are that small. Where absent, curved or not."}};
   return all;
 }

@@ -105,8 +105,8 @@ TEST_CASE("consistency: the step is not longer than the run") {
 
 TEST_CASE("consistency: free holds degrees of freedom, each once") {
   check_complaint({"free_dofs: [y]", "free_dofs: [y, rotation]", "[y, rotation]",
-                   "free holds \"rotation\", which is no degree of freedom; known are x, y, z, rx, ry, rz."});
-  check_complaint({"free_dofs: [y]", "free_dofs: [y, y]", "[y, y]", "free holds y twice; keep one."});
+                   "free_dofs contains \"rotation\", which is no degree of freedom; known are x, y, z, rx, ry, rz."});
+  check_complaint({"free_dofs: [y]", "free_dofs: [y, y]", "[y, y]", "free_dofs contains y twice; keep one."});
   CHECK(read(plate_with("free_dofs: [y]", "free_dofs: [x, y, z, rx, ry, rz]")).setup.impactors[0].free_dofs.size() == 6);
   CHECK(read(plate_with("free_dofs: [y]", "free_dofs: []")).setup.impactors[0].free_dofs.empty());
 }
@@ -115,14 +115,14 @@ TEST_CASE("consistency: the published detector sees points, without friction") {
   CHECK(read(plate_with("detector: swept, friction: 0, radius_ratio: 0.5", "detector: published")).setup.contact.impactors.radius_ratio == 0);
   CHECK(read(plate_with("detector: swept, friction: 0, radius_ratio: 0.5", "detector: swept")).setup.contact.impactors.radius_ratio == 0.5);
   CHECK(read(plate_with("detector: swept, friction: 0, radius_ratio: 0.5", "detector: published, variant: literal")).setup.contact.impactors.variant.word() ==
-        "letter");
+        "literal");
   check_complaint({"detector: swept", "detector: published", "0.5}      #",
                    "radius_ratio is 0.5, but the published detector knows particles as points; write radius_ratio: 0, or detector: swept."});
   check_complaint(
       {"detector: swept, friction: 0, radius_ratio: 0.5", "detector: published, friction: 0.3", "0.3",
        "friction is 0.3, but the published detector answers contact as the seed paper does, without friction; write friction: 0, or detector: swept."});
-  check_complaint({"detector: swept", "detector: swept, variant: literal", "letter",
-                   "reading is letter, but only the published detector reads the paper, and detector is swept; remove reading, or write detector: published."});
+  check_complaint({"detector: swept", "detector: swept, variant: literal", "literal",
+                   "variant is literal, but only the published detector has variants, and detector is swept; remove variant, or write detector: published."});
 }
 
 TEST_CASE("consistency: how fragments touch is said only where they do") {
@@ -198,8 +198,8 @@ TEST_CASE("consistency: boxes of a region are given or fitted, sectors make sens
   for (const std::string fitted : {"{auto: {}}", "{box_union: {count: 8}}", "{cylinder_sectors: {}}"}) {
     std::string text = region(fitted);
     text.replace(text.find("detector: swept"), 15, "detector: analytic");
-    CHECK(complaint(text) == place_of(text, "region:") +
-                                 ": region is fitted to the panels of the surface, but the analytic detector strikes what those are cut from; give a box, or "
+    CHECK(complaint(text) == place_of(text, "contact_bounds:") +
+                                 ": contact_bounds are fitted to the panels of the surface, but the analytic detector uses the exact shape; give a box, or "
                                  "write detector: swept.");
   }
 }

@@ -115,7 +115,7 @@ TEST_CASE("consistency of relaxation: what belongs to motion has no place beside
     CHECK(complaint(text) == place_of(text, at) + ": " + sentence);
   };
   refused("relax:", "step: 1 us, relax:", "1 us,", "step is given beside relax, which counts in increments; remove one of the two.");
-  refused("frames: 40", "history_interval: 2 us", "2 us", "history is given, but relax makes a row of each increment; remove history.");
+  refused("frames: 40", "history_interval: 2 us", "2 us", "history_interval is given, but relax writes a row for each increment; remove history_interval.");
   refused("law: none", "law: repulsive", "repulsive", "law is repulsive, but bodies that are relaxed do not touch; remove one of the two.");
   refused("    horizon_ratio", "    velocity: [0, 0, 1]\n    horizon_ratio", "[0, 0, 1]",
           "velocity is not 0, but relax knows no motion, only states of equilibrium; remove one of the two.");

@@ -16,7 +16,7 @@ using fixtures::read;
 namespace {
 
 /// The plate deck with more keys for the cylinder, which is free along y.
-std::string with(const std::string& keys) { return plate_with("    free:", "    " + keys + "\n    free:"); }
+std::string with(const std::string& keys) { return plate_with("    free_dofs:", "    " + keys + "\n    free_dofs:"); }
 
 void check_refused(const std::string& keys, std::string_view at, const std::string& sentence) {
   const std::string text = with(keys);
@@ -27,7 +27,7 @@ void check_refused(const std::string& keys, std::string_view at, const std::stri
 
 TEST_CASE("consistency of impactors: a mass or a density, exactly one") {
   CHECK(*read(plate_with("mass: 1.57", "density: 8 g/cm3")).setup.impactors[0].density == 8000);
-  check_refused("density: 8000", "8000\n    free", "density is given beside mass, but one of them sets the other; keep one of the two.");
+  check_refused("density: 8000", "8000\n    free_dofs", "density is given beside mass, but one of them sets the other; keep one of the two.");
   check_complaint({"    mass: 1.57\n", "", "cylinder:", "impactors.cylinder lacks mass [kg], or in its place density [kg/m3]; for example mass: 1.57 kg."});
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("consistency of impactors: a table has times, with velocities or displ
 
 TEST_CASE("consistency of impactors: tables move what is held and has no other velocity") {
   check_refused("motion: {y: {times: [0], velocities: [1]}}", "y: {times",
-                "y is free, so contact and loads move it, and no table can; take y out of free, or remove its motion.");
+                "y is free, so contact and loads move it, and no table can; take y out of free_dofs, or remove its motion.");
   const std::string text = plate_with("free_dofs: [y]", "motion: {y: {times: [0], velocities: [1]}}");
   CHECK(complaint(text) == place_of(text, "[0, -32, 0]") + ": y of velocity is not 0, but motion.y says how it moves; write 0, or remove that motion.");
   check_refused("angular_velocity: [0, 0, 3]\n    motion: {rz: {times: [0], velocities: [1]}}", "[0, 0, 3]",
@@ -92,7 +92,7 @@ TEST_CASE("consistency of impactors: gauges have a direction for their axis, and
   check_refused("gauges: {root: {axis: [0, 0, 0]}}", "[0, 0, 0]", "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
   std::string text = with(gauge);
   text.replace(text.find("swept"), 5, "analytic");
-  CHECK(complaint(text) == place_of(text, "[side]") + ": parts is given, but the analytic detector knows no panels; remove parts, or write detector: swept.");
+  CHECK(complaint(text) == place_of(text, "[side]") + ": surface_parts is given, but the analytic detector has no panels; remove surface_parts, or write detector: swept.");
 }
 
 TEST_CASE("consistency of impactors: a file holds a table of motion with its units, and is looked for from the deck's folder") {
@@ -157,17 +157,17 @@ TEST_CASE("consistency of impactors: an angle of panels is less than half a turn
   check_refused(
       "refine: {round: {edge_length: 1 mm, angle: 10}}", "10}}",
       "angle is 10, but it must be above 0 and below 3.141592653589793. An angle such as 10 deg: only where the surface curves, panels become so small "
-      "that they turn by it at most, but not smaller than panel; at creases they are that small. Where absent, curved or not.");
+      "that they turn by it at most, but not smaller than edge_length; at creases they are that small. Where absent, curved or not.");
 }
 
 TEST_CASE("consistency of impactors: panels are changed only where the detector knows any") {
   const std::string text = fixtures::plate_with("detector: swept", "detector: analytic");
   const auto check = [&](const std::string& key, const std::string& value) {
     std::string deck = text;
-    deck.replace(deck.find("    free:"), 9, "    " + key + ": " + value + "\n    free:");
+    deck.replace(deck.find("    free_dofs:"), 14, "    " + key + ": " + value + "\n    free_dofs:");
     CHECK(complaint(deck) ==
           place_of(deck, key + ":") + ": " + key + " is given, but the analytic detector knows no panels; remove " + key + ", or write detector: swept.");
   };
   check("refine", "{rim: {edge_length: 1 mm}}");
-  check("coarsen", "{distance: 1 mm}");
+  check("coarsen", "{max_deviation: 1 mm}");
 }

@@ -82,7 +82,7 @@ TEST_CASE("places: a value knows where it was written, an absent one where its m
   CHECK(places.of("bodies.plate") == fixtures::place_of(fixtures::plate, "plate:"));
   CHECK(places.of("bodies.plate.position") == places.of("bodies.plate"));
   CHECK(places.of("impactors.cylinder.surface.cylinder.panel_shape") == fixtures::place_of(fixtures::plate, "cylinder: {diameter"));
-  CHECK(places.of("impactors.cylinder.contact_bounds") == fixtures::place_of(fixtures::plate, "region:"));
+  CHECK(places.of("impactors.cylinder.contact_bounds") == fixtures::place_of(fixtures::plate, "contact_bounds:"));
   CHECK(places.of("output.probes.centre.at") == fixtures::place_of(fixtures::plate, "[0,0,0]"));
   CHECK(places.of("nowhere") == "deck.yaml");
   CHECK(places.has("time.step"));

@@ -23,7 +23,7 @@ TEST_CASE("mistakes: unknown keys, with what was meant or where they belong") {
       {"model: ordinary-state, youngs", "model: bond-based, youngs", "poissons_ratio",
        "poissons_ratio is not a key of bodies.plate.material; it can be given only with model: ordinary-state, linear-peridynamic-solid, correspondence."});
   check_complaint(
-      {"axis: z, panel", "scale: 2, panel", "scale", "scale is not a key of impactors.cylinder.surface.cylinder; it belongs to impactors.<name>.surface."});
+      {"axis: z, edge_length", "scale: 2, edge_length", "scale", "scale is not a key of impactors.cylinder.surface.cylinder; it belongs to impactors.<name>.surface."});
 }
 
 TEST_CASE("mistakes: a colon without a blank makes a key of the value too") {
@@ -71,8 +71,8 @@ TEST_CASE("mistakes: a value of another type") {
       {"[0, -32, 0]", "-32", "-32",
        "velocity is -32, but three numbers are needed: [x, y, z]. Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."});
   check_complaint({"[0, -32, 0]", "[0, fast, 0]", "fast", "y of velocity is fast, but that is not a number; write a velocity, for example 32 m/s."});
-  check_complaint({"free_dofs: [y]", "free: y", "y  ",
-                   "free is y, but a list is needed, such as [a, b]. Degrees of freedom that contact and loads may change, of x, y, z, rx, ry, rz. "
+  check_complaint({"free_dofs: [y]", "free_dofs: y", "y  ",
+                   "free_dofs is y, but a list is needed, such as [a, b]. Degrees of freedom that contact and loads may change, of x, y, z, rx, ry, rz. "
                    "The others keep their given velocity, or follow motion."});
   check_complaint(
       {"time: {end: 200 us, step: 0.1 us}", "time: 200 us", "200 us", "time is \"200 us\", but a map of keys is needed; perimpact describe time lists them."});
@@ -86,7 +86,7 @@ TEST_CASE("mistakes: a value with the wrong unit") {
   check_complaint({"spacing: 0.001", "spacing: 5 kg", "5 kg", "spacing is \"5 kg\", but that is a mass; write a length, for example 9 mm."});
   check_complaint(
       {"191 GPa", "191 GPA", "191 GPA", "youngs_modulus is \"191 GPA\", but GPA is not a unit; write a pressure or stiffness, for example 9.5 GPa."});
-  check_complaint({"    free:", "    angular_velocity: [0, 0, 3 Hz]\n    free:", "3 Hz",
+  check_complaint({"    free_dofs:", "    angular_velocity: [0, 0, 3 Hz]\n    free_dofs:", "3 Hz",
                    "z of angular_velocity is \"3 Hz\", but Hz counts cycles, not angle, and is not converted; "
                    "write an angular velocity in rad/s, deg/s or rpm, for example 30 rpm."});
 }
@@ -100,7 +100,7 @@ TEST_CASE("mistakes: a value out of range, with the range in words") {
   check_complaint({"0.1, 0.009", "0, 0.009", "0, 0.009",
                    "y of size is 0, but it must be above 0. Edge lengths in x, y and z. Of a body that is just this box, whole multiples of the spacing."});
   check_complaint({"edge_length: 0.001", "edge_length: 0", "0}}   #",
-                   "panel is 0, but it must be above 0. Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles "
+                   "edge_length is 0, but it must be above 0. Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles "
                    "reach 1.41 times it."});
   check_complaint(
       {"[0.05, 0.05, 0.01]", "[0.05, 0.05, -0.01]", "-0.01", "z of size is -0.01, but it must be above 0. Edge lengths along the surface's own axes."});

@@ -35,7 +35,7 @@ std::string complaint_here(const std::string& text) {
 
 TEST_CASE("solids in a deck: every shape, parts, holes, cracks and regions are read, with their units") {
   fixtures::put(folder() / "ice.stl", "solid\n");
-  const BodySetup body = read_here(plate_with(shape, R"(    shape: {file: ice.stl, scale: 0.001, file_file_parts: [floe]}
+  const BodySetup body = read_here(plate_with(shape, R"(    shape: {file: ice.stl, scale: 0.001, file_parts: [floe]}
     spacing: 1 mm
     rotate: [0, 0, 90 deg]
     add: {ridge: {shape: {cylinder: {diameter: 2 cm, height: 0.3, axis: x}}, position: [0, 0, 1 cm], rotate: [0, 45 deg, 0]}}
@@ -111,7 +111,7 @@ TEST_CASE("solids in a deck: a file of particles has neither spacing nor parts")
             "solid.");
   const std::string united = plate_with(shape, "    shape: {points: {file: cloud.csv}}\n    add: {ball: {shape: {sphere: {diameter: 1}}}}\n");
   CHECK(complaint_here(united) ==
-        place_of(united, "parts:") +
-            ": parts is given, but the shape of plate is a file of particles, which has nothing that could be united with a solid; remove "
-            "parts, or give a solid.");
+        place_of(united, "add:") +
+            ": add is given, but the shape of plate is a file of particles, which has nothing that could be united with a solid; remove "
+            "add, or give a solid.");
 }

@@ -79,5 +79,5 @@ TEST_CASE("own force: what is no number, leaves the plane, or has the name of an
                        "the own force block.own acts along z on 40 particles, but the body is plane and nothing may; let its z be 0.", fccda::InputError);
   const Setup setup = block();
   CHECK_THROWS_WITH_AS(Simulation(setup, Start(setup), {given(constant({})), given(constant({}))}),
-                       "block.own is the name of a boundary already, and would name the columns of both in history.csv; choose another.", SetupError);
+                       "block.own is the name of a boundary condition already, and would name the columns of both in history.csv; choose another.", SetupError);
 }

@@ -116,7 +116,7 @@ TEST_CASE("boundary_conditions: a region that the body does not have is refused 
   Setup setup = clamped_plate();
   setup.bodies[0].boundary_conditions[0].kind = FixedSetup{.particle_set = "lefft"};
   std::string key;
-  CHECK(complaint(setup, key) == "body plate has no region lefft; did you mean left?");
+  CHECK(complaint(setup, key) == "body plate has no particle set lefft; did you mean left?");
   CHECK(key == "bodies.plate.boundary_conditions.clamp.fixed.particle_set");
 }
 

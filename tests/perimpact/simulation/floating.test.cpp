@@ -168,7 +168,7 @@ TEST_CASE("floating: weight and water that would count twice are refused") {
   std::string key;
   const std::string sentence = complaint(setup, key);
   CHECK(key == "bodies.ice.boundary_conditions.lake");
-  CHECK(sentence.starts_with("lake gives particles of body ice weight and water that another floating boundary gives them already"));
+  CHECK(sentence.starts_with("lake gives particles of body ice weight and water that another floating boundary condition gives them already"));
 }
 
 TEST_CASE("floating: held particles neither drag nor sink, and their holder carries them") {
