@@ -23,7 +23,7 @@ struct ContactRow {
   std::int64_t point;
   std::int32_t panel;
   double time_fraction, depth, radius;
-  double hit[3], normal[3], relocation[3];
+  double hit[3], normal[3], relocation[3], normal_t0[3];
 };
 
 namespace {
@@ -258,8 +258,9 @@ py::array_t<ContactRow> rows_of(const std::vector<fccda::Contact>& contacts) {
             .radius = contact.radius,
             .hit = {},
             .normal = {},
-            .relocation = {}};
-    put(row->hit, contact.hit), put(row->normal, contact.normal), put(row->relocation, contact.relocation);
+            .relocation = {},
+            .normal_t0 = {}};
+    put(row->hit, contact.hit), put(row->normal, contact.normal), put(row->relocation, contact.relocation), put(row->normal_t0, contact.normal_t0);
     ++row;
   }
   return rows;
@@ -280,6 +281,7 @@ std::vector<fccda::Contact> contacts_in(const py::array_t<ContactRow, py::array:
                         .relocation = vector_in(row.relocation),
                         .depth = row.depth,
                         .radius = row.radius,
+                        .normal_t0 = detector ? vector_in(row.normal_t0) : Vec3d{},  // moves the point along the surface, which must be there
                         .sliding = detector ? &detector->swept() : nullptr});
   }
   return contacts;
@@ -337,7 +339,7 @@ fccda::ContactSum respond_to(const py::array_t<ContactRow, py::array::c_style>& 
 }
 
 void bind_contact(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, radius, hit, normal, relocation);
+  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, radius, hit, normal, relocation, normal_t0);
   py::class_<fccda::ContactDetector>(module, "ContactDetector",
                                      R"(Finds which points strike a surface that moves. One detector follows one set of points: it remembers how far each was.
 
@@ -353,7 +355,7 @@ point [m], where they are balls of different sizes; they may change from step to
 
 A structured array with the fields point, panel (as numbered in the mesh), time_fraction (of first touch, 0 to 1), depth (from where the point had gone to
 the relocation) [m], hit (place of the surface touched first) [m], normal (unit, out of the surface), relocation (where the point belongs) [m], radius (of contact, of
-the point) [m].)")
+the point) [m], normal_t0 (of a ball that was in contact at t0: the normal there, along which it is pushed; else 0).)")
       .def("points_inside", &points_inside, "pose"_a, "x"_a, "radius"_a = py::none(),
            "Which of the points x (points, 3) [m] are inside the surface or nearer than the radius, theirs [m] where given: to be asked before the first step.")
       .def(

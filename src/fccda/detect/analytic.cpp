@@ -50,13 +50,17 @@ void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d&
 
   Vec3d normal = normalised(z), place = path.end + (reach + offset - end) * normal;
   if (dot(a, z) <= 0) normal = touching, place = path.at(first) + offset * touching;
+  constexpr double in_contact = 0.01;  // of the way, as in relocation.cpp
+  const double start = norm(a);
+  const bool began = start >= reach - offset && start <= reach + offset + in_contact * path.length() && dot(a, z) > 0;
   found.contacts.push_back({.point = point,
                             .panel = -1,
                             .time_fraction = first,
                             .hit = motion.t1.to_world(hit),
                             .normal = motion.t1.turn_to_world(normal),
                             .relocation = motion.t1.to_world(place),
-                            .depth = norm(place - path.end)});
+                            .depth = norm(place - path.end),
+                            .normal_t0 = began ? motion.t0.turn_to_world(a / start) : Vec3d{}});
 }
 
 }  // namespace fccda

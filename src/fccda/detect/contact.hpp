@@ -35,6 +35,9 @@ struct Contact {
   Vec3d relocation{};        ///< [m] where the point belongs at t1: at the contact radius from the surface
   double depth = 0;          ///< [m] from where the point had gone to the relocation
   double radius = 0;         ///< [m] contact radius of the point
+  /// Unit, out of the surface, at the place where the point was at t0, with the surface where it was then; 0 where the point was not in contact there, or
+  /// slid into another part of the surface. A push along it does no work on sliding (respond.hpp).
+  Vec3d normal_t0{};
   /// Where friction may take the point; the detector itself, which must be there when contacts are responded to. Null where nothing can be
   /// in the way: on a sphere or cylinder, which falls away to all sides.
   const SlidingSurface* sliding = nullptr;

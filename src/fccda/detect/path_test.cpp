@@ -163,6 +163,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   const Vec3d& from = leg->path.start;
   const Vec3d viewer = from + offset * outward(leg->at_start, from, offset);  // a start on the surface sees its own panel
   relocate(touch, path.end, *at_end, {nearby, from, viewer, ball}, asked);
+  if (!starts_near) touch.normal_t0 = normal_at_start(*leg, touch, path, ball);
   answer.touch = touch;
   answer.held = ball.radius == question.radius;
   return answer;

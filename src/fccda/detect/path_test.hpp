@@ -40,6 +40,7 @@ struct Touch {
   Vec3d normal;       ///< unit, out of the surface, at the place of relocation
   Vec3d relocation;   ///< [m]
   int triangle;       ///< of the relocation
+  Vec3d normal_t0{};  ///< unit, out of the surface, where the ball began in contact; 0 where it did not, or ran into another part of the surface
   bool front = true;  ///< it was in front of what it touched first; not so beside the rim of an open surface, and behind it
 };
 
@@ -133,6 +134,7 @@ class PathTest {
   Touch first_touch(const Leg& leg, const Ball& ball, std::size_t& asked) const;
   std::optional<Place> first_place(const Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const;
   std::optional<Place> clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& asked) const;
+  Vec3d normal_at_start(const Leg& leg, const Touch& touch, const Path& path, const Ball& ball) const;
   void relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const;
 
   SharedSurface shared_;  // owner of the next three

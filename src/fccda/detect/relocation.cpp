@@ -121,6 +121,18 @@ std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& w
   return place;
 }
 
+// Of a ball that began in contact, and slid without running into anything: its relocation is along the normal at the end, which has turned with the way, as
+// round an edge, or not at all. Where the surface rises before it, that is a first touch of another part.
+Vec3d PathTest::normal_at_start(const Leg& leg, const Touch& touch, const Path& path, const Ball& ball) const {
+  constexpr double in_contact = 0.01;  // of the way: what relocation, sliding and rounding leave between ball and surface
+  constexpr double rounding = 1e-6, most_turned = 0.5;
+  if (ball.radius == 0 || leg.begin > 0 || leg.at_start.distance > ball.radius + ball.offset + in_contact * path.length()) return {};
+  const Vec3d normal = outward(leg.at_start, path.start, ball.offset), way = touch.relocation - path.start, push = touch.relocation - path.end;
+  if (dot(normal, touch.normal) < most_turned || dot(touch.normal - normal, way) < -rounding * norm(way)) return {};
+  if (norm(push - dot(push, touch.normal) * touch.normal) > rounding * norm(push) + 0.1 * ball.offset) return {};
+  return normal;
+}
+
 void PathTest::relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const {
   std::optional<Place> place = first_place(touch, end, at_end, around, asked);
   if (place) place = clear_place(*place, end, around, asked);

@@ -111,6 +111,7 @@ void Swept::look_at(std::size_t block, std::size_t point, double radius, const V
                             .relocation = motion.t1.to_world(touch.relocation),
                             .depth = norm(touch.relocation - path.chord().end),
                             .radius = radius,
+                            .normal_t0 = motion.t0.turn_to_world(touch.normal_t0),
                             .sliding = this});
 }
 

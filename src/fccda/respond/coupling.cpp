@@ -70,9 +70,9 @@ void Coupling::add(const Contact& contact, double mass, const Vec3d& place, cons
   const double pressed = -dot(impulse, n);
   Vec3d along = n;  // of the answer to a change of velocity along the normal
   bool holds = false;
-  if (friction > 0 && pressed > 0) {
+  if (pressed > 0 && (friction > 0 || contact.normal_t0 != Vec3d{})) {
     constexpr double rounding = 1e-9;
-    holds = norm(impulse + pressed * n) < (1 - rounding) * friction * pressed;
+    holds = friction > 0 && norm(impulse + pressed * n) < (1 - rounding) * friction * pressed;
     along = (-1 / pressed) * impulse;
   }
   for (std::size_t c = 0; c < 6; ++c) {

@@ -4,7 +4,7 @@
 /// the surface then is. With q(J) the motion under an assumed impulse and J(q) what respond() finds for a motion, J = J(q(J)) is wanted.
 /// J(q) is piecewise smooth: each point in contact answers a change δv of the surface's velocity with
 ///
-///   δJ = -B δv,    B = m n nᵀ, m 1 where friction holds the point, m (Δv/Δv·n) nᵀ where it slides
+///   δJ = -B δv,    B = m n nᵀ, m 1 where friction holds the point, m (Δv/Δv·n) nᵀ where it slides or is pushed along the normal of t0
 ///
 /// so that Newton's method ends after as many passes as it takes for the set of contacts to be found, and one more:
 ///
@@ -45,7 +45,7 @@ class Coupling {
   /// The first motion: that of no contact. Leaves the body at t1.
   Motion advance(RigidBody& body, double dt);
 
-  /// What one contact of this pass gave the body [N s]; `place`: of the point after it.
+  /// What one contact of this pass gave the body [N s]; `place`: where it acts (place_of_push).
   void add(const Contact& contact, double mass, const Vec3d& place, const Vec3d& impulse, double friction);
 
   /// Whether the motion is that of the impulse found, to `share` of what the impulse changes. `radius` [m] of the surface about the centre of mass.

@@ -7,6 +7,10 @@
 /// The points gain what the body loses, so linear momentum is kept to rounding. The arm ends at the relocated point: a sphere
 /// without friction then gets no torque, and angular momentum drifts by a share that halves with dt.
 ///
+/// Where a point was in contact at t0 already, the push is along the normal that the surface had there, as constraint forces of SHAKE are, and the point is
+/// moved along the surface for that; its arm is that of t0. The mean of the velocities before and after the push is along the surface at t0, so that the push
+/// does no work on sliding but of second order in dt; along the normal at t1 it would do J u² dt/R on a place curved with the radius R.
+///
 /// Coulomb friction takes from the tangential velocity relative to the surface, w_t,
 ///   v̄ ← v̄ - min(µ J_n/m, |w_t|) w_t/|w_t|,   J_n = m (v̄ - v)·n
 /// and moves x̄ along, so that eq. 8 stays true. Where the surface is in the way (another panel of a concave place, the far wall of a
@@ -52,9 +56,19 @@ struct Resolved {
 
 inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Motion& motion, double friction) {
   Resolved after{contact.relocation, (contact.relocation - position_t0) / motion.dt};
+  if (const double along = dot(contact.normal_t0, contact.normal); along > 0) {
+    constexpr double straight = 1e-12;  // such turns are rounding
+    const Vec3d push = after.position - (position_t0 + motion.dt * velocity);
+    const Vec3d turn = (dot(push, contact.normal) / along) * contact.normal_t0 - push;
+    if (norm(turn) > straight * norm(push)) {
+      const Vec3d wanted = after.position + turn;
+      after.position = contact.sliding ? contact.sliding->slide(motion.t1, after.position, wanted, contact.radius) : wanted;
+      after.velocity = (after.position - position_t0) / motion.dt;
+    }
+  }
   if (friction == 0) return after;
   const double pushed = std::max(0.0, dot(after.velocity - velocity, contact.normal));  // J_n/m
-  const Vec3d relative = after.velocity - mean_velocity(motion, contact.relocation);
+  const Vec3d relative = after.velocity - mean_velocity(motion, after.position);
   const Vec3d sliding = relative - dot(relative, contact.normal) * contact.normal;
   const double speed = norm(sliding);
   if (speed == 0) return after;
@@ -69,6 +83,12 @@ inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const
   return after;
 }
 
+/// Where the impulse of a contact acts [m]: the arm of its moment leads there from the centre of mass at t1. `position`: of the point after contact.
+inline Vec3d place_of_push(const Contact& contact, const Vec3d& position_t0, const Vec3d& position, const Motion& motion) {
+  if (contact.normal_t0 == Vec3d{}) return position;
+  return position_t0 + (motion.t1.to_world(motion.centre) - motion.t0.to_world(motion.centre));
+}
+
 /// Relocates the points and gives them their new velocities. Returns what the body, whose centre of mass is at `centre_of_mass` at t1, has to get;
 /// `report(contact, impulse)` is called for each contact in order with the impulse on it [N s]. `motion` is the step the body just made.
 template <StruckPoints P, class Report>
@@ -77,12 +97,12 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
   ContactSum tally;
   for (const Contact& contact : contacts) {
     const std::size_t i = contact.point;
-    const Vec3d before = points.velocity(i);
-    const Resolved after = resolved(contact, points.position_t0(i), before, motion, friction);
+    const Vec3d start = points.position_t0(i), before = points.velocity(i);
+    const Resolved after = resolved(contact, start, before, motion, friction);
     const Vec3d impulse = -points.mass(i) * (after.velocity - before);
     points.set(i, after.position, after.velocity);
     tally.impulse += impulse;
-    tally.angular_impulse_about_com += cross(after.position - centre_of_mass, impulse);
+    tally.angular_impulse_about_com += cross(place_of_push(contact, start, after.position, motion) - centre_of_mass, impulse);
     ++tally.contacts;
     report(contact, impulse);
   }

@@ -201,7 +201,7 @@ class Impactor {
   /// A blow of this pass, which another pass may replace.
   struct Pending {
     ContactImpulse contact_impulse;
-    Vec3d place;              // [m] of the particle after it
+    Vec3d place;              // [m] where it acts
     double work_on_particle;  // [J]
   };
 

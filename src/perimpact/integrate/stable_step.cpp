@@ -51,33 +51,36 @@ double stiffest_springs(const Body& body) {
   return *std::max_element(stiffness.begin(), stiffness.end());
 }
 
-/// Half of ρ ω² as safe_stable_step() has it [N/m⁴], of a material whose dilatation stores energy.
-double half_norm_of_stiffness(const Body& body, const OrdinaryStateForce& force) {
-  std::vector<double> reach(body.particles.slots(), 0);  // S [1/m]
+/// The larger of that and half of ρ ω² as safe_stable_step() has it [N/m⁴], of a material whose dilatation stores energy.
+double stiffest_with_dilatation(const Body& body, const OrdinaryStateForce& force) {
+  const std::size_t slots = body.particles.slots();
+  std::vector<double> springs(slots, 0), both(slots, 0);  // Σ C v V, and with the largest eigenvalue of Σ C v V n nᵀ
+  std::vector<double> reach(slots, 0), push(slots, 0);    // S [1/m], g² S
   for_each_particle(body, [&](std::size_t slot) {
-    double sum = 0;
+    double tensor[3][3] = {}, sum = 0, weights = 0;
     Vec3d own{};
     body.family.for_each_bond(slot, [&](const FamilyBond& bond) {
-      const double weight = force.dilatation_slope(slot, bond) * bond.volume;
-      sum += weight;
+      const double spring = force.bond_stiffness(slot, bond) * bond.volume, weight = force.dilatation_slope(slot, bond) * bond.volume;
+      sum += spring, weights += weight;
       own += weight * bond.direction;
-    });
-    reach[slot] = sum + norm(own);
-  });
-  std::vector<double> stiffness(body.particles.slots(), 0);
-  for_each_particle(body, [&](std::size_t slot) {
-    const auto push = [&](std::size_t i) { return force.family_factor(i) * force.family_factor(i) * reach[i]; };
-    double springs[3][3] = {}, sum = 0, hardest = push(slot);
-    body.family.for_each_bond(slot, [&](const FamilyBond& bond) {
-      const double spring = force.bond_stiffness(slot, bond) * bond.volume;
-      sum += spring;
       for (std::size_t r = 0; r < 3; ++r)
-        for (std::size_t s = 0; s < 3; ++s) springs[r][s] += spring * bond.direction[r] * bond.direction[s];
-      hardest = std::max(hardest, push(bond.j));
+        for (std::size_t s = 0; s <= r; ++s) tensor[r][s] += spring * bond.direction[r] * bond.direction[s];
     });
-    stiffness[slot] = 0.5 * (largest_eigenvalue(springs) + sum + 2 * force.law().a() * reach[slot] * hardest);
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t s = 0; s < r; ++s) tensor[s][r] = tensor[r][s];
+    springs[slot] = sum, both[slot] = largest_eigenvalue(tensor) + sum;
+    reach[slot] = weights + norm(own);
+    push[slot] = force.family_factor(slot) * force.family_factor(slot) * reach[slot];
   });
-  return *std::max_element(stiffness.begin(), stiffness.end());
+  const double least = *std::max_element(springs.begin(), springs.end()), hardest_of_all = *std::max_element(push.begin(), push.end());
+  for_each_particle(body, [&](std::size_t slot) {
+    const auto norm_with = [&](double hardest) { return 0.5 * (both[slot] + 2 * force.law().a() * reach[slot] * hardest); };
+    if (norm_with(hardest_of_all) <= least) return;  // most of them where the dilatation is soft
+    double hardest = push[slot];
+    body.family.for_each_bond(slot, [&](const FamilyBond& bond) { hardest = std::max(hardest, push[bond.j]); });
+    springs[slot] = std::max(springs[slot], norm_with(hardest));
+  });
+  return *std::max_element(springs.begin(), springs.end());
 }
 
 /// Of Σ_j C_ij V_j [N/m⁴] as large as this, and contacts.
@@ -93,11 +96,9 @@ double step_of(double springs, const Body& body, const ShortRange::Bound& contac
 double silling_askari_step(const Body& body, const ShortRange::Bound& contact) { return step_of(stiffest_springs(body), body, contact); }
 
 double safe_stable_step(const Body& body, const ShortRange::Bound& contact) {
-  double stiffest = stiffest_springs(body);
   const OrdinaryStateForce* force = body.internal.ordinary_state();
   // where a < 0 the dilatation takes from the energy of the bonds, and they alone are a bound
-  if (force && force->law().a() > 0) stiffest = std::max(stiffest, half_norm_of_stiffness(body, *force));
-  return step_of(stiffest, body, contact);
+  return step_of(force && force->law().a() > 0 ? stiffest_with_dilatation(body, *force) : stiffest_springs(body), body, contact);
 }
 
 double exact_stable_step(const Body& body) { return exact_stable_step(stiffest_mode(body)); }

@@ -117,29 +117,33 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
 
   members_.clear();
   first_pair_.assign(1, 0);
+  pair_counts_.clear();
   std::vector<std::uint32_t> member_of(particles_.size());
-  std::vector<std::size_t> begin_of_part;
+  std::vector<std::size_t> first_of_part;
   for (std::size_t p = 0; p < particles_.size(); ++p) {
-    if (p % block == 0) begin_of_part.push_back(first_pair_.back());
+    if (p % block == 0) first_of_part.push_back(members_.size());
     const std::uint32_t count = parts[p / block].counts[p % block];
     if (count == 0) continue;
     member_of[p] = static_cast<std::uint32_t>(members_.size());
     members_.push_back(particles_[p]);
-    first_pair_.push_back(first_pair_.back() + count);
+    pair_counts_.push_back(count);
+    first_pair_.push_back(first_pair_.back() + (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes);
   }
-  resize_to(others_, first_pair_.back() + fccda::byte_lanes);
-  std::fill(others_.end() - fccda::byte_lanes, others_.end(), 0);  // which are read, but are no pairs
-  resize_to(distances_, others_.size());
+  resize_to(others_, first_pair_.back());
   resize_to(bonds_, first_pair_.back());
+  has_bonds_.assign(members_.size(), 0);
   fccda::parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t part) {
     const std::vector<Found>& found = parts[static_cast<std::size_t>(part)].found;
-    std::size_t pair = begin_of_part[static_cast<std::size_t>(part)], next = 0;
-    for (std::size_t p = static_cast<std::size_t>(part) * block; next < found.size(); ++p)
-      for (const std::size_t last = next + parts[static_cast<std::size_t>(part)].counts[p % block]; next < last; ++next) {
+    std::size_t next = 0;
+    for (std::size_t m = first_of_part[static_cast<std::size_t>(part)]; next < found.size(); ++m) {
+      std::size_t pair = first_pair_[m];
+      for (const std::size_t last = next + pair_counts_[m]; next < last; ++next) {
         others_[pair] = static_cast<std::int32_t>(member_of[found[next].particle]);
-        distances_[pair] = reach_of(particles_[p], particles_[found[next].particle]);
         bonds_[pair++] = found[next].bond;
+        has_bonds_[m] |= found[next].bond != no_bond;
       }
+      for (; pair < first_pair_[m + 1]; ++pair) others_[pair] = 0, bonds_[pair] = no_bond;  // which are read, but are no pairs
+    }
   });
 }
 

@@ -43,12 +43,12 @@ class NearPairs {
     double volume;           ///< [m³]
     std::uint32_t particle;  ///< its number among all particles of all bodies
   };
-  /// Those that a member may touch, by body and slot. Eight more than `count` may be read.
+  /// Those that a member may touch, by body and slot. Whole eights may be read.
   struct Pairs {
     std::size_t count;
     const std::int32_t* others;  ///< members
-    const double* distances;     ///< [m] below which they may touch
     const std::uint32_t* bonds;  ///< row of the family of the member's eight slots where their bond is, if it was intact; else no_bond
+    bool has_bonds;              ///< not all are no_bond
   };
   static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max();
 
@@ -63,10 +63,10 @@ class NearPairs {
   std::span<const Member> members() const { return members_; }  ///< by body and slot
   Pairs pairs_of(std::size_t member) const {
     const std::size_t first = first_pair_[member];
-    return {first_pair_[member + 1] - first, others_.data() + first, distances_.data() + first, bonds_.data() + first};
+    return {pair_counts_[member], others_.data() + first, bonds_.data() + first, has_bonds_[member] != 0};
   }
-  std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< its number among all pairs
-  std::size_t pair_count() const { return first_pair_.back(); }
+  std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< its number among all pairs, a multiple of eight
+  std::size_t pair_count() const { return first_pair_.back(); }                     ///< gaps after each member's pairs included
   std::size_t particle_count() const { return particles_.size(); }
   bool is_exposed(const Member& member) const { return exposures_[member.body].is_exposed(member.slot); }
   std::size_t times_made() const { return times_made_; }
@@ -97,8 +97,9 @@ class NearPairs {
 
   std::vector<Member> members_;
   std::vector<std::size_t> first_pair_;
+  std::vector<std::uint32_t> pair_counts_;  // of each member
+  std::vector<std::uint8_t> has_bonds_;     // likewise
   fccda::AlignedVector<std::int32_t> others_;
-  fccda::AlignedVector<double> distances_;
   std::vector<std::uint32_t> bonds_;
   bool is_known_ = false;
   std::size_t times_made_ = 0;

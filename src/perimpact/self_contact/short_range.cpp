@@ -10,25 +10,32 @@ using namespace fccda;
 
 namespace {
 
-/// Calls visit(number, other, reach, bond) for those of the pairs that are nearer than they reach, but for rounding, in order.
-template <class Visit>
-void for_each_near(const NearPairs::Pairs& pairs, const VectorArray& position, const Vec3d& place, const Visit& visit) {
-  using Pack = NativePack;
-  const std::array<const double*, 3> x = position.pointers();
-  const Vec3<Pack> at{Pack(place.x), Pack(place.y), Pack(place.z)};
-  for (std::size_t first = 0; first < pairs.count; first += lanes<Pack>) {
-    const std::int32_t* others = pairs.others + first;
-    const Vec3<Pack> between{gather<Pack>(x[0], others) - at.x, gather<Pack>(x[1], others) - at.y, gather<Pack>(x[2], others) - at.z};
-    const Pack squared = fused_multiply_add(between.z, between.z, fused_multiply_add(between.y, between.y, between.x * between.x));
-    const Pack distance = load<Pack>(pairs.distances + first);
-    constexpr double rounding = 1 + 1e-12;
-    unsigned near = bits_where_greater(Pack(rounding) * distance * distance, squared);
-    if (pairs.count - first < lanes<Pack>) near &= (1u << (pairs.count - first)) - 1u;
-    for (; near != 0; near &= near - 1) {
-      const std::size_t lane = static_cast<std::size_t>(__builtin_ctz(near));
-      visit(first + lane, static_cast<std::size_t>(others[lane]), pairs.distances[first + lane], pairs.bonds[first + lane]);
-    }
-  }
+/// Calls f(lane) for each bit, from the lowest on.
+template <class F>
+void for_each_bit(unsigned bits, const F& f) {
+  for (; bits != 0; bits &= bits - 1) f(static_cast<std::size_t>(__builtin_ctz(bits)));
+}
+
+template <class Pack>
+Vec3<Pack> scaled(Pack by, const Vec3<Pack>& a) {
+  return {by * a.x, by * a.y, by * a.z};
+}
+template <class Pack>
+Vec3<Pack> difference(const Vec3<Pack>& a, const Vec3<Pack>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// W of q² where that is below 4.
+template <class Pack>
+Pack weight_within(Pack q_squared) {
+  const Pack x = larger(Pack(1.0) - Pack(0.25) * q_squared, Pack(0.0)), cube = x * x * x;
+  return cube * cube;
+}
+/// -W'(q)/q of q², likewise.
+template <class Pack>
+Pack slope_within(Pack q_squared) {
+  const Pack x = larger(Pack(1.0) - Pack(0.25) * q_squared, Pack(0.0)), square = x * x;
+  return Pack(3.0) * square * square * x;
 }
 
 /// Of each body, against itself and against others. Springs of two bodies are in series; since a density has one stiffness, whoever its particles belong to, it
@@ -69,7 +76,6 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   const auto for_each_member = [&](const auto& f) {
     fccda::parallel_for(static_cast<std::ptrdiff_t>(members.size()), [&](std::ptrdiff_t m) { f(static_cast<std::size_t>(m)); });
   };
-  ++evaluation_;
   for_each_member([&](std::size_t m) {
     const Particles& particles = bodies[members[m].body].particles;
     position_.set(m, particles.position.at(members[m].slot));
@@ -88,39 +94,68 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   for (std::size_t k = 0; k < 2; ++k) work_[k] += work[k];
 }
 
+ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others) const {
+  using Pack = NativePack;
+  const std::array<const double*, 3> x = position_.pointers();
+  const Vec3d place = position_.at(m);
+  const Pack size(size_[m]);
+  Eight eight{0, {}};
+  for (std::size_t first = 0; first < byte_lanes; first += lanes<Pack>) {
+    const std::int32_t* those = others + first;
+    const Pack dx = gather<Pack>(x[0], those) - Pack(place.x), dy = gather<Pack>(x[1], those) - Pack(place.y), dz = gather<Pack>(x[2], those) - Pack(place.z);
+    const Pack squared = dx * dx + dy * dy + dz * dz, its = gather<Pack>(size_.data(), those), a = distance_of(size, its), reach = Pack(weight_reach) * a;
+    eight.near |= bits_where_greater(reach * reach, squared) << first;
+    store(eight.densities.data() + first, weight_of(its, a) * weight_within(squared / (a * a)));
+  }
+  return eight;
+}
+
 /// The density around a member, and what it presses with.
 void ShortRange::look_at(std::size_t m, std::span<const ContactingBody> bodies, double dt) {
   const NearPairs::Member& i = near_pairs_.members()[m];
   const ContactingBody& body = bodies[i.body];
   const std::uint8_t* bonds = body.family.bytes(i.slot / byte_lanes);
   const bool exposed = near_pairs_.is_exposed(i);
-  const Vec3d place = position_.at(m), speed = velocity_.at(m);
+  const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
   const std::size_t first_pair = near_pairs_.first_pair(m);
-  std::uint32_t near = 0;
+  std::int32_t* near_others = near_.data() + first_pair;
+  std::int32_t* near_numbers = law_.friction > 0 ? near_number_.data() + first_pair : nullptr;
+  const std::size_t own_begin = first_member_[i.body], own_count = first_member_[i.body + 1] - own_begin;
+  std::uint32_t count = 0;
   double own = 0, fresh = 0, others = 0;
-  for_each_near(near_pairs_.pairs_of(m), position_, place, [&](std::size_t number, std::size_t other, double reach, std::uint32_t bond) {
-    const NearPairs::Member& j = near_pairs_.members()[other];
-    const Vec3d between = position_.at(other) - place;
-    const double squared = squared_norm(between);
-    if (!(squared < reach * reach)) return;
-    if (bond != NearPairs::no_bond && ((bonds[bond] >> (i.slot % byte_lanes)) & 1u)) return;
-    if (!exposed && !near_pairs_.is_exposed(j)) return;
-    const std::size_t pair = first_pair + number;
-    near_[first_pair + near++] = static_cast<std::uint32_t>(number);
-    const bool was_near = seen_[pair] + 1 == evaluation_;
-    seen_[pair] = evaluation_;
-    if (!was_near && law_.friction > 0) slip_[pair] = {};
-    const double distance = reach / weight_reach;
-    const double density = weight_of(j.size, distance) * contact_weight(squared / (distance * distance));
-    if (i.body != j.body) {
-      others += density;
-      return;
-    }
-    own += density;
-    // that did not come near, but lost its bond where it is
-    if (!was_near && squared_norm(between - dt * (velocity_.at(other) - speed)) < reach * reach) fresh += density;
-  });
-  near_count_[m] = near;
+  for (std::size_t first = 0; first < pairs.count; first += byte_lanes) {
+    const std::int32_t* those = pairs.others + first;
+    const Eight eight = eight_of(m, those);
+    unsigned near = eight.near;
+    if (pairs.count - first < byte_lanes) near &= (1u << (pairs.count - first)) - 1u;
+    if (pairs.has_bonds)
+      for_each_bit(near, [&](std::size_t lane) {
+        const std::uint32_t bond = pairs.bonds[first + lane];
+        if (bond != NearPairs::no_bond && ((bonds[bond] >> (i.slot % byte_lanes)) & 1u)) near &= ~(1u << lane);
+      });
+    if (!exposed)
+      for_each_bit(near, [&](std::size_t lane) {
+        if (!near_pairs_.is_exposed(near_pairs_.members()[static_cast<std::size_t>(those[lane])])) near &= ~(1u << lane);
+      });
+    const std::size_t byte = (first_pair + first) / byte_lanes;
+    const unsigned anew = near & ~static_cast<unsigned>(is_near_[byte]);
+    is_near_[byte] = static_cast<std::uint8_t>(near);
+    for_each_bit(near, [&](std::size_t lane) {
+      if (law_.friction > 0) near_numbers[count] = static_cast<std::int32_t>(first + lane);
+      near_others[count++] = those[lane];
+      (static_cast<std::size_t>(those[lane]) - own_begin < own_count ? own : others) += eight.densities[lane];
+    });
+    if (anew == 0) continue;
+    for_each_bit(anew, [&](std::size_t lane) {
+      const std::size_t other = static_cast<std::size_t>(those[lane]);
+      if (law_.friction > 0) set_slip(first_pair + first + lane, {});
+      if (!(other - own_begin < own_count)) return;
+      // that did not come near, but lost its bond where it is
+      const double reach = weight_reach * distance_of(size_[m], size_[other]);
+      if (squared_norm(position_.at(other) - position_.at(m) - dt * (velocity_.at(other) - velocity_.at(m))) < reach * reach) fresh += eight.densities[lane];
+    });
+  }
+  near_count_[m] = count;
 
   // a lost bond pushes nobody: the threshold rises by as much as the density. It falls with the density, never below that of two faces.
   double& threshold = threshold_[i.particle];
@@ -129,63 +164,147 @@ void ShortRange::look_at(std::size_t m, std::span<const ContactingBody> bodies, 
   const double overlap = std::max(0.0, old - threshold);
   if (fresh > 0) threshold = std::max(threshold, own - overlap);
 
-  const double a = law_.distance_ratio * i.size, beyond = std::max(0.0, others - face_.density);
-  const double its_own = density_stiffness(face_, stiffness_[i.body][0], i.volume, a), of_others = density_stiffness(face_, stiffness_[i.body][1], i.volume, a);
-  pressure_[m] = {its_own * overlap, of_others * beyond};
-  energy_of_[m] = 0.5 * (its_own * (overlap * overlap) + of_others * (beyond * beyond));
+  const double beyond = std::max(0.0, others - face_.density);
+  pressure_[0][m] = density_stiffness_[0][m] * overlap, pressure_[1][m] = density_stiffness_[1][m] * beyond;
+  energy_of_[m] = 0.5 * (pressure_[0][m] * overlap + pressure_[1][m] * beyond);
 }
 
 ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const ContactingBody> bodies, double dt) {
   PairSum got;
-  if (near_count_[m] == 0) return got;
+  const std::size_t count = near_count_[m];
+  if (count == 0) return got;
   const NearPairs::Member& i = near_pairs_.members()[m];
-  const ContactingBody& body = bodies[i.body];
-  const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
-  const std::size_t first_pair = near_pairs_.first_pair(m);
-  const Vec3d place = position_.at(m), speed = velocity_.at(m);
-  const Pressure& mine = pressure_[m];
   got.energy = energy_of_[m];
   Vec3d force{};
-  for (std::uint32_t n = 0; n < near_count_[m]; ++n) {
-    const std::size_t number = near_[first_pair + n], other = static_cast<std::size_t>(pairs.others[number]);
-    const NearPairs::Member& j = near_pairs_.members()[other];
-    const bool one_body = i.body == j.body;
-    const double my = one_body ? mine.own : mine.others, its = one_body ? pressure_[other].own : pressure_[other].others;
-    Vec3d* slip = law_.friction > 0 ? &slip_[first_pair + number] : nullptr;
-    const Vec3d between = position_.at(other) - place;
-    const double length = norm(between);
-    if ((my == 0 && its == 0) || length == 0) {  // two in one place are pushed nowhere
-      if (slip && squared_norm(*slip) > 0) {     // what the spring held when the pressure ended
-        const double k = tangential_stiffness(i, j);
-        got.friction_dissipation += 0.25 * k * squared_norm(*slip);
-        *slip = {};
-      }
+  // by body and slot: those of the own body lie together
+  const std::int32_t* near = near_.data() + near_pairs_.first_pair(m);
+  const auto before = [&](std::size_t member) {
+    return static_cast<std::size_t>(std::lower_bound(near, near + count, static_cast<std::int32_t>(member)) - near);
+  };
+  const std::size_t begin = bodies.size() > 1 ? before(first_member_[i.body]) : 0, end = bodies.size() > 1 ? before(first_member_[i.body + 1]) : count;
+  add_pairs(m, 0, begin, bodies, dt, force, got);
+  add_pairs(m, begin, end, bodies, dt, force, got);
+  add_pairs(m, end, count, bodies, dt, force, got);
+  if (got.touching == 0) return got;
+  Particles& particles = bodies[i.body].particles;
+  particles.force_density.set(i.slot, particles.force_density.at(i.slot) + force / i.volume);
+  return got;
+}
+
+void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, std::span<const ContactingBody> bodies, double dt, Vec3d& force, PairSum& got) {
+  if (first == last) return;
+  using Pack = NativePack;
+  const auto members = near_pairs_.members();
+  const std::size_t first_pair = near_pairs_.first_pair(m);
+  const std::int32_t* near = near_.data() + first_pair;
+  const std::size_t whose = members[static_cast<std::size_t>(near[first])].body == members[m].body ? 0 : 1;
+  const std::array<const double*, 3> x = position_.pointers(), v = velocity_.pointers();
+  const Vec3d place = position_.at(m), speed = velocity_.at(m);
+  const Pack mine(pressure_[whose][m]), size(size_[m]), spring_constant(spring_[whose][m]), volume(volume_[m]);
+  const bool slides = law_.friction > 0, is_damped = law_.damping_ratio > 0;
+  Vec3<Pack> sum{};
+  Pack stored(0.0), rubbed(0.0);
+  for (; first < last; first += lanes<Pack>) {
+    const std::int32_t* those = near + first;
+    const std::int32_t* numbers = slides ? near_number_.data() + first_pair + first : nullptr;
+    const unsigned all = last - first < lanes<Pack> ? (1u << (last - first)) - 1u : (1u << lanes<Pack>)-1u;
+    const Pack its = gather<Pack>(pressure_[whose].data(), those);
+    unsigned pushes = all & bits_where_greater(mine + its, Pack(0.0));
+    if (pushes == 0 && !slides) continue;
+    const Vec3<Pack> between{gather<Pack>(x[0], those) - Pack(place.x), gather<Pack>(x[1], those) - Pack(place.y), gather<Pack>(x[2], those) - Pack(place.z)};
+    const Pack squared = between.x * between.x + between.y * between.y + between.z * between.z;
+    pushes &= bits_where_greater(squared, Pack(0.0));  // two in one place are pushed nowhere
+    got.touching += static_cast<std::uint32_t>(__builtin_popcount(pushes));
+    Vec3<Pack> slip{};
+    if (slides) {
+      for (std::size_t c = 0; c < 3; ++c) slip[c] = gather<Pack>(slip_[c].data() + first_pair, numbers);
+      const unsigned held = all & ~pushes & bits_where_greater(slip.x * slip.x + slip.y * slip.y + slip.z * slip.z, Pack(0.0));
+      for_each_bit(held, [&](std::size_t lane) {
+        let_go(first_pair + static_cast<std::size_t>(numbers[lane]), tangential_stiffness(members[m], members[static_cast<std::size_t>(those[lane])]), got);
+      });
+    }
+    if (pushes == 0) continue;
+    if (is_damped) {
+      for_each_bit(pushes, [&](std::size_t lane) {
+        const std::size_t pair = slides ? first_pair + static_cast<std::size_t>(numbers[lane]) : 0;
+        Vec3d its_slip = slides ? slip_of(pair) : Vec3d{};
+        const TouchForce touch = force_of_pair(m, static_cast<std::size_t>(those[lane]), whose, bodies, dt, its_slip);
+        if (slides) set_slip(pair, its_slip);
+        force += touch.normal + touch.friction;
+        got.energy += 0.5 * touch.tangential_energy;
+        got.friction_dissipation += 0.5 * touch.friction_dissipation, got.damped_work += 0.5 * touch.damped_work;
+      });
       continue;
     }
-    const double distance = pairs.distances[number] / weight_reach, q = length / distance;
-    const double slope = q * contact_weight_slope(q * q) / distance, weight_i = weight_of(i.size, distance), weight_j = weight_of(j.size, distance);
-    const std::size_t whose = one_body ? 0 : 1;
-    const double a_i = law_.distance_ratio * i.size, a_j = law_.distance_ratio * j.size;
-    const double of_i = density_stiffness(face_, stiffness_[i.body][whose], i.volume, a_i) * (weight_j * weight_j),
-                 of_j = density_stiffness(face_, stiffness_[j.body][whose], j.volume, a_j) * (weight_i * weight_i);
-    const double mass_i = body.particles.density() * i.volume, mass_j = bodies[j.body].particles.density() * j.volume;
-    Vec3d none{};
-    const TouchForce touch = force_of({.direction = between / length,
-                                       .velocity = velocity_.at(other) - speed,
-                                       .spring = (my * weight_j + its * weight_i) * slope,
-                                       .stiffness = (of_i + of_j) * (slope * slope),
-                                       .reduced_mass = mass_i * mass_j / (mass_i + mass_j),
-                                       .tangential_stiffness = tangential_stiffness(i, j),
-                                       .oblique_share = face_.oblique_share},
-                                      law_, dt, slip ? *slip : none);
-    force += touch.normal + touch.friction;
-    got.energy += 0.5 * touch.tangential_energy;
-    got.friction_dissipation += 0.5 * touch.friction_dissipation, got.damped_work += 0.5 * touch.damped_work;
-    ++got.touching;
+    const Pack its_size = gather<Pack>(size_.data(), those), a = distance_of(size, its_size), a_squared = a * a;
+    const Pack spring = (mine * weight_of(its_size, a) + its * weight_of(size, a)) * (slope_within(squared / a_squared) / a_squared);  // S/r
+    const Pack push = select(pushes, spring);
+    sum = difference(sum, scaled(push, between));
+    if (!slides) continue;
+
+    // as force_of() has it
+    const Pack inverse = inverse_square_root(squared);
+    const Vec3<Pack> n = scaled(inverse, between);
+    const Vec3<Pack> w{gather<Pack>(v[0], those) - Pack(speed.x), gather<Pack>(v[1], those) - Pack(speed.y), gather<Pack>(v[2], those) - Pack(speed.z)};
+    const Vec3<Pack> across = difference(slip, scaled(dot(slip, n), n));
+    const Pack length_squared = dot(slip, slip), across_squared = dot(across, across);
+    const Pack turned = select(bits_where_greater(across_squared, Pack(0.0)), length_of(length_squared) * inverse_square_root(across_squared));
+    const Vec3<Pack> before = scaled(turned, across), reached = before + scaled(Pack(dt), difference(w, scaled(dot(n, w), n)));
+    const Pack stiffness =
+        Pack(tangential_share) * (Pack(0.5) * (spring_constant + gather<Pack>(spring_[whose].data(), those))) * (volume * gather<Pack>(volume_.data(), those));
+    const Pack reached_squared = dot(reached, reached), most = Pack(law_.friction * face_.oblique_share) * (spring * squared * inverse);
+    const unsigned exceeds = bits_where_greater(stiffness * stiffness * reached_squared, most * most);
+    const Pack kept = select(exceeds, most / stiffness * inverse_square_root(reached_squared)) + select(~exceeds, Pack(1.0));
+    const Vec3<Pack> after = scaled(kept, reached);
+    const Pack pull = select(pushes, stiffness);
+    for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + select(pushes, pull * after[c]);
+    stored += select(pushes, pull * dot(after, after));
+    rubbed += select(pushes, larger(pull * dot(before + after, difference(reached, after)), Pack(0.0)));
+    std::array<std::array<double, lanes<Pack>>, 3> slips;
+    for (std::size_t c = 0; c < 3; ++c) store(slips[c].data(), after[c]);
+    for_each_bit(pushes, [&](std::size_t lane) {
+      set_slip(first_pair + static_cast<std::size_t>(numbers[lane]), {slips[0][lane], slips[1][lane], slips[2][lane]});
+    });
   }
-  if (got.touching == 0) return got;
-  body.particles.force_density.set(i.slot, body.particles.force_density.at(i.slot) + force / i.volume);
-  return got;
+  const auto total = [](Pack pack) {
+    std::array<double, lanes<Pack>> of_lane;
+    store(of_lane.data(), pack);
+    double all = 0;
+    for (const double part : of_lane) all += part;
+    return all;
+  };
+  force += Vec3d{total(sum.x), total(sum.y), total(sum.z)};
+  // half of each pair is this end's
+  got.energy += 0.25 * total(stored);
+  got.friction_dissipation += 0.25 * total(rubbed);
+}
+
+/// What the spring of a pair held when the pressure ended.
+void ShortRange::let_go(std::size_t pair, double stiffness, PairSum& got) {
+  got.friction_dissipation += 0.25 * stiffness * squared_norm(slip_of(pair));
+  set_slip(pair, {});
+}
+
+TouchForce ShortRange::force_of_pair(std::size_t m, std::size_t other, std::size_t whose, std::span<const ContactingBody> bodies, double dt,
+                                     Vec3d& slip) const {
+  const NearPairs::Member &i = near_pairs_.members()[m], &j = near_pairs_.members()[other];
+  const Vec3d between = position_.at(other) - position_.at(m);
+  const double length = norm(between), distance = distance_of(i.size, j.size), q = length / distance;
+  const double slope = q * contact_weight_slope(q * q) / distance, weight_i = weight_of(i.size, distance), weight_j = weight_of(j.size, distance);
+  Touch touch{.direction = between / length,
+              .velocity = velocity_.at(other) - velocity_.at(m),
+              .spring = (pressure_[whose][m] * weight_j + pressure_[whose][other] * weight_i) * slope,
+              .stiffness = 0,
+              .reduced_mass = 0,
+              .tangential_stiffness = tangential_stiffness(i, j),
+              .oblique_share = face_.oblique_share};
+  if (law_.damping_ratio > 0) {
+    const double of_i = density_stiffness_[whose][m] * (weight_j * weight_j), of_j = density_stiffness_[whose][other] * (weight_i * weight_i);
+    const double mass_i = bodies[i.body].particles.density() * i.volume, mass_j = bodies[j.body].particles.density() * j.volume;
+    touch.stiffness = (of_i + of_j) * (slope * slope);
+    touch.reduced_mass = mass_i * mass_j / (mass_i + mass_j);
+  }
+  return force_of(touch, law_, dt, slip);
 }
 
 double ShortRange::tangential_stiffness(const NearPairs::Member& i, const NearPairs::Member& j) const {
@@ -199,16 +318,16 @@ void ShortRange::keep_pairs() {
   is_kept_ = true;
   kept_ = {};
   const auto members = near_pairs_.members();
-  if (seen_.size() < near_pairs_.pair_count()) return;  // none has been evaluated
+  if (is_near_.size() * byte_lanes < near_pairs_.pair_count()) return;  // none has been evaluated
   for (std::size_t m = 0; m < members.size(); ++m) {
     const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
     const std::size_t first = near_pairs_.first_pair(m);
     for (std::size_t n = 0; n < pairs.count; ++n) {
       const std::uint32_t particle = members[m].particle, other = members[static_cast<std::size_t>(pairs.others[n])].particle;
-      if (seen_[first + n] != evaluation_ || other < particle) continue;
+      if (!((is_near_[(first + n) / byte_lanes] >> (n % byte_lanes)) & 1u) || other < particle) continue;
       kept_.ends.push_back(particle), kept_.ends.push_back(other);
       if (law_.friction > 0)
-        for (std::size_t c = 0; c < 3; ++c) kept_.slips.push_back(slip_[first + n][c]);
+        for (std::size_t c = 0; c < 3; ++c) kept_.slips.push_back(slip_[c][first + n]);
     }
   }
 }
@@ -217,17 +336,32 @@ void ShortRange::keep_pairs() {
 void ShortRange::take_up_pairs() {
   const auto members = near_pairs_.members();
   position_ = velocity_ = VectorArray(members.size(), 0);
-  pressure_.assign(members.size(), {});
+  for (auto* numbers : {&size_, &volume_, &pressure_[0], &pressure_[1], &spring_[0], &spring_[1], &density_stiffness_[0], &density_stiffness_[1]})
+    numbers->assign(members.size(), 0);
+  first_member_.assign(stiffness_.size() + 1, members.size());
+  for (std::size_t m = members.size(); m-- > 0;) {
+    const NearPairs::Member& i = members[m];
+    size_[m] = i.size, volume_[m] = i.volume;
+    for (std::size_t whose = 0; whose < 2; ++whose)
+      spring_[whose][m] = stiffness_[i.body][whose],
+      density_stiffness_[whose][m] = density_stiffness(face_, stiffness_[i.body][whose], i.volume, law_.distance_ratio * i.size);
+    first_member_[i.body] = m;
+  }
+  for (std::size_t b = stiffness_.size(); b-- > 0;) first_member_[b] = std::min(first_member_[b], first_member_[b + 1]);  // of a body without any
   energy_of_.assign(members.size(), 0);
   pair_sums_.assign(members.size(), {});
   near_count_.assign(members.size(), 0);
   const std::size_t count = near_pairs_.pair_count();
-  resize_to(near_, count);
-  resize_to(seen_, count);
-  std::fill(seen_.begin(), seen_.end(), evaluation_ - 1);
+  resize_to(near_, count + byte_lanes);
+  std::fill(near_.begin(), near_.end(), 0);  // eights of them are read
+  is_near_.assign(count / byte_lanes, 0);
   if (law_.friction > 0) {
-    resize_to(slip_, count);
-    std::fill(slip_.begin(), slip_.end(), Vec3d{});
+    resize_to(near_number_, count + byte_lanes);
+    std::fill(near_number_.begin(), near_number_.end(), 0);
+    for (fccda::AlignedVector<double>& component : slip_) {
+      resize_to(component, count);
+      std::fill(component.begin(), component.end(), 0.0);
+    }
   }
 
   std::vector<std::uint32_t> member_of(threshold_.size(), std::numeric_limits<std::uint32_t>::max());
@@ -242,8 +376,9 @@ void ShortRange::take_up_pairs() {
     const std::int32_t* found = std::lower_bound(pairs.others, end, static_cast<std::int32_t>(other));
     if (found == end || *found != static_cast<std::int32_t>(other)) return;
     const std::size_t pair = near_pairs_.first_pair(m) + static_cast<std::size_t>(found - pairs.others);
-    seen_[pair] = evaluation_;
-    if (law_.friction > 0) slip_[pair] = slip;
+    const auto bit = static_cast<std::uint8_t>(1u << pair % byte_lanes);
+    is_near_[pair / byte_lanes] = static_cast<std::uint8_t>(is_near_[pair / byte_lanes] | bit);
+    if (law_.friction > 0) set_slip(pair, slip);
   };
   for (std::size_t k = 0; 2 * k < kept_.ends.size(); ++k) {
     const Vec3d slip = law_.friction > 0 ? Vec3d{kept_.slips[3 * k], kept_.slips[3 * k + 1], kept_.slips[3 * k + 2]} : Vec3d{};

@@ -59,22 +59,43 @@ class ShortRange {
     double energy = 0, friction_dissipation = 0, damped_work = 0;  // [J] its halves of those of its pairs
     std::uint32_t touching = 0;
   };
-  /// Where a member's pairs push with: B o [J] against its own body and against others.
-  struct Pressure {
-    double own = 0, others = 0;
-  };
+  /// A number of each member: against its own body, and against others.
+  using OwnAndOthers = std::array<fccda::AlignedVector<double>, 2>;
   /// Pairs of the last evaluation that were nearer than the weight function reaches, as two particles each, the first the lower, in order.
   struct Kept {
     std::vector<std::uint32_t> ends;  // two each
     std::vector<double> slips;        // [m] three each where there is friction
   };
 
+  /// Eight pairs of a member, as far as places tell.
+  struct Eight {
+    unsigned near;                                                ///< bits of those that the weight function reaches
+    alignas(64) std::array<double, fccda::byte_lanes> densities;  ///< what they add to the density
+  };
+
+  Eight eight_of(std::size_t member, const std::int32_t* others) const;
   void look_at(std::size_t member, std::span<const ContactingBody> bodies, double dt);
   PairSum add_to(std::size_t member, std::span<const ContactingBody> bodies, double dt);
+  /// Adds what those of its near pairs do that are first … last - 1, all of its own body or all of others.
+  void add_pairs(std::size_t member, std::size_t first, std::size_t last, std::span<const ContactingBody> bodies, double dt, Vec3d& force, PairSum& got);
+  TouchForce force_of_pair(std::size_t member, std::size_t other, std::size_t whose, std::span<const ContactingBody> bodies, double dt, Vec3d& slip) const;
+  void let_go(std::size_t pair, double stiffness, PairSum& got);
   double tangential_stiffness(const NearPairs::Member& i, const NearPairs::Member& j) const;
+  Vec3d slip_of(std::size_t pair) const { return {slip_[0][pair], slip_[1][pair], slip_[2][pair]}; }
+  void set_slip(std::size_t pair, const Vec3d& slip) {
+    for (std::size_t c = 0; c < 3; ++c) slip_[c][pair] = slip[c];
+  }
   void keep_pairs();
   void take_up_pairs();
-  double weight_of(double size, double distance) const { return is_plane_ ? size / distance : (size / distance) * (size / distance); }
+  template <class T>
+  T distance_of(T size_i, T size_j) const {
+    return T(law_.distance_ratio) * (T(0.5) * (size_i + size_j));
+  }
+  template <class T>
+  T weight_of(T size, T distance) const {
+    const T ratio = size / distance;
+    return is_plane_ ? ratio : ratio * ratio;
+  }
 
   ShortRangeLaw law_;
   Face face_;
@@ -85,15 +106,22 @@ class ShortRange {
   Kept kept_;
   bool is_kept_ = false;  // in kept_, not yet with the pairs
 
-  VectorArray position_, velocity_;  // of the members
-  std::vector<Pressure> pressure_;   // of the members
-  std::vector<double> energy_of_;    // [J] of the members' density
-  std::vector<PairSum> pair_sums_;   // of the members
-  std::vector<std::uint32_t> near_;  // of each member, from its first pair on: its pairs that are near
+  // of the members
+  VectorArray position_, velocity_;
+  fccda::AlignedVector<double> size_, volume_;  // [m] Δ, [m³]
+  OwnAndOthers spring_;                         // [N/m⁷] k
+  OwnAndOthers density_stiffness_;              // [J] B
+  OwnAndOthers pressure_;                       // [J] B o
+  std::vector<double> energy_of_;               // [J] of their density
+  std::vector<PairSum> pair_sums_;
   std::vector<std::uint32_t> near_count_;
-  std::vector<std::uint32_t> seen_;  // of each pair: the evaluation in which it was last near
-  std::vector<Vec3d> slip_;          // [m] of each pair, where there is friction
-  std::uint32_t evaluation_ = 1;
+  std::vector<std::size_t> first_member_;  // of each body, and their number
+
+  // of their pairs, from first_pair() on
+  fccda::AlignedVector<std::int32_t> near_;           // the other members of those that are near, without gaps
+  fccda::AlignedVector<std::int32_t> near_number_;    // which of the member's pairs these are, where there is friction
+  std::vector<std::uint8_t> is_near_;                 // a bit each: in the last evaluation
+  std::array<fccda::AlignedVector<double>, 3> slip_;  // [m] of the tangential springs, where there is friction; 0 where none holds
   double energy_ = 0;
   std::size_t in_contact_now_ = 0;
   std::array<double, 2> work_{};  // [J] of friction and dashpots

