@@ -19,10 +19,10 @@ NAVIGATION = {
         "guide/real_surfaces", "guide/spacing_and_layers", "guide/regions", "guide/results", "guide/loads", "guide/report", "guide/restart", "guide/cluster", "guide/python", "guide/python_reference",
         "guide/troubleshooting", "guide/diagnoses", "guide/errors", "guide/deck_reference"],
     "Cases": [
-        f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_paddle", "floating_strip",
+        f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_specimens", "ice_paddle", "floating_strip",
                                              "crack_branching", "kalthoff_winkler")],
     "Theory": [
-        f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary_conditions", "floating_bodies", "ice",
+        f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary_conditions", "floating_bodies", "ice", "ice_plasticity",
                                       "contact", "contact_bounds", "contact_response", "short_range", "energy", "remeshing", "convergence", "detection_evidence", "floating_strip",
                                       "resistance", "fccda_variants", "glossary")],
     "Library": ["library/README", "library/reference"],

@@ -143,6 +143,15 @@ simulation's own memory: they show every later step, and cannot be written. The 
           "damages", [](const BodyOfRun& body) { return numbers_of_particles(body, [&](std::size_t slot) { return body.get().family.damage(slot); }); },
           "(slots,) the share of the bonds of each particle that are broken, by volume [-].")
       .def_property_readonly(
+          "plastic_strains",
+          [](const BodyOfRun& body) {
+            return numbers_of_particles(body, [&](std::size_t slot) {
+              const perimpact::PlasticForce* plastic = body.get().internal.plastic();
+              return plastic ? plastic->equivalent_strain(slot) : 0.0;
+            });
+          },
+          "(slots,) the equivalent plastic strain of each particle [-]; 0 where the material has no plasticity.")
+      .def_property_readonly(
           "volumes", [](const BodyOfRun& body) { return numbers_of_particles(body, [&](std::size_t slot) { return particles_of(body).volume(slot); }); },
           "(slots,) volumes of the particles [m3].")
       .def_property_readonly(

@@ -193,6 +193,7 @@ export function quantitiesOf(bodies: BodyData[]): Quantity[] {
     { key: "displacement_y", label: "displacement y", unit: "m", kind: "signed" },
     { key: "displacement_z", label: "displacement z", unit: "m", kind: "signed" },
   ];
+  if (bodies.some((body) => body.array("plastic_strain"))) out.push({ key: "plastic_strain", label: "plastic strain", unit: "", kind: "increase" });
   if (bodies.length > 1) out.push({ key: "body", label: "body", unit: "", kind: "number" });
   if (bodies.some((body) => body.array("fragment"))) out.push({ key: "fragment", label: "fragment", unit: "", kind: "number" });
   return out;

@@ -113,6 +113,9 @@ void check_relaxation(const Setup& setup, const Places& places) {
     const std::string path = "bodies." + body.name;
     if (body.velocity != Vec3d{})
       refuse(places.of(path + ".velocity"), "velocity is not 0, but relax knows no motion, only states of equilibrium; remove one of the two.");
+    if (body.elastic().plasticity)
+      refuse(places.of(path + ".material.plasticity"),
+             "plasticity depends on the path, but relax knows no path between states of equilibrium; remove one of the two.");
     for (const BoundaryConditionSetup& boundary : body.boundary_conditions)
       if (std::holds_alternative<AbsorbingSetup>(boundary.kind))
         refuse(places.of(fmt::format("{}.boundary_conditions.{}.absorbing", path, boundary.name)),

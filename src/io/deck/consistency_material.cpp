@@ -8,6 +8,7 @@
 
 #include "io/deck/yaml_node.hpp"
 #include "perimpact/materials/ice/ice.hpp"
+#include "perimpact/materials/plasticity/plasticity.hpp"
 
 namespace perimpact::deck {
 
@@ -89,6 +90,42 @@ void check_failure(const BodySetup& body, const std::string& path, const Places&
     refuse(places.of(path + ".failure.seed"), "seed is given without weibull_modulus, so nothing is random; give both or none.");
 }
 
+void check_plasticity(const BodySetup& body, const std::string& path, const Places& places) {
+  const ElasticSetup& material = body.elastic();
+  if (!material.plasticity) return;
+  const PlasticitySetup& plasticity = *material.plasticity;
+  const std::string its = path + ".material.plasticity";
+  const std::string_view model = std::visit([](const auto& one) { return std::decay_t<decltype(one)>::name; }, body.material);
+  if (!std::holds_alternative<BondBasedSetup>(body.material) && !std::holds_alternative<OrdinaryStateSetup>(body.material))
+    refuse(places.of(its),
+           fmt::format("plasticity is for the models bond-based and ordinary-state, but the model is {}; change the model, or remove plasticity.", model));
+  if (body.is_plane())
+    refuse(places.of(its),
+           fmt::format("plasticity needs all three normal stresses, but the body is of plane {}; write plane: none, or remove plasticity.", body.plane.word()));
+  const auto surface = plasticity.surface.as<YieldSurface>();
+  if (surface == YieldSurface::von_mises && !plasticity.compressive_strength)
+    refuse(places.of(its + ".surface"), "surface is von-mises, which has no strength of its own; give compressive_strength.");
+  if (surface != YieldSurface::von_mises && places.has(its + ".surface") && plasticity.compressive_strength)
+    refuse(places.of(its + ".compressive_strength"),
+           fmt::format("compressive_strength is given beside surface: {}, which has its own strength; remove one of the two (without surface, the one of Riska "
+                       "and Frederking is scaled).",
+                       plasticity.surface.word()));
+  const double strength = plasticity.compressive_strength.value_or(YieldEllipse::published(surface).compressive_strength());
+  if (material.flexural_strength && *material.flexural_strength >= strength)
+    refuse(places.of(its),
+           fmt::format("the compressive strength of {:.4g} Pa is not above the flexural_strength of {:.4g} Pa, so the body would yield before it "
+                       "breaks in bending; give a larger compressive_strength, or a smaller flexural_strength.",
+                       strength, *material.flexural_strength));
+  if (!body.failure) return;
+  if (body.failure->compression.as<CompressionFailure>() != CompressionFailure::none)
+    refuse(places.of(path + ".failure.compression"),
+           fmt::format("compression is {}, but a material with plasticity yields under pressure in place of breaking; remove one of the two.",
+                       body.failure->compression.word()));
+  if (body.failure->compression_hardening > 0)
+    refuse(places.of(path + ".failure.compression_hardening"),
+           "compression_hardening is given beside plasticity, which has its own limit of bonds under pressure; remove one of the two.");
+}
+
 }  // namespace
 
 void make_material_consistent(BodySetup& body, const Places& places) {
@@ -96,6 +133,7 @@ void make_material_consistent(BodySetup& body, const Places& places) {
   apply_ice(body, path, places);
   check_bending(body, path, places);
   check_failure(body, path, places);
+  check_plasticity(body, path, places);
 }
 
 }  // namespace perimpact::deck

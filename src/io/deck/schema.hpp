@@ -80,6 +80,8 @@ template <class Walker, std::derived_from<ElasticSetup> Material>
 void sections(Walker& walk, Material& material) {
   walk.section("ice", material.ice, Presence::optional,
                "Ice as engineers state it: sets youngs_modulus and, where no other criterion is given, flexural_strength.");
+  walk.section("plasticity", material.plasticity, Presence::optional,
+               "Yields under pressure: a pressure-dependent yield surface with associated flow, for bond-based materials. {} takes every default.");
 }
 
 template <class Walker>

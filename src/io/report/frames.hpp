@@ -32,6 +32,8 @@ struct BodyFrames {
   Range place[3], displacement[3], speed;  ///< over all pictures [m] [m] [m/s]
   std::uint32_t highest_fragment = 0;
   bool has_fragments = false;
+  Range plastic_strain;  ///< [-] over all pictures
+  bool has_plastic_strain = false;
   std::vector<bool> is_damaged;  ///< in the last picture
 };
 

@@ -84,6 +84,7 @@ class PackedBody {
     add_blob(out, id_, bytes);
     arrays_.push_back(reals("speed", "m/s", {0, body.speed.high, false}, coarsest));
     arrays_.emplace_back("damage", "", 1, Scale(0, 1, 255));
+    if (body.has_plastic_strain) arrays_.push_back(reals("plastic_strain", "", {0, body.plastic_strain.high, false}, coarsest));
     if (body.has_fragments) arrays_.push_back(whole_numbers("fragment", body.highest_fragment));
     for (const PackedArray& array : arrays_) description_["arrays"].push_back(array.description());
     description_["pictures"] = Json::array();
@@ -92,7 +93,7 @@ class PackedBody {
   void add(std::size_t number, std::size_t time_number, PackedFrames& out) {
     const FrameReader frame = read_frame(body_.frames[number].file);
     const FrameArray &u = *frame.find("displacement"), &v = *frame.find("velocity"), &damage = *frame.find("damage");
-    const FrameArray* fragment = frame.find("fragment");
+    const FrameArray *fragment = frame.find("fragment"), *plastic_strain = frame.find("plastic_strain");
     std::string bytes;
     std::size_t a = 0;
     const auto pack = [&](const auto& value) {
@@ -102,6 +103,7 @@ class PackedBody {
     for (std::size_t axis = 0; axis < 3; ++axis) pack([&, axis](std::uint32_t i) { return u.numbers[3 * i + axis]; });
     pack([&](std::uint32_t i) { return v.scalar(i); });
     pack([&](std::uint32_t i) { return damage.numbers[i]; });
+    if (body_.has_plastic_strain) pack([&](std::uint32_t i) { return plastic_strain->numbers[i]; });
     if (body_.has_fragments) pack([&](std::uint32_t i) { return fragment->numbers[i]; });
     description_["pictures"].push_back(time_number);
     add_blob(out, fmt::format("{}_{}", id_, time_number), bytes);

@@ -42,6 +42,7 @@ void add_particles(BodyFrames& body, const FrameReader& frame, const output::Fra
   const FrameArray& velocity = needed(frame, entry.file, "velocity", 3);
   const FrameArray& damage = needed(frame, entry.file, "damage", 1);
   const FrameArray* fragment = array_of(frame, "fragment", 1);
+  const FrameArray* plastic_strain = array_of(frame, "plastic_strain", 1);
   const std::size_t count = frame.points.size();
   const bool is_first = body.frames.empty();
   if (!is_first && count != body.undeformed.size())
@@ -50,8 +51,12 @@ void add_particles(BodyFrames& body, const FrameReader& frame, const output::Fra
   if (!is_first && (fragment != nullptr) != body.has_fragments)
     throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name fragments; take the files of one run.", entry.file.string(),
                                  fragment ? "it does" : "those do"));
+  if (!is_first && (plastic_strain != nullptr) != body.has_plastic_strain)
+    throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name plastic strains; take the files of one run.",
+                                 entry.file.string(), plastic_strain ? "it does" : "those do"));
   if (is_first) {
     body.has_fragments = fragment != nullptr;
+    body.has_plastic_strain = plastic_strain != nullptr;
     for (std::size_t i = 0; i < count; ++i) {
       const double* u = &displacement.numbers[3 * i];
       body.undeformed.push_back(frame.points[i] - Vec3d{u[0], u[1], u[2]});
@@ -64,6 +69,7 @@ void add_particles(BodyFrames& body, const FrameReader& frame, const output::Fra
     for (std::size_t axis = 0; axis < 3; ++axis) body.displacement[axis].include(displacement.numbers[3 * i + axis]);
     body.speed.include(velocity.scalar(i));
     body.is_damaged[i] = damage.numbers[i] > 0;
+    if (plastic_strain) body.plastic_strain.include(plastic_strain->numbers[i]);
     if (fragment) body.highest_fragment = std::max(body.highest_fragment, static_cast<std::uint32_t>(std::max(0.0, fragment->numbers[i])));
   }
   body.frames.push_back(entry);

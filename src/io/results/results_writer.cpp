@@ -77,6 +77,11 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
   std::vector<output::VtpArray> arrays = {{"displacement", 3, std::span<const float>(displacement)},
                                           {"velocity", 3, std::span<const float>(velocity)},
                                           {"damage", 1, std::span<const float>(damage)}};
+  std::vector<float> plastic_strain;
+  if (const PlasticForce* plastic = body.internal.plastic()) {
+    for (const std::uint32_t slot : particles.slot_of()) plastic_strain.push_back(static_cast<float>(plastic->equivalent_strain(slot)));
+    arrays.push_back({"plastic_strain", 1, std::span<const float>(plastic_strain)});
+  }
   if (fragments) arrays.push_back({"fragment", 1, fragments->of_particles()});
   std::vector<std::int32_t> numbers;
   if (!particles.numbers().empty()) {

@@ -64,6 +64,12 @@ CorrespondenceOptions options_of(const CorrespondenceSetup& setup) {
   return {setup.law.as<StressLaw>(), setup.stabilisation.as<Stabilisation>(), setup.stabilisation_factor, setup.influence.as<Influence>()};
 }
 
+Plasticity plasticity_of(const PlasticitySetup& setup) {
+  const auto surface = setup.surface.as<YieldSurface>();
+  const YieldEllipse ellipse = setup.compressive_strength ? YieldEllipse::of_strength(surface, *setup.compressive_strength) : YieldEllipse::published(surface);
+  return {ellipse, {setup.failure_strain, setup.failure_width, setup.failure_pressure}};
+}
+
 /// Throws SetupError where no particle has a deformation gradient.
 template <std::size_t D>
 CorrespondenceForce<D> require_full_rank(CorrespondenceForce<D> force, const Particles& particles, const BodySetup& setup) {
@@ -196,6 +202,14 @@ Body make_body(const BodySetup& setup, Particles particles) {
   }
   CorrectionFactors correction(correction_of(setup), basis_of(law), *family, particles);
   std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);
+  if (setup.elastic().plasticity) {
+    std::optional<BreakingRule> rule;
+    if (failure) rule = breaking_rule(setup.failure, *failure);
+    InternalForce internal(PlasticForce(law, plasticity_of(*setup.elastic().plasticity), rule,
+                                        strength_of(setup.failure, particles, never_failing(setup, particles)), std::move(correction), *family, particles),
+                           particles);
+    return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks), bending};
+  }
   InternalForce internal(OrdinaryStateForce(law, std::move(breaking), std::move(correction), *family, particles), particles);
   return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks), bending};
 }

@@ -79,6 +79,26 @@ std::span<const Field<IceSetup>> IceSetup::fields() {
   return all;
 }
 
+std::span<const Field<PlasticitySetup>> PlasticitySetup::fields() {
+  using S = PlasticitySetup;
+  static const Field<S> all[] = {
+      {"surface",
+       &S::surface,
+       "",
+       {},
+       optional,
+       "Yield surface J2 = a0 + a1 p + a2 p², by its source: riska-frederking (uniaxial compressive strength 4.43 MPa), derradji-aouat (9.35 MPa), kierkegaard "
+       "(9.0 MPa), or von-mises (J2 = σ²/3 at every pressure; needs compressive_strength)."},
+      {"compressive_strength", &S::compressive_strength, "Pa", positive(), optional,
+       "Uniaxial compressive strength to which the surface of Riska and Frederking is scaled, or that of von-mises."},
+      {"failure_strain", &S::failure_strain, "1", positive(), optional,
+       "ε0: a particle loses its cohesion where its equivalent plastic strain exceeds ε0 + ((p/p2 - N)/M)², p its pressure and p2 that at which the surface "
+       "closes."},
+      {"failure_width", &S::failure_width, "1", positive(), optional, "M in that formula."},
+      {"failure_pressure", &S::failure_pressure, "1", at_least(0), optional, "N in that formula: the share of p2 at which ice fails first."}};
+  return all;
+}
+
 std::span<const Field<OrdinaryStateSetup>> OrdinaryStateSetup::fields() {
   static const auto all = elastic_fields<OrdinaryStateSetup>(WithPoissonsRatio::yes);
   return all;

@@ -92,6 +92,18 @@ struct IceSetup {
   static std::span<const Field<IceSetup>> fields();
 };
 
+inline constexpr std::string_view yield_surface_words[] = {"riska-frederking", "derradji-aouat", "kierkegaard", "von-mises"};  // as perimpact::YieldSurface
+
+/// Plastic flow under pressure (docs/theory/ice_plasticity.md).
+struct PlasticitySetup {
+  Choice surface{yield_surface_words};
+  std::optional<double> compressive_strength;  ///< [Pa] uniaxial, to which the surface is scaled
+  double failure_strain = 0.01;                ///< [-] ε0
+  double failure_width = 1;                    ///< [-] M
+  double failure_pressure = 0.75;              ///< [-] N
+  static std::span<const Field<PlasticitySetup>> fields();
+};
+
 /// What all materials have.
 struct ElasticSetup {
   std::optional<double> youngs_modulus;  ///< [Pa] needed
@@ -103,6 +115,7 @@ struct ElasticSetup {
   std::optional<double> flexural_strength;  ///< [Pa]
   std::optional<int> layers;                ///< particles through the thickness that bends
   std::optional<IceSetup> ice;              ///< has set what was not given
+  std::optional<PlasticitySetup> plasticity;
 };
 
 /// Ordinary state-based, linear, isotropic, after Madenci and Oterkus (docs/theory/ordinary_state.md).

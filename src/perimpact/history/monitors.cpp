@@ -142,7 +142,7 @@ Monitors::Balance Monitors::balance_of(const Scene& scene) {
     of.unpaid += boundary_conditions.half_kick(scene.clock.time(), dt);
     of.ripple += scene.relaxed ? 0 : kinetic - body.kinetic_energy_of_scheme(dt);
     of.since_amid += scene.relaxed ? 0 : kinetic - kinetic_energy_amid_step(body.particles);
-    of.taken += body.internal.fracture_energy();
+    of.taken += body.internal.fracture_energy() + body.internal.plastic_dissipation();
     of.contact -= boundary_conditions.constraint_work_correction();
   }
   if (scene.fragments) {
@@ -211,6 +211,7 @@ void Monitors::add_body(const Scene& scene, std::size_t b) {
   add(body.name, {"elastic_energy", "J", instantaneous, "of its bonds"}, elastic_[b]);
   add(body.name, {"broken_bonds", "-", cumulative, "each counted once"}, static_cast<double>(body.internal.broken_bonds()));
   add(body.name, {"fracture_energy", "J", cumulative, "what bonds held as they broke"}, body.internal.fracture_energy());
+  if (body.internal.plastic()) add(body.name, {"plastic_dissipation", "J", cumulative, "what plastic flow took"}, body.internal.plastic_dissipation());
   for (const NamedBoundaryCondition& named : scene.boundary_conditions[b].all()) {
     const ReactionLedger& account = named.account();
     if (scene.relaxed)

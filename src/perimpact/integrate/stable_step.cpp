@@ -52,7 +52,8 @@ double stiffest_springs(const Body& body) {
 }
 
 /// The larger of that and half of ρ ω² as safe_stable_step() has it [N/m⁴], of a material whose dilatation stores energy.
-double stiffest_with_dilatation(const Body& body, const OrdinaryStateForce& force) {
+template <class Force>
+double stiffest_with_dilatation(const Body& body, const Force& force) {
   const std::size_t slots = body.particles.slots();
   std::vector<double> springs(slots, 0), both(slots, 0);  // Σ C v V, and with the largest eigenvalue of Σ C v V n nᵀ
   std::vector<double> reach(slots, 0), push(slots, 0);    // S [1/m], g² S
@@ -96,9 +97,12 @@ double step_of(double springs, const Body& body, const ShortRange::Bound& contac
 double silling_askari_step(const Body& body, const ShortRange::Bound& contact) { return step_of(stiffest_springs(body), body, contact); }
 
 double safe_stable_step(const Body& body, const ShortRange::Bound& contact) {
-  const OrdinaryStateForce* force = body.internal.ordinary_state();
-  // where a < 0 the dilatation takes from the energy of the bonds, and they alone are a bound
-  return step_of(force && force->law().a() > 0 ? stiffest_with_dilatation(body, *force) : stiffest_springs(body), body, contact);
+  const auto stiffest = [&](const auto* force) {
+    // where a < 0 the dilatation takes from the energy of the bonds, and they alone are a bound
+    return force && force->law().a() > 0 ? stiffest_with_dilatation(body, *force) : stiffest_springs(body);
+  };
+  const PlasticForce* plastic = body.internal.plastic();
+  return step_of(plastic ? stiffest(plastic) : stiffest(body.internal.ordinary_state()), body, contact);
 }
 
 double exact_stable_step(const Body& body) { return exact_stable_step(stiffest_mode(body)); }

@@ -5,12 +5,13 @@
 
 #include "perimpact/materials/correspondence/correspondence_force.hpp"
 #include "perimpact/materials/ordinary_state/ordinary_state_force.hpp"
+#include "perimpact/materials/plasticity/plastic_force.hpp"
 
 namespace perimpact {
 
 class InternalForce {
  public:
-  using Kind = std::variant<OrdinaryStateForce, CorrespondenceForce<3>, CorrespondenceForce<2>>;  // by material
+  using Kind = std::variant<OrdinaryStateForce, CorrespondenceForce<3>, CorrespondenceForce<2>, PlasticForce>;  // by material
 
   InternalForce(Kind kind, const Particles& particles);
 
@@ -44,17 +45,22 @@ class InternalForce {
   }
   const OrdinaryStateForce* ordinary_state() const { return std::get_if<OrdinaryStateForce>(&kind_); }
   const Correspondence* correspondence() const;  ///< null of other materials
-  double bytes() const;                          ///< [bytes] of memory
+  const PlasticForce* plastic() const { return std::get_if<PlasticForce>(&kind_); }
+  PlasticForce* plastic() { return std::get_if<PlasticForce>(&kind_); }
+  double plastic_dissipation() const { return plastic() ? plastic()->dissipation() : 0; }  ///< [J] since construction
+  double bytes() const;                                                                    ///< [bytes] of memory
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
     visit(name + ".broken_ends_of_row", std::span<std::size_t>(rows_.broken_ends));
+    if (plastic()) plastic()->visit_state(name, visit);
   }
 
   /// What was noted of the run so far; no step depends on it.
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     visit(name + ".fracture_energy_of_row", std::span<double>(rows_.fracture_energy));
+    if (plastic()) plastic()->visit_record(name, visit);
   }
 
  private:

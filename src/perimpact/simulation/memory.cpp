@@ -131,6 +131,8 @@ BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisatio
     arrays += (by_energy ? 2 * vector : by_volume ? number : 0) * with_slack + n / 2 + (has_dilatation ? number * with_slack : 0);
     arrays += is_list ? (has_dilatation ? 2 : 1) * number * length.entries : by_energy ? number * length.tables : 0;
   }
+  if (setup.elastic().plasticity)  // force/plastic_force.hpp: three tensors and five numbers a slot, directions of the entries of a list
+    arrays += 23 * number * with_slack + n + n / 4 + (is_list ? (has_dilatation ? 3 : 4) * number * length.entries : 0);
   double at_rest = arrays + static_cast<double>(impactors) * (number + sizeof(int)) * n;  // a due distance and a guess for each slot
   if (const auto* points = std::get_if<PointsShape>(&setup.shape))                        // of the deck, and of the simulation's own set-up
     at_rest += 2 * (vector + number) * static_cast<double>(points->points.size());
