@@ -44,7 +44,8 @@ std::string contact_bounds_text(const Impactor& impactor) {
   if (!impactor.region().fitted.empty()) text += row("bounds fitted", impactor.region().fitted);
   text += std::visit([](const auto& its) { return details(its); }, region);
   text += row("bounds volume", volume(impactor));
-  if (std::visit([](const auto& its) { return its.clips(); }, region)) text += row("bounds clip", "part of the surface exceeds the bounds; contact there is not detected");
+  if (std::visit([](const auto& its) { return its.clips(); }, region))
+    text += row("bounds clip", "part of the surface exceeds the bounds; contact there is not detected");
   return text;
 }
 

@@ -61,7 +61,8 @@ void add_statistics(CLI::App& command, StatisticsArguments& arguments) {
   command.add_option("--channel", arguments.channel.of, "Width of the channel in a broken sheet, of a body and along an axis: ice:x");
   command.add_option("--channel-from", arguments.channel.from, "Leaves out what is below this on the axis, a length");
   command.add_option("--channel-to", arguments.channel.to, "Leaves out what is above this on the axis, a length");
-  command.add_option("--sheet", arguments.channel.sheet, "Fragments of this share of the body's particles at least are the sheet that remains beside the channel")
+  command
+      .add_option("--sheet", arguments.channel.sheet, "Fragments of this share of the body's particles at least are the sheet that remains beside the channel")
       ->capture_default_str();
 }
 

@@ -69,7 +69,8 @@ class HullPanels {
     const double girth = 2 * widest() + height / std::sin(std::fmin(shape_.stem_angle, shape_.stern_angle)) + widest();
     const double bow = form_.bow_length() + widest(), rest = length_of_side() + form_.stern_length() + widest();
     return 4 * girth *
-           (bow / (bow_edge_length_ * bow_edge_length_) + (1 / bow_edge_length_ - 1 / shape_.edge_length) / growth + rest / (shape_.edge_length * shape_.edge_length));
+           (bow / (bow_edge_length_ * bow_edge_length_) + (1 / bow_edge_length_ - 1 / shape_.edge_length) / growth +
+            rest / (shape_.edge_length * shape_.edge_length));
   }
 
   /// Columns over one stretch, the last one left out: at equal counts of edges of the wanted size along the longest waterline.

@@ -34,7 +34,7 @@ struct HullShape {
   double stern_waterline_angle = std::numbers::pi * 30 / 180;  ///< α_s [rad]
   double bilge_radius = 0;                                     ///< R [m]; 0: a hard chine
   double flare = 0;                                            ///< γ [rad] of the sides from the vertical, outward as they rise
-  double edge_length = 0;                                            ///< [m] edge length of panels aft of the bow
+  double edge_length = 0;                                      ///< [m] edge length of panels aft of the bow
   double bow_edge_length = 0;                                  ///< [m] in the bow, growing evenly behind it; 0: as elsewhere
 };
 

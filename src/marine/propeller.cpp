@@ -299,7 +299,8 @@ double HubForm::radius_at(double z) const {
 Panels make_propeller(const PropellerShape& shape) {
   const BladeForm form(shape);
   const HubForm hub{.radius = 0.5 * shape.hub_ratio * shape.diameter, .length = shape.hub_length};
-  const double hub_panel = std::fmin(shape.edge_length, 0.5 * hub.radius), blade_edge_length = shape.blade_edge_length > 0 ? shape.blade_edge_length : shape.edge_length;
+  const double hub_panel = std::fmin(shape.edge_length, 0.5 * hub.radius),
+               blade_edge_length = shape.blade_edge_length > 0 ? shape.blade_edge_length : shape.edge_length;
   check_root(form, hub, hub_panel);
   // two triangles to each square of panels on both sides, along the outlines bands of edge_panel and their gradual growth; halving doubles at most
   const double area = form.expanded_area_ratio(root_in_hub * shape.hub_ratio) * pi * form.tip_radius() * form.tip_radius();

@@ -51,7 +51,7 @@ struct PropellerShape {
   Hand hand = Hand::right;
   Axis axis = Axis::x;
   std::optional<PropellerSections> sections;  ///< none: Wageningen B
-  double edge_length = 0;                           ///< [m] longest edge
+  double edge_length = 0;                     ///< [m] longest edge
   double blade_edge_length = 0;               ///< [m] longest edge at leading edge, trailing edge and tip; 0: as elsewhere
 };
 

@@ -89,7 +89,7 @@ TEST_CASE("still water: box, sphere and lying cylinder are at rest where Archime
   for (const Panels& panels : {ball, log}) CHECK(std::fabs(*level(panels, 0.5 * 1025 * Surface(panels).report().volume) - 3) < 1e-12);
   // a cap of the height of a quarter of the diameter holds 5/32 of the sphere
   CHECK(*level(ball, 1025 * 4 * std::numbers::pi / 3 * 5 / 32) == fixtures::relative(3 - 0.5, 0.01 * 0.1));  // panel²/8 inside, on a waterplane of 3/4 π
-  CHECK(!level(make_box({.size = size, .edge_length = 0.5}), 8201).has_value());                                   // 8200 kg of water
+  CHECK(!level(make_box({.size = size, .edge_length = 0.5}), 8201).has_value());                             // 8200 kg of water
 }
 
 TEST_CASE("still water: a heeled box rights itself with the moment of the wall-sided formula") {

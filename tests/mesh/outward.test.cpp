@@ -28,7 +28,8 @@ Panels panels_of(const Surface& surface) {
 
 TEST_CASE("winding: panels turned over at random are mended, and counted") {
   std::mt19937_64 random(1);
-  for (const Panels& good : {make_sphere({.diameter = 1, .edge_length = 0.1}), fixtures::torus(2, 0.5, 30, 15, 1), make_box({.size = {1, 2, 3}, .edge_length = 0.3})}) {
+  for (const Panels& good :
+       {make_sphere({.diameter = 1, .edge_length = 0.1}), fixtures::torus(2, 0.5, 30, 15, 1), make_box({.size = {1, 2, 3}, .edge_length = 0.3})}) {
     const Surface expected(good);
     Panels spoilt = good;
     std::size_t turned = 0;

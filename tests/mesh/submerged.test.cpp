@@ -20,7 +20,8 @@ namespace {
 
 Surface ship() {
   constexpr double degree = std::numbers::pi / 180;
-  return Surface(make_hull({.length = 30, .breadth = 5, .draft = 2, .freeboard = 1, .stem_angle = 30 * degree, .waterline_angle = 25 * degree, .edge_length = 0.5}));
+  return Surface(
+      make_hull({.length = 30, .breadth = 5, .draft = 2, .freeboard = 1, .stem_angle = 30 * degree, .waterline_angle = 25 * degree, .edge_length = 0.5}));
 }
 
 }  // namespace

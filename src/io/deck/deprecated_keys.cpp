@@ -126,7 +126,8 @@ class Renamer {
       return;
     }
     if (is_override(into)) return;
-    if (!is_override(from)) refuse(place, fmt::format("`{}` is the former name of `{}`, and the deck gives both; keep `{}`.", key.old_name, key.name, key.name));
+    if (!is_override(from))
+      refuse(place, fmt::format("`{}` is the former name of `{}`, and the deck gives both; keep `{}`.", key.old_name, key.name, key.name));
     into = std::move(from);
   }
 

@@ -141,8 +141,8 @@ Frames scan_frames(const std::filesystem::path& folder, std::vector<std::string>
 
   Frames frames;
   if (lists.empty())
-    notes.push_back(
-        fmt::format("{} holds no series of pictures (.pvd), so nothing can be shown in 3-D; `output.frames` in the deck asks for them.", folder_of_frames.string()));
+    notes.push_back(fmt::format("{} holds no series of pictures (.pvd), so nothing can be shown in 3-D; `output.frames` in the deck asks for them.",
+                                folder_of_frames.string()));
   for (const std::filesystem::path& list : lists) try {
       scan_series(list, frames, notes);
     } catch (const InputError& error) {

@@ -42,7 +42,7 @@ void write_last_fragments(const output::ResultsFolder& folder, const Body& body)
     rows.insert(rows.end(), {static_cast<double>(n), static_cast<double>(fragment.particles), fragment.mass});
     for (const Vec3d& v : {state.centre, state.extent, state.velocity}) rows.insert(rows.end(), {v.x, v.y, v.z});
   }
-  const std::vector<std::string> columns = {"fragment [-]",    "particles [-]", "mass [kg]",    "centre_x [m]",     "centre_y [m]",     "centre_z [m]",
+  const std::vector<std::string> columns = {"fragment [-]", "particles [-]", "mass [kg]",    "centre_x [m]",     "centre_y [m]",     "centre_z [m]",
                                             "extent_x [m]", "extent_y [m]",  "extent_z [m]", "velocity_x [m/s]", "velocity_y [m/s]", "velocity_z [m/s]"};
   output::write_csv(folder.fragments() / (body.name + "_end.csv"), columns, rows);
 }

@@ -7,8 +7,8 @@
 namespace fccda {
 
 struct Coarsening {
-  double max_deviation = 0;  ///< [m] the new surface lies within this of the given one, and the given one within this of the new one
-  double max_edge_length = 0;     ///< [m] no edge is made longer
+  double max_deviation = 0;    ///< [m] the new surface lies within this of the given one, and the given one within this of the new one
+  double max_edge_length = 0;  ///< [m] no edge is made longer
 };
 
 struct Coarsened {

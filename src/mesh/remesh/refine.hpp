@@ -12,12 +12,12 @@ namespace fccda {
 
 /// Which panels become how small. Box, part and angle narrow one another; with none of them it is all panels.
 struct Refinement {
-  std::string name = "refinement";    ///< how messages call it
-  double edge_length = 0;                   ///< [m] longest edge wanted
-  std::optional<Box> box{};           ///< [m] only panels that reach into it, in the frame of the surface
+  std::string name = "refinement";            ///< how messages call it
+  double edge_length = 0;                     ///< [m] longest edge wanted
+  std::optional<Box> box{};                   ///< [m] only panels that reach into it, in the frame of the surface
   std::optional<std::string> surface_part{};  ///< only panels of that part
-  std::optional<double> angle{};      ///< [rad] only where the surface curves: panels turn by at most so much, and are not smaller than `panel` for it;
-                                      ///< at creases they are `panel` long (curvature.hpp)
+  std::optional<double> angle{};              ///< [rad] only where the surface curves: panels turn by at most so much, and are not smaller than `panel` for it;
+                                              ///< at creases they are `panel` long (curvature.hpp)
 };
 
 /// The triangles of the surface, halved across their longest edges until each is as small as wanted; of several refinements the

@@ -78,7 +78,8 @@ bool TargetSize::holds_for_part_of(const SizeRequest& request, std::size_t trian
 
 /// [m] of a triangle that touches no crease; infinity where it is flat.
 double TargetSize::smooth_size(const SizeRequest& request, std::size_t triangle) const {
-  return request.refinement.angle ? std::max(request.refinement.edge_length, *request.refinement.angle / curvature_.largest[triangle]) : request.refinement.edge_length;
+  return request.refinement.angle ? std::max(request.refinement.edge_length, *request.refinement.angle / curvature_.largest[triangle])
+                                  : request.refinement.edge_length;
 }
 
 double TargetSize::of(const Bisection& bisection, const Bisection::Piece& piece) const {

@@ -7,7 +7,7 @@
 namespace fccda {
 
 struct BoxShape {
-  Vec3d size{};      ///< [m] edge lengths
+  Vec3d size{};            ///< [m] edge lengths
   double edge_length = 0;  ///< [m] longest edge along the axes; diagonals are up to √2 longer. 0: each side of the box is one quad, or two triangles
   PanelKind panels = PanelKind::triangles;
 };

@@ -6,8 +6,8 @@
 namespace fccda {
 
 struct SphereShape {
-  double diameter = 0;  ///< [m]
-  double edge_length = 0;     ///< [m] no edge is longer; 0: a twentieth of the diameter, which is off the sphere by 5e-4 of the diameter at most
+  double diameter = 0;     ///< [m]
+  double edge_length = 0;  ///< [m] no edge is longer; 0: a twentieth of the diameter, which is off the sphere by 5e-4 of the diameter at most
 };
 
 /// Triangles, wound outward, vertices shared and on the sphere; symmetric in the three coordinate planes. Each face of the icosahedron

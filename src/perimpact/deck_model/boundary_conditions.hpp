@@ -25,7 +25,7 @@ inline constexpr std::string_view face_words[] = {"+x", "-x", "+y", "-y", "+z", 
 /// Particles that keep their place in some directions.
 struct FixedSetup {
   static constexpr std::string_view name = "fixed";
-  std::string particle_set;                   ///< the whole body where empty
+  std::string particle_set;             ///< the whole body where empty
   std::vector<std::string> directions;  ///< of x, y, z; all where empty
   static std::span<const Field<FixedSetup>> fields();
 };
@@ -51,7 +51,7 @@ struct PrescribedSetup {
 /// A force on each cubic metre: weight, inertia of an accelerated frame, traction spread over a layer.
 struct BodyForceSetup {
   static constexpr std::string_view name = "body_force";
-  std::string particle_set;         ///< the whole body where empty
+  std::string particle_set;   ///< the whole body where empty
   Vec3d force_density{};      ///< [N/m³]
   std::vector<double> times;  ///< [s] of `factors`; constant where empty
   std::vector<double> factors;
@@ -73,7 +73,7 @@ struct PressureSetup {
 /// Weight, and still water that a body floats in (docs/theory/floating_bodies.md).
 struct FloatingSetup {
   static constexpr std::string_view name = "floating";
-  std::string particle_set;           ///< the whole body where empty
+  std::string particle_set;     ///< the whole body where empty
   std::optional<double> level;  ///< [m] z of the water's surface; that at which the body floats as it is placed where absent
   double density = 1025;        ///< [kg/m³] of the water
   double gravity = 9.81;        ///< [m/s²]

@@ -21,7 +21,7 @@ struct HullSurface {
   std::optional<double> stern_angle;              ///< [rad]
   std::optional<double> stern_waterline_angle;    ///< [rad]
   double flare = 0;                               ///< [rad]
-  double edge_length{};                                 ///< [m]
+  double edge_length{};                           ///< [m]
   std::optional<double> bow_edge_length;          ///< [m]
   static std::span<const Field<HullSurface>> fields();
 };
@@ -47,7 +47,7 @@ struct PropellerSurface {
   double thickness_factor = 1, edge_thickness = 0.1;
   Choice hand{hand_words};
   Choice axis{axis_words, 0};
-  double edge_length{};                           ///< [m]
+  double edge_length{};                     ///< [m]
   std::optional<double> blade_edge_length;  ///< [m]
   std::optional<PropellerSectionsSetup> sections;
   static std::span<const Field<PropellerSurface>> fields();

@@ -332,7 +332,8 @@ std::span<const Field<RefinementSetup>> RefinementSetup::fields() {
       {"edge_length", &S::edge_length, "m", positive(), required, "Longest edge that panels shall have there. Panels are halved until none is longer."},
       {"surface_part", &S::surface_part, "", {}, optional, "Only panels of this part of the surface. Where absent, of all parts."},
       {"angle", &S::angle, "rad", strictly_between(0, std::numbers::pi), optional,
-       "An angle such as 10 deg: only where the surface curves, panels become so small that they turn by it at most, but not smaller than edge_length; at creases "
+       "An angle such as 10 deg: only where the surface curves, panels become so small that they turn by it at most, but not smaller than edge_length; at "
+       "creases "
        "they are that small. Where absent, curved or not."}};
   return all;
 }
@@ -340,7 +341,8 @@ std::span<const Field<RefinementSetup>> RefinementSetup::fields() {
 std::span<const Field<CoarseningSetup>> CoarseningSetup::fields() {
   using S = CoarseningSetup;
   static const Field<S> all[] = {
-      {"max_deviation", &S::max_deviation, "m", positive(), required, "No point of the surface moves by more than this. Exactly flat places need next to nothing."},
+      {"max_deviation", &S::max_deviation, "m", positive(), required,
+       "No point of the surface moves by more than this. Exactly flat places need next to nothing."},
       {"max_edge_length", &S::max_edge_length, "m", positive(), optional, "No edge is made longer than this. Where absent, any length will do."}};
   return all;
 }

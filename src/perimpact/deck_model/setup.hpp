@@ -176,8 +176,8 @@ struct BodySetup {
   Choice plane{plane_words};                    ///< of a body of two dimensions, a single layer in z
   MaterialSetup material;
   std::optional<FailureSetup> failure;
-  std::vector<SolidSetup> add;    ///< united with the shape
-  std::vector<SolidSetup> holes;    ///< taken out of it
+  std::vector<SolidSetup> add;            ///< united with the shape
+  std::vector<SolidSetup> holes;          ///< taken out of it
   std::vector<SolidSetup> particle_sets;  ///< names for what is in them
   std::vector<CrackSetup> cracks;
   std::vector<BoundaryConditionSetup> boundary_conditions;
@@ -203,14 +203,14 @@ struct CylinderSurface {
 
 struct SphereSurface {
   static constexpr std::string_view name = "sphere";
-  double diameter{};  ///< [m]
-  double edge_length{};     ///< [m]
+  double diameter{};     ///< [m]
+  double edge_length{};  ///< [m]
   static std::span<const Field<SphereSurface>> fields();
 };
 
 struct BoxSurface {
   static constexpr std::string_view name = "box";
-  Vec3d size{};    ///< [m]
+  Vec3d size{};          ///< [m]
   double edge_length{};  ///< [m]
   Choice panel_shape{panel_words};
   static std::span<const Field<BoxSurface>> fields();
@@ -270,16 +270,16 @@ struct ContactBoundsSetup {
 /// Smaller panels in some place of the surface. Box, part and angle narrow one another (docs/theory/remeshing.md).
 struct RefinementSetup {
   std::string name;
-  double edge_length{};                     ///< [m] longest edge
+  double edge_length{};               ///< [m] longest edge
   std::optional<BoxRegionSetup> box;  ///< everywhere where absent
-  std::string surface_part;                   ///< of the surface; all where empty
+  std::string surface_part;           ///< of the surface; all where empty
   std::optional<double> angle;        ///< [rad] that panels turn by at most where the surface curves; everywhere where absent
   static std::span<const Field<RefinementSetup>> fields();
 };
 
 /// Larger panels where the surface is cut finer than its shape needs.
 struct CoarseningSetup {
-  double max_deviation{};            ///< [m] that the surface moves by at most
+  double max_deviation{};                 ///< [m] that the surface moves by at most
   std::optional<double> max_edge_length;  ///< [m] no edge is made longer; any length where absent
   static std::span<const Field<CoarseningSetup>> fields();
 };
@@ -288,8 +288,8 @@ struct CoarseningSetup {
 struct GaugeSetup {
   std::string name;
   std::vector<std::string> surface_parts;  ///< of the surface; all where empty
-  std::optional<Vec3d> point;      ///< [m] of the moments, from the surface's origin, moving along; the centre of mass where absent
-  std::optional<Vec3d> axis;       ///< direction of the torque, along the surface's axes, turning along
+  std::optional<Vec3d> point;              ///< [m] of the moments, from the surface's origin, moving along; the centre of mass where absent
+  std::optional<Vec3d> axis;               ///< direction of the torque, along the surface's axes, turning along
   static std::span<const Field<GaugeSetup>> fields();
 };
 
@@ -343,7 +343,7 @@ struct ImpactorSetup {
   Vec3d position{};                     ///< [m] of the surface's origin at t = 0
   Vec3d velocity{};                     ///< [m/s]
   Vec3d angular_velocity{};             ///< [rad/s]
-  std::vector<std::string> free_dofs;        ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
+  std::vector<std::string> free_dofs;   ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
   std::optional<CoarseningSetup> coarsen;
   std::vector<RefinementSetup> refine;
   ContactBoundsSetup contact_bounds;
@@ -400,9 +400,9 @@ struct LineSetup {
 
 struct OutputSetup {
   std::string folder = "results";
-  int frames = 40;                   ///< number of pictures after the one at t = 0; 0: none at all
-  std::optional<double> history_interval;     ///< [s] between rows; a hundredth of the run where absent
-  double checkpoint_interval = 300;  ///< [s] of the clock on the wall; 0: none but the last
+  int frames = 40;                         ///< number of pictures after the one at t = 0; 0: none at all
+  std::optional<double> history_interval;  ///< [s] between rows; a hundredth of the run where absent
+  double checkpoint_interval = 300;        ///< [s] of the clock on the wall; 0: none but the last
   std::vector<ProbeSetup> probes;
   std::vector<LineSetup> lines;
   static std::span<const Field<OutputSetup>> fields();

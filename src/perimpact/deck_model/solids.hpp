@@ -73,9 +73,9 @@ struct PointsShape {
 struct CellsShape {
   static constexpr std::string_view name = "cells";
   std::string file;
-  std::vector<std::string> file_parts;   ///< of the file; all where empty
-  double scale = 1;                 ///< multiplies the file's coordinates, so that they become metres
-  std::optional<double> thickness;  ///< [m] of a plane body
+  std::vector<std::string> file_parts;  ///< of the file; all where empty
+  double scale = 1;                     ///< multiplies the file's coordinates, so that they become metres
+  std::optional<double> thickness;      ///< [m] of a plane body
   static std::span<const Field<CellsShape>> fields();
 };
 

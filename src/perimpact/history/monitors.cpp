@@ -62,7 +62,8 @@ double contact_share(std::size_t body, const Particles& particles, std::span<con
 }  // namespace
 
 Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock)
-    : interval_(std::max(1L, setup.history_interval ? std::lround(std::min(*setup.history_interval / clock.dt, static_cast<double>(clock.steps))) : clock.steps / 100)),
+    : interval_(std::max(
+          1L, setup.history_interval ? std::lround(std::min(*setup.history_interval / clock.dt, static_cast<double>(clock.steps))) : clock.steps / 100)),
       check_interval_(std::clamp(clock.steps / 100, 1L, most_steps_unchecked)),
       elastic_(bodies.size(), 0.0),
       kinetic_(bodies.size(), 0.0) {

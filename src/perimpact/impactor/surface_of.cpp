@@ -13,7 +13,9 @@ namespace {
 
 fccda::PanelKind kind(const Choice& panels) { return panels.as<fccda::PanelKind>(); }
 
-fccda::Panels panels_of(const CylinderSurface& s) { return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.edge_length, kind(s.panel_shape)}); }
+fccda::Panels panels_of(const CylinderSurface& s) {
+  return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.edge_length, kind(s.panel_shape)});
+}
 fccda::Panels panels_of(const SphereSurface& s) { return fccda::make_sphere({s.diameter, s.edge_length}); }
 fccda::Panels panels_of(const BoxSurface& s) { return fccda::make_box({s.size, s.edge_length, kind(s.panel_shape)}); }
 fccda::Panels panels_of(const HullSurface& s) { return fccda::make_hull(shape_of(s)); }

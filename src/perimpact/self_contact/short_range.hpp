@@ -25,8 +25,8 @@ class ShortRange {
 
   double energy() const { return energy_; }                 ///< [J] of all springs, at the last evaluation
   std::size_t touching() const { return in_contact_now_; }  ///< pairs, at the last evaluation
-  double friction_dissipation() const { return work_[0]; }         ///< [J] taken by friction so far; never falls
-  double dashpot_dissipation() const { return work_[1]; }      ///< [J] taken by the dashpots so far; never falls
+  double friction_dissipation() const { return work_[0]; }  ///< [J] taken by friction so far; never falls
+  double dashpot_dissipation() const { return work_[1]; }   ///< [J] taken by the dashpots so far; never falls
   const NearPairs& near_pairs() const { return near_pairs_; }
   void forget();  ///< has the pairs looked for anew; changes no result
 

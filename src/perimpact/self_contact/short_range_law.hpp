@@ -94,7 +94,7 @@ struct Touch {
 /// Forces on particle i [N]; those on j are the opposite, to the last bit.
 struct TouchForce {
   Vec3d normal, friction;
-  double tangential_energy;           ///< [J] of the tangential spring
+  double tangential_energy;                  ///< [J] of the tangential spring
   double friction_dissipation, damped_work;  ///< [J] taken in the last step, never negative
 };
 

@@ -60,7 +60,8 @@ Assembly heap(std::uint64_t seed) {
   for (int k = 0; k < 5; ++k) {
     const double a = 0.1 + 0.3 * unit(random), b = 0.1 + 0.3 * unit(random), c = 0.03 + 0.2 * unit(random);
     const double panel = k % 2 == 0 ? 1 : 0.1;  // coarse ones are cut, fine ones buried
-    const Panels part = k < 3 ? make_box({.size = {a, b, c}, .edge_length = panel}) : make_cylinder({.diameter = a, .height = b, .axis = Axis::x, .edge_length = 0.1});
+    const Panels part =
+        k < 3 ? make_box({.size = {a, b, c}, .edge_length = panel}) : make_cylinder({.diameter = a, .height = b, .axis = Axis::x, .edge_length = 0.1});
     parts.push_back(
         placed(part, fixtures::random_in_box(random, {-0.12, -0.12, -0.12}, {0.12, 0.12, 0.12}), 3 * unit(random) * fixtures::random_direction(random)));
   }
@@ -157,7 +158,8 @@ TEST_CASE("swept, overlapping parts: a hundred thousand paths along the fillets 
 
 TEST_CASE("swept, overlapping parts: what is deep in the hub, beside a buried blade, is put back straight above, not along the blade") {
   // a tall rod sunk in a block: the point ends 0.02 below the top of the block and 0.005 beside the rod
-  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
+  const Assembly assembly(
+      {make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
   Swept detector(assembly.surface, Unbounded{}, 0);
   const std::vector<Contact> contacts = detect(detector, fixtures::points_on({{{0.055, 0.01, 0.21}, {0.055, 0.01, 0.18}}}));
   REQUIRE(contacts.size() == 1);
@@ -193,7 +195,8 @@ TEST_CASE("swept, overlapping parts: inside is inside any of them, however deep 
 }
 
 TEST_CASE("swept, overlapping parts: a point that slides along a fillet keeps sliding") {
-  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.1, 1, 1}, .edge_length = 0.1}), {0, 0.2, 0.5}, {})});
+  const Assembly assembly(
+      {make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.1, 1, 1}, .edge_length = 0.1}), {0, 0.2, 0.5}, {})});
   for (const double r : {0.0, 0.02}) {
     Swept detector(assembly.surface, Unbounded{}, r);
     fixtures::TestPoints points;

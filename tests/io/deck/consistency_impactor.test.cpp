@@ -92,7 +92,8 @@ TEST_CASE("consistency of impactors: gauges have a direction for their axis, and
   check_refused("gauges: {root: {axis: [0, 0, 0]}}", "[0, 0, 0]", "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
   std::string text = with(gauge);
   text.replace(text.find("swept"), 5, "analytic");
-  CHECK(complaint(text) == place_of(text, "[side]") + ": surface_parts is given, but the analytic detector has no panels; remove surface_parts, or write detector: swept.");
+  CHECK(complaint(text) ==
+        place_of(text, "[side]") + ": surface_parts is given, but the analytic detector has no panels; remove surface_parts, or write detector: swept.");
 }
 
 TEST_CASE("consistency of impactors: a file holds a table of motion with its units, and is looked for from the deck's folder") {

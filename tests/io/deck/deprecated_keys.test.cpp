@@ -121,9 +121,8 @@ TEST_CASE("deprecated keys: a former name in --set changes the value of a deck i
 }
 
 TEST_CASE("deprecated keys: a current name in --set changes the value of a deck in former names, wholly or inside") {
-  const Setup changed = read(former, {"bodies.sheet.boundary_conditions.rim.fixed.particle_set=none", "output.history_interval=2 us",
-                                      "impactors.ship.contact_bounds={}"})
-                            .setup;
+  const Setup changed =
+      read(former, {"bodies.sheet.boundary_conditions.rim.fixed.particle_set=none", "output.history_interval=2 us", "impactors.ship.contact_bounds={}"}).setup;
   CHECK(std::get<FixedSetup>(changed.bodies[0].boundary_conditions[0].kind).particle_set == "none");
   CHECK(changed.bodies[0].boundary_conditions.size() == 2);
   CHECK(changed.output.history_interval == 2e-6);

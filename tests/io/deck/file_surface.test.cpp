@@ -50,7 +50,8 @@ TEST_CASE("file surface: nothing is changed where the deck says nothing") {
 
 TEST_CASE("file surface: parts, planes, angles and lengths are read, with their units") {
   const FileSurface surface = surface_of(
-      "file_parts: [stem, \"shell 1\"], scale: 0.001, mirror: x, mirror_merge: z, rotate: [90 deg, 0, -0.5], translate: [1 mm, 2, 3 cm], orientation: reversed");
+      "file_parts: [stem, \"shell 1\"], scale: 0.001, mirror: x, mirror_merge: z, rotate: [90 deg, 0, -0.5], translate: [1 mm, 2, 3 cm], orientation: "
+      "reversed");
   CHECK(surface.file_parts == std::vector<std::string>{"stem", "shell 1"});
   CHECK(surface.scale == 0.001);
   CHECK((surface.mirror.word() == "x" && surface.mirror_merge.word() == "z" && surface.orientation.word() == "reversed"));
@@ -62,9 +63,10 @@ TEST_CASE("file surface: parts, planes, angles and lengths are read, with their 
 TEST_CASE("file surface: other planes, units and angles are refused at their place") {
   check_refused("mirror_merge: w", "w}", "mirror_merge is w, but it must be one of none, x, y, z; did you mean x?");
   check_refused("mirror: port", "port}", "mirror is port, but it must be one of none, x, y, z.");
-  check_refused("file_parts: stem", "stem}",
-                "file_parts is stem, but a list is needed, such as [a, b]. Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists "
-                "them.");
+  check_refused(
+      "file_parts: stem", "stem}",
+      "file_parts is stem, but a list is needed, such as [a, b]. Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists "
+      "them.");
   check_refused("translate: [1 kg, 0, 0]", "1 kg", "x of translate is \"1 kg\", but that is a mass; write a length, for example 9 mm.");
   check_refused("rotate: [0, 0, 90]", "90]",
                 "z of rotate is 90, but it must be from -6.2832 to 6.2832. Turns the surface about the axes x, y and z through the origin, in this order: "

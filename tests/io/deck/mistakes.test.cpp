@@ -22,8 +22,8 @@ TEST_CASE("mistakes: unknown keys, with what was meant or where they belong") {
   check_complaint(
       {"model: ordinary-state, youngs", "model: bond-based, youngs", "poissons_ratio",
        "poissons_ratio is not a key of bodies.plate.material; it can be given only with model: ordinary-state, linear-peridynamic-solid, correspondence."});
-  check_complaint(
-      {"axis: z, edge_length", "scale: 2, edge_length", "scale", "scale is not a key of impactors.cylinder.surface.cylinder; it belongs to impactors.<name>.surface."});
+  check_complaint({"axis: z, edge_length", "scale: 2, edge_length", "scale",
+                   "scale is not a key of impactors.cylinder.surface.cylinder; it belongs to impactors.<name>.surface."});
 }
 
 TEST_CASE("mistakes: a colon without a blank makes a key of the value too") {
@@ -99,9 +99,10 @@ TEST_CASE("mistakes: a value out of range, with the range in words") {
                    "The published detector takes 0 only."});
   check_complaint({"0.1, 0.009", "0, 0.009", "0, 0.009",
                    "y of size is 0, but it must be above 0. Edge lengths in x, y and z. Of a body that is just this box, whole multiples of the spacing."});
-  check_complaint({"edge_length: 0.001", "edge_length: 0", "0}}   #",
-                   "edge_length is 0, but it must be above 0. Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles "
-                   "reach 1.41 times it."});
+  check_complaint(
+      {"edge_length: 0.001", "edge_length: 0", "0}}   #",
+       "edge_length is 0, but it must be above 0. Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles "
+       "reach 1.41 times it."});
   check_complaint(
       {"[0.05, 0.05, 0.01]", "[0.05, 0.05, -0.01]", "-0.01", "z of size is -0.01, but it must be above 0. Edge lengths along the surface's own axes."});
   check_complaint({"frames: 40", "frames: -1", "-1", "frames is -1, but it must be from 0 to 100000. Number of pictures after the one at t = 0. 0: none."});

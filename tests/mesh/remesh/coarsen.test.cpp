@@ -175,12 +175,15 @@ TEST_CASE("coarsen: thin walls do not fold through themselves, though the distan
   CHECK(coarse.panels.panels.size() < 0.9 * static_cast<double>(sheet.panels.size()));
   CHECK(fixtures::self_crossings(triangles_of(coarse.panels)) == 0);
   // a wedge of the same kind, thick at one end
-  const Panels wedge = fixtures::moved(make_box({.size = {1, 1, 0.2}, .edge_length = 0.08}), [&](const Vec3d& p) { return arch({p.x, p.y, p.z * (0.53 - p.x)}); });
+  const Panels wedge = fixtures::moved(make_box({.size = {1, 1, 0.2}, .edge_length = 0.08}), [&](const Vec3d& p) {
+    return arch({p.x, p.y, p.z * (0.53 - p.x)});
+  });
   const Coarsened sharp = coarsen(surface_from(wedge), {0.1, any_size});
   CHECK(sharp.panels.panels.size() < 0.9 * static_cast<double>(wedge.panels.size()));
   CHECK(fixtures::self_crossings(triangles_of(sharp.panels)) == 0);
   // two spheres, one in the other, with a narrow gap between
-  const Panels shell = fixtures::joined(make_sphere({.diameter = 1, .edge_length = 0.1}), fixtures::reversed(make_sphere({.diameter = 0.96, .edge_length = 0.13})));
+  const Panels shell =
+      fixtures::joined(make_sphere({.diameter = 1, .edge_length = 0.1}), fixtures::reversed(make_sphere({.diameter = 0.96, .edge_length = 0.13})));
   const Coarsened thin = coarsen(surface_from(shell), {0.1, any_size});
   CHECK(thin.panels.panels.size() < shell.panels.size());
   CHECK(fixtures::self_crossings(triangles_of(thin.panels)) == 0);

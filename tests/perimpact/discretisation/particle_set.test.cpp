@@ -16,8 +16,8 @@ BodySetup block() {
   BodySetup setup = fixtures::body_setup({.size = {10, 10, 5}, .spacing = 1});
   setup.position = {100, 0, 0};
   setup.particle_sets = {{"left", BoxSolid{{2, 20, 20}}, {-5, 0, 0}, {}},
-                   {"rod", CylinderSolid{3.1, 20, {axis_words, 2}}, {-0.5, 0.5, 0}, {}},
-                   {"far", SphereSolid{1}, {50, 0, 0}, {}}};
+                         {"rod", CylinderSolid{3.1, 20, {axis_words, 2}}, {-0.5, 0.5, 0}, {}},
+                         {"far", SphereSolid{1}, {50, 0, 0}, {}}};
   return setup;
 }
 
@@ -61,7 +61,8 @@ TEST_CASE("region: a name that is none and a region without particles are told w
   CHECK(key == "bodies.body.boundary_conditions.pull.region");
   CHECK(complaint("everything", block(), key) == "body body has no particle set everything; its particle sets are left, rod, far.");
   CHECK(complaint("far", block(), key) ==
-        "particle set far of body body contains no particle; its position is from the body's position, in metres: move it, or make it larger than a spacing of 1 m.");
+        "particle set far of body body contains no particle; its position is from the body's position, in metres: move it, or make it larger than a spacing of "
+        "1 m.");
   CHECK(key == "bodies.body.particle_sets.far");
   BodySetup bare = block();
   bare.particle_sets.clear();
