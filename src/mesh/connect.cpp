@@ -30,14 +30,14 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
 
 int& neighbour(LinkedTriangles& surface, int triangle, int e) { return surface.neighbours[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(e)]; }
 
-/// A triangle beside a crowded edge, by its angle about it.
+/// A triangle at a non-manifold edge, by its dihedral angle about it.
 struct Leaf {
   double angle;       // [rad] about the edge from its lower vertex to its higher
-  bool faces_onward;  // its front is on the side of larger angles
-  int triangle, e;    // and its side along the edge
+  bool faces_onward;  // its front faces towards larger angles
+  int triangle, e;    // and its side on the edge
 };
 
-/// The side of the triangle along the edge, in either direction.
+/// The side of the triangle on the edge, in either direction.
 std::size_t side_along(const Triangle& triangle, const std::array<int, 2>& edge) {
   std::size_t e = 0;
   while (std::pair<int, int>(std::minmax(triangle.vertex[e], triangle.vertex[(e + 1) % 3])) != std::pair(edge[0], edge[1])) ++e;
@@ -86,7 +86,7 @@ Connection connect(LinkedTriangles& surface) {
 }
 
 Unjoined join_non_manifold(LinkedTriangles& surface, const std::vector<NonManifoldEdge>& non_manifold_edges, bool fronts_are_backs) {
-  // Those nearer to one another lie on one another, as far as a float's coordinates tell, and it is not known which comes first.
+  // Triangles at nearer angles coincide within the precision of float coordinates, so their order is undetermined.
   constexpr double same_angle = 1e-6;
   Unjoined out;
   for (const NonManifoldEdge& edge : non_manifold_edges) {

@@ -8,12 +8,12 @@
 namespace fccda {
 namespace {
 
-constexpr double crumb = 1e-3;  // of the surface's area
+constexpr double crumb = 1e-3;  // as a fraction of the surface's area
 
 struct Key {
   std::array<int, 3> sorted;
   int triangle;
-  bool is_even;  // runs through its vertices as `sorted` does
+  bool is_even;  // the permutation from `sorted`
   friend bool operator<(const Key& a, const Key& b) { return std::pair(a.sorted, a.triangle) < std::pair(b.sorted, b.triangle); }
 };
 
@@ -29,12 +29,12 @@ std::vector<Key> sorted_keys(const std::vector<Triangle>& triangles) {
   return keys;
 }
 
-/// Two triangles back to back, the first of them and its partner.
+/// Two coincident triangles of opposite winding: the first and its partner.
 struct Pair {
   int triangle, partner;
 };
 
-/// Decides which pairs go, patch by patch: those that hang together over edges.
+/// Decides which pairs are removed, by patches connected over edges.
 class Patches {
  public:
   Patches(const std::vector<Triangle>& triangles, std::span<const Vec3d> vertices, const std::vector<std::uint8_t>& left_out, const std::vector<Pair>& pairs)
@@ -51,7 +51,7 @@ class Patches {
     }
   }
 
-  /// Of each pair, whether both go.
+  /// For each pair, whether both triangles are removed.
   std::vector<bool> go() const {
     std::vector<bool> goes(pairs_.size(), false), seen(pairs_.size(), false);
     for (std::size_t first = 0; first < pairs_.size(); ++first) {
@@ -121,7 +121,7 @@ class Patches {
   std::span<const Vec3d> vertices_;
   const std::vector<Pair>& pairs_;
   std::vector<Side> sides_;  // of the pairs
-  std::vector<int> others_;  // at the first of the sides of an edge: how many triangles of no pair meet there
+  std::vector<int> others_;  // at the first side on each edge: how many triangles outside all pairs meet there
   double area_ = 0;
 };
 

@@ -12,7 +12,7 @@ struct Part {
   int component = 0;
   Box bounds;
   std::vector<std::size_t> triangles;
-  std::vector<Vec3d> middles;  // of triangles spread over the part
+  std::vector<Vec3d> middles;  // of triangles distributed over the part
 };
 
 std::vector<Part> closed_parts(const LinkedTriangles& surface, const Components& components, const std::vector<bool>& is_closed) {
@@ -39,8 +39,8 @@ bool holds(const Box& outer, const Box& inner) {
          outer.high.z > inner.high.z;
 }
 
-/// Sweeps over y and keeps the triangles of `outer` that reach over the present y: some √n of n, and a hollow body of a
-/// million triangles takes half a second. Expects both sorted: middles by y, triangles by their lowest y.
+/// Sweeps over y and keeps only the triangles of `outer` that span the current y: about √n of n, so a hollow body of a million triangles
+/// takes half a second. Expects both sorted: centroids by y, triangles by their lowest y.
 bool contains(const Part& outer, const Part& inner, const LinkedTriangles& surface) {
   const RayCrossing crosses(surface.vertices, surface.triangles);
   const auto range = [&](std::size_t t) { return std::minmax({surface.corner(t, 0).y, surface.corner(t, 1).y, surface.corner(t, 2).y}); };
@@ -68,7 +68,7 @@ Nesting find_nesting(const LinkedTriangles& surface, const Components& component
     std::sort(part.middles.begin(), part.middles.end(), [](const Vec3d& a, const Vec3d& b) { return a.y < b.y; });
   }
   std::vector<std::pair<int, int>> held;  // component, and one that contains it
-  // In the order of x only those parts are compared whose ranges of x meet.
+  // Sorted by x, only parts with overlapping ranges of x are compared.
   std::sort(parts.begin(), parts.end(),
             [](const Part& a, const Part& b) { return std::pair(a.bounds.low.x, a.component) < std::pair(b.bounds.low.x, b.component); });
   for (std::size_t outer = 0; outer < parts.size(); ++outer) {

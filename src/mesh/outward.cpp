@@ -16,11 +16,11 @@ void expect_declared(Orientation outside, const LinkedTriangles& surface, const 
   throw SurfaceError(name + ": the surface is open: " + std::to_string(boundary_loops.size()) +
                          (boundary_loops.size() == 1 ? " edge belongs" : " edges belong") + " to one panel only, the first to panel " +
                          std::to_string(surface.triangles[boundary_loops.front()].panel) +
-                         " (counted from 0); close the holes, or say which side is outside {}.",
+                         " (counted from 0); close the holes, or specify which side is outside {}.",
                      {DefectKind::rim, panels_of(surface.triangles, boundary_loops)}, Advice::declare_orientation);
 }
 
-/// A volume that rounding could have made: of a sheet that is folded onto itself.
+/// True if the volume is within rounding error of zero, as for a sheet folded onto itself.
 bool is_nothing(double volume, const LinkedTriangles& surface, const std::vector<std::size_t>& triangles) {
   Box bounds;
   for (const std::size_t t : triangles) {

@@ -167,7 +167,7 @@ def _(t):
 def _(t):
     for wish, sentence in [
         ("{edge_length: 1 mm, part: sides}", 'struck: the surface has no part "sides"; did you mean side? Its parts are bottom, side, top.'),
-        ("{edge_length: 1 nm}", "struck: panels of 1e-09 m would be about 6e+16 of them, more than the 3e+07 that there is room for; panels of 5e-05 m would do."),
+        ("{edge_length: 1 nm}", "struck: an edge length of 1e-09 m would give about 6e+16 panels, more than the limit of 3e+07; use 5e-05 m or more."),
     ]:
         failed = t.run_program("check", t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    refine: {{struck: {wish}}}")), "--out", "r")
         t.assertEqual((failed.code, failed.err), (2, f"error: deck.yaml:15:5: {sentence}\n"))

@@ -86,8 +86,8 @@ TEST_CASE("crowded: an inner wall is refused with its panels, or cut off where t
   } catch (const SurfaceError& error) {
     CHECK(std::string(error.what()).starts_with("hull: the surface is non-manifold: 8 edges have more than two panels, the first from ("));
     CHECK(std::string(error.what())
-              .ends_with("and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along "
-                         "these edges, with Surface::Options::outside, OutsideIs::normals (the side that the normals point to)."));
+              .ends_with("so their connection is ambiguous; delete inner walls, or use it as an open surface that is cut along "
+                         "these edges, with Surface::Options::orientation, Orientation::normals (the side that the normals point to)."));
     CHECK(error.in_words_of({.cut_open = "as you like"}).ends_with("cut along these edges, as you like."));
     CHECK(error.defect().kind == DefectKind::non_manifold);
     CHECK(error.defect().panels == std::vector<int>{first, first + 1, first + 2, first + 3});

@@ -82,7 +82,7 @@ TEST_CASE("parts: lists that do not fit the panels are refused") {
   panels.part = {0, 0, 0};
   CHECK_THROWS_WITH_AS(Surface{panels}, "surface: 3 of the 6 panels have a part; give one to each, or to none.", InputError);
   panels.part = {0, 0, 0, 0, 0, 1};
-  CHECK_THROWS_WITH_AS(Surface{panels}, "surface: panel 5 belongs to part 1, but there are names of 1 parts only; mend the numbers.", InputError);
+  CHECK_THROWS_WITH_AS(Surface{panels}, "surface: panel 5 belongs to part 1, but there are names of 1 parts only; correct the part numbers.", InputError);
 }
 
 TEST_CASE("parts: components whose boxes meet may overlap, cavities and neighbours apart do not") {

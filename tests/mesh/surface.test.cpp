@@ -73,10 +73,10 @@ TEST_CASE("surface: vertices - edges + faces tell sphere and torus apart after w
 TEST_CASE("surface: an open one must say which side is outside, and is told how") {
   Panels box = fixtures::unit_cube();
   box.panels.erase(box.panels.begin() + 1);  // the lid
-  check_refused(
-      box,
-      "hull: the surface is open: 4 edges belong to one panel only, the first to panel 1 (counted from 0); close the holes, or say which side is outside with "
-      "Surface::Options::outside, OutsideIs::normals (the one that the normals point to) or OutsideIs::reversed.");
+  check_refused(box,
+                "hull: the surface is open: 4 edges belong to one panel only, the first to panel 1 (counted from 0); close the holes, or specify which side is "
+                "outside with "
+                "Surface::Options::orientation, Orientation::normals (the one that the normals point to) or Orientation::reversed.");
   const Surface as_given = named(box, Orientation::normals), turned = named(box, Orientation::reversed);
   CHECK_FALSE(as_given.is_closed());
   CHECK(as_given.report().boundary_edges == 4);
@@ -109,8 +109,8 @@ TEST_CASE("surface: an edge with three panels is refused with their numbers") {
   check_refused(
       cube,
       "hull: the surface is non-manifold: 4 edges have more than two panels, the first from (0, 0, 0) to (1, 0, 0) m with the panels 0, 2, 6 (counted from 0), "
-      "and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, with "
-      "Surface::Options::outside, OutsideIs::normals (the side that the normals point to).");
+      "so their connection is ambiguous; delete inner walls, or use it as an open surface that is cut along these edges, with "
+      "Surface::Options::orientation, Orientation::normals (the side that the normals point to).");
 }
 
 TEST_CASE("surface: a quad whose diagonal carries a wall is named once") {
@@ -121,23 +121,24 @@ TEST_CASE("surface: a quad whose diagonal carries a wall is named once") {
 }
 
 TEST_CASE("surface: a Möbius strip is refused, a band with two half turns is not") {
-  CHECK_THROWS_WITH_AS(named(fixtures::band(40, 1), Orientation::normals),
-                       Contains("close a strip that is twisted like Möbius's, so the surface has no two sides"), InputError);
+  CHECK_THROWS_WITH_AS(named(fixtures::band(40, 1), Orientation::normals), Contains("close a Möbius strip, so the surface is not orientable"), InputError);
   CHECK_THROWS_AS(named(fixtures::band(40, 3), Orientation::normals), InputError);
   CHECK(named(fixtures::band(40, 0), Orientation::normals).report().boundary_edges == 80);
   CHECK(named(fixtures::band(40, 2), Orientation::normals).report().boundary_edges == 80);
 }
 
 TEST_CASE("surface: what cannot be a surface is refused in one sentence") {
-  check_refused({}, "hull: there are no panels, so there is nothing to strike; check that the file or shape is the right one.");
+  check_refused({}, "hull: the surface has no panels; check that the file or shape is the right one.");
   Panels cube = fixtures::unit_cube();
   cube.panels[3][2] = 8;
-  check_refused(cube, "hull: panel 3 has the vertex 8, but there are only the vertices 0 to 7; mend the numbers.");
+  check_refused(cube, "hull: panel 3 has the vertex 8, but there are only the vertices 0 to 7; correct the vertex numbers.");
   cube.panels[3] = {0, -1, 2, 3};
-  check_refused(cube, "hull: panel 3 has the vertex -1, but there are only the vertices 0 to 7; mend the numbers.");
+  check_refused(cube, "hull: panel 3 has the vertex -1, but there are only the vertices 0 to 7; correct the vertex numbers.");
   cube = fixtures::unit_cube();
   cube.vertices[5].y = std::numeric_limits<double>::quiet_NaN();
-  check_refused(cube, "hull: vertex 5 (counted from 0) is at (1.000000, nan, 1.000000), which is no place; each coordinate must be a finite number of metres.");
+  check_refused(cube,
+                "hull: vertex 5 (counted from 0) is at (1.000000, nan, 1.000000), which is not finite or out of range; each coordinate must be a finite number "
+                "of metres.");
   cube.vertices[5].y = std::numeric_limits<double>::infinity();
   CHECK_THROWS_AS(named(cube), InputError);
   cube.vertices[5].y = 1e300;  // finite, but its square is not

@@ -6,7 +6,7 @@
 namespace fccda {
 namespace {
 
-/// Sets of vertices that hang together.
+/// Disjoint sets of connected vertices (union–find).
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }

@@ -28,7 +28,7 @@ class Inspection {
         if (surface.neighbour(t, e) < 0) solid_is_closed_[solid(t)] = false;
   }
 
-  /// Marks triangle t and those of higher numbers that it crosses. Returns how many these are.
+  /// Marks triangle t and the triangles of higher number that intersect it. Returns how many these are.
   std::size_t look_at(std::size_t t) {
     const TriangleCorners corners = corners_of(t);
     Box box;
@@ -66,9 +66,9 @@ class Inspection {
 
   const Surface& surface_;
   const Bvh& bvh_;
-  double step_;  // [m] off the crossing: above the rounding of a ray's start, below the size of anything that matters
+  double step_;  // [m] off the crossing: above the rounding of a ray's start, below the size of relevant features
   std::vector<bool> solid_is_closed_;
-  std::vector<std::uint8_t> marks_;  // of each triangle
+  std::vector<std::uint8_t> marks_;  // by triangle
 };
 
 }  // namespace
@@ -96,9 +96,8 @@ void expect_no_pockets(const SelfIntersections& found, const std::string& name) 
   for (const Defect& defect : found.defects) {
     if (defect.kind != DefectKind::inside_out) continue;
     throw SurfaceError(name + ": " + std::to_string(defect.panels.size()) +
-                           " panels go through one another such that the surface is inside out between them, the first is panel " +
-                           std::to_string(defect.panels.front()) +
-                           " (counted from 0): a particle could get in there without meeting a front; mend the fold where these panels cross.",
+                           " panels intersect such that the surface is inside out between them, the first is panel " + std::to_string(defect.panels.front()) +
+                           " (counted from 0): a particle could enter there without crossing a front; repair the fold where these panels intersect.",
                        defect);
   }
 }

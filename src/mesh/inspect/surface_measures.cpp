@@ -45,8 +45,8 @@ std::vector<Thickness> thicknesses(const Surface& surface, const Bvh& bvh, std::
   for (std::size_t t = 0; t < count; t += stride) {
     const Vec3d middle = (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) / 3.0;
     const Vec3d inward = -surface.normal(t);
-    // The ray is shot backwards, from far away towards the middle, where it crosses from the front what the other one leaves through: the last
-    // such crossing is the nearest.
+    // The ray is cast backwards, from far away towards the centroid, where it passes from the front what an inward ray would leave through.
+    // The last such crossing is the nearest.
     Vec3d start = middle + far * inward;
     std::optional<double> thickness;
     while (const auto crossing = bvh.first_hit(start, middle, asked)) {

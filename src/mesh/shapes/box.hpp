@@ -1,4 +1,4 @@
-/// A box about the origin, its edges along the axes.
+/// A box about the origin, with axis-aligned edges.
 #pragma once
 
 #include "mesh/panels.hpp"
@@ -7,13 +7,13 @@
 namespace fccda {
 
 struct BoxShape {
-  Vec3d size{};      ///< [m] edge lengths
+  Vec3d size{};            ///< [m] edge lengths
   double edge_length = 0;  ///< [m] longest edge along the axes; diagonals are up to √2 longer. 0: each side of the box is one quad, or two triangles
   PanelKind panels = PanelKind::triangles;
 };
 
-/// Wound outward, vertices shared, each edge of the box in the smallest number of equal parts.
-/// Throws InputError where a size is not positive and finite, or there would be too many panels.
+/// Oriented outward, with shared vertices, each edge of the box in the smallest number of equal parts.
+/// Throws InputError if a size is not positive and finite, or the number of panels exceeds the limit.
 Panels make_box(const BoxShape& shape);
 
 }  // namespace fccda

@@ -79,9 +79,9 @@ TEST_CASE("self-intersections: a dent that comes out on the other side is inside
   REQUIRE(found.defects.size() == 1);
   CHECK(found.defects[0].kind == DefectKind::inside_out);
   const std::string expected = "bowl: " + std::to_string(found.defects[0].panels.size()) +
-                               " panels go through one another such that the surface is inside out between them, the first is panel " +
+                               " panels intersect such that the surface is inside out between them, the first is panel " +
                                std::to_string(found.defects[0].panels.front()) +
-                               " (counted from 0): a particle could get in there without meeting a front; mend the fold where these panels cross.";
+                               " (counted from 0): a particle could enter there without crossing a front; repair the fold where these panels intersect.";
   CHECK_THROWS_WITH_AS(expect_no_pockets(found, "bowl"), expected.c_str(), SurfaceError);
 }
 

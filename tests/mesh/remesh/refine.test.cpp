@@ -174,14 +174,14 @@ TEST_CASE("refine: a part that is none is refused with the names that there are"
   CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.edge_length = 0.1, .surface_part = "sides"}}),
                        "refinement: the surface has no part \"sides\"; did you mean side? Its parts are bottom, side, top.", InputError);
   CHECK_THROWS_WITH_AS(refine(surface_from(fixtures::unit_cube()), std::vector<Refinement>{{.edge_length = 0.1, .surface_part = "side"}}),
-                       "refinement: the surface has no part \"side\"; its panels have no names, so leave the parts out, or name them in its file.", InputError);
+                       "refinement: the surface has no part \"side\"; its panels have no names, so omit the parts, or name them in its file.", InputError);
 }
 
 TEST_CASE("refine: a box without panels is refused, because it is a mistake of place or unit") {
   const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.3}));
   CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.name = "bow", .edge_length = 0.1, .box = Box{{10, 0, 0}, {20, 1, 1}}}}),
                        "bow: no panel reaches into the box from (10, 0, 0) to (20, 1, 1) m, and the surface goes from (-0.5, -0.5, -1) to (0.5, 0.5, 1) m; "
-                       "mend the box.",
+                       "correct the box.",
                        InputError);
   CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.edge_length = 0.1, .box = Box{{0, 0, 0.5}, {1, 1, 2}}, .surface_part = "bottom"}}),
                        doctest::Contains("no panel of part bottom reaches into the box"), InputError);
@@ -252,10 +252,9 @@ TEST_CASE("refine: by curvature alone flat faces stay coarse, and creases get th
 TEST_CASE("refine: a size that would give more panels than there is room for is refused with one that does") {
   const Surface cube = surface_from(fixtures::unit_cube());
   CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.name = "hull", .edge_length = 1e-5}}),
-                       "hull: panels of 1e-05 m would be about 4.8e+11 of them, more than the 3e+07 that there is room for; panels of 0.0014 m would do.",
-                       InputError);
+                       "hull: an edge length of 1e-05 m would give about 4.8e+11 panels, more than the limit of 3e+07; use 0.0014 m or more.", InputError);
   // what is named does do, and is not far too large
-  CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.edge_length = 0.01}}, 1e4), doctest::Contains("panels of 0.077 m would do"), InputError);
+  CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.edge_length = 0.01}}, 1e4), doctest::Contains("use 0.077 m or more"), InputError);
   const std::size_t count = refine(cube, std::vector<Refinement>{{.edge_length = 0.077}}, 1e4).panels.size();
   CHECK(count <= 10000);
   CHECK(count > 2500);

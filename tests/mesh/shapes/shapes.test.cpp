@@ -141,7 +141,7 @@ TEST_CASE("shapes: the cylinder has exactly the volume of its prism, whatever th
 
 TEST_CASE("shapes: far too small panels are refused before memory is asked for") {
   CHECK_THROWS_WITH_AS(make_sphere({.diameter = 1, .edge_length = 1e-9}),
-                       "sphere: panels of 1e-09 m would be 8.75388e+18 in number, more than the 1e+08 that fit in memory; use larger ones.", InputError);
+                       "sphere: an edge length of 1e-09 m would give 8.75388e+18 panels, more than the limit of 1e+08; use a larger one.", InputError);
   CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = 1, .edge_length = 1e-9}), InputError);
   CHECK_THROWS_AS(make_cylinder({.diameter = 1e-9, .height = 1, .edge_length = 1e-9}), InputError);
   CHECK_THROWS_AS(make_box({.size = {1, 1e-9, 1e-9}, .edge_length = 1e-12}), InputError);
@@ -165,7 +165,7 @@ TEST_CASE("shapes: lengths that are not positive and finite are refused") {
     CHECK_THROWS_AS(make_sphere({.diameter = bad, .edge_length = 0.5}), InputError);
     CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = bad, .edge_length = 0.5}), InputError);
   }
-  CHECK_THROWS_WITH_AS(make_box({.size = {1, 1, 1}, .edge_length = -0.5}), "box: panel is -0.5 m, but it must be positive; leave it out for panels by default.",
+  CHECK_THROWS_WITH_AS(make_box({.size = {1, 1, 1}, .edge_length = -0.5}), "box: the edge length is -0.5 m, but it must be positive; omit it for the default.",
                        InputError);
 }
 
