@@ -238,15 +238,15 @@ TEST_CASE("hull: what makes no hull is refused in a sentence") {
   };
   CHECK(complaint([](HullShape&) {}).empty());
   CHECK(complaint([](HullShape& s) { s.bilge_radius = 9.5; }) ==
-        "hull: bilge_radius is 9.5 m, but the bilge must lie below the waterline; take at most the draft, 9 m.");
+        "hull: bilge_radius is 9.5 m, but the bilge must lie below the waterline; use at most the draft, 9 m.");
   CHECK(complaint([](HullShape& s) { s.breadth = 6, s.length = 300; }) ==
-        "hull: bilge_radius 3 m and flare leave a bottom of half-breadth 0 m; take a smaller radius or flare, or a greater breadth.");
+        "hull: bilge_radius 3 m and flare leave a bottom of half-breadth 0 m; use a smaller radius or flare, or a greater breadth.");
   CHECK(complaint([](HullShape& s) { s.length = 110; }) ==
         "hull: the bow is 56.93 m long (fullness * breadth/2 / tan of waterline_angle) and the stern 39.84 m, but the bottom between stem and stern only 76.93 "
         "m; "
-        "take larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
+        "use larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
   CHECK(complaint([](HullShape& s) { s.freeboard = 40, s.flare = -20 * degree; }) ==
-        "hull: the sides meet below the deck, whose half-breadth would be -3.059 m; take a flare nearer to 0, or a lower freeboard.");
+        "hull: the sides meet below the deck, whose half-breadth would be -3.059 m; use a flare nearer to 0, or a lower freeboard.");
   CHECK(complaint([](HullShape& s) { s.bow_edge_length = 3; }) ==
         "hull: bow_edge_length is 3 m, but the bow is made finer, not coarser, than edge_length, 2 m.");
   CHECK(complaint([](HullShape& s) { s.bow_edge_length = 1e-4; }).find("more than the limit of 1e+08") != std::string::npos);

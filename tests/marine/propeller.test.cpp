@@ -333,7 +333,7 @@ TEST_CASE("propeller: what makes no propeller is refused in a sentence") {
   CHECK(complaint([](PropellerShape&) {}).empty());
   CHECK(complaint([](PropellerShape& s) { own(s); }).empty());
   CHECK(complaint([](PropellerShape& s) { s.blades = 3; }) ==
-        "propeller: the tables of the Wageningen B-series are for 4 to 7 blades, not 3; give sections of your own for others.");
+        "propeller: the tables of the Wageningen B-series are for 4 to 7 blades, not 3; specify `sections` for others.");
   CHECK(complaint([](PropellerShape& s) { s.blade_edge_length = 0.4; }) ==
         "propeller: blade_edge_length is 0.4 m, but edges are made finer, not coarser, than edge_length, 0.3 m.");
   CHECK(complaint([](PropellerShape& s) { s.hub_length = 0.5; }).starts_with("propeller: the roots of the blades reach 0."));

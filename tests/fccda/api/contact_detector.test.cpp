@@ -199,7 +199,7 @@ TEST_CASE("plain call: what cannot be meant is refused in a sentence") {
   astray[70].y = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(
       detector.detect(fixtures::at_rest(), before, astray),
-      "contact: point 70 goes from (2, 2, 2) to (2, inf, 2) in one step, which is no way to go; the solver has become unstable, try a shorter step.");
+      "contact: point 70 goes from (2, 2, 2) to (2, inf, 2) in one step, which is not finite; the solver has become unstable, use a shorter step.");
 }
 
 TEST_CASE("plain call: motions that are not finite and points that go too far to tell are refused, instead of no contact") {
@@ -220,8 +220,8 @@ TEST_CASE("plain call: motions that are not finite and points that go too far to
     CHECK_THROWS_AS(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, far}}, std::vector<Vec3d>{{0, 0, -far}}), RunError);
   CHECK_THROWS_WITH(
       detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, 1e150}}, below),
-      "contact: point 0 goes from (0, 0, 1e+150) to (0, 0, -1) in one step, further than the 1e+06 m that its contact can be told from rounding; the "
-      "solver has become unstable, try a shorter step.");
+      "contact: point 0 goes from (0, 0, 1e+150) to (0, 0, -1) in one step, farther than 1e+06 m, beyond which rounding hides its contact; the solver has "
+      "become unstable, use a shorter step.");
   CHECK(detector.detect(fixtures::at_rest(), above, below).size() == 1);  // what was refused left no trace
   CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, 1e150}}, std::vector<Vec3d>{{0, 0, 1e150}}).empty());
 }
@@ -305,7 +305,7 @@ TEST_CASE("plain call: radii that are missing, negative or no number are refused
   ContactDetector detector{Surface(make_box({.size = {1, 1, 1}}))};
   const std::vector<Vec3d> x{{0, 0, 2}, {0, 0, 3}};
   CHECK_THROWS_WITH_AS(detector.detect(fixtures::at_rest(), x, x, std::vector<double>{0.1}),
-                       "contact: there is not one radius for each of the 2 points; give as many, or one number for all.", InputError);
+                       "contact: the number of radii differs from the 2 points; give one for each, or one number for all.", InputError);
   for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     CHECK_THROWS_AS(detector.detect(fixtures::at_rest(), x, x, std::vector<double>{0.1, bad}), InputError);
     CHECK_THROWS_AS(detector.points_inside(Pose(), x, std::vector<double>{0.1, bad}), InputError);

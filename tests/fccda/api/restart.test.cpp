@@ -93,5 +93,5 @@ TEST_CASE("plain call: with a detector's state a restart of open surfaces goes o
 TEST_CASE("plain call: a state that is none is refused in a sentence") {
   ContactDetector detector(plate(), {.radius = r});
   CHECK_THROWS_WITH_AS(detector.resume({.touched = {3, 1}}),
-                       "contact: the points of a detector's state are not in rising order; give back what state() returned.", InputError);
+                       "contact: the points of a detector's state are not in ascending order; pass what state() returned.", InputError);
 }

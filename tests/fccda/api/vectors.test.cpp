@@ -74,7 +74,7 @@ TEST_CASE("vectors: floats are read as doubles and written rounded, in triples, 
   const Vectors view(triples);
   view.set(0, {0.1, 0, 0});
   CHECK(view[0].x == double(0.1F));
-  CHECK_THROWS_WITH_AS(ConstVectors(std::vector<float>(7)), "vectors: 7 floats are no whole number of vectors; give x, y and z of each.", InputError);
+  CHECK_THROWS_WITH_AS(ConstVectors(std::vector<float>(7)), "vectors: 7 floats are not a multiple of three; give x, y and z of each.", InputError);
 }
 
 TEST_CASE("numbers: one for all, one for each, members of structs, doubles and floats") {
@@ -91,5 +91,5 @@ TEST_CASE("numbers: one for all, one for each, members of structs, doubles and f
 }
 
 TEST_CASE("vectors: doubles that are no whole number of triples are refused") {
-  CHECK_THROWS_WITH_AS(ConstVectors(std::vector<double>(7)), "vectors: 7 doubles are no whole number of vectors; give x, y and z of each.", InputError);
+  CHECK_THROWS_WITH_AS(ConstVectors(std::vector<double>(7)), "vectors: 7 doubles are not a multiple of three; give x, y and z of each.", InputError);
 }

@@ -107,17 +107,18 @@ TEST_CASE("cylinder sectors: a surface that sticks out is an error naming the pa
   CHECK(complaint(shape, cube) == "");
   shape.length = 0.9;
   CHECK(complaint(shape, cube) ==
-        "region: 6 of 6 panels stick out of the cylinder's sectors by up to 0.05 m (panels 0, 1, 2, 3, 4, ...), and contact there would be missed; enlarge "
-        "radius, length, hub_radius or sector_angle, or leave them out to be fitted, or pass Beyond::clip if it is meant.");
+        "contact bounds: 6 of 6 panels extend beyond the cylinder's sectors by up to 0.05 m (panels 0, 1, 2, 3, 4, ...), and contact there would be missed; "
+        "enlarge "
+        "radius, length, hub_radius or sector_angle, or omit them to have them fitted, or pass Beyond::clip if this is intended.");
   CHECK(CylinderSectors(shape, cube, Beyond::clip).clips());
   // Four sectors that hold the corners and the hub: the middles of the upright panels are between them.
   shape = {.point = {0.5, 0.5, 0.5}, .radius = 0.75, .length = 1, .hub_radius = 0.4, .blades = 4, .sector_angle = 1, .start_angle = pi / 4 - 0.5};
-  CHECK(complaint(shape, cube).starts_with("region: 6 of 6 panels"));
+  CHECK(complaint(shape, cube).starts_with("contact bounds: 6 of 6 panels"));
   shape.hub_radius = 0.6;
   CHECK(complaint(shape, cube) == "");
   shape.point = {9, 0, 0};
   CHECK(complaint(shape, cube, Beyond::clip) ==
-        "region: no panel of the surface reaches into the cylinder's sectors, so nothing can be struck; check their axis, point and sizes.");
+        "contact bounds: no panel of the surface reaches into the cylinder's sectors, so no contact is possible; check their axis, point and sizes.");
 }
 
 TEST_CASE("cylinder sectors: a region in the middle of a large panel is reached though no corner is inside") {
@@ -127,7 +128,7 @@ TEST_CASE("cylinder sectors: a region in the middle of a large panel is reached 
   const Surface wall(square, {.orientation = Orientation::normals});
   const CylinderSectors::Shape small{.point = {13, 17, 0}, .radius = 1, .length = 1, .hub_radius = 0.2, .blades = 3, .sector_angle = 0.4};
   CHECK(CylinderSectors(small, wall, Beyond::clip).clips());
-  CHECK(complaint({.point = {13, 17, 2}, .radius = 1, .length = 1, .hub_radius = 1}, wall, Beyond::clip).starts_with("region: no panel"));
+  CHECK(complaint({.point = {13, 17, 2}, .radius = 1, .length = 1, .hub_radius = 1}, wall, Beyond::clip).starts_with("contact bounds: no panel"));
 }
 
 TEST_CASE("cylinder sectors: a piece shorter than the slack may cut the corner between hub and sector, and is felt there") {

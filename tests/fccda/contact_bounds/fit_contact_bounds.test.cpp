@@ -13,12 +13,12 @@ TEST_CASE("fit region: a block has its box, a hull boxes, a slanting shaft a cyl
                      shaft = choice(fixtures::askew(make_cylinder({.diameter = 1, .height = 8, .axis = Axis::z, .edge_length = 0.2})));
   REQUIRE(std::holds_alternative<BoxUnion>(block.region));
   CHECK(std::get<BoxUnion>(block.region).boxes().size() == 1);
-  CHECK(block.choice == "of the bounding box, 1 box fills 100 % and a cylinder with sectors 122 %; taken: the bounding box");
+  CHECK(block.choice == "of the bounding box, 1 box fills 100 % and a cylinder with sectors 122 %; chosen: the bounding box");
   REQUIRE(std::holds_alternative<BoxUnion>(hull.region));
   CHECK(std::get<BoxUnion>(hull.region).boxes().size() > 1);
-  CHECK(hull.choice.ends_with("taken: the boxes"));
+  CHECK(hull.choice.ends_with("chosen: the boxes"));
   CHECK(std::holds_alternative<CylinderSectors>(shaft.region));
-  CHECK(shaft.choice.ends_with("taken: the cylinder with sectors"));
+  CHECK(shaft.choice.ends_with("chosen: the cylinder with sectors"));
 }
 
 TEST_CASE("fit region: what is taken never fills more than the bounding box") {

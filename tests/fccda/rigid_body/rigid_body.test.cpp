@@ -247,7 +247,7 @@ TEST_CASE("rigid body: numbers that are not finite, steps that run backwards and
   RigidBody top(unit, Pose(), {}, {0, 0, 10}, {{true, false, false, false, false, false}});
   CHECK_THROWS_WITH_AS(top.advance(-1), "rigid body: the step lasts -1 s, but it must be finite and not negative.", InputError);
   CHECK_THROWS_WITH_AS(top.advance(0.5),
-                       "rigid body: it turns by 5 rad in a step of 0.5 s, and beyond half a turn the poses at its ends cannot tell how; take a shorter step.",
+                       "rigid body: it turns by 5 rad in a step of 0.5 s, but the poses at its ends determine at most half a turn; use a shorter step.",
                        InputError);
   CHECK_NOTHROW(top.advance(0.3));
   refused([&] { top.drive(0, 1); });  // free
