@@ -63,8 +63,7 @@ struct Scene {
 
 }  // namespace
 
-TEST_CASE(
-    "plain call: contacts are bitwise identical to those of a swept detector that evaluates every point, with a rotating hull, for any number of threads") {
+TEST_CASE("plain call: contacts are bitwise identical to those with every point evaluated, with a rotating hull, for any number of threads") {
   const int threads = thread_count();
   std::size_t contacts_found = 0;
   for (const int count : {1, 3}) {
@@ -286,8 +285,7 @@ TEST_CASE("plain call: points of different radii have the same contacts as the p
   use_threads(threads);
 }
 
-TEST_CASE(
-    "plain call: a point of growing radius is relocated to its new radius, although it rests and was cached as far away; at the front of an open surface too") {
+TEST_CASE("plain call: a resting point of growing radius is relocated to its new radius; at the front of an open surface too") {
   Panels floor;
   floor.vertices = {{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}};
   floor.add_quad(0, 1, 2, 3);

@@ -39,8 +39,7 @@ TEST_CASE("prescribed motion: a table of displacements is reproduced at each of 
   CHECK(body.position_of_com().x == 1.1);
 }
 
-TEST_CASE(
-    "prescribed motion: a table of velocities gives the displacement of its integral, kinks within steps included, and continues with the last velocity") {
+TEST_CASE("prescribed motion: a table of velocities gives the displacement of its integral, with kinks within steps, and continues with the last one") {
   const TimeTable surge({0, 0.123, 0.2001}, {0, 4, 1});
   RigidBody body(lopsided(), Pose(), {}, {}, {});
   const double start = body.position_of_com().x;
