@@ -45,7 +45,7 @@ int main() {
       print(shape.name, step, "swept r = 0.005", score_of_swept(surface, truth, 0.005, step), {});
       // The equations of the paper depend on x, y and z, so the shape is not rotated.
       const std::vector<Flight> straight = flights(truth, {.step = step, .contacts = contacts, .past = past, .seed = 62}, std::vector<Pose>(24));
-      for (const auto& [name, reading] : {std::pair{"repaired", Published::Variant::corrected}, std::pair{"letter", Published::Variant::literal}}) {
+      for (const auto& [name, reading] : {std::pair{"corrected", Published::Variant::corrected}, std::pair{"literal", Published::Variant::literal}}) {
         Published detector(surface, Unbounded{}, reading);
         Score total;
         Rejections reasons;

@@ -38,7 +38,7 @@ inline std::vector<fixtures::Body> shapes() {
   return {{"cylinder along x", cylinder(Axis::x)},
           {"cylinder along y", cylinder(Axis::y)},
           {"cylinder along z", cylinder(Axis::z)},
-          {"cylinder askew", oblique_cylinder()},
+          {"oblique cylinder", oblique_cylinder()},
           {"sphere", sphere()},
           {"torus", fixtures::torus(0.4, 0.15, 60, 30)},
           {"torus of warped quads", fixtures::torus(0.4, 0.15, 60, 30, 1)},
