@@ -185,15 +185,15 @@ void check_root(const BladeForm& form, const HubForm& hub, double panel) {
   const double chords = std::cos(pi / circle_divisions(hub.radius, panel));
   constexpr int samples = 40;
   double furthest = 0;
-  bool sticks_out = false;
+  bool extends_beyond = false;
   for (int k = 0; k <= samples; ++k) {
     for (const double through : {0.0, 1.0}) {
       const double z = form.place(root, -1 + 2.0 * k / samples, through).z;
       furthest = std::fmax(furthest, std::fabs(z));
-      sticks_out = sticks_out || hub.radius_at(z) * chords <= form.root_radius();
+      extends_beyond = extends_beyond || hub.radius_at(z) * chords <= form.root_radius();
     }
   }
-  if (sticks_out)
+  if (extends_beyond)
     refuse("the roots of the blades reach ", furthest, " m along the shaft from the middle of the hub, beyond its ends; hub_length is ", hub.length, " m, use ",
            2 * (furthest + HubForm{hub.radius, 1e300}.rounding()), " m or more.");
 }

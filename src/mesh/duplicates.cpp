@@ -8,7 +8,7 @@
 namespace fccda {
 namespace {
 
-constexpr double crumb = 1e-3;  // as a fraction of the surface's area
+constexpr double largest_fin = 1e-3;  // as a fraction of the surface's area
 
 struct Key {
   std::array<int, 3> sorted;
@@ -52,21 +52,21 @@ class Patches {
   }
 
   /// For each pair, whether both triangles are removed.
-  std::vector<bool> go() const {
-    std::vector<bool> goes(pairs_.size(), false), seen(pairs_.size(), false);
+  std::vector<bool> to_remove() const {
+    std::vector<bool> removed(pairs_.size(), false), seen(pairs_.size(), false);
     for (std::size_t first = 0; first < pairs_.size(); ++first) {
       if (seen[first]) continue;
       std::vector<std::size_t> patch{first};
       seen[first] = true;
-      bool has_free_end = false, hangs_on_others = false, would_leave_a_rim = false;
+      bool has_free_end = false, is_connected = false, would_leave_a_hole = false;
       double patch_area = 0;
       for (std::size_t next = 0; next < patch.size(); ++next) {
         const Triangle& triangle = triangles_[index(pairs_[patch[next]].triangle)];
         patch_area += area(index(pairs_[patch[next]].triangle));
         for (std::size_t e = 0; e < 3; ++e) {
           const auto [begin, end] = sides_of(edge(triangle, e));
-          hangs_on_others |= others_[begin] > 0;
-          would_leave_a_rim |= others_[begin] == 1;
+          is_connected |= others_[begin] > 0;
+          would_leave_a_hole |= others_[begin] == 1;
           has_free_end |= others_[begin] == 0 && end - begin == 1;
           for (std::size_t s = begin; s < end; ++s) {
             const std::size_t pair = index(sides_[s].pair);
@@ -76,10 +76,10 @@ class Patches {
           }
         }
       }
-      if (!hangs_on_others || would_leave_a_rim || (has_free_end && patch_area > crumb * area_)) continue;
-      for (const std::size_t pair : patch) goes[pair] = true;
+      if (!is_connected || would_leave_a_hole || (has_free_end && patch_area > largest_fin * area_)) continue;
+      for (const std::size_t pair : patch) removed[pair] = true;
     }
-    return goes;
+    return removed;
   }
 
  private:
@@ -145,11 +145,11 @@ Duplicates drop_duplicates(std::vector<Triangle>& triangles, std::span<const Vec
     if (partner >= 0) pairs.push_back({keys[begin].triangle, partner});
   }
   if (!pairs.empty()) {
-    const std::vector<bool> goes = Patches(triangles, vertices, left_out, pairs).go();
+    const std::vector<bool> removed = Patches(triangles, vertices, left_out, pairs).to_remove();
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       left_out[static_cast<std::size_t>(pairs[p].partner)] = 1;
-      if (goes[p]) left_out[static_cast<std::size_t>(pairs[p].triangle)] = 1;
-      goes[p] ? out.back_to_back += 2 : ++out.repeated;
+      if (removed[p]) left_out[static_cast<std::size_t>(pairs[p].triangle)] = 1;
+      removed[p] ? out.back_to_back += 2 : ++out.repeated;
     }
   }
   std::size_t kept = 0;

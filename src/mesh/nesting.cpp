@@ -34,7 +34,7 @@ std::vector<Part> closed_parts(const LinkedTriangles& surface, const Components&
   return parts;
 }
 
-bool holds(const Box& outer, const Box& inner) {
+bool box_contains(const Box& outer, const Box& inner) {
   return outer.low.x < inner.low.x && outer.low.y < inner.low.y && outer.low.z < inner.low.z && outer.high.x > inner.high.x && outer.high.y > inner.high.y &&
          outer.high.z > inner.high.z;
 }
@@ -67,18 +67,18 @@ Nesting find_nesting(const LinkedTriangles& surface, const Components& component
     std::sort(part.triangles.begin(), part.triangles.end(), [&](std::size_t a, std::size_t b) { return std::pair(lowest(a), a) < std::pair(lowest(b), b); });
     std::sort(part.middles.begin(), part.middles.end(), [](const Vec3d& a, const Vec3d& b) { return a.y < b.y; });
   }
-  std::vector<std::pair<int, int>> held;  // component, and one that contains it
+  std::vector<std::pair<int, int>> contained;  // component, and one that contains it
   // Sorted by x, only parts with overlapping ranges of x are compared.
   std::sort(parts.begin(), parts.end(),
             [](const Part& a, const Part& b) { return std::pair(a.bounds.low.x, a.component) < std::pair(b.bounds.low.x, b.component); });
   for (std::size_t outer = 0; outer < parts.size(); ++outer) {
     for (std::size_t inner = outer + 1; inner < parts.size() && parts[inner].bounds.low.x < parts[outer].bounds.high.x; ++inner) {
-      if (!holds(parts[outer].bounds, parts[inner].bounds)) continue;
-      if (contains(parts[outer], parts[inner], surface)) held.emplace_back(parts[inner].component, parts[outer].component);
+      if (!box_contains(parts[outer].bounds, parts[inner].bounds)) continue;
+      if (contains(parts[outer], parts[inner], surface)) contained.emplace_back(parts[inner].component, parts[outer].component);
     }
   }
-  for (const auto& [inner, outer] : held) ++nesting.depth[static_cast<std::size_t>(inner)];
-  for (const auto& [inner, outer] : held) {
+  for (const auto& [inner, outer] : contained) ++nesting.depth[static_cast<std::size_t>(inner)];
+  for (const auto& [inner, outer] : contained) {
     int& container = nesting.container[static_cast<std::size_t>(inner)];
     const auto rank = [&](int component) { return std::pair(-nesting.depth[static_cast<std::size_t>(component)], component); };
     if (container < 0 || rank(outer) < rank(container)) container = outer;

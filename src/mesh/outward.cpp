@@ -21,7 +21,7 @@ void expect_declared(Orientation outside, const LinkedTriangles& surface, const 
 }
 
 /// True if the volume is within rounding error of zero, as for a sheet folded onto itself.
-bool is_nothing(double volume, const LinkedTriangles& surface, const std::vector<std::size_t>& triangles) {
+bool is_zero_volume(double volume, const LinkedTriangles& surface, const std::vector<std::size_t>& triangles) {
   Box bounds;
   for (const std::size_t t : triangles) {
     for (std::size_t c = 0; c < 3; ++c) bounds.include(surface.corner(t, c));
@@ -52,7 +52,7 @@ Outward orient_outward(LinkedTriangles& surface, const Components& components, O
     bool turn = outside == Orientation::reversed;
     if (is_closed[component]) {
       const double volume = signed_volume(surface, members[component]);
-      if (is_nothing(volume, surface, members[component])) {
+      if (is_zero_volume(volume, surface, members[component])) {
         throw SurfaceError(name + ": the closed part with panel " + std::to_string(surface.triangles[members[component][0]].panel) +
                                " (counted from 0) encloses no volume, so it has no inside; give it a thickness, or delete one of its two sides.",
                            {DefectKind::no_volume, panels_of(surface.triangles, members[component])});

@@ -24,7 +24,7 @@ class Cells {
     for (const double x : {low.x, high.x}) {
       for (const double y : {low.y, high.y}) {
         for (const double z : {low.z, high.z}) {
-          look_into({x, y, z}, point, kept, best);
+          search_cell({x, y, z}, point, kept, best);
           if (z == high.z) break;
         }
         if (y == high.y) break;
@@ -59,7 +59,7 @@ class Cells {
   }
 
   // Other cells may share the chain; the distance rejects their vertices.
-  void look_into(const Vec3d& cell, const Vec3d& point, std::span<const Vec3d> kept, Nearest& best) const {
+  void search_cell(const Vec3d& cell, const Vec3d& point, std::span<const Vec3d> kept, Nearest& best) const {
     for (std::size_t slot = first_slot(cell); slots_[slot] >= 0; slot = (slot + 1) & (slots_.size() - 1)) {
       const int vertex = slots_[slot];
       const double squared_distance = squared_norm(kept[static_cast<std::size_t>(vertex)] - point);

@@ -144,7 +144,7 @@ double ContactDetector::note_radii(const Numbers& radius, std::size_t points) {
   if (radius_.empty()) swept_.forget();
   std::vector<double> largest(blocks_of(points));
   std::vector<std::uint8_t> differs(largest.size());
-  const auto look = [&](std::ptrdiff_t block) {
+  const auto scan = [&](std::ptrdiff_t block) {
     const auto b = static_cast<std::size_t>(block);
     for (std::size_t i = b * block_size; i < std::min((b + 1) * block_size, points); ++i) {
       const double now = radius[i];
@@ -152,7 +152,7 @@ double ContactDetector::note_radii(const Numbers& radius, std::size_t points) {
       largest[b] = std::max(largest[b], now);
     }
   };
-  for_blocks(largest.size(), look);
+  for_blocks(largest.size(), scan);
   const std::size_t known = radius_.size();
   radius_.resize(points);
   for (std::size_t b = 0; b < differs.size(); ++b) {

@@ -23,9 +23,9 @@ bool subtract(Polygon polygon, const Box& box, std::vector<Polygon>& left) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const Side inner : {Side::above, Side::below}) {
       const double face = inner == Side::above ? box.low[axis] : box.high[axis];
-      const bool sticks_out =
+      const bool extends_beyond =
           std::any_of(polygon.begin(), polygon.end(), [&](const Vec3d& corner) { return inner == Side::above ? corner[axis] < face : corner[axis] > face; });
-      if (!sticks_out) continue;
+      if (!extends_beyond) continue;
       left.push_back(part_of(polygon, inner == Side::above ? Side::below : Side::above, axis, face));
       polygon = part_of(polygon, inner, axis, face);
       if (polygon.empty()) return false;

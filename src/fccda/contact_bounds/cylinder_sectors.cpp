@@ -20,10 +20,10 @@ Flat flat(const Vec3d& place) { return {place.x, place.y}; }
 
 /// Distance of a segment from the origin.
 double nearest_to_origin(const Flat& a, const Flat& b) {
-  const Flat way{b.x - a.x, b.y - a.y};
-  const double squared = dot(way, way);
-  const double share = squared > 0 ? std::clamp(-dot(a, way) / squared, 0.0, 1.0) : 0.0;
-  return norm(Flat{a.x + share * way.x, a.y + share * way.y});
+  const Flat along{b.x - a.x, b.y - a.y};
+  const double squared = dot(along, along);
+  const double share = squared > 0 ? std::clamp(-dot(a, along) / squared, 0.0, 1.0) : 0.0;
+  return norm(Flat{a.x + share * along.x, a.y + share * along.y});
 }
 
 struct Halves {

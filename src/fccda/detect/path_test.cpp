@@ -78,28 +78,28 @@ std::optional<PathTest::Leg> PathTest::first_leg(const CurvedPath& path, const V
 PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effort) const {
   const Path& path = question.path.chord();
   const double offset = question.offset, reach = question.radius + offset;
-  const double way = path.length() + question.path.bulge();  // bounds the distance of any point of the path from its ends
-  if (!std::isfinite(way)) return nothing(0);
+  const double path_length = path.length() + question.path.bulge();  // bounds the distance of any point of the path from its ends
+  if (!std::isfinite(path_length)) return nothing(0);
 
   // Far from the contact bounds or from the bounding box of the surface.
   const bool may_touch = std::visit([&](const auto& region) { return region.may_touch(path, reach + question.path.bulge()); }, region_);
   if (!may_touch) return nothing(question.entered ? 0 : std::visit([&](const auto& region) { return region.distance_at_least(path.end); }, region_) - reach);
   ++effort.points_in_region;
   const double from_bounds = surface_->report().bounds.distance(path.end);
-  if (from_bounds > reach + way && !question.entered) return nothing(from_bounds - reach);
+  if (from_bounds > reach + path_length && !question.entered) return nothing(from_bounds - reach);
 
   ++effort.points_asked;
   std::size_t& asked = effort.panels_asked;
-  const double cap = reach + way + question.look_ahead;
+  const double cap = reach + path_length + question.look_ahead;
   Bvh::Nearby nearby;  // contains the start, and usually the relocated position
-  const std::optional<ClosestPoint> at_end = bvh_->closest(path.end, cap, guess, 2 * way + 4 * offset, nearby, asked);
+  const std::optional<ClosestPoint> at_end = bvh_->closest(path.end, cap, guess, 2 * path_length + 4 * offset, nearby, asked);
   const bool clips = std::visit([](const auto& region) { return region.clips(); }, region_);
   const bool comes = clips && !std::visit([&](const auto& region) { return region.may_touch({path.start, path.start}, reach); }, region_);
   if (at_end) guess = at_end->triangle;
   if (!comes && !question.entered) {
     if (!at_end) return nothing(cap - reach);
     const bool may_be_deep = surface_->is_closed() && side(*at_end, path.end, asked) < 0;
-    if (at_end->distance > reach + way && !may_be_deep) return nothing(at_end->distance - reach);
+    if (at_end->distance > reach + path_length && !may_be_deep) return nothing(at_end->distance - reach);
   }
 
   // Near: determine the side of the start.
@@ -116,7 +116,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   // A start inside without a known cause: the point entered where contact is ignored, through a clipped part of a closed surface or round the
   // boundary of an open one. Within the path length of a step, it is a residue of friction or rounding. If an open surface was in contact
   // with it in the previous step, another impactor pushed it there.
-  const auto is_deep = [&] { return too_near(at_start, path.start, question.radius - way, asked); };
+  const auto is_deep = [&] { return too_near(at_start, path.start, question.radius - path_length, asked); };
   const auto came_round = [&] {
     if (surface_->is_closed()) return comes || (clips && question.renumbered && is_deep());
     return !question.touched && is_deep();

@@ -80,19 +80,19 @@ void RigidBody::place(const Quaternion& attitude) {
 Vec3d RigidBody::spin_of(const Mat3& inertia, const Vec3d& angular, const Vec3d& held_at) const {
   Mat3 reduced = inertia;
   Vec3d right = angular;
-  for (std::size_t held = 0; held < 3; ++held) {
-    if (degrees_.rotation(held)) continue;
+  for (std::size_t fixed = 0; fixed < 3; ++fixed) {
+    if (degrees_.rotation(fixed)) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      right[axis] -= reduced.row[axis][held] * held_at[held];
-      reduced.row[axis][held] = 0;
+      right[axis] -= reduced.row[axis][fixed] * held_at[fixed];
+      reduced.row[axis][fixed] = 0;
     }
-    reduced.row[held] = {};
-    reduced.row[held][held] = 1;
-    right[held] = held_at[held];
+    reduced.row[fixed] = {};
+    reduced.row[fixed][fixed] = 1;
+    right[fixed] = held_at[fixed];
   }
   Vec3d spin = solve(reduced, right);
-  for (std::size_t held = 0; held < 3; ++held)
-    if (!degrees_.rotation(held)) spin[held] = held_at[held];  // exactly: the solution is rounded
+  for (std::size_t fixed = 0; fixed < 3; ++fixed)
+    if (!degrees_.rotation(fixed)) spin[fixed] = held_at[fixed];  // exactly: the solution is rounded
   return spin;
 }
 

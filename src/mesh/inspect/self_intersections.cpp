@@ -29,7 +29,7 @@ class Inspection {
   }
 
   /// Marks triangle t and the triangles of higher number that intersect it. Returns how many these are.
-  std::size_t look_at(std::size_t t) {
+  std::size_t mark_crossings(std::size_t t) {
     const TriangleCorners corners = corners_of(t);
     Box box;
     for (const Vec3d& corner : corners) box.include(corner);
@@ -80,7 +80,7 @@ SelfIntersections self_intersections(const Surface& surface, const Bvh& bvh) {
   std::vector<std::size_t> of_block((count + block - 1) / block, 0);
   parallel_for_uneven(static_cast<std::ptrdiff_t>(of_block.size()), [&](std::ptrdiff_t b) {
     const std::size_t begin = static_cast<std::size_t>(b) * block;
-    for (std::size_t t = begin; t < std::min(begin + block, count); ++t) of_block[static_cast<std::size_t>(b)] += inspection.look_at(t);
+    for (std::size_t t = begin; t < std::min(begin + block, count); ++t) of_block[static_cast<std::size_t>(b)] += inspection.mark_crossings(t);
   });
 
   SelfIntersections out{std::accumulate(of_block.begin(), of_block.end(), std::size_t{0}), {}};

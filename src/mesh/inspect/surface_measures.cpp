@@ -17,7 +17,7 @@ double median_panel_size(const Surface& surface, const PanelFaces& faces) {
 }
 
 Facet coarsest_facet(const Surface& surface) {
-  constexpr double meant = std::numbers::pi / 3;
+  constexpr double intended = std::numbers::pi / 3;
   const auto height = [&](std::size_t t, double edge) {
     return norm(cross(surface.corner(t, 1) - surface.corner(t, 0), surface.corner(t, 2) - surface.corner(t, 0))) / edge;
   };
@@ -29,7 +29,7 @@ Facet coarsest_facet(const Surface& surface) {
       const auto other = static_cast<std::size_t>(beyond);
       const Vec3d a = surface.corner(t, e), b = surface.corner(t, (e + 1) % 3);
       const double angle = std::atan2(norm(cross(surface.normal(t), surface.normal(other))), dot(surface.normal(t), surface.normal(other)));
-      if (!(angle < meant)) continue;
+      if (!(angle < intended)) continue;
       const double width = 0.5 * (height(t, norm(b - a)) + height(other, norm(b - a)));
       if (width * angle / 8 > coarsest.sagitta) coarsest = {width * angle / 8, angle, surface.triangles()[t].panel, 0.5 * (a + b)};
     }

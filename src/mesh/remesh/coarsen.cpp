@@ -32,7 +32,7 @@ double shape(const TriangleCorners& t) {
 }
 
 /// Vertices that coincide with another: sheets meet there. An edge between two of them could coincide with another after a collapse.
-std::vector<bool> shared_places(const Surface& surface) {
+std::vector<bool> shared_vertices(const Surface& surface) {
   const auto vertices = surface.vertices();
   std::vector<std::size_t> order(vertices.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -52,8 +52,8 @@ class Coarsener {
         distance_(wanted.max_deviation),
         panel_(wanted.max_edge_length),
         moved_(surface.triangles().size(), 0.0),
-        room_(clearance(surface, wanted.max_deviation)),
-        shares_place_(shared_places(surface)) {}
+        limits_(clearance(surface, wanted.max_deviation)),
+        is_shared_(shared_vertices(surface)) {}
 
   /// Passes over the vertices whose surroundings changed in the previous pass. A pass skips vertices whose triangles it has already changed,
   /// so that panels grow evenly.
@@ -149,7 +149,7 @@ class Coarsener {
       direction += old_normals_.back();
       old_shape = std::min(old_shape, shape(corners));
       moved = std::max(moved, moved_[ring_.triangles[j]]);
-      most = std::min(most, room_[ring_.triangles[j]]);
+      most = std::min(most, limits_[ring_.triangles[j]]);
     }
     direction = normalised(direction);
 
@@ -158,13 +158,13 @@ class Coarsener {
       if (!lines_.empty() && to != lines_[0] && to != lines_[1]) continue;
       const double new_shape = worst_new_shape(to);
       if (new_shape < old_shape) continue;
-      const std::optional<double> by = moves_by(place, to, direction);
+      const std::optional<double> by = displacement(place, to, direction);
       if (!by || moved + *by > most) continue;
       const double cost = (moved + *by) / distance_ - weight_of_shape * new_shape;
       if ((!best || cost < best->cost) && mesh_.may_collapse(vertex, ring_, to)) best = Candidate{to, moved + *by, cost};
     }
     if (!best) return false;
-    for (const std::size_t t : ring_.triangles) moved_[t] = best->moved, room_[t] = most;
+    for (const std::size_t t : ring_.triangles) moved_[t] = best->moved, limits_[t] = most;
     mesh_.collapse(vertex, ring_, best->to);
     return true;
   }
@@ -174,12 +174,12 @@ class Coarsener {
   /// Worst shape of the triangles that would replace those about the vertex; -1 if one is inadmissible: an edge that is too long or could
   /// coincide with another, or a flipped normal.
   double worst_new_shape(std::size_t to) const {
-    const bool target_shares = shares_place_[static_cast<std::size_t>(ring_.link[to])];
+    const bool target_is_shared = is_shared_[static_cast<std::size_t>(ring_.link[to])];
     double worst = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < link_.size(); ++j) {
       if (j == to || are_joined(j, to) || are_joined(to, j)) continue;
       if (squared_norm(link_[j] - link_[to]) > panel_ * panel_) return -1;
-      if (target_shares && shares_place_[static_cast<std::size_t>(ring_.link[j])]) return -1;
+      if (target_is_shared && is_shared_[static_cast<std::size_t>(ring_.link[j])]) return -1;
     }
     for (std::size_t j = 0; j < ring_.triangles.size(); ++j) {
       if (j == to || ring_.after(j) == to) continue;
@@ -193,12 +193,12 @@ class Coarsener {
 
   /// [m] Displacement of the surface when link[to] takes the vertex. On a boundary or border the vertex is first moved onto the straight line
   /// that replaces its two edges there, so that both sides are filled within their own outlines.
-  std::optional<double> moves_by(const Vec3d& place, std::size_t to, const Vec3d& direction) const {
+  std::optional<double> displacement(const Vec3d& place, std::size_t to, const Vec3d& direction) const {
     Vec3d centre = place;
     if (!lines_.empty()) {
       const Vec3d& one = link_[to];
-      const Vec3d way = link_[lines_[0] == to ? lines_[1] : lines_[0]] - one;
-      centre = one + std::clamp(dot(place - one, way) / squared_norm(way), 0.0, 1.0) * way;
+      const Vec3d along = link_[lines_[0] == to ? lines_[1] : lines_[0]] - one;
+      centre = one + std::clamp(dot(place - one, along) / squared_norm(along), 0.0, 1.0) * along;
     }
     const std::optional<double> filled = shift({centre, link_, ring_.goes_round}, to, direction);
     if (!filled) return std::nullopt;
@@ -207,10 +207,10 @@ class Coarsener {
 
   const Surface& surface_;
   CollapsibleTriangles mesh_;
-  double distance_, panel_;         // [m]
-  std::vector<double> moved_;       // [m] by triangle, bound of its distance to the given surface
-  std::vector<double> room_;        // [m] by triangle, the largest admissible value
-  std::vector<bool> shares_place_;  // by vertex
+  double distance_, panel_;      // [m]
+  std::vector<double> moved_;    // [m] by triangle, bound of its distance to the given surface
+  std::vector<double> limits_;   // [m] by triangle, the largest admissible value
+  std::vector<bool> is_shared_;  // by vertex
 
   // of the current vertex
   Ring ring_;

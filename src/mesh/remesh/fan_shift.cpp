@@ -41,13 +41,13 @@ class Overlay {
 
   /// Both triangulations cover the polygon exactly once: all triangles face the direction, and the fan makes one revolution.
   bool is_one_to_one() const {
-    std::size_t begins_anew = 0;  // crossings from below the x axis to above
+    std::size_t revolutions = 0;  // crossings from below the x axis to above
     for (std::size_t j = 0; j < triangles_; ++j) {
       if (!faces(link_[j], next(j))) return false;
       if (!touches_target(j) && !faces(link_[j] - link_[to_], next(j) - link_[to_])) return false;
-      begins_anew += link_[j].y < 0 && next(j).y >= 0;
+      revolutions += link_[j].y < 0 && next(j).y >= 0;
     }
-    return triangles_ == count_ ? begins_anew == 1 : begins_anew == 0;
+    return triangles_ == count_ ? revolutions == 1 : revolutions == 0;
   }
 
   double largest_difference() const {

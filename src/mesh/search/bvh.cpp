@@ -201,10 +201,10 @@ std::optional<ClosestPoint> Bvh::closest_facing(const Vec3d& point, const Vec3d&
 // Calls visit(triangle) for triangles whose box, enlarged by `margin`, intersects the first `until` of the segment. Both may shrink meanwhile.
 template <class Visit>
 void Bvh::visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const {
-  const Vec3d from = start - origin_, way = end - start;
+  const Vec3d from = start - origin_, displacement = end - start;
   // A zero component of the direction gets a slope so steep that the segment is inside the slab always or never.
   const auto slope = [](double w) { return std::fabs(w) > 1e-300 ? 1 / w : 1e300; };
-  const Vec3d steep{slope(way.x), slope(way.y), slope(way.z)};
+  const Vec3d steep{slope(displacement.x), slope(displacement.y), slope(displacement.z)};
 
   std::array<std::int32_t, stack_size> stack;
   std::size_t depth = 0;
@@ -285,14 +285,14 @@ FromTriangle from_triangle(const Vec3d& place, const Corners& t) {
 
 // The distance from a triangle is a convex function along a straight path. So Newton's method from a point with a larger distance never
 // overshoots the solution, and once the distance stops decreasing it never decreases again. For a face, one step suffices.
-std::optional<double> touching(const Vec3d& start, const Vec3d& way, const Corners& corners, double radius, double tolerance, double until) {
+std::optional<double> time_of_contact(const Vec3d& start, const Vec3d& displacement, const Corners& corners, double radius, double tolerance, double until) {
   constexpr int max_steps = 100;   // at grazing contact each step halves the remainder
   constexpr double along = 1e-14;  // a slope within rounding: a path along the triangle, not towards it
   double fraction = 0;
   for (int step = 0; step < max_steps; ++step) {
-    const FromTriangle from = from_triangle(start + fraction * way, corners);
-    const double fall = -dot(from.line, way), gap = from.distance - radius;  // over the whole path the distance falls by fall/distance
-    if (gap <= tolerance && (fraction > 0 || fall > along * from.distance * norm(way) || from.distance == 0)) return fraction;
+    const FromTriangle from = from_triangle(start + fraction * displacement, corners);
+    const double fall = -dot(from.line, displacement), gap = from.distance - radius;  // over the whole path the distance falls by fall/distance
+    if (gap <= tolerance && (fraction > 0 || fall > along * from.distance * norm(displacement) || from.distance == 0)) return fraction;
     if (gap <= tolerance || !(fall > 0)) return std::nullopt;
     const double next = fraction + gap * from.distance / fall;
     if (!(next <= until)) return std::nullopt;
@@ -312,7 +312,7 @@ std::optional<Crossing> Bvh::first_touch(const Vec3d& start, const Vec3d& end, d
   visit_segment(start, end, until, margin, [&](int triangle) {
     ++asked;
     const auto t = static_cast<std::size_t>(triangle);
-    const std::optional<double> fraction = touching(start, end - start, corners(t), radius, tolerance, until);
+    const std::optional<double> fraction = time_of_contact(start, end - start, corners(t), radius, tolerance, until);
     if (!fraction) return;
     take_if_first(*surface_, {triangle, *fraction}, first, until);
   });
