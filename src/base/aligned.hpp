@@ -1,4 +1,4 @@
-/// Arrays that start on a cache line.
+/// Arrays aligned to cache lines (64 bytes).
 #pragma once
 
 #include <cstddef>

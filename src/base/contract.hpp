@@ -1,5 +1,5 @@
-/// Contracts: what a function expects of its caller. A violated contract is a mistake in our code, never the user's
-/// (for those see error.hpp), so the check is off in release builds (CMake option PERIMPACT_CONTRACTS).
+/// Contracts: preconditions of functions. A violated contract is a programming error, never the user's (for those see error.hpp),
+/// so the check is off in release builds (CMake option PERIMPACT_CONTRACTS).
 #pragma once
 
 #ifdef FCCDA_CONTRACTS

@@ -1,4 +1,4 @@
-/// The two kinds of errors that reach a user. Libraries throw them; only the command line prints and exits.
+/// The two kinds of errors reported to the user. Libraries throw them; only the command line prints and exits.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace fccda {
 
-/// What a message advises to say in the interface of this library.
+/// A remedy in an error message whose wording depends on the interface (library, input file, Python).
 enum class Advice : std::uint8_t { none, declare_orientation, cut_open, clip };
 
-/// How an interface calls that: "such as `outside: normals`" in an input file.
+/// The wording of each remedy in one interface, such as "with `orientation: normals`" in an input file.
 struct AdviceWords {
   std::string_view declare_orientation, cut_open, clip;
 
@@ -31,14 +31,14 @@ struct AdviceWords {
 };
 
 constexpr AdviceWords library_words{
-    .declare_orientation = "with Surface::Options::outside, OutsideIs::normals (the one that the normals point to) or OutsideIs::reversed",
-    .cut_open = "with Surface::Options::outside, OutsideIs::normals (the side that the normals point to)",
+    .declare_orientation = "with Surface::Options::orientation, Orientation::normals (the one that the normals point to) or Orientation::reversed",
+    .cut_open = "with Surface::Options::orientation, Orientation::normals (the side that the normals point to)",
     .clip = "pass Beyond::clip"};
 
-/// The user's input cannot be used. The text says where, what, why and what to do. Exit code 2.
+/// Unusable input. The text states where, what, why and the remedy. Exit code 2.
 ///
-/// Where it advises something that is said in the interface of the library, `{}` stands for it in the sentence given. A program with an
-/// interface of its own puts its own words there (`in_words_of`).
+/// `{}` in the sentence is the placeholder of the remedy, which defaults to the wording of the library. A program with another interface
+/// inserts its own (`in_words_of`).
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& sentence, Advice advice = Advice::none)
@@ -56,7 +56,7 @@ class InputError : public std::runtime_error {
   Advice advice_;
 };
 
-/// The simulation cannot go on (not-a-number, energy growth, no room to write). Exit code 3.
+/// The simulation cannot continue (not a number, energy growth, disk full). Exit code 3.
 class RunError : public std::runtime_error {
  public:
   explicit RunError(const std::string& sentence) : std::runtime_error(sentence) {}

@@ -1,4 +1,4 @@
-/// Arguments that are not finite, or out of range, are refused before they can spread.
+/// Argument checks: values that are not finite, or out of range, are rejected before they propagate.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ inline void expect_finite(const Vec3d& vector, std::string_view what) {
   if (!is_finite(vector)) throw InputError(std::string(what) + " is " + in_words(vector) + ", but it must be finite.");
 }
 
-/// Coulomb's coefficient: finite and not negative.
+/// The coefficient of Coulomb friction: finite and not negative.
 inline void expect_friction(double friction) {
   if (!(friction >= 0 && std::isfinite(friction)))
     throw InputError("contact: the friction coefficient is " + in_words(friction) + ", but it must be a finite number of at least 0.");

@@ -1,9 +1,9 @@
-/// Packs of doubles: what the processor works on at once. Kernels are written once, templated on the pack; the plain `double`
-/// is a pack of one particle, which the tests use as the oracle of the wide ones.
+/// Packs of doubles (SIMD vectors). Kernels are written once, templated on the pack. The plain `double` is a pack of one particle;
+/// tests use it as the reference for the wide packs.
 ///
-/// A pack carries no mask type. Which lanes count is said by the low bits of an integer, bit l for lane l, because a bond's
-/// state is stored as one bit. `keep_where` and `bits_where_greater` translate; with AVX-512 both are one instruction, with
-/// AVX2 an integer AND and a comparison.
+/// Packs have no mask type. The low bits of an integer select lanes, bit l for lane l, because a bond's state is stored as one bit.
+/// `select` and `bits_where_greater` convert between both. With AVX-512 each is one instruction; with AVX2, an integer AND and a
+/// comparison.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <type_traits>
 
 #if (defined(__AVX512F__) || defined(__AVX2__)) && !defined(FCCDA_SCALAR_PACK)
-// GCC 12 warns of its own header's deliberate use of an undefined register (GCC bug 105593).
+// GCC 12 warns of the deliberate use of an undefined register in its own header (GCC bug 105593).
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
@@ -26,7 +26,7 @@
 
 namespace fccda {
 
-/// Number of particles in one byte of bond bits: rows of particles are padded to it on every machine.
+/// Number of particles in one byte of bond bits: rows of particles are padded to this on every machine.
 inline constexpr std::size_t byte_lanes = 8;
 
 template <class Pack>
@@ -42,7 +42,7 @@ double gather(const double* from, const std::int32_t* index) { return from[*inde
 inline void store(double* to, double a) { *to = a; }
 inline double fused_multiply_add(double a, double b, double c) { return std::fma(a, b, c); }  ///< a·b + c, rounded once
 inline double inverse_square_root(double a) { return 1 / std::sqrt(a); }
-inline double length_of(double squared) { return std::sqrt(squared); }  ///< √a where 1/√a is not needed too
+inline double length_of(double squared) { return std::sqrt(squared); }  ///< √a where 1/√a is not needed as well
 inline double select(unsigned bits, double a) { return (bits & 1u) ? a : 0.0; }
 inline unsigned bits_where_greater(double a, double b) { return a > b ? 1u : 0u; }
 inline double larger(double a, double b) { return a > b ? a : b; }
@@ -74,7 +74,7 @@ requires std::is_same_v<Pack, Pack8> Pack8 gather(const double* from, const std:
 inline void store(double* to, Pack8 a) { _mm512_storeu_pd(to, a.v); }
 inline Pack8 fused_multiply_add(Pack8 a, Pack8 b, Pack8 c) { return _mm512_fmadd_pd(a.v, b.v, c.v); }
 /// 1/√a to about one unit in the last place: the 14-bit estimate y, then y (1 + e/2 + 3e²/8 + 5e³/16) with e = 1 - a y²,
-/// whose remainder is below 2⁻⁵³. Six multiply-adds in place of a root and a division, which share one slow unit.
+/// whose remainder is below 2⁻⁵³. Six multiply-adds replace a root and a division, which share one slow unit.
 inline Pack8 inverse_square_root(Pack8 a) {
   const __m512d y = _mm512_rsqrt14_pd(a.v);
   const __m512d e = _mm512_fnmadd_pd(_mm512_mul_pd(a.v, y), y, _mm512_set1_pd(1.0));
@@ -127,7 +127,7 @@ inline Pack4 larger(Pack4 a, Pack4 b) { return _mm256_max_pd(a.v, b.v); }
 using NativePack = double;
 #endif
 
-/// The bits of the lanes that a pack holds, from a byte that holds eight: lane 0 of the pack is lane `first` of the byte.
+/// The bits of the lanes of one pack, from a byte of eight lanes: lane 0 of the pack is lane `first` of the byte.
 template <class Pack>
 constexpr unsigned pack_bits(unsigned byte, std::size_t first) {
   return (byte >> first) & ((1u << lanes<Pack>)-1u);

@@ -1,5 +1,5 @@
-/// Loops over threads. Work is cut into the same pieces for any number of threads, and each piece writes only what it owns,
-/// so results do not depend on how many there are.
+/// Parallel loops. Work is divided into the same chunks for any number of threads, and each chunk writes only its own data,
+/// so results are bitwise reproducible across thread counts.
 #pragma once
 
 #include <omp.h>
@@ -15,7 +15,7 @@ void parallel_for(std::ptrdiff_t count, const Body& body) {
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
 
-/// The same, where some pieces take much longer than others. They are dealt out eight at a time: so few are not worth waking a thread.
+/// The same for iterations of very uneven cost, scheduled dynamically in chunks of eight. Fewer than that run on the calling thread.
 template <class Body>
 void parallel_for_uneven(std::ptrdiff_t count, const Body& body) {
 #pragma omp parallel for schedule(dynamic, 8) if (count > 8)

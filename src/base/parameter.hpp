@@ -1,5 +1,5 @@
 /// Described parameters: every struct that a deck can fill lists its fields once, with name, unit, range and a sentence.
-/// From that one list come the deck reader's checks, `perimpact describe` and the reference page.
+/// The deck reader's checks, `perimpact describe` and the reference page are all generated from this list.
 ///
 ///   struct BoxSolid {
 ///     Vec3d size{};   // [m]
@@ -11,7 +11,7 @@
 ///     return all;
 ///   }
 ///
-/// The default of an optional field is what a default-constructed struct holds: it has no second home.
+/// The default of an optional field is the value in a default-constructed struct; it is defined nowhere else.
 #pragma once
 
 #include <limits>
@@ -26,14 +26,14 @@
 
 namespace fccda {
 
-/// Which numbers are allowed. Holds for each component of a vector and each entry of a list.
+/// The allowed numbers. Applies to each component of a vector and each entry of a list.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool low_included = true;
   bool high_included = true;
 
-  /// False for not-a-number and infinities too.
+  /// False for not-a-number and infinities as well.
   constexpr bool contains(double value) const {
     const bool above = low_included ? value >= low : value > low;
     const bool below = high_included ? value <= high : value < high;
@@ -50,7 +50,7 @@ constexpr Range strictly_between(double low, double high) { return {low, high, f
 
 enum class Presence { required, optional };
 
-/// One of a few words. `index` selects from `words`; an enum can be stored through `as`.
+/// A selection from a few words. `index` selects from `words`; `as` converts it to an enum.
 struct Choice {
   std::span<const std::string_view> words;
   int index = 0;
@@ -62,18 +62,18 @@ struct Choice {
   }
 };
 
-/// What a deck may say about one field of the described struct T.
+/// Description of one deck field of the struct T.
 template <class T>
 struct Field {
   using Member = std::variant<double T::*, std::optional<double> T::*, int T::*, std::optional<int> T::*, bool T::*, std::string T::*, Vec3d T::*,
                               std::optional<Vec3d> T::*, std::vector<double> T::*, std::vector<std::string> T::*, std::vector<Vec3d> T::*, Choice T::*>;
 
   std::string_view name;  ///< key in the deck
-  Member member;          ///< where the value goes; its type says what may be written
+  Member member;          ///< where the value is stored; its type determines the accepted syntax
   std::string_view unit;  ///< SI unit of numbers ("m", "Pa", "m/s", "1" for pure numbers), empty for words
   Range range;
   Presence presence;
-  std::string_view sentence;  ///< what it means, for `perimpact describe`
+  std::string_view sentence;  ///< its meaning, for `perimpact describe`
 };
 
 }  // namespace fccda

@@ -1,4 +1,4 @@
-/// Attitude of a rigid body as a unit quaternion.
+/// Attitude (orientation) of a rigid body as a unit quaternion.
 #pragma once
 
 #include <cmath>
@@ -7,14 +7,14 @@
 
 namespace fccda {
 
-/// w + (x, y, z), of length 1: turns a vector of the body frame into the world frame.
+/// w + (x, y, z), of unit length: rotates a vector from the body frame into the world frame.
 struct Quaternion {
   double w = 1, x = 0, y = 0, z = 0;
 
-  /// Turn by |rotation| [rad] about the direction of `rotation`.
+  /// Rotation by |rotation| [rad] about the direction of `rotation`.
   static Quaternion from_rotation(const Vec3d& rotation) {
     const double angle = norm(rotation);
-    // sin(a/2)/a, by its series where a is too small to divide by
+    // sin(a/2)/a, by its series where a is too small for the division
     const double factor = angle > 1e-8 ? std::sin(0.5 * angle) / angle : 0.5 - angle * angle / 48;
     return {std::cos(0.5 * angle), factor * rotation.x, factor * rotation.y, factor * rotation.z};
   }

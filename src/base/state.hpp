@@ -1,13 +1,13 @@
-/// How state is named: an owner says once what the next step depends on, for all who want to know it (fingerprints, checkpoints, programs
-/// that use the library).
+/// The visitor of simulation state. An owner lists once everything that the next step depends on; checkpoints, fingerprints and programs
+/// that use the library share this list.
 ///
 ///   template <class Visitor> void visit_state(Visitor&& visit) {
 ///     visit("velocity", std::span<double>(velocity_));   // a fixed number of values
-///     visit("points_inside", inside_);                   // a std::vector: as many as there are; a visitor that reads gives it its length
+///     visit("points_inside", inside_);                   // a std::vector of any length; a visitor that reads resizes it
 ///     visit("steps", steps_);                            // one number
 ///   }
 ///
-/// A visitor looks at the numbers or writes them, as they lie in memory. Caches are not state: dropping them changes no bit of what follows.
+/// A visitor reads or writes the numbers in place. Caches are not state: discarding them leaves all later results bitwise identical.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ inline constexpr bool is_list = false;
 template <class T>
 inline constexpr bool is_list<std::vector<T>> = true;
 
-/// The numbers that a visitor was given, whichever of the three forms they have.
+/// The numbers passed to a visitor, in any of the three forms.
 template <class T>
 std::span<T> numbers_in(std::span<T> values) {
   return values;
@@ -41,13 +41,13 @@ std::span<T> numbers_in(std::vector<T>& values) {
 template <class T>
 requires std::is_arithmetic_v<T> std::span<T> numbers_in(T& value) { return {&value, 1}; }
 
-/// A visitor that puts "prefix." before each name.
+/// A visitor that prepends "prefix." to each name.
 template <class Visitor>
 auto under(std::string prefix, Visitor& visit) {
   return [prefix = std::move(prefix) + ".", &visit](std::string_view name, auto&& values) { visit(prefix + std::string(name), values); };
 }
 
-/// Members of structs as one array: `members` says where each of them is. What the visitor writes is taken over.
+/// Visits members of structs as one array. `members` points to each of them; what the visitor writes is copied back.
 template <class Visitor, std::size_t count>
 void visit_members(Visitor& visit, std::string_view name, const std::array<double*, count>& members) {
   std::array<double, count> values;
@@ -68,7 +68,7 @@ void visit_flag(Visitor& visit, std::string_view name, bool& flag) {
   flag = value != 0;
 }
 
-/// A number that may be absent, as a list of one or none.
+/// A number that may be absent, visited as a list of zero or one entries.
 template <class Visitor>
 void visit_optional(Visitor& visit, std::string_view name, std::optional<double>& number) {
   std::vector<double> values;

@@ -1,4 +1,4 @@
-/// Where the time of a run goes.
+/// Wall-clock timers of the phases of a run.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-/// Vectors and small matrices of three dimensions.
+/// Vectors and small matrices in three dimensions.
 #pragma once
 
 #include <cmath>
@@ -55,7 +55,7 @@ constexpr T squared_norm(const Vec3<T>& a) {
 
 inline double norm(const Vec3d& a) { return std::sqrt(dot(a, a)); }
 
-/// a/|a|; the zero vector stays zero.
+/// a/|a|; the zero vector is returned unchanged.
 inline Vec3d normalised(const Vec3d& a) {
   const double length = norm(a);
   return length > 0 ? a / length : Vec3d{};
@@ -63,7 +63,7 @@ inline Vec3d normalised(const Vec3d& a) {
 
 inline bool is_finite(const Vec3d& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
-/// The largest of the three magnitudes.
+/// Maximum norm.
 inline double largest_magnitude(const Vec3d& a) { return std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z))); }
 
 constexpr Vec3d min(const Vec3d& a, const Vec3d& b) { return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z}; }
@@ -81,7 +81,7 @@ struct Box {
   double distance(const Vec3d& point) const { return norm(max(max(low - point, point - high), Vec3d{})); }  ///< 0 inside
 };
 
-/// A 3×3 matrix by rows.
+/// A 3×3 matrix, stored by rows.
 struct Mat3 {
   Vec3d row[3]{};
 

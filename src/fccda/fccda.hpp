@@ -1,4 +1,4 @@
-/// All that a program needs to find and answer contact of its points with a moving rigid surface.
+/// Contact of a program's points with a moving rigid surface: the complete interface of detection and response.
 #pragma once
 
 #include "base/error.hpp"                   // InputError, RunError

@@ -18,7 +18,7 @@
 namespace fccda {
 namespace {
 
-constexpr double growth = 0.2;  // of the edges behind the bow, [m] a metre: 1.2 times from panel to panel
+constexpr double growth = 0.2;  // of the edges behind the bow, [m] per metre: a ratio of 1.2 from panel to panel
 
 template <class... Words>
 [[noreturn]] void refuse(const Words&... words) {
@@ -27,16 +27,16 @@ template <class... Words>
 
 enum class Stretch { bow, side, stern };  // of the ship's length
 
-/// A line from the deck to the bottom: all points of a stretch at the same share of it.
+/// A line from the deck to the bottom: all points at the same fraction of a stretch.
 struct Column {
   Stretch stretch;  ///< that begins here, going aft
-  double share;     ///< of the stretch, 0 to 1 going aft
+  double share;     ///< fraction of the stretch, 0 to 1 going aft
   double size;      ///< [m] of edges here
 };
 
 enum Band : std::size_t { deck_band, side_band, bilge_band, bottom_band, band_count };
 
-/// Starboard vertices of a column: each band from where the one above ends.
+/// Starboard vertices of a column: each band starts at the end of the one above.
 using ColumnVertices = std::array<std::vector<int>, band_count>;
 
 using Triangles = std::vector<std::array<int, 3>>;
@@ -63,7 +63,7 @@ class HullPanels {
   double length_of_side() const { return form_.stern(shape_.freeboard) - form_.stem(shape_.freeboard) - form_.bow_length() - form_.stern_length(); }
   double size_behind_bow(double distance) const { return std::fmin(shape_.edge_length, bow_edge_length_ + growth * distance); }
 
-  /// Triangles, from above.
+  /// Estimated number of triangles, an upper bound.
   double estimate() const {
     const double height = shape_.freeboard + shape_.draft;
     const double girth = 2 * widest() + height / std::sin(std::fmin(shape_.stem_angle, shape_.stern_angle)) + widest();
@@ -73,10 +73,10 @@ class HullPanels {
             rest / (shape_.edge_length * shape_.edge_length));
   }
 
-  /// Columns over one stretch, the last one left out: at equal counts of edges of the wanted size along the longest waterline.
+  /// Columns over one stretch, without the last: at equal counts of edges of the target size along the longest waterline.
   template <class Widening, class Size>
   void lay(Stretch stretch, double length, const Widening& share_of_breadth, const Size& size) {
-    constexpr int samples = 20000;  // of a curve without corners: the counts are right to 1e-8
+    constexpr int samples = 20000;  // of a smooth curve: the counts are accurate to 1e-8
     std::vector<double> count(samples + 1, 0.0);
     const auto width = [&](int k) { return widest() * share_of_breadth(double(k) / samples); };
     for (int k = 0; k < samples; ++k) {
@@ -122,7 +122,7 @@ class HullPanels {
     return static_cast<int>(out_.vertices.size()) - 1;
   }
 
-  /// Goes on from the last vertex of `before` along at(share), share from 0 to 1, in equal parts of the share.
+  /// Continues from the last vertex of `before` along at(share), share from 0 to 1, in equal parts of the share.
   template <class At>
   std::vector<int> go_on(int before, double length, double size, const At& at) {
     std::vector<int> line{before};
@@ -136,12 +136,12 @@ class HullPanels {
     const double deck = shape_.freeboard, bilge = form_.bilge_top(), bottom = -shape_.draft, radius = shape_.bilge_radius;
     const auto on_side = [&](double z) { return place(column, z, form_.section(z)); };
     const auto on_bilge = [&](double share) {
-      if (share == 1) return on_side(bottom);  // the bottom's own number, without rounding
+      if (share == 1) return on_side(bottom);  // exactly the bottom's value, without rounding
       const double z = bilge - radius * std::sin(0.5 * std::numbers::pi * share);
       return on_side(z);
     };
     const Vec3d rail = on_side(deck), low = on_side(bilge), keel = on_side(bottom);
-    double around_bilge = 0;  // [m] as if all of it were as long as its longest piece, so that equal shares are short enough everywhere
+    double around_bilge = 0;  // [m] as if all of it were as long as its longest piece, so that equal parts are short enough everywhere
     constexpr int chords = 64;
     for (int k = 0; k < chords; ++k) around_bilge = std::fmax(around_bilge, chords * norm(on_bilge(double(k + 1) / chords) - on_bilge(double(k) / chords)));
 
@@ -160,7 +160,7 @@ class HullPanels {
     fill_strip(fore, aft, at, [&](int a, int b, int c) { part.push_back({a, b, c}); });
   }
 
-  /// Names the parts and adds each with its mirror image; vertices of the centreline are their own.
+  /// Names the parts and adds each with its mirror image; vertices on the centreline are shared.
   void add_mirrored() {
     const std::pair<std::string_view, const Triangles*> named[] = {
         {"bow", &sides_[0]},         {"side", &sides_[1]}, {"stern", &sides_[2]}, {"bilge", &bands_[bilge_band]}, {"bottom", &bands_[bottom_band]},
@@ -204,18 +204,18 @@ HullForm::HullForm(const HullShape& shape)
   EXPECTS(shape.stem_angle > 0 && shape.waterline_angle > 0 && shape.stern_angle > 0 && shape.stern_waterline_angle > 0);
   EXPECTS(shape.fullness >= 1 && shape.bilge_radius >= 0 && shape.bow_edge_length >= 0);
   if (shape.bilge_radius > shape.draft)
-    refuse("bilge_radius is ", shape.bilge_radius, " m, but the bilge must lie below the waterline; take at most the draft, ", shape.draft, " m.");
+    refuse("bilge_radius is ", shape.bilge_radius, " m, but the bilge must lie below the waterline; use at most the draft, ", shape.draft, " m.");
   const double least = 1e-3 * shape.breadth, narrowest_bottom = section(-shape.draft), narrowest_deck = section(shape.freeboard);
   if (narrowest_bottom < least)
     refuse("bilge_radius ", shape.bilge_radius, " m and flare leave a bottom of half-breadth ", narrowest_bottom,
-           " m; take a smaller radius or flare, or a greater breadth.");
+           " m; use a smaller radius or flare, or a greater breadth.");
   if (narrowest_deck < least)
-    refuse("the sides meet below the deck, whose half-breadth would be ", narrowest_deck, " m; take a flare nearer to 0, or a lower freeboard.");
+    refuse("the sides meet below the deck, whose half-breadth would be ", narrowest_deck, " m; use a flare nearer to 0, or a lower freeboard.");
   const double bottom_length = stern(-shape.draft) - stem(-shape.draft);
   if (bow_length_ + stern_length_ > bottom_length - 1e-3 * shape.length)
     refuse("the bow is ", bow_length_, " m long (fullness * breadth/2 / tan of waterline_angle) and the stern ", stern_length_,
            " m, but the bottom between stem and stern only ", bottom_length,
-           " m; take larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
+           " m; use larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
   if (shape.bow_edge_length > shape.edge_length)
     refuse("bow_edge_length is ", shape.bow_edge_length, " m, but the bow is made finer, not coarser, than edge_length, ", shape.edge_length, " m.");
 }

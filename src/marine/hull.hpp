@@ -1,7 +1,7 @@
-/// The hull of an icebreaker from a few angles and lengths, closed by a flat deck.
+/// Parametric hull of an icebreaker, closed by a flat deck.
 ///
-/// Axes: x aft, y to starboard, z up. The origin is where the stem meets the waterline, z = 0. The stem goes up to -F/tan φ before the
-/// origin, the stern to L + F/tan φ_s.
+/// Axes: x aft, y to starboard, z up. The origin is the intersection of the stem with the waterline, z = 0. The stem extends to -F/tan φ
+/// before the origin, the stern to L + F/tan φ_s.
 ///
 ///   stem      x_b(z) = -z/tan φ                       a straight line at the stem angle φ with the waterline
 ///   stern     x_e(z) = L + z/tan φ_s
@@ -12,7 +12,7 @@
 ///   hull      y(x, z) = b(z) W_b W_s
 ///
 /// Consequences, without flare: every waterline above the bilge meets the centreline at exactly the angle α (α_s at the stern); the buttocks of
-/// the bow are straight and parallel to the stem, so n_x/n_z = tan φ of the normals everywhere there. With flare both hold on the waterline.
+/// the bow are straight and parallel to the stem, so the normals have n_x/n_z = tan φ everywhere there. With flare both hold on the waterline.
 /// Angles as in Lindqvist (POAC 1989) and Riska et al. (1997): φ between stem and waterline, α between waterline and centreline.
 #pragma once
 
@@ -29,19 +29,19 @@ struct HullShape {
   double freeboard = 0;                                        ///< F [m] height of the deck above the waterline
   double stem_angle = 0;                                       ///< φ [rad], above 0, π/2 at most
   double waterline_angle = 0;                                  ///< α [rad] half angle of entrance, between 0 and π/2
-  double fullness = 2;                                         ///< p [-] of the waterlines of the bow: 1 is a wedge
+  double fullness = 2;                                         ///< p [-] of the waterlines of the bow; 1 is a wedge
   double stern_angle = std::numbers::pi * 35 / 180;            ///< φ_s [rad]
   double stern_waterline_angle = std::numbers::pi * 30 / 180;  ///< α_s [rad]
   double bilge_radius = 0;                                     ///< R [m]; 0: a hard chine
   double flare = 0;                                            ///< γ [rad] of the sides from the vertical, outward as they rise
   double edge_length = 0;                                      ///< [m] edge length of panels aft of the bow
-  double bow_edge_length = 0;                                  ///< [m] in the bow, growing evenly behind it; 0: as elsewhere
+  double bow_edge_length = 0;                                  ///< [m] in the bow, growing gradually behind it; 0: as edge_length
 };
 
-/// The curved shape that the panels stand for.
+/// The curved form that the panels approximate.
 class HullForm {
  public:
-  /// Throws InputError, one sentence, where the lengths and angles make no hull.
+  /// Throws InputError, one sentence, if the lengths and angles are inconsistent.
   explicit HullForm(const HullShape& shape);
 
   double stem(double z) const { return -z * cot_stem_; }                   ///< x_b [m]
@@ -61,14 +61,14 @@ class HullForm {
   double bow_length_, stern_length_;
 };
 
-/// Triangles wound outward, vertices shared and on the form, closed; starboard and port are mirror images to the last bit. Parts: `bow`, `side` and
+/// Triangles oriented outward, closed, with shared vertices on the form; starboard and port are exact mirror images. Parts: `bow`, `side` and
 /// `stern` above the bilge (bow and stern as far as waterlines widen), `bilge`, `bottom`, `deck`.
 ///
-/// The panels lie in strips between columns, lines from the deck to the bottom that follow stem and stern, so every panel of bow and stern has an
-/// edge along a buttock. A bow panel therefore has n_x/n_z = tan φ to rounding, without flare. Edges along the columns, and those across
-/// them on the longest waterline, are at most as long as asked; other edges can reach 1.5 times that. Behind the bow the edges grow by a
-/// fifth of the distance, until they are as long as elsewhere.
-/// Throws InputError, one sentence, where the sizes make no hull or there would be too many panels.
+/// The panels lie in strips between columns, lines from the deck to the bottom that follow stem and stern, so every panel of bow and stern has
+/// an edge along a buttock. Without flare, a bow panel therefore has n_x/n_z = tan φ up to rounding. Edges along the columns, and those across
+/// them on the longest waterline, are at most as long as requested; other edges can reach 1.5 times that. Behind the bow the edges grow by a
+/// fifth of the distance, up to edge_length.
+/// Throws InputError, one sentence, if the dimensions are inconsistent or the number of panels exceeds the limit.
 Panels make_hull(const HullShape& shape);
 
 }  // namespace fccda

@@ -20,7 +20,7 @@ namespace fccda {
 namespace {
 
 constexpr double growth = 0.3;        // of edges with the distance from the outline
-constexpr double root_in_hub = 0.83;  // of the hub's radius: deep enough for any hub of 12 sides and more, cos(π/12) = 0.97
+constexpr double root_in_hub = 0.83;  // of the hub's radius: deep enough for any hub of 12 sides or more, cos(π/12) = 0.97
 constexpr double pi = std::numbers::pi;
 
 template <class... Words>
@@ -58,12 +58,12 @@ void check_sections(const PropellerSections& sections, double hub_ratio) {
   }
 }
 
-/// The outline of a blade laid flat, cut into triangles: places `along` the chord and `out` from the root (0) to the tip (1).
+/// The developed outline of a blade, triangulated: coordinates `along` the chord and `out` from the root (0) to the tip (1).
 class Sheet {
  public:
   Sheet(const BladeForm& form, double panel, double blade_edge_length)
       : form_(form), panel_(panel), blade_edge_length_(blade_edge_length), is_pointed_(form.section(form.tip_radius()).chord == 0) {
-    // out of the root in steps that grow smaller as the outline turns inward
+    // outward from the root in steps that decrease as the outline turns inward
     const double span = form.tip_radius() - form.root_radius();
     const int stations = static_cast<int>(divisions(1.5 * span, panel)) + 1;
     std::vector<int> inner = add_station(0);
@@ -87,7 +87,7 @@ class Sheet {
     out.vertices = back_;
     out.vertices.insert(out.vertices.end(), face_.begin(), face_.end());
     const int beneath = static_cast<int>(back_.size());
-    std::set<std::pair<int, int>> open;  // edges of the back that no triangle beyond has walked the other way
+    std::set<std::pair<int, int>> open;  // edges of the back that no adjacent triangle has traversed in the other direction
     for (const auto& t : triangles_) {
       out.add_triangle(t[0], t[1], t[2]);
       out.add_triangle(beneath + t[0], beneath + t[2], beneath + t[1]);
@@ -111,7 +111,7 @@ class Sheet {
 
   static std::size_t index(int v) { return static_cast<std::size_t>(v); }
 
-  /// Steps of `out` shrink towards the tip as a round outline does.
+  /// Steps of `out` decrease towards the tip as a round outline requires.
   double radius(double out) const { return form_.root_radius() + (form_.tip_radius() - form_.root_radius()) * out * (2 - out); }
 
   int add(const Place& place) {
@@ -130,7 +130,7 @@ class Sheet {
     return station;
   }
 
-  /// A pointed tip lies at no place along a chord: edges to it keep that of the other end.
+  /// A pointed tip has no position along the chord: edges to it take that of the other end.
   Place middle(int a, int b) const {
     const Place &p = places_[index(a)], &q = places_[index(b)];
     const bool is_p_point = p.out == 1 && is_pointed_, is_q_point = q.out == 1 && is_pointed_;
@@ -185,17 +185,17 @@ void check_root(const BladeForm& form, const HubForm& hub, double panel) {
   const double chords = std::cos(pi / circle_divisions(hub.radius, panel));
   constexpr int samples = 40;
   double furthest = 0;
-  bool sticks_out = false;
+  bool extends_beyond = false;
   for (int k = 0; k <= samples; ++k) {
     for (const double through : {0.0, 1.0}) {
       const double z = form.place(root, -1 + 2.0 * k / samples, through).z;
       furthest = std::fmax(furthest, std::fabs(z));
-      sticks_out = sticks_out || hub.radius_at(z) * chords <= form.root_radius();
+      extends_beyond = extends_beyond || hub.radius_at(z) * chords <= form.root_radius();
     }
   }
-  if (sticks_out)
-    refuse("the roots of the blades reach ", furthest, " m along the shaft from the middle of the hub, beyond its ends; hub_length is ", hub.length,
-           " m, take ", 2 * (furthest + HubForm{hub.radius, 1e300}.rounding()), " m or more.");
+  if (extends_beyond)
+    refuse("the roots of the blades reach ", furthest, " m along the shaft from the middle of the hub, beyond its ends; hub_length is ", hub.length, " m, use ",
+           2 * (furthest + HubForm{hub.radius, 1e300}.rounding()), " m or more.");
 }
 
 void append(Panels& all, const Panels& one, double angle) {
@@ -221,7 +221,7 @@ BladeForm::BladeForm(const PropellerShape& shape) : shape_(shape), root_(root_in
     EXPECTS(shape.pitch_ratio > 0 && shape.area_ratio > 0);
     if (shape.blades < wageningen::fewest_blades || shape.blades > wageningen::most_blades)
       refuse("the tables of the Wageningen B-series are for ", wageningen::fewest_blades, " to ", wageningen::most_blades, " blades, not ", shape.blades,
-             "; give sections of your own for others.");
+             "; specify `sections` for others.");
     return;
   }
   check_sections(*shape.sections, shape.hub_ratio);
@@ -276,7 +276,7 @@ Vec3d BladeForm::place(const Section& section, double along, double through) con
 }
 
 double BladeForm::expanded_area_ratio(double from) const {
-  // Simpson's rule over w, r = R - (R - r0)(1 - w)², which makes smooth what ends as a root at a round tip
+  // Simpson's rule over w, r = R - (R - r0)(1 - w)², which removes the square-root singularity at a round tip
   constexpr int pieces = 2000;
   const double inner = from * tip_radius(), span = tip_radius() - inner;
   double sum = 0;
@@ -302,7 +302,8 @@ Panels make_propeller(const PropellerShape& shape) {
   const double hub_panel = std::fmin(shape.edge_length, 0.5 * hub.radius),
                blade_edge_length = shape.blade_edge_length > 0 ? shape.blade_edge_length : shape.edge_length;
   check_root(form, hub, hub_panel);
-  // two triangles to each square of panels on both sides, along the outlines bands of edge_panel and their gradual growth; halving doubles at most
+  // two triangles per square of panels on both sides, and bands of blade_edge_length with their gradual growth along the outlines; bisection at
+  // most doubles the number
   const double area = form.expanded_area_ratio(root_in_hub * shape.hub_ratio) * pi * form.tip_radius() * form.tip_radius();
   const double outline = shape.blades * 3 * form.tip_radius();
   const double graded = outline / growth * (1 / blade_edge_length - 1 / shape.edge_length) + outline / blade_edge_length;

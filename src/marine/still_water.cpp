@@ -61,7 +61,7 @@ std::optional<double> level_at_rest(const RigidBody& body, const Surface& surfac
   if (wanted > surface.report().volume) return std::nullopt;
   auto [low, high] = heights(body, surface);
   double level = 0.5 * (low + high);
-  // Newton's steps inside a bracket that shrinks: the volume grows steadily with the level
+  // Newton's method inside a shrinking bracket: the volume is monotonic in the level
   constexpr int enough = 200;
   for (int step = 0; step < enough && high - low > 1e-15 * (std::fabs(high) + std::fabs(low)); ++step) {
     const SubmergedVolume wet = under(level, body, surface);

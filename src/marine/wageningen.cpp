@@ -16,7 +16,7 @@ using Row = std::array<double, 9>;
 
 constexpr Row chord_row{1.662, 1.882, 2.050, 2.152, 2.187, 2.144, 1.970, 1.582, 0};
 constexpr Row leading_row{0.617, 0.613, 0.601, 0.586, 0.561,
-                          0.524, 0.463, 0.351, 0.239};  // the last continued in a straight line: the series ends there with a = c = 0
+                          0.524, 0.463, 0.351, 0.239};  // the last extrapolated linearly: the series ends there with a = c = 0
 constexpr Row thickest_row{0.350, 0.350, 0.351, 0.355, 0.389, 0.443, 0.479, 0.500, 0.500};
 constexpr Row a_row{0.0526, 0.0464, 0.0402, 0.0340, 0.0278, 0.0216, 0.0154, 0.0092, 0.0030};
 constexpr Row b_row{0.0040, 0.0035, 0.0030, 0.0025, 0.0020, 0.0015, 0.0010, 0.0005, 0.0000};

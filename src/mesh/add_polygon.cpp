@@ -8,7 +8,7 @@
 namespace fccda {
 namespace {
 
-constexpr double rounding = 1e-12;  // of corners on a line
+constexpr double rounding = 1e-12;  // of collinear corners, relative
 
 class Polygon {
  public:
@@ -16,7 +16,7 @@ class Polygon {
     for (std::size_t k = 1; k + 1 < corners.size(); ++k) whole_ += doubled_area(0, k, k + 1);
   }
 
-  /// Are the triangles from the first corner all seen from the same side, and cover nothing twice?
+  /// True if all triangles of the fan from the first corner have the same sense and none overlap.
   bool is_fan() const {
     for (std::size_t k = 1; k + 1 < corners_.size(); ++k) {
       const Vec3d area = doubled_area(0, k, k + 1);
@@ -27,7 +27,7 @@ class Polygon {
 
   bool has_area() const { return whole_ != Vec3d{}; }
 
-  /// Do two sides cross, each inside the other? It takes time with the square of the corners.
+  /// True if two sides intersect in their interiors. The cost is quadratic in the number of corners.
   bool has_crossing() const {
     const std::size_t count = corners_.size();
     const auto side_of = [&](std::size_t a, std::size_t c) { return seen(doubled_area(a, (a + 1) % count, c % count)); };  // of the line through side a
@@ -42,7 +42,7 @@ class Polygon {
     return false;
   }
 
-  /// Corner numbers, three a triangle; fewer than all where no ear is left. Sides must not cross.
+  /// Ear clipping. Corner numbers, three per triangle; incomplete if no ear is left. Sides must not cross.
   std::vector<std::size_t> ears() {
     std::vector<std::size_t> rest(corners_.size()), triangles;
     for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = k;
@@ -67,19 +67,19 @@ class Polygon {
  private:
   const Vec3d& at(std::size_t corner) const { return vertices_[static_cast<std::size_t>(corners_[corner])]; }
   Vec3d doubled_area(std::size_t a, std::size_t b, std::size_t c) const { return cross(at(b) - at(a), at(c) - at(a)); }
-  /// Share of the polygon's area that a doubled area has, seen along the polygon's normal.
+  /// The doubled area projected onto the polygon's normal, as a fraction of the polygon's area.
   double seen(const Vec3d& area) const { return dot(area, whole_) / squared_norm(whole_); }
 
-  /// Do the directions from the first corner turn by one full turn at most? Otherwise triangles that are all seen from the same side lie on one
-  /// another, as on a spiral staircase.
+  /// True if the directions from the first corner turn by at most one full turn. Otherwise triangles of the same sense overlap, as on a
+  /// spiral staircase.
   bool turns_once() const {
-    constexpr double margin = 1e-6;  // [rad] for the rounding of as many angles as an int counts
+    constexpr double margin = 1e-6;  // [rad] for the accumulated rounding of as many angles as an int counts
     const Vec3d normal = normalised(whole_);
     double turned = 0;
     Vec3d last{};
     for (std::size_t k = 1; k < corners_.size(); ++k) {
       const Vec3d sight = at(k) - at(0), direction = sight - dot(sight, normal) * normal;
-      if (direction == Vec3d{}) continue;  // the outline comes back to its first corner, and goes on anywhere
+      if (direction == Vec3d{}) continue;  // the outline returns to its first corner, and may continue in any direction
       const Vec3d area = cross(last, direction);
       const bool is_backwards = seen(area) < -rounding;
       turned += std::atan2(is_backwards ? dot(area, normal) : std::max(dot(area, normal), 0.0), dot(last, direction));
@@ -89,13 +89,13 @@ class Polygon {
     return !(turned > 2 * std::numbers::pi + margin);
   }
 
-  /// Is the corner at this place neither re-entrant nor straight?
+  /// True if the k-th remaining corner is neither re-entrant nor straight.
   bool is_convex_at(const std::vector<std::size_t>& rest, std::size_t k) const {
     return seen(doubled_area(rest[(k + rest.size() - 1) % rest.size()], rest[k], rest[(k + 1) % rest.size()])) > rounding;
   }
 
-  /// Of the corners that lie in a triangle, the one farthest from its side a c has nothing but the polygon beyond it towards b, so it is
-  /// re-entrant or straight: only such ones need to be looked at.
+  /// Of the corners inside a triangle, the one farthest from its side a c has nothing but the polygon beyond it towards b. So it is
+  /// re-entrant or straight, and only such corners need to be tested.
   bool is_ear(const std::vector<std::size_t>& rest, std::size_t a, std::size_t b, std::size_t c) const {
     if (seen(doubled_area(a, b, c)) < -rounding) return false;
     return std::none_of(rest.begin(), rest.end(), [&](std::size_t p) {
@@ -109,7 +109,7 @@ class Polygon {
   const std::vector<Vec3d>& vertices_;
   std::span<const int> corners_;
   Vec3d whole_{};
-  std::vector<bool> is_convex_;  // by corner, among those that are left
+  std::vector<bool> is_convex_;  // by corner, among those remaining
 };
 
 }  // namespace

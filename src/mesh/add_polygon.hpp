@@ -1,4 +1,4 @@
-/// Polygons of any number of corners, as panels.
+/// Triangulation of polygons with any number of corners into panels.
 #pragma once
 
 #include <span>
@@ -7,11 +7,11 @@
 
 namespace fccda {
 
-/// Adds a polygon: one of three or four corners as it is, a larger one cut into triangles over its own corners: a fan from
-/// the first where that can be, as in every convex one, else by cutting ears off (Meisters, American Mathematical Monthly 82 (1975)
-/// 648), both as seen along its mean normal. `out` must hold its vertices already. False, and nothing is added, where it cannot be cut:
-/// fewer than three corners, sides that cross one another as seen so, or more than 500 corners and no fan (ears can take time with the
-/// cube of their number).
+/// Adds a polygon. One of three or four corners is added as it is; a larger one is triangulated without new vertices. A fan from the first
+/// corner is used if it is valid, as for every convex polygon, otherwise ear clipping (Meisters, American Mathematical Monthly 82 (1975)
+/// 648), both in projection along the mean normal. `out` must contain the vertices already. Returns false, and adds nothing, for fewer
+/// than three corners, for sides that cross in projection, and for more than 500 corners without a valid fan (the cost of ear clipping can
+/// be cubic).
 [[nodiscard]] bool add_polygon(Panels& out, std::span<const int> corners);
 
 }  // namespace fccda

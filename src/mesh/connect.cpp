@@ -30,36 +30,37 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
 
 int& neighbour(LinkedTriangles& surface, int triangle, int e) { return surface.neighbours[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(e)]; }
 
-/// A triangle beside a crowded edge, by its angle about it.
-struct Leaf {
+/// A triangle at a non-manifold edge, by its dihedral angle about it.
+struct WedgeSide {
   double angle;       // [rad] about the edge from its lower vertex to its higher
-  bool faces_onward;  // its front is on the side of larger angles
-  int triangle, e;    // and its side along the edge
+  bool faces_onward;  // its front faces towards larger angles
+  int triangle, e;    // and its side on the edge
 };
 
-/// The side of the triangle along the edge, in either direction.
+/// The side of the triangle on the edge, in either direction.
 std::size_t side_along(const Triangle& triangle, const std::array<int, 2>& edge) {
   std::size_t e = 0;
   while (std::pair<int, int>(std::minmax(triangle.vertex[e], triangle.vertex[(e + 1) % 3])) != std::pair(edge[0], edge[1])) ++e;
   return e;
 }
 
-std::vector<Leaf> leaves_around(const LinkedTriangles& surface, const NonManifoldEdge& edge, bool fronts_are_backs) {
+std::vector<WedgeSide> sides_around(const LinkedTriangles& surface, const NonManifoldEdge& edge, bool fronts_are_backs) {
   const Vec3d& from = surface.vertices[static_cast<std::size_t>(edge.vertices[0])];
   const Vec3d axis = surface.vertices[static_cast<std::size_t>(edge.vertices[1])] - from;
-  std::vector<Leaf> leaves;
+  std::vector<WedgeSide> wedge_sides;
   Vec3d first{}, second{};  // directions at the angles 0 and a quarter turn
   for (const int triangle : edge.triangles) {
     const auto& vertex = surface.triangles[static_cast<std::size_t>(triangle)].vertex;
     const std::size_t e = side_along(surface.triangles[static_cast<std::size_t>(triangle)], edge.vertices);
     const Vec3d apex = surface.vertices[static_cast<std::size_t>(vertex[(e + 2) % 3])] - from;
     const Vec3d outward = apex - dot(apex, axis) / squared_norm(axis) * axis;
-    if (leaves.empty()) first = outward / norm(outward), second = cross(axis, first) / norm(axis);
-    leaves.push_back(
+    if (wedge_sides.empty()) first = outward / norm(outward), second = cross(axis, first) / norm(axis);
+    wedge_sides.push_back(
         {std::atan2(dot(outward, second), dot(outward, first)), (vertex[e] == edge.vertices[0]) != fronts_are_backs, triangle, static_cast<int>(e)});
   }
-  std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.angle != b.angle ? a.angle < b.angle : a.triangle < b.triangle; });
-  return leaves;
+  std::sort(wedge_sides.begin(), wedge_sides.end(),
+            [](const WedgeSide& a, const WedgeSide& b) { return a.angle != b.angle ? a.angle < b.angle : a.triangle < b.triangle; });
+  return wedge_sides;
 }
 
 }  // namespace
@@ -86,26 +87,26 @@ Connection connect(LinkedTriangles& surface) {
 }
 
 Unjoined join_non_manifold(LinkedTriangles& surface, const std::vector<NonManifoldEdge>& non_manifold_edges, bool fronts_are_backs) {
-  // Those nearer to one another lie on one another, as far as a float's coordinates tell, and it is not known which comes first.
+  // Triangles at nearer angles coincide within the precision of float coordinates, so their order is undetermined.
   constexpr double same_angle = 1e-6;
   Unjoined out;
   for (const NonManifoldEdge& edge : non_manifold_edges) {
-    const std::vector<Leaf> leaves = leaves_around(surface, edge, fronts_are_backs);
-    const std::size_t count = leaves.size();
+    const std::vector<WedgeSide> wedge_sides = sides_around(surface, edge, fronts_are_backs);
+    const std::size_t count = wedge_sides.size();
     const auto is_alone = [&](std::size_t k) {
-      const double wedge = leaves[(k + 1) % count].angle - leaves[k].angle;
+      const double wedge = wedge_sides[(k + 1) % count].angle - wedge_sides[k].angle;
       return std::fabs(std::remainder(wedge, 2 * std::numbers::pi)) > same_angle;
     };
     std::vector<bool> joined(count, false);
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t next = (k + 1) % count;
-      if (!leaves[k].faces_onward || leaves[next].faces_onward || !is_alone(k) || !is_alone(next) || !is_alone((k + count - 1) % count)) continue;
-      neighbour(surface, leaves[k].triangle, leaves[k].e) = leaves[next].triangle;
-      neighbour(surface, leaves[next].triangle, leaves[next].e) = leaves[k].triangle;
+      if (!wedge_sides[k].faces_onward || wedge_sides[next].faces_onward || !is_alone(k) || !is_alone(next) || !is_alone((k + count - 1) % count)) continue;
+      neighbour(surface, wedge_sides[k].triangle, wedge_sides[k].e) = wedge_sides[next].triangle;
+      neighbour(surface, wedge_sides[next].triangle, wedge_sides[next].e) = wedge_sides[k].triangle;
       joined[k] = joined[next] = true;
     }
     for (std::size_t k = 0; k < count; ++k)
-      if (!joined[k]) out.triangles.push_back(static_cast<std::size_t>(leaves[k].triangle));
+      if (!joined[k]) out.triangles.push_back(static_cast<std::size_t>(wedge_sides[k].triangle));
     if (std::find(joined.begin(), joined.end(), false) != joined.end()) out.edges.push_back(edge);
   }
   return out;

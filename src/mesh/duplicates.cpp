@@ -8,12 +8,12 @@
 namespace fccda {
 namespace {
 
-constexpr double crumb = 1e-3;  // of the surface's area
+constexpr double largest_fin = 1e-3;  // as a fraction of the surface's area
 
 struct Key {
   std::array<int, 3> sorted;
   int triangle;
-  bool is_even;  // runs through its vertices as `sorted` does
+  bool is_even;  // the permutation from `sorted`
   friend bool operator<(const Key& a, const Key& b) { return std::pair(a.sorted, a.triangle) < std::pair(b.sorted, b.triangle); }
 };
 
@@ -29,12 +29,12 @@ std::vector<Key> sorted_keys(const std::vector<Triangle>& triangles) {
   return keys;
 }
 
-/// Two triangles back to back, the first of them and its partner.
+/// Two coincident triangles of opposite winding: the first and its partner.
 struct Pair {
   int triangle, partner;
 };
 
-/// Decides which pairs go, patch by patch: those that hang together over edges.
+/// Decides which pairs are removed, by patches connected over edges.
 class Patches {
  public:
   Patches(const std::vector<Triangle>& triangles, std::span<const Vec3d> vertices, const std::vector<std::uint8_t>& left_out, const std::vector<Pair>& pairs)
@@ -51,22 +51,22 @@ class Patches {
     }
   }
 
-  /// Of each pair, whether both go.
-  std::vector<bool> go() const {
-    std::vector<bool> goes(pairs_.size(), false), seen(pairs_.size(), false);
+  /// For each pair, whether both triangles are removed.
+  std::vector<bool> to_remove() const {
+    std::vector<bool> removed(pairs_.size(), false), seen(pairs_.size(), false);
     for (std::size_t first = 0; first < pairs_.size(); ++first) {
       if (seen[first]) continue;
       std::vector<std::size_t> patch{first};
       seen[first] = true;
-      bool has_free_end = false, hangs_on_others = false, would_leave_a_rim = false;
+      bool has_free_end = false, is_connected = false, would_leave_a_hole = false;
       double patch_area = 0;
       for (std::size_t next = 0; next < patch.size(); ++next) {
         const Triangle& triangle = triangles_[index(pairs_[patch[next]].triangle)];
         patch_area += area(index(pairs_[patch[next]].triangle));
         for (std::size_t e = 0; e < 3; ++e) {
           const auto [begin, end] = sides_of(edge(triangle, e));
-          hangs_on_others |= others_[begin] > 0;
-          would_leave_a_rim |= others_[begin] == 1;
+          is_connected |= others_[begin] > 0;
+          would_leave_a_hole |= others_[begin] == 1;
           has_free_end |= others_[begin] == 0 && end - begin == 1;
           for (std::size_t s = begin; s < end; ++s) {
             const std::size_t pair = index(sides_[s].pair);
@@ -76,10 +76,10 @@ class Patches {
           }
         }
       }
-      if (!hangs_on_others || would_leave_a_rim || (has_free_end && patch_area > crumb * area_)) continue;
-      for (const std::size_t pair : patch) goes[pair] = true;
+      if (!is_connected || would_leave_a_hole || (has_free_end && patch_area > largest_fin * area_)) continue;
+      for (const std::size_t pair : patch) removed[pair] = true;
     }
-    return goes;
+    return removed;
   }
 
  private:
@@ -121,7 +121,7 @@ class Patches {
   std::span<const Vec3d> vertices_;
   const std::vector<Pair>& pairs_;
   std::vector<Side> sides_;  // of the pairs
-  std::vector<int> others_;  // at the first of the sides of an edge: how many triangles of no pair meet there
+  std::vector<int> others_;  // at the first side on each edge: how many triangles outside all pairs meet there
   double area_ = 0;
 };
 
@@ -145,11 +145,11 @@ Duplicates drop_duplicates(std::vector<Triangle>& triangles, std::span<const Vec
     if (partner >= 0) pairs.push_back({keys[begin].triangle, partner});
   }
   if (!pairs.empty()) {
-    const std::vector<bool> goes = Patches(triangles, vertices, left_out, pairs).go();
+    const std::vector<bool> removed = Patches(triangles, vertices, left_out, pairs).to_remove();
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       left_out[static_cast<std::size_t>(pairs[p].partner)] = 1;
-      if (goes[p]) left_out[static_cast<std::size_t>(pairs[p].triangle)] = 1;
-      goes[p] ? out.back_to_back += 2 : ++out.repeated;
+      if (removed[p]) left_out[static_cast<std::size_t>(pairs[p].triangle)] = 1;
+      removed[p] ? out.back_to_back += 2 : ++out.repeated;
     }
   }
   std::size_t kept = 0;

@@ -18,7 +18,7 @@ std::vector<bool> separate_fans(LinkedTriangles& surface) {
   vertices.reserve(surface.vertices.size());
   std::vector<bool> on_rim;
 
-  // Numbers the corners of one fan from `start` on, across the edge that ends (or begins) at the vertex. False at a rim.
+  // Numbers the corners of one fan from `start`, across the edge that ends (or begins) at the vertex. False at a boundary edge.
   const auto walk = [&](Corner start, std::size_t edge_from_corner, int number) {
     const int vertex = old[start.triangle].vertex[start.c];
     for (Corner at = start;;) {

@@ -1,5 +1,5 @@
-/// Fans: the triangles that hang together about a vertex, over edges. A vertex with several (two cones that touch at their tips) is
-/// none of a manifold, and a pseudonormal averaged over all of them would say nothing.
+/// Fans: triangles about a vertex that are connected over edges. A vertex with several fans (two cones that meet at their tips) is
+/// non-manifold, and a pseudonormal averaged over all of them would be meaningless.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace fccda {
 
-/// Gives each fan a vertex of its own, in the order of the triangles; vertices of no triangle go. Returns for each vertex whether it
-/// lies on a rim. Expects consistent winding.
+/// Gives each fan its own vertex, in the order of the triangles, and removes unused vertices. Returns for each vertex whether it lies on a
+/// boundary edge. Expects consistent winding.
 std::vector<bool> separate_fans(LinkedTriangles& surface);
 
 }  // namespace fccda

@@ -12,7 +12,7 @@ struct Part {
   int component = 0;
   Box bounds;
   std::vector<std::size_t> triangles;
-  std::vector<Vec3d> middles;  // of triangles spread over the part
+  std::vector<Vec3d> middles;  // of triangles distributed over the part
 };
 
 std::vector<Part> closed_parts(const LinkedTriangles& surface, const Components& components, const std::vector<bool>& is_closed) {
@@ -34,13 +34,13 @@ std::vector<Part> closed_parts(const LinkedTriangles& surface, const Components&
   return parts;
 }
 
-bool holds(const Box& outer, const Box& inner) {
+bool box_contains(const Box& outer, const Box& inner) {
   return outer.low.x < inner.low.x && outer.low.y < inner.low.y && outer.low.z < inner.low.z && outer.high.x > inner.high.x && outer.high.y > inner.high.y &&
          outer.high.z > inner.high.z;
 }
 
-/// Sweeps over y and keeps the triangles of `outer` that reach over the present y: some √n of n, and a hollow body of a
-/// million triangles takes half a second. Expects both sorted: middles by y, triangles by their lowest y.
+/// Sweeps over y and keeps only the triangles of `outer` that span the current y: about √n of n, so a hollow body of a million triangles
+/// takes half a second. Expects both sorted: centroids by y, triangles by their lowest y.
 bool contains(const Part& outer, const Part& inner, const LinkedTriangles& surface) {
   const RayCrossing crosses(surface.vertices, surface.triangles);
   const auto range = [&](std::size_t t) { return std::minmax({surface.corner(t, 0).y, surface.corner(t, 1).y, surface.corner(t, 2).y}); };
@@ -67,18 +67,18 @@ Nesting find_nesting(const LinkedTriangles& surface, const Components& component
     std::sort(part.triangles.begin(), part.triangles.end(), [&](std::size_t a, std::size_t b) { return std::pair(lowest(a), a) < std::pair(lowest(b), b); });
     std::sort(part.middles.begin(), part.middles.end(), [](const Vec3d& a, const Vec3d& b) { return a.y < b.y; });
   }
-  std::vector<std::pair<int, int>> held;  // component, and one that contains it
-  // In the order of x only those parts are compared whose ranges of x meet.
+  std::vector<std::pair<int, int>> contained;  // component, and one that contains it
+  // Sorted by x, only parts with overlapping ranges of x are compared.
   std::sort(parts.begin(), parts.end(),
             [](const Part& a, const Part& b) { return std::pair(a.bounds.low.x, a.component) < std::pair(b.bounds.low.x, b.component); });
   for (std::size_t outer = 0; outer < parts.size(); ++outer) {
     for (std::size_t inner = outer + 1; inner < parts.size() && parts[inner].bounds.low.x < parts[outer].bounds.high.x; ++inner) {
-      if (!holds(parts[outer].bounds, parts[inner].bounds)) continue;
-      if (contains(parts[outer], parts[inner], surface)) held.emplace_back(parts[inner].component, parts[outer].component);
+      if (!box_contains(parts[outer].bounds, parts[inner].bounds)) continue;
+      if (contains(parts[outer], parts[inner], surface)) contained.emplace_back(parts[inner].component, parts[outer].component);
     }
   }
-  for (const auto& [inner, outer] : held) ++nesting.depth[static_cast<std::size_t>(inner)];
-  for (const auto& [inner, outer] : held) {
+  for (const auto& [inner, outer] : contained) ++nesting.depth[static_cast<std::size_t>(inner)];
+  for (const auto& [inner, outer] : contained) {
     int& container = nesting.container[static_cast<std::size_t>(inner)];
     const auto rank = [&](int component) { return std::pair(-nesting.depth[static_cast<std::size_t>(component)], component); };
     if (container < 0 || rank(outer) < rank(container)) container = outer;

@@ -16,12 +16,12 @@ void expect_declared(Orientation outside, const LinkedTriangles& surface, const 
   throw SurfaceError(name + ": the surface is open: " + std::to_string(boundary_loops.size()) +
                          (boundary_loops.size() == 1 ? " edge belongs" : " edges belong") + " to one panel only, the first to panel " +
                          std::to_string(surface.triangles[boundary_loops.front()].panel) +
-                         " (counted from 0); close the holes, or say which side is outside {}.",
+                         " (counted from 0); close the holes, or specify which side is outside {}.",
                      {DefectKind::rim, panels_of(surface.triangles, boundary_loops)}, Advice::declare_orientation);
 }
 
-/// A volume that rounding could have made: of a sheet that is folded onto itself.
-bool is_nothing(double volume, const LinkedTriangles& surface, const std::vector<std::size_t>& triangles) {
+/// True if the volume is within rounding error of zero, as for a sheet folded onto itself.
+bool is_zero_volume(double volume, const LinkedTriangles& surface, const std::vector<std::size_t>& triangles) {
   Box bounds;
   for (const std::size_t t : triangles) {
     for (std::size_t c = 0; c < 3; ++c) bounds.include(surface.corner(t, c));
@@ -52,7 +52,7 @@ Outward orient_outward(LinkedTriangles& surface, const Components& components, O
     bool turn = outside == Orientation::reversed;
     if (is_closed[component]) {
       const double volume = signed_volume(surface, members[component]);
-      if (is_nothing(volume, surface, members[component])) {
+      if (is_zero_volume(volume, surface, members[component])) {
         throw SurfaceError(name + ": the closed part with panel " + std::to_string(surface.triangles[members[component][0]].panel) +
                                " (counted from 0) encloses no volume, so it has no inside; give it a thickness, or delete one of its two sides.",
                            {DefectKind::no_volume, panels_of(surface.triangles, members[component])});

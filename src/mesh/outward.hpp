@@ -1,4 +1,4 @@
-/// Which way normals point: out of the material.
+/// Orientation of normals: out of the material.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace fccda {
 
-/// How an open surface says which side is outside.
+/// The declared outside of an open surface.
 enum class Orientation : std::uint8_t { undeclared, normals, reversed };
 
 struct Outward {
-  std::size_t flipped = 0;                ///< closed components turned over as a whole
-  std::size_t cavities = 0;               ///< closed components that bound a hollow in another
+  std::size_t flipped = 0;                ///< closed components flipped as a whole
+  std::size_t cavities = 0;               ///< closed components that bound a cavity in another
   std::vector<int> solid_of_component{};  ///< the component that bounds the material from outside: its own number, or a cavity's container
 };
 
-/// Turns closed components so that their normals point outward by the sign of their volume; one that lies inside an odd number of others
-/// bounds a hollow, and its normals point into that. Open components are turned over where `outside` is `reversed`. Throws InputError
-/// where a closed component encloses no volume, or one is open and its outside undeclared.
+/// Orients closed components outward by the sign of their volume. One inside an odd number of others bounds a cavity, and its normals
+/// point into it. Open components are flipped if `outside` is `reversed`. Throws InputError if a closed component encloses no volume, or
+/// if one is open and `outside` is undeclared.
 Outward orient_outward(LinkedTriangles& surface, const Components& components, Orientation outside, const std::string& name);
 
 }  // namespace fccda

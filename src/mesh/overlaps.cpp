@@ -21,7 +21,7 @@ std::size_t components_that_may_overlap(const LinkedTriangles& surface, const Co
   }
   std::erase_if(parts, [](const Part& part) { return part.volume <= 0; });
 
-  // In the order of x only those parts are compared whose ranges of x meet.
+  // Sorted by x, only parts with overlapping ranges of x are compared.
   std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.bounds.low.x < b.bounds.low.x; });
   for (std::size_t a = 0; a < parts.size(); ++a) {
     for (std::size_t b = a + 1; b < parts.size() && parts[b].bounds.low.x < parts[a].bounds.high.x; ++b) {

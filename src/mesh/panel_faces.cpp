@@ -21,7 +21,7 @@ PanelFaces::PanelFaces(const Surface& surface) : faces_(surface.report().panels)
     face.normal = normalised(face.normal);
   }
 
-  // in two passes: how many neighbours each panel has, then which
+  // two passes: count the neighbours of each panel, then list them
   const auto for_each_pair = [&](const auto& visit) {
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (std::size_t e = 0; e < 3; ++e)
@@ -36,7 +36,7 @@ PanelFaces::PanelFaces(const Surface& surface) : faces_(surface.report().panels)
 }
 
 std::vector<int> PanelFaces::around(std::size_t panel, double radius) const {
-  constexpr double cosine = 0.5;  // not 0: the two sides of a right-angled edge must not be told apart by rounding
+  constexpr double cosine = 0.5;  // not 0: rounding must not decide for the two sides of a right-angled edge
   const PanelFace& centre = faces_[panel];
   std::vector<int> found{static_cast<int>(panel)};  // ascending
   std::vector<int> waiting = found;

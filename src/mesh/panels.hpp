@@ -1,4 +1,4 @@
-/// Panels as read from a file or made by a generator, before anything is checked or mended.
+/// Unprocessed panels, as read from a file or generated, before any check or repair.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace fccda {
 
-/// Triangles and quads over a list of vertices. Files without shared vertices (STL) list three new ones a panel.
+/// Triangles and quads over a list of vertices. Files without shared vertices (STL) list three per panel.
 struct Panels {
   std::vector<Vec3d> vertices;             ///< [m]
   std::vector<std::array<int, 4>> panels;  ///< vertex numbers in order around the panel; the fourth is -1 in a triangle
 
-  /// Named parts (part_naming.hpp): which of `part_names` each panel belongs to. Both empty: all panels are one nameless part.
+  /// Named parts (part_naming.hpp): the index into `part_names` of each panel. Both empty: all panels form one unnamed part.
   std::vector<int> part;
   std::vector<std::string> part_names;
 

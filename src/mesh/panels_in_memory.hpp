@@ -1,7 +1,7 @@
-/// Panels that a program has in memory, under a name that may stand wherever the file of a surface is named.
+/// A registry of panels in memory under names that are accepted wherever a surface file is.
 ///
-/// The name is made of what the panels are: equal panels have equal names, others almost surely not. So a name never comes to mean
-/// something else, and who notes it notes which panels they were.
+/// The name is a hash of the contents: equal panels have equal names, different ones almost surely not. So a name never changes its
+/// meaning, and a recorded name identifies the panels.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace fccda {
 
 class PanelsInMemory {
  public:
-  /// From now on they are found under their name, for as long as this object or a copy lives.
+  /// Registers the panels under their name for the lifetime of this object and its copies.
   explicit PanelsInMemory(Panels panels);
 
   const Panels& panels() const { return *panels_; }
@@ -25,7 +25,7 @@ class PanelsInMemory {
   std::string name_;
 };
 
-/// Those of that name; null where there are none. Any number of threads may ask.
+/// The panels of that name; null if there are none. Thread-safe.
 std::shared_ptr<const Panels> panels_in_memory(std::string_view name);
 
 }  // namespace fccda

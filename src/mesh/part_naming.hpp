@@ -1,7 +1,7 @@
-/// Gives names to panels while they are added, for readers and generators:
+/// Assigns part names to panels while they are added, for readers and generators:
 ///
 ///   PartNaming parts(panels);
-///   parts.begin("blade_1");      // what is added from here on
+///   parts.begin("blade_1");      // panels added from here on
 ///   panels.add_triangle(…);
 ///   parts.begin("hub");
 ///   …
@@ -17,14 +17,14 @@ namespace fccda {
 
 class PartNaming {
  public:
-  /// `panels` must outlive this, and hold none yet.
+  /// `panels` must outlive this object and be empty.
   explicit PartNaming(Panels& panels) : panels_(panels) {}
 
-  /// Panels added from here on belong to the part of that name; a name that comes again means the same part. Panels added before the
-  /// first call belong to a part without a name.
+  /// Panels added from here on belong to the part of that name; a repeated name continues the same part. Panels added before the first
+  /// call belong to an unnamed part.
   void begin(std::string name);
 
-  /// Call after the last panel. A part without panels is none; where nothing but a part without a name is left, `panels` stays without parts.
+  /// Call after the last panel. Parts without panels are dropped; if only an unnamed part is left, `panels` stays without parts.
   void finish();
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 void mirror(Panels& panels, MirrorPlane plane, std::size_t first_vertex, std::size_t first_panel) {
   const std::size_t axis = static_cast<std::size_t>(plane) - 1;
-  for (std::size_t v = first_vertex; v < panels.vertices.size(); ++v) panels.vertices[v][axis] = 0 - panels.vertices[v][axis];  // 0, never -0
+  for (std::size_t v = first_vertex; v < panels.vertices.size(); ++v) panels.vertices[v][axis] = 0 - panels.vertices[v][axis];  // avoids -0
   for (std::size_t p = first_panel; p < panels.panels.size(); ++p) {
     auto& panel = panels.panels[p];
     std::swap(panel[1], panel[3] < 0 ? panel[2] : panel[3]);
@@ -45,7 +45,7 @@ void place(Panels& panels, const Placement& placement) {
   const Vec3d& angles = placement.rotate;
   const Mat3 turn =
       (Quaternion::from_rotation({0, 0, angles.z}) * Quaternion::from_rotation({0, angles.y, 0}) * Quaternion::from_rotation({angles.x, 0, 0})).matrix();
-  const bool is_turned = angles != Vec3d{};  // else coordinates keep their last bit
+  const bool is_turned = angles != Vec3d{};  // otherwise coordinates stay bitwise identical
   for (Vec3d& vertex : panels.vertices) vertex = (is_turned ? turn * vertex : vertex) + placement.translate;
 }
 

@@ -3,7 +3,7 @@
 namespace fccda {
 
 Polygon part_of(const Polygon& polygon, Side side, std::size_t axis, double at) {
-  // how far a corner is on the wanted side
+  // signed distance of a corner to the wanted side
   const auto within = [&](const Vec3d& corner) { return side == Side::below ? at - corner[axis] : corner[axis] - at; };
   Polygon part;
   part.reserve(polygon.size() + 1);

@@ -5,7 +5,7 @@
 namespace fccda {
 namespace {
 
-/// A sum of normals shorter than this is rounding: its direction would be noise.
+/// A sum of normals shorter than this is rounding error, without a meaningful direction.
 constexpr double cancelled = 1e-8;
 
 double angle_between(const Vec3d& a, const Vec3d& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }

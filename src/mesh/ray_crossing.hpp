@@ -1,4 +1,4 @@
-/// Where rays go through triangles: the count of crossings tells what is inside.
+/// Ray–triangle crossings, for inside–outside tests.
 #pragma once
 
 #include <algorithm>
@@ -9,15 +9,15 @@
 
 namespace fccda {
 
-/// The crossings of rays along +x with triangles. Edges are met by the half-open rule of the plane (y, z), always from the lower vertex
-/// number to the higher, so both triangles of an edge see the same and no ray slips between them or hits both. For a point on the
-/// surface the answer may be either.
+/// The crossings of rays along +x with triangles. Edges follow the half-open rule in the plane (y, z), always from the lower vertex number
+/// to the higher. So both triangles of an edge evaluate it identically, and no ray passes between them or crosses both. For a point on the
+/// surface either result is possible.
 class RayCrossing {
  public:
   RayCrossing(std::span<const Vec3d> vertices, std::span<const Triangle> triangles) : vertices_(vertices), triangles_(triangles) {}
 
-  /// 1 where the ray goes out through the back of triangle t, -1 where it goes in through its front, 0 where it misses. Their sum over
-  /// closed outward triangles is how many bodies hold `from`.
+  /// 1 where the ray leaves through the back of triangle t, -1 where it enters through its front, 0 where it misses. The sum over closed
+  /// outward triangles is the number of bodies that contain `from`.
   int operator()(const Vec3d& from, std::size_t t) const {
     const auto& v = triangles_[t].vertex;
     bool meets = false;

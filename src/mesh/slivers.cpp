@@ -31,8 +31,8 @@ struct Sliver {
   int candidates = 0;
 };
 
-/// Finds the slivers, sorted by their longest side, and for each the triangle beyond: one with an area, or a sliver with the same
-/// longest side, which becomes shorter so.
+/// Finds the slivers, sorted by their longest side, and the triangle beyond each: one with an area, or a sliver with the same longest side,
+/// which thereby becomes shorter.
 std::vector<Sliver> find(const std::vector<Triangle>& triangles, std::span<const Vec3d> vertices, double flat) {
   std::vector<Sliver> slivers;
   std::vector<bool> is_sliver(triangles.size(), false);
@@ -72,7 +72,7 @@ bool has_area(std::span<const Vec3d> vertices, const std::array<int, 3>& corners
 
 std::size_t absorb_slivers(std::vector<Triangle>& triangles, std::span<const Vec3d> vertices, double flat) {
   std::size_t found = 0;
-  constexpr int max_passes = 100;  // so many vertices on one straight edge; rounding could let slivers wander for ever
+  constexpr int max_passes = 100;  // vertices on one straight edge; rounding could otherwise move slivers for ever
   for (int pass = 0; pass < max_passes; ++pass) {
     const std::vector<Sliver> slivers = find(triangles, vertices, flat);
     if (pass == 0) found = slivers.size();

@@ -1,6 +1,5 @@
-/// Slivers: triangles whose corners lie on a line, as programs make them where a straight edge of one face carries vertices of its
-/// neighbour. Leaving one out would tear the surface open along its sides; so the triangle beyond its longest side takes the vertex
-/// in the middle:
+/// Slivers: triangles with collinear corners, as generated where a straight edge of one face contains vertices of its neighbour. Dropping
+/// one would open the surface along its sides. So the triangle beyond its longest side takes the middle vertex:
 ///
 ///        d                d
 ///       / \              /|\         m is the middle corner of the sliver (a, m, c)
@@ -15,12 +14,12 @@
 
 namespace fccda {
 
-/// Has a triangle of these corners an area: is it more than `flat` [m] high above its longest side?
+/// True if a triangle with these corners has an area: if its height above its longest side exceeds `flat` [m].
 bool has_area(std::span<const Vec3d> vertices, const std::array<int, 3>& corners, double flat);
 
-/// Removes the slivers among the triangles in the way above, in passes, because the triangle beyond may be a sliver too. Those that have
-/// none beyond (at a rim), or several, are left out. What was cut keeps its panel; the order of the others stays. Returns the number of
-/// slivers found. Expects no repeated triangles and three different corners in each.
+/// Removes the slivers among the triangles as above, in passes, because the triangle beyond may be a sliver too. Slivers with no triangle
+/// beyond (at a boundary edge), or with several, are dropped. Divided triangles keep their panel; the order of the others is kept. Returns
+/// the number of slivers found. Expects no repeated triangles and three different corners in each.
 std::size_t absorb_slivers(std::vector<Triangle>& triangles, std::span<const Vec3d> vertices, double flat);
 
 }  // namespace fccda

@@ -12,7 +12,7 @@ namespace fccda {
 
 namespace {
 
-/// A corner of a triangle from a point of the plane, and its depth.
+/// A corner of a triangle relative to a point of the plane, and its depth.
 struct Wet {
   Vec3d p;
   double s;
@@ -35,9 +35,9 @@ void add_wet_triangle(WetSum& sum, const Wet& a, const Wet& b, const Wet& c, con
   sum.waterplane -= projected;
 }
 
-/// What is under the plane of a triangle that has corners on both sides.
+/// The part below the plane of a triangle with corners on both sides.
 void add_cut_triangle(WetSum& sum, const std::array<Wet, 3>& corners, const Vec3d& up) {
-  std::array<Wet, 4> below{};  // a triangle without a corner has four at most
+  std::array<Wet, 4> below{};  // a clipped triangle has at most four corners
   std::size_t count = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const Wet &a = corners[c], &b = corners[(c + 1) % 3];
@@ -75,8 +75,8 @@ SubmergedVolume submerged(const Surface& surface, const Level& level) {
   if (above >= reach) return {report.volume, report.centroid, 0};
   if (above <= -reach) return {};
 
-  const Vec3d origin = middle + above * level.up;  // as near as the plane is, so that no digits are lost
-  constexpr std::size_t block = 256;               // triangles whose sums are added in order, whichever thread made them
+  const Vec3d origin = middle + above * level.up;  // as close as the plane allows, to avoid cancellation
+  constexpr std::size_t block = 256;               // triangles per partial sum; these are added in order, for any number of threads
   const std::size_t triangles = surface.triangles().size();
   std::vector<WetSum> sums((triangles + block - 1) / block);
   parallel_for_uneven(static_cast<std::ptrdiff_t>(sums.size()), [&](std::ptrdiff_t b) {
@@ -85,7 +85,7 @@ SubmergedVolume submerged(const Surface& surface, const Level& level) {
   });
   WetSum all;
   for (const WetSum& one : sums) all.volume += one.volume, all.first += one.first, all.waterplane += one.waterplane;
-  if (all.volume <= 0) return {};  // of a surface that the plane only grazes, rounding is left
+  if (all.volume <= 0) return {};  // rounding error only, where the plane barely intersects the surface
   return {all.volume, origin + all.first / all.volume, all.waterplane};
 }
 

@@ -20,10 +20,10 @@
 namespace fccda {
 namespace {
 
-/// Refuses what no later step could work with.
+/// Rejects input that no later stage can process.
 void expect_usable(const Panels& panels, const std::string& name) {
-  if (panels.panels.empty()) throw InputError(name + ": there are no panels, so there is nothing to strike; check that the file or shape is the right one.");
-  // Twice as many triangles, with three sides each, are counted by int.
+  if (panels.panels.empty()) throw InputError(name + ": the surface has no panels; check that the file or shape is the right one.");
+  // Triangles, up to twice as many, have three sides each, which are numbered by int.
   if (panels.panels.size() > std::numeric_limits<int>::max() / 6) {
     throw InputError(name + ": " + std::to_string(panels.panels.size()) + " panels are too many; use larger ones.");
   }
@@ -33,7 +33,7 @@ void expect_usable(const Panels& panels, const std::string& name) {
       const int vertex = panels.panels[p][c];
       if ((vertex >= 0 && vertex < vertex_count) || (c == 3 && vertex == -1)) continue;
       throw InputError(name + ": panel " + std::to_string(p) + " has the vertex " + std::to_string(vertex) + ", but there are only the vertices 0 to " +
-                       std::to_string(vertex_count - 1) + "; mend the numbers.");
+                       std::to_string(vertex_count - 1) + "; correct the vertex numbers.");
     }
   }
   const bool has_parts = !panels.part.empty() || !panels.part_names.empty();
@@ -45,15 +45,15 @@ void expect_usable(const Panels& panels, const std::string& name) {
   for (std::size_t p = 0; p < panels.part.size(); ++p) {
     if (panels.part[p] >= 0 && panels.part[p] < part_count) continue;
     throw InputError(name + ": panel " + std::to_string(p) + " belongs to part " + std::to_string(panels.part[p]) + ", but there are names of " +
-                     std::to_string(part_count) + " parts only; mend the numbers.");
+                     std::to_string(part_count) + " parts only; correct the part numbers.");
   }
-  // Inertia needs the fifth power of lengths, which must not overflow.
+  // Inertia contains the fifth power of lengths, which must not overflow.
   constexpr double largest = 1e50;
   for (std::size_t v = 0; v < panels.vertices.size(); ++v) {
     if (is_finite(panels.vertices[v]) && largest_magnitude(panels.vertices[v]) < largest) continue;
     throw InputError(name + ": vertex " + std::to_string(v) + " (counted from 0) is at (" + std::to_string(panels.vertices[v].x) + ", " +
                      std::to_string(panels.vertices[v].y) + ", " + std::to_string(panels.vertices[v].z) +
-                     "), which is no place; each coordinate must be a finite number of metres.");
+                     "), which is not finite or out of range; each coordinate must be a finite number of metres.");
   }
 }
 
@@ -65,12 +65,11 @@ void expect_usable(const Panels& panels, const std::string& name) {
   sentence << name << ": the surface is non-manifold: " << non_manifold_edges.size() << (non_manifold_edges.size() == 1 ? " edge has" : " edges have")
            << " more than two panels, the first from (" << from.x << ", " << from.y << ", " << from.z << ") to (" << to.x << ", " << to.y << ", " << to.z
            << ") m with the panels ";
-  const std::vector<int> first = panels_of(surface.triangles, non_manifold_edges[0].triangles);  // once, though both halves of a quad may end there
-  constexpr std::size_t most = 6;                                                                // so that a fan of thousands stays one sentence
+  const std::vector<int> first = panels_of(surface.triangles, non_manifold_edges[0].triangles);  // once, even if both halves of a quad end there
+  constexpr std::size_t most = 6;                                                                // keeps the sentence readable for large fans
   for (std::size_t s = 0; s < std::min(first.size(), most); ++s) sentence << (s > 0 ? ", " : "") << first[s];
-  sentence
-      << (first.size() > most ? ", …" : "")
-      << " (counted from 0), and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, {}.";
+  sentence << (first.size() > most ? ", …" : "")
+           << " (counted from 0), so their connection is ambiguous; delete inner walls, or use it as an open surface that is cut along these edges, {}.";
   throw SurfaceError(sentence.str(), {DefectKind::non_manifold, panels_of(surface.triangles, unjoined.triangles)}, Advice::cut_open);
 }
 

@@ -1,4 +1,4 @@
-/// Triangles that know their neighbours, and the parts of a triangle that a closest point can lie on.
+/// Triangles with adjacency, and the features of a triangle that a closest point can lie on.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@ namespace fccda {
 /// Half of a quad, or a whole triangular panel. Edge e goes from vertex[e] to vertex[(e + 1) % 3].
 struct Triangle {
   std::array<int, 3> vertex;
-  int panel;  ///< number of the panel it came from, as in the file
+  int panel;  ///< number of its panel, as in the file
 };
 
-/// The triangles beyond the edges 0, 1, 2; -1 on a rim.
+/// The triangles beyond the edges 0, 1, 2; -1 at a boundary edge.
 using Neighbours = std::array<int, 3>;
 
-/// The part of a triangle that a closest point lies on.
+/// The feature of a triangle that a closest point lies on.
 enum class Feature : std::uint8_t { face, edge_0, edge_1, edge_2, vertex_0, vertex_1, vertex_2 };
 
 struct LinkedTriangles {
@@ -32,7 +32,7 @@ struct LinkedTriangles {
   const Vec3d& corner(std::size_t triangle, std::size_t c) const { return vertices[static_cast<std::size_t>(triangles[triangle].vertex[c])]; }
 };
 
-/// The triangles with an edge on a rim, one entry for each such edge.
+/// The triangles with a boundary edge, one entry for each such edge.
 inline std::vector<std::size_t> triangles_on_boundary(const LinkedTriangles& surface) {
   std::vector<std::size_t> out;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -41,7 +41,7 @@ inline std::vector<std::size_t> triangles_on_boundary(const LinkedTriangles& sur
   return out;
 }
 
-/// The panels of some of the triangles, by their numbers; each once, in rising order.
+/// The panels of the numbered triangles, each once, in ascending order.
 template <class Number>
 std::vector<int> panels_of(std::span<const Triangle> triangles, const std::vector<Number>& numbers) {
   std::vector<int> panels;
@@ -51,7 +51,7 @@ std::vector<int> panels_of(std::span<const Triangle> triangles, const std::vecto
   return panels;
 }
 
-/// Turns a triangle over. Its edges 0 and 2 change places.
+/// Reverses the winding of a triangle. Its edges 0 and 2 are exchanged.
 inline void flip(Triangle& triangle, Neighbours& neighbours) {
   std::swap(triangle.vertex[1], triangle.vertex[2]);
   std::swap(neighbours[0], neighbours[2]);

@@ -17,8 +17,8 @@ class Splitter {
     using Halves = std::array<std::array<int, 3>, 2>;
     const Halves from_first{{{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}};
     const Halves from_second{{{q[1], q[2], q[3]}, {q[1], q[3], q[0]}}};
-    // The diagonals of a rectangle differ by rounding only, which must not choose, nor the corner that the panel begins with: the same
-    // rectangle in a neighbouring part would be split another way.
+    // The diagonals of a rectangle differ by rounding only. Neither rounding nor the panel's first corner may decide: the same rectangle
+    // in a neighbouring part would be split differently.
     constexpr double rounding = 1e-10;
     const double first = squared_norm(at(q[0]) - at(q[2])), second = squared_norm(at(q[1]) - at(q[3]));
     const bool are_alike = std::fabs(first - second) <= rounding * std::max(first, second);

@@ -8,15 +8,15 @@
 namespace fccda {
 namespace {
 
-/// The kept vertices in a hash table of cubic cells with open addressing. A cell is eight tolerances wide, so the ball about a
-/// vertex reaches into two cells on average, and kept vertices being a tolerance apart, a cell never holds more than some hundreds.
+/// The kept vertices in a hash table of cubic cells with open addressing. A cell is eight tolerances wide, so the ball about a vertex
+/// intersects two cells on average. Kept vertices are at least a tolerance apart, so a cell contains some hundreds at most.
 class Cells {
  public:
   Cells(std::size_t vertices, double tolerance)
       : slots_(std::bit_ceil(2 * vertices + 2), -1), tolerance_(tolerance), per_cell_(tolerance > 0 ? 0.125 / tolerance : 1) {}
 
-  /// The nearest kept vertex that is nearer than the tolerance or in the same place, or -1. Rounding is monotonic, so one that is near
-  /// enough never falls beside the cells between both ends of the ball.
+  /// The nearest kept vertex that is nearer than the tolerance or coincident, or -1. Rounding is monotonic, so a vertex within the
+  /// tolerance is always in the cells between both ends of the ball.
   int nearest(const Vec3d& point, std::span<const Vec3d> kept) const {
     const Vec3d reach{tolerance_, tolerance_, tolerance_};
     const Vec3d low = cell(point - reach), high = cell(point + reach);
@@ -24,7 +24,7 @@ class Cells {
     for (const double x : {low.x, high.x}) {
       for (const double y : {low.y, high.y}) {
         for (const double z : {low.z, high.z}) {
-          look_into({x, y, z}, point, kept, best);
+          search_cell({x, y, z}, point, kept, best);
           if (z == high.z) break;
         }
         if (y == high.y) break;
@@ -46,7 +46,7 @@ class Cells {
     double squared_distance;
   };
 
-  // Cells are counted in doubles: far from the origin their numbers would overflow an integer. Adding zero makes -0 and 0 one.
+  // Cell numbers are doubles: far from the origin they would overflow an integer. Adding zero unifies -0 and 0.
   Vec3d cell(const Vec3d& p) const { return {std::floor(p.x * per_cell_) + 0.0, std::floor(p.y * per_cell_) + 0.0, std::floor(p.z * per_cell_) + 0.0}; }
 
   std::size_t first_slot(const Vec3d& cell) const {
@@ -58,8 +58,8 @@ class Cells {
     return hash & (slots_.size() - 1);
   }
 
-  // Other cells may share the chain; their vertices fail or pass by distance like all others.
-  void look_into(const Vec3d& cell, const Vec3d& point, std::span<const Vec3d> kept, Nearest& best) const {
+  // Other cells may share the chain; the distance rejects their vertices.
+  void search_cell(const Vec3d& cell, const Vec3d& point, std::span<const Vec3d> kept, Nearest& best) const {
     for (std::size_t slot = first_slot(cell); slots_[slot] >= 0; slot = (slot + 1) & (slots_.size() - 1)) {
       const int vertex = slots_[slot];
       const double squared_distance = squared_norm(kept[static_cast<std::size_t>(vertex)] - point);

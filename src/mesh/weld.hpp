@@ -1,5 +1,5 @@
-/// Welding: vertices that lie in one place become one. STL files repeat each vertex in every triangle, and programs that write
-/// part by part repeat those on the seams.
+/// Welding: coincident vertices are merged. STL files repeat each vertex in every triangle, and files written part by part repeat those
+/// along the seams.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 namespace fccda {
 
 struct Welded {
-  Panels panels;           ///< with only the vertices that remain and are used, in the order of their first appearance
-  std::size_t merged = 0;  ///< used vertices that became another
+  Panels panels;           ///< with only the remaining, used vertices, in the order of their first appearance
+  std::size_t merged = 0;  ///< used vertices merged into another
 };
 
-/// Going through the vertices in order, each becomes one with the nearest that was kept before if that is nearer than `tolerance` [m],
-/// or in the same place; else it is kept. Where cells of the search begin and end has no influence. Linear in time and memory.
+/// Processes the vertices in order. Each is merged into the nearest vertex kept before if that is nearer than `tolerance` [m], or
+/// coincident; otherwise it is kept. The result does not depend on the cells of the search. Linear in time and memory.
 /// Expects vertex numbers in range and finite coordinates.
 Welded weld(const Panels& panels, double tolerance);
 

@@ -5,7 +5,7 @@
 namespace fccda {
 namespace {
 
-/// Two triangles agree where they run along their common edge in opposite directions.
+/// Two triangles agree if they traverse their common edge in opposite directions.
 bool agree(const Triangle& triangle, std::size_t e, const Triangle& beyond) {
   const int from = triangle.vertex[e], to = triangle.vertex[(e + 1) % 3];
   for (std::size_t f = 0; f < 3; ++f) {
@@ -20,8 +20,8 @@ Components orient_consistently(LinkedTriangles& surface, const std::string& name
   auto& [vertices, triangles, neighbours] = surface;
   Components out;
   out.of_triangle.assign(triangles.size(), -1);
-  std::vector<bool> turned(triangles.size(), false);  // against the first triangle of the component
-  std::vector<std::size_t> found;                     // of one component, in the order of the breadth-first walk
+  std::vector<bool> turned(triangles.size(), false);  // relative to the first triangle of the component
+  std::vector<std::size_t> found;                     // of one component, in the order of the breadth-first search
   found.reserve(triangles.size());
 
   for (std::size_t first = 0; first < triangles.size(); ++first) {
@@ -42,10 +42,9 @@ Components orient_consistently(LinkedTriangles& surface, const std::string& name
           turned_count += must_turn ? 1 : 0;
           found.push_back(u);
         } else if (turned[u] != must_turn) {
-          throw SurfaceError(
-              name + ": the panels " + std::to_string(triangles[t].panel) + " and " + std::to_string(triangles[u].panel) +
-                  " (counted from 0) close a strip that is twisted like Möbius's, so the surface has no two sides; cut it there or mend the mesh.",
-              {DefectKind::twisted, panels_of(triangles, std::vector{t, u})});
+          throw SurfaceError(name + ": the panels " + std::to_string(triangles[t].panel) + " and " + std::to_string(triangles[u].panel) +
+                                 " (counted from 0) close a Möbius strip, so the surface is not orientable; cut it there or repair the mesh.",
+                             {DefectKind::twisted, panels_of(triangles, std::vector{t, u})});
         }
       }
     }

@@ -1,4 +1,4 @@
-/// Winding: all triangles of a component must run around in the same sense, so that their normals point to one side.
+/// Winding: all triangles of a component must have a consistent orientation, so that their normals point to one side.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,15 @@
 
 namespace fccda {
 
-/// A component is what hangs together over edges.
+/// Components of triangles connected over edges.
 struct Components {
   std::vector<int> of_triangle;
   std::size_t count = 0;
-  std::size_t rewound = 0;  ///< triangles turned over to agree with their component
+  std::size_t rewound = 0;  ///< triangles flipped to agree with their component
 };
 
-/// Turns over, in each component, the triangles that disagree with the majority (in a draw, with the component's first triangle).
-/// Throws InputError where no winding is consistent (a Möbius strip).
+/// Flips, in each component, the triangles that disagree with the majority (in a draw, with the component's first triangle).
+/// Throws InputError if the surface is not orientable (a Möbius strip).
 Components orient_consistently(LinkedTriangles& surface, const std::string& name);
 
 }  // namespace fccda

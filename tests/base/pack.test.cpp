@@ -19,7 +19,7 @@ Lanes unpack(NativePack pack) {
 }
 }  // namespace
 
-TEST_CASE("pack: the inverse square root is right to two units in the last place over sixty orders of magnitude") {
+TEST_CASE("pack: the inverse square root is accurate to two units in the last place over sixty orders of magnitude") {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> exponent(-30, 30);
   for (int trial = 0; trial < 20'000; ++trial) {
@@ -34,7 +34,7 @@ TEST_CASE("pack: the inverse square root is right to two units in the last place
   }
 }
 
-TEST_CASE("pack: bits choose the lanes they name, even where the others hold not-a-number") {
+TEST_CASE("pack: bits select their lanes, even if the others are not-a-number") {
   for (unsigned bits = 0; bits < (1u << width); ++bits) {
     Lanes a;
     for (std::size_t l = 0; l < width; ++l) a[l] = (bits >> l) & 1u ? 3.5 + static_cast<double>(l) : std::nan("");

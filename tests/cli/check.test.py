@@ -113,7 +113,7 @@ def _(t):
         (cylinder, "cylinder_sectors", 3.14159 * 21 * 21 / 1600, None),
         ("{cylinder_sectors: {}}", "cylinder_sectors", 3.14159 / 4, "axis, point, radius, length, hub_radius, blades, sector_angle, start_angle fitted to the surface; "
          "between its blades there is no gap in angle worth having, so the fan is the whole cylinder"),
-        ("{auto: {}}", "cylinder_sectors", 3.14159 / 4, "taken: the cylinder with sectors"),
+        ("{auto: {}}", "cylinder_sectors", 3.14159 / 4, "chosen: the cylinder with sectors"),
     ]:
         deck = t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    contact_bounds: {region}")) if region else t.deck()
         out = t.expect_success("check", deck, "--out", "r").out
@@ -167,7 +167,7 @@ def _(t):
 def _(t):
     for wish, sentence in [
         ("{edge_length: 1 mm, part: sides}", 'struck: the surface has no part "sides"; did you mean side? Its parts are bottom, side, top.'),
-        ("{edge_length: 1 nm}", "struck: panels of 1e-09 m would be about 6e+16 of them, more than the 3e+07 that there is room for; panels of 5e-05 m would do."),
+        ("{edge_length: 1 nm}", "struck: an edge length of 1e-09 m would give about 6e+16 panels, more than the limit of 3e+07; use 5e-05 m or more."),
     ]:
         failed = t.run_program("check", t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    refine: {{struck: {wish}}}")), "--out", "r")
         t.assertEqual((failed.code, failed.err), (2, f"error: deck.yaml:15:5: {sentence}\n"))

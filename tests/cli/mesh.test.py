@@ -120,7 +120,7 @@ def _(t):
     t.assertEqual(len(beside), 4)
     write(t, "box.v2.obj", Shape({"": around}))
     t.expect_success("mesh", "box.v2.obj", "--scale", "0.5")
-    t.assertEqual(defects(t.folder / "box.v2_defects.vtp"), {"rim": beside})
+    t.assertEqual(defects(t.folder / "box.v2_defects.vtp"), {"boundary edge": beside})
     picture = read_vtp(t.folder / "box.v2_defects.vtp")
     shown = [[tuple(point) for point in picture.points[panel].tolist()] for panel in picture.panels]
     t.assertEqual(shown, [[tuple(0.5 * x for x in corner) for corner in around[k]] for k in beside])
@@ -132,13 +132,13 @@ def _(t):
 
     said = rows(t, write(t, "rooms.obj", two_rooms()))
     t.assertTrue(said["non-manifold"].startswith("4 edges of more than two panels; along 4 of them a panel could not be joined"), said)
-    t.assertEqual(defects(t.folder / "rooms_defects.vtp"), {"rim": [10]})
+    t.assertEqual(defects(t.folder / "rooms_defects.vtp"), {"boundary edge": [10]})
 
     write(t, "band.obj", moebius())
     done = t.run_program("mesh", "band.obj")
-    t.expect_complaint(done, 2, "band.obj: the panels ", "twisted like Möbius's", "band_defects.vtp, for ParaView")
+    t.expect_complaint(done, 2, "band.obj: the panels ", "close a Möbius strip", "band_defects.vtp, for ParaView")
     named = [int(word) for word in re.search(r"panels (\d+) and (\d+)", done.err).groups()]
-    t.assertEqual(defects(t.folder / "band_defects.vtp"), {"twisted": sorted(named)})
+    t.assertEqual(defects(t.folder / "band_defects.vtp"), {"non-orientable": sorted(named)})
     t.assertEqual(abs(named[0] - named[1]) % 10, 1)  # neighbours
 
     write(t, "sound.obj", box)

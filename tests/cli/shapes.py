@@ -6,7 +6,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts" / "pictures"))
 
-DEFECTS = ["rim", "non-manifold edge", "twisted", "no volume", "self-intersection", "inside out"]
+DEFECTS = ["boundary edge", "non-manifold edge", "non-orientable", "no volume", "self-intersection", "inside out"]
 
 
 class Shape:

@@ -186,10 +186,10 @@ Mesh.MeshSizeMax = 10;
 
 @claim("surfaces: one that cannot be used is refused at its place in the deck, with a picture of its panels")
 def _(t):
-    cases = (("twisted", moebius(), "twisted like Möbius's", ", orientation: normals"),
+    cases = (("non-orientable", moebius(), "close a Möbius strip", ", orientation: normals"),
              ("inside out", folded_prism(), "the surface is inside out between them", ", orientation: normals"),
              ("non-manifold edge", two_rooms(), "4 edges have more than two panels", ""),
-             ("rim", half_hull(), "the surface is open: 64 edges belong to one panel only", ""))
+             ("boundary edge", half_hull(), "the surface is open: 64 edges belong to one panel only", ""))
     for kind, shape, words, more in cases:
         (t.folder / "surface.obj").write_text(shape.obj())
         deck = use(t, f"file: surface.obj, scale: 0.01{more}", "position: [0, 3, 0]")

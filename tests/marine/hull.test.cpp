@@ -22,7 +22,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// The ship of the seed paper, section 6.1, with bilge, freeboard and stern as the guide has them.
+/// The ship of Zhang et al., section 6.1, with bilge, freeboard and stern as in the guide.
 HullShape ship(double panel, double bow_edge_length) {
   return {.length = 155,
           .breadth = 23,
@@ -35,7 +35,7 @@ HullShape ship(double panel, double bow_edge_length) {
           .bow_edge_length = bow_edge_length};
 }
 
-/// Hulls of all kinds, some of which are refused.
+/// Hulls of all kinds, some of which are rejected.
 HullShape any_hull(std::mt19937_64& random) {
   const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
   HullShape hull{.length = between(20, 300)};
@@ -54,7 +54,7 @@ HullShape any_hull(std::mt19937_64& random) {
   return hull;
 }
 
-/// The refused ones left out.
+/// Without the rejected ones.
 template <class Visit>
 void for_random_hulls(int count, const Visit& visit) {
   std::mt19937_64 random(1);
@@ -86,7 +86,7 @@ std::vector<PartTriangle> part(const Panels& panels, const std::string& name) {
 
 Vec3d normal(const PartTriangle& t) { return normalised(cross(t.b - t.a, t.c - t.a)); }
 
-/// Below the waterline, by midpoint sums over the formulas of the header, written anew here.
+/// Below the waterline, by midpoint sums over the formulas of the header, implemented independently.
 double displacement(const HullShape& s) {
   const double bow = s.fullness * s.breadth / 2 / std::tan(s.waterline_angle), stern = s.breadth / std::tan(s.stern_waterline_angle);
   constexpr int rows = 1500, columns = 3000;
@@ -115,7 +115,7 @@ TEST_CASE("hull: the normals of all bow panels have n_x/n_z = tan φ, those of t
       double worst = 0;
       for (const PartTriangle& t : part(hull, name)) {
         const Vec3d n = normal(t);
-        worst = std::fmax(worst, std::fabs(n.x * std::cos(angle) - n.z * std::sin(angle)));  // without dividing by what may be small
+        worst = std::fmax(worst, std::fabs(n.x * std::cos(angle) - n.z * std::sin(angle)));  // without division by a small number
       }
       CHECK(worst < 1e-12);  // coordinates of 200 m are rounded to 3e-14 m, on edges of half a metre and more
     }
@@ -136,10 +136,10 @@ TEST_CASE("hull: stem and stern are straight lines at their angles") {
   CHECK(on_stern >= 8);  // 26.2 m of stern in edges of 3 m
 }
 
-TEST_CASE("hull: waterlines meet the centreline at the angles of entrance and run, above the bilge at every height") {
+TEST_CASE("hull: waterlines meet the centreline at the angles of entrance and run, at every height above the bilge") {
   const HullForm form(ship(1, 1));
   for (const double z : {-6.0, -3.3, 0.0, 1.7, 6.0}) {
-    // the waterline is a parabola, so differences over h and 2h give its slope at the end without error but rounding
+    // the waterline is a parabola, so differences over h and 2h give its slope at the end up to rounding
     const auto slope = [&](double end, double step) {
       const auto y = [&](double x) { return form.half_breadth(x, z); };
       return (4 * y(end + step) - y(end + 2 * step)) / (2 * std::fabs(step));
@@ -149,7 +149,7 @@ TEST_CASE("hull: waterlines meet the centreline at the angles of entrance and ru
   }
 }
 
-TEST_CASE("hull: the first panels at the stem come to the angle of entrance as they become smaller") {
+TEST_CASE("hull: the first panels at the stem converge to the angle of entrance") {
   for (const double panel : {2.0, 1.0, 0.5}) {
     const Panels hull = make_hull(ship(2, panel));
     for (const PartTriangle& t : part(hull, "bow")) {
@@ -164,7 +164,7 @@ TEST_CASE("hull: the first panels at the stem come to the angle of entrance as t
   }
 }
 
-TEST_CASE("hull: the displacement of the seed paper's ship is 21 630 m³, the block coefficient 0.674, and panels come to it from within") {
+TEST_CASE("hull: the displacement of the ship of Zhang et al. is 21 630 m³, the block coefficient 0.674, and panels converge to it from within") {
   // the area between waterline and centreline is b (x_e - x_b - l_b/3 - l_s/3), integrated over z by Gauss's rule with 40 points above and in the bilge
   constexpr double exact = 21629.849;
   CHECK(displacement(ship(1, 1)) == fixtures::relative(exact, 1e-5));  // 0.05 m³ off: the midpoint rule at the round bilge
@@ -179,14 +179,14 @@ TEST_CASE("hull: the displacement of the seed paper's ship is 21 630 m³, the bl
   CHECK(off < 1e-3 * exact);
 }
 
-TEST_CASE("hull: random hulls are closed, like a sphere, outward, their own mirror image, and nowhere cut through themselves") {
+TEST_CASE("hull: random hulls are closed, of genus 0, oriented outward, mirror-symmetric, and without self-intersection") {
   for_random_hulls(60, [](const HullShape& shape, const Panels& hull) {
     CAPTURE(shape.length);
     CHECK(fixtures::is_watertight(hull));
     CHECK(fixtures::euler_characteristic(hull) == 2);
     const Surface surface(hull);
     CHECK(surface.is_closed());
-    CHECK_FALSE(surface.report().flipped);  // as wound, it has a positive volume
+    CHECK_FALSE(surface.report().flipped);  // as oriented, it has a positive volume
     CHECK(surface.report().welded + surface.report().degenerate + surface.report().rewound == 0);
     CHECK(self_intersections(surface, Bvh(surface)).defects.empty());
     for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
@@ -201,7 +201,7 @@ TEST_CASE("hull: random hulls are closed, like a sphere, outward, their own mirr
   });
 }
 
-TEST_CASE("hull: the volume below the waterline of random hulls comes to the sum over the formulas") {
+TEST_CASE("hull: the volume below the waterline of random hulls converges to the sum over the formulas") {
   int count = 0;
   for_random_hulls(8, [&](HullShape shape, const Panels&) {
     shape.edge_length = shape.bow_edge_length = 0.02 * shape.breadth;
@@ -213,7 +213,7 @@ TEST_CASE("hull: the volume below the waterline of random hulls comes to the sum
   CHECK(count >= 3);
 }
 
-TEST_CASE("hull: edges keep to the sizes asked, in the bow and elsewhere, and grow gradually between") {
+TEST_CASE("hull: edges have the requested sizes, in the bow and elsewhere, and grow gradually between") {
   double longest = 0;
   for_random_hulls(60, [&](const HullShape& shape, const Panels& hull) {
     const double bow = shape.bow_edge_length > 0 ? shape.bow_edge_length : shape.edge_length;
@@ -222,10 +222,10 @@ TEST_CASE("hull: edges keep to the sizes asked, in the bow and elsewhere, and gr
       for (const PartTriangle& t : part(hull, name)) longest = std::fmax(longest, ratio(t, name == std::string("bow") ? bow : shape.edge_length));
   });
   CHECK(longest > 1);     // diagonals; 1.40 among these hulls
-  CHECK(longest <= 1.5);  // what the header says
+  CHECK(longest <= 1.5);  // as stated in the header
 }
 
-TEST_CASE("hull: what makes no hull is refused in a sentence") {
+TEST_CASE("hull: inconsistent dimensions are rejected with a message") {
   const auto complaint = [](void (*change)(HullShape&)) {
     HullShape shape = ship(2, 1);
     change(shape);
@@ -238,16 +238,16 @@ TEST_CASE("hull: what makes no hull is refused in a sentence") {
   };
   CHECK(complaint([](HullShape&) {}).empty());
   CHECK(complaint([](HullShape& s) { s.bilge_radius = 9.5; }) ==
-        "hull: bilge_radius is 9.5 m, but the bilge must lie below the waterline; take at most the draft, 9 m.");
+        "hull: bilge_radius is 9.5 m, but the bilge must lie below the waterline; use at most the draft, 9 m.");
   CHECK(complaint([](HullShape& s) { s.breadth = 6, s.length = 300; }) ==
-        "hull: bilge_radius 3 m and flare leave a bottom of half-breadth 0 m; take a smaller radius or flare, or a greater breadth.");
+        "hull: bilge_radius 3 m and flare leave a bottom of half-breadth 0 m; use a smaller radius or flare, or a greater breadth.");
   CHECK(complaint([](HullShape& s) { s.length = 110; }) ==
         "hull: the bow is 56.93 m long (fullness * breadth/2 / tan of waterline_angle) and the stern 39.84 m, but the bottom between stem and stern only 76.93 "
         "m; "
-        "take larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
+        "use larger waterline angles, a larger stem or stern angle, a smaller fullness or a longer ship.");
   CHECK(complaint([](HullShape& s) { s.freeboard = 40, s.flare = -20 * degree; }) ==
-        "hull: the sides meet below the deck, whose half-breadth would be -3.059 m; take a flare nearer to 0, or a lower freeboard.");
+        "hull: the sides meet below the deck, whose half-breadth would be -3.059 m; use a flare nearer to 0, or a lower freeboard.");
   CHECK(complaint([](HullShape& s) { s.bow_edge_length = 3; }) ==
         "hull: bow_edge_length is 3 m, but the bow is made finer, not coarser, than edge_length, 2 m.");
-  CHECK(complaint([](HullShape& s) { s.bow_edge_length = 1e-4; }).find("more than the 1e+08 that fit in memory") != std::string::npos);
+  CHECK(complaint([](HullShape& s) { s.bow_edge_length = 1e-4; }).find("more than the limit of 1e+08") != std::string::npos);
 }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi, degree = pi / 180;
 
-/// The propeller of the seed paper, section 6.2, as a Wageningen B4-66.9.
+/// The propeller of Zhang et al., section 6.2, as a Wageningen B4-66.9.
 PropellerShape b4(double panel, double blade_edge_length) {
   return {.diameter = 4.12,
           .pitch_ratio = 0.76,
@@ -64,7 +64,7 @@ PropellerShape any_propeller(std::mt19937_64& random) {
   return shape;
 }
 
-/// One that is not refused.
+/// A random one that is not rejected.
 PropellerShape some_propeller(std::mt19937_64& random) {
   for (;;) {
     const PropellerShape shape = any_propeller(random);
@@ -76,7 +76,7 @@ PropellerShape some_propeller(std::mt19937_64& random) {
   }
 }
 
-/// One part, its vertices as they are.
+/// One part, with unchanged vertices.
 Panels part(const Panels& all, const std::string& name) {
   Panels one;
   one.vertices = all.vertices;
@@ -124,7 +124,7 @@ double blade_volume(const BladeForm& form) {
 TEST_CASE("wageningen: chord, thickness and pitch angle of a B4-66.9 of 4.12 m are those of the series' tables") {
   const BladeForm form(b4(0.2, 0.2));
   struct Row {
-    double r, chord, thickness, angle;  // [m] [mm] [deg], worked out by hand from the tables, to the digits shown
+    double r, chord, thickness, angle;  // [m] [mm] [deg], calculated by hand from the tables, to the digits shown
   };
   for (const Row& row : {Row{0.2, 1.145, 151, 44.8}, Row{0.3, 1.297, 133, 35.6}, Row{0.4, 1.413, 116, 29.9}, Row{0.5, 1.483, 99, 25.6},
                          Row{0.6, 1.507, 82, 22.0}, Row{0.7, 1.477, 64, 19.1}, Row{0.8, 1.358, 47, 16.8}, Row{0.9, 1.090, 30, 15.1}, Row{1.0, 0, 12, 13.6}}) {
@@ -144,14 +144,14 @@ TEST_CASE("wageningen: integrated from the hub of the series the expanded area r
   CHECK(4 * sum / (pi * 2.06 * 2.06) == fixtures::relative(form.expanded_area_ratio(0.167), 1e-6));  // midpoints at the root-like end of the chord
 }
 
-TEST_CASE("wageningen: at every radius the face falls from the edges to the crest and the bulge rises to it, and neither changes abruptly outward") {
+TEST_CASE("wageningen: at every radius the face falls from the edges to the crest and the bulge rises to it, and neither changes abruptly with the radius") {
   for (double r = 0.15; r <= 1; r += 0.01) {
     for (int k = 0; k < 200; ++k) {
       const double p = -1 + 0.01 * k, q = p + 0.01;
       const bool is_behind = q <= 1e-9;  // of the crest, towards the trailing edge
       CHECK((wageningen::rise(r, q) - wageningen::rise(r, p)) * (is_behind ? 1 : -1) >= -1e-12);
       CHECK((wageningen::face(r, q) - wageningen::face(r, p)) * (is_behind ? -1 : 1) >= -1e-12);
-      // outward the tables change by less than 0.12 a tenth of the radius, at the leading edge of the face between 0.2 and 0.5
+      // with the radius the tables change by less than 0.12 per tenth of it, at the leading edge of the face between 0.2 and 0.5
       CHECK(std::fabs(wageningen::rise(r + 0.01, p) - wageningen::rise(r, p)) < 0.018);
       CHECK(std::fabs(wageningen::face(r + 0.01, p) - wageningen::face(r, p)) < 0.018);
     }
@@ -172,10 +172,10 @@ TEST_CASE("propeller: the panels have the chord and thickness of the table at 0.
     const double turn = 1.442 * (std::atan2(back.y, back.x) - std::atan2(face.y, face.x));
     thickest = std::fmax(thickest, std::hypot(turn, back.z - face.z));
   }
-  CHECK(thickest == fixtures::relative(4.12 * (0.0216 - 4 * 0.0015), 1e-5));  // a thousand places miss the greatest by a 1e-6th of the bulge
+  CHECK(thickest == fixtures::relative(4.12 * (0.0216 - 4 * 0.0015), 1e-5));  // a thousand samples miss the greatest by 1e-6 of the bulge
 }
 
-TEST_CASE("propeller: a blade of the B4-66.9 holds 0.118 m³ by the integral over its sections, and panels come to it") {
+TEST_CASE("propeller: a blade of the B4-66.9 has a volume of 0.118 m³ by the integral over its sections, and panels converge to it") {
   const double exact = blade_volume(BladeForm(b4(0.2, 0.2)));
   CHECK(exact == fixtures::absolute(0.117, 0.0015, "m3"));  // of panels made by another program: its three digits, and a per cent that chords lose
   const double coarse = volume(part(make_propeller(b4(0.2, 0.05)), "blade_1")), fine = volume(part(make_propeller(b4(0.1, 0.025)), "blade_1"));
@@ -183,7 +183,7 @@ TEST_CASE("propeller: a blade of the B4-66.9 holds 0.118 m³ by the integral ove
   CHECK(fine == fixtures::relative(exact, 0.01));
 }
 
-TEST_CASE("propeller: hub and blades of random propellers are closed, outward, sunk into the hub, and nowhere cut through themselves") {
+TEST_CASE("propeller: hub and blades of random propellers are closed, oriented outward, embedded in the hub, and without self-intersection") {
   std::mt19937_64 random(1);
   for (int made = 0; made < 25; ++made) {
     const PropellerShape shape = some_propeller(random);
@@ -218,7 +218,7 @@ TEST_CASE("propeller: hub and blades of random propellers are closed, outward, s
   }
 }
 
-TEST_CASE("propeller: no edge is longer than asked at its middle, and edges are as short as asked at outline and tip") {
+TEST_CASE("propeller: no edge is longer than requested at its middle, and edges at outline and tip have the requested size") {
   std::mt19937_64 random(2);
   for (int made = 0; made < 15; ++made) {
     PropellerShape shape = some_propeller(random);
@@ -237,12 +237,12 @@ TEST_CASE("propeller: no edge is longer than asked at its middle, and edges are 
     });
     CAPTURE(made);
     CHECK(longest <= std::hypot(shape.edge_length, thick) * (1 + 1e-12));                                 // diagonals of the band along the outline
-    CHECK(longest > 0.5 * shape.edge_length);                                                             // not needlessly fine: halving stops in time
+    CHECK(longest > 0.5 * shape.edge_length);                                                             // not needlessly fine: bisection stops in time
     CHECK(longest_at_tip <= std::hypot(shape.blade_edge_length * (1 + 0.3 * 0.5), thick) * (1 + 1e-12));  // size grows by 0.3 of the distance
   }
 }
 
-TEST_CASE("propeller: left is the mirror image of right, and the right one screws forward while it turns from x towards y about z") {
+TEST_CASE("propeller: left is the mirror image of right, and the right one advances while it rotates from x towards y about z") {
   const PropellerShape right = b4(0.3, 0.3);
   PropellerShape left = right;
   left.hand = Hand::left;
@@ -250,7 +250,7 @@ TEST_CASE("propeller: left is the mirror image of right, and the right one screw
   REQUIRE(a.vertices.size() == b.vertices.size());
   for (std::size_t v = 0; v < a.vertices.size(); ++v) CHECK(b.vertices[v] == Vec3d{a.vertices[v].x, -a.vertices[v].y, a.vertices[v].z});
   CHECK(volume(a) == fixtures::relative(volume(b), 1e-12));
-  // the leading edge is ahead in the sense of turning, and forward
+  // the leading edge is ahead in the sense of rotation, and forward
   const BladeForm form(right);
   const BladeForm::Section section = form.section(0.7 * 2.06);
   const Vec3d impose_displacements = form.place(section, 1, 0.5), trail = form.place(section, -1, 0.5);
@@ -259,7 +259,7 @@ TEST_CASE("propeller: left is the mirror image of right, and the right one screw
   CHECK(form.place(section, 0, 1).z > form.place(section, 0, 0).z);  // the back faces forward
 }
 
-TEST_CASE("propeller: axes exchange coordinates in turn") {
+TEST_CASE("propeller: another axis exchanges the coordinates cyclically") {
   PropellerShape shape = b4(0.4, 0.4);
   const Panels about_z = make_propeller(shape);
   shape.axis = Axis::x;
@@ -290,7 +290,7 @@ TEST_CASE("propeller: rake moves the tip aft, skew along the helix, thickness_fa
   CHECK(BladeForm(thick).section(1.5).thickness == fixtures::relative(1.8 * BladeForm(b4(0.2, 0.2)).section(1.5).thickness, 1e-14));
 }
 
-TEST_CASE("propeller: sections of one's own are met at their radii") {
+TEST_CASE("propeller: specified sections are reproduced at their radii") {
   PropellerShape shape = b4(0.2, 0.2);
   shape.blades = 3;
   shape.sections = PropellerSections{.radius = {0.3, 0.6, 1},
@@ -307,13 +307,13 @@ TEST_CASE("propeller: sections of one's own are met at their radii") {
   CHECK(section.thickness == fixtures::relative(0.02 * 4.12, 1e-14));
   CHECK(section.pitch_angle == fixtures::relative(std::atan(1.0 / (0.6 * pi)), 1e-14));
   const Vec3d middle = 0.5 * (form.place(section, 0, 0) + form.place(section, 0, 1));
-  // the middle of the chord lags by the skew, but for the mean line's height above the chord, 3 % of it, across the pitch angle
+  // the middle of the chord lags by the skew, apart from the mean line's height above the chord, 3 % of it, across the pitch angle
   const double height = 0.03 * 0.35 * 4.12;
   CHECK(std::atan2(middle.y, middle.x) == fixtures::relative(-0.1 - height * std::sin(section.pitch_angle) / r, 1e-3));  // the mean of two points of a circle
   CHECK(middle.z == fixtures::relative(-0.02 * 4.12 - 0.1 * 1.0 * 4.12 / (2 * pi) + height * std::cos(section.pitch_angle), 1e-12));
 }
 
-TEST_CASE("propeller: what makes no propeller is refused in a sentence") {
+TEST_CASE("propeller: inconsistent dimensions are rejected with a message") {
   const auto complaint = [](void (*change)(PropellerShape&)) {
     PropellerShape shape = b4(0.3, 0.1);
     change(shape);
@@ -333,7 +333,7 @@ TEST_CASE("propeller: what makes no propeller is refused in a sentence") {
   CHECK(complaint([](PropellerShape&) {}).empty());
   CHECK(complaint([](PropellerShape& s) { own(s); }).empty());
   CHECK(complaint([](PropellerShape& s) { s.blades = 3; }) ==
-        "propeller: the tables of the Wageningen B-series are for 4 to 7 blades, not 3; give sections of your own for others.");
+        "propeller: the tables of the Wageningen B-series are for 4 to 7 blades, not 3; specify `sections` for others.");
   CHECK(complaint([](PropellerShape& s) { s.blade_edge_length = 0.4; }) ==
         "propeller: blade_edge_length is 0.4 m, but edges are made finer, not coarser, than edge_length, 0.3 m.");
   CHECK(complaint([](PropellerShape& s) { s.hub_length = 0.5; }).starts_with("propeller: the roots of the blades reach 0."));
@@ -350,5 +350,5 @@ TEST_CASE("propeller: what makes no propeller is refused in a sentence") {
         "propeller: sections.skew has 1 numbers, but sections.radius has 3; give one for each radius.");
   CHECK(complaint([](PropellerShape& s) { own(s).chord[1] = 0; }) == "propeller: sections.chord is 0 at r/R 0.7, but only the tip may have none.");
   CHECK(complaint([](PropellerShape& s) { own(s).thickness[2] = 0; }) == "propeller: sections.thickness is 0 at r/R 1, but it must be above 0.");
-  CHECK(complaint([](PropellerShape& s) { s.blade_edge_length = 1e-6; }).find("more than the 1e+08 that fit in memory") != std::string::npos);
+  CHECK(complaint([](PropellerShape& s) { s.blade_edge_length = 1e-6; }).find("more than the limit of 1e+08") != std::string::npos);
 }

@@ -26,14 +26,14 @@ const Vec3d size{4, 2, 1};  // [m] of the box, along x, y, z
 
 Surface make_box_surface() { return Surface(make_box({.size = size, .edge_length = 0.5})); }
 
-/// A box of half the density of water, its middle so high above the level.
+/// A box of half the density of water, with its centre at the given height above the level.
 RigidBody afloat_box(const Surface& box, double above, const FreeDegrees& degrees, const Quaternion& attitude = {}) {
   return RigidBody(solid_of_mass(box.report(), 0.5 * sea.density * size.x * size.y * size.z), Pose({0, 0, sea.level + above}, attitude), {}, {}, degrees);
 }
 
 Step step_from(long n, double dt) { return {static_cast<double>(n) * dt, static_cast<double>(n + 1) * dt, dt}; }
 
-/// Times [s] at which `value()` passes 0 upward, between steps by a straight line.
+/// Times [s] at which `value()` passes 0 upward, with linear interpolation between steps.
 template <class Value, class Advance>
 std::vector<double> upward_crossings(double end, double dt, const Value& value, const Advance& advance) {
   std::vector<double> times;
@@ -49,7 +49,7 @@ std::vector<double> upward_crossings(double end, double dt, const Value& value, 
 
 }  // namespace
 
-TEST_CASE("still water: force and moment are the gradient of the potential, whatever the attitude") {
+TEST_CASE("still water: force and moment are the gradient of the potential, at any attitude") {
   const Surface box = make_box_surface();
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> height(-0.8, 0.8);
@@ -78,16 +78,16 @@ TEST_CASE("still water: force and moment are the gradient of the potential, what
   }
 }
 
-TEST_CASE("still water: box, sphere and lying cylinder are at rest where Archimedes says") {
+TEST_CASE("still water: box, sphere and horizontal cylinder float in equilibrium by Archimedes' principle") {
   const auto level = [&](const Panels& panels, double mass) {
     const Surface surface(panels);
     return level_at_rest(RigidBody({.mass = mass}, Pose({0, 0, 3}), {}, {}, heave), surface, sea);
   };
   CHECK(*level(make_box({.size = size, .edge_length = 0.5}), 2000) == fixtures::relative(3 - 0.5 + 2000 / (1025.0 * 8), 1e-14));  // roundings
-  // half of a surface that is its own mirror image, panels and all
+  // half of a surface that is mirror-symmetric including its panels
   const Panels ball = make_sphere({.diameter = 2, .edge_length = 0.1}), log = make_cylinder({.diameter = 1, .height = 3, .axis = Axis::x, .edge_length = 0.05});
   for (const Panels& panels : {ball, log}) CHECK(std::fabs(*level(panels, 0.5 * 1025 * Surface(panels).report().volume) - 3) < 1e-12);
-  // a cap of the height of a quarter of the diameter holds 5/32 of the sphere
+  // a cap with the height of a quarter of the diameter has 5/32 of the sphere's volume
   CHECK(*level(ball, 1025 * 4 * std::numbers::pi / 3 * 5 / 32) == fixtures::relative(3 - 0.5, 0.01 * 0.1));  // panel²/8 inside, on a waterplane of 3/4 π
   CHECK(!level(make_box({.size = size, .edge_length = 0.5}), 8201).has_value());                             // 8200 kg of water
 }
@@ -100,12 +100,12 @@ TEST_CASE("still water: a heeled box rights itself with the moment of the wall-s
     const double bm = size.y * size.y / (12 * draft_), bg = 0.25;  // [m] of the centre of mass, in the middle, over the one of buoyancy
     const double arm = (bm - bg + 0.5 * bm * tangent * tangent) * std::sin(angle);
     const Hydrostatics now = hydrostatics(body, box, sea);
-    CHECK(now.moment.x == fixtures::relative(-body.mass() * sea.gravity * arm, 1e-12));  // exact but for roundings
+    CHECK(now.moment.x == fixtures::relative(-body.mass() * sea.gravity * arm, 1e-12));  // exact up to rounding
     CHECK(std::fabs(now.force) < 1e-9 * body.mass());                                    // likewise
   }
 }
 
-TEST_CASE("still water: a box bobs with the period of its waterplane, slower with added mass") {
+TEST_CASE("still water: a box heaves with the period of its waterplane, slower with added mass") {
   const Surface box = make_box_surface();
   for (const double share : {0.0, 0.8}) {
     RigidBodyProperties properties = solid_of_mass(box.report(), 4100);
@@ -119,7 +119,7 @@ TEST_CASE("still water: a box bobs with the period of its waterplane, slower wit
           body.advance(step.dt);
         });
     REQUIRE(times.size() > 3);
-    // linear, so exact but for (ω dt)²/24 = 1e-6 and the crossing's straight line
+    // linear, so exact except for (ω dt)²/24 = 1e-6 and the linear interpolation of the crossing
     CHECK((times.back() - times.front()) / static_cast<double>(times.size() - 1) == fixtures::relative(exact, 1e-5));
   }
 }
@@ -142,8 +142,8 @@ TEST_CASE("still water: a box rolls with the period of its metacentric height") 
   CHECK((times.back() - times.front()) / static_cast<double>(times.size() - 1) == fixtures::relative(exact, 3e-4));  // the arm grows by start²
 }
 
-TEST_CASE("still water: the work is what kinetic energy gains, and what the potential loses to the second order of the step") {
-  // a sphere, of which the waterplane changes as it bobs, far out of the water and under it
+TEST_CASE("still water: the work equals the gain of kinetic energy, and the loss of potential to second order in the step") {
+  // a sphere, with a waterplane that changes as it heaves, far out of the water and below it
   const Surface ball(make_sphere({.diameter = 2, .edge_length = 0.2}));
   double last = 0;
   for (const double dt : {8e-3, 4e-3, 2e-3}) {
@@ -151,7 +151,7 @@ TEST_CASE("still water: the work is what kinetic energy gains, and what the pote
     const double first = hydrostatics(body, ball, sea).potential;
     double work = 0, worst = 0;
     for (long n = 0; n < std::lround(20 / dt); ++n) {
-      // between its half steps the velocity belongs to the place: the mean of the one before and after
+      // the velocity at the position is the mean of those of the half steps before and after
       const double before = body.velocity().z, potential = hydrostatics(body, ball, sea).potential;
       work += apply(sea, ball, body, step_from(n, dt)).work;
       REQUIRE(std::fabs(work - body.kinetic_energy()) < 1e-11 * std::fabs(first));  // thousands of roundings
@@ -160,12 +160,12 @@ TEST_CASE("still water: the work is what kinetic energy gains, and what the pote
       body.advance(dt);
     }
     CHECK(worst < 1e-3 * std::fabs(first));
-    if (last > 0) CHECK(last / worst == fixtures::relative(4, 0.1));  // second order, and nothing piles up over a dozen periods
+    if (last > 0) CHECK(last / worst == fixtures::relative(4, 0.1));  // second order, without accumulation over a dozen periods
     last = worst;
   }
 }
 
-TEST_CASE("still water: with damping a dropped body comes to rest at its draught, and air damps nothing") {
+TEST_CASE("still water: with damping a dropped body comes to rest at its draft, without damping in air") {
   const Surface ball(make_sphere({.diameter = 2, .edge_length = 0.2}));
   StillWater thick = sea;
   thick.damping = 3;
@@ -183,10 +183,10 @@ TEST_CASE("still water: with damping a dropped body comes to rest at its draught
   CHECK(std::fabs(hydrostatics(body, ball, thick).force) < 1e-6 * 1500 * 9.81);
 }
 
-TEST_CASE("still water: damping takes the same share from heave, roll and pitch, and leaves yaw") {
+TEST_CASE("still water: damping reduces heave, roll and pitch by the same share, and does not affect yaw") {
   const Surface box = make_box_surface();
   StillWater thick{.level = 100, .density = 1025, .gravity = 1e-12, .damping = 2};
-  RigidBodyProperties properties = solid_of_mass(box.report(), 8200);  // it hovers: weight and buoyancy are equal, and small besides
+  RigidBodyProperties properties = solid_of_mass(box.report(), 8200);  // neutrally buoyant, with negligible weight and buoyancy
   properties.added_mass.z = 1000;
   RigidBody body(properties, Pose(), {1, 2, 3}, {0, 0.5, 0}, all_free);
   for (long n = 0; n < 1000; ++n) {
@@ -204,9 +204,9 @@ TEST_CASE("still water: damping takes the same share from heave, roll and pitch,
   CHECK(norm(spinning.angular_velocity() - Vec3d{0, 0, 1}) < 1e-12);
 }
 
-TEST_CASE("still water: what is held stays, and its holder takes weight, buoyancy and their work") {
+TEST_CASE("still water: constrained degrees do not respond, and their reactions balance weight, buoyancy and their work") {
   const Surface box = make_box_surface();
-  RigidBody held(solid_of_mass(box.report(), 4100), Pose({0, 0, -0.3}), {0, 0, 0.5}, {}, {});  // rises at a given speed
+  RigidBody held(solid_of_mass(box.report(), 4100), Pose({0, 0, -0.3}), {0, 0, 0.5}, {}, {});  // rises at a prescribed speed
   double work = 0, impulse = 0;
   const double before = hydrostatics(held, box, sea).potential, dt = 1e-3;
   for (long n = 0; n < 1000; ++n) {
@@ -217,7 +217,7 @@ TEST_CASE("still water: what is held stays, and its holder takes weight, buoyanc
   CHECK(held.velocity() == Vec3d{0, 0, 0.5});
   CHECK(held.position_of_com().z == fixtures::relative(0.2, 1e-12));
   CHECK(held.constraint_work() == fixtures::relative(-work, 1e-12));
-  // forces are taken where a step begins: too large by half a step's change, ρ g A 0.5 m/s dt/2, all along the 0.5 m; but for roundings
+  // forces are those at the start of a step: too large by half a step's change, ρ g A 0.5 m/s dt/2, along the 0.5 m; up to rounding
   const double ahead = work - (before - hydrostatics(held, box, sea).potential);
   CHECK(ahead == fixtures::relative(sea.density * sea.gravity * 8 * 0.5 * 0.5 * dt * 0.5, 1e-6));
   CHECK(impulse == fixtures::relative(work / 0.5, 1e-12));

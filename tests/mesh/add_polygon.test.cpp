@@ -14,7 +14,7 @@ using namespace fccda;
 
 namespace {
 
-/// Sum of the triangles' areas, each with the sign it has seen from above: it equals the polygon's only where no triangle is turned.
+/// Sum of the triangles' areas, signed by their winding seen from above: it equals the polygon's only if no triangle is flipped.
 struct Areas {
   double with_sign = 0, without = 0;
 };
@@ -71,7 +71,7 @@ bool has_crossing_sides(const std::vector<Vec3d>& corners) {
   return false;
 }
 
-/// A fan about its first corner, all seen from above, whose sight turns by `turn` [rad] on a spiral that widens.
+/// A fan about its first corner, all seen from above, with the total angle `turn` [rad] on a widening spiral.
 Panels staircase(double turn) {
   Panels panels{{{0, 0, 0}}, {}, {}, {}};
   constexpr int steps = 40;
@@ -81,7 +81,7 @@ Panels staircase(double turn) {
 
 }  // namespace
 
-TEST_CASE("polygon: triangles and quads stay as they are, a convex polygon becomes a fan") {
+TEST_CASE("polygon: triangles and quads are unchanged, a convex polygon becomes a fan") {
   Panels panels{{{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {1, 3, 0}, {-1, 1, 0}}, {}, {}, {}};
   REQUIRE(add_polygon(panels, std::vector{0, 1, 2}));
   REQUIRE(add_polygon(panels, std::vector{0, 1, 2, 3}));
@@ -89,7 +89,7 @@ TEST_CASE("polygon: triangles and quads stay as they are, a convex polygon becom
   CHECK(panels.panels == std::vector<std::array<int, 4>>{{0, 1, 2, -1}, {0, 1, 2, 3}, {0, 1, 2, -1}, {0, 2, 3, -1}, {0, 3, 4, -1}});
 }
 
-TEST_CASE("polygon: random re-entrant ones of up to a hundred corners are covered once, by the shoelace formula") {
+TEST_CASE("polygon: random concave ones of up to a hundred corners are covered once, by the shoelace formula") {
   std::mt19937 random(7);
   for (int trial = 0; trial < 300; ++trial) {
     Panels panels{star(5 + trial % 96, random), {}, {}, {}};
@@ -102,7 +102,7 @@ TEST_CASE("polygon: random re-entrant ones of up to a hundred corners are covere
   }
 }
 
-TEST_CASE("polygon: a comb, whose every second corner is deeply re-entrant, is covered once") {
+TEST_CASE("polygon: a comb, with every second corner deeply re-entrant, is covered once") {
   Panels comb;
   for (int k = 0; k <= 40; ++k) comb.vertices.push_back({double(k), k % 2 == 0 ? 10.0 : 0.5, 0});
   comb.vertices.push_back({40, 0, 0});
@@ -115,10 +115,10 @@ TEST_CASE("polygon: a comb, whose every second corner is deeply re-entrant, is c
   CHECK(areas(comb).with_sign == fixtures::relative(shoelace(outline), 1e-12));
 }
 
-TEST_CASE("polygon: corners on one line with others are never covered twice, nor left out") {
+TEST_CASE("polygon: collinear corners are covered exactly once") {
   std::mt19937 random(11);
   for (int trial = 0; trial < 500; ++trial) {
-    // from the origin a corner a direction, on whole numbers: many are straight, or lie on the line of two others
+    // one corner per direction from the origin, on integers: many are straight, or collinear with two others
     std::vector<Vec3d> points;
     for (int k = 0; k < 30; ++k) points.push_back({double(random() % 9) - 4, double(random() % 9) - 4, 0});
     std::sort(points.begin(), points.end(), [](const Vec3d& a, const Vec3d& b) { return std::atan2(a.y, a.x) < std::atan2(b.y, b.x); });
@@ -136,7 +136,7 @@ TEST_CASE("polygon: corners on one line with others are never covered twice, nor
   }
 }
 
-TEST_CASE("polygon: random ones with sides that cross are refused, whatever their corners look like") {
+TEST_CASE("polygon: random ones with crossing sides are rejected, whatever their corners") {
   std::mt19937 random(5);
   int crossing = 0;
   for (int trial = 0; trial < 5000; ++trial) {
@@ -149,7 +149,7 @@ TEST_CASE("polygon: random ones with sides that cross are refused, whatever thei
   CHECK(crossing > 1000);
 }
 
-TEST_CASE("polygon: a fan may go round its first corner once, but not farther") {
+TEST_CASE("polygon: a fan may make one revolution about its first corner, but no more") {
   constexpr double pi = std::numbers::pi;
   for (const double turn : {1.9 * pi, 2 * pi}) {
     Panels once = staircase(turn);
@@ -162,14 +162,14 @@ TEST_CASE("polygon: a fan may go round its first corner once, but not farther") 
     CHECK_FALSE(add_polygon(twice, all(twice)));
     CHECK(twice.panels.empty());
   }
-  // two lobes that meet in the first corner: beside one another they are a fan, on one another they are not
+  // two lobes that meet in the first corner: side by side they are a fan, overlapping they are not
   Panels beside{{{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {0, 0, 0}, {2, 4, 0}, {0, 4, 0}}, {}, {}, {}};
   CHECK(add_polygon(beside, all(beside)));
   Panels over{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 0}, {3, 3, 0}, {1, 2, 0}}, {}, {}, {}};
   CHECK_FALSE(add_polygon(over, all(over)));
 }
 
-TEST_CASE("polygon: one whose sides cross, of too few corners, or of too many where it is no fan is refused and adds nothing") {
+TEST_CASE("polygon: one with crossing sides, of too few corners, or of too many without a fan is rejected and adds nothing") {
   Panels crossed{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {2, 5, 0}}, {}, {}, {}};
   CHECK_FALSE(add_polygon(crossed, all(crossed)));
   Panels figure_eight{{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0.5, 0}}, {}, {}, {}};

@@ -1,4 +1,4 @@
-// Volume and middle of cells: against formulas.
+// Volume and centroid of cells, compared with formulas.
 #include "mesh_io/file/cells.hpp"
 
 #include <doctest/doctest.h>
@@ -27,7 +27,7 @@ constexpr double rounding = 1e-14;  // of unit cells
 
 }  // namespace
 
-TEST_CASE("cells: tetrahedron, pyramid, wedge and hexahedron have the volume and centroid of the formulas, either way round") {
+TEST_CASE("cells: tetrahedron, pyramid, wedge and hexahedron have the volume and centroid of the formulas, in either orientation") {
   for (std::size_t k = 0; k < solids.size(); ++k) {
     auto [kind, corners] = solids[k];
     for (const double side : {1.0, -1.0}) {
@@ -64,7 +64,7 @@ TEST_CASE("cells: a warped hexahedron has the volume of its trilinear map, summe
   }
 }
 
-TEST_CASE("cells: a hexahedron whose nodes are in another order than its format has is told from one that is mirrored") {
+TEST_CASE("cells: a hexahedron with nodes in the wrong order is distinguished from a mirrored one") {
   std::vector<Vec3d> corners = solids[3].second;
   std::swap(corners[2], corners[3]);  // twisted: faces cross
   CHECK(!cell_of(ElementKind::hexahedron, corners).has_value());

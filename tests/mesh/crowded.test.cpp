@@ -1,4 +1,4 @@
-// Edges of more than two panels, panels in one place: what is told apart, what is refused.
+// Non-manifold edges and coincident panels: resolved or rejected.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Surface open_surface(const Panels& panels) { return Surface(panels, {.orientatio
 
 }  // namespace
 
-TEST_CASE("crowded: boxes that share a face become one body, the wall between them goes") {
+TEST_CASE("non-manifold: boxes that share a face become one body, without the wall between them") {
   for (const double panel : {1.0, 0.25}) {
     const Panels box = make_box({.size = {1, 1, 1}, .edge_length = panel});
     Panels two = box;
@@ -47,7 +47,7 @@ TEST_CASE("crowded: boxes that share a face become one body, the wall between th
   }
 }
 
-TEST_CASE("crowded: boxes that touch along an edge hang together there, and their outside is outside") {
+TEST_CASE("non-manifold: boxes that share an edge are connected there, and their outside is outside") {
   const Panels box = make_box({.size = {1, 1, 1}, .edge_length = 0.5});
   Panels two = box;
   add(two, box, {1, 1, 0});
@@ -71,7 +71,7 @@ TEST_CASE("crowded: boxes that touch along an edge hang together there, and thei
   }
 }
 
-TEST_CASE("crowded: an inner wall is refused with its panels, or cut off where the outside is declared, and the outer walls stay whole") {
+TEST_CASE("non-manifold: an inner wall is rejected with its panels, or cut off if the orientation is declared, and the outer walls stay whole") {
   Panels cube = make_box({.size = {1, 1, 1}, .edge_length = 0.5});
   Panels wall;  // across the middle, y = 0
   for (int i = 0; i < 3; ++i)
@@ -86,8 +86,8 @@ TEST_CASE("crowded: an inner wall is refused with its panels, or cut off where t
   } catch (const SurfaceError& error) {
     CHECK(std::string(error.what()).starts_with("hull: the surface is non-manifold: 8 edges have more than two panels, the first from ("));
     CHECK(std::string(error.what())
-              .ends_with("and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along "
-                         "these edges, with Surface::Options::outside, OutsideIs::normals (the side that the normals point to)."));
+              .ends_with("so their connection is ambiguous; delete inner walls, or use it as an open surface that is cut along "
+                         "these edges, with Surface::Options::orientation, Orientation::normals (the side that the normals point to)."));
     CHECK(error.in_words_of({.cut_open = "as you like"}).ends_with("cut along these edges, as you like."));
     CHECK(error.defect().kind == DefectKind::non_manifold);
     CHECK(error.defect().panels == std::vector<int>{first, first + 1, first + 2, first + 3});
@@ -103,7 +103,7 @@ TEST_CASE("crowded: an inner wall is refused with its panels, or cut off where t
   }
 }
 
-TEST_CASE("crowded: a panel that both halves of a hull carry in their common plane is a crumb, and goes") {
+TEST_CASE("non-manifold: a panel that both halves of a hull contain in their common plane is removed") {
   // a tetrahedral body with a triangle of no thickness beyond one of its edges
   Panels body = make_box({.size = {1, 1, 1}, .edge_length = 0.02});
   const int tip = int(body.vertices.size());
@@ -123,12 +123,12 @@ TEST_CASE("crowded: a panel that both halves of a hull carry in their common pla
   CHECK(surface.report().back_to_back == 2);
   CHECK(surface.report().volume == fixtures::relative(1, 1e-12));
 
-  body.vertices[std::size_t(tip)] = {-1.5, 1.5, 0.01};  // a fin that is large enough to be meant
+  body.vertices[std::size_t(tip)] = {-1.5, 1.5, 0.01};  // a fin that is large enough to be intended
   CHECK_THROWS_AS(Surface{body}, SurfaceError);
   CHECK(open_surface(body).report().back_to_back == 0);
 }
 
-TEST_CASE("crowded: a sheet given from both sides stays, once") {
+TEST_CASE("non-manifold: a sheet given from both sides is kept once") {
   const Panels box = make_box({.size = {1, 1, 1}, .edge_length = 0.5});
   Panels sheet{box.vertices, {}, {}, {}};
   for (const auto& p : box.panels)
@@ -145,7 +145,7 @@ TEST_CASE("crowded: a sheet given from both sides stays, once") {
   CHECK(surface.report().area == fixtures::relative(1, 1e-12));
 }
 
-TEST_CASE("crowded: a repeated panel goes whatever its winding, and a third in one place too") {
+TEST_CASE("non-manifold: a repeated panel is removed whatever its winding, and a third coincident one too") {
   Panels cube = fixtures::unit_cube();
   cube.panels.push_back(cube.panels[2]);
   const Surface twice(cube);
@@ -155,7 +155,7 @@ TEST_CASE("crowded: a repeated panel goes whatever its winding, and a third in o
   CHECK(Surface(cube).report().duplicate == 4);
 }
 
-TEST_CASE("crowded: a wall of which a part is given from both sides keeps it, closed and open") {
+TEST_CASE("non-manifold: a wall with a part given from both sides keeps this part, closed and open") {
   Panels cube = make_box({.size = {1, 1, 1}, .edge_length = 0.5, .panels = PanelKind::quads});
   auto back = cube.panels[3];
   std::swap(back[1], back[3]);
@@ -168,7 +168,7 @@ TEST_CASE("crowded: a wall of which a part is given from both sides keeps it, cl
   CHECK(open_surface(cube).report().boundary_edges == 4);
 }
 
-TEST_CASE("crowded: parts of squares share a face whatever corner its panels begin with") {
+TEST_CASE("non-manifold: parts of squares share a face whatever the first corner of its panels") {
   const Panels box = make_box({.size = {1, 1, 1}, .edge_length = 0.5, .panels = PanelKind::quads});
   for (std::size_t turn = 0; turn < 4; ++turn) {
     Panels other = box;
@@ -184,7 +184,7 @@ TEST_CASE("crowded: parts of squares share a face whatever corner its panels beg
   }
 }
 
-TEST_CASE("crowded: an inner wall of a hull whose normals point inward leaves its outer wall whole too") {
+TEST_CASE("non-manifold: an inner wall of a hull with inward normals leaves its outer wall whole too") {
   Panels cube = reversed(make_box({.size = {1, 1, 1}, .edge_length = 0.5}));
   const int first = int(cube.panels.size());
   Panels wall{{{-0.5, 0, -0.5}, {0.5, 0, -0.5}, {0.5, 0, 0.5}, {-0.5, 0, 0.5}, {0, 0, -0.5}, {0.5, 0, 0}, {0, 0, 0.5}, {-0.5, 0, 0}, {0, 0, 0}}, {}, {}, {}};

@@ -20,7 +20,7 @@ SurfaceReport report(const Panels& panels) { return Surface(panels).report(); }
 constexpr double rounding = 1e-12;  // of sums of some thousand terms
 }  // namespace
 
-TEST_CASE("mass properties: a tetrahedron has those of the textbook") {
+TEST_CASE("mass properties: a tetrahedron agrees with the textbook") {
   const SurfaceReport r = report(fixtures::tetrahedron());
   CHECK(r.volume == fixtures::relative(1 / 6.0, rounding));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -30,7 +30,7 @@ TEST_CASE("mass properties: a tetrahedron has those of the textbook") {
   }
 }
 
-TEST_CASE("mass properties: a turned and moved brick has those of the brick, turned") {
+TEST_CASE("mass properties: those of a rotated and translated brick are those of the brick, rotated") {
   const Vec3d size{1, 2, 3};
   const Mat3 turn = Quaternion::from_rotation({0.3, -1.1, 0.7}).matrix();
   const Vec3d shift{100, -50, 20};
@@ -63,7 +63,7 @@ TEST_CASE("mass properties: a cylinder of n sides has exactly those of the prism
   }
 }
 
-TEST_CASE("mass properties: sphere and torus come near the smooth ones with the square of the panel size") {
+TEST_CASE("mass properties: sphere and torus converge to the smooth ones with the square of the panel size") {
   const auto error_of_sphere = [](double panel) {
     const SurfaceReport r = report(make_sphere({.diameter = 2, .edge_length = panel}));
     return std::array{1 - r.volume / (4 * pi / 3), 1 - r.area / (4 * pi), 1 - r.inertia_diagonal.y / (8 * pi / 15)};
@@ -79,6 +79,6 @@ TEST_CASE("mass properties: sphere and torus come near the smooth ones with the 
     // the next term of the expansion is (panel/R)² of the first: some percent
     CHECK(sphere_coarse[k] / sphere_fine[k] == fixtures::relative(1.9 * 1.9, 0.05));
     CHECK(torus_coarse[k] / torus_fine[k] == fixtures::relative(4, 0.05));
-    CHECK(sphere_fine[k] < 5 * 0.07 * 0.07 / 8);  // the sagitta panel²/8R; the inertia feels it five times
+    CHECK(sphere_fine[k] < 5 * 0.07 * 0.07 / 8);  // the sagitta panel²/8R; the inertia has five times its relative error
   }
 }

@@ -17,7 +17,7 @@ Panels scaled(const Panels& panels, double factor, const Vec3d& shift = {}) {
   return fixtures::moved(panels, [&](const Vec3d& v) { return factor * v + shift; });
 }
 
-/// The surface's triangles as panels, with the winding it decided on.
+/// The surface's triangles as panels, with their final winding.
 Panels panels_of(const Surface& surface) {
   Panels out{{surface.vertices().begin(), surface.vertices().end()}, {}};
   for (const Triangle& t : surface.triangles()) out.add_triangle(t.vertex[0], t.vertex[1], t.vertex[2]);
@@ -26,7 +26,7 @@ Panels panels_of(const Surface& surface) {
 
 }  // namespace
 
-TEST_CASE("winding: panels turned over at random are mended, and counted") {
+TEST_CASE("winding: randomly flipped panels are corrected and counted") {
   std::mt19937_64 random(1);
   for (const Panels& good :
        {make_sphere({.diameter = 1, .edge_length = 0.1}), fixtures::torus(2, 0.5, 30, 15, 1), make_box({.size = {1, 2, 3}, .edge_length = 0.3})}) {
@@ -42,7 +42,7 @@ TEST_CASE("winding: panels turned over at random are mended, and counted") {
     CHECK(mended.report().rewound == turned);
     CHECK(mended.report().flipped == 0);
     CHECK(fixtures::is_watertight(panels_of(mended)));
-    CHECK(mended.report().volume == fixtures::relative(expected.report().volume, 1e-3));  // warped quads may be cut otherwise
+    CHECK(mended.report().volume == fixtures::relative(expected.report().volume, 1e-3));  // warped quads may be split differently
   }
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("winding: the majority of an open surface's panels decides") {
   for (std::size_t t = 0; t < surface.triangles().size(); ++t) CHECK(dot(surface.normal(t), surface.corner(t, 0)) > 0);
 }
 
-TEST_CASE("outward: a closed surface given inside out is turned as a whole") {
+TEST_CASE("outward: a closed surface given inside out is flipped as a whole") {
   for (const Panels& good :
        {make_sphere({.diameter = 1, .edge_length = 0.1}), fixtures::torus(2, 0.5, 30, 15), make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.2})}) {
     const Surface as_given(good), turned(fixtures::reversed(good));
@@ -67,7 +67,7 @@ TEST_CASE("outward: a closed surface given inside out is turned as a whole") {
   }
 }
 
-TEST_CASE("outward: the inner wall of a hollow sphere faces the hollow, however the two are wound") {
+TEST_CASE("outward: the inner wall of a hollow sphere faces the cavity, whatever the winding of both") {
   const Panels outer = make_sphere({.diameter = 2, .edge_length = 0.15}), inner = scaled(outer, 0.5);
   for (const Panels& first : {outer, fixtures::reversed(outer)}) {
     for (const Panels& second : {inner, fixtures::reversed(inner)}) {
@@ -84,7 +84,7 @@ TEST_CASE("outward: the inner wall of a hollow sphere faces the hollow, however 
   }
 }
 
-TEST_CASE("outward: a ball in the hollow of a ball is solid again, and a second hollow beside it is none of its business") {
+TEST_CASE("outward: a ball in the cavity of a ball is solid again, unaffected by a second cavity beside it") {
   const Panels ball = make_box({.size = {1, 1, 1}, .edge_length = 0.25});
   Panels all = scaled(ball, 10);
   all = fixtures::joined(all, scaled(ball, 6, {-1.5, 0, 0}));  // a hollow
@@ -97,14 +97,14 @@ TEST_CASE("outward: a ball in the hollow of a ball is solid again, and a second 
   CHECK(surface.report().volume == fixtures::relative(1000 - 216 + 8 - 1 - 8 + 27, 1e-12));  // rounding
 }
 
-TEST_CASE("outward: a blade that is sunk in a hub, or in the arm of an angle, stays solid") {
+TEST_CASE("outward: a blade embedded in a hub, or in the arm of an angle profile, stays solid") {
   const Panels hub = make_cylinder({.diameter = 2, .height = 2, .edge_length = 0.3});
   const Panels blade = fixtures::moved(make_box({.size = {0.2, 2, 0.5}, .edge_length = 0.1}), [](const Vec3d& v) { return v + Vec3d{0, 1.2, 0}; });
   const Surface propeller(fixtures::joined(hub, fixtures::reversed(blade)));
   CHECK(propeller.report().cavities == 0);
   CHECK(propeller.report().flipped == 1);
 
-  // The box of an angle profile holds all of a bar that sticks out of it at the inner corner.
+  // The bounding box of an angle profile contains all of a bar that extends beyond the profile at the inner corner.
   const Panels angle{
       {{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}, {0, 0, 4}, {4, 0, 4}, {4, 1, 4}, {1, 1, 4}, {1, 4, 4}, {0, 4, 4}},
       {{0, 3, 2, 1}, {0, 5, 4, 3}, {6, 7, 8, 9}, {6, 9, 10, 11}, {0, 1, 7, 6}, {1, 2, 8, 7}, {2, 3, 9, 8}, {3, 4, 10, 9}, {4, 5, 11, 10}, {5, 0, 6, 11}}};
@@ -116,7 +116,7 @@ TEST_CASE("outward: a blade that is sunk in a hub, or in the arm of an angle, st
 }
 
 TEST_CASE("outward: rays through vertices and along edges of the outer wall do not mislead") {
-  // both boxes have the same lattice planes, so the ray of every middle has y or z of the outer box's vertices or diagonals
+  // both boxes have the same lattice planes, so the ray from every centroid has y or z of the outer box's vertices or diagonals
   const Panels outer = make_box({.size = {3, 3, 3}, .edge_length = 0.125}), inner = make_box({.size = {1.5, 1.5, 1.5}, .edge_length = 0.375});
   CHECK(Surface(fixtures::joined(outer, inner)).report().cavities == 1);
   CHECK(Surface(fixtures::joined(outer, scaled(inner, 1, {3, 0, 0}))).report().cavities == 0);

@@ -10,7 +10,7 @@
 
 using namespace fccda;
 
-TEST_CASE("panel faces: areas of all panels make the surface, and each knows its four neighbours on a box of quads") {
+TEST_CASE("panel faces: the areas of all panels add up to the surface, and each has its four neighbours on a box of quads") {
   const Surface surface(make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.2, .panels = PanelKind::quads}));
   const PanelFaces faces(surface);
   REQUIRE(faces.size() == 2 * (5 * 3 + 3 * 2 + 5 * 2));
@@ -27,10 +27,10 @@ TEST_CASE("panel faces: areas of all panels make the surface, and each knows its
   CHECK(area == fixtures::relative(surface.report().area, 1e-12));
 }
 
-TEST_CASE("panel faces: what lies around a panel is what a search over all panels of that side finds, and nothing round a corner") {
+TEST_CASE("panel faces: the surroundings of a panel agree with a search over all panels of that side, and exclude panels round a corner") {
   const PanelFaces faces(Surface(make_box({.size = {1, 1, 0.02}, .edge_length = 0.1, .panels = PanelKind::triangles})));
   for (std::size_t p = 0; p < faces.size(); p += 7) {
-    std::vector<int> expected;  // the box's faces are convex, so what is near on the same side also hangs together
+    std::vector<int> expected;  // the box's faces are convex, so near panels on the same side are also connected
     for (std::size_t q = 0; q < faces.size(); ++q)
       if (norm(faces[q].middle - faces[p].middle) <= 0.25 && faces[q].normal == faces[p].normal) expected.push_back(static_cast<int>(q));
     CHECK(expected.size() > 1);

@@ -16,7 +16,7 @@ Panels box(double height) { return make_box({.size = {1, 1, height}, .edge_lengt
 
 }  // namespace
 
-TEST_CASE("panels in memory: they are read under their name, part by part, for as long as somebody keeps them") {
+TEST_CASE("panels in memory: they are read under their name, part by part, during the lifetime of their owner") {
   Panels panels = box(1);
   panels.part.assign(panels.panels.size(), 0);
   panels.part.back() = 1;
@@ -36,7 +36,7 @@ TEST_CASE("panels in memory: they are read under their name, part by part, for a
   CHECK_THROWS_AS(read_panels(name), InputError);
 }
 
-TEST_CASE("panels in memory: equal ones have one name, and any difference another") {
+TEST_CASE("panels in memory: equal panels have equal names, and different ones different names") {
   const PanelsInMemory one(box(1)), same(box(1)), higher(box(1 + 1e-15));
   CHECK(one.name() == same.name());
   CHECK(&one.panels() == &same.panels());

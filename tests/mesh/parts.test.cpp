@@ -11,7 +11,7 @@
 
 using namespace fccda;
 
-TEST_CASE("parts: names go to the panels added after them, repeated ones are one part, empty ones none") {
+TEST_CASE("parts: names apply to the panels added after them; repeated names are one part, empty parts are dropped") {
   Panels panels;
   PartNaming parts(panels);
   panels.add_triangle(0, 1, 2);
@@ -28,7 +28,7 @@ TEST_CASE("parts: names go to the panels added after them, repeated ones are one
   CHECK(panels.part == std::vector{0, 1, 1, 2, 1});
 }
 
-TEST_CASE("parts: a surface whose panels have no name at all has one part without a name") {
+TEST_CASE("parts: a surface of unnamed panels has one unnamed part") {
   Panels panels = fixtures::unit_cube();
   const Surface cube(panels);
   REQUIRE(cube.part_names().size() == 1);
@@ -41,8 +41,8 @@ TEST_CASE("parts: a surface whose panels have no name at all has one part withou
   CHECK(panels.part.empty());
 }
 
-TEST_CASE("parts: they stay with their panels through welding, splitting, turning over and dropping") {
-  // two cubes inside out; one has a panel without area and one that repeats another, both of a part that vanishes so
+TEST_CASE("parts: they stay with their panels through welding, splitting, flipping and dropping") {
+  // two cubes inside out; one has a panel without area and one that repeats another, both of a part that thereby vanishes
   Panels one = fixtures::unit_cube(), other = fixtures::moved(fixtures::unit_cube(), [](const Vec3d&p) { return 2.0 * p + Vec3d{5, 0, 0}; });
   one.panels.insert(one.panels.begin(), {0, 0, 1, -1});
   one.panels.push_back(one.panels[1]);
@@ -76,16 +76,16 @@ TEST_CASE("parts: a cylinder has a side, a bottom and a top, whatever its axis")
   }
 }
 
-TEST_CASE("parts: lists that do not fit the panels are refused") {
+TEST_CASE("parts: lists of the wrong length are rejected") {
   Panels panels = fixtures::unit_cube();
   panels.part_names = {"a"};
   panels.part = {0, 0, 0};
   CHECK_THROWS_WITH_AS(Surface{panels}, "surface: 3 of the 6 panels have a part; give one to each, or to none.", InputError);
   panels.part = {0, 0, 0, 0, 0, 1};
-  CHECK_THROWS_WITH_AS(Surface{panels}, "surface: panel 5 belongs to part 1, but there are names of 1 parts only; mend the numbers.", InputError);
+  CHECK_THROWS_WITH_AS(Surface{panels}, "surface: panel 5 belongs to part 1, but there are names of 1 parts only; correct the part numbers.", InputError);
 }
 
-TEST_CASE("parts: components whose boxes meet may overlap, cavities and neighbours apart do not") {
+TEST_CASE("parts: components with intersecting boxes may overlap; cavities and separate neighbours do not") {
   const auto cube = [](double size, const Vec3d& low) { return fixtures::moved(fixtures::unit_cube(), [=](const Vec3d& p) { return size * p + low; }); };
   CHECK(Surface(fixtures::unit_cube()).report().may_overlap == 0);
   CHECK(Surface(fixtures::joined(cube(1, {}), cube(1, {1.5, 0, 0}))).report().may_overlap == 0);

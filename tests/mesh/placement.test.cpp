@@ -24,14 +24,14 @@ constexpr double rounding = 1e-15;  // of a quarter turn of unit vectors
 
 }  // namespace
 
-TEST_CASE("place: nothing asked for changes no bit") {
+TEST_CASE("placement: the identity leaves the panels bitwise identical") {
   const Panels torus = fixtures::torus(2, 0.5, 12, 8);
   const Panels same = placed(torus, {});
   CHECK(same.vertices == torus.vertices);
   CHECK(same.panels == torus.panels);
 }
 
-TEST_CASE("place: rotation goes about x, then y, then z, axes that stay where they are") {
+TEST_CASE("placement: rotation is about x, then y, then z, as fixed axes") {
   const auto turned = [](const Vec3d& point, const Vec3d& angles) { return placed({{point}, {}, {}, {}}, {.rotate = angles}).vertices[0]; };
   CHECK(norm(turned({0, 1, 0}, {quarter, 0, 0}) - Vec3d{0, 0, 1}) < rounding);
   CHECK(norm(turned({0, 0, 1}, {0, quarter, 0}) - Vec3d{1, 0, 0}) < rounding);
@@ -40,12 +40,12 @@ TEST_CASE("place: rotation goes about x, then y, then z, axes that stay where th
   CHECK(norm(turned({0, 1, 0}, {quarter, quarter, quarter}) - Vec3d{0, 1, 0}) < 3 * rounding);
 }
 
-TEST_CASE("place: scale comes before translation, and translation after rotation") {
+TEST_CASE("placement: scale comes before translation, and translation after rotation") {
   const Panels point{{{1, 0, 0}}, {}, {}, {}};
   CHECK(norm(placed(point, {.scale = 2, .rotate = {0, 0, quarter}, .translate = {10, 0, 0}}).vertices[0] - Vec3d{10, 2, 0}) < 10 * rounding);
 }
 
-TEST_CASE("place: a mirrored body is still outward, in triangles and in quads") {
+TEST_CASE("placement: a mirrored body is still oriented outward, in triangles and in quads") {
   for (const PanelKind kind : {PanelKind::triangles, PanelKind::quads}) {
     Panels box = make_box({.size = {1, 2, 3}, .edge_length = 0.5, .panels = kind});
     for (Vec3d& v : box.vertices) v += Vec3d{5, 6, 7};
@@ -58,7 +58,7 @@ TEST_CASE("place: a mirrored body is still outward, in triangles and in quads") 
   }
 }
 
-TEST_CASE("place: half a ship becomes a whole one, with a wall in its plane or without, and keeps its parts") {
+TEST_CASE("placement: half a ship becomes a whole one, with a wall in its plane or without, and keeps its parts") {
   Panels half = make_box({.size = {4, 1, 1}, .edge_length = 0.5, .panels = PanelKind::quads});
   for (Vec3d& v : half.vertices) v.y += 0.5;
   half.part.assign(half.panels.size(), 0);

@@ -19,7 +19,7 @@ struct Closest {
   double distance = 1e300;
 };
 
-/// By asking all faces, edges and vertices of all triangles: the nearest point of a face counts only where the foot of the perpendicular
+/// By evaluating all faces, edges and vertices of all triangles: the nearest point of a face counts only if the foot of the perpendicular
 /// lies inside it, that of an edge only between its ends.
 Closest closest(const Surface& surface, const Vec3d& p) {
   Closest best;
@@ -93,7 +93,7 @@ Panels notched_box() {
            {6, 13, 7, 0}}};
 }
 
-/// Counts the points at which the sign by the pseudonormal is not the one of the winding number.
+/// Counts the points at which the sign by the pseudonormal differs from that by the winding number.
 int wrong_sides(const Surface& surface, int points, double reach, std::mt19937_64& random) {
   Panels triangles{{surface.vertices().begin(), surface.vertices().end()}, {}};
   for (const Triangle& t : surface.triangles()) triangles.add_triangle(t.vertex[0], t.vertex[1], t.vertex[2]);
@@ -116,7 +116,7 @@ int wrong_sides(const Surface& surface, int points, double reach, std::mt19937_6
 
 }  // namespace
 
-TEST_CASE("pseudonormals: the sign at faces, edges and vertices is the winding number's, of cube, torus, notch and blades") {
+TEST_CASE("pseudonormals: the sign at faces, edges and vertices agrees with the winding number, for cube, torus, notch and blades") {
   std::mt19937_64 random(1);
   CHECK(wrong_sides(Surface(fixtures::unit_cube()), 6000, 0.5, random) == 0);
   CHECK(wrong_sides(Surface(notched_box()), 6000, 0.3, random) == 0);
@@ -124,7 +124,7 @@ TEST_CASE("pseudonormals: the sign at faces, edges and vertices is the winding n
   for (const double thickness : {0.1, 0.01, 1e-4}) CHECK(wrong_sides(Surface(blade(thickness, 24)), 6000, 0.3, random) == 0);
 }
 
-TEST_CASE("pseudonormals: a hollow body has its inside between the walls") {
+TEST_CASE("pseudonormals: the inside of a hollow body is between its walls") {
   std::mt19937_64 random(2);
   const Panels outer = make_box({.size = {2, 2, 2}, .edge_length = 1}), inner = make_box({.size = {1.5, 1.5, 1.5}, .edge_length = 0.75});
   CHECK(wrong_sides(Surface(fixtures::joined(outer, inner)), 6000, 0.4, random) == 0);
@@ -140,7 +140,7 @@ TEST_CASE("pseudonormals: a cube's vertex has the diagonal, although three faces
   }
 }
 
-TEST_CASE("pseudonormals: all are unit vectors, of tiny and huge bodies too") {
+TEST_CASE("pseudonormals: all are unit vectors, for tiny and huge bodies too") {
   for (const double size : {1e-40, 1.0, 1e40}) {
     const Surface surface(fixtures::moved(blade(0.01, 24), [&](const Vec3d& v) { return size * v; }));
     for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
@@ -155,7 +155,7 @@ TEST_CASE("pseudonormals: on the edge of an open sheet folded onto itself they p
   CHECK(surface.pseudonormal(0, Feature::edge_0) == Vec3d{0, -1, 0});
 }
 
-TEST_CASE("pseudonormals: an edge has the same bits from both of its triangles") {
+TEST_CASE("pseudonormals: an edge has bitwise identical normals from both of its triangles") {
   const Surface surface(fixtures::torus(2, 0.7, 12, 8, 1));
   for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
     for (std::size_t e = 0; e < 3; ++e) {

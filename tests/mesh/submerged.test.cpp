@@ -32,7 +32,7 @@ TEST_CASE("submerged: the first moments of a heeled box are those of the wall-si
   for (const double tangent : {0.0, 0.1, -0.4}) {
     for (const double draft_ : {0.6, 0.75, 0.9}) {  // the waterline stays on the sides
       const double cosine = 1 / std::sqrt(1 + tangent * tangent);
-      // water up to z = draught - depth/2 + y tan φ
+      // water up to z = draft - depth/2 + y tan φ
       const Level level{.up = {0, -tangent * cosine, cosine}, .height = (draft_ - 0.5 * depth) * cosine};
       const SubmergedVolume wet = submerged(box, level);
       // ∫ y dV = L ∫ y (T + y t) dy = L B³ t/12, and ∫ z dV likewise; a few hundred roundings
@@ -46,11 +46,11 @@ TEST_CASE("submerged: the first moments of a heeled box are those of the wall-si
   }
 }
 
-TEST_CASE("submerged: volume, centre and waterplane of a sphere are the cap's, closer by the square of the panels") {
+TEST_CASE("submerged: volume, centre and waterplane of a sphere converge to the cap's with the square of the panel size") {
   const double radius = 1;
   std::mt19937_64 random(7);
   const Vec3d up = fixtures::random_direction(random);
-  for (const double depth : {0.4, 1.0, 1.7}) {  // of the lowest place
+  for (const double depth : {0.4, 1.0, 1.7}) {  // of the lowest point
     double last = 0;
     for (const double panel : {0.1, 0.05}) {
       const SubmergedVolume wet = submerged(Surface(make_sphere({.diameter = 2 * radius, .edge_length = panel})), {.up = up, .height = depth - radius});
@@ -67,7 +67,7 @@ TEST_CASE("submerged: volume, centre and waterplane of a sphere are the cap's, c
   }
 }
 
-TEST_CASE("submerged: of an upright cylinder the share of its height, of a lying one the circle's segment") {
+TEST_CASE("submerged: the share of the height for an upright cylinder, the segment of the circle for a horizontal one") {
   const Surface cylinder(make_cylinder({.diameter = 2, .height = 3, .axis = Axis::z, .edge_length = 0.05}));
   for (const double depth : {0.3, 1.1, 2.9}) {
     const SubmergedVolume wet = submerged(cylinder, {.height = depth - 1.5});
@@ -83,7 +83,7 @@ TEST_CASE("submerged: of an upright cylinder the share of its height, of a lying
   }
 }
 
-TEST_CASE("submerged: what lies on the two sides of any plane adds up to the whole, and both see the same waterplane") {
+TEST_CASE("submerged: the volumes on the two sides of any plane add up to the whole, with the same waterplane") {
   std::mt19937_64 random(11);
   for (const Surface& surface : {ship(), Surface(make_sphere({.diameter = 2, .edge_length = 0.2})), Surface(fixtures::tetrahedron())}) {
     const SurfaceReport& whole = surface.report();
@@ -101,7 +101,7 @@ TEST_CASE("submerged: what lies on the two sides of any plane adds up to the who
   }
 }
 
-TEST_CASE("submerged: the waterplane is how fast the volume grows, and its height how fast the first moment does") {
+TEST_CASE("submerged: the waterplane is the derivative of the volume, and the waterplane's moment that of the first moment") {
   const Surface surface = ship();
   std::mt19937_64 random(3);
   const double rise = 1e-4;
@@ -109,7 +109,7 @@ TEST_CASE("submerged: the waterplane is how fast the volume grows, and its heigh
     const Vec3d up = fixtures::random_direction(random);
     const double height = dot(up, surface.report().centroid);
     const SubmergedVolume low = submerged(surface, {up, height - rise}), at = submerged(surface, {up, height}), high = submerged(surface, {up, height + rise});
-    // central differences: the waterplane bends by some A/(1 m)² times rise²/6, and kinks at vertices by A/(1 m) times rise
+    // central differences: the curvature of the waterplane is some A/(1 m)² times rise²/6, and its kinks at vertices are A/(1 m) times rise
     CHECK((high.volume - low.volume) / (2 * rise) == fixtures::relative(at.waterplane, 1e-4));
     const double moment = (high.volume * (dot(up, high.centre) - height) - low.volume * (dot(up, low.centre) - height)) / (2 * rise);
     CHECK(std::fabs(moment) < 1e-4 * at.waterplane);  // the plane is at height 0

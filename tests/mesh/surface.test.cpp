@@ -18,12 +18,12 @@ namespace {
 
 Surface named(const Panels& panels, Orientation outside = Orientation::undeclared) { return Surface(panels, {.orientation = outside, .name = "hull"}); }
 
-/// Panels and the whole sentence that refuses them.
+/// Panels and the complete message that rejects them.
 void check_refused(const Panels& panels, const char* sentence) { CHECK_THROWS_WITH_AS(named(panels), sentence, InputError); }
 
 }  // namespace
 
-TEST_CASE("surface: a cube of quads is closed, with eight vertices and twelve triangles that know their panels") {
+TEST_CASE("surface: a cube of quads is closed, with eight vertices and twelve triangles with panel numbers") {
   const Surface cube = named(fixtures::unit_cube());
   const SurfaceReport& report = cube.report();
   CHECK(cube.is_closed());
@@ -41,7 +41,7 @@ TEST_CASE("surface: a cube of quads is closed, with eight vertices and twelve tr
   CHECK(cube.radius_about({0, 0, 0}) == std::sqrt(3.0));
 }
 
-TEST_CASE("surface: neighbours are mutual and share the edge that says so") {
+TEST_CASE("surface: neighbours are mutual and share the edge") {
   for (const Panels& panels : {fixtures::unit_cube(), fixtures::exploded(fixtures::torus(2, 0.5, 20, 10)), make_sphere({.diameter = 1, .edge_length = 0.1})}) {
     const Surface surface = named(panels);
     for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
@@ -60,7 +60,7 @@ TEST_CASE("surface: neighbours are mutual and share the edge that says so") {
   }
 }
 
-TEST_CASE("surface: vertices - edges + faces tell sphere and torus apart after welding") {
+TEST_CASE("surface: the Euler characteristic distinguishes sphere and torus after welding") {
   const auto euler = [](const Panels& panels) {
     const SurfaceReport report = named(panels).report();
     return int(report.vertices) - int(3 * report.triangles / 2) + int(report.triangles);
@@ -70,13 +70,13 @@ TEST_CASE("surface: vertices - edges + faces tell sphere and torus apart after w
   CHECK(euler(fixtures::exploded(fixtures::torus(2, 0.5, 24, 12, 1))) == 0);
 }
 
-TEST_CASE("surface: an open one must say which side is outside, and is told how") {
+TEST_CASE("surface: an open one must declare its orientation, and the message states how") {
   Panels box = fixtures::unit_cube();
   box.panels.erase(box.panels.begin() + 1);  // the lid
-  check_refused(
-      box,
-      "hull: the surface is open: 4 edges belong to one panel only, the first to panel 1 (counted from 0); close the holes, or say which side is outside with "
-      "Surface::Options::outside, OutsideIs::normals (the one that the normals point to) or OutsideIs::reversed.");
+  check_refused(box,
+                "hull: the surface is open: 4 edges belong to one panel only, the first to panel 1 (counted from 0); close the holes, or specify which side is "
+                "outside with "
+                "Surface::Options::orientation, Orientation::normals (the one that the normals point to) or Orientation::reversed.");
   const Surface as_given = named(box, Orientation::normals), turned = named(box, Orientation::reversed);
   CHECK_FALSE(as_given.is_closed());
   CHECK(as_given.report().boundary_edges == 4);
@@ -89,7 +89,7 @@ TEST_CASE("surface: an open one must say which side is outside, and is told how"
   }
 }
 
-TEST_CASE("surface: the rim is its edges and vertices, never faces") {
+TEST_CASE("surface: the boundary consists of edges and vertices, never faces") {
   Panels box = fixtures::unit_cube();
   box.panels.erase(box.panels.begin() + 1);  // z = 1
   const Surface surface = named(box, Orientation::normals);
@@ -103,41 +103,42 @@ TEST_CASE("surface: the rim is its edges and vertices, never faces") {
   }
 }
 
-TEST_CASE("surface: an edge with three panels is refused with their numbers") {
+TEST_CASE("surface: an edge with three panels is rejected with their numbers") {
   Panels cube = fixtures::unit_cube();
   cube.panels.push_back({0, 1, 7, 6});  // an inner wall from one edge to the opposite one; its sides are diagonals of the faces
   check_refused(
       cube,
       "hull: the surface is non-manifold: 4 edges have more than two panels, the first from (0, 0, 0) to (1, 0, 0) m with the panels 0, 2, 6 (counted from 0), "
-      "and which hang together there cannot be told; delete inner walls, or use it as an open surface that is cut along these edges, with "
-      "Surface::Options::outside, OutsideIs::normals (the side that the normals point to).");
+      "so their connection is ambiguous; delete inner walls, or use it as an open surface that is cut along these edges, with "
+      "Surface::Options::orientation, Orientation::normals (the side that the normals point to).");
 }
 
-TEST_CASE("surface: a quad whose diagonal carries a wall is named once") {
+TEST_CASE("surface: a quad with a wall along its diagonal is listed once") {
   Panels sail{{{0, -1, 0}, {3, 0, 0}, {0, 1, 0}, {-3, 0, 0}, {0, 0, 1}}, {}, {}, {}};
   sail.add_quad(0, 1, 2, 3);
   sail.add_triangle(0, 2, 4);
   CHECK_THROWS_WITH_AS(named(sail), Contains("from (0, -1, 0) to (0, 1, 0) m with the panels 0, 1 (counted from 0)"), InputError);
 }
 
-TEST_CASE("surface: a Möbius strip is refused, a band with two half turns is not") {
-  CHECK_THROWS_WITH_AS(named(fixtures::band(40, 1), Orientation::normals),
-                       Contains("close a strip that is twisted like Möbius's, so the surface has no two sides"), InputError);
+TEST_CASE("surface: a Möbius strip is rejected, a band with two half turns is not") {
+  CHECK_THROWS_WITH_AS(named(fixtures::band(40, 1), Orientation::normals), Contains("close a Möbius strip, so the surface is not orientable"), InputError);
   CHECK_THROWS_AS(named(fixtures::band(40, 3), Orientation::normals), InputError);
   CHECK(named(fixtures::band(40, 0), Orientation::normals).report().boundary_edges == 80);
   CHECK(named(fixtures::band(40, 2), Orientation::normals).report().boundary_edges == 80);
 }
 
-TEST_CASE("surface: what cannot be a surface is refused in one sentence") {
-  check_refused({}, "hull: there are no panels, so there is nothing to strike; check that the file or shape is the right one.");
+TEST_CASE("surface: invalid panels are rejected with one sentence") {
+  check_refused({}, "hull: the surface has no panels; check that the file or shape is the right one.");
   Panels cube = fixtures::unit_cube();
   cube.panels[3][2] = 8;
-  check_refused(cube, "hull: panel 3 has the vertex 8, but there are only the vertices 0 to 7; mend the numbers.");
+  check_refused(cube, "hull: panel 3 has the vertex 8, but there are only the vertices 0 to 7; correct the vertex numbers.");
   cube.panels[3] = {0, -1, 2, 3};
-  check_refused(cube, "hull: panel 3 has the vertex -1, but there are only the vertices 0 to 7; mend the numbers.");
+  check_refused(cube, "hull: panel 3 has the vertex -1, but there are only the vertices 0 to 7; correct the vertex numbers.");
   cube = fixtures::unit_cube();
   cube.vertices[5].y = std::numeric_limits<double>::quiet_NaN();
-  check_refused(cube, "hull: vertex 5 (counted from 0) is at (1.000000, nan, 1.000000), which is no place; each coordinate must be a finite number of metres.");
+  check_refused(cube,
+                "hull: vertex 5 (counted from 0) is at (1.000000, nan, 1.000000), which is not finite or out of range; each coordinate must be a finite number "
+                "of metres.");
   cube.vertices[5].y = std::numeric_limits<double>::infinity();
   CHECK_THROWS_AS(named(cube), InputError);
   cube.vertices[5].y = 1e300;  // finite, but its square is not
@@ -146,25 +147,25 @@ TEST_CASE("surface: what cannot be a surface is refused in one sentence") {
                 "hull: none of the 2 panels has an area; check the file's scale and its coordinates.");
 }
 
-TEST_CASE("surface: a sheet with two sides and no thickness has no inside and is refused") {
-  // front and back meshed with different diagonals, so that their triangles are not repeated ones
+TEST_CASE("surface: a sheet with two sides and no thickness has no inside and is rejected") {
+  // front and back meshed with different diagonals, so that their triangles are not duplicates
   const Panels sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, -1}, {0, 2, 3, -1}, {0, 3, 1, -1}, {1, 3, 2, -1}}};
   check_refused(
       sheet,
       "hull: the closed part with panel 0 (counted from 0) encloses no volume, so it has no inside; give it a thickness, or delete one of its two sides.");
 }
 
-TEST_CASE("surface: a vertex that no panel uses matters for nothing") {
+TEST_CASE("surface: an unused vertex has no effect") {
   Panels cube = fixtures::unit_cube();
-  cube.vertices.push_back({1e9, 0, 0});  // were it counted, the welding tolerance would be 1
+  cube.vertices.push_back({1e9, 0, 0});  // if it counted, the welding tolerance would be 1
   const Surface surface = named(cube);
   CHECK(surface.report().vertices == 8);
   CHECK(surface.report().bounds.high.x == 1);
 }
 
-TEST_CASE("surface: a body whose tips touch in one vertex has that vertex twice") {
+TEST_CASE("surface: bodies whose tips meet in one vertex have that vertex twice") {
   const Panels one = fixtures::tetrahedron();
-  const Panels other = fixtures::moved(one, [](const Vec3d& v) { return Vec3d{-v.x, -v.y, -v.z}; });  // turned inside out by the mirror
+  const Panels other = fixtures::moved(one, [](const Vec3d& v) { return Vec3d{-v.x, -v.y, -v.z}; });  // inside out by the reflection
   const Surface surface = named(fixtures::joined(one, other));
   CHECK(surface.report().components == 2);
   CHECK(surface.report().welded == 1);
@@ -178,7 +179,7 @@ TEST_CASE("surface: a body whose tips touch in one vertex has that vertex twice"
   }
 }
 
-TEST_CASE("surface: construction gives the same bits for any number of threads") {
+TEST_CASE("surface: construction is bitwise reproducible for any number of threads") {
   const Panels panels = fixtures::exploded(make_sphere({.diameter = 1, .edge_length = 0.02}));
   const int before = thread_count();
   use_threads(1);

@@ -20,7 +20,7 @@ bool shares(const Triangulation& triangulation, int a, int b) {
   });
 }
 
-/// A unit cube whose edge from (0,0,0) to (1,0,0) carries more vertices: the face y = 0 has triangles to each, and the face z = 0 ends on
+/// A unit cube with more vertices on its edge from (0,0,0) to (1,0,0): the face y = 0 has triangles to each, and the face z = 0 ends on
 /// the straight edge, with slivers between.
 Panels cube_with_slivers(int inserted) {
   Panels cube = fixtures::unit_cube();
@@ -39,7 +39,7 @@ Panels cube_with_slivers(int inserted) {
 
 }  // namespace
 
-TEST_CASE("triangulate: a quad is cut along its shorter diagonal") {
+TEST_CASE("triangulate: a quad is split along its shorter diagonal") {
   const auto kite = cut({{0, 0, 0}, {1, -0.5, 0}, {3, 0, 0}, {1, 0.5, 0}}, {{0, 1, 2, 3}});
   CHECK(kite.triangles.size() == 2);
   CHECK(shares(kite, 1, 3));
@@ -54,7 +54,7 @@ TEST_CASE("triangulate: rounding does not choose the diagonal of a rectangle") {
   }
 }
 
-TEST_CASE("triangulate: a re-entrant quad is cut from its re-entrant corner, although that diagonal is longer") {
+TEST_CASE("triangulate: a re-entrant quad is split from its re-entrant corner, although that diagonal is longer") {
   const auto dart = cut({{0, 0, 0}, {10, 1, 0}, {8, 0, 0}, {10, -1, 0}}, {{0, 1, 2, 3}});
   CHECK(shares(dart, 0, 2));
 }
@@ -66,7 +66,7 @@ TEST_CASE("triangulate: a quad with a corner on a straight side loses no area") 
   CHECK(shares(quad, 1, 3));
 }
 
-TEST_CASE("triangulate: a quad that repeats a corner is its triangle") {
+TEST_CASE("triangulate: a quad with a repeated corner is a triangle") {
   for (const std::array<int, 4>& quad : {std::array{0, 1, 2, 2}, std::array{0, 0, 1, 2}, std::array{0, 1, 1, 2}, std::array{0, 1, 2, 0}}) {
     const auto triangulation = cut({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {quad});
     CHECK(triangulation.triangles.size() == 1);
@@ -74,7 +74,7 @@ TEST_CASE("triangulate: a quad that repeats a corner is its triangle") {
   }
 }
 
-TEST_CASE("triangulate: repeated panels are dropped however they are written") {
+TEST_CASE("triangulate: repeated panels are dropped whatever the order of their corners") {
   const auto repeated = cut({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, -1}, {1, 2, 0, -1}, {0, 2, 1, -1}, {0, 1, 3, -1}});
   CHECK(repeated.duplicate == 2);
   CHECK(repeated.triangles.size() == 2);
@@ -82,7 +82,7 @@ TEST_CASE("triangulate: repeated panels are dropped however they are written") {
   CHECK(repeated.triangles[1].panel == 3);
 }
 
-TEST_CASE("slivers: on a straight edge they leave no rim, whether one, twenty or ninety") {
+TEST_CASE("slivers: on a straight edge they leave no boundary edge, whether one, twenty or ninety") {
   for (const int inserted : {1, 2, 3, 20, 90}) {
     const Surface cube(cube_with_slivers(inserted));
     CHECK(cube.is_closed());
@@ -90,12 +90,12 @@ TEST_CASE("slivers: on a straight edge they leave no rim, whether one, twenty or
     CHECK(cube.report().vertices == std::size_t(8 + inserted));
     CHECK(cube.report().volume == fixtures::relative(1, 1e-14));  // rounding of some hundred terms
     CHECK(cube.report().area == fixtures::relative(6, 1e-14));
-    for (std::size_t t = 0; t < cube.triangles().size(); ++t) CHECK(largest_magnitude(cube.normal(t)) == 1);  // all faces lie along the axes
+    for (std::size_t t = 0; t < cube.triangles().size(); ++t) CHECK(largest_magnitude(cube.normal(t)) == 1);  // all faces are axis-aligned
   }
 }
 
 TEST_CASE("slivers: two that share their longest side are absorbed as well") {
-  // the edge of the cube carries a different vertex on either face
+  // the edge of the cube has a different vertex on either face
   Panels cube = cube_with_slivers(1);
   cube.panels.erase(std::find(cube.panels.begin(), cube.panels.end(), std::array{0, 2, 3, 1}));  // z = 0
   cube.vertices.push_back({0.25, 0, 0});
@@ -110,7 +110,7 @@ TEST_CASE("slivers: two that share their longest side are absorbed as well") {
   CHECK(surface.report().volume == fixtures::relative(1, 1e-14));
 }
 
-TEST_CASE("slivers: a triangle with one on each side takes them one after the other") {
+TEST_CASE("slivers: a triangle with one on each side absorbs them one after the other") {
   // a tetrahedron whose base ends on straight edges with a vertex in the middle of each, which the other faces use
   const std::vector<Vec3d> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}};
   Panels body{vertices, {{0, 2, 1, -1}}};
@@ -126,7 +126,7 @@ TEST_CASE("slivers: a triangle with one on each side takes them one after the ot
   CHECK(surface.report().volume == fixtures::relative(1 / 6.0, 1e-14));  // rounding of ten terms
 }
 
-TEST_CASE("slivers: one at a rim is left out") {
+TEST_CASE("slivers: one at a boundary edge is dropped") {
   const Panels sheet{{{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 3, -1}, {1, 2, 3, -1}, {0, 2, 1, -1}}};
   const Surface surface(sheet, {.orientation = Orientation::normals, .name = "sheet"});
   CHECK(surface.report().degenerate == 1);

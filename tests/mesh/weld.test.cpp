@@ -14,7 +14,7 @@ namespace {
 
 std::size_t merged(const Vec3d& a, const Vec3d& b, double tolerance) { return weld({{a, b}, {{0, 1, 0, -1}}}, tolerance).merged; }
 
-/// Every vertex of a panel of its own, so that all are used.
+/// Each vertex with its own panel, so that all are used.
 Panels cloud(const std::vector<Vec3d>& points) {
   Panels out{points, {}};
   for (int v = 0; v < int(points.size()); ++v) out.add_triangle(v, v, v);
@@ -23,10 +23,10 @@ Panels cloud(const std::vector<Vec3d>& points) {
 
 struct ByHand {
   std::vector<Vec3d> kept;
-  std::vector<int> number;  // of the kept vertex that each became
+  std::vector<int> number;  // of the kept vertex that each was merged into
 };
 
-/// What the header says, by comparing all with all.
+/// The definition in the header, by comparing all with all.
 ByHand by_hand(const std::vector<Vec3d>& points, double tolerance) {
   ByHand out;
   for (const Vec3d& p : points) {
@@ -49,7 +49,7 @@ ByHand by_hand(const std::vector<Vec3d>& points, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("weld: two vertices become one exactly where nearer than the tolerance, on whatever side of the cells' boundaries they lie") {
+TEST_CASE("weld: two vertices are merged exactly if nearer than the tolerance, on either side of the cells' boundaries") {
   std::mt19937_64 random(1);
   constexpr double tolerance = 1e-3;
   for (int trial = 0; trial < 20'000; ++trial) {
@@ -65,7 +65,7 @@ TEST_CASE("weld: two vertices become one exactly where nearer than the tolerance
   }
 }
 
-TEST_CASE("weld: in a crowded cloud each vertex becomes the nearest of those before, as comparing all with all says") {
+TEST_CASE("weld: in a dense cloud each vertex is merged into the nearest of those before, as by comparing all with all") {
   std::mt19937_64 random(2);
   for (const double tolerance : {0.0, 1e-9, 0.01, 0.05, 0.3, 3.0}) {
     std::vector<Vec3d> points;
@@ -81,13 +81,13 @@ TEST_CASE("weld: in a crowded cloud each vertex becomes the nearest of those bef
   }
 }
 
-TEST_CASE("weld: zero is one place whatever its sign, and far from the origin the same place is still found") {
+TEST_CASE("weld: zeros of either sign coincide, and coincident vertices far from the origin are found") {
   CHECK(merged({0.0, 0, 0}, {-0.0, 0, 0}, 0) == 1);
   CHECK(merged({1e40, -1e40, 1e30}, {1e40, -1e40, 1e30}, 1e-9) == 1);
   CHECK(merged({1e40, -1e40, 1e30}, {1e40, -1e40, 1.1e30}, 1e-9) == 0);
 }
 
-TEST_CASE("weld: the seams of a body that was written triangle by triangle close, with noise below the tolerance too") {
+TEST_CASE("weld: the seams of a body that was written triangle by triangle are closed, with noise below the tolerance too") {
   std::mt19937_64 random(3);
   const Panels torus = fixtures::torus(2, 0.5, 60, 30);
   const Panels noisy = fixtures::moved(fixtures::exploded(torus), [&](const Vec3d& v) { return v + 1e-10 * fixtures::random_direction(random); });
@@ -96,7 +96,7 @@ TEST_CASE("weld: the seams of a body that was written triangle by triangle close
   CHECK(fixtures::is_watertight(welded.panels));
 }
 
-TEST_CASE("weld: a distance closes the gaps that rounding left, and what lies further apart stays apart") {
+TEST_CASE("weld: a distance closes the gaps left by rounding, and vertices farther apart stay separate") {
   // a cube whose faces are written one by one, with coordinates rounded to 1e-4 each in its own way
   Panels cube = fixtures::exploded(fixtures::unit_cube());
   std::mt19937 random(5);

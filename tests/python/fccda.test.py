@@ -229,7 +229,7 @@ def refusals(test):
     lid = fccda.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     with test.assertRaisesRegex(InputError, 'which side is outside with outside="normals"'):
         fccda.Surface(lid)
-    with test.assertRaisesRegex(InputError, "or pass clip=True if it is meant"):
+    with test.assertRaisesRegex(InputError, "or pass clip=True if this is intended"):
         fccda.ContactDetector(box, boxes=[([1, 2, 2], [0.5, 0, 0])])
     test.assertEqual((len(fccda.Mesh.box([1, 2, 3])), len(fccda.Mesh.sphere(2)) > 1000), (12, True))
 

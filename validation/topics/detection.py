@@ -33,11 +33,11 @@ def gathered():
         "paths past": total("past", swept),
         "invented": total("invented", swept),
         "left inside": total("inside", swept) + total("thrown", swept),
-        "letter": share("letter"),
-        "letter, most": max(share("letter", shape) for shape in shapes),
-        "letter, cylinder along z": total("found", lambda row: row["detector"] == "letter" and row["shape"] == "cylinder along z"),
-        "repaired": share("repaired"),
-        "repaired, flat panels, least": min(share("repaired", shape) for shape in shapes if shape != "torus of warped quads"),
+        "letter": share("literal"),
+        "letter, most": max(share("literal", shape) for shape in shapes),
+        "letter, cylinder along z": total("found", lambda row: row["detector"] == "literal" and row["shape"] == "cylinder along z"),
+        "repaired": share("corrected"),
+        "repaired, flat panels, least": min(share("corrected", shape) for shape in shapes if shape != "torus of warped quads"),
         "shapes": float(len(shapes)),
     }
 

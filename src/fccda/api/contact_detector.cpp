@@ -16,10 +16,11 @@ namespace fccda {
 
 namespace {
 
-/// Points of which one bound on the way they went is kept: enough that a block costs little, few enough that a fast point wakes few.
+/// Points per block. One bound on the path length is kept per block: blocks are large enough to be cheap, and small enough that a fast point
+/// makes few others due.
 constexpr std::size_t block_size = 64;
 
-/// Ways of fewer points are measured (in 25 µs) before other threads have woken.
+/// Minimum number of blocks for a parallel loop: the paths of fewer are measured (in 25 µs) before other threads have woken.
 constexpr std::ptrdiff_t blocks_worth_threads = 128;
 
 std::size_t blocks_of(std::size_t points) { return (points + block_size - 1) / block_size; }
@@ -33,10 +34,10 @@ void for_blocks(std::size_t count, const Body& body) {
     parallel_for(blocks, body);
 }
 
-/// Half a unit in the last place, relative, of the numbers that positions are kept as.
+/// Relative rounding error of the stored positions: half a unit in the last place.
 double rounding_of(ConstVectors x) { return x.is_single() ? 0.5 * std::numeric_limits<float>::epsilon() : 0; }
 
-/// Arrays as the Points interface.
+/// The Points interface over arrays.
 class ArrayPoints {
  public:
   ArrayPoints(ConstVectors x_t0, ConstVectors x_t1, std::span<const double> travel) : x_t0_(x_t0), x_t1_(x_t1), travel_(travel) {}
@@ -55,7 +56,7 @@ class ArrayPoints {
   std::span<const double> travel_;
 };
 
-/// The same of points that are balls of different sizes.
+/// The same for points that are balls of individual radii.
 class ArrayBalls : public ArrayPoints {
  public:
   ArrayBalls(const ArrayPoints& points, const Numbers& radius, double largest) : ArrayPoints(points), radius_(radius), largest_(largest) {}
@@ -80,7 +81,7 @@ double size_of(const Surface& surface) { return largest_magnitude(surface.report
 
 void expect_radii(const Numbers& radius, std::size_t points) {
   if (!radius.are_for(points))
-    throw InputError("contact: there is not one radius for each of the " + std::to_string(points) + " points; give as many, or one number for all.");
+    throw InputError("contact: the number of radii differs from the " + std::to_string(points) + " points; give one for each, or one number for all.");
 }
 
 /// Visitors of Swept::visit_state.
@@ -104,9 +105,9 @@ double squared_path(ConstVectors x_t0, ConstVectors x_t1, std::size_t i) { retur
   std::size_t i = 0;
   while (std::sqrt(squared_path(x_t0, x_t1, i)) <= longest) ++i;
   const std::string sentence = "contact: point " + std::to_string(i) + " goes from " + in_words(x_t0[i]) + " to " + in_words(x_t1[i]) + " in one step, ";
-  if (!std::isfinite(squared_path(x_t0, x_t1, i))) throw RunError(sentence + "which is no way to go; the solver has become unstable, try a shorter step.");
-  throw RunError(sentence + "further than the " + in_words(longest) +
-                 " m that its contact can be told from rounding; the solver has become unstable, try a shorter step.");
+  if (!std::isfinite(squared_path(x_t0, x_t1, i))) throw RunError(sentence + "which is not finite; the solver has become unstable, use a shorter step.");
+  throw RunError(sentence + "farther than " + in_words(longest) +
+                 " m, beyond which rounding hides its contact; the solver has become unstable, use a shorter step.");
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ void ContactDetector::measure_paths(ConstVectors x_t0, ConstVectors x_t1) {
     for (std::size_t i = begin; i < end; ++i) {
       const double squared = squared_path(x_t0, x_t1, i);
       if (!(squared <= longest)) longest = squared;
-      if (std::isnan(longest)) break;  // nothing compares with it
+      if (std::isnan(longest)) break;  // comparisons with it are always false
     }
     travel_[static_cast<std::size_t>(block)] = std::sqrt(longest);
   };
@@ -136,14 +137,14 @@ void ContactDetector::measure_paths(ConstVectors x_t0, ConstVectors x_t1) {
   if (!std::ranges::all_of(travel_, [&](double travel) { return travel <= longest_path_; })) refuse_path(x_t0, x_t1, longest_path_);
 }
 
-// What is known of a point's distance is known beyond its reach. So one that has grown is looked at again; and where it now starts inside,
-// it was pushed there.
+// A known distance is a distance beyond the point's contact radius. So a point with a larger radius is evaluated again. If it now starts
+// inside, it counts as pushed there.
 double ContactDetector::note_radii(const Numbers& radius, std::size_t points) {
   expect_radii(radius, points);
   if (radius_.empty()) swept_.forget();
   std::vector<double> largest(blocks_of(points));
   std::vector<std::uint8_t> differs(largest.size());
-  const auto look = [&](std::ptrdiff_t block) {
+  const auto scan = [&](std::ptrdiff_t block) {
     const auto b = static_cast<std::size_t>(block);
     for (std::size_t i = b * block_size; i < std::min((b + 1) * block_size, points); ++i) {
       const double now = radius[i];
@@ -151,7 +152,7 @@ double ContactDetector::note_radii(const Numbers& radius, std::size_t points) {
       largest[b] = std::max(largest[b], now);
     }
   };
-  for_blocks(largest.size(), look);
+  for_blocks(largest.size(), scan);
   const std::size_t known = radius_.size();
   radius_.resize(points);
   for (std::size_t b = 0; b < differs.size(); ++b) {
@@ -170,7 +171,7 @@ double ContactDetector::note_radii(const Numbers& radius, std::size_t points) {
 template <class P>
 std::vector<Contact> ContactDetector::contacts_of(const P& points, const Motion& motion) {
   std::vector<Contact> contacts;
-  const double reach = norm(motion.centre - centre_) + reach_;  // of the surface from the centre of its turn
+  const double reach = norm(motion.centre - centre_) + reach_;  // radius of the surface about the centre of rotation
   swept_.detect(points, motion, travel_bound(motion, motion.centre, reach), contacts);
   return contacts;
 }
@@ -183,7 +184,7 @@ ContactDetector::State ContactDetector::state() const {
 
 void ContactDetector::resume(const State& state) {
   if (!std::ranges::is_sorted(state.inside) || !std::ranges::is_sorted(state.touched))
-    throw InputError("contact: the points of a detector's state are not in rising order; give back what state() returned.");
+    throw InputError("contact: the points of a detector's state are not in ascending order; pass what state() returned.");
   swept_.visit_state(StateWriter{state});
   swept_.forget();
 }
@@ -191,7 +192,7 @@ void ContactDetector::resume(const State& state) {
 std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1) {
   expect_usable(motion);
   measure_paths(x_t0, x_t1);
-  if (!radius_.empty()) swept_.forget(), radius_.clear();  // the points had other radii a step ago
+  if (!radius_.empty()) swept_.forget(), radius_.clear();  // the points had other radii in the previous step
   swept_.set_rounding(rounding_of(x_t1));
   return contacts_of(ArrayPoints(x_t0, x_t1, travel_), motion);
 }

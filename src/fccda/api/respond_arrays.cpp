@@ -10,7 +10,7 @@ namespace fccda {
 
 namespace {
 
-/// Arrays as what respond() changes.
+/// The arrays that respond() modifies.
 struct ContactArrays {
   const PointArrays& arrays;
 

@@ -1,4 +1,4 @@
-/// Views of vectors in the caller's own memory, in double or single precision, whichever way they lie there:
+/// Views of vectors in the caller's memory, in double or single precision, for any layout:
 ///
 ///   std::vector<Vec3d> x;                  ConstVectors view = x;
 ///   std::vector<double> xyz;               ConstVectors view = xyz;                          x y z x y z …, or floats
@@ -10,7 +10,7 @@
 ///   Numbers mass = 1e-3;                   Numbers mass = std::vector<double>{…};            or floats
 ///   Numbers mass(&p->m, count, sizeof(Particle) / sizeof(double));
 ///
-/// A view owns nothing and must not outlive the memory. `Vectors` can be written through.
+/// A view does not own memory and must not outlive it. `Vectors` is writable.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@
 
 namespace fccda {
 
-/// `Number` is double or const double. The memory may hold floats all the same: they are read as doubles, and written rounded.
+/// `Number` is double or const double. The memory may contain floats nevertheless: they are read as doubles, and rounded when written.
 template <class Number>
 class VectorView {
   static constexpr bool is_const = std::is_const_v<Number>;
@@ -40,14 +40,14 @@ class VectorView {
   VectorView(const VectorView&) = default;
   VectorView& operator=(const VectorView&) = default;
 
-  /// Component c of vector i is the number at i·stride behind the pointer to component c of the first vector; the stride counts numbers,
-  /// and may be negative.
+  /// Component c of vector i is at offset i·stride from the pointer to component c of the first vector; the stride counts numbers, and may be
+  /// negative.
   VectorView(Number* x, Number* y, Number* z, std::size_t count, std::ptrdiff_t stride = 1)
       : first_{bytes(x), bytes(y), bytes(z)}, count_(count), stride_(stride * static_cast<std::ptrdiff_t>(sizeof(double))) {}
   VectorView(Single* x, Single* y, Single* z, std::size_t count, std::ptrdiff_t stride = 1)
       : first_{bytes(x), bytes(y), bytes(z)}, count_(count), stride_(stride * static_cast<std::ptrdiff_t>(sizeof(float))), single_(true) {}
 
-  /// Vec3d one behind the other: a vector, an array, a span.
+  /// A contiguous range of Vec3d: a vector, an array, a span.
   template <std::ranges::contiguous_range Range>
   requires std::convertible_to<Range&, std::span<Vector>> VectorView(Range&& vectors) : count_(std::ranges::size(vectors)), stride_(sizeof(Vec3d)) {
     if (count_ == 0) return;
@@ -55,7 +55,7 @@ class VectorView {
     first_ = {bytes(&first.x), bytes(&first.y), bytes(&first.z)};
   }
 
-  /// Doubles or floats x y z x y z. Throws InputError where their number is no multiple of three.
+  /// Doubles or floats x y z x y z. Throws InputError if their number is not a multiple of three.
   template <std::ranges::contiguous_range Range>
   requires std::convertible_to<Range&, std::span<Number>> VectorView(Range&& xyz)
       : VectorView(std::ranges::data(xyz), triples(std::ranges::size(xyz), "doubles")) {}
@@ -63,7 +63,7 @@ class VectorView {
   requires std::convertible_to<Range&, std::span<Single>> VectorView(Range&& xyz)
       : VectorView(std::ranges::data(xyz), triples(std::ranges::size(xyz), "floats")) {}
 
-  /// What can be written can be read.
+  /// A writable view converts to a read-only one.
   template <class Other>
   requires(is_const&& std::same_as<Other, double>) VectorView(const VectorView<Other>& view)
       : first_{view.first_[0], view.first_[1], view.first_[2]}, count_(view.count_), stride_(view.stride_), single_(view.single_) {}
@@ -91,7 +91,7 @@ class VectorView {
   }
 
   static std::size_t triples(std::size_t numbers, const char* what) {
-    if (numbers % 3 != 0) throw InputError("vectors: " + std::to_string(numbers) + ' ' + what + " are no whole number of vectors; give x, y and z of each.");
+    if (numbers % 3 != 0) throw InputError("vectors: " + std::to_string(numbers) + ' ' + what + " are not a multiple of three; give x, y and z of each.");
     return numbers / 3;
   }
 
@@ -116,7 +116,7 @@ class Numbers {
  public:
   Numbers(double of_all) : of_all_(of_all) {}
 
-  /// The number of point i is at i·stride behind `first`; the stride counts numbers, and may be negative.
+  /// The number of point i is at offset i·stride from `first`; the stride counts numbers, and may be negative.
   Numbers(const double* first, std::size_t count, std::ptrdiff_t stride = 1)
       : first_(reinterpret_cast<const std::byte*>(first)), count_(count), stride_(stride * static_cast<std::ptrdiff_t>(sizeof(double))), each_(true) {}
   Numbers(const float* first, std::size_t count, std::ptrdiff_t stride = 1)
@@ -126,7 +126,7 @@ class Numbers {
         each_(true),
         single_(true) {}
 
-  /// Doubles or floats one behind the other: a vector, an array, a span.
+  /// A contiguous range of doubles or floats: a vector, an array, a span.
   template <std::ranges::contiguous_range Range>
   requires(std::convertible_to<Range&, std::span<const double>> || std::convertible_to<Range&, std::span<const float>>) Numbers(Range&& of_each)
       : Numbers(std::ranges::data(of_each), std::ranges::size(of_each)) {}

@@ -1,17 +1,16 @@
-/// The one list of bounding regions (seed paper, section 3.1): where contact can happen, in the body frame. Points that do not come near
-/// are rejected without a look at the surface.
+/// The list of contact bounds (Zhang et al., section 3.1): where contact is possible, in the body frame. Points that stay away from them are
+/// rejected without evaluation of the surface.
 ///
-/// Promises of every region (tests/fccda/contact_bounds/contact_bounds_contract.test.cpp):
-///  1. a path that can come within `margin` of a panel inside the region is never called untouchable;
-///  2. nothing changes after construction, so any number of threads may ask at once.
+/// Guarantees of all contact bounds (tests/fccda/contact_bounds/contact_bounds_contract.test.cpp):
+///  1. a path that can come within `margin` of a panel inside the bounds is never rejected;
+///  2. they are immutable after construction, so any number of threads may query them concurrently.
 ///
-///   clips()                    some of the surface lies outside the region, where it is not felt
-///   contains(point)            a place where contact counts
-///   may_touch(path, margin)    false: the path surely stays further than margin [m] away
-///   distance_at_least(point)   [m] a lower bound of the distance from the region
+///   clips()                    part of the surface lies outside the bounds, where contact is ignored
+///   contains(point)            contact counts at this position
+///   may_touch(path, margin)    false: the path certainly stays farther than margin [m] away
+///   distance_at_least(point)   [m] a lower bound of the distance from the bounds
 ///   volume()                   [m³]
-///
-/// How a region looks is region_panels.hpp; fit_region.hpp finds one for a surface.
+/// bounds_panels.hpp gives their faces for output; fit_contact_bounds.hpp fits them to a surface.
 #pragma once
 
 #include <variant>

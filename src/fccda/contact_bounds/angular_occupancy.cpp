@@ -16,7 +16,7 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 constexpr int hub_steps = 64;
 constexpr int most_blades = 10;
-constexpr std::size_t most_bins = 2520;  // of a turn: 1 to 10 divide it
+constexpr std::size_t most_bins = 2520;  // of a turn: divisible by 1 to 10
 
 /// [0, turn)
 double wrapped(double angle, double period) {
@@ -24,7 +24,7 @@ double wrapped(double angle, double period) {
   return rest < period ? rest : 0;
 }
 
-/// The widest run of free bins, on a circle of them.
+/// The widest run of free bins, on the circle.
 std::size_t widest_gap(const std::vector<bool>& taken) {
   const auto first = std::find(taken.begin(), taken.end(), true);
   if (first == taken.end()) return taken.size();
@@ -65,8 +65,8 @@ AngularOccupancy::AngularOccupancy(const Surface& surface, const CylinderFrame& 
     add(frame.to_frame(surface.corner(t, 0)), frame.to_frame(surface.corner(t, 1)), frame.to_frame(surface.corner(t, 2)));
 }
 
-// Halves the triangle, as seen along the axis, until it is short. A short one that does not hold the axis takes the angles between its
-// corners.
+// Halves the triangle, in projection along the axis, until it is short. A short one that does not contain the axis occupies the angles between
+// its corners.
 void AngularOccupancy::add(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const std::array<Flat, 3> p{{{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}};
   std::array<double, 3> edge;
@@ -91,11 +91,11 @@ void AngularOccupancy::add(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   pieces_.push_back({furthest, may_hold_axis ? 0 : wrapped(start + from, turn), may_hold_axis ? turn : to - from});
 }
 
-/// Bins of the turn that the pieces beyond each hub reach into.
+/// Bins of the turn that are occupied by pieces beyond each hub radius.
 std::vector<std::vector<bool>> AngularOccupancy::occupied_beyond(const std::vector<double>& hubs, std::size_t bins) const {
   std::vector<std::vector<bool>> taken(hubs.size(), std::vector<bool>(bins, false));
   for (const Piece& piece : pieces_) {
-    // to the largest hub that does not hold it
+    // up to the largest hub that does not contain it
     const auto beyond = std::lower_bound(hubs.begin(), hubs.end(), piece.furthest);
     if (beyond == hubs.begin()) continue;
     std::vector<bool>& its = taken[static_cast<std::size_t>(beyond - hubs.begin()) - 1];
@@ -109,7 +109,7 @@ std::vector<std::vector<bool>> AngularOccupancy::occupied_beyond(const std::vect
   return taken;
 }
 
-// Exactly: the pieces' own angles, folded by the distance of blades.
+// Exact: the angles of the pieces, modulo the angle between blades.
 SectorFan AngularOccupancy::fan_around(double hub_radius, int blades) const {
   const double period = turn / blades;
   std::vector<std::pair<double, double>> runs;
@@ -119,7 +119,7 @@ SectorFan AngularOccupancy::fan_around(double hub_radius, int blades) const {
   std::sort(runs.begin(), runs.end());
   double reached = 0, gap = 0, after_gap = 0;
   for (const auto& [start, width] : runs) reached = std::max(reached, start + width);
-  reached -= period;  // round the circle to where the first begins
+  reached -= period;  // wraps around to the begin of the first
   for (const auto& [start, width] : runs) {
     if (start - reached > gap) gap = start - reached, after_gap = start;
     reached = std::max(reached, start + width);

@@ -1,4 +1,4 @@
-/// Which angles about an axis a surface takes, beyond which radius.
+/// The angles about an axis that a surface occupies, as a function of the radius.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace fccda {
 
-/// Sectors that hold everything beyond a radius, at equal angles.
+/// Sectors at equal angles that contain everything beyond a hub radius.
 struct SectorFan {
   double hub_radius = 0;  ///< [m]
   int blades = 1;
@@ -22,15 +22,15 @@ class AngularOccupancy {
   AngularOccupancy(const Surface& surface, const CylinderFrame& frame);
 
   double radius() const { return radius_; }  ///< [m] of the surface about the axis
-  double low() const { return low_; }        ///< [m] where it begins along the axis
-  double high() const { return high_; }      ///< [m] where it ends
+  double low() const { return low_; }        ///< [m] its lower end along the axis
+  double high() const { return high_; }      ///< [m] its upper end
 
-  /// The smallest fan: the one whose cross-section is least, of hubs that are whole 64ths of the radius (or the given one) and of
-  /// one to ten blades (or the given number). Where blades lie one behind the other in angle, its sectors cover the circle.
+  /// The fan with the smallest cross-section, over hub radii in 64ths of the radius (or the given one) and one to ten blades (or the given
+  /// number). If blades overlap in angle, its sectors cover the circle.
   SectorFan smallest_fan(std::optional<double> hub_radius, std::optional<int> blades) const;
 
  private:
-  /// A piece of the surface, short against the radius.
+  /// A piece of the surface, small compared with the radius.
   struct Piece {
     double furthest;      // [m] from the axis
     double start, width;  // [rad]

@@ -15,7 +15,7 @@ constexpr int circle_edges = 72;
 Panels panels_of(const Unbounded&) { return {}; }
 Panels panels_of(const BoxUnion& boxes) { return fccda::panels_of(boxes.boxes()); }
 
-/// A part of a ring between two radii, from one end of the cylinder to the other, closed.
+/// A closed sector of a ring between two radii, over the length of the cylinder.
 struct RingPart {
   double inner, outer;    // [m]
   double start, opening;  // [rad]

@@ -1,4 +1,4 @@
-/// How regions look.
+/// Contact bounds as panels, for output.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ namespace fccda {
 /// Six quads for each box, facing outward.
 Panels panels_of(std::span<const Box> boxes);
 
-/// The faces of a region, facing outward, in the frame of the body; none where there is no bound. Overlapping boxes are shown whole. A
-/// circle is shown with 72 edges.
+/// The faces of contact bounds, facing outward, in the body frame; none if unbounded. Overlapping boxes are included in full. A circle has 72
+/// edges.
 Panels bounds_panels(const ContactBounds& region);
 
 }  // namespace fccda

@@ -18,14 +18,14 @@ Polygon polygon_of(const Surface& surface, std::size_t triangle) {
   return {surface.corner(triangle, 0), surface.corner(triangle, 1), surface.corner(triangle, 2)};
 }
 
-/// Adds to `left` what of the polygon lies outside the box, in convex pieces; true where something lies inside.
+/// Adds the part of the polygon outside the box to `left`, in convex pieces; true if some of it lies inside.
 bool subtract(Polygon polygon, const Box& box, std::vector<Polygon>& left) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const Side inner : {Side::above, Side::below}) {
       const double face = inner == Side::above ? box.low[axis] : box.high[axis];
-      const bool sticks_out =
+      const bool extends_beyond =
           std::any_of(polygon.begin(), polygon.end(), [&](const Vec3d& corner) { return inner == Side::above ? corner[axis] < face : corner[axis] > face; });
-      if (!sticks_out) continue;
+      if (!extends_beyond) continue;
       left.push_back(part_of(polygon, inner == Side::above ? Side::below : Side::above, axis, face));
       polygon = part_of(polygon, inner, axis, face);
       if (polygon.empty()) return false;
@@ -59,7 +59,7 @@ BoxUnion::BoxUnion(std::span<const Shape> shapes, const Surface& surface, Beyond
         is_reached[b] = true;
         left.clear();
       }
-      // A box may be reached by what another one holds too.
+      // A box may also be reached by panels that another one contains.
       if (!is_reached[b]) {
         next.clear();
         is_reached[b] = subtract(polygon_of(surface, t), boxes_[b], next);
@@ -79,8 +79,8 @@ BoxUnion::BoxUnion(std::span<const Shape> shapes, const Surface& surface, Beyond
   }
   for (std::size_t b = 0; b < boxes_.size(); ++b)
     if (!is_reached[b])
-      throw InputError("region: no panel of the surface reaches into " + name_of(b, boxes_.size()) +
-                       ", so nothing can be struck there; check the box's centre and size.");
+      throw InputError("contact bounds: no panel of the surface reaches into " + name_of(b, boxes_.size()) +
+                       ", so no contact is possible there; check the box's centre and size.");
   clips_ = !out.panels.empty();
   if (clips_ && beyond == Beyond::error)
     refuse(out, surface, boxes_.size() == 1 ? "the box" : "the boxes", boxes_.size() == 1 ? "enlarge the box" : "enlarge them, or add a box");

@@ -6,7 +6,7 @@ namespace fccda {
 
 namespace {
 
-/// Sweeps along `axis` from one end of a box to the next: between two, the same boxes are met all the way.
+/// Sweeps along `axis` from one box end to the next: between two, the set of intersected boxes is constant.
 double measure(const std::vector<const Box*>& boxes, std::size_t axis) {
   std::vector<double> ends;
   for (const Box* box : boxes) ends.push_back(box->low[axis]), ends.push_back(box->high[axis]);

@@ -1,4 +1,4 @@
-/// What regions ask of boxes along the axes.
+/// Operations on axis-aligned boxes for contact bounds.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace fccda {
 
-/// True where two boxes have no point in common. Not-a-numbers are not apart.
+/// True if two boxes are disjoint. False for not-a-number.
 inline bool are_apart(const Box& a, const Box& b) {
   return a.low.x > b.high.x || a.high.x < b.low.x || a.low.y > b.high.y || a.high.y < b.low.y || a.low.z > b.high.z || a.high.z < b.low.z;
 }
@@ -22,7 +22,7 @@ inline bool holds(const Box& box, const Box& other) { return holds(box, other.lo
 /// [m²], 0 inside
 inline double squared_distance(const Box& box, const Vec3d& point) { return squared_norm(max(max(box.low - point, point - box.high), Vec3d{})); }
 
-/// [m³], 0 where empty
+/// [m³], 0 if empty
 inline double volume_of(const Box& box) {
   const Vec3d size = max(box.size(), Vec3d{});
   return size.x * size.y * size.z;
@@ -30,10 +30,10 @@ inline double volume_of(const Box& box) {
 
 inline Box widened(const Box& box, double by) { return {box.low - Vec3d{by, by, by}, box.high + Vec3d{by, by, by}}; }
 
-/// [m³] What several boxes share counts once.
+/// [m³] of the union: the shared volume of boxes counts once.
 double volume_of(std::span<const Box> boxes);
 
-/// The whole of several boxes.
+/// The bounding box of several boxes.
 inline Box bounds_of(std::span<const Box> boxes) {
   Box bounds;
   for (const Box& box : boxes) bounds.include(box.low), bounds.include(box.high);

@@ -1,12 +1,12 @@
-/// Coordinates about an axis.
+/// A Cartesian frame aligned with an axis.
 #pragma once
 
 #include "base/vec3.hpp"
 
 namespace fccda {
 
-/// Cartesian, the third along the axis. Angles are counted from the first towards the second: for the axis z from x towards y, for x
-/// from y towards z, for y from z towards x, and for an axis between them from the coordinate axis that follows its largest component.
+/// The third coordinate is along the axis. Angles count from the first towards the second: for the axis z from x towards y, for x from y
+/// towards z, for y from z towards x, and for an oblique axis from the coordinate axis that follows its largest component.
 class CylinderFrame {
  public:
   /// `axis` need not be a unit vector.

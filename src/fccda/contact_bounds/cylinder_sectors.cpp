@@ -18,20 +18,20 @@ constexpr double turn = 2 * std::numbers::pi;
 
 Flat flat(const Vec3d& place) { return {place.x, place.y}; }
 
-/// How near a segment comes to the origin.
+/// Distance of a segment from the origin.
 double nearest_to_origin(const Flat& a, const Flat& b) {
-  const Flat way{b.x - a.x, b.y - a.y};
-  const double squared = dot(way, way);
-  const double share = squared > 0 ? std::clamp(-dot(a, way) / squared, 0.0, 1.0) : 0.0;
-  return norm(Flat{a.x + share * way.x, a.y + share * way.y});
+  const Flat along{b.x - a.x, b.y - a.y};
+  const double squared = dot(along, along);
+  const double share = squared > 0 ? std::clamp(-dot(a, along) / squared, 0.0, 1.0) : 0.0;
+  return norm(Flat{a.x + share * along.x, a.y + share * along.y});
 }
 
 struct Halves {
   std::array<Vec3d, 3> one, other;
-  double longest;  // [m] edge before
+  double longest;  // [m] edge before halving
 };
 
-/// Cut across the middle of the longest edge.
+/// Bisects across the longest edge.
 Halves halves(const std::array<Vec3d, 3>& corners) {
   std::size_t first = 0;
   double longest = -1;
@@ -45,7 +45,7 @@ Halves halves(const std::array<Vec3d, 3>& corners) {
 }  // namespace
 
 bool CylinderSectors::Shape::has_gaps() const {
-  // A billionth of a turn: sectors meant to cover the circle may fall short by rounding.
+  // A billionth of a turn of tolerance: sectors meant to cover the circle may fall short by rounding.
   return hub_radius < radius && sector_angle < 0.5 * turn && blades * sector_angle < turn * (1 - 1e-9);
 }
 
@@ -79,10 +79,11 @@ CylinderSectors::CylinderSectors(const Shape& shape, const Surface& surface, Bey
       out.add(surface.triangles()[t].panel, distance_in_frame(place, 0));
   }
   if (!is_reached)
-    throw InputError("region: no panel of the surface reaches into the cylinder's sectors, so nothing can be struck; check their axis, point and sizes.");
+    throw InputError(
+        "contact bounds: no panel of the surface reaches into the cylinder's sectors, so no contact is possible; check their axis, point and sizes.");
   clips_ = !out.panels.empty();
   if (clips_ && beyond == Beyond::error)
-    refuse(out, surface, "the cylinder's sectors", "enlarge radius, length, hub_radius or sector_angle, or leave them out to be fitted");
+    refuse(out, surface, "the cylinder's sectors", "enlarge radius, length, hub_radius or sector_angle, or omit them to have them fitted");
 }
 
 bool CylinderSectors::contains_in_frame(const Vec3d& place, double slack) const {
@@ -131,13 +132,13 @@ bool CylinderSectors::is_in_fan(const Corners& corners) const {
   return two.longest < slack_ || (is_in_fan(two.one) && is_in_fan(two.other));
 }
 
-// True where a triangle has a point in the region: found by halving it until a corner is inside.
+// True if a triangle reaches into the bounds: it is halved until a corner is inside.
 bool CylinderSectors::reaches_in(const Corners& corners) const {
   for (const Vec3d& place : corners)
     if (contains_in_frame(place, slack_)) return true;
   const Halves two = halves(corners);
   const Vec3d middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-  // no corner is further from the middle than the longest edge
+  // no corner is farther from the middle than the longest edge
   if (two.longest < slack_ || distance_in_frame(middle, 0) > two.longest) return false;
   return reaches_in(two.one) || reaches_in(two.other);
 }

@@ -1,11 +1,12 @@
-/// A propeller's region: a cylinder about its axis, and in it a fan of a hub and equal sectors that turn with the blades (seed paper,
-/// section 3.1, example 3). In the frame of the body the fan stands still. It promises what every region does (all_regions.hpp).
+/// Contact bounds of a propeller: a cylinder about its axis, and within it a fan of a hub and equal sectors that rotate with the blades (Zhang
+/// et al., section 3.1, example 3). The fan is at rest in the body frame. It gives the guarantees of all contact bounds
+/// (all_contact_bounds.hpp).
 ///
-/// Two stages, as in the paper: first the cylinder, then the fan. A fan without gaps (sectors that cover the circle, or are half a turn
-/// wide and more) is the whole cylinder.
+/// The test has two stages, as in the paper: first the cylinder, then the fan. A fan without gaps (sectors that cover the circle, or of half a
+/// turn or more) is the whole cylinder.
 ///
-/// Whether a panel lies in the fan is found by halving its triangles until each piece lies in the hub or in one sector, or is shorter
-/// than a slack of a thousandth of the radius; hub and sectors are asked with that slack added, so nothing between them is lost.
+/// Whether a panel lies in the fan is determined by halving its triangles until each piece lies in the hub or in one sector, or is shorter than
+/// a slack of a thousandth of the radius. Queries of hub and sectors add that slack, so nothing between them is missed.
 #pragma once
 
 #include <array>
@@ -27,23 +28,23 @@ class CylinderSectors {
 
   struct Shape {
     Vec3d axis{0, 0, 1};
-    Vec3d point{};            ///< [m] in the middle of the cylinder
+    Vec3d point{};            ///< [m] centre of the cylinder
     double radius = 0;        ///< [m]
     double length = 0;        ///< [m]
-    double hub_radius = 0;    ///< [m] all around the axis
+    double hub_radius = 0;    ///< [m] occupied at all angles
     int blades = 1;           ///< sectors at equal angles
     double sector_angle = 0;  ///< [rad] of each
-    double start_angle = 0;   ///< [rad] where the first begins; see CylinderFrame
+    double start_angle = 0;   ///< [rad] begin of the first; see CylinderFrame
 
     bool has_gaps() const;
   };
 
-  /// Throws InputError where the surface sticks out and `beyond` is error, or where no panel reaches into the region.
+  /// Throws InputError if the surface extends beyond the bounds and `beyond` is error, or if no panel reaches into them.
   CylinderSectors(const Shape& shape, const Surface& surface, Beyond beyond);
 
-  bool clips() const { return clips_; }                   ///< some of the surface lies outside, where it is not felt
-  bool contains(const Vec3d& point) const;                ///< a place where contact counts
-  bool may_touch(const Path& path, double margin) const;  ///< false: the path surely stays further than `margin` [m] from the region
+  bool clips() const { return clips_; }                   ///< part of the surface lies outside, where contact is ignored
+  bool contains(const Vec3d& point) const;                ///< contact counts at this position
+  bool may_touch(const Path& path, double margin) const;  ///< false: the path certainly stays farther than `margin` [m] from the bounds
   double distance_at_least(const Vec3d& point) const;     ///< a lower bound [m]; 0 inside
   double volume() const { return volume_of(shape_); }     ///< [m³]
 
@@ -65,7 +66,7 @@ class CylinderSectors {
   double slack_;        // [m]
   double radius_;       // [m] widened
   double half_length_;  // [m] likewise
-  double hub_;          // [m] of the hub; of the cylinder where the fan has no gaps
+  double hub_;          // [m] of the hub; of the cylinder if the fan has no gaps
   std::vector<Wedge> sectors_;
   bool clips_ = false;
 };

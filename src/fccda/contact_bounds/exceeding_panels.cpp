@@ -25,8 +25,9 @@ std::string named(const std::set<int>& panels) {
 
 void refuse(const ExceedingPanels& out, const Surface& surface, std::string_view region, std::string_view remedy) {
   std::ostringstream text;
-  text << std::setprecision(4) << "region: " << out.panels.size() << " of " << surface.report().panels << " panels stick out of " << region << " by up to "
-       << out.furthest << " m (panels " << named(out.panels) << "), and contact there would be missed; " << remedy << ", or {} if it is meant.";
+  text << std::setprecision(4) << "contact bounds: " << out.panels.size() << " of " << surface.report().panels << " panels extend beyond " << region
+       << " by up to " << out.furthest << " m (panels " << named(out.panels) << "), and contact there would be missed; " << remedy
+       << ", or {} if this is intended.";
   throw InputError(text.str(), Advice::clip);
 }
 

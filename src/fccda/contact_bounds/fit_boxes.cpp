@@ -15,7 +15,7 @@ namespace {
 
 constexpr int slabs = 16;  // between planes
 
-/// Pieces that lie in a plane may go with either side.
+/// A splitting plane. Pieces that lie in it may go with either side.
 struct Plane {
   std::size_t axis = 0;
   double at = 0;
@@ -34,7 +34,7 @@ struct Cell {
   Split best;
 };
 
-/// What a closed surface encloses.
+/// The volume enclosed by a closed surface.
 class Inside {
  public:
   explicit Inside(const Surface& surface) : surface_(surface) {}
@@ -47,9 +47,9 @@ class Inside {
     return bodies > 0;
   }
 
-  /// The box around the pieces in a cell, made to hold what is inside the surface there: with the corners of the cell that are inside.
-  /// That is enough: where the inside reaches a face of the cell, either the surface does too, or the whole face is inside, with its
-  /// corners. A hair's breadth into the cell, so that a corner on a panel that lies along the cell does not count.
+  /// The box around the pieces in a cell, extended to contain the enclosed volume there: with the corners of the cell that are inside. That is
+  /// sufficient: where the enclosed volume reaches a face of the cell, either the surface does too, or the whole face is inside, with its
+  /// corners. Corners are tested slightly inside the cell, so that a corner on a panel along the cell does not count.
   Box with_inside(Box pieces, const Box& cell) const {
     constexpr double hair = 1e-6;
     for (int c = 0; c < 8; ++c) {
@@ -74,7 +74,7 @@ Box both(const Box& a, const Box& b) {
   return {min(a.low, b.low), max(a.high, b.high)};
 }
 
-/// The slabs that a piece reaches into, by a tolerance: what is over a plane by rounding alone is not cut there. Last < first: in the
+/// The slabs that a piece reaches into, with a tolerance: a piece beyond a plane by rounding alone is not cut there. Last < first: in the
 /// plane before slab `first`.
 struct Reach {
   int first, last;
@@ -88,7 +88,7 @@ struct Reach {
   }
 };
 
-/// The boxes around the pieces in each slab across an axis, and around those that lie in the planes between.
+/// The boxes around the pieces in each slab across an axis, and around those in the planes between.
 struct Slabs {
   std::size_t axis;
   double start, width;
@@ -135,8 +135,8 @@ struct Slabs {
 
 double saving(const Box& cell, const Split& split) { return volume_of(cell) - volume_of(split.below) - volume_of(split.above); }
 
-/// The split that saves most. What is inside the surface can only lessen a saving, so splits are looked at from the most promising one
-/// until none is left that could be better.
+/// The split with the largest saving. The enclosed volume can only reduce a saving, so splits are evaluated in descending order of the estimate
+/// until none can be better.
 Split best_split(const Cell& cell, const Inside& inside) {
   std::vector<Split> splits;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -161,7 +161,7 @@ Split best_split(const Cell& cell, const Inside& inside) {
   return best;
 }
 
-/// The pieces of a cell on one side of its split. They are cut by the rule by which Slabs cut them.
+/// The pieces of a cell on one side of its split, cut by the same rule as in Slabs.
 std::vector<Polygon> pieces_on(Side side, const Cell& cell) {
   const Plane& plane = cell.best.plane;
   const double tolerance = 1e-9 * cell.box.size()[plane.axis] / slabs;
@@ -188,7 +188,7 @@ std::vector<Box> fit_boxes(const Surface& surface, const BoxFit& wanted) {
   for (std::size_t t = 0; t < surface.triangles().size(); ++t) whole.pieces.push_back({surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)});
   whole.best = best_split(whole, inside);
 
-  // Less than this share is rounding.
+  // A smaller share is rounding.
   const double least_saving = std::max(wanted.gain, 1e-9) * volume_of(whole.box);
   std::vector<Cell> cells;
   cells.push_back(std::move(whole));

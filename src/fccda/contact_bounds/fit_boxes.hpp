@@ -1,4 +1,4 @@
-/// Boxes fitted to a surface: little space around it that is not needed (seed paper, section 3.1, example 2).
+/// Boxes fitted to a surface, with little unused space (Zhang et al., section 3.1, example 2).
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@ namespace fccda {
 
 struct BoxFit {
   int most = 32;        ///< boxes
-  double gain = 0.003;  ///< a split must save this share of the bounding box: what the test of a further box costs (fit_region.hpp)
+  double gain = 0.003;  ///< a split must save this share of the bounding box: the cost of testing another box (fit_contact_bounds.hpp)
 };
 
-/// Starts from the bounding box and splits, again and again, the box whose best split saves most volume. A split is a plane across an
-/// axis, one of 15 at equal distances, with the tight boxes around what lies on its two sides. Panels are cut by the planes, so the
-/// boxes are tight and hold every point of the surface, and of a closed one everything inside too: a particle pinched deep inside is
-/// not out of reach. Widened (sticking_out.hpp).
+/// Starts from the bounding box and repeatedly splits the box with the largest saving of volume. A split is one of 15 equidistant planes
+/// across an axis, with tight boxes around the contents of its two sides. Panels are cut by the planes, so the boxes are tight and contain
+/// every point of the surface, and for a closed one the enclosed volume too: a particle pinched deep inside remains within reach. The boxes
+/// are widened (exceeding_panels.hpp).
 std::vector<Box> fit_boxes(const Surface& surface, const BoxFit& wanted);
 
 }  // namespace fccda

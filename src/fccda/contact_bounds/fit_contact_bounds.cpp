@@ -12,7 +12,7 @@ namespace fccda {
 
 namespace {
 
-// Measured in nanoseconds, see fit_region.hpp: with the distance that follows the test. Only their ratios matter.
+// Measured in nanoseconds, see fit_contact_bounds.hpp: including the distance that follows the test. Only their ratios matter.
 constexpr double look_at_surface = 1000;
 constexpr double test_of_box = 3;
 constexpr double test_of_fan = 35;
@@ -33,7 +33,7 @@ FittedBounds fit_contact_bounds(const Surface& surface) {
 
   std::ostringstream choice;
   choice << std::fixed << std::setprecision(0) << "of the bounding box, " << several.size() << (several.size() == 1 ? " box fills " : " boxes fill ")
-         << 100 * of_several << " % and a cylinder with sectors " << 100 * of_fan << " %; taken: ";
+         << 100 * of_several << " % and a cylinder with sectors " << 100 * of_fan << " %; chosen: ";
   if (cost_of_fan < cost_of_several && cost_of_fan < cost_of_one) return {fan, choice.str() + "the cylinder with sectors"};
   if (several.size() == 1 || cost_of_one <= cost_of_several) return {BoxUnion(one), choice.str() + "the bounding box"};
   return {BoxUnion(several), choice.str() + "the boxes"};

@@ -1,4 +1,4 @@
-/// The region that suits a surface, found by itself.
+/// Automatic choice of contact bounds for a surface.
 #pragma once
 
 #include <string>
@@ -10,14 +10,15 @@ namespace fccda {
 
 struct FittedBounds {
   ContactBounds region;
-  std::string choice;  ///< a sentence: what was compared, and what was taken
+  std::string choice;  ///< a sentence: the alternatives compared, and the choice
 };
 
-/// One box, several boxes (fit_boxes) or a cylinder with sectors (fit_sectors): the one that costs a point in the bounding box least,
+/// One box, several boxes (fit_boxes) or a cylinder with sectors (fit_sectors): the bounds with the lowest cost for a point in the bounding
+/// box,
 ///
-///   (time of the region's test) + (share of the bounding box that the region fills) · (time of a look at the surface)
+///   (time of the bounds' test) + (share of the bounding box that they fill) · (time of a query of the surface)
 ///
-/// with the times measured in docs/theory/contact.md, Regions.
+/// with the times measured in docs/theory/contact_bounds.md.
 FittedBounds fit_contact_bounds(const Surface& surface);
 
 }  // namespace fccda

@@ -1,4 +1,4 @@
-/// A cylinder and its sectors fitted to a propeller (seed paper, section 3.1, example 3).
+/// A cylinder with sectors fitted to a propeller (Zhang et al., section 3.1, example 3).
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace fccda {
 
-/// What is known already; the rest is fitted. Names as in CylinderSectors::Shape. `start_angle` needs `sector_angle`.
+/// The prescribed parameters; the others are fitted. Names as in CylinderSectors::Shape. `start_angle` needs `sector_angle`.
 struct KnownSectors {
   std::optional<Vec3d> axis, point;
   std::optional<double> radius, length, hub_radius;
@@ -16,11 +16,11 @@ struct KnownSectors {
   std::optional<double> sector_angle, start_angle;
 };
 
-/// The smallest region of this kind that holds the surface, as far as what is given allows.
-///   axis     of the three principal axes of the surface's area, the one that leaves the smallest region
-///   point    the axis goes through the centroid of the area; the middle of the surface along it
-///   radius, length, hub_radius, blades, sector_angle, start_angle    as the surface needs (AnglesTaken)
-/// Where gaps between the sectors would save less than a hundredth of the cylinder, it is the whole cylinder.
+/// The smallest bounds of this kind that contain the surface, given the prescribed parameters.
+///   axis     of the three principal axes of the surface's area, the one with the smallest bounds
+///   point    on the axis through the centroid of the area; the middle of the surface along it
+///   radius, length, hub_radius, blades, sector_angle, start_angle    as required by the surface (AngularOccupancy)
+/// If gaps between the sectors would save less than a hundredth of the cylinder, the result is the whole cylinder.
 CylinderSectors::Shape fit_sectors(const Surface& surface, const KnownSectors& known);
 
 }  // namespace fccda

@@ -1,4 +1,4 @@
-/// The way of a point during a step.
+/// The path of a point during a step.
 #pragma once
 
 #include "base/vec3.hpp"

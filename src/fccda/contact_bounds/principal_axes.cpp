@@ -8,11 +8,11 @@ namespace fccda {
 
 namespace {
 
-/// Eigenvectors of a symmetric matrix by Jacobi's rotations: each makes one element off the diagonal zero. Golub and Van Loan, Matrix
+/// Eigenvectors of a symmetric matrix by Jacobi rotations, each of which zeroes one off-diagonal element. Golub and Van Loan, Matrix
 /// Computations (2013), section 8.5.
 std::array<Vec3d, 3> eigenvectors(std::array<std::array<double, 3>, 3> m) {
   std::array<Vec3d, 3> v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  constexpr int sweeps = 12;  // convergence is quadratic: four or five do for doubles
+  constexpr int sweeps = 12;  // convergence is quadratic: four or five suffice for doubles
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
       if (m[p][q] == 0) continue;
@@ -27,7 +27,7 @@ std::array<Vec3d, 3> eigenvectors(std::array<std::array<double, 3>, 3> m) {
   return v;
 }
 
-Vec3d tidied(Vec3d axis) {
+Vec3d without_rounding(Vec3d axis) {
   std::size_t largest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (std::fabs(axis[k]) < 1e-9) axis[k] = 0;
@@ -56,7 +56,7 @@ AreaAxes area_axes(const Surface& surface) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) second[i][j] -= area * centroid[i] * centroid[j];
   AreaAxes axes{.centroid = middle + centroid, .direction = eigenvectors(second)};
-  for (Vec3d& direction : axes.direction) direction = tidied(direction);
+  for (Vec3d& direction : axes.direction) direction = without_rounding(direction);
   return axes;
 }
 

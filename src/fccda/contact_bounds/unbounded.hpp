@@ -1,4 +1,4 @@
-/// No bound: contact wherever the surface is.
+/// No bounds: contact counts on the whole surface.
 #pragma once
 
 #include <limits>

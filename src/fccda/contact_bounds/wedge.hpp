@@ -1,4 +1,4 @@
-/// An infinite sector of the plane with its tip in the origin.
+/// An infinite sector of the plane with its tip at the origin.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline double norm(const Flat& a) { return std::sqrt(dot(a, a)); }
 /// Convex: less than half a turn wide.
 class Wedge {
  public:
-  /// From the angle `start` on, `opening` wide, in [rad].
+  /// From the angle `start`, `opening` wide [rad].
   Wedge(double start, double opening)
       : first_(at(start)),
         last_(at(start + opening)),
@@ -27,7 +27,7 @@ class Wedge {
 
   bool contains(const Flat& p, double margin) const { return dot(p, from_first_) >= -margin && dot(p, from_last_) >= -margin && dot(p, middle_) >= -margin; }
 
-  /// True where a line between its edges or across its tip parts the wedge, widened by the margin, from both points.
+  /// True if a line along one of its edges or across its tip separates the wedge, widened by the margin, from both points.
   bool is_parted_from(const Flat& a, const Flat& b, double margin) const {
     const auto parts = [&](const Flat& normal) { return dot(a, normal) < -margin && dot(b, normal) < -margin; };
     return parts(from_first_) || parts(from_last_) || parts(middle_);

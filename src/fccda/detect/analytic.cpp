@@ -32,7 +32,7 @@ void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d&
   ++found.effort.points_in_bounds;
   ++found.effort.points_asked;
 
-  // |a + f w| <= reach, a and w being the start's and the way's parts off the centre or axis
+  // |a + f w| <= reach, with a and w the components of the start and of the path off the centre or axis
   const Vec3d a = from_centre(path.start), z = from_centre(path.end), w = z - a;
   const double aw = dot(a, w), ww = squared_norm(w), end = norm(z);
   const double nearest = ww > 0 ? std::clamp(-aw / ww, 0.0, 1.0) : 0.0;

@@ -1,14 +1,14 @@
-/// The way of a point in one step as a turning body sees it.
+/// The path of a point in one step relative to a rotating body.
 ///
-/// In the world the point and the centre that the body turns about both move straight; so in the body frame the point goes along
+/// In the world frame the point and the body's centre of rotation both move straight; so in the body frame the path of the point is
 ///   p(s) = Q(s)ᵀ y(s) + centre,   y(s) = y_t0 + s (y_t1 - y_t0),   |p''| <= θ² ρ + 2 θ w,   0 <= s <= 1
-/// where Q turns by θ in the step, y leads from the centre to the point, ρ = max(|y_t0|, |y_t1|) and w = |y_t1 - y_t0|. A curve is off
-/// its chord by at most an eighth of its second derivative, so that the chord is off the arc by at most (θ² ρ + 2 θ w)/8, and the
-/// polyline of n equal parts of the step by an n²-th of that.
+/// where Q rotates by θ in the step, y leads from the centre to the point, ρ = max(|y_t0|, |y_t1|) and w = |y_t1 - y_t0|. A curve deviates
+/// from its chord by at most an eighth of its second derivative. So the chord deviates from the arc by at most (θ² ρ + 2 θ w)/8, and a
+/// polyline of n equal parts of the step by 1/n² of that.
 ///
-/// The path is taken as straight where its bulge is below 1e-6 of the surface's size. That is what is known of a surface: STL files in
-/// single precision round to 1e-7, and panels are further off the shape they stand for. Only grazing contact can be missed by it; the
-/// ends of the path are exact, so that no point gets inside unseen, and consecutive paths join.
+/// The path is regarded as straight if its deviation (bulge) is below 1e-6 of the surface's size. Surfaces are no more accurate: STL files in
+/// single precision round to 1e-7, and panels deviate more from the shape that they approximate. Only grazing contact can be missed. The
+/// ends of the path are exact, so that no point gets inside undetected, and consecutive paths join.
 #pragma once
 
 #include <algorithm>
@@ -21,13 +21,13 @@ namespace fccda {
 
 class CurvedPath;
 
-/// The motion of a body over one step, ready to be asked for the paths of many points. The motion must outlive it.
+/// The motion of a body over one step, prepared for the paths of many points. The motion must outlive the object.
 class BodyView {
  public:
   static constexpr double straight_enough = 1e-6;  ///< of the surface's size
 
-  /// A turn by half a revolution takes 1100 parts on a surface that turns about its rim, and no more than that are made: a point that
-  /// comes within a step from many sizes away is followed more coarsely.
+  /// A rotation by half a revolution takes 1100 parts for points at the farthest radius of a rotating surface. No more than this are made: a
+  /// point that arrives within a step from many sizes away is followed more coarsely.
   static constexpr int max_parts = 1200;
 
   BodyView() = default;
@@ -52,10 +52,10 @@ class CurvedPath {
  public:
   const Path& chord() const { return chord_; }
   int parts() const { return parts_; }                   ///< 1: straight
-  double bulge() const { return bulge_; }                ///< [m] no point of the path is further from the chord; 0 where it is taken as straight
+  double bulge() const { return bulge_; }                ///< [m] bound of the deviation from the chord; 0 if regarded as straight
   double longest_part() const { return way_ / parts_; }  ///< [m]
 
-  /// Where part k begins and part k - 1 ends.
+  /// The begin of part k and the end of part k - 1.
   Vec3d place(int k) const {
     if (k == 0) return chord_.start;
     if (k == parts_) return chord_.end;

@@ -14,7 +14,7 @@ double triangle_area(const std::array<double, 2>& a, const std::array<double, 2>
   return 0.5 * std::fabs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
 }
 
-/// Eq. 15 with the projection along `axis`: whether the areas that the point spans with the panel's edges add up to the panel's.
+/// Eq. 15 with the projection along `axis`: whether the areas of the point with the panel's edges add up to the panel's.
 bool areas_agree(const std::array<Vec3d, 4>& node, std::size_t nodes, const Vec3d& point, std::size_t axis) {
   constexpr double infinitesimal = 1e-9;  // of the panel's area
   const auto project = [&](const Vec3d& p) { return std::array{p[(axis + 1) % 3], p[(axis + 2) % 3]}; };
@@ -43,7 +43,7 @@ Published::Published(std::shared_ptr<const Surface> surface, const ContactBounds
       variant_(variant),
       sign_(surface_->panels().panels.size(), 1),
       sides_(std::make_shared<const PathTest>(surface_, region_, 0)) {
-  // Panels may be wound either way in the file; the surface knows which side is outside, and which panels it dropped.
+  // Panels may have either winding in the file; the surface knows its outside, and which panels it dropped.
   std::vector<int> sign(sign_.size(), 0);
   for (std::size_t t = 0; t < surface_->triangles().size(); ++t) {
     const auto panel = static_cast<std::size_t>(surface_->triangles()[t].panel);
@@ -61,7 +61,7 @@ Published::Plane Published::plane(std::size_t panel, const Pose& pose) const {
     its.node[k] = pose.to_world(surface_->panels().vertices[static_cast<std::size_t>(vertex[k])]);
     its.box.include(its.node[k]);
   }
-  // Eq. 16: the product of the diagonals, which is (twice) the area's normal for a warped quad too.
+  // Eq. 16: the product of the diagonals, which is (twice) the area vector for a warped quad too.
   const Vec3d area = its.nodes == 4 ? cross(its.node[2] - its.node[0], its.node[3] - its.node[1]) : cross(its.node[1] - its.node[0], its.node[2] - its.node[0]);
   its.normal = sign_[panel] * normalised(area);
   its.d = -dot(its.normal, its.node[0]);

@@ -19,7 +19,7 @@ void Swept::begin_step(std::size_t point_count, double largest_radius, const Mot
   expect_usable(motion);
   touched_before_.swap(touched_);
   touched_.clear();
-  for (std::vector<std::uint64_t>* numbers : {&entered_, &touched_before_})  // a number given to a new point must not stand for the old one
+  for (std::vector<std::uint64_t>* numbers : {&entered_, &touched_before_})  // the number of a new point must not refer to a removed one
     numbers->erase(std::lower_bound(numbers->begin(), numbers->end(), point_count), numbers->end());
   if (!same(pose_, motion.t0)) cache_.forget();
   pose_ = motion.t1;
@@ -30,7 +30,7 @@ void Swept::begin_step(std::size_t point_count, double largest_radius, const Mot
   renumbered_at_t0_ = renumbered_;
 }
 
-// Points in contact have no clearance, so that all of them are looked at again; those that entered or left may have some.
+// Points in contact have no clearance, so all of them are evaluated again; those that entered or left may have some.
 void Swept::begin_again(double largest_radius, const Motion& motion) {
   touched_.clear();
   for (const std::uint64_t point : changed_) cache_.forget(point);
@@ -42,15 +42,15 @@ void Swept::begin_again(double largest_radius, const Motion& motion) {
   measure(largest_radius, motion);
 }
 
-// How much nearer to the surface the chord of a point's path in the turning body frame can come, for a travel of m = (point) + (surface)
-// from end to end. The true path comes nearer by at most m. It bulges out of its chord by at most (ρ θ² + 2 θ w)/8, a twice integrated
-// acceleration, where ρ <= R + d is the point's distance from the centre of mass, d that from the surface, and w <= m its way. m holds
-// R θ²/8 already. So nothing can be touched while d > r + m + d θ²/8 + θ m/4, that is while
+// Bound of how much nearer to the surface the chord of a point's path in the rotating body frame can come, for a travel of m = (point) +
+// (surface) from end to end. The true path comes nearer by at most m. It deviates from its chord by at most (ρ θ² + 2 θ w)/8, a twice
+// integrated acceleration. Here ρ <= R + d is the point's distance from the centre of mass, d that from the surface, and w <= m its path
+// length. m includes R θ²/8 already. So contact is impossible while d > r + m + d θ²/8 + θ m/4, that is while
 //   d - r > κ (1 + θ/4) m + (κ - 1) r,   κ = 1/(1 - θ²/8).
 void Swept::measure(double largest_radius, const Motion& motion) {
   const Vec3d reach = max(max(test_.surface().report().bounds.high, -test_.surface().report().bounds.low), Vec3d{});
   const double largest = norm(reach) + std::max(largest_magnitude(motion.t0.position()), largest_magnitude(motion.t1.position()));
-  // Rounding a relocated place moves it by sqrt(3) roundings of a coordinate at most; twice that keeps it outside.
+  // Rounding a relocated position moves it by at most sqrt(3) roundings of a coordinate; twice that keeps it outside.
   step_.offset = std::max({1e-12 * test_.size(), 32 * std::numeric_limits<double>::epsilon() * largest, 4 * rounding_ * largest});
   const double angle = rotation_angle(motion);
   constexpr double largest_angle = 1;  // κ is 1.14 there
@@ -137,7 +137,7 @@ void Swept::gather(std::size_t shares, std::vector<Contact>& out) {
   if (entering.empty() && leaving.empty()) return;
   changed_.insert(changed_.end(), entering.begin(), entering.end());
   changed_.insert(changed_.end(), leaving.begin(), leaving.end());
-  // One that goes out and comes in again within a step has not come in anew.
+  // One that leaves and enters again within a step is not counted again.
   entered_count_ +=
       static_cast<std::size_t>(std::count_if(entering.begin(), entering.end(), [&](std::uint64_t point) { return !has_entered(point); })) - entered_before;
   std::erase_if(entered_, [&](std::uint64_t point) { return std::binary_search(leaving.begin(), leaving.end(), point); });

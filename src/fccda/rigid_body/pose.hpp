@@ -1,4 +1,4 @@
-/// Where a rigid body is, and how it gets from one place to the next within a step.
+/// Position and attitude of a rigid body, and its motion within a step.
 #pragma once
 
 #include <cmath>
@@ -9,11 +9,11 @@
 
 namespace fccda {
 
-/// Place and attitude of a body frame in the world frame. Keeps its rotation matrix, so that turning a point costs nine products.
+/// Position and attitude of a body frame in the world frame. Stores its rotation matrix, so that rotating a point costs nine products.
 class Pose {
  public:
   Pose() = default;
-  /// `attitude` must have length 1. It is kept to the bit, so that a restart continues exactly.
+  /// `attitude` must be of unit length. It is stored bitwise, so that a restart is exact.
   explicit Pose(const Vec3d& position, const Quaternion& attitude = {})
       : position_(position), attitude_(attitude), to_world_(attitude_.matrix()), to_body_(transpose(to_world_)) {}
 
@@ -33,21 +33,21 @@ class Pose {
   Mat3 to_body_ = Mat3::identity();
 };
 
-/// A body's motion over one step: at t0 it has one pose, at t1 = t0 + dt the other. In between it turns evenly about its centre, the
-/// shorter way round, and the centre moves straight.
+/// A body's motion over one step: from its pose at t0 to that at t1 = t0 + dt. In between it rotates uniformly about its centre by the shorter
+/// angle, and the centre moves straight.
 struct Motion {
   Pose t0, t1;
   double dt = 0;   ///< [s]
-  Vec3d centre{};  ///< [m] in the body frame; of a rigid body its centre of mass
+  Vec3d centre{};  ///< [m] in the body frame; for a rigid body its centre of mass
 };
 
-/// Throws InputError where a pose is not finite or its attitude has not length 1, to 1e-6. `whose`: begins the sentence.
+/// Throws InputError if a pose is not finite or its attitude is not of unit length, to 1e-6. `whose`: begins the sentence.
 void expect_usable(const Pose& pose, const std::string& whose);
 
-/// The same of both poses of a motion, its centre and its duration, which may be 0 here.
+/// The same for both poses of a motion, its centre and its duration, which may be 0 here.
 void expect_usable(const Motion& motion);
 
-/// The turn from t0 to t1 as a vector along its axis (world), as long as its angle [rad], which is at most π.
+/// The rotation from t0 to t1 as a vector along its axis (world), with its angle [rad] as length, at most π.
 inline Vec3d rotation_vector(const Motion& motion) {
   const Quaternion& a = motion.t0.attitude();
   const Quaternion turn = motion.t1.attitude() * Quaternion{a.w, -a.x, -a.y, -a.z};
@@ -59,22 +59,22 @@ inline Vec3d rotation_vector(const Motion& motion) {
 /// Angle between the two attitudes [rad], from 0 to π.
 inline double rotation_angle(const Motion& motion) { return norm(rotation_vector(motion)); }
 
-/// Where the body is at t0 + fraction · dt.
+/// The pose of the body at t0 + fraction · dt.
 inline Pose pose_at(const Motion& motion, double fraction) {
   const Quaternion attitude = (Quaternion::from_rotation(fraction * rotation_vector(motion)) * motion.t0.attitude()).normalised();
   const Vec3d start = motion.t0.to_world(motion.centre), end = motion.t1.to_world(motion.centre);
   return Pose(start + fraction * (end - start) - Pose({}, attitude).turn_to_world(motion.centre), attitude);
 }
 
-/// What no point within `radius` of `centre` (body frame) exceeds: its displacement from end to end, plus the sagitta R θ²/8 by
-/// which its arc bulges out of the chord [m].
+/// Bound [m] of the travel of points within `radius` of `centre` (body frame): the displacement from end to end, plus the sagitta R θ²/8 of
+/// the arc over its chord.
 inline double travel_bound(const Motion& motion, const Vec3d& centre, double radius) {
   const double angle = rotation_angle(motion);
   const double shift = norm(motion.t1.to_world(centre) - motion.t0.to_world(centre));
   return shift + radius * (2 * std::sin(0.5 * angle) + angle * angle / 8);
 }
 
-/// Velocity of the body's point that is at `point` (world frame) at t1, as the mean over the step [m/s].
+/// Velocity of the material point of the body at `point` (world frame) at t1, averaged over the step [m/s].
 inline Vec3d mean_velocity(const Motion& motion, const Vec3d& point) { return (point - motion.t0.to_world(motion.t1.to_body(point))) / motion.dt; }
 
 }  // namespace fccda

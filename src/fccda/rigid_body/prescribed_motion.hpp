@@ -1,12 +1,12 @@
-/// Motion that is given against time, for degrees of freedom of a rigid body that are not free.
+/// Prescribed motion of degrees of freedom of a rigid body, as functions of time.
 ///
-/// A table holds velocities or displacements (time_table.hpp). In a step the body moves with the mean velocity,
+/// A table contains velocities or displacements (time_table.hpp). In a step the body moves with the mean velocity,
 ///   v = 1/(t1 - t0) ∫ v(t) dt   or   v = (d(t1) - d(t0))/(t1 - t0),
-/// so that at the end of every step it is where the table says, but for rounding. Beyond the last time the last velocity goes on, or
-/// the last displacement stays. Displacements count from where the body is at t = 0: only differences matter.
+/// so that at the end of every step it is at the prescribed position, up to rounding. Beyond the last time the last velocity continues, or
+/// the last displacement stays. Displacements are relative to the position at t = 0: only differences matter.
 ///
-/// A displacement of a rotation is an angle about one axis of the world. It says where the body is only while the body turns about no
-/// other axis, because rotations do not commute.
+/// A displacement of a rotation is an angle about one world axis. It determines the attitude only while the body rotates about no other axis,
+/// because rotations do not commute.
 #pragma once
 
 #include <array>
@@ -22,18 +22,18 @@ class PrescribedMotion {
  public:
   enum class Of { velocity, displacement };
 
-  /// `degree` counts as in FreeDegrees: x, y, z, then the rotations about them. [m/s] or [m], [rad/s] or [rad].
+  /// `degree` is numbered as in FreeDegrees: x, y, z, then the rotations about them. [m/s] or [m], [rad/s] or [rad].
   void prescribe(std::size_t degree, Of what, TimeTable table) { tables_[degree] = {what, std::move(table)}; }
 
   bool is_empty() const;
 
-  /// What the tables say instead of this `given` velocity of the degrees at that time.
+  /// The prescribed velocity of the degree at that time; `given` without a table.
   double velocity_at(std::size_t degree, double time, double given) const;
 
-  /// The largest that they ever say, in magnitude.
+  /// The largest such value, in magnitude.
   double largest_velocity(std::size_t degree, double given) const;
 
-  /// Sets the velocities for the step that begins. Expects the prescribed degrees to be held by the body.
+  /// Sets the velocities for the step that begins. Expects the prescribed degrees to be constrained.
   void impose(RigidBody& body, const Step& step) const;
 
  private:

@@ -12,7 +12,7 @@ namespace fccda {
 
 namespace {
 
-/// x of a x = b by cofactors; a is symmetric and positive definite.
+/// Solves a x = b by cofactors; a is symmetric and positive definite.
 Vec3d solve(const Mat3& a, const Vec3d& b) {
   const Vec3d cofactors[3] = {cross(a.row[1], a.row[2]), cross(a.row[2], a.row[0]), cross(a.row[0], a.row[1])};
   return (b.x * cofactors[0] + b.y * cofactors[1] + b.z * cofactors[2]) / dot(a.row[0], cofactors[0]);
@@ -33,16 +33,16 @@ void expect_usable(const RigidBodyProperties& properties, const FreeDegrees& deg
   }
   expect_finite(properties.centre_of_mass, "rigid body: the centre of mass");
   if (degrees.any_rotation() && !positive_definite(properties.inertia))
-    throw InputError("rigid body: a rotation is free, but the inertia is not positive definite; give the inertia or hold the rotations.");
+    throw InputError("rigid body: a rotation is free, but the inertia is not positive definite; give the inertia or constrain the rotations.");
 }
 
-/// A step has a duration, and the two poses at its ends tell turns of at most π apart.
+/// Checks that a step has a duration, and that the poses at its ends determine the rotation, at most π.
 void expect_step(double dt, const Vec3d& spin) {
   if (!(dt >= 0 && std::isfinite(dt))) throw InputError("rigid body: the step lasts " + in_words(dt) + " s, but it must be finite and not negative.");
   const double angle = dt * norm(spin);
   if (angle > std::numbers::pi)
     throw InputError("rigid body: it turns by " + in_words(angle) + " rad in a step of " + in_words(dt) +
-                     " s, and beyond half a turn the poses at its ends cannot tell how; take a shorter step.");
+                     " s, but the poses at its ends determine at most half a turn; use a shorter step.");
 }
 
 }  // namespace
@@ -80,24 +80,24 @@ void RigidBody::place(const Quaternion& attitude) {
 Vec3d RigidBody::spin_of(const Mat3& inertia, const Vec3d& angular, const Vec3d& held_at) const {
   Mat3 reduced = inertia;
   Vec3d right = angular;
-  for (std::size_t held = 0; held < 3; ++held) {
-    if (degrees_.rotation(held)) continue;
+  for (std::size_t fixed = 0; fixed < 3; ++fixed) {
+    if (degrees_.rotation(fixed)) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      right[axis] -= reduced.row[axis][held] * held_at[held];
-      reduced.row[axis][held] = 0;
+      right[axis] -= reduced.row[axis][fixed] * held_at[fixed];
+      reduced.row[axis][fixed] = 0;
     }
-    reduced.row[held] = {};
-    reduced.row[held][held] = 1;
-    right[held] = held_at[held];
+    reduced.row[fixed] = {};
+    reduced.row[fixed][fixed] = 1;
+    right[fixed] = held_at[fixed];
   }
   Vec3d spin = solve(reduced, right);
-  for (std::size_t held = 0; held < 3; ++held)
-    if (!degrees_.rotation(held)) spin[held] = held_at[held];  // to the bit: the solution rounds
+  for (std::size_t fixed = 0; fixed < 3; ++fixed)
+    if (!degrees_.rotation(fixed)) spin[fixed] = held_at[fixed];  // exactly: the solution is rounded
   return spin;
 }
 
 Quaternion RigidBody::turned(const Quaternion& attitude, const Vec3d& angular, double dt) const {
-  Vec3d spin = spin_;  // of the end of the part before: a guess
+  Vec3d spin = spin_;  // of the end of the previous substep: an initial guess
   constexpr int max_iterations = 100;
   constexpr double enough = 4 * std::numeric_limits<double>::epsilon();
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
@@ -120,7 +120,7 @@ Motion RigidBody::advance(double dt) {
   }
   const Vec3d angular = inertia() * spin_;
   if (degrees_.any_rotation()) {
-    // Yoshida, Phys. Lett. A 150 (1990) 262: three steps of a symmetric method of second order are one of fourth order.
+    // Yoshida, Phys. Lett. A 150 (1990) 262: three steps of a symmetric second-order method compose one of fourth order.
     const double outer = 1 / (2 - std::cbrt(2.0)), inner = 1 - 2 * outer;
     Quaternion attitude = pose_.attitude();
     for (const double share : {outer, inner, outer}) attitude = turned(attitude, angular, share * dt);
@@ -163,7 +163,7 @@ void RigidBody::count_work_on_rotations(const Vec3d& before, const Vec3d& angula
 void RigidBody::drive(std::size_t degree, double velocity) {
   if (degree >= 6 || degrees_.free[degree])
     throw InputError("rigid body: degree of freedom " + std::to_string(degree) +
-                     " is not held, so its velocity cannot be prescribed; the held ones of 0 to 5 can.");
+                     " is free, so its velocity cannot be prescribed; constrain it, or choose a constrained one of 0 to 5.");
   expect_finite(velocity, "rigid body: the prescribed velocity");
   const double before = kinetic_energy();
   if (degree < 3) {

@@ -1,4 +1,4 @@
-/// Mass, centre of mass and inertia of a body that fills its closed surface evenly.
+/// Mass, centre of mass and inertia of a homogeneous body with a closed surface.
 #pragma once
 
 #include "fccda/rigid_body/rigid_body.hpp"
@@ -6,7 +6,7 @@
 
 namespace fccda {
 
-/// Of a closed surface. With a density ρ [kg/m³] the mass is ρ times `surface.volume`. What overlapping components share counts twice.
+/// For a closed surface. With a density ρ [kg/m³] the mass is ρ times `surface.volume`. The shared volume of overlapping components counts twice.
 inline RigidBodyProperties solid_of_mass(const SurfaceReport& surface, double mass) {
   const double density = mass / surface.volume;
   const Vec3d d = density * surface.inertia_diagonal, p = density * surface.inertia_products;

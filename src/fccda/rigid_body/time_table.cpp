@@ -16,7 +16,7 @@ TimeTable::TimeTable(std::vector<double> times, std::vector<double> values) : ti
                      " values, but each time needs one value.");
   for (std::size_t k = 0; k < times_.size(); ++k) {
     if (!std::isfinite(times_[k]) || !std::isfinite(values_[k]))
-      throw InputError("time table: point " + std::to_string(k + 1) + " is not a finite number; mend it.");
+      throw InputError("time table: point " + std::to_string(k + 1) + " is not a finite number; correct it.");
     if (k > 0 && !(times_[k] > times_[k - 1]))
       throw InputError("time table: point " + std::to_string(k + 1) + " is at " + std::to_string(times_[k]) + " s, after one at " +
                        std::to_string(times_[k - 1]) + " s, but times must increase.");
@@ -60,7 +60,7 @@ double TimeTable::largest_slope() const {
 
 double TimeTable::mean(double t0, double t1) const {
   const std::size_t k = next_point(t0);
-  if (k == times_.size() || t1 <= times_[k]) return value_in(k, 0.5 * (t0 + t1));  // a constant comes out to the bit
+  if (k == times_.size() || t1 <= times_[k]) return value_in(k, 0.5 * (t0 + t1));  // exact for a constant
   double integral = 0;
   for_each_fragment(t0, t1, [&](double from, double to, std::size_t piece) { integral += (to - from) * value_in(piece, 0.5 * (from + to)); });
   return integral / (t1 - t0);

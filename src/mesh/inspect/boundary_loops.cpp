@@ -6,7 +6,7 @@
 namespace fccda {
 namespace {
 
-/// Sets of vertices that hang together.
+/// Disjoint sets of connected vertices (union–find).
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -36,14 +36,14 @@ std::vector<BoundaryLoop> boundary_loops(const Surface& surface) {
   std::vector<int> number(surface.vertices().size(), -1);
   std::vector<BoundaryLoop> out;
   visit_boundary_edges(surface, [&](int from, int to) {
-    int& rim_number = number[static_cast<std::size_t>(sets.root(from))];
-    if (rim_number < 0) rim_number = static_cast<int>(out.size()), out.emplace_back();
-    BoundaryLoop& rim = out[static_cast<std::size_t>(rim_number)];
+    int& loop_number = number[static_cast<std::size_t>(sets.root(from))];
+    if (loop_number < 0) loop_number = static_cast<int>(out.size()), out.emplace_back();
+    BoundaryLoop& loop = out[static_cast<std::size_t>(loop_number)];
     const Vec3d &a = surface.vertices()[static_cast<std::size_t>(from)], &b = surface.vertices()[static_cast<std::size_t>(to)];
-    ++rim.edges;
-    rim.length += norm(b - a);
-    rim.bounds.include(a);
-    rim.bounds.include(b);
+    ++loop.edges;
+    loop.length += norm(b - a);
+    loop.bounds.include(a);
+    loop.bounds.include(b);
   });
   std::stable_sort(out.begin(), out.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) { return a.length > b.length; });
   return out;

@@ -1,4 +1,4 @@
-/// The rims of an open surface: holes that nobody meant, or the end of a hull at its deck.
+/// Boundary loops of an open surface: unintended holes, or the end of a hull at its deck.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace fccda {
 
-/// Edges of one panel that hang together over their vertices.
+/// Boundary edges connected over their vertices.
 struct BoundaryLoop {
   std::size_t edges = 0;
   double length = 0;  ///< [m]
   Box bounds;         ///< [m]
 };
 
-/// All rims, the longest first; none of a closed surface.
+/// All boundary loops, the longest first; none for a closed surface.
 std::vector<BoundaryLoop> boundary_loops(const Surface& surface);
 
 }  // namespace fccda

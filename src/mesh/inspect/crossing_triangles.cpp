@@ -8,7 +8,7 @@
 namespace fccda {
 namespace {
 
-constexpr double shortest_crossing = 1e-9;  // of the longest edge; below that rounding may have made it
+constexpr double shortest_crossing = 1e-9;  // relative to the longest edge; shorter crossings may be rounding error
 
 std::array<int, 3> sides_of(const TriangleCorners& corners, const TriangleCorners& plane) {
   std::array<int, 3> sides{};
@@ -23,7 +23,7 @@ bool are_on_both(const std::array<int, 3>& sides) {
 
 Vec3d doubled_area(const TriangleCorners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
-/// The piece that a plane cuts out of a triangle, from one end to the other.
+/// The intersection of a triangle with a plane, from end to end.
 using Piece = std::array<Vec3d, 2>;
 
 Piece fragment_of(const TriangleCorners& corners, const std::array<int, 3>& sides, const TriangleCorners& plane) {
@@ -62,7 +62,7 @@ std::optional<Vec3d> crossing_of(const TriangleCorners& one, const TriangleCorne
   if (!are_on_both(of_one)) return std::nullopt;
   const std::array<int, 3> of_other = sides_of(other, one);
   if (!are_on_both(of_other)) return std::nullopt;
-  // Both are cut along the line in which their planes meet; they cross where the two pieces overlap.
+  // Both triangles intersect the line common to their planes; they cross if the two intervals on it overlap.
   const Vec3d line = cross(doubled_area(one), doubled_area(other));
   const double length = norm(line);
   if (!(length > 0)) return std::nullopt;

@@ -28,8 +28,8 @@ class Inspection {
         if (surface.neighbour(t, e) < 0) solid_is_closed_[solid(t)] = false;
   }
 
-  /// Marks triangle t and those of higher numbers that it crosses. Returns how many these are.
-  std::size_t look_at(std::size_t t) {
+  /// Marks triangle t and the triangles of higher number that intersect it. Returns how many these are.
+  std::size_t mark_crossings(std::size_t t) {
     const TriangleCorners corners = corners_of(t);
     Box box;
     for (const Vec3d& corner : corners) box.include(corner);
@@ -66,9 +66,9 @@ class Inspection {
 
   const Surface& surface_;
   const Bvh& bvh_;
-  double step_;  // [m] off the crossing: above the rounding of a ray's start, below the size of anything that matters
+  double step_;  // [m] off the crossing: above the rounding of a ray's start, below the size of relevant features
   std::vector<bool> solid_is_closed_;
-  std::vector<std::uint8_t> marks_;  // of each triangle
+  std::vector<std::uint8_t> marks_;  // by triangle
 };
 
 }  // namespace
@@ -80,7 +80,7 @@ SelfIntersections self_intersections(const Surface& surface, const Bvh& bvh) {
   std::vector<std::size_t> of_block((count + block - 1) / block, 0);
   parallel_for_uneven(static_cast<std::ptrdiff_t>(of_block.size()), [&](std::ptrdiff_t b) {
     const std::size_t begin = static_cast<std::size_t>(b) * block;
-    for (std::size_t t = begin; t < std::min(begin + block, count); ++t) of_block[static_cast<std::size_t>(b)] += inspection.look_at(t);
+    for (std::size_t t = begin; t < std::min(begin + block, count); ++t) of_block[static_cast<std::size_t>(b)] += inspection.mark_crossings(t);
   });
 
   SelfIntersections out{std::accumulate(of_block.begin(), of_block.end(), std::size_t{0}), {}};
@@ -96,9 +96,8 @@ void expect_no_pockets(const SelfIntersections& found, const std::string& name) 
   for (const Defect& defect : found.defects) {
     if (defect.kind != DefectKind::inside_out) continue;
     throw SurfaceError(name + ": " + std::to_string(defect.panels.size()) +
-                           " panels go through one another such that the surface is inside out between them, the first is panel " +
-                           std::to_string(defect.panels.front()) +
-                           " (counted from 0): a particle could get in there without meeting a front; mend the fold where these panels cross.",
+                           " panels intersect such that the surface is inside out between them, the first is panel " + std::to_string(defect.panels.front()) +
+                           " (counted from 0): a particle could enter there without crossing a front; repair the fold where these panels intersect.",
                        defect);
   }
 }

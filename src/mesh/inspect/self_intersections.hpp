@@ -1,10 +1,10 @@
-/// Where a surface goes through itself, and whether that matters.
+/// Self-intersections of a surface, and whether they affect contact.
 ///
-/// Parts that overlap, as blades sunk in a hub do, are no defect: the surface is that of their union (search/solids.hpp). Within one body
-/// a crossing is a fold. Say w is how often the body encloses a point. Two panels that cross divide their surroundings into four: outside
-/// both, inside either, inside both, where w grows by one each time a panel is passed from its front. Where w is 0 or more outside both,
-/// the body overlaps itself, and the panels that particles meet from outside still show them their fronts. Where it is -1 the panels turn
-/// their backs to the outside around a pocket, and a particle could go in without touching a front: the surface is inside out there.
+/// Overlapping parts, such as blades embedded in a hub, are no defect: the surface is that of their union (search/solids.hpp). A crossing
+/// within one body is a fold. Let w be the winding number of the body about a point. Two intersecting panels divide their surroundings into
+/// four: outside both, inside either, inside both; w grows by one with each panel passed from its front. Where w is 0 or more outside both,
+/// the body overlaps itself, and particles from outside still meet front faces. Where it is -1, the panels enclose a pocket with their backs
+/// to the outside, and a particle could enter it without crossing a front: the surface is inside out there.
 #pragma once
 
 #include <cstddef>
@@ -18,16 +18,16 @@
 namespace fccda {
 
 struct SelfIntersections {
-  std::size_t crossings = 0;    ///< pairs of triangles of one body, or of an open surface, that cross
-  std::vector<Defect> defects;  ///< at most one of self_intersection and one of inside_out; nothing where there are no crossings
+  std::size_t crossings = 0;    ///< pairs of intersecting triangles of one body, or of an open surface
+  std::vector<Defect> defects;  ///< at most one of self_intersection and one of inside_out; empty without crossings
 };
 
-/// Asks every pair of triangles whose boxes meet (crossing_triangles.hpp: where an edge of one lies exactly in the plane of the other,
-/// they touch, and that is no crossing). Of a closed body w is told at every crossing, by a ray; of an
-/// open one it is not known. Memory grows with the surface, not with the crossings. `surface` and `bvh` of all its triangles.
+/// Tests every pair of triangles whose boxes intersect (crossing_triangles.hpp: an edge exactly in the plane of the other triangle is
+/// contact, not a crossing). For a closed body, a ray determines w at every crossing; for an open one it is unknown. Memory grows with the
+/// surface, not with the crossings. `bvh` must contain all triangles of `surface`.
 SelfIntersections self_intersections(const Surface& surface, const Bvh& bvh);
 
-/// Throws SurfaceError where there are panels that are inside out; `name` as in Surface::Options.
+/// Throws SurfaceError if there are panels that are inside out; `name` as in Surface::Options.
 void expect_no_pockets(const SelfIntersections& found, const std::string& name);
 
 }  // namespace fccda

@@ -17,7 +17,7 @@ double median_panel_size(const Surface& surface, const PanelFaces& faces) {
 }
 
 Facet coarsest_facet(const Surface& surface) {
-  constexpr double meant = std::numbers::pi / 3;
+  constexpr double intended = std::numbers::pi / 3;
   const auto height = [&](std::size_t t, double edge) {
     return norm(cross(surface.corner(t, 1) - surface.corner(t, 0), surface.corner(t, 2) - surface.corner(t, 0))) / edge;
   };
@@ -29,7 +29,7 @@ Facet coarsest_facet(const Surface& surface) {
       const auto other = static_cast<std::size_t>(beyond);
       const Vec3d a = surface.corner(t, e), b = surface.corner(t, (e + 1) % 3);
       const double angle = std::atan2(norm(cross(surface.normal(t), surface.normal(other))), dot(surface.normal(t), surface.normal(other)));
-      if (!(angle < meant)) continue;
+      if (!(angle < intended)) continue;
       const double width = 0.5 * (height(t, norm(b - a)) + height(other, norm(b - a)));
       if (width * angle / 8 > coarsest.sagitta) coarsest = {width * angle / 8, angle, surface.triangles()[t].panel, 0.5 * (a + b)};
     }
@@ -45,8 +45,8 @@ std::vector<Thickness> thicknesses(const Surface& surface, const Bvh& bvh, std::
   for (std::size_t t = 0; t < count; t += stride) {
     const Vec3d middle = (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) / 3.0;
     const Vec3d inward = -surface.normal(t);
-    // The ray is shot backwards, from far away towards the middle, where it crosses from the front what the other one leaves through: the last
-    // such crossing is the nearest.
+    // The ray is cast backwards, from far away towards the centroid, where it passes from the front what an inward ray would leave through.
+    // The last such crossing is the nearest.
     Vec3d start = middle + far * inward;
     std::optional<double> thickness;
     while (const auto crossing = bvh.first_hit(start, middle, asked)) {

@@ -1,12 +1,12 @@
-/// How much of a closed surface lies under water.
+/// Volume of a closed surface below the waterline.
 #pragma once
 
 #include "mesh/surface.hpp"
 
 namespace fccda {
 
-/// [m³] enclosed by a closed surface below the plane z = height: the displacement of a ship whose waterline is there. What overlapping components
-/// share counts twice.
+/// [m³] Volume of a closed surface below the plane z = height: the displacement of a ship with its waterline there. The shared volume of
+/// overlapping components counts twice.
 double volume_below(const Surface& surface, double height);
 
 }  // namespace fccda

@@ -5,7 +5,7 @@
 namespace fccda {
 namespace {
 
-/// Edges in order of length. Both triangles of an edge must find the same, also among edges of equal length, or the path could go round.
+/// Strict order of edges by length. Both triangles of an edge must agree, also among edges of equal length, or the path could be cyclic.
 struct EdgeRank {
   double squared_length;
   int low, high;
@@ -45,7 +45,7 @@ void Bisection::halve(std::size_t piece) {
   }
 }
 
-/// The piece with its longest edge first.
+/// The piece rotated so that its longest edge comes first.
 Bisection::Piece Bisection::turned(const Piece& piece) const {
   const auto rank = [&](std::size_t e) {
     const auto [low, high] = std::minmax(piece.vertex[e], piece.vertex[(e + 1) % 3]);
@@ -63,7 +63,7 @@ Bisection::Piece Bisection::turned(const Piece& piece) const {
   return out;
 }
 
-/// Halves edge 0 of the piece, which is edge 0 of the one beyond too:
+/// Bisects edge 0 of the piece, which is also edge 0 of the piece beyond:
 ///
 ///            c                       c
 ///          /   \                   / | \                  |

@@ -1,9 +1,9 @@
-/// Triangles that are halved across their longest edges, two at a time, so that no vertex ever hangs on an edge.
+/// Conforming longest-edge bisection: triangles are halved in pairs, so that no hanging vertex arises.
 ///
-/// Only an edge that is the longest of both its triangles is halved. Where the triangle beyond has a longer one, that is halved first:
-/// the path of growing edges ends after finitely many triangles (Rivara, Int. J. Numer. Methods Eng. 40 (1997) 3313). Every triangle so
-/// comes of a given one by halvings of longest edges alone, and of those no angle is smaller than half the smallest of the given triangle
-/// (Rosenberg and Stenger, SIAM J. Numer. Anal. 12 (1975) 390).
+/// An edge is halved only if it is the longest of both its triangles. If the triangle beyond has a longer one, that is halved first: the
+/// path of growing edges ends after finitely many triangles (Rivara, Int. J. Numer. Methods Eng. 40 (1997) 3313). So every triangle results
+/// from a given one by longest-edge bisections alone, and its angles are at least half the smallest of the given triangle (Rosenberg and
+/// Stenger, SIAM J. Numer. Anal. 12 (1975) 390).
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ class Bisection {
   /// Part of a given triangle. Edge e goes from vertex[e] to vertex[(e + 1) % 3]; edge 0 is the longest.
   struct Piece {
     std::array<int, 3> vertex;
-    Neighbours beyond;  ///< pieces beyond the edges, -1 on a rim
-    int given;          ///< triangle of the surface
+    Neighbours beyond;  ///< pieces beyond the edges, -1 at a boundary edge
+    int given;          ///< its triangle of the surface
     std::array<bool, 3> is_crease;
   };
 
@@ -35,7 +35,7 @@ class Bisection {
   double longest_edge(const Piece& piece) const { return norm(corner(piece, 1) - corner(piece, 0)); }  ///< [m]
   bool touches_crease(const Piece& piece) const;
 
-  /// Halves the piece, after those that must be halved before it. Its first half keeps its number; other pieces are added at the end.
+  /// Halves the piece, after those that must be halved first. Its first half keeps its number; new pieces are appended.
   void halve(std::size_t piece);
 
  private:

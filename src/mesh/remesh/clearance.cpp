@@ -13,13 +13,13 @@ class Sheets {
  public:
   Sheets(const Surface& surface, double reach) : bvh_(surface), reach_(reach), tiny_(1e-9 * norm(surface.report().bounds.size())) {}
 
-  /// [m] to the next sheet on either side of a point of the surface; the reach where there is none.
+  /// [m] Distance to the next sheet on either side of a point of the surface; the reach if there is none.
   double gap(const Vec3d& point, const Vec3d& normal) const {
     std::size_t asked = 0;
     double nearest = reach_;
     const Vec3d above = point + tiny_ * normal, below = point - tiny_ * normal;
     if (const auto hit = bvh_.first_hit(above, above + reach_ * normal, asked)) nearest = hit->fraction * reach_;
-    // What lies inward is seen from its back. So the way is gone from its other end, where the last crossing from the front is the nearest.
+    // A sheet on the inward side shows its back. So the ray is cast from its other end, where the last crossing from the front is the nearest.
     for (double start = nearest; start > tiny_;) {
       const auto hit = bvh_.first_hit(below - start * normal, below, asked);
       if (!hit) break;
@@ -44,7 +44,7 @@ std::vector<double> clearance(const Surface& surface, double most) {
     const Vec3d middle = (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) / 3.0;
     gaps[t][3] = sheets.gap(middle, surface.normal(t));
     for (std::size_t c = 0; c < 3; ++c) {
-      // a little inside the triangle, where its own normal holds
+      // slightly inside the triangle, where its own normal applies
       const Vec3d corner = surface.corner(t, c) + 0.1 * (middle - surface.corner(t, c));
       gaps[t][c] = sheets.gap(corner, surface.normal(t));
     }

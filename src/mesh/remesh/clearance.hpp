@@ -1,4 +1,4 @@
-/// How far a surface may move before it meets itself: walls, gaps, blades.
+/// Clearance of a surface from itself: walls, gaps, blades.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace fccda {
 
-/// [m] By triangle: a third of the way straight inward, and straight outward, to where the surface is met again, from the middle and the
-/// corners; at most `most`. Two sheets that both move by no more than this keep a third of what is between them.
+/// [m] By triangle: a third of the distance straight inward, and straight outward, to the next sheet, from the centroid and the corners; at
+/// most `most`. If two sheets both move by no more than this, a third of their distance remains.
 std::vector<double> clearance(const Surface& surface, double most);
 
 }  // namespace fccda

@@ -18,9 +18,9 @@ namespace fccda {
 namespace {
 
 constexpr double least_shape = 0.05;  // height over longest edge; 0.87 where equilateral
-constexpr double least_cosine = 0.5;  // between the normals of a triangle and of what it replaces
+constexpr double least_cosine = 0.5;  // between the normals of a triangle and of the one it replaces
 
-constexpr double weight_of_shape = 0.1;  // against the share of the distance that a collapse takes: of nearly equal ones the better shaped
+constexpr double weight_of_shape = 0.1;  // against the share of the tolerance that a collapse uses: prefers better shapes among similar ones
 using TriangleCorners = std::array<Vec3d, 3>;
 
 Vec3d doubled_area(const TriangleCorners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
@@ -31,8 +31,8 @@ double shape(const TriangleCorners& t) {
   return longest > 0 ? norm(doubled_area(t)) / longest : 0;
 }
 
-/// Vertices at a place where there is another: surfaces touch there. An edge between two of them could come to lie on another.
-std::vector<bool> shared_places(const Surface& surface) {
+/// Vertices that coincide with another: sheets meet there. An edge between two of them could coincide with another after a collapse.
+std::vector<bool> shared_vertices(const Surface& surface) {
   const auto vertices = surface.vertices();
   std::vector<std::size_t> order(vertices.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -52,11 +52,11 @@ class Coarsener {
         distance_(wanted.max_deviation),
         panel_(wanted.max_edge_length),
         moved_(surface.triangles().size(), 0.0),
-        room_(clearance(surface, wanted.max_deviation)),
-        shares_place_(shared_places(surface)) {}
+        limits_(clearance(surface, wanted.max_deviation)),
+        is_shared_(shared_vertices(surface)) {}
 
-  /// Passes over vertices whose surroundings changed in the pass before. In a pass no vertex is looked at whose triangles changed in
-  /// it already, so that panels grow evenly.
+  /// Passes over the vertices whose surroundings changed in the previous pass. A pass skips vertices whose triangles it has already changed,
+  /// so that panels grow evenly.
   void run() {
     std::vector<int> waiting(mesh_.vertex_count());
     std::iota(waiting.begin(), waiting.end(), 0);
@@ -101,7 +101,7 @@ class Coarsener {
  private:
   struct Candidate {
     std::size_t to;
-    double moved;  // [m] bound of the new triangles
+    double moved;  // [m] bound for the new triangles
     double cost;
   };
 
@@ -122,7 +122,7 @@ class Coarsener {
 
   int part_of(std::size_t triangle) const { return surface_.part_of_panel(mesh_.triangle(triangle).panel); }
 
-  /// Places in the link where a rim or a border between parts goes on from the vertex.
+  /// Positions in the link where a boundary or a border between parts continues from the vertex.
   void find_lines() {
     lines_.clear();
     if (!ring_.goes_round) lines_ = {0, ring_.link.size() - 1};
@@ -130,7 +130,7 @@ class Coarsener {
       if (part_of(ring_.triangles[j]) != part_of(ring_.triangles[ring_.before(j)])) lines_.push_back(j);
   }
 
-  /// Puts the vertex onto the neighbour that leaves the best triangles, if there is any that may take it. ring_ is that of the vertex before.
+  /// Collapses the vertex into the neighbour that leaves the best triangles, if any is admissible. ring_ is that of the vertex.
   bool collapse(int vertex) {
     mesh_.ring_of(vertex, ring_);
     if (ring_.link.size() > Fan::max_links || ring_.triangles.size() < 2) return false;
@@ -149,7 +149,7 @@ class Coarsener {
       direction += old_normals_.back();
       old_shape = std::min(old_shape, shape(corners));
       moved = std::max(moved, moved_[ring_.triangles[j]]);
-      most = std::min(most, room_[ring_.triangles[j]]);
+      most = std::min(most, limits_[ring_.triangles[j]]);
     }
     direction = normalised(direction);
 
@@ -158,28 +158,28 @@ class Coarsener {
       if (!lines_.empty() && to != lines_[0] && to != lines_[1]) continue;
       const double new_shape = worst_new_shape(to);
       if (new_shape < old_shape) continue;
-      const std::optional<double> by = moves_by(place, to, direction);
+      const std::optional<double> by = displacement(place, to, direction);
       if (!by || moved + *by > most) continue;
       const double cost = (moved + *by) / distance_ - weight_of_shape * new_shape;
       if ((!best || cost < best->cost) && mesh_.may_collapse(vertex, ring_, to)) best = Candidate{to, moved + *by, cost};
     }
     if (!best) return false;
-    for (const std::size_t t : ring_.triangles) moved_[t] = best->moved, room_[t] = most;
+    for (const std::size_t t : ring_.triangles) moved_[t] = best->moved, limits_[t] = most;
     mesh_.collapse(vertex, ring_, best->to);
     return true;
   }
 
   bool are_joined(std::size_t j, std::size_t next) const { return ring_.after(j) == next && (next != 0 || ring_.goes_round); }
 
-  /// Of the triangles that would take the place of those about the vertex; -1 where there must be none of them: with an edge that is too long
-  /// or could come to lie on another, or a normal that is turned.
+  /// Worst shape of the triangles that would replace those about the vertex; -1 if one is inadmissible: an edge that is too long or could
+  /// coincide with another, or a flipped normal.
   double worst_new_shape(std::size_t to) const {
-    const bool target_shares = shares_place_[static_cast<std::size_t>(ring_.link[to])];
+    const bool target_is_shared = is_shared_[static_cast<std::size_t>(ring_.link[to])];
     double worst = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < link_.size(); ++j) {
       if (j == to || are_joined(j, to) || are_joined(to, j)) continue;
       if (squared_norm(link_[j] - link_[to]) > panel_ * panel_) return -1;
-      if (target_shares && shares_place_[static_cast<std::size_t>(ring_.link[j])]) return -1;
+      if (target_is_shared && is_shared_[static_cast<std::size_t>(ring_.link[j])]) return -1;
     }
     for (std::size_t j = 0; j < ring_.triangles.size(); ++j) {
       if (j == to || ring_.after(j) == to) continue;
@@ -191,14 +191,14 @@ class Coarsener {
     return worst;
   }
 
-  /// [m] How far the surface moves when link[to] takes the vertex. On a rim or border it is first put onto the straight line that will be in the
-  /// place of its two edges there, so that both sides are filled anew within their own outlines.
-  std::optional<double> moves_by(const Vec3d& place, std::size_t to, const Vec3d& direction) const {
+  /// [m] Displacement of the surface when link[to] takes the vertex. On a boundary or border the vertex is first moved onto the straight line
+  /// that replaces its two edges there, so that both sides are filled within their own outlines.
+  std::optional<double> displacement(const Vec3d& place, std::size_t to, const Vec3d& direction) const {
     Vec3d centre = place;
     if (!lines_.empty()) {
       const Vec3d& one = link_[to];
-      const Vec3d way = link_[lines_[0] == to ? lines_[1] : lines_[0]] - one;
-      centre = one + std::clamp(dot(place - one, way) / squared_norm(way), 0.0, 1.0) * way;
+      const Vec3d along = link_[lines_[0] == to ? lines_[1] : lines_[0]] - one;
+      centre = one + std::clamp(dot(place - one, along) / squared_norm(along), 0.0, 1.0) * along;
     }
     const std::optional<double> filled = shift({centre, link_, ring_.goes_round}, to, direction);
     if (!filled) return std::nullopt;
@@ -207,12 +207,12 @@ class Coarsener {
 
   const Surface& surface_;
   CollapsibleTriangles mesh_;
-  double distance_, panel_;         // [m]
-  std::vector<double> moved_;       // [m] by triangle, bound of its distance to the given surface
-  std::vector<double> room_;        // [m] by triangle, the most that may be
-  std::vector<bool> shares_place_;  // by vertex
+  double distance_, panel_;      // [m]
+  std::vector<double> moved_;    // [m] by triangle, bound of its distance to the given surface
+  std::vector<double> limits_;   // [m] by triangle, the largest admissible value
+  std::vector<bool> is_shared_;  // by vertex
 
-  // of the vertex that is looked at
+  // of the current vertex
   Ring ring_;
   std::vector<std::size_t> lines_;
   std::vector<Vec3d> link_, old_normals_;

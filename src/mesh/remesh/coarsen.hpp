@@ -1,4 +1,4 @@
-/// Larger panels where a surface is cut finer than its shape needs, with a bound on how far it moves.
+/// Coarsening of surfaces that are finer than their shape requires, with a bound on the deviation.
 #pragma once
 
 #include "mesh/panels.hpp"
@@ -7,27 +7,27 @@
 namespace fccda {
 
 struct Coarsening {
-  double max_deviation = 0;    ///< [m] the new surface lies within this of the given one, and the given one within this of the new one
-  double max_edge_length = 0;  ///< [m] no edge is made longer
+  double max_deviation = 0;    ///< [m] bound of the distance from the new surface to the given one, and vice versa
+  double max_edge_length = 0;  ///< [m] no longer edge is created
 };
 
 struct Coarsened {
-  Panels panels;             ///< triangles between vertices of the given surface, parts kept, wound outward as refine() has them
-  double distance = 0;       ///< [m] what is proven of the distance between both surfaces, up to rounding
-  double volume_change = 0;  ///< [m³] new less old; 0 where the surface is open
+  Panels panels;             ///< triangles between vertices of the given surface, parts kept, oriented outward as by refine()
+  double distance = 0;       ///< [m] proven bound of the distance between both surfaces, up to rounding
+  double volume_change = 0;  ///< [m³] new minus old; 0 if the surface is open
 };
 
-/// Puts vertices onto neighbours, those with the shortest edges first, as long as a sum of bounds stays within the distance. Each
-/// triangle carries one: that of the triangles it took the place of, plus how far they moved (fan_shift.hpp). So there is always a one-to-one
-/// map between both surfaces that moves no point by more than `distance`, which bounds Hausdorff's distance in both directions.
+/// Collapses edges (half-edge collapse: a vertex moves onto a neighbour), the shortest first, while a sum of bounds stays within the
+/// deviation. Each triangle has a bound: that of the triangles it replaced, plus their displacement (fan_shift.hpp). So there is always a
+/// one-to-one map between both surfaces that moves no point by more than `distance`, which bounds the two-sided Hausdorff distance.
 ///
-///  - Closed stays closed; holes and components stay (collapsible.hpp).
-///  - Borders between parts, and rims, stay borders and rims: they move by at most the distance too.
-///  - No collapse turns a normal by more than 60° against that of the triangle in whose place the new one is.
+///  - Closed surfaces stay closed; holes and components are kept (collapsible.hpp).
+///  - Borders between parts, and boundaries, are kept: they too move by at most the deviation.
+///  - No collapse turns a normal by more than 60° relative to the triangle that the new one replaces.
 ///  - No triangle becomes flatter than a twentieth (height over its longest edge), unless one about the vertex was flatter before.
-///  - Thin walls and narrow gaps keep a third of their width at least (room.hpp): there the surface moves less than `distance`.
+///  - Thin walls and narrow gaps keep at least a third of their width (clearance.hpp): there the surface moves less than `distance`.
 ///
-/// The same for any number of threads.
+/// Bitwise reproducible across thread counts.
 Coarsened coarsen(const Surface& surface, const Coarsening& wanted);
 
 }  // namespace fccda

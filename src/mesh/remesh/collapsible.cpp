@@ -30,7 +30,7 @@ CollapsibleTriangles::CollapsibleTriangles(const Surface& surface)
 void CollapsibleTriangles::ring_of(int vertex, Ring& ring) const {
   ring.triangles.clear();
   ring.link.clear();
-  // clockwise to the rim, if there is one
+  // clockwise to the boundary, if there is one
   const auto any = static_cast<std::size_t>(triangle_at_[static_cast<std::size_t>(vertex)]);
   std::size_t first = any;
   ring.goes_round = false;
@@ -76,7 +76,7 @@ void CollapsibleTriangles::collapse(int vertex, const Ring& ring, std::size_t to
   triangle_at_[static_cast<std::size_t>(vertex)] = -1;
 }
 
-/// Takes a triangle between both vertices out, and joins what lies beyond its two other edges.
+/// Removes a triangle between both vertices, and joins the neighbours beyond its two other edges.
 void CollapsibleTriangles::take(std::size_t triangle, int vertex, int target) {
   Triangle& t = triangles_[triangle];
   const int third = t.vertex[3 - corner_of(t, vertex) - corner_of(t, target)];

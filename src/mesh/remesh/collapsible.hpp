@@ -1,4 +1,4 @@
-/// Triangles from which vertices can be taken, one after another, while they stay a manifold.
+/// A triangulation that stays manifold under successive edge collapses.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace fccda {
 struct Ring {
   std::vector<std::size_t> triangles;
   std::vector<int> link;
-  bool goes_round;  ///< the last link is joined to the first; else v lies on a rim, between the first link and the last
+  bool goes_round;  ///< the last link is joined to the first; else v lies on the boundary, between the first link and the last
 
   std::size_t before(std::size_t j) const { return j > 0 ? j - 1 : link.size() - 1; }
   std::size_t after(std::size_t j) const { return j + 1 < link.size() ? j + 1 : 0; }
@@ -24,21 +24,21 @@ class CollapsibleTriangles {
   explicit CollapsibleTriangles(const Surface& surface);
 
   const Vec3d& place(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)]; }
-  std::size_t vertex_count() const { return vertices_.size(); }     ///< taken ones too
-  std::size_t triangle_count() const { return triangles_.size(); }  ///< taken ones too
+  std::size_t vertex_count() const { return vertices_.size(); }     ///< including removed ones
+  std::size_t triangle_count() const { return triangles_.size(); }  ///< including removed ones
   bool has_vertex(int vertex) const { return triangle_at_[static_cast<std::size_t>(vertex)] >= 0; }
   bool has_triangle(std::size_t triangle) const { return triangles_[triangle].vertex[0] >= 0; }
   const Triangle& triangle(std::size_t t) const { return triangles_[t]; }
 
-  /// Expects a vertex that is there. `ring` is overwritten.
+  /// Expects an existing vertex. `ring` is overwritten.
   void ring_of(int vertex, Ring& ring) const;
 
-  /// Will the surface be a manifold still, of the same shape, when v is put onto link[to]? Of their common neighbours there are only those
-  /// across the triangles of the edge between them, a tetrahedron stays, and a vertex of a rim moves along it (Dey, Edelsbrunner, Guha and Nekhayev,
-  /// Publ. Inst. Math. Beograd 66 (1999) 23).
+  /// True if the collapse of v into link[to] preserves the manifold and its topology (link condition): the only common neighbours are those
+  /// across the triangles of the edge between them, a tetrahedron is kept, and a vertex on the boundary moves along it (Dey, Edelsbrunner,
+  /// Guha and Nekhayev, Publ. Inst. Math. Beograd 66 (1999) 23).
   bool may_collapse(int vertex, const Ring& ring, std::size_t to);
 
-  /// Takes `vertex` out: its triangles get link[to] in its place, and the one or two between both go.
+  /// Removes `vertex`: its triangles get link[to] in its place, and the one or two between both are removed.
   void collapse(int vertex, const Ring& ring, std::size_t to);
 
  private:
@@ -48,7 +48,7 @@ class CollapsibleTriangles {
   std::vector<Vec3d> vertices_;
   std::vector<Triangle> triangles_;
   std::vector<Neighbours> beyond_;
-  std::vector<int> triangle_at_;  // one of each vertex, -1 where the vertex was taken
+  std::vector<int> triangle_at_;  // one triangle per vertex, -1 if the vertex was removed
   Ring ring_of_target_;
 };
 

@@ -14,7 +14,7 @@ double height(const Surface& surface, std::size_t triangle, double edge) {
 }  // namespace
 
 Curvature curvature(const Surface& surface) {
-  constexpr double crease = std::numbers::pi / 6 * (1 + 1e-9);  // a circle of twelve panels is none
+  constexpr double crease = std::numbers::pi / 6 * (1 + 1e-9);  // a circle of twelve panels has none
   Curvature out{std::vector<double>(surface.triangles().size(), 0.0), std::vector<std::array<bool, 3>>(surface.triangles().size())};
   for (std::size_t t = 0; t < surface.triangles().size(); ++t) {
     const Vec3d& normal = surface.normal(t);

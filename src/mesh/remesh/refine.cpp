@@ -14,7 +14,7 @@
 namespace fccda {
 namespace {
 
-/// The size that would do, rounded up to two digits.
+/// An affordable size, rounded up to two digits.
 double affordable_panel(Refinement refinement, const TargetSize& wanted, double most) {
   for (double count = wanted.estimated_panels(refinement); count > most; count = wanted.estimated_panels(refinement))
     refinement.edge_length *= std::clamp(std::sqrt(count / most), 1.1, 1e6);  // halvings of thin triangles do not go with the square
@@ -31,12 +31,12 @@ void expect_affordable(std::span<const Refinement> refinements, const TargetSize
     if (count > largest) largest = count, culprit = &refinement;
   }
   if (!(total > most)) return;
-  // what the others take is not to be had; half of it all is left to the largest where they take more
+  // The share of the others is unavailable; if they take more than half, half of it all is left to the largest.
   const double left = std::max(most - (total - largest), 0.5 * most);
   std::ostringstream sentence;
   sentence.precision(2);
-  sentence << culprit->name << ": panels of " << culprit->edge_length << " m would be about " << largest << " of them, more than the " << left
-           << " that there is room for; panels of " << affordable_panel(*culprit, wanted, left) << " m would do.";
+  sentence << culprit->name << ": an edge length of " << culprit->edge_length << " m would give about " << largest << " panels, more than the limit of " << left
+           << "; use " << affordable_panel(*culprit, wanted, left) << " m or more.";
   throw InputError(sentence.str());
 }
 
@@ -49,7 +49,7 @@ Panels refine(const Surface& surface, std::span<const Refinement> refinements, d
   expect_affordable(refinements, wanted, most);
 
   Bisection bisection(surface, curved.is_crease);
-  // What is added at the end is looked at later; a piece that is small enough stays so when a neighbour has it halved.
+  // Appended pieces are visited later; a piece that is small enough stays so when a neighbour has it halved.
   for (std::size_t p = 0; p < bisection.pieces().size(); ++p)
     while (bisection.longest_edge(bisection.pieces()[p]) > wanted.of(bisection, bisection.pieces()[p])) bisection.halve(p);
 

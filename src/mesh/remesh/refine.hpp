@@ -1,4 +1,4 @@
-/// Smaller panels where they are wanted, on the surface as it is: every new vertex halves an edge, so area, volume and shape stay.
+/// Local refinement of panels. Every new vertex halves an edge, so area, volume and shape are unchanged.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace fccda {
 
-/// Which panels become how small. Box, part and angle narrow one another; with none of them it is all panels.
+/// Selection of panels and their size. Box, part and angle are combined (intersection); without any of them all panels are refined.
 struct Refinement {
-  std::string name = "refinement";            ///< how messages call it
+  std::string name = "refinement";            ///< its name in messages
   double edge_length = 0;                     ///< [m] longest edge wanted
   std::optional<Box> box{};                   ///< [m] only panels that reach into it, in the frame of the surface
   std::optional<std::string> surface_part{};  ///< only panels of that part
-  std::optional<double> angle{};              ///< [rad] only where the surface curves: panels turn by at most so much, and are not smaller than `panel` for it;
-                                              ///< at creases they are `panel` long (curvature.hpp)
+  std::optional<double> angle{};              ///< [rad] only where the surface is curved: panels turn by at most this angle, but are not made smaller than
+                                              ///< `edge_length` for it; at creases they have `edge_length` (curvature.hpp)
 };
 
-/// The triangles of the surface, halved across their longest edges until each is as small as wanted; of several refinements the
-/// smallest size counts. Neighbours are halved along, so that no vertex hangs on an edge, and no angle becomes smaller than half the
-/// smallest of the triangle it lies in (bisection.hpp). Parts keep their names. Panels are wound outward: where the surface was open, normals
-/// point to its outside. Throws InputError where a part is none, a box empty, or more than `most` panels would be added.
+/// The triangles of the surface, bisected across their longest edges until each meets the smallest size of all refinements. Neighbours are
+/// halved along with them, so that no hanging vertex arises, and no angle becomes smaller than half the smallest of its original triangle
+/// (bisection.hpp). Parts keep their names. Panels are oriented outward: if the surface was open, normals point to its outside. Throws
+/// InputError if a part does not exist, a box contains no panels, or more than `most` panels would be added.
 Panels refine(const Surface& surface, std::span<const Refinement> refinements, double most = 3e7);
 
 }  // namespace fccda

@@ -17,7 +17,7 @@ using TriangleCorners = std::array<Vec3d, 3>;
 
 bool holds(const Box& box, const Vec3d& point) { return box.distance(point) == 0; }
 
-/// What of the triangle lies in the box, its faces included.
+/// The part of the triangle inside the box, the box's faces included.
 Polygon part_in(const Box& box, const TriangleCorners& corners) {
   Polygon part(corners.begin(), corners.end());
   for (std::size_t axis = 0; axis < 3 && !part.empty(); ++axis)
@@ -60,7 +60,7 @@ void TargetSize::expect_panels_in(const SizeRequest& request) const {
     return text.str();
   };
   throw InputError(request.refinement.name + ": no panel" + (request.refinement.surface_part ? " of part " + *request.refinement.surface_part : "") +
-                   " reaches into the box from " + words(box) + ", and the surface goes from " + words(surface_.report().bounds) + "; mend the box.");
+                   " reaches into the box from " + words(box) + ", and the surface goes from " + words(surface_.report().bounds) + "; correct the box.");
 }
 
 TargetSize::SizeRequest TargetSize::request_of(const Refinement& refinement) const {
@@ -76,7 +76,7 @@ bool TargetSize::holds_for_part_of(const SizeRequest& request, std::size_t trian
   return request.holds_for_part[static_cast<std::size_t>(surface_.part_of_panel(surface_.triangles()[triangle].panel))];
 }
 
-/// [m] of a triangle that touches no crease; infinity where it is flat.
+/// [m] Size for a triangle without creases; infinity if it is flat.
 double TargetSize::smooth_size(const SizeRequest& request, std::size_t triangle) const {
   return request.refinement.angle ? std::max(request.refinement.edge_length, *request.refinement.angle / curvature_.largest[triangle])
                                   : request.refinement.edge_length;
@@ -107,10 +107,10 @@ double TargetSize::estimated_panels(const Refinement& refinement) const {
     const double size = smooth_size(request, t);
     if (part.empty()) continue;
     const double length = norm(bounds_of(part).size());
-    // The last halving leaves longest edges between a half and the whole of the size: of halved squares, with a quarter of its square as
-    // their area, there are eight in the square of the size at most. Thin triangles become a row.
+    // The last bisection leaves longest edges between half the size and the whole. Halved squares have a quarter of its square as their area,
+    // so there are at most eight in the square of the size. Thin triangles become a row.
     if (length > size) panels += 8 * area_of(part) / (size * size) + 2 * length / size;
-    // A row along a crease, and rows twice as wide beside it.
+    // A row along a crease, and rows of doubling width next to it.
     for (std::size_t e = 0; refinement.angle && e < 3; ++e)
       if (curvature_.is_crease[t][e]) panels += 16 * std::min(length, norm(corners[(e + 1) % 3] - corners[e])) / refinement.edge_length;
   }

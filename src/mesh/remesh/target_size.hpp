@@ -1,4 +1,4 @@
-/// How long the panels of a surface may be, place by place, for several wishes at once.
+/// Local target size of panels from several refinements.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,20 @@ namespace fccda {
 
 class TargetSize {
  public:
-  /// Throws InputError where a part is none, or a box empty. Both must outlive it.
+  /// Throws InputError if a part does not exist, or a box contains no panels. Both arguments must outlive the object.
   TargetSize(const Surface& surface, const Curvature& curvature, std::span<const Refinement> refinements);
 
-  /// [m] The longest that this piece of a surface may be by the smallest wish that holds for it; infinity where none does. It never
-  /// shrinks for a part of the piece.
+  /// [m] The largest admissible longest edge of this piece, over all refinements that apply to it; infinity if none does. It never shrinks
+  /// for a part of the piece.
   double of(const Bisection& bisection, const Bisection::Piece& piece) const;
 
-  /// About how many panels the refinement makes; more rather than fewer.
+  /// Estimated number of panels that the refinement creates, on the high side.
   double estimated_panels(const Refinement& refinement) const;
 
  private:
   struct SizeRequest {
     Refinement refinement;
-    std::vector<bool> holds_for_part;  // of each of the surface
+    std::vector<bool> holds_for_part;  // by part of the surface
   };
   void expect_panels_in(const SizeRequest& request) const;
   SizeRequest request_of(const Refinement& refinement) const;

@@ -12,11 +12,11 @@ namespace fccda {
 
 namespace {
 
-// A squared distance from a box in floats is less than one part in 2²² off once the box's slack has covered the rounding of
-// positions; lowered by this it is below the true one.
+// A squared distance from a box in floats has a relative error below 2⁻²² once the box's slack has covered the rounding of positions.
+// Reduced by this factor it is a lower bound.
 constexpr float lowered = 1 - 0x1p-20F;
 
-/// A float not below the double, and finite, so that absent children are beyond it.
+/// A float not below the double, and finite, so that absent children are rejected.
 float as_bound(double best) { return static_cast<float>(std::min(best * (1 + 0x1p-20), 1e38)); }
 
 struct Waiting {
@@ -28,7 +28,7 @@ constexpr auto any = [](int) { return true; };
 
 }  // namespace
 
-// Squared distance to each triangle of a leaf: from the plane where the point is above all three edges, else from the nearest edge.
+// Squared distance to each triangle of a leaf: from the plane if the point is above all three edges, otherwise from the nearest edge.
 std::array<double, Bvh::width> Bvh::squared_distances(const Leaf& leaf, const Vec3d& point) {
   std::array<double, width> result;
 #pragma omp simd
@@ -64,7 +64,7 @@ std::array<double, Bvh::width> Bvh::squared_distances(const Leaf& leaf, const Ve
   return result;
 }
 
-// The closest of the triangles seen so far.
+// The closest triangle so far.
 class Bvh::Closest {
  public:
   Closest(const Bvh& bvh, const Vec3d& point, double cap) : bvh_(bvh), point_(point), from_origin_(point - bvh.origin_), squared_(cap * cap) {}
@@ -113,7 +113,7 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
     const double wide = nearby && nearby->reach > 0 ? std::sqrt(best.squared()) + 2 * nearby->reach : 0;
     limit = std::max(best.squared(), wide * wide);
   };
-  std::int32_t guessed = -1;  // its leaf will come up again
+  std::int32_t guessed = -1;  // its leaf will be visited again
   const auto visit_leaf = [&](std::int32_t index) {
     if (index == guessed) return;
     best.look_at(index, asked, accept);
@@ -153,7 +153,7 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
       d[c] = sum * lowered;
       near |= (d[c] <= bound ? 1u : 0u) << c;
     }
-    // Far ones first onto the stack, so that the nearest is next.
+    // Push the farthest first, so that the nearest is popped next.
     const std::size_t base = depth;
     for (; near != 0; near &= near - 1) {
       const auto c = static_cast<std::size_t>(std::countr_zero(near));
@@ -178,7 +178,7 @@ std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int gue
 
 // With c the centre, T a triangle that was not visited and C the closest to c, all within `reach` of c have
 //   d(q, T) >= d(c, T) - |q - c| > d(c, C) + 2 reach - |q - c| >= d(q, C) + 2 (reach - |q - c|),
-// so that T is not the closest to q. A hundredth of the reach is kept for rounding.
+// so T is not the closest to q. A hundredth of the reach is reserved for rounding.
 std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& asked) const {
   if (!(norm(point - nearby.centre) < 0.99 * nearby.reach)) return closest(point, no_cap, guess, asked);
   Closest best(*this, point, no_cap);
@@ -198,13 +198,13 @@ std::optional<ClosestPoint> Bvh::closest_facing(const Vec3d& point, const Vec3d&
   });
 }
 
-// Calls visit(triangle) for those whose box, grown by `margin`, the first `until` of the segment meets. Both may shrink meanwhile.
+// Calls visit(triangle) for triangles whose box, enlarged by `margin`, intersects the first `until` of the segment. Both may shrink meanwhile.
 template <class Visit>
 void Bvh::visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const {
-  const Vec3d from = start - origin_, way = end - start;
-  // A direction that is not taken gets a slope so steep that the segment is inside the slab always or never.
+  const Vec3d from = start - origin_, displacement = end - start;
+  // A zero component of the direction gets a slope so steep that the segment is inside the slab always or never.
   const auto slope = [](double w) { return std::fabs(w) > 1e-300 ? 1 / w : 1e300; };
-  const Vec3d steep{slope(way.x), slope(way.y), slope(way.z)};
+  const Vec3d steep{slope(displacement.x), slope(displacement.y), slope(displacement.z)};
 
   std::array<std::int32_t, stack_size> stack;
   std::size_t depth = 0;
@@ -237,7 +237,7 @@ void Bvh::visit_segment(const Vec3d& start, const Vec3d& end, const double& unti
 
 namespace {
 
-/// Of crossings at one place of the path the one of the panel with the smallest number is first, whatever the order in which the tree is walked.
+/// Among crossings at the same path parameter the panel with the smallest number comes first, whatever the order of the traversal.
 void take_if_first(const Surface& surface, const Crossing& found, std::optional<Crossing>& first, double& until) {
   const auto rank = [&](const Crossing& one) {
     return std::tuple(one.fraction, surface.triangles()[static_cast<std::size_t>(one.triangle)].panel, one.triangle);
@@ -266,7 +266,7 @@ std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std
 
 namespace {
 
-/// From the point of a triangle that is closest to `place`. On a face along its normal to the bit, however near that is.
+/// The vector from the closest point of a triangle to `place`. On a face it is exactly along the normal, however short.
 struct FromTriangle {
   Vec3d line;  // as long as the distance
   double distance;
@@ -283,16 +283,16 @@ FromTriangle from_triangle(const Vec3d& place, const Corners& t) {
   return {height * normal, std::fabs(height)};
 }
 
-// The distance of a triangle is a convex function along a straight path, so Newton's steps from where it is too large never go past the
-// place sought, and where it does not fall any more it never will. A face is met in one step.
-std::optional<double> touching(const Vec3d& start, const Vec3d& way, const Corners& corners, double radius, double tolerance, double until) {
-  constexpr int max_steps = 100;   // a graze halves what is left with each
-  constexpr double along = 1e-14;  // a slope that is rounding: a way along the triangle, not towards it
+// The distance from a triangle is a convex function along a straight path. So Newton's method from a point with a larger distance never
+// overshoots the solution, and once the distance stops decreasing it never decreases again. For a face, one step suffices.
+std::optional<double> time_of_contact(const Vec3d& start, const Vec3d& displacement, const Corners& corners, double radius, double tolerance, double until) {
+  constexpr int max_steps = 100;   // at grazing contact each step halves the remainder
+  constexpr double along = 1e-14;  // a slope within rounding: a path along the triangle, not towards it
   double fraction = 0;
   for (int step = 0; step < max_steps; ++step) {
-    const FromTriangle from = from_triangle(start + fraction * way, corners);
-    const double fall = -dot(from.line, way), gap = from.distance - radius;  // the distance falls by fall/distance in a whole way
-    if (gap <= tolerance && (fraction > 0 || fall > along * from.distance * norm(way) || from.distance == 0)) return fraction;
+    const FromTriangle from = from_triangle(start + fraction * displacement, corners);
+    const double fall = -dot(from.line, displacement), gap = from.distance - radius;  // over the whole path the distance falls by fall/distance
+    if (gap <= tolerance && (fraction > 0 || fall > along * from.distance * norm(displacement) || from.distance == 0)) return fraction;
     if (gap <= tolerance || !(fall > 0)) return std::nullopt;
     const double next = fraction + gap * from.distance / fall;
     if (!(next <= until)) return std::nullopt;
@@ -312,7 +312,7 @@ std::optional<Crossing> Bvh::first_touch(const Vec3d& start, const Vec3d& end, d
   visit_segment(start, end, until, margin, [&](int triangle) {
     ++asked;
     const auto t = static_cast<std::size_t>(triangle);
-    const std::optional<double> fraction = touching(start, end - start, corners(t), radius, tolerance, until);
+    const std::optional<double> fraction = time_of_contact(start, end - start, corners(t), radius, tolerance, until);
     if (!fraction) return;
     take_if_first(*surface_, {triangle, *fraction}, first, until);
   });

@@ -1,10 +1,10 @@
-/// Bounding volume hierarchy over the triangles of a surface: which of them is closest, and which a path meets first.
+/// Bounding volume hierarchy (BVH) over the triangles of a surface, for closest-point queries and path intersection.
 ///
-/// Four boxes a node, leaves of four triangles. Boxes are floats, rounded outward by enough to cover every rounding of a query, so
-/// what a query answers is the minimum over all triangles to the bit, whatever way the search took: a guess changes the time, never
-/// the answer. Equal distances go to the lowest panel, then the lowest triangle. Points that are not numbers find nothing.
+/// Four boxes per node, leaves of four triangles. Boxes are floats, rounded outward by enough to cover every rounding error of a query. So a
+/// query returns exactly the minimum over all triangles, whatever the order of the search: a guess changes the cost, never the answer. Ties
+/// go to the lowest panel, then the lowest triangle. Queries with not-a-number return nothing.
 ///
-/// Nothing changes after construction, so any number of threads may ask at once.
+/// Immutable after construction, so any number of threads may query it concurrently.
 #pragma once
 
 #include <array>
@@ -30,67 +30,66 @@ struct ClosestPoint {
 
 struct Crossing {
   int triangle;
-  double fraction;  ///< of the way from start to end
+  double fraction;  ///< of the path from start to end
 };
 
 class Bvh {
  public:
   static constexpr double no_cap = std::numeric_limits<double>::infinity();
 
-  /// What a search found out about its surroundings: further searches near by need no walk through the tree. Answers are the same.
+  /// Cached surroundings of a search: further searches nearby need no traversal of the tree. The results are the same.
   struct Nearby {
     Vec3d centre{};
-    double reach = 0;  ///< [m] from the centre, for which this is known
+    double reach = 0;  ///< [m] radius about the centre in which the cache is valid
     std::size_t count = 0;
-    std::array<std::int32_t, 16> leaves{};  ///< that may hold what is closest to a point within reach
+    std::array<std::int32_t, 16> leaves{};  ///< leaves that may contain the closest point for any point within reach
 
     void add(std::int32_t leaf) {
-      if (count == leaves.size()) reach = 0;  // too many to be worth it
+      if (count == leaves.size()) reach = 0;  // too many for the cache to pay off
       if (reach > 0) leaves[count++] = leaf;
     }
   };
 
-  /// `surface` must outlive it.
+  /// `surface` must outlive the object.
   explicit Bvh(const Surface& surface);
 
-  /// Of some triangles only, in rising order. Guesses are not made use of.
+  /// Over a subset of the triangles, in ascending order. Guesses are ignored.
   Bvh(const Surface& surface, std::span<const std::int32_t> triangles);
 
-  /// The closest point of the surface within `cap` [m]. `guess` is a triangle thought to be near, or -1. `asked` counts the triangles
-  /// that were computed.
+  /// The closest point of the surface within `cap` [m]. `guess` is a triangle expected to be near, or -1. `asked` counts the triangles
+  /// evaluated.
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, std::size_t& asked) const;
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap = no_cap) const;
 
-  /// The same, and what it takes to answer for other points within `reach` [m] of this one.
+  /// The same, and collects the surroundings for queries at other points within `reach` [m] of this one.
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& asked) const;
 
-  /// The closest point of the surface, found with what is known near by.
+  /// The closest point of the surface, found with the cached surroundings.
   std::optional<ClosestPoint> closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& asked) const;
 
   /// The closest point within `cap` [m] among the triangles whose front faces `viewer`.
   std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const;
 
-  /// The first triangle that the segment goes through from its front.
+  /// The first triangle that the segment crosses from its front.
   std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, std::size_t& asked) const;
 
-  /// The first triangle that a ball comes as near to as `radius` [m] while its centre goes along the segment, and where; no more than
-  /// `tolerance` [m] short of it. One that is as near at the start already counts where the ball goes on towards it.
+  /// First contact of a ball of `radius` [m] whose centre moves along the segment: the triangle and the fraction, at most `tolerance` [m]
+  /// early. A triangle in contact at the start counts only if the ball moves towards it.
   std::optional<Crossing> first_touch(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& asked) const;
 
-  /// Distance between the segment and the surface where it is at most `cap` [m].
+  /// Distance between the segment and the surface if it is at most `cap` [m].
   std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& asked) const;
 
-  /// How often triangles enclose the point: the sum over the crossings of a ray along x (ray_crossing.hpp); of the triangles of one
-  /// solid of the surface.
+  /// Winding number of the triangles of one solid about the point: the sum over the crossings of a ray along x (ray_crossing.hpp).
   int enclosures(const Vec3d& point, int solid) const;
 
-  /// Calls visit(triangle) for all triangles of leaves whose box meets this one, and possibly for some close by.
+  /// Calls visit(triangle) for all triangles of leaves whose box intersects this one, and possibly for some nearby.
   template <class Visit>
   void visit_box(const Box& box, const Visit& visit) const;
 
  private:
   static constexpr std::size_t width = 4;
-  // Three siblings wait at each level, and there are at most 116 of them (bvh_build.cpp).
+  // Three siblings wait at each level, and there are at most 116 levels (bvh_build.cpp).
   static constexpr std::size_t stack_size = 512;
 
   /// Boxes of the children by coordinate, relative to origin_; an absent child has low > high.
@@ -99,7 +98,7 @@ class Bvh {
     std::array<std::int32_t, width> child;  ///< a node, or ~leaf
   };
 
-  /// Four triangles by coordinate; in a leaf of fewer the last is repeated, without a number of its own.
+  /// Four triangles by coordinate; a leaf of fewer repeats the last one, without a number of its own.
   struct Leaf {
     std::array<std::array<double, width>, 3> a, ab, ac;
     std::array<double, width> inverse_ab, inverse_bc, inverse_ca, inverse_normal;  ///< 1/|edge|² and 1/|ab × ac|²
@@ -119,10 +118,10 @@ class Bvh {
   Corners corners(std::size_t triangle) const { return {surface_->corner(triangle, 0), surface_->corner(triangle, 1), surface_->corner(triangle, 2)}; }
 
   const Surface* surface_;
-  Vec3d origin_;  // middle of the surface: floats are finest there
+  Vec3d origin_;  // centre of the surface, where floats are finest
   AlignedVector<Node> nodes_;
   AlignedVector<Leaf> leaves_;
-  std::vector<std::int32_t> leaf_of_;  // of each triangle; empty where it has some of them only
+  std::vector<std::int32_t> leaf_of_;  // by triangle; empty for a subset of the triangles
 };
 
 template <class Visit>

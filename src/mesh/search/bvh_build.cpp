@@ -1,4 +1,4 @@
-// Construction: split by the surface-area heuristic (Goldsmith and Salmon 1987; binned after Wald 2007), four ways at a time.
+// Construction: split by the surface area heuristic (SAH; Goldsmith and Salmon 1987; binned after Wald 2007), four ways at a time.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -42,7 +42,7 @@ class Bvh::Builder {
 
  private:
   using Range = std::span<std::int32_t>;
-  static constexpr int deepest_uneven = 100;  // halves from there on: at most 16 levels more, so that a query's stack is bounded
+  static constexpr int deepest_uneven = 100;  // halves from there on: at most 16 further levels, which bounds the stack of a query
 
   const Box& box(std::int32_t i) const { return boxes_[static_cast<std::size_t>(i)]; }
 
@@ -52,7 +52,7 @@ class Bvh::Builder {
     return all;
   }
 
-  /// Splits in two where the expected number of leaves that a query visits is least.
+  /// Splits in two such that the expected number of leaves visited by a query is least.
   std::array<Range, 2> split(Range range, int level) const {
     constexpr std::size_t bins = 16;
     Box middles;
@@ -88,7 +88,7 @@ class Bvh::Builder {
         if (below.count > 0 && below.count < range.size() && cost < best_cost) best_cost = cost, best_axis = axis, best_plane = static_cast<double>(b);
       }
     }
-    std::size_t below = range.size() / 2;  // all in one place, or too deep: any halves will do
+    std::size_t below = range.size() / 2;  // all coincident, or too deep: any halves are suitable
     if (best_axis < 3) {
       const double low = middles.low[best_axis], extent = middles.size()[best_axis];
       const auto middle = std::stable_partition(range.begin(), range.end(), [&](std::int32_t i) {
@@ -102,7 +102,7 @@ class Bvh::Builder {
   std::int32_t add_node(Range range, int level) {
     std::array<Range, width> parts{range};
     std::size_t count = 1;
-    while (count < width) {  // open the part that a query is most likely to enter
+    while (count < width) {  // split the part that a query most probably enters
       std::size_t widest = width;
       double area = -1;
       for (std::size_t p = 0; p < count; ++p) {
@@ -155,7 +155,7 @@ class Bvh::Builder {
   Bvh& bvh_;
   const Surface& surface_;
   std::span<const std::int32_t> triangles_;
-  std::vector<std::int32_t> order_;  // of the triangles' places in the list
+  std::vector<std::int32_t> order_;  // indices into the list of triangles
   std::vector<Box> boxes_;
   double slack_ = 0;
 };

@@ -1,4 +1,4 @@
-/// Distances and crossings of one triangle: closest point to a point, crossing by a segment, distance to a segment.
+/// Distance and intersection queries for one triangle: closest point, crossing by a segment, distance to a segment.
 #pragma once
 
 #include <algorithm>
@@ -21,13 +21,13 @@ struct PointOnTriangle {
   Feature feature;
 };
 
-/// The point of a triangle that is closest to `point`. On an edge or vertex the feature says so, even where the foot of the
+/// The point of a triangle that is closest to `point`. On an edge or vertex the feature is that edge or vertex, even if the foot of the
 /// perpendicular lies exactly there.
 inline PointOnTriangle closest_on_triangle(const Vec3d& point, const Corners& t) {
   const Vec3d from_a = point - t.a, from_b = point - t.b, from_c = point - t.c;
   const Vec3d ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c;
   const Vec3d normal = cross(ab, -ca);
-  // Inside all three edges: each edge's plane, upright on the triangle, has the point on its inner side.
+  // Inside all three edges: the point is on the inner side of each edge's plane, which is perpendicular to the triangle.
   const double inside_ab = dot(cross(ab, from_a), normal), inside_bc = dot(cross(bc, from_b), normal), inside_ca = dot(cross(ca, from_c), normal);
   if (inside_ab > 0 && inside_bc > 0 && inside_ca > 0) return {point - (dot(from_a, normal) / squared_norm(normal)) * normal, Feature::face};
 
@@ -49,7 +49,7 @@ inline double squared_distance_of_segments(const Vec3d& p, const Vec3d& p_end, c
   const Vec3d d = p_end - p, e = q_end - q, r = p - q;
   const double dd = squared_norm(d), ee = squared_norm(e), de = dot(d, e), dr = dot(d, r), er = dot(e, r);
   const double determinant = dd * ee - de * de;
-  // The closest points of the two lines, then each clamped with the other one held: s on p, t on q.
+  // The closest points of the two lines, then each clamped with the other one fixed: s on p, t on q.
   double s = determinant > 0 ? std::clamp((de * er - dr * ee) / determinant, 0.0, 1.0) : 0.0;
   double t = ee > 0 ? std::clamp((de * s + er) / ee, 0.0, 1.0) : 0.0;
   s = dd > 0 ? std::clamp((de * t - dr) / dd, 0.0, 1.0) : 0.0;
@@ -57,8 +57,8 @@ inline double squared_distance_of_segments(const Vec3d& p, const Vec3d& p_end, c
   return squared_norm(r + s * d - t * e);
 }
 
-/// Squared distance between a segment and a triangle that it does not go through [m²]: that of an end from the triangle or of the
-/// segment from an edge.
+/// Squared distance between a segment and a triangle that it does not cross [m²]: that of an end from the triangle or of the segment from
+/// an edge.
 inline double squared_distance_beside(const Vec3d& start, const Vec3d& end, const Corners& t) {
   double best = std::min(squared_norm(start - closest_on_triangle(start, t).point), squared_norm(end - closest_on_triangle(end, t).point));
   best = std::min(best, squared_distance_of_segments(start, end, t.a, t.b));
@@ -66,16 +66,16 @@ inline double squared_distance_beside(const Vec3d& start, const Vec3d& end, cons
   return std::min(best, squared_distance_of_segments(start, end, t.c, t.a));
 }
 
-/// Where along the segment from `start` (0) to `end` (1) it goes through the triangle from its front, the side its normal points to.
-/// A start on the plane counts as in front; an end on it has not gone through.
+/// The fraction along the segment from `start` (0) to `end` (1) at which it crosses the triangle from its front, the side that its normal
+/// points to. A start on the plane counts as in front; an end on it has not crossed.
 ///
-/// The three edge terms are computed so that two triangles of one edge find exactly opposite values (products and their
-/// differences round alike), so a path cannot slip between them; the tolerance covers vertices, where without it about 1 % of the shots
-/// are lost. It is what the terms may be off by rounding and no more: a point put back on an edge lies 1e-12 off it, and leaves over it
-/// without meeting the plane beyond.
+/// The three edge terms are computed so that the two triangles of an edge obtain exactly opposite values (products and their differences
+/// round alike), so a path cannot pass between them. The tolerance covers vertices, where about 1 % of paths would be lost without it. It
+/// is the rounding error of the terms and no more: a point relocated onto an edge lies 1e-12 off it, and leaves over it without crossing
+/// the plane beyond.
 ///
-/// Of a path that lies in the plane but for rounding all three terms are noise, wherever it runs. It goes through the triangle only if it
-/// comes as near to it as its ends are to the plane.
+/// For a path in the plane up to rounding, all three terms are noise, whatever its position. It crosses the triangle only if it is as close
+/// to it as its ends are to the plane.
 inline std::optional<double> front_crossing(const Vec3d& start, const Vec3d& end, const Corners& t) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon(), rounding = 16 * epsilon;
   const Vec3d normal = cross(t.b - t.a, t.c - t.a);
@@ -93,12 +93,12 @@ inline std::optional<double> front_crossing(const Vec3d& start, const Vec3d& end
   return before / (before - after);
 }
 
-/// True where the segment meets the triangle, from either side.
+/// True if the segment crosses the triangle, from either side.
 inline bool crosses(const Vec3d& start, const Vec3d& end, const Corners& t) {
   return front_crossing(start, end, t).has_value() || front_crossing(end, start, t).has_value();
 }
 
-/// Squared distance between a segment and a triangle [m²]: 0 where they meet.
+/// Squared distance between a segment and a triangle [m²]: 0 if they intersect.
 inline double squared_distance_of_segment(const Vec3d& start, const Vec3d& end, const Corners& t) {
   return crosses(start, end, t) ? 0 : squared_distance_beside(start, end, t);
 }

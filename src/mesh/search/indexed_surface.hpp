@@ -1,6 +1,6 @@
-/// A surface together with what searches on it need: the tree over its triangles, and which of them may be buried in another solid. It
-/// never changes after construction, so any number of detectors share one, whatever their contact radius, points or body, and any number
-/// of threads may read it.
+/// A surface with its search structures: the BVH of its triangles, and the triangles that may be buried in another solid. Immutable after
+/// construction, so any number of detectors may share one, whatever their contact radius, points or body, and any number of threads may
+/// read it.
 ///
 ///   const auto hull = share(Surface(read_panels("hull.stl")));
 ///   ContactDetector water(hull, {.radius = 0.01}), ice(hull, {.radius = 0.05});

@@ -33,11 +33,11 @@ Solids::Solids(const Surface& surface) : surface_(&surface) {
   });
 }
 
-// The sphere about a triangle's middle that holds it meets no triangle of the other solid, so all of the triangle is on one side.
+// The bounding sphere about a triangle's centroid intersects no triangle of the other solid, so the whole triangle is on one side.
 bool Solids::is_surely_outside(const Solid& solid, std::size_t triangle) const {
   const Vec3d &a = surface_->corner(triangle, 0), &b = surface_->corner(triangle, 1), &c = surface_->corner(triangle, 2);
   const Vec3d middle = (a + b + c) / 3.0;
-  // Rounding must not have two that just touch called apart.
+  // Rounding must not separate two that just touch.
   const double radius = std::sqrt(std::max({squared_norm(a - middle), squared_norm(b - middle), squared_norm(c - middle)})) +
                         1e-9 * largest_magnitude(surface_->report().bounds.size());
   if (solid.bounds.distance(middle) > radius) return true;

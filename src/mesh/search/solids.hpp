@@ -1,14 +1,15 @@
-/// Inside and outside of a closed surface whose parts overlap: blades sunk in a hub, a bow thruster in a hull. A point of one part inside
-/// another is not surface; the surface is that of the union.
+/// Inside and outside of a closed surface with overlapping parts: blades embedded in a hub, a bow thruster in a hull. Points of one part
+/// inside another do not belong to the surface; the surface is that of the union.
 ///
-/// Of a point p, let q be the closest point of all triangles, on the triangle t of the solid A. The pseudonormal at q tells whether p is
-/// inside A, for q is A's closest point too. Should it be outside A, p could still be inside another solid B. Not so where all of t is
-/// outside B: the way from p to q would leave B before q, through a triangle nearer than q. So the sign is right wherever t is surely
-/// outside the other solids; the rest of the triangles, buried or cut by another solid or nearer to one than they are wide, are known from
-/// the start, and only where one of those is closest every solid is asked for itself.
+/// For a point p, let q be the closest point over all triangles, on the triangle t of the solid A. The pseudonormal at q determines whether p
+/// is inside A, since q is also A's closest point. If it is outside A, p could still be inside another solid B. This is impossible if all of
+/// t is outside B: the segment from p to q would leave B before q, through a triangle nearer than q. So the sign is correct wherever t is
+/// certainly outside the other solids. The remaining triangles (buried, intersected by another solid, or closer to one than their own width)
+/// are determined at construction. Only if one of those is closest, every solid is queried separately.
 ///
-/// The distance needs no such care: seen from outside, something nearer lies before whatever is buried.
+/// The distance needs no such treatment: seen from outside, a nearer triangle lies in front of any buried one.
 ///
+/// Immutable after construction, so any number of threads may query it concurrently.
 /// Nothing changes after construction, so any number of threads may ask at once.
 #pragma once
 
@@ -23,24 +24,24 @@ namespace fccda {
 
 class Solids {
  public:
-  /// `surface` must outlive it. Of one solid, or an open surface, nothing is built.
+  /// `surface` must outlive the object. For one solid, or an open surface, nothing is built.
   explicit Solids(const Surface& surface);
 
   bool several() const { return !solids_.empty(); }
 
-  /// The triangle may lie in another solid, wholly or in part.
+  /// The triangle may lie in another solid, fully or partly.
   bool may_be_buried(int triangle) const { return several() && buried_[static_cast<std::size_t>(triangle)] != 0; }
   std::size_t buried_count() const;
 
-  /// Inside a solid other than that of the triangle.
+  /// True if the point is inside a solid other than that of the triangle.
   bool another_holds(int triangle, const Vec3d& point, std::size_t& asked) const;
 
-  /// What the solids make of a point: the one it is deepest in or, where it is in none, nearest to.
+  /// The solid that a point is deepest in or, if it is in none, nearest to.
   struct Nearest {
     ClosestPoint closest;
     double signed_distance;  ///< [m] negative inside
   };
-  /// Where there are several. Finds nothing for a point that is no number.
+  /// Expects several solids. Nothing for a point that is not a number.
   std::optional<Nearest> nearest(const Vec3d& point, std::size_t& asked) const;
 
   /// The closest point of one solid among the triangles whose front faces `viewer`.
@@ -57,7 +58,7 @@ class Solids {
 
   const Surface* surface_;
   std::vector<Solid> solids_;
-  std::vector<std::uint8_t> buried_;  // of each triangle
+  std::vector<std::uint8_t> buried_;  // by triangle
 };
 
 }  // namespace fccda

@@ -1,4 +1,4 @@
-/// The coordinate axis that a round shape is built about.
+/// The coordinate axis of a round shape.
 #pragma once
 
 #include "mesh/panels.hpp"
@@ -7,8 +7,8 @@ namespace fccda {
 
 enum class Axis { x, y, z };
 
-/// Brings what was made about the axis z to another axis, by cyclic exchange of the coordinates, which keeps the winding: +x becomes +y
-/// for the axis x, and +z for the axis y.
+/// Rotates panels made about the axis z to another axis, by cyclic exchange of the coordinates, which preserves the orientation: +x becomes
+/// +y for the axis x, and +z for the axis y.
 inline void turn_axis(Panels& panels, Axis axis) {
   for (Vec3d& v : panels.vertices) {
     if (axis == Axis::x) v = {v.z, v.x, v.y};

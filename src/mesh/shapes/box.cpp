@@ -7,8 +7,8 @@ namespace {
 
 using Place = std::array<int, 3>;
 
-/// Numbers of the lattice places (i, j, k), 0 <= i <= parts[0] and so on, that lie on the surface: the lowest layer whole, the four sides
-/// of each layer between, the highest layer whole.
+/// Numbers of the lattice points (i, j, k), 0 <= i <= parts[0] and so on, that lie on the surface: the complete lowest layer, the four sides
+/// of each intermediate layer, the complete highest layer.
 class SurfaceLattice {
  public:
   explicit SurfaceLattice(const Place& parts) : parts_(parts), layer_((parts[0] + 1) * (parts[1] + 1)), belt_(2 * (parts[0] + parts[1])) {}
@@ -44,10 +44,10 @@ Panels make_box(const BoxShape& shape) {
   const SurfaceLattice lattice(parts);
 
   Panels out;
-  // in the order of the numbers above, except that belts run around
+  // in the order of the numbers above, except that intermediate layers are traversed around their perimeter
   for (int k = 0; k <= parts[2]; ++k) {
     const auto add = [&](int i, int j) {
-      // from the middle, so that mirror images agree to the last bit
+      // from the middle, so that mirror images are bitwise identical
       const auto along = [](double size, int part, int count) { return 0.5 * size * (static_cast<double>(2 * part - count) / count); };
       out.vertices.push_back({along(shape.size.x, i, parts[0]), along(shape.size.y, j, parts[1]), along(shape.size.z, k, parts[2])});
     };

@@ -1,4 +1,4 @@
-/// A box about the origin, its edges along the axes.
+/// A box about the origin, with axis-aligned edges.
 #pragma once
 
 #include "mesh/panels.hpp"
@@ -12,8 +12,8 @@ struct BoxShape {
   PanelKind panels = PanelKind::triangles;
 };
 
-/// Wound outward, vertices shared, each edge of the box in the smallest number of equal parts.
-/// Throws InputError where a size is not positive and finite, or there would be too many panels.
+/// Oriented outward, with shared vertices, each edge of the box in the smallest number of equal parts.
+/// Throws InputError if a size is not positive and finite, or the number of panels exceeds the limit.
 Panels make_box(const BoxShape& shape);
 
 }  // namespace fccda

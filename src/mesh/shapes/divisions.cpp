@@ -10,7 +10,7 @@
 
 namespace fccda {
 namespace {
-constexpr double rounding = 1e-9;  // of decimal lengths, far below any tolerance of manufacture
+constexpr double rounding = 1e-9;  // of decimal lengths, far below any manufacturing tolerance
 }
 
 double divisions(double length, double panel) { return std::max(1.0, std::ceil(length / panel * (1 - rounding))); }
@@ -24,14 +24,14 @@ double circle_divisions(double radius, double panel) {
 void expect_sizes(std::initializer_list<double> lengths, double panel, std::string_view shape) {
   for (const double length : lengths)
     if (!(length > 0 && std::isfinite(length))) refuse_shape(shape, "a length is ", length, " m, but it must be positive and finite.");
-  if (!(panel >= 0)) refuse_shape(shape, "panel is ", panel, " m, but it must be positive; leave it out for panels by default.");
+  if (!(panel >= 0)) refuse_shape(shape, "the edge length is ", panel, " m, but it must be positive; omit it for the default.");
 }
 
 void expect_affordable(double panels, double panel, std::string_view shape) {
   constexpr double most = 1e8;
   if (panels <= most) return;
   std::ostringstream sentence;
-  sentence << shape << ": panels of " << panel << " m would be " << panels << " in number, more than the " << most << " that fit in memory; use larger ones.";
+  sentence << shape << ": an edge length of " << panel << " m would give " << panels << " panels, more than the limit of " << most << "; use a larger one.";
   throw InputError(sentence.str());
 }
 

@@ -22,7 +22,7 @@ class Halving {
   }
 
   void run() {
-    // new triangles come behind, so one pass sees them all
+    // new triangles are appended, so one pass visits them all
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       while (is_too_large(static_cast<int>(t))) halve(last_of_path(static_cast<int>(t)));
     }
@@ -62,7 +62,7 @@ class Halving {
     return rules_.excess(c[0], c[1]) > 1 || rules_.excess(c[1], c[2]) > 1 || rules_.excess(c[2], c[0]) > 1;
   }
 
-  /// Of equally long edges the one with the larger numbers, so that paths cannot run in circles.
+  /// Among edges of equal length the one with the larger numbers, so that paths cannot be cyclic.
   Edge longest_edge(int t) const {
     const auto& corners = triangles_[static_cast<std::size_t>(t)];
     Edge longest = edge_of(corners, 0);

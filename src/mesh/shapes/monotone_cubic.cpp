@@ -9,7 +9,7 @@
 namespace fccda {
 namespace {
 
-/// At the first of three points, from the lengths h and slopes d of the first two pieces.
+/// The slope at the first of three points, from the lengths h and slopes d of the first two intervals.
 double end_slope(double h0, double h1, double d0, double d1) {
   const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (slope * d0 <= 0) return 0;

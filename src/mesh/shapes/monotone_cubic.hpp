@@ -1,18 +1,19 @@
-/// A smooth curve through points that never overshoots them.
+/// Monotone cubic interpolation: a smooth curve through points without overshoot.
 #pragma once
 
 #include <vector>
 
 namespace fccda {
 
-/// Piecewise cubic through points (x, y), x rising, monotone wherever the points are: slopes are weighted harmonic means of those on both sides
-/// (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300), at the ends a parabola's, kept from overshooting. Two points give a straight line.
+/// Piecewise cubic through points (x, y), x ascending, monotone wherever the points are. Slopes are weighted harmonic means of those on both
+/// sides (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300); at the ends, those of a limited parabola. Two points give a straight
+/// line.
 class MonotoneCubic {
  public:
-  /// As many x as y, two at least.
+  /// As many x as y, at least two.
   MonotoneCubic(std::vector<double> x, std::vector<double> y);
 
-  /// Before the first point and behind the last the value is theirs.
+  /// Outside the range of the points the value is constant, that of the nearest one.
   double operator()(double x) const;
 
  private:

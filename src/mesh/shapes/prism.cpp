@@ -9,13 +9,13 @@
 namespace fccda {
 namespace {
 
-/// Twice the area of three corners of the end, positive where they go round counterclockwise.
+/// Twice the area of three corners of the end, positive if counterclockwise.
 double doubled_area(const Panels& panels, int a, int b, int c) {
   const auto at = [&](int vertex) { return panels.vertices[static_cast<std::size_t>(vertex)]; };
   return cross(at(b) - at(a), at(c) - at(a)).z;
 }
 
-/// False where sides cross. A quad is cut here, along the diagonal that lies in it.
+/// False if sides cross. A quad is split here, along the diagonal inside it.
 bool add_end(Panels& out, const std::vector<int>& corners) {
   if (corners.size() != 4) return add_polygon(out, corners);
   for (std::size_t first = 0; first < 2; ++first) {
@@ -44,7 +44,7 @@ Panels make_prism(const PrismShape& shape) {
     top.push_back(2 * k + 1);
   }
   if (count < 3 || !add_end(out, top) || !add_end(out, bottom))
-    refuse_shape("prism", "the outline of ", count, " corners bounds no area; it needs three or more, and its sides must not cross.");
+    refuse_shape("prism", "the outline of ", count, " corners encloses no area; it needs three corners or more, and its sides must not cross.");
   for (int k = 0; k < count; ++k) {
     const int next = (k + 1) % count;
     out.add_quad(2 * k, 2 * next, 2 * next + 1, 2 * k + 1);

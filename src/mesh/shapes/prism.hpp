@@ -1,4 +1,4 @@
-/// A prism over a polygon of the plane z = 0: what a plane outline is to codes in two dimensions.
+/// A prism over a polygon in the plane z = 0: the counterpart of an outline in a 2-D code.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 namespace fccda {
 
 struct PrismShape {
-  std::vector<std::array<double, 2>> outline;  ///< [m] x and y of its corners, in either direction around; concave ones too
-  double height = 1;  ///< [m] half of it above the plane. Points of the plane never feel its ends where it is more than two contact radii
+  std::vector<std::array<double, 2>> outline;  ///< [m] x and y of its corners, in either direction around; may be concave
+  double height = 1;                           ///< [m] half of it above the plane. Above two contact radii, points in the plane are unaffected by its ends
 };
 
-/// A quad for each side, and the two ends. Throws InputError where the outline has fewer than three corners or crosses itself, a number is not finite, or
-/// the height not positive.
+/// A quad for each side, and the two ends. Throws InputError if the outline has fewer than three corners or crosses itself, a number is not
+/// finite, or the height is not positive.
 Panels make_prism(const PrismShape& shape);
 
 }  // namespace fccda

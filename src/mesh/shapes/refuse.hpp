@@ -1,4 +1,4 @@
-/// How a shape says that its dimensions do not go together.
+/// Errors for inconsistent dimensions of a shape.
 #pragma once
 
 #include <sstream>
@@ -8,7 +8,7 @@
 
 namespace fccda {
 
-/// Throws InputError("shape: words…"), numbers with four digits.
+/// Throws InputError("shape: words…"), with numbers to four digits.
 template <class... Words>
 [[noreturn]] void refuse_shape(std::string_view shape, const Words&... words) {
   std::ostringstream sentence;

@@ -43,7 +43,7 @@ Ring add_ring(Panels& out, int count, double radius, double z) {
 void zip_rings(Panels& out, const Ring& inner, const Ring& outer, Facing facing) {
   const auto add = [&](int a, int b, int c) { facing == Facing::up ? out.add_triangle(a, b, c) : out.add_triangle(a, c, b); };
   for (int i = 0, o = 0; i < inner.count || o < outer.count;) {
-    // (o + 1/2)/outer.count <= (i + 1/2)/inner.count in whole numbers; a ring that is used up comes last
+    // (o + 1/2)/outer.count <= (i + 1/2)/inner.count in integers; a completed ring comes last
     const bool outer_is_next = static_cast<long long>(2 * o + 1) * inner.count <= static_cast<long long>(2 * i + 1) * outer.count;
     if (outer_is_next) {
       add(inner.vertex(i), outer.vertex(o), outer.vertex(o + 1));

@@ -1,4 +1,4 @@
-/// Rings of vertices about the axis z, and triangles between them: what cylinders and hubs are made of.
+/// Rings of vertices about the axis z, and triangles between them, for cylinders and hubs.
 #pragma once
 
 #include "mesh/panels.hpp"
@@ -12,17 +12,17 @@ struct Ring {
   int vertex(int k) const { return first + k % count; }
 };
 
-/// Adds the vertices of a ring, by symmetry from the first eighth of the circle, so that mirror images agree to the last bit.
+/// Adds the vertices of a ring, by symmetry from the first eighth of the circle, so that mirror images are bitwise identical.
 Ring add_ring(Panels& out, int count, double radius, double z);
 
 enum class Facing { up, down };
 
-/// Triangles between two rings of any counts. Facing up their normals point along +z where `inner` is the smaller one, and away from the
-/// axis where `inner` lies above `outer`. The next side is taken from the ring whose next side has its middle at the smaller angle, so that
-/// edges between the rings stay within half a side of each.
+/// Triangles between two rings of any counts. With Facing::up, normals point along +z if `inner` is the smaller one, and away from the axis
+/// if `inner` lies above `outer`. The next side is taken from the ring whose next side has its midpoint at the smaller angle, so that edges
+/// between the rings stay within half a side of each.
 void zip_rings(Panels& out, const Ring& inner, const Ring& outer, Facing facing);
 
-/// A disc of rings from `rim`, which has this radius and height, to a vertex on the axis.
+/// A disc of rings from `rim`, of this radius and height, to a vertex on the axis.
 void add_cap(Panels& out, const Ring& rim, double radius, double z, double panel, Facing facing);
 
 }  // namespace fccda

@@ -27,14 +27,14 @@ std::array<Vec3d, 12> icosahedron() {
   return corners;
 }
 
-/// Cuts faces into f² triangles; vertices on common edges are made once.
+/// Subdivides faces into f² triangles; vertices on common edges are created once.
 class Subdivision {
  public:
   Subdivision(int f, double radius) : f_(f), radius_(radius), corners_(icosahedron()) {
     for (const Vec3d& corner : corners_) add_vertex(corner);
   }
 
-  /// Wound as its corners a, b, c.
+  /// Oriented as its corners a, b, c.
   void add_face(int a, int b, int c) {
     // rows parallel to ab, the last one the corner c
     std::vector<int> row = edge_vertices(a, b);
@@ -96,7 +96,7 @@ Panels make_sphere(const SphereShape& shape) {
 
   Subdivision sphere(static_cast<int>(f), radius);
   const std::array<Vec3d, 12> corners = icosahedron();
-  const auto are_joined = [&](std::size_t a, std::size_t b) { return norm(corners[a] - corners[b]) < 1.1 * edge; };  // the next nearest are φ times as far
+  const auto are_joined = [&](std::size_t a, std::size_t b) { return norm(corners[a] - corners[b]) < 1.1 * edge; };  // the next distance is φ times as large
   for (std::size_t a = 0; a < 12; ++a) {
     for (std::size_t b = a + 1; b < 12; ++b) {
       for (std::size_t c = b + 1; c < 12; ++c) {

@@ -7,10 +7,10 @@
 
 namespace fccda {
 
-/// Fills the strip between the rows a and b, which run the same way and may have different numbers of vertices, 1 at least: calls
-/// add(p, q, r) for each triangle, wound from a across to b and on along the rows. Of the two edges that could come next the shorter one
-/// is taken, so that the triangles of a skew strip are cut across its short diagonals. Every triangle has two vertices that are neighbours in
-/// one of the rows. `at(vertex)`: where it is.
+/// Fills the strip between the rows a and b, which run the same way and may have different numbers of vertices, at least 1: calls
+/// add(p, q, r) for each triangle, oriented from a across to b and on along the rows. Of the two possible next edges the shorter is taken,
+/// so that the triangles of a skew strip are divided across its short diagonals. Every triangle has two vertices that are neighbours in one
+/// of the rows. `at(vertex)`: its position.
 template <class At, class Add>
 void fill_strip(std::span<const int> a, std::span<const int> b, const At& at, const Add& add) {
   std::size_t i = 0, j = 0;

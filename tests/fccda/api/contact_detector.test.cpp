@@ -30,7 +30,7 @@ RigidBody turning_hull() {
   return RigidBody({.mass = 30, .centre_of_mass = {0.3, 0.1, 0}, .inertia = Mat3::diagonal({2, 4, 5})}, Pose(), {0.3, 0.1, 0.5}, {0.5, -0.3, 1}, all);
 }
 
-/// A cloud that falls on a hull which turns and drives into it.
+/// A point cloud that falls on a hull, which rotates and moves into it.
 struct Scene {
   std::shared_ptr<const Surface> surface = fixtures::surface_of(fixtures::hull());
   RigidBody hull = turning_hull();
@@ -63,7 +63,7 @@ struct Scene {
 
 }  // namespace
 
-TEST_CASE("plain call: finds bit for bit what the swept detector finds that asks every point, with a turning hull, for any number of threads") {
+TEST_CASE("plain call: contacts are bitwise identical to those with every point evaluated, with a rotating hull, for any number of threads") {
   const int threads = thread_count();
   std::size_t contacts_found = 0;
   for (const int count : {1, 3}) {
@@ -73,20 +73,20 @@ TEST_CASE("plain call: finds bit for bit what the swept detector finds that asks
     for (int step = 0; step < 150; ++step) {
       const Motion motion = scene.advance();
       const std::vector<Contact> contacts = detector.detect(motion, scene.x_t0, scene.x_t1);
-      Swept fresh(scene.surface, Unbounded{}, ball);  // remembers nothing, so it asks every point
+      Swept fresh(scene.surface, Unbounded{}, ball);  // without cache, so it evaluates every point
       std::vector<Contact> expected;
       fresh.detect(fixtures::TestPoints{scene.x_t0, scene.x_t1, {}, {}}, motion, 0, expected);
       REQUIRE(same(contacts, expected));
       contacts_found += contacts.size();
       respond(contacts, motion, scene.hull, {scene.x_t0, scene.x_t1, scene.velocity, scene.mass});
     }
-    CHECK(detector.swept().effort().points_asked < 1000 * 150 / 4);  // and most points were never looked at
+    CHECK(detector.swept().effort().points_asked < 1000 * 150 / 4);  // and most points were skipped
   }
   use_threads(threads);
   CHECK(contacts_found > 1000);
 }
 
-TEST_CASE("plain call: no point is ever inside, by the winding number, and points and hull keep their momentum") {
+TEST_CASE("plain call: no point is ever inside, by the winding number, and points and hull conserve momentum") {
   Scene scene(300);
   ContactDetector detector(*scene.surface, {.radius = ball});
   const Vec3d before = scene.momentum();
@@ -103,7 +103,7 @@ TEST_CASE("plain call: no point is ever inside, by the winding number, and point
   for (const Vec3d& x : scene.x_t1) CHECK_FALSE(soup.inside(scene.hull.pose().to_body(x)));
 }
 
-TEST_CASE("plain call: points may be appended, taken off the end and renumbered between steps") {
+TEST_CASE("plain call: points may be appended, removed at the end and renumbered between steps") {
   Scene scene(200);
   ContactDetector detector(*scene.surface, {.radius = ball});
   std::size_t found = 0;
@@ -115,7 +115,7 @@ TEST_CASE("plain call: points may be appended, taken off the end and renumbered 
     respond(contacts, motion, scene.hull, {scene.x_t0, scene.x_t1, scene.velocity, scene.mass});
     return same(contacts, expected);
   };
-  const Scene more(320);  // the same seed: its first 200 points are where those of the scene began
+  const Scene more(320);  // the same seed: its first 200 points start where those of the scene do
   for (int step = 0; step < 240; ++step) {
     if (step == 60) {
       scene.x_t1.insert(scene.x_t1.end(), more.x_t1.begin() + 200, more.x_t1.end());
@@ -132,7 +132,7 @@ TEST_CASE("plain call: points may be appended, taken off the end and renumbered 
   CHECK(found > 100);
 }
 
-TEST_CASE("plain call: a point that somebody else put before the surface is struck there") {
+TEST_CASE("plain call: a point that was displaced in front of the surface is in contact there") {
   const Surface surface(make_box({.size = {1, 1, 1}, .edge_length = 1}));
   ContactDetector detector(surface, {.radius = ball});
   const Motion rest = fixtures::at_rest();
@@ -141,7 +141,7 @@ TEST_CASE("plain call: a point that somebody else put before the surface is stru
   CHECK(detector.detect(rest, std::vector<double>{0, 0, 0.6}, std::vector<double>{0, 0, 0.4}).size() == 1);
 }
 
-TEST_CASE("plain call: a body put elsewhere by hand between two steps strikes points that it had been far from") {
+TEST_CASE("plain call: a body moved by hand between two steps contacts points that it was far from") {
   const Surface surface(make_box({.size = {1, 1, 20}, .edge_length = 1}));
   const double quarter = std::numbers::pi / 2;
   struct Scene {
@@ -159,7 +159,7 @@ TEST_CASE("plain call: a body put elsewhere by hand between two steps strikes po
   }
 }
 
-TEST_CASE("plain call: a point that came in where the surface is not felt stays excused when points are renumbered") {
+TEST_CASE("plain call: a point that entered outside the contact bounds stays without contact when points are renumbered") {
   const Surface surface(make_box({.size = {1, 1, 1}, .edge_length = 0.25}));
   ContactDetector detector(surface, {.region = BoxUnion({.size = {2, 2, 0.5}}, surface, Beyond::clip)});
   const Vec3d far{0, 0, 5}, above{0.4, 0, 0.26}, in{0.4, 0, 0.24}, deeper{0.4, 0, 0.23};
@@ -169,19 +169,19 @@ TEST_CASE("plain call: a point that came in where the surface is not felt stays 
   CHECK(detector.swept().entered_inside() == 1);
 }
 
-TEST_CASE("plain call: points that begin inside are named, touching ones are not") {
+TEST_CASE("plain call: points that start inside are reported, points in contact are not") {
   ContactDetector detector{Surface(make_box({.size = {1, 1, 1}, .edge_length = 1})), {.radius = ball}};
   const std::vector<Vec3d> x{{0, 0, 0}, {0, 0, 0.5 + ball}, {0, 0, 0.5 + 0.5 * ball}, {0, 0, 2}};
   CHECK(detector.points_inside(Pose(), x) == std::vector<std::size_t>{0, 2});
   CHECK(detector.points_inside(Pose({0, 0, 2}), x) == std::vector<std::size_t>{3});
 }
 
-TEST_CASE("plain call: no points are no contacts") {
+TEST_CASE("plain call: without points there are no contacts") {
   ContactDetector detector{Surface(fixtures::tetrahedron())};
   CHECK(detector.detect(fixtures::at_rest(), {}, {}).empty());
 }
 
-TEST_CASE("plain call: what cannot be meant is refused in a sentence") {
+TEST_CASE("plain call: invalid arguments are rejected with a message") {
   const Surface surface(fixtures::tetrahedron());
   CHECK_THROWS_WITH_AS(ContactDetector(surface, {.radius = -1}),
                        "contact: the contact radius is -1 m, but it must be a number of at least 0; 0 is for points without extent.", InputError);
@@ -199,10 +199,10 @@ TEST_CASE("plain call: what cannot be meant is refused in a sentence") {
   astray[70].y = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(
       detector.detect(fixtures::at_rest(), before, astray),
-      "contact: point 70 goes from (2, 2, 2) to (2, inf, 2) in one step, which is no way to go; the solver has become unstable, try a shorter step.");
+      "contact: point 70 goes from (2, 2, 2) to (2, inf, 2) in one step, which is not finite; the solver has become unstable, use a shorter step.");
 }
 
-TEST_CASE("plain call: motions that are not finite and points that go too far to tell are refused, instead of no contact") {
+TEST_CASE("plain call: motions that are not finite and paths too long for detection are rejected, rather than without contact") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   ContactDetector detector{Surface(make_box({.size = {1, 1, 1}}))};
   const std::vector<Vec3d> above{{0, 0, 1}}, below{{0, 0, -1}};
@@ -220,13 +220,13 @@ TEST_CASE("plain call: motions that are not finite and points that go too far to
     CHECK_THROWS_AS(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, far}}, std::vector<Vec3d>{{0, 0, -far}}), RunError);
   CHECK_THROWS_WITH(
       detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, 1e150}}, below),
-      "contact: point 0 goes from (0, 0, 1e+150) to (0, 0, -1) in one step, further than the 1e+06 m that its contact can be told from rounding; the "
-      "solver has become unstable, try a shorter step.");
-  CHECK(detector.detect(fixtures::at_rest(), above, below).size() == 1);  // what was refused left no trace
+      "contact: point 0 goes from (0, 0, 1e+150) to (0, 0, -1) in one step, farther than 1e+06 m, beyond which rounding hides its contact; the solver has "
+      "become unstable, use a shorter step.");
+  CHECK(detector.detect(fixtures::at_rest(), above, below).size() == 1);  // rejected input has no effect
   CHECK(detector.detect(fixtures::at_rest(), std::vector<Vec3d>{{0, 0, 1e150}}, std::vector<Vec3d>{{0, 0, 1e150}}).empty());
 }
 
-TEST_CASE("plain call: on ways up to the longest allowed a point is struck and put back outside, and its place is known to the rounding of the way") {
+TEST_CASE("plain call: on paths up to the longest allowed contact is found and relocated outside, accurate to the rounding of the path") {
   for (const double radius : {0.0, ball}) {
     for (const double far : {1e2, 1e4, 0.99e6}) {
       std::mt19937_64 random(11);
@@ -237,7 +237,7 @@ TEST_CASE("plain call: on ways up to the longest allowed a point is struck and p
         const std::vector<Contact> contacts = detector.detect(fixtures::at_rest(), x_t0, x_t1);
         REQUIRE(contacts.size() == 1);
         CHECK(detector.points_inside(Pose(), std::vector<Vec3d>{contacts[0].relocation}).empty());
-        // the path's own coordinates are rounded by half of 2.2e-16 of the way, and what is computed of them by some more
+        // the path's coordinates are rounded by half of 2.2e-16 of its length, and results computed from them somewhat more
         if (radius == 0) CHECK(largest_magnitude(contacts[0].hit) == fixtures::absolute(0.5, 4e-15 * far + 1e-12, "m"));
       }
     }
@@ -254,7 +254,7 @@ std::vector<double> radii_of(std::size_t points) {
 
 }  // namespace
 
-TEST_CASE("plain call: points of different radii are struck as those of each radius are alone, with a turning hull, for any number of threads") {
+TEST_CASE("plain call: points of different radii have the same contacts as the points of each radius alone, with a rotating hull, for any number of threads") {
   const int threads = thread_count();
   for (const int count : {1, 3}) {
     use_threads(count);
@@ -276,7 +276,7 @@ TEST_CASE("plain call: points of different radii are struck as those of each rad
       REQUIRE(same(contacts, expected));
       found += contacts.size();
       respond(contacts, motion, scene.hull, {scene.x_t0, scene.x_t1, scene.velocity, scene.mass});
-      for (ContactDetector& one : alone) one.points_changed();  // others were relocated by other radii than its own
+      for (ContactDetector& one : alone) one.points_changed();  // others were relocated with radii other than its own
     }
     CHECK(found > 100);
     CHECK(detector.swept().effort().points_asked < 1000 * 100 / 4);
@@ -285,7 +285,7 @@ TEST_CASE("plain call: points of different radii are struck as those of each rad
   use_threads(threads);
 }
 
-TEST_CASE("plain call: a point that grows is put back at its new radius, though it rests and was known to be far; by the front of an open surface too") {
+TEST_CASE("plain call: a resting point of growing radius is relocated to its new radius; at the front of an open surface too") {
   Panels floor;
   floor.vertices = {{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}};
   floor.add_quad(0, 1, 2, 3);
@@ -301,11 +301,11 @@ TEST_CASE("plain call: a point that grows is put back at its new radius, though 
   }
 }
 
-TEST_CASE("plain call: radii that are missing, negative or no number are refused") {
+TEST_CASE("plain call: radii that are missing, negative or not a number are rejected") {
   ContactDetector detector{Surface(make_box({.size = {1, 1, 1}}))};
   const std::vector<Vec3d> x{{0, 0, 2}, {0, 0, 3}};
   CHECK_THROWS_WITH_AS(detector.detect(fixtures::at_rest(), x, x, std::vector<double>{0.1}),
-                       "contact: there is not one radius for each of the 2 points; give as many, or one number for all.", InputError);
+                       "contact: the number of radii differs from the 2 points; give one for each, or one number for all.", InputError);
   for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     CHECK_THROWS_AS(detector.detect(fixtures::at_rest(), x, x, std::vector<double>{0.1, bad}), InputError);
     CHECK_THROWS_AS(detector.points_inside(Pose(), x, std::vector<double>{0.1, bad}), InputError);
@@ -314,7 +314,7 @@ TEST_CASE("plain call: radii that are missing, negative or no number are refused
   CHECK(detector.points_inside(Pose(), x, 3.0) == std::vector<std::size_t>{0, 1});
 }
 
-TEST_CASE("plain call: detectors of one surface share it, and find what detectors of their own find") {
+TEST_CASE("plain call: detectors that share a surface find the same contacts as separate ones") {
   Scene scene(500);
   const SharedSurface shared = share(scene.surface);
   ContactDetector points(shared), balls(shared, {.radius = ball}), of_their_own(*scene.surface, {.radius = ball});
@@ -331,7 +331,7 @@ TEST_CASE("plain call: detectors of one surface share it, and find what detector
   CHECK(found > 50);
 }
 
-TEST_CASE("plain call: points kept in floats never end inside, nor behind an open surface, with radius or without") {
+TEST_CASE("plain call: points stored as floats never end inside, nor behind an open surface, with radius or without") {
   Panels valley;  // a floor and a wall
   valley.vertices = {{-9, -9, 0}, {1, -9, 0}, {1, 9, 0}, {-9, 9, 0}, {2, -9, 9}, {2, 9, 9}};
   valley.add_quad(0, 1, 2, 3);

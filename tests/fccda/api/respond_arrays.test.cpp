@@ -16,7 +16,7 @@ RigidBody free_body(double mass) { return {{.mass = mass}, Pose(), {}, {}, {{tru
 
 }  // namespace
 
-TEST_CASE("plain response: a struck point is put back, gets the velocity that leads there, and the body what it lost") {
+TEST_CASE("plain response: a point in contact is relocated with the corresponding velocity, and the body receives its lost momentum") {
   RigidBody body = free_body(4);
   const Motion motion = body.advance(0.5);
   const std::vector<Contact> contacts{{.point = 1, .normal = {0, 0, 1}, .relocation = {1, 1, 1}}};
@@ -36,7 +36,7 @@ TEST_CASE("plain response: a struck point is put back, gets the velocity that le
   CHECK(respond(contacts, same.advance(0.5), same, {x_t0, x_t1, velocity, masses}).impulse == tally.impulse);
 }
 
-TEST_CASE("plain response: arrays of different length and steps of no duration are refused") {
+TEST_CASE("plain response: arrays of different length and steps of no duration are rejected") {
   RigidBody body = free_body(1);
   const Motion motion = body.advance(0.5);
   std::vector<Vec3d> two(2), three(3);
@@ -52,7 +52,7 @@ TEST_CASE("plain response: arrays of different length and steps of no duration a
                        "contact: the step of the motion has no duration, but velocities need one; set Motion::dt.", InputError);
 }
 
-TEST_CASE("plain response: masses with a stride and arrays of floats do what doubles one behind the other do") {
+TEST_CASE("plain response: masses with a stride and arrays of floats give the same as contiguous doubles") {
   const std::vector<Contact> contacts{{.point = 1, .normal = {0, 0, 1}, .relocation = {1, 1, 1}}};
   RigidBody body = free_body(4);
   const std::vector<float> x_t0{9, 9, 9, 1, 1, 2}, padded{100, 0, 3, 0};
@@ -63,7 +63,7 @@ TEST_CASE("plain response: masses with a stride and arrays of floats do what dou
   CHECK(tally.impulse == Vec3d{0, 0, -6});
 }
 
-TEST_CASE("plain response: without the body it returns what the body would get; the sum over several sets of points, given once, is what one call gives") {
+TEST_CASE("plain response: without the body it returns the body's impulse; the sum over several sets of points, applied once, equals that of one call") {
   const std::vector<Contact> contacts{{.point = 0, .normal = {0, 0, 1}, .relocation = {1, 0, 1}}, {.point = 1, .normal = {0, 0, 1}, .relocation = {0, 1, 1}}};
   const std::vector<Vec3d> x_t0{{1, 0, 2}, {0, 1, 2}}, velocity{{0, 0, -4}, {0, 0, -6}};
   const auto body = [] { return RigidBody({.mass = 4, .inertia = Mat3::identity()}, Pose(), {}, {}, {{true, true, true, true, true, true}}); };
@@ -81,7 +81,7 @@ TEST_CASE("plain response: without the body it returns what the body would get; 
   CHECK((parts.velocity() == whole.velocity() && parts.angular_velocity() == whole.angular_velocity()));
 }
 
-TEST_CASE("plain response: friction that is negative or no number, masses and velocities that are not finite are refused, and nothing is changed") {
+TEST_CASE("plain response: friction that is negative or not a number, masses and velocities that are not finite are rejected without effect") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const std::vector<Contact> contacts{{.point = 0, .normal = {0, 0, 1}, .relocation = {0, 0, 1}}};
   const std::vector<Vec3d> x_t0{{0, 0, 2}};

@@ -1,4 +1,4 @@
-// A run that is stopped and taken up again with new detectors.
+// A run that is stopped and restarted with new detectors.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -24,7 +24,7 @@ Surface plate() {
   return Surface(square, {.orientation = Orientation::normals});
 }
 
-/// Two open plates face each other and close in on points between them, so that each pushes them against the other, then they open again.
+/// Two open plates face each other and close on points between them, so that each pushes them against the other; then they open again.
 struct Press {
   std::vector<Vec3d> x_t0, x, v;
   RigidBody low{{.mass = 1}, Pose(), {}, {}, {}}, high{{.mass = 1}, Pose({0, 0, 0.3}, Quaternion::from_rotation({std::numbers::pi, 0, 0})), {}, {}, {}};
@@ -44,7 +44,7 @@ struct Press {
       x_t0 = x;
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += dt * v[i];
       const Motion low_motion = low.advance(dt), high_motion = high.advance(dt);
-      hit(below, low, low_motion, above);  // one look each: what the other pushes in is put out in the next step
+      hit(below, low, low_motion, above);  // one detection each: penetration caused by the other is resolved in the next step
       hit(above, high, high_motion, below);
     }
   }
@@ -66,7 +66,7 @@ bool same(const std::vector<Contact>& a, const std::vector<Contact>& b) {
 
 }  // namespace
 
-TEST_CASE("plain call: with a detector's state a restart of open surfaces goes on to the bit, and without it does not") {
+TEST_CASE("plain call: with a detector's state a restart of open surfaces is bitwise exact, and without it it is not") {
   Press whole;
   ContactDetector below(plate(), {.radius = r}), above(plate(), {.radius = r});
   whole.run(below, above, 0, 80);
@@ -90,8 +90,8 @@ TEST_CASE("plain call: with a detector's state a restart of open surfaces goes o
   CHECK(others_without > 0);
 }
 
-TEST_CASE("plain call: a state that is none is refused in a sentence") {
+TEST_CASE("plain call: an invalid state is rejected with a message") {
   ContactDetector detector(plate(), {.radius = r});
   CHECK_THROWS_WITH_AS(detector.resume({.touched = {3, 1}}),
-                       "contact: the points of a detector's state are not in rising order; give back what state() returned.", InputError);
+                       "contact: the points of a detector's state are not in ascending order; pass what state() returned.", InputError);
 }

@@ -16,7 +16,7 @@ void copy(ConstVectors from, Vectors to) {
 
 }  // namespace
 
-TEST_CASE("vectors: the same numbers are seen in vectors, in triples, in three arrays and in structs, and can be written there") {
+TEST_CASE("vectors: views of vectors, of triples, of three arrays and of structs read and write the same numbers") {
   const std::vector<Vec3d> vectors{{1, 2, 3}, {4, 5, 6}};
 
   std::vector<double> triples(6);
@@ -39,13 +39,13 @@ TEST_CASE("vectors: the same numbers are seen in vectors, in triples, in three a
   CHECK(again == vectors);
 }
 
-TEST_CASE("vectors: of nothing there are none") {
+TEST_CASE("vectors: views of empty arrays are empty") {
   CHECK(ConstVectors().size() == 0);
   CHECK(ConstVectors(std::vector<Vec3d>{}).size() == 0);
   CHECK(Vectors(std::vector<double>{}).size() == 0);
 }
 
-TEST_CASE("vectors: a view that has a name can be copied, and read through a view that cannot write") {
+TEST_CASE("vectors: a named view can be copied, and converted to a read-only view") {
   double x[2]{1, 2}, y[2]{3, 4}, z[2]{5, 6};
   Vectors view(x, y, z, 2);
   Vectors again = view;
@@ -57,7 +57,7 @@ TEST_CASE("vectors: a view that has a name can be copied, and read through a vie
   CHECK((view.size() == 1 && again.size() == 2));
 }
 
-TEST_CASE("vectors: floats are read as doubles and written rounded, in triples, in three arrays and in structs, backwards too") {
+TEST_CASE("vectors: floats are read as doubles and written rounded, in triples, in three arrays and in structs, with negative strides too") {
   std::vector<float> triples{1, 2, 3, 4, 5, 6};
   const std::vector<Vec3d> wanted{{1, 2, 3}, {4, 5, 6}};
   std::vector<Vec3d> found(2);
@@ -74,7 +74,7 @@ TEST_CASE("vectors: floats are read as doubles and written rounded, in triples, 
   const Vectors view(triples);
   view.set(0, {0.1, 0, 0});
   CHECK(view[0].x == double(0.1F));
-  CHECK_THROWS_WITH_AS(ConstVectors(std::vector<float>(7)), "vectors: 7 floats are no whole number of vectors; give x, y and z of each.", InputError);
+  CHECK_THROWS_WITH_AS(ConstVectors(std::vector<float>(7)), "vectors: 7 floats are not a multiple of three; give x, y and z of each.", InputError);
 }
 
 TEST_CASE("numbers: one for all, one for each, members of structs, doubles and floats") {
@@ -90,6 +90,6 @@ TEST_CASE("numbers: one for all, one for each, members of structs, doubles and f
   CHECK((one[17] == 4 && !one.of_each() && one.are_for(9)));
 }
 
-TEST_CASE("vectors: doubles that are no whole number of triples are refused") {
-  CHECK_THROWS_WITH_AS(ConstVectors(std::vector<double>(7)), "vectors: 7 doubles are no whole number of vectors; give x, y and z of each.", InputError);
+TEST_CASE("vectors: a number of doubles that is not a multiple of three is rejected") {
+  CHECK_THROWS_WITH_AS(ConstVectors(std::vector<double>(7)), "vectors: 7 doubles are not a multiple of three; give x, y and z of each.", InputError);
 }

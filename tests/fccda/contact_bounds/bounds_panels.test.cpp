@@ -18,14 +18,14 @@ double volume_of(const Panels& panels) {
 
 }  // namespace
 
-TEST_CASE("region panels: the panels of boxes enclose them, facing outward") {
+TEST_CASE("bounds panels: the panels of boxes enclose them, facing outward") {
   const Box boxes[] = {{{-1, 2, 3}, {1, 5, 7}}, {{0, 0, 0}, {0.5, 0.25, 0.125}}};
   const Panels panels = panels_of(boxes);
   CHECK(panels.panels.size() == 12);
   CHECK(volume_of(panels) == fixtures::relative(2 * 3 * 4 + 0.5 * 0.25 * 0.125, 1e-12));
 }
 
-TEST_CASE("region panels: every region is shown closed, facing outward, with the volume it has; without bound there is nothing to show") {
+TEST_CASE("bounds panels: the panels of all contact bounds are closed, face outward and enclose their volume; unbounded has none") {
   for (const fixtures::ToBound& body : fixtures::surfaces_to_bound()) {
     for (const fixtures::NamedRegion& region : fixtures::every_region(body.surface)) {
       CAPTURE(body.name);

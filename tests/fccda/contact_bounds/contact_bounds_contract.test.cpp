@@ -1,4 +1,4 @@
-// What every region promises, on the list.
+// The guarantees of all contact bounds, for each kind.
 #include <doctest/doctest.h>
 
 #include "fccda/contact_bounds/scenes.hpp"
@@ -6,7 +6,7 @@
 
 using namespace fccda;
 
-TEST_CASE("region: a path that comes within the margin of a panel inside is never called untouchable, and no distance is too large") {
+TEST_CASE("contact bounds: a path within the margin of a panel inside is never rejected, and no distance is overestimated") {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
   for (const fixtures::ToBound& body : fixtures::surfaces_to_bound()) {
@@ -18,7 +18,7 @@ TEST_CASE("region: a path that comes within the margin of a panel inside is neve
           [&](const auto& its) {
             std::size_t inside = 0;
             for (int trial = 0; trial < 2000; ++trial) {
-              // A place of the surface, a point of the path within the margin of it, and a path through that point.
+              // A point of the surface, a point of the path within the margin of it, and a path through that point.
               const Vec3d place = fixtures::random_place(random, body.surface);
               if (!its.contains(place)) continue;
               ++inside;
@@ -36,7 +36,7 @@ TEST_CASE("region: a path that comes within the margin of a panel inside is neve
   }
 }
 
-TEST_CASE("region: what is rejected is nowhere within the margin, by looking closely along the path at every triangle") {
+TEST_CASE("contact bounds: a rejected path is nowhere within the margin, by dense sampling of the path against every triangle") {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> unit(0, 1);
   for (const fixtures::ToBound& body : fixtures::surfaces_to_bound()) {
@@ -70,7 +70,7 @@ TEST_CASE("region: what is rejected is nowhere within the margin, by looking clo
   }
 }
 
-TEST_CASE("region: paths that are not numbers are not rejected") {
+TEST_CASE("contact bounds: paths that are not numbers are not rejected") {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   const Surface surface(fixtures::propeller({.edge_length = 0.06}));
   for (const fixtures::NamedRegion& region : fixtures::every_region(surface)) {
@@ -79,7 +79,7 @@ TEST_CASE("region: paths that are not numbers are not rejected") {
   }
 }
 
-TEST_CASE("region: regions that were fitted hold everything inside a closed surface too") {
+TEST_CASE("contact bounds: fitted bounds contain the volume inside a closed surface too") {
   std::mt19937_64 random(5);
   for (const fixtures::ToBound& body : fixtures::surfaces_to_bound()) {
     const Box& bounds = body.surface.report().bounds;

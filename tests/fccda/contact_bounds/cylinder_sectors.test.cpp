@@ -13,7 +13,7 @@ using std::numbers::pi;
 
 namespace {
 
-/// Holds the unit cube's neighbourhood: what is asked of the region is of no surface in these tests.
+/// Contains the neighbourhood of the unit cube: the queries of these tests do not involve a surface.
 CylinderSectors contact_bounds_of(const CylinderSectors::Shape& shape) { return CylinderSectors(shape, Surface(fixtures::unit_cube()), Beyond::clip); }
 
 /// A hub of 1 and two sectors of 60° about x and -x, within a radius of 4.
@@ -36,7 +36,7 @@ constexpr double slack = 4e-3;  // a thousandth of the radius of two_blades
 
 }  // namespace
 
-TEST_CASE("cylinder sectors: inside are the hub and the sectors, between the ends") {
+TEST_CASE("cylinder sectors: the hub and the sectors between the ends are inside") {
   const CylinderSectors fan = two_blades();
   for (const double degrees : {0.0, 29.9, -29.9, 180.0, 150.1, 209.9}) CHECK(fan.contains(about_z(3.9, degrees, 0.9)));
   for (const double degrees : {31.0, 90.0, 149.0, 211.0, 270.0, 329.0}) CHECK_FALSE(fan.contains(about_z(3.9, degrees, 0)));
@@ -65,7 +65,7 @@ TEST_CASE("cylinder sectors: the distance is exact beside a sector, outside the 
   CHECK(sector.distance_at_least(about_z(3, 200, 0)) >= 3 - slack);
 }
 
-TEST_CASE("cylinder sectors: angles turn about the axis from x to y, from y to z and from z to x") {
+TEST_CASE("cylinder sectors: angles about the axis count from x to y, from y to z and from z to x") {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Vec3d direction{}, from{}, towards{};
     direction[axis] = 3;  // need not be a unit vector
@@ -101,36 +101,37 @@ TEST_CASE("cylinder sectors: sectors that cover the circle or half of it, and a 
   }
 }
 
-TEST_CASE("cylinder sectors: a surface that sticks out is an error naming the panels, in the middle of a panel too") {
+TEST_CASE("cylinder sectors: a surface that extends beyond is an error with the panel numbers, in the middle of a panel too") {
   const Surface cube(fixtures::unit_cube());
   CylinderSectors::Shape shape{.point = {0.5, 0.5, 0.5}, .radius = 0.75, .length = 1, .hub_radius = 0.75};
   CHECK(complaint(shape, cube) == "");
   shape.length = 0.9;
   CHECK(complaint(shape, cube) ==
-        "region: 6 of 6 panels stick out of the cylinder's sectors by up to 0.05 m (panels 0, 1, 2, 3, 4, ...), and contact there would be missed; enlarge "
-        "radius, length, hub_radius or sector_angle, or leave them out to be fitted, or pass Beyond::clip if it is meant.");
+        "contact bounds: 6 of 6 panels extend beyond the cylinder's sectors by up to 0.05 m (panels 0, 1, 2, 3, 4, ...), and contact there would be missed; "
+        "enlarge "
+        "radius, length, hub_radius or sector_angle, or omit them to have them fitted, or pass Beyond::clip if this is intended.");
   CHECK(CylinderSectors(shape, cube, Beyond::clip).clips());
-  // Four sectors that hold the corners and the hub: the middles of the upright panels are between them.
+  // Four sectors that contain the corners and the hub: the middles of the upright panels are between them.
   shape = {.point = {0.5, 0.5, 0.5}, .radius = 0.75, .length = 1, .hub_radius = 0.4, .blades = 4, .sector_angle = 1, .start_angle = pi / 4 - 0.5};
-  CHECK(complaint(shape, cube).starts_with("region: 6 of 6 panels"));
+  CHECK(complaint(shape, cube).starts_with("contact bounds: 6 of 6 panels"));
   shape.hub_radius = 0.6;
   CHECK(complaint(shape, cube) == "");
   shape.point = {9, 0, 0};
   CHECK(complaint(shape, cube, Beyond::clip) ==
-        "region: no panel of the surface reaches into the cylinder's sectors, so nothing can be struck; check their axis, point and sizes.");
+        "contact bounds: no panel of the surface reaches into the cylinder's sectors, so no contact is possible; check their axis, point and sizes.");
 }
 
-TEST_CASE("cylinder sectors: a region in the middle of a large panel is reached though no corner is inside") {
+TEST_CASE("cylinder sectors: bounds in the middle of a large panel are reached although no corner is inside") {
   Panels square;
   square.vertices = {{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}};
   square.add_quad(0, 1, 2, 3);
   const Surface wall(square, {.orientation = Orientation::normals});
   const CylinderSectors::Shape small{.point = {13, 17, 0}, .radius = 1, .length = 1, .hub_radius = 0.2, .blades = 3, .sector_angle = 0.4};
   CHECK(CylinderSectors(small, wall, Beyond::clip).clips());
-  CHECK(complaint({.point = {13, 17, 2}, .radius = 1, .length = 1, .hub_radius = 1}, wall, Beyond::clip).starts_with("region: no panel"));
+  CHECK(complaint({.point = {13, 17, 2}, .radius = 1, .length = 1, .hub_radius = 1}, wall, Beyond::clip).starts_with("contact bounds: no panel"));
 }
 
-TEST_CASE("cylinder sectors: a piece shorter than the slack may cut the corner between hub and sector, and is felt there") {
+TEST_CASE("cylinder sectors: a piece shorter than the slack may cut the corner between hub and sector, and contact counts there") {
   // From the hub, just below the sector that begins at the angle 0, to the sector just outside the hub.
   Panels piece;
   piece.vertices = {{0.9995, -0.0017, 0}, {1.0015, 0, 0}, {0.9995, -0.0017, 0.001}};

@@ -11,7 +11,7 @@
 
 using namespace fccda;
 
-TEST_CASE("fit boxes: fitted boxes hold the surface exactly, by the test that given ones must pass") {
+TEST_CASE("fit boxes: fitted boxes contain the surface exactly, by the check applied to specified ones") {
   for (const fixtures::ToBound& body : fixtures::surfaces_to_bound()) {
     CAPTURE(body.name);
     for (const int most : {1, 2, 5, 16}) {
@@ -24,7 +24,7 @@ TEST_CASE("fit boxes: fitted boxes hold the surface exactly, by the test that gi
   }
 }
 
-TEST_CASE("fit boxes: one box is the bounding box, and more never take more room") {
+TEST_CASE("fit boxes: one box is the bounding box, and more never have a larger volume") {
   for (const fixtures::ToBound& body : fixtures::surfaces_to_bound()) {
     CAPTURE(body.name);
     const Box& bounds = body.surface.report().bounds;
@@ -39,7 +39,7 @@ TEST_CASE("fit boxes: one box is the bounding box, and more never take more room
   }
 }
 
-TEST_CASE("fit boxes: a step is two boxes exactly, a cube one, and no splitting helps them") {
+TEST_CASE("fit boxes: a step is exactly two boxes, a cube one, and further splits save nothing") {
   // The face of the step lies in the splitting plane and goes with the higher part, whichever side that is on.
   const Panels rising = fixtures::step_body(), falling = fixtures::moved(rising, [](const Vec3d&p) { return Vec3d{2 - p.x, 1 - p.y, p.z}; });
   const Surface cube(fixtures::unit_cube());
@@ -54,7 +54,7 @@ TEST_CASE("fit boxes: a step is two boxes exactly, a cube one, and no splitting 
   CHECK(fit_boxes(cube, {.most = 30, .gain = 0}).size() == 1);
 }
 
-TEST_CASE("fit boxes: splitting stops where a split would save less than the wanted gain") {
+TEST_CASE("fit boxes: splitting stops when a split would save less than the requested gain") {
   const Surface hull(fixtures::hull_like());
   const double whole = volume_of(hull.report().bounds);
   std::size_t fewest = 1000;
@@ -68,7 +68,7 @@ TEST_CASE("fit boxes: splitting stops where a split would save less than the wan
   CHECK(fewest == 1);
 }
 
-TEST_CASE("fit boxes: a hollow of many boxes about a thick body is not left out where the body is full") {
+TEST_CASE("fit boxes: the interior of a thick body is contained, not only its skin") {
   // A ball fills π/6 of its box; boxes around its skin alone would fill less.
   const Surface ball(make_sphere({.diameter = 1, .edge_length = 0.1}));
   const double volume = volume_of(fit_boxes(ball, {.most = 200, .gain = 0}));
@@ -76,7 +76,7 @@ TEST_CASE("fit boxes: a hollow of many boxes about a thick body is not left out 
   CHECK(volume < 0.7);  // π/6 = 0.52
 }
 
-TEST_CASE("fit boxes: the wall of an open surface is all there is to hold") {
+TEST_CASE("fit boxes: for an open surface the boxes contain only its wall") {
   Panels open = fixtures::torus(1, 0.3, 32, 4);
   open.panels.resize(open.panels.size() - 4);  // a slice of the ring is missing
   const Surface surface(open, {.orientation = Orientation::normals});

@@ -7,21 +7,21 @@
 
 using namespace fccda;
 
-TEST_CASE("fit region: a block has its box, a hull boxes, a slanting shaft a cylinder, and the sentence says so") {
+TEST_CASE("fit contact bounds: a block gets its box, a hull boxes, an oblique shaft a cylinder, and the sentence states this") {
   const auto choice = [](const Panels& panels) { return fit_contact_bounds(Surface(panels)); };
   const FittedBounds block = choice(fixtures::unit_cube()), hull = choice(fixtures::hull_like()),
                      shaft = choice(fixtures::askew(make_cylinder({.diameter = 1, .height = 8, .axis = Axis::z, .edge_length = 0.2})));
   REQUIRE(std::holds_alternative<BoxUnion>(block.region));
   CHECK(std::get<BoxUnion>(block.region).boxes().size() == 1);
-  CHECK(block.choice == "of the bounding box, 1 box fills 100 % and a cylinder with sectors 122 %; taken: the bounding box");
+  CHECK(block.choice == "of the bounding box, 1 box fills 100 % and a cylinder with sectors 122 %; chosen: the bounding box");
   REQUIRE(std::holds_alternative<BoxUnion>(hull.region));
   CHECK(std::get<BoxUnion>(hull.region).boxes().size() > 1);
-  CHECK(hull.choice.ends_with("taken: the boxes"));
+  CHECK(hull.choice.ends_with("chosen: the boxes"));
   CHECK(std::holds_alternative<CylinderSectors>(shaft.region));
-  CHECK(shaft.choice.ends_with("taken: the cylinder with sectors"));
+  CHECK(shaft.choice.ends_with("chosen: the cylinder with sectors"));
 }
 
-TEST_CASE("fit region: what is taken never fills more than the bounding box") {
+TEST_CASE("fit contact bounds: the choice never fills more than the bounding box") {
   for (const fixtures::ToBound& body : fixtures::surfaces_to_bound()) {
     CAPTURE(body.name);
     const ContactBounds region = fit_contact_bounds(body.surface).region;
@@ -30,7 +30,7 @@ TEST_CASE("fit region: what is taken never fills more than the bounding box") {
   }
 }
 
-TEST_CASE("fit region: a flat open surface has its flat box") {
+TEST_CASE("fit contact bounds: a flat open surface gets its flat box") {
   Panels square;
   square.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   square.add_quad(0, 1, 2, 3);

@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 namespace {
 
-/// By the test that given sectors must pass, and by places of the surface.
+/// By the check applied to specified sectors, and by points of the surface.
 void check_holds(const CylinderSectors::Shape& shape, const Surface& surface) {
   const CylinderSectors region(shape, surface, Beyond::error);
   CHECK_FALSE(region.clips());
@@ -78,7 +78,7 @@ TEST_CASE("fit sectors: skewed blades widen the sectors, and blades that overlap
   CHECK_FALSE(fit_sectors(overlapping, {.hub_radius = 0.2}).has_gaps());
 }
 
-TEST_CASE("fit sectors: what is given stays, the rest is fitted around it") {
+TEST_CASE("fit sectors: prescribed parameters are kept, the others are fitted") {
   const Surface surface(fixtures::propeller({.chord = 0.2}));
   const CylinderSectors::Shape shape = fit_sectors(
       surface, {.axis = Vec3d{0, 0, 2}, .point = Vec3d{0, 0, 0.01}, .radius = 0.7, .length = 0.6, .hub_radius = 0.2, .blades = 2, .sector_angle = 2.9});
@@ -89,16 +89,16 @@ TEST_CASE("fit sectors: what is given stays, the rest is fitted around it") {
   CHECK(shape.hub_radius == 0.2);
   CHECK(shape.blades == 2);
   CHECK(shape.sector_angle == 2.9);
-  check_holds(shape, surface);  // the sectors are laid with the blades in their middle
+  check_holds(shape, surface);  // the sectors are centred on the blades
   const CylinderSectors::Shape from = fit_sectors(surface, {.sector_angle = 0.1, .start_angle = 0.4});
   CHECK(from.start_angle == 0.4);
-  // A point off the middle: the length reaches the further end.
+  // A point off the middle: the length reaches the farther end.
   const CylinderSectors::Shape off = fit_sectors(surface, {.axis = Vec3d{0, 0, 1}, .point = Vec3d{0, 0, 0.1}});
   CHECK(off.length == fixtures::relative(2 * (0.125 + 0.1), 1e-12));
   check_holds(off, surface);
 }
 
-TEST_CASE("fit sectors: of a cylinder in any direction the whole cylinder is left") {
+TEST_CASE("fit sectors: for a cylinder in any direction the result is the whole cylinder") {
   const Surface surface(fixtures::askew(make_cylinder({.diameter = 1, .height = 3, .axis = Axis::x, .edge_length = 0.1})));
   const CylinderSectors::Shape shape = fit_sectors(surface, {});
   CHECK_FALSE(shape.has_gaps());

@@ -1,4 +1,4 @@
-/// Surfaces to bound, and every kind of region for each.
+/// Surfaces, and every kind of contact bounds for each.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct ToBound {
   Surface surface;
 };
 
-/// A step: an outline in x and z, one unit deep in y, that two boxes hold exactly. Its volume is 3.
+/// A step: an outline in x and z, one unit deep in y, that two boxes fill exactly. Its volume is 3.
 inline Panels step_body() {
   const std::array<std::array<double, 2>, 7> outline{{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {0, 1}}};
   Panels step;
@@ -46,7 +46,7 @@ inline Panels hull_like() {
   return moved(fccda::make_sphere({.diameter = 1, .edge_length = 0.1}), [](const Vec3d& p) { return Vec3d{4 * p.x, p.y, p.z < 0 ? 1.2 * p.z : 0.3 * p.z}; });
 }
 
-/// Turned, so that nothing lies along the axes.
+/// Rotated, so that nothing is axis-aligned.
 inline Panels askew(const Panels& panels) {
   const fccda::Vec3d u = fccda::normalised(fccda::Vec3d{1, 2, 0.5}), v = fccda::normalised(cross(u, fccda::Vec3d{0, 0.3, 1})), w = cross(u, v);
   return moved(panels, [=](const Vec3d& p) { return Vec3d{0.2, -0.1, 0.4} + p.x * u + p.y * v + p.z * w; });
@@ -68,7 +68,7 @@ struct NamedRegion {
   ContactBounds region;
 };
 
-/// Each kind of region, given and fitted, holding the whole surface and clipping it.
+/// Each kind of contact bounds, specified and fitted, containing the whole surface and clipping it.
 inline std::vector<NamedRegion> every_region(const Surface& surface) {
   const fccda::Box& bounds = surface.report().bounds;
   const fccda::Vec3d size = bounds.size(), centre = bounds.centre();
@@ -95,7 +95,7 @@ inline std::vector<NamedRegion> every_region(const Surface& surface) {
           {"auto", fccda::fit_contact_bounds(surface).region}};
 }
 
-/// A place on the surface, more often where panels are small.
+/// A random point of the surface, more often where panels are small.
 inline Vec3d random_place(std::mt19937_64& random, const Surface& surface) {
   std::uniform_real_distribution<double> unit(0, 1);
   const std::size_t t = random() % surface.triangles().size();

@@ -9,7 +9,7 @@ using namespace fccda;
 
 namespace {
 
-/// A step of a body that flies and turns by `angle` [rad] about its centre of mass, which is not its origin.
+/// A step of a body that translates and rotates by `angle` [rad] about its centre of mass, which is not its origin.
 Motion turning(double angle) {
   const RigidBodyProperties properties{.mass = 1, .centre_of_mass = {0.2, -0.1, 0.3}, .inertia = Mat3::identity()};
   RigidBody body(properties, Pose({1, 2, 3}, Quaternion::from_rotation({0.3, 0.4, -0.2})), {0.3, 0, -0.2}, angle * normalised(Vec3d{1, -2, 2}), {});
@@ -24,7 +24,7 @@ double distance(const Vec3d& point, const Path& segment) {
 
 }  // namespace
 
-TEST_CASE("pose: in between, a body is where half a step would have brought it") {
+TEST_CASE("pose: in between, a body is where half a step would have moved it") {
   const RigidBodyProperties properties{.mass = 1, .centre_of_mass = {0.2, -0.1, 0.3}, .inertia = Mat3::identity()};
   RigidBody whole(properties, Pose({1, 2, 3}), {0.3, 0, -0.2}, {0.1, -1.2, 0.7}, {}), half = whole;
   const Pose there = pose_at(whole.advance(2), 0.5);
@@ -33,7 +33,7 @@ TEST_CASE("pose: in between, a body is where half a step would have brought it")
     CHECK(norm(there.to_world(point) - half.pose().to_world(point)) < 1e-14);  // rounding of coordinates up to 3
 }
 
-TEST_CASE("bent path: no place of the true way is further from the polyline than the tolerance, nor from the chord than the bulge") {
+TEST_CASE("curved path: no point of the true path is farther from the polyline than the tolerance, nor from the chord than the bulge") {
   std::mt19937_64 random(31);
   for (const double angle : {0.003, 0.05, 0.5, 1.5}) {
     CAPTURE(angle);
@@ -61,15 +61,15 @@ TEST_CASE("bent path: no place of the true way is further from the polyline than
   }
 }
 
-TEST_CASE("bent path: a step in which the arc stays within the tolerance is one straight part") {
-  const Motion slow = turning(1e-5);  // 2 · 1e-5 / 8 of a way of 0.36 against the body
+TEST_CASE("curved path: a step in which the arc stays within the tolerance is one straight part") {
+  const Motion slow = turning(1e-5);  // 2 · 1e-5 / 8 of a path of 0.36 relative to the body
   const CurvedPath path = BodyView(slow, 1).path({2, 2, 3}, {2.001, 2, 3});
   CHECK(path.parts() == 1);
   CHECK(path.bulge() == 0);
   CHECK(BodyView(turning(0), 1).path({2, 2, 3}, {5, 2, 3}).parts() == 1);
 }
 
-TEST_CASE("bent path: the ends are exact, and the path of the next step begins there to the bit") {
+TEST_CASE("curved path: the ends are exact, and the path of the next step begins exactly there") {
   RigidBody body({.mass = 1, .centre_of_mass = {0.2, 0, 0}, .inertia = Mat3::identity()}, Pose(), {0.1, 0, 0}, {0.4, 0.2, -0.1}, {});
   Vec3d x{1, 0.3, 0.2};
   Vec3d last_end = body.pose().to_body(x);
@@ -85,7 +85,7 @@ TEST_CASE("bent path: the ends are exact, and the path of the next step begins t
   }
 }
 
-TEST_CASE("bent path: a step of any length is followed in a bounded number of parts") {
+TEST_CASE("curved path: a step of any length is followed in a bounded number of parts") {
   const Motion motion = turning(3.1);
   const CurvedPath path = BodyView(motion, 1e-3).path({2, 2, 3}, {500, 2, 3});
   CHECK(path.parts() == BodyView::max_parts);

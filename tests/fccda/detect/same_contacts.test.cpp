@@ -1,4 +1,4 @@
-// A region that holds the surface changes what a step costs, never what it finds.
+// Contact bounds that contain the surface change the cost of a step, never its result.
 #include <doctest/doctest.h>
 
 #include <cstring>
@@ -16,7 +16,7 @@ bool same_bits(const Contact& a, const Contact& b) {
          bits(a.normal, b.normal) && bits(a.relocation, b.relocation) && bits(a.normal_t0, b.normal_t0);
 }
 
-/// All contacts of a propeller that turns and goes ahead through a cloud of points at rest.
+/// All contacts of a propeller that rotates and advances through a cloud of points at rest.
 std::vector<Contact> contacts_of(const std::shared_ptr<const Surface>& surface, const ContactBounds& region, double radius) {
   Swept detector(surface, region, radius);
   const Vec3d axis = normalised(Vec3d{0.3, -0.2, 1});
@@ -39,7 +39,7 @@ std::vector<Contact> contacts_of(const std::shared_ptr<const Surface>& surface, 
 
 }  // namespace
 
-TEST_CASE("same contacts: a turning propeller finds the same contacts to the bit with every region that holds it") {
+TEST_CASE("same contacts: a rotating propeller has bitwise identical contacts with all contact bounds that contain it") {
   const auto surface = fixtures::surface_of(fixtures::propeller({.skew = 0.3, .edge_length = 0.06}));
   for (const double radius : {0.0, 0.01}) {
     CAPTURE(radius);

@@ -1,4 +1,4 @@
-/// Scenes for detectors: bodies, points on straight paths, and oracles that share nothing with the library but Vec3.
+/// Scenes for detectors: bodies, points on straight paths, and reference solutions that share nothing with the library but Vec3.
 #pragma once
 
 #include <cmath>
@@ -66,8 +66,8 @@ inline TestPoints points_on(const std::vector<Path>& paths, const Motion& motion
   return points;
 }
 
-/// The 24 turns that map a cube onto itself, each followed by a small odd one every second time, so that panels lie along the axes and
-/// askew.
+/// The 24 rotations that map a cube onto itself, every second one followed by a small odd one, so that panels are axis-aligned and
+/// oblique.
 inline std::vector<Pose> orientations() {
   std::vector<Pose> poses;
   const double quarter = std::numbers::pi / 2;
@@ -98,7 +98,7 @@ inline Panels blade() {
   return moved(sphere(), [](const Vec3d& p) { return Vec3d{p.x, 0.4 * p.y, 0.016 * p.z}; });
 }
 
-/// Like a hull: longer than wide, with hollows and bumps.
+/// Similar to a hull: longer than wide, with hollows and bumps.
 inline Panels hull() {
   return moved(sphere(), [](const Vec3d& p) {
     const double bump = 1 + 0.15 * std::sin(9 * p.x) * std::cos(7 * p.y + 1) * std::cos(8 * p.z);
@@ -112,9 +112,9 @@ inline std::vector<Body> bodies() {
 
 inline std::shared_ptr<const Surface> surface_of(const Panels& panels) { return std::make_shared<const Surface>(panels); }
 
-// ---- oracles ----
+// ---- reference solutions ----
 
-/// The triangles of a surface as bare corners.
+/// The triangles of a surface by their corners alone.
 struct Soup {
   std::vector<std::array<Vec3d, 3>> triangles;
 
@@ -171,8 +171,8 @@ struct Soup {
   }
 };
 
-/// Paths about as long as `step` that begin outside near the surface, further than r from it, and whether each comes nearer than r (for
-/// r = 0: crosses). Undecided ones, within 1e-6 of r, are not made.
+/// Paths about as long as `step` that begin outside near the surface, farther than r from it, and whether each comes nearer than r (for
+/// r = 0: crosses). Undecided ones, within 1e-6 of r, are excluded.
 struct Shots {
   std::vector<Path> paths;
   std::vector<bool> touches;

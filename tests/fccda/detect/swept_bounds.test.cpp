@@ -1,4 +1,4 @@
-// Clipped regions and open surfaces: where some of the surface is not felt.
+// Clipping contact bounds and open surfaces: contact with part of the surface is ignored.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -12,7 +12,7 @@ using fixtures::detect;
 
 namespace {
 
-/// The paper's cylinder (section 5.1), diameter 50 mm, and a region as wide as it is and 10 mm thick.
+/// The paper's cylinder (section 5.1), diameter 50 mm, and contact bounds of the same width, 10 mm thick.
 constexpr double R = 0.025, spacing = 0.001;
 std::shared_ptr<const Surface> plate_cylinder() {
   return fixtures::surface_of(make_cylinder({.diameter = 2 * R, .height = R, .axis = Axis::z, .edge_length = spacing}));
@@ -45,7 +45,7 @@ std::vector<std::uint64_t> points_inside(Swept& detector) {
 
 }  // namespace
 
-TEST_CASE("swept, region: a box exactly as wide as the cylinder, contact radius half a spacing: points that come in from the side give no spike") {
+TEST_CASE("swept, bounds: a box exactly as wide as the cylinder, contact radius half a spacing: points that enter from the side cause no spike") {
   const auto surface = plate_cylinder();
   const double r = 0.5 * spacing, speed = 32, dt = 1e-7;
   Swept detector(surface, BoxUnion(plate_box, *surface, Beyond::clip), r);
@@ -62,7 +62,7 @@ TEST_CASE("swept, region: a box exactly as wide as the cylinder, contact radius 
     for (std::size_t i = 0; i < points.size(); ++i) points.x1[i] += dt * points.v[i];
     for (const Contact& contact : detect(detector, points)) {
       ++contacts_of[contact.point];
-      CHECK(contact.depth <= 1.01 * speed * dt);  // never put back by more than it came; a spike is r and more
+      CHECK(contact.depth <= 1.01 * speed * dt);  // never relocated by more than its motion; a spike is r and more
       points.x1[contact.point] = contact.relocation;
       points.v[contact.point] = {};
     }
@@ -71,7 +71,7 @@ TEST_CASE("swept, region: a box exactly as wide as the cylinder, contact radius 
   CHECK(detector.entered_inside() == 0);
 }
 
-TEST_CASE("swept, region: a point that comes into a clipped region inside the surface is counted once and not struck until it was outside") {
+TEST_CASE("swept, bounds: a point that enters clipping bounds inside the surface is counted once and without contact until it has left") {
   const auto surface = plate_cylinder();
   for (const double r : {0.0, 0.5 * spacing}) {
     CAPTURE(r);
@@ -89,20 +89,20 @@ TEST_CASE("swept, region: a point that comes into a clipped region inside the su
       }
       return contacts;
     };
-    CHECK(go({0, 0, -1e-4}, 80) == 0);  // down into the region, inside the cylinder
+    CHECK(go({0, 0, -1e-4}, 80) == 0);  // down into the bounds, inside the cylinder
     CHECK(detector.entered_inside() == 1);
     CHECK(go({1e-4, 0, 0}, 60) == 0);  // outward through the surface
     CHECK(points.x1[0].x > R + r);
     CHECK(points_inside(detector).empty());
-    CHECK(go({-1e-4, 0, 0}, 60) > 0);  // and back: struck
+    CHECK(go({-1e-4, 0, 0}, 60) > 0);  // and back: contact
     CHECK(points.x1[0].x > R - 1e-4);
     CHECK(detector.entered_inside() == 1);
   }
 }
 
-TEST_CASE("swept, region: inside counts where the point comes in, even if the nearest panel is one that is felt") {
-  // A diamond with an edge at x = -√½; the region begins at x = -0.3. A point inside at x = -0.28, 0.1 below the upper panels there, has its
-  // nearest place at x = -0.35, which is in the region.
+TEST_CASE("swept, bounds: a point inside counts as entered where it enters, even if its nearest panel is within the bounds") {
+  // A diamond with an edge at x = -√½; the bounds begin at x = -0.3. A point inside at x = -0.28, 0.1 below the upper panels there, has its
+  // nearest surface point at x = -0.35, which is in the bounds.
   const double quarter = std::numbers::pi / 4;
   const auto surface = fixtures::surface_of(fixtures::moved(make_box({.size = {1, 1, 1}, .edge_length = 0.25}), [&](const Vec3d& p) {
     return Vec3d{std::cos(quarter) * p.x + std::sin(quarter) * p.z, p.y, -std::sin(quarter) * p.x + std::cos(quarter) * p.z};
@@ -115,7 +115,7 @@ TEST_CASE("swept, region: inside counts where the point comes in, even if the ne
   CHECK(detector.entered_inside() == 1);
 }
 
-TEST_CASE("swept, region: contact beyond the region is none, and what went in there is not struck inside the region") {
+TEST_CASE("swept, bounds: beyond the bounds there is no contact, and points that entered there have none inside the bounds") {
   const auto surface = plate_cylinder();
   for (const double r : {0.0, 0.5 * spacing}) {
     CAPTURE(r);
@@ -133,7 +133,7 @@ TEST_CASE("swept, region: contact beyond the region is none, and what went in th
   }
 }
 
-TEST_CASE("swept, region: the list of points inside is state: read back, it continues the same") {
+TEST_CASE("swept, bounds: the list of points inside is state: restored, it continues identically") {
   const auto surface = plate_cylinder();
   const BoxUnion region(plate_box, *surface, Beyond::clip);
   Swept first(surface, region, 0), second(surface, region, 0);
@@ -158,10 +158,10 @@ TEST_CASE("swept, region: the list of points inside is state: read back, it cont
   CHECK(detect(first, points).empty());
   CHECK(detect(second, points).empty());
   Swept ignorant(surface, region, 0);
-  CHECK(detect(ignorant, points).size() == 1);  // so the list is what kept the others from striking
+  CHECK(detect(ignorant, points).size() == 1);  // so the list suppressed the contact of the others
 }
 
-TEST_CASE("swept, region: a point that entered is not thrown out after points were renumbered, nor counted again, and contact holds") {
+TEST_CASE("swept, bounds: a point that entered is not expelled after points were renumbered, nor counted again, and contact resumes") {
   const auto surface = plate_cylinder();
   for (const double r : {0.0, 0.5 * spacing}) {
     CAPTURE(r);
@@ -195,7 +195,7 @@ TEST_CASE("swept, region: a point that entered is not thrown out after points we
   }
 }
 
-TEST_CASE("swept, region: the number of a point that entered and was taken off the end does not excuse who gets it next") {
+TEST_CASE("swept, bounds: the number of a removed point that had entered does not exempt the next point with this number") {
   const auto surface = plate_cylinder();
   Swept detector(surface, BoxUnion(plate_box, *surface, Beyond::clip), 0);
   const Path far{{1, 1, 1}, {1, 1, 1}};
@@ -206,14 +206,14 @@ TEST_CASE("swept, region: the number of a point that entered and was taken off t
   CHECK(detect(detector, fixtures::points_on({far, {{R - 1e-6, 0, 0}, {R - 1e-4, 0, 0}}})).size() == 1);
 }
 
-TEST_CASE("swept, open: what comes round the rim, or strikes it with its centre, is counted as entered and not thrown off, renumbered or not") {
+TEST_CASE("swept, open: points that come round the boundary, or cross it with their centre, count as entered and are not expelled, renumbered or not") {
   const double r = 0.02, pace = 1e-3;
   for (const bool renumbers : {false, true}) {
     CAPTURE(renumbers);
     Swept detector(open_square(), Unbounded{}, r);
     fixtures::TestPoints points;
     points.x0 = {{0.505, 0.1, 0.004}, {0.52, 0.2, 0.005}};
-    points.x1 = {{0.485, 0.1, -0.004}, {0.519, 0.2, 0.005}};  // the first crosses the panel from beyond the rim
+    points.x1 = {{0.485, 0.1, -0.004}, {0.519, 0.2, 0.005}};  // the first crosses the panel from beyond the boundary
     std::vector<Contact> contacts = detect(detector, points);
     REQUIRE(contacts.size() == 1);
     points.x1[0] = contacts[0].relocation;
@@ -232,8 +232,8 @@ TEST_CASE("swept, open: what comes round the rim, or strikes it with its centre,
   }
 }
 
-TEST_CASE("swept, open: a point struck in a step is struck when looked at again, however short its way has become") {
-  // It starts 0.005 too near, which its way of 0.01 explains and one of 1e-4 does not.
+TEST_CASE("swept, open: a point in contact in a step is in contact in a repeated detection, however short its path has become") {
+  // It starts 0.005 too near, which its path of 0.01 explains and one of 1e-4 does not.
   const double r = 0.02;
   Swept detector(open_square(), Unbounded{}, r);
   fixtures::TestPoints points = fixtures::points_on({{{0.1, 0.2, 0.015}, {0.1, 0.2, 0.005}}});
@@ -246,7 +246,7 @@ TEST_CASE("swept, open: a point struck in a step is struck when looked at again,
   CHECK(detector.entered_inside() == 0);
 }
 
-TEST_CASE("swept, open: struck from the front, free to pass from behind") {
+TEST_CASE("swept, open: contact from the front, free passage from behind") {
   const auto square = open_square();
   for (const double r : {0.0, 0.02}) {
     CAPTURE(r);
@@ -261,7 +261,7 @@ TEST_CASE("swept, open: struck from the front, free to pass from behind") {
   }
 }
 
-TEST_CASE("swept, open: no step that comes round the rim, slides or falls makes a spike, and the front holds after it was left") {
+TEST_CASE("swept, open: no step round the boundary, sliding or falling causes a spike, and contact with the front resumes after a point has left it") {
   const auto square = open_square();
   const double r = 0.02, pace = 1e-3;
   Swept detector(square, Unbounded{}, r);
@@ -286,7 +286,7 @@ TEST_CASE("swept, open: no step that comes round the rim, slides or falls makes 
   CHECK(detector.entered_inside() > 0);
 }
 
-TEST_CASE("swept: which points start inside is what the winding number and the distance say; touching is not inside") {
+TEST_CASE("swept: the points that start inside agree with winding number and distance; contact is not inside") {
   for (const fixtures::Body& body : fixtures::bodies()) {
     CAPTURE(body.name);
     const auto surface = fixtures::surface_of(body.panels);

@@ -1,4 +1,4 @@
-// Overlapping closed parts: only the outside of all is surface.
+// Overlapping closed parts: only the outside of their union is surface.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 struct Assembly {
   std::vector<Panels> parts;
   std::shared_ptr<const Surface> surface;
-  std::vector<Soup> soups;  // of each part by itself
+  std::vector<Soup> soups;  // of each part separately
 
   explicit Assembly(std::vector<Panels> its) : parts(std::move(its)) {
     Panels all;
@@ -42,7 +42,7 @@ Panels placed(const Panels& panels, const Vec3d& where, const Vec3d& rotation) {
   return fixtures::moved(panels, [&](const Vec3d& p) { return turn * p + where; });
 }
 
-/// A hub of a cylinder along z with four skewed blades sunk in it; the panels of the two are as long as given.
+/// A cylindrical hub along z with four skewed blades embedded in it; the edge lengths of both are given.
 Assembly propeller(double hub_panel, double blade_panel) {
   std::vector<Panels> parts{make_cylinder({.diameter = 0.3, .height = 0.3, .axis = Axis::z, .edge_length = hub_panel})};
   for (int blade = 0; blade < 4; ++blade) {
@@ -59,7 +59,7 @@ Assembly heap(std::uint64_t seed) {
   std::vector<Panels> parts;
   for (int k = 0; k < 5; ++k) {
     const double a = 0.1 + 0.3 * unit(random), b = 0.1 + 0.3 * unit(random), c = 0.03 + 0.2 * unit(random);
-    const double panel = k % 2 == 0 ? 1 : 0.1;  // coarse ones are cut, fine ones buried
+    const double panel = k % 2 == 0 ? 1 : 0.1;  // coarse panels are intersected, fine ones buried
     const Panels part =
         k < 3 ? make_box({.size = {a, b, c}, .edge_length = panel}) : make_cylinder({.diameter = a, .height = b, .axis = Axis::x, .edge_length = 0.1});
     parts.push_back(
@@ -76,7 +76,7 @@ std::vector<Assembly> assemblies() {
   return all;
 }
 
-/// A random place about the surface, half of them near where two parts meet.
+/// A random point near the surface, half of them near intersections of two parts.
 Vec3d near_surface(const Assembly& assembly, double within, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   for (int trial = 0;; ++trial) {
@@ -92,7 +92,7 @@ Vec3d near_surface(const Assembly& assembly, double within, std::mt19937_64& ran
 
 }  // namespace
 
-TEST_CASE("swept, overlapping parts: no contact is missed, none invented, and no point left in any part, for points and for balls") {
+TEST_CASE("swept, overlapping parts: no contact is missed or false, and no point is left in any part, for points and for balls") {
   std::size_t seed = 0;
   for (const Assembly& assembly : assemblies()) {
     std::mt19937_64 random(++seed);
@@ -119,7 +119,7 @@ TEST_CASE("swept, overlapping parts: no contact is missed, none invented, and no
         found[contact.point] = true;
         CHECK_FALSE(assembly.inside(contact.relocation));
         CHECK(assembly.distance(contact.relocation) > r - 2e-12);  // the offset of 1e-12 of the size
-        CHECK(contact.depth <= 2 * step + 2 * r);                  // no further than the path is long, there and back
+        CHECK(contact.depth <= 2 * step + 2 * r);                  // at most the path length, there and back
         CHECK(std::fabs(norm(contact.normal) - 1) < 1e-12);
       }
       CHECK(found == touches);  // exact: no tolerance
@@ -128,9 +128,9 @@ TEST_CASE("swept, overlapping parts: no contact is missed, none invented, and no
 }
 
 TEST_CASE("swept, overlapping parts: a hundred thousand paths along the fillets end outside of all parts") {
-  const Assembly assembly = propeller(0.15, 0.4);  // few panels, for the sake of the oracle
+  const Assembly assembly = propeller(0.15, 0.4);  // few panels, since the reference is slow
   std::mt19937_64 random(41);
-  std::vector<Vec3d> fillet;  // places within a step of the hub and of a blade
+  std::vector<Vec3d> fillet;  // points within a step of the hub and of a blade
   while (fillet.size() < 500) {
     const Vec3d place = near_surface(assembly, 0.02, random);
     if (!assembly.inside(place)) fillet.push_back(place);
@@ -156,8 +156,8 @@ TEST_CASE("swept, overlapping parts: a hundred thousand paths along the fillets 
   CHECK(left_inside == 0);
 }
 
-TEST_CASE("swept, overlapping parts: what is deep in the hub, beside a buried blade, is put back straight above, not along the blade") {
-  // a tall rod sunk in a block: the point ends 0.02 below the top of the block and 0.005 beside the rod
+TEST_CASE("swept, overlapping parts: a point deep in the hub, beside a buried blade, is relocated straight above, not along the blade") {
+  // a tall rod embedded in a block: the point ends 0.02 below the top of the block and 0.005 beside the rod
   const Assembly assembly(
       {make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
   Swept detector(assembly.surface, Unbounded{}, 0);
@@ -185,7 +185,7 @@ TEST_CASE("swept, overlapping parts: inside is inside any of them, however deep 
     std::vector<std::size_t> expected;
     while (points.size() < 1500) {
       const Vec3d place = near_surface(assembly, 0.05, random);
-      if (assembly.distance(place) < 1e-8) continue;  // touching is not inside
+      if (assembly.distance(place) < 1e-8) continue;  // contact is not inside
       if (assembly.inside(place)) expected.push_back(points.size());
       points.x0.push_back(place);
     }
@@ -225,11 +225,11 @@ TEST_CASE("swept, overlapping parts: the hollow of one part is outside unless an
   CHECK(detector.initial_overlap(points, Pose()) == std::vector<std::size_t>{1, 2, 3, 4});
 }
 
-TEST_CASE("swept, overlapping parts: which triangles may be buried is told, and a single part pays nothing") {
+TEST_CASE("swept, overlapping parts: the triangles that may be buried are counted, and a single part has no extra cost") {
   const Assembly apart({fixtures::box(), placed(fixtures::box(), {3, 0, 0}, {})});
   CHECK(Swept(apart.surface, Unbounded{}, 0).buried_triangles() == 0);
   CHECK(Swept(fixtures::surface_of(fixtures::hull()), Unbounded{}, 0).buried_triangles() == 0);
-  // a rod of 0.1 × 0.1 × 1 stands on the middle of a box that is 0.4 high: of its panels, 0.1 long, more than half are above by more than
+  // a rod of 0.1 × 0.1 × 1 in the middle of a box of height 0.4: of its panels, 0.1 long, more than half are above by more than
   // their own size
   const Assembly sunk({fixtures::box(), placed(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
   const std::size_t buried = Swept(sunk.surface, Unbounded{}, 0).buried_triangles();

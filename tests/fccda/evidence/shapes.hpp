@@ -1,4 +1,4 @@
-/// The shapes on which detection has to prove itself: about a unit in size, a few thousand panels each.
+/// The shapes of the detection tests: about a unit in size, a few thousand panels each.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,7 @@ inline Panels blade() {
   return fixtures::moved(sphere(), [](const Vec3d& p) { return Vec3d{p.x, 0.4 * p.y, 0.016 * p.z}; });
 }
 
-/// Like a hull: longer than wide, with hollows and bumps.
+/// Similar to a hull: longer than wide, with hollows and bumps.
 inline Panels hull() {
   return fixtures::moved(sphere(), [](const Vec3d& p) {
     const double bump = 1 + 0.15 * std::sin(9 * p.x) * std::cos(7 * p.y + 1) * std::cos(8 * p.z);
@@ -33,12 +33,12 @@ inline Panels hull() {
   });
 }
 
-/// `name` is how tables call it.
+/// `name`: its name in tables.
 inline std::vector<fixtures::Body> shapes() {
   return {{"cylinder along x", cylinder(Axis::x)},
           {"cylinder along y", cylinder(Axis::y)},
           {"cylinder along z", cylinder(Axis::z)},
-          {"cylinder askew", oblique_cylinder()},
+          {"oblique cylinder", oblique_cylinder()},
           {"sphere", sphere()},
           {"torus", fixtures::torus(0.4, 0.15, 60, 30)},
           {"torus of warped quads", fixtures::torus(0.4, 0.15, 60, 30, 1)},

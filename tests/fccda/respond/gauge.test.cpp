@@ -122,5 +122,5 @@ TEST_CASE("gauge: unknown parts are refused with the known ones") {
                        "the surface has no part \"botom\"; did you mean bottom? Its parts are bottom, side, top.", InputError);
   CHECK_THROWS_WITH_AS(Gauge({.parts = {"hub"}}, cylinder), "the surface has no part \"hub\"; its parts are bottom, side, top.", InputError);
   CHECK_THROWS_WITH_AS(Gauge({.parts = {"hub"}}, box),
-                       "the surface has no part \"hub\"; its panels have no names, so leave the parts out, or name them in its file.", InputError);
+                       "the surface has no part \"hub\"; its panels have no names, so omit the parts, or name them in its file.", InputError);
 }

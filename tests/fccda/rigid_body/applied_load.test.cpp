@@ -28,7 +28,7 @@ double run(RigidBody& body, std::span<const AppliedLoad> loads, double end, doub
 
 }  // namespace
 
-TEST_CASE("applied load: weight makes a parabola, and its work is the kinetic energy") {
+TEST_CASE("applied load: under its weight a body follows a parabola, and the work equals the kinetic energy") {
   const AppliedLoad weight[] = {{.force = {0, 0, -2.5 * 9.81}}};
   RigidBody body(lopsided(), Pose(), {2, 0, 5}, {}, all_free);
   const Vec3d start = body.position_of_com();
@@ -41,7 +41,7 @@ TEST_CASE("applied load: weight makes a parabola, and its work is the kinetic en
   CHECK(work == fixtures::relative(body.kinetic_energy() - before, 1e-12));  // exact in each step, so rounding is left
 }
 
-TEST_CASE("applied load: without a moment a tumbling body keeps its angular momentum, whatever force acts in its centre of mass") {
+TEST_CASE("applied load: without a moment a tumbling body conserves angular momentum, whatever force acts at its centre of mass") {
   const AppliedLoad push[] = {{.force = {3, -4, 1}}};
   RigidBody body(lopsided(), Pose(), {}, {2, 5, -3}, all_free);
   const Vec3d before = body.angular_momentum(body.position_of_com());
@@ -57,7 +57,7 @@ TEST_CASE("applied load: a constant torque about a bearing's axis spins up at M/
   CHECK(work == fixtures::relative(0.5 * 3 * 0.4 * 0.4, 1e-12));
 }
 
-TEST_CASE("applied load: a force off the centre of mass turns the body by its arm, which moves along") {
+TEST_CASE("applied load: a force off the centre of mass has the moment of its lever arm, which rotates with the body") {
   const Vec3d arm{0, 0.5, 0};
   const AppliedLoad thrust[] = {{.force = {2, 0, 0}, .point = Vec3d{0.1, -0.2, 0.05} + arm}};
   RigidBody body(lopsided(), Pose({}, Quaternion::from_rotation({0, 0, 0.7})), {}, {}, all_free);
@@ -75,7 +75,7 @@ TEST_CASE("applied load: its factor is the mean over the step") {
   CHECK(body.momentum().y == fixtures::relative(10 * 0.1, 1e-13));
 }
 
-TEST_CASE("applied load: what acts on held degrees is taken by their holder, and the works balance") {
+TEST_CASE("applied load: loads on constrained degrees of freedom are balanced by reactions, and the energy balance closes") {
   const AppliedLoad thrust[] = {{.force = {100, 7, 0}, .moment = {0, 0.2, 30}, .point = Vec3d{}}};
   RigidBody body(lopsided(), Pose(), {3, 0, 0}, {0, 0, 4}, {{false, true, true, true, true, false}});
   const double before = body.kinetic_energy();
@@ -83,6 +83,6 @@ TEST_CASE("applied load: what acts on held degrees is taken by their holder, and
   CHECK(body.velocity().x == 3);
   CHECK(body.angular_velocity().z == 4);
   CHECK(work > 3);  // 100 N at 3 m/s for 10 ms, and the moments
-  // in sum nearly nothing: what is left is the error of first order of the tumbling, 1e-5 s × 4 rad/s of the 2 J that turn
+  // nearly zero in total: the remainder is the first-order error of the tumbling, 1e-5 s × 4 rad/s of the 2 J that turn
   CHECK(std::fabs(body.kinetic_energy() - before - work - body.constraint_work()) < 1e-4 * 2);
 }

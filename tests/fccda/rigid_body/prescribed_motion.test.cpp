@@ -21,7 +21,7 @@ Step step_number(long n, double dt) { return {static_cast<double>(n) * dt, stati
 
 }  // namespace
 
-TEST_CASE("prescribed motion: a table of displacements is met at every one of ten thousand steps") {
+TEST_CASE("prescribed motion: a table of displacements is reproduced at each of ten thousand steps") {
   const TimeTable heave({0.01, 0.3, 0.34, 0.9}, {0.5, 1.7, -0.4, 0.1});
   const double dt = 1e-4;
   RigidBody body(lopsided(), Pose({1, 2, 3}), {}, {}, {});
@@ -39,7 +39,7 @@ TEST_CASE("prescribed motion: a table of displacements is met at every one of te
   CHECK(body.position_of_com().x == 1.1);
 }
 
-TEST_CASE("prescribed motion: a table of velocities moves by its integral, kinks within steps included, and goes on with the last one") {
+TEST_CASE("prescribed motion: a table of velocities gives the displacement of its integral, with kinks within steps, and continues with the last one") {
   const TimeTable surge({0, 0.123, 0.2001}, {0, 4, 1});
   RigidBody body(lopsided(), Pose(), {}, {}, {});
   const double start = body.position_of_com().x;
@@ -55,7 +55,7 @@ TEST_CASE("prescribed motion: a table of velocities moves by its integral, kinks
   CHECK(body.velocity().x == 1);
 }
 
-TEST_CASE("prescribed motion: an angle against time about one axis is met") {
+TEST_CASE("prescribed motion: an angle about one axis as a function of time is reproduced") {
   const TimeTable swing({0, 0.25, 1}, {0, 2.5, -1});
   RigidBody body(lopsided(), Pose(), {}, {}, {});
   PrescribedMotion motion;
@@ -71,8 +71,8 @@ TEST_CASE("prescribed motion: an angle against time about one axis is met") {
   }
 }
 
-TEST_CASE("prescribed motion: the work of what drives and that of pushes from outside are the kinetic energy gained") {
-  // turned about x and towed along y while the other degrees are free, with products of inertia that couple the rotations
+TEST_CASE("prescribed motion: the constraint work and the work of external impulses equal the gain of kinetic energy") {
+  // rotated about x and towed along y while the other degrees are free, with products of inertia that couple the rotations
   PrescribedMotion motion;
   motion.prescribe(1, PrescribedMotion::Of::velocity, TimeTable({0, 0.5}, {0, 3}));
   motion.prescribe(3, PrescribedMotion::Of::velocity, TimeTable({0, 0.5}, {0, 6}));
@@ -96,7 +96,7 @@ TEST_CASE("prescribed motion: the work of what drives and that of pushes from ou
   CHECK(coarse / fine > 12);  // 16, and the next order is (ω dt)² smaller
 }
 
-TEST_CASE("prescribed motion: what is not prescribed keeps its velocity, and at the start tables say theirs") {
+TEST_CASE("prescribed motion: degrees that are not prescribed keep their velocity, and tables define the initial one of the others") {
   PrescribedMotion motion;
   CHECK(motion.is_empty());
   motion.prescribe(0, PrescribedMotion::Of::displacement, TimeTable({0, 2}, {5, 9}));

@@ -27,14 +27,14 @@ RigidBody tumbling_body(const FreeDegrees& degrees = all_free) {
 
 }  // namespace
 
-TEST_CASE("pose: a point taken to the body and back is the same point") {
+TEST_CASE("pose: a point transformed to the body frame and back is the same point") {
   const Pose pose({1, 2, 3}, Quaternion::from_rotation({0.4, -0.7, 2.2}));
   const Vec3d point{0.3, -0.8, 1.7};
   CHECK(norm(pose.to_world(pose.to_body(point)) - point) < 1e-15);  // four roundings of numbers of order one
   CHECK(norm(pose.turn_to_body(pose.turn_to_world(point)) - point) < 1e-15);
 }
 
-TEST_CASE("rigid body: free of torque, linear and angular momentum keep to rounding while it tumbles") {
+TEST_CASE("rigid body: without torque, linear and angular momentum of a tumbling body are conserved to rounding") {
   RigidBody body = tumbling_body();
   const Vec3d momentum = body.momentum(), angular = body.angular_momentum({});
   for (int step = 0; step < 10'000; ++step) body.advance(1e-3);
@@ -55,10 +55,10 @@ TEST_CASE("rigid body: the energy error of tumbling is of fourth order in the st
   CHECK(coarse / fine > 12);  // 16, and the next order is (ω dt)² smaller
 }
 
-TEST_CASE("rigid body: over a thousand revolutions energy keeps to 1e-6 and angular momentum to 1e-12, whatever axis it spins about") {
+TEST_CASE("rigid body: over a thousand revolutions energy is conserved to 1e-6 and angular momentum to 1e-12, about any axis") {
   for (const Vec3d& spin : {Vec3d{5, 0.2, 0.3}, Vec3d{0.01, 5, 0.01}, Vec3d{0.3, 0.2, 5}}) {
     RigidBody body({.mass = 1000, .inertia = Mat3::diagonal({100, 200, 300})}, Pose(), {}, spin, all_free);
-    const double dt = 0.02 / norm(spin), energy = body.kinetic_energy();  // four times the step that is asked for
+    const double dt = 0.02 / norm(spin), energy = body.kinetic_energy();  // four times the recommended step
     const Vec3d angular = body.angular_momentum({});
     double worst = 0, furthest = 0;
     for (int step = 0; step < 315'000; ++step) {
@@ -72,7 +72,7 @@ TEST_CASE("rigid body: over a thousand revolutions energy keeps to 1e-6 and angu
   }
 }
 
-TEST_CASE("rigid body: spun about its intermediate axis it flips when Euler's equations say, over ten periods") {
+TEST_CASE("rigid body: spinning about its intermediate axis it flips at the times of Euler's equations, over ten periods") {
   const Vec3d inertia{100, 200, 300};
   // Euler's equations in the body frame, by the Runge–Kutta method of fourth order with steps a twentieth of the body's
   const auto rate = [&](const Vec3d& w) {
@@ -103,12 +103,12 @@ TEST_CASE("rigid body: spun about its intermediate axis it flips when Euler's eq
     note(found, step * dt, before, now);
     before = now;
   }
-  REQUIRE(expected.size() >= 20);  // two flips a period
+  REQUIRE(expected.size() >= 20);  // two flips per period
   REQUIRE(found.size() == expected.size());
   for (std::size_t k = 0; k < found.size(); ++k) CHECK(found[k] == fixtures::relative(expected[k], 1e-4));  // (ω dt)⁴, amplified by each flip
 }
 
-TEST_CASE("rigid body: turning freely about two of the world's axes it keeps its energy, and its momentum along them, while the third is held") {
+TEST_CASE("rigid body: rotating freely about two world axes, with the third constrained, it conserves energy and its angular momentum along them") {
   for (const double held : {0.0, 1.0}) {
     FreeDegrees degrees = all_free;
     degrees.free[5] = false;
@@ -124,7 +124,7 @@ TEST_CASE("rigid body: turning freely about two of the world's axes it keeps its
   }
 }
 
-TEST_CASE("rigid body: a turn about a principal axis goes on for ever at the same rate") {
+TEST_CASE("rigid body: a rotation about a principal axis continues at a constant rate") {
   RigidBody body({.mass = 1, .centre_of_mass = {}, .inertia = Mat3::diagonal({1, 2, 3})}, Pose(), {}, {0, 0, 0.5}, all_free);
   for (int step = 0; step < 1000; ++step) body.advance(0.01);
   CHECK(norm(body.angular_velocity() - Vec3d{0, 0, 0.5}) < 1e-13);  // rounding of 1000 steps
@@ -140,7 +140,7 @@ TEST_CASE("rigid body: an off-centre impulse on a free body adds exactly that mo
   CHECK(norm(body.angular_momentum(body.position_of_com()) - angular - moment) < 1e-14);
 }
 
-TEST_CASE("rigid body: held components keep their velocity to the bit, free ones answer as if the others were bearings") {
+TEST_CASE("rigid body: constrained components keep their velocity exactly, free ones respond as if the others were bearings") {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> any(-1, 1);
   for (unsigned mask = 0; mask < 64; ++mask) {
@@ -167,7 +167,7 @@ TEST_CASE("rigid body: held components keep their velocity to the bit, free ones
   }
 }
 
-TEST_CASE("rigid body: driving held degrees changes no momentum along the free ones, and the kinetic energy is the driver's work") {
+TEST_CASE("rigid body: prescribing constrained degrees changes no momentum along the free ones, and the kinetic energy is the constraint work") {
   RigidBody body = tumbling_body({{true, false, true, false, true, true}});
   const Vec3d angular = body.angular_momentum(body.position_of_com());
   const double before = body.kinetic_energy();
@@ -181,7 +181,7 @@ TEST_CASE("rigid body: driving held degrees changes no momentum along the free o
   CHECK(body.constraint_work() == fixtures::relative(body.kinetic_energy() - before, 1e-14));
 }
 
-TEST_CASE("rigid body: no point of it goes further in a step than its travel bound says") {
+TEST_CASE("rigid body: no point of it moves farther in a step than its travel bound") {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> any(-1, 1);
   const double radius = 0.7;
@@ -196,11 +196,11 @@ TEST_CASE("rigid body: no point of it goes further in a step than its travel bou
       furthest = std::max(furthest, norm(motion.t1.to_world(point) - motion.t0.to_world(point)));
     }
     CHECK(furthest <= bound);
-    CHECK(furthest > 0.5 * bound);  // a bound, not a guess: shift and turn add up in one direction only
+    CHECK(furthest > 0.5 * bound);  // a bound, not an estimate: translation and rotation add up in one direction only
   }
 }
 
-TEST_CASE("rigid body: a state written out and read back continues to the bit") {
+TEST_CASE("rigid body: a saved and restored state continues bitwise identically") {
   RigidBody body = tumbling_body(), twin = tumbling_body();
   for (int step = 0; step < 100; ++step) body.advance(1e-3);
   std::vector<double> stored;
@@ -217,13 +217,13 @@ TEST_CASE("rigid body: a state written out and read back continues to the bit") 
   CHECK(body.angular_velocity() == twin.angular_velocity());
 }
 
-TEST_CASE("rigid body: a mass that is not positive and an inertia that cannot resist a free rotation are the user's errors") {
+TEST_CASE("rigid body: a mass that is not positive and an inertia that is not positive definite for a free rotation are rejected") {
   CHECK_THROWS_AS(RigidBody({.mass = 0}, Pose(), {}, {}, {}), InputError);
   CHECK_THROWS_AS(RigidBody({.mass = 1}, Pose(), {}, {}, {{false, false, false, false, false, true}}), InputError);
   CHECK_NOTHROW(RigidBody({.mass = 1}, Pose(), {}, {}, {{true, true, true}}));
 }
 
-TEST_CASE("rigid body: numbers that are not finite, steps that run backwards and turns by more than half a revolution are refused") {
+TEST_CASE("rigid body: numbers that are not finite, negative steps and rotations by more than half a revolution are rejected") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const RigidBodyProperties unit{.mass = 1, .inertia = Mat3::identity()};
   const auto refused = [](const auto& act) { CHECK_THROWS_AS(act(), InputError); };
@@ -241,13 +241,13 @@ TEST_CASE("rigid body: numbers that are not finite, steps that run backwards and
     refused([&] { body.add_impulse({bad, 0, 0}, {}); });
     refused([&] { body.add_impulse({}, {0, bad, 0}); });
     refused([&] { body.drive(3, bad); });
-    CHECK((body.velocity() == Vec3d{} && body.angular_velocity() == Vec3d{}));  // what is refused changes nothing
+    CHECK((body.velocity() == Vec3d{} && body.angular_velocity() == Vec3d{}));  // rejected input has no effect
   }
   refused([&] { RigidBody(unit, Pose({}, {2, 0, 0, 0}), {}, {}, {}); });
   RigidBody top(unit, Pose(), {}, {0, 0, 10}, {{true, false, false, false, false, false}});
   CHECK_THROWS_WITH_AS(top.advance(-1), "rigid body: the step lasts -1 s, but it must be finite and not negative.", InputError);
   CHECK_THROWS_WITH_AS(top.advance(0.5),
-                       "rigid body: it turns by 5 rad in a step of 0.5 s, and beyond half a turn the poses at its ends cannot tell how; take a shorter step.",
+                       "rigid body: it turns by 5 rad in a step of 0.5 s, but the poses at its ends determine at most half a turn; use a shorter step.",
                        InputError);
   CHECK_NOTHROW(top.advance(0.3));
   refused([&] { top.drive(0, 1); });  // free

@@ -9,7 +9,7 @@
 
 using namespace fccda;
 
-TEST_CASE("rims: each hole is one, the longest first, with its length and place") {
+TEST_CASE("boundary loops: each hole is one, the longest first, with its length and position") {
   Panels box = make_box({.size = {4, 4, 4}, .edge_length = 1, .panels = PanelKind::quads});
   const auto middle = [&](const std::array<int, 4>& p) {
     Vec3d sum{};
@@ -30,7 +30,7 @@ TEST_CASE("rims: each hole is one, the longest first, with its length and place"
   CHECK(found[1].bounds.centre() == Vec3d{0.5, 0.5, 2});
 }
 
-TEST_CASE("rims: a closed surface has none, a band has two") {
+TEST_CASE("boundary loops: a closed surface has none, a band has two") {
   CHECK(boundary_loops(Surface(make_sphere({.diameter = 1, .edge_length = 0.2}))).empty());
   CHECK(boundary_loops(Surface(fixtures::band(40, 0), {.orientation = Orientation::normals})).size() == 2);
 }

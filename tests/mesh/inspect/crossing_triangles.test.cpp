@@ -13,7 +13,7 @@ using namespace fccda;
 
 namespace {
 
-// Integer coordinates of a few units: the oracle's determinants are exact.
+// Integer coordinates of a few units: the determinants of the reference are exact.
 using Point = std::array<long, 3>;
 using Corners = std::array<Point, 3>;
 
@@ -25,7 +25,7 @@ long orientation(const Point& a, const Point& b, const Point& c, const Point& d)
   return (determinant > 0) - (determinant < 0);
 }
 
-/// Sufficient: an edge of one goes through the inside of the other.
+/// Sufficient: an edge of one crosses the interior of the other.
 bool goes_through(const Point& p, const Point& q, const Corners& t) {
   if (orientation(t[0], t[1], t[2], p) * orientation(t[0], t[1], t[2], q) >= 0) return false;
   const long a = orientation(p, q, t[0], t[1]), b = orientation(p, q, t[1], t[2]), c = orientation(p, q, t[2], t[0]);
@@ -47,7 +47,7 @@ struct Fraction {
   friend bool operator<(const Fraction& a, const Fraction& b) { return a.top * b.bottom < b.top * a.bottom; }
 };
 
-/// Necessary and sufficient, in fractions: what the planes cut out of both has a length in common.
+/// Necessary and sufficient, in fractions: the intervals on the common line overlap over a length.
 bool cross_exactly(const Corners& one, const Corners& other) {
   const Point line = times(normal_of(one), normal_of(other));
   std::array<std::array<Fraction, 2>, 2> range{};
@@ -78,7 +78,7 @@ TriangleCorners in_doubles(const Corners& corners) {
 
 }  // namespace
 
-TEST_CASE("crossing: random triangles of small whole numbers, which touch in every way, cross where exact arithmetic says so") {
+TEST_CASE("crossing: random triangles of small integers, in every degenerate contact, cross exactly as in exact arithmetic") {
   std::mt19937 random(11);
   std::uniform_int_distribution<long> coordinate(0, 4);
   int crossing = 0;
@@ -93,7 +93,7 @@ TEST_CASE("crossing: random triangles of small whole numbers, which touch in eve
     REQUIRE(crossing_of(in_doubles(one), in_doubles(other)).has_value() == expected);
     crossing += expected ? 1 : 0;
   }
-  CHECK(crossing > 20000);  // else little was tested
+  CHECK(crossing > 20000);  // otherwise little was tested
 }
 
 TEST_CASE("crossing: the point lies on both triangles") {
@@ -107,8 +107,8 @@ TEST_CASE("crossing: the point lies on both triangles") {
   CHECK(crossing_of(upright, flat).has_value());
 }
 
-TEST_CASE("crossing: triangles that share a corner or an edge, lie in one plane, or touch do not cross, wherever they are") {
-  // far from the origin and turned, so that rounding has its say
+TEST_CASE("crossing: triangles that share a corner or an edge, are coplanar, or just touch do not cross, at any position") {
+  // far from the origin and rotated, so that rounding matters
   const auto placed = [](const TriangleCorners& t) {
     TriangleCorners out;
     for (std::size_t c = 0; c < 3; ++c) out[c] = {1e6 + 0.6 * t[c].x - 0.8 * t[c].y, -3e5 + 0.8 * t[c].x + 0.6 * t[c].y, 0.1 + t[c].z};
@@ -118,6 +118,6 @@ TEST_CASE("crossing: triangles that share a corner or an edge, lie in one plane,
   const auto apart = [&](TriangleCorners other) { return !crossing_of(base, placed(other)).has_value(); };
   CHECK(apart({{{0, 0, 0}, {0, 1, 0}, {0.3, 0.3, 1}}}));          // an edge
   CHECK(apart({{{0, 0, 0}, {1, 1, 1}, {0.5, 0.4, 1}}}));          // a corner
-  CHECK(apart({{{0.2, 0.2, 0}, {0.9, 0.8, 0}, {0.1, 0.7, 0}}}));  // one plane
+  CHECK(apart({{{0.2, 0.2, 0}, {0.9, 0.8, 0}, {0.1, 0.7, 0}}}));  // coplanar
   CHECK(apart({{{0, 0, 1e-3}, {1, 0, 1e-3}, {0, 1, 1e-3}}}));     // parallel
 }

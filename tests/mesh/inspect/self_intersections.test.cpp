@@ -15,7 +15,7 @@ using namespace fccda;
 
 namespace {
 
-/// A tube about a figure of eight in the plane z = 0, which goes through itself in the middle.
+/// A tube about a figure of eight in the plane z = 0, which intersects itself in the middle.
 Panels figure_of_eight() {
   Panels out = fixtures::torus(2, 0.3, 120, 16);
   for (int i = 0; i < 120; ++i) {
@@ -49,7 +49,7 @@ std::size_t crossings_of_all_pairs(const Surface& surface) {
 
 }  // namespace
 
-TEST_CASE("self-intersections: bodies that have none have none, in any orientation") {
+TEST_CASE("self-intersections: none are found in bodies without, in any orientation") {
   for (const Panels& panels : {make_sphere({.diameter = 1, .edge_length = 0.1}), make_box({.size = {1, 2, 3}, .edge_length = 0.2, .panels = PanelKind::quads}),
                                fixtures::torus(2, 0.5, 48, 24), dented_sphere(1)}) {
     const SelfIntersections found = inspect(Surface(panels));
@@ -58,7 +58,7 @@ TEST_CASE("self-intersections: bodies that have none have none, in any orientati
   }
 }
 
-TEST_CASE("self-intersections: a tube that runs through itself is told, as a loop over all pairs finds it, and may be used") {
+TEST_CASE("self-intersections: a tube that intersects itself is reported, as by a loop over all pairs, and may be used") {
   const Surface surface(figure_of_eight());
   const SelfIntersections found = inspect(surface);
   CHECK(found.crossings == crossings_of_all_pairs(surface));
@@ -72,20 +72,20 @@ TEST_CASE("self-intersections: a tube that runs through itself is told, as a loo
   CHECK_NOTHROW(expect_no_pockets(found, "tube"));
 }
 
-TEST_CASE("self-intersections: a dent that comes out on the other side is inside out, and refused with its panels") {
+TEST_CASE("self-intersections: a dent that emerges on the other side is inside out, and rejected with its panels") {
   const Surface surface(dented_sphere(3));
   const SelfIntersections found = inspect(surface);
   CHECK(found.crossings == crossings_of_all_pairs(surface));
   REQUIRE(found.defects.size() == 1);
   CHECK(found.defects[0].kind == DefectKind::inside_out);
   const std::string expected = "bowl: " + std::to_string(found.defects[0].panels.size()) +
-                               " panels go through one another such that the surface is inside out between them, the first is panel " +
+                               " panels intersect such that the surface is inside out between them, the first is panel " +
                                std::to_string(found.defects[0].panels.front()) +
-                               " (counted from 0): a particle could get in there without meeting a front; mend the fold where these panels cross.";
+                               " (counted from 0): a particle could enter there without crossing a front; repair the fold where these panels intersect.";
   CHECK_THROWS_WITH_AS(expect_no_pockets(found, "bowl"), expected.c_str(), SurfaceError);
 }
 
-TEST_CASE("self-intersections: bodies that overlap are not meant") {
+TEST_CASE("self-intersections: overlapping bodies are not counted") {
   Panels two = make_box({.size = {1, 1, 1}, .edge_length = 0.3});
   const Panels box = two;
   const int first = int(box.vertices.size());
@@ -96,7 +96,7 @@ TEST_CASE("self-intersections: bodies that overlap are not meant") {
   CHECK(inspect(surface).crossings == 0);
 }
 
-TEST_CASE("self-intersections: the same on one thread and on four") {
+TEST_CASE("self-intersections: identical on one thread and on four") {
   const Surface surface(figure_of_eight());
   use_threads(1);
   const SelfIntersections one = inspect(surface);
@@ -106,7 +106,7 @@ TEST_CASE("self-intersections: the same on one thread and on four") {
   CHECK(one.defects[0].panels == four.defects[0].panels);
 }
 
-TEST_CASE("self-intersections: a body that is inside out is told beside an open sheet too") {
+TEST_CASE("self-intersections: a body that is inside out is reported beside an open sheet too") {
   Panels panels = dented_sphere(3);
   const int first = int(panels.vertices.size());
   panels.vertices.insert(panels.vertices.end(), {{5, 0, 0}, {6, 0, 0}, {6, 1, 0}});

@@ -20,14 +20,14 @@ Surface cylinder(double panel) { return Surface(make_cylinder({.diameter = 2, .h
 
 }  // namespace
 
-TEST_CASE("surface measures: the median panel of a box is as wide as asked for, in quads and in triangles") {
+TEST_CASE("surface measures: the median panel of a box has the requested size, in quads and in triangles") {
   for (const PanelKind kind : {PanelKind::quads, PanelKind::triangles}) {
     const Surface surface = box({1, 1, 1}, 0.1, kind);
     CHECK(median_panel_size(surface, PanelFaces(surface)) == fixtures::relative(0.1, 1e-12));
   }
 }
 
-TEST_CASE("surface measures: the facets of a cylinder lie off it by their sagitta, those of a box and its edges by nothing") {
+TEST_CASE("surface measures: the facets of a cylinder deviate from it by their sagitta, those of a box and its edges not at all") {
   for (const double panel : {0.1, 0.2, 0.5}) {
     const Surface surface = cylinder(panel);
     double inner = 1e300;  // the least distance of the lateral facets' middles from the axis, by the vertices alone
@@ -45,7 +45,7 @@ TEST_CASE("surface measures: the facets of a cylinder lie off it by their sagitt
   CHECK(coarsest_facet(box({1, 0.6, 0.4}, 0.2)).sagitta < 1e-12);  // rounding of normals in a plane
 }
 
-TEST_CASE("surface measures: a box is as thick as it is long that way, the wall of a hollow one as the wall, an open surface has no thickness") {
+TEST_CASE("surface measures: a box has the thickness of its edge lengths, a hollow one that of its wall, an open surface none") {
   const Surface plate = box({1, 0.6, 0.02}, 0.2);
   for (const Thickness& part : thicknesses(plate, Bvh(plate), 1000)) {
     const double expected = std::fabs(part.place.z) > 0.00999 ? 0.02 : std::fabs(part.place.y) > 0.2999 ? 0.6 : 1.0;

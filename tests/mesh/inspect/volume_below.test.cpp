@@ -12,7 +12,7 @@
 
 using namespace fccda;
 
-TEST_CASE("volume below: of a box that floats at any height, whether panels are cut by the waterline or end there") {
+TEST_CASE("volume below: correct for a box at any height, whether panels are cut by the waterline or end there") {
   const Surface box(make_box({.size = {3, 2, 1}, .edge_length = 0.25}));
   for (const double height : {-2.0, -0.5, -0.25, -0.1, 0.0, 0.33, 0.5, 7.0}) {
     const double depth = std::fmin(1, std::fmax(0, height + 0.5));
@@ -20,7 +20,7 @@ TEST_CASE("volume below: of a box that floats at any height, whether panels are 
   }
 }
 
-TEST_CASE("volume below: of a sphere that floats askew, the cap's formula") {
+TEST_CASE("volume below: the formula of the cap for a sphere at an oblique attitude") {
   const double radius = 1, panel = 0.05;
   const Panels ball = fixtures::moved(make_sphere({.diameter = 2 * radius, .edge_length = panel}), [](const Vec3d& p) { return p + Vec3d{0, 0, 5}; });
   const Surface surface(ball);
@@ -32,7 +32,7 @@ TEST_CASE("volume below: of a sphere that floats askew, the cap's formula") {
   CHECK(volume_below(surface, 100) == fixtures::relative(surface.report().volume, 1e-12));  // all of it; another sum
 }
 
-TEST_CASE("volume below: of a tetrahedron whose faces are each cut in two, upright and on its tip") {
+TEST_CASE("volume below: correct for a tetrahedron with each face cut in two, upright and on its tip") {
   const Surface upright(fixtures::tetrahedron());
   const Surface on_tip(fixtures::moved(fixtures::tetrahedron(), [](const Vec3d& p) { return Vec3d{p.y, p.x, 1 - p.z}; }));
   for (const double height : {0.0, 0.1, 0.5, 0.9, 1.0}) {

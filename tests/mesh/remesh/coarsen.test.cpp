@@ -15,7 +15,7 @@ using fixtures::triangles_of;
 
 namespace {
 
-constexpr double any_size = 1e9;  // [m] panels as long as the shape allows
+constexpr double any_size = 1e9;  // [m] panels as long as the shape permits
 constexpr double flat = 1e-9;     // [m] a distance that only exactly flat surfaces keep
 
 double shape(const Triangle3& t) { return 2 * fixtures::area(t) / std::pow(fixtures::longest_edge(t), 2); }
@@ -26,7 +26,7 @@ double worst_shape(const Panels& panels) {
   return worst;
 }
 
-/// Two parts, by the side of x = at that the middle of a panel lies on.
+/// Two parts, by the side of x = at on which the centroid of a panel lies.
 Panels in_two_parts(Panels panels, double at) {
   panels.part_names = {"aft", "fore"};
   for (const auto& p : panels.panels) {
@@ -46,7 +46,7 @@ Panels part(const Panels& panels, int number) {
 
 }  // namespace
 
-TEST_CASE("coarsen: a finely cut cube becomes twelve triangles, with all its corners and its volume") {
+TEST_CASE("coarsen: a fine cube becomes twelve triangles, with all its corners and its volume") {
   for (const double panel : {0.1, 0.05}) {
     const Coarsened coarse = coarsen(surface_from(make_box({.size = {1, 1, 1}, .edge_length = panel})), {flat, any_size});
     CHECK(coarse.panels.panels.size() == 12);
@@ -58,7 +58,7 @@ TEST_CASE("coarsen: a finely cut cube becomes twelve triangles, with all its cor
   }
 }
 
-TEST_CASE("coarsen: no point of either surface lies further from the other than the distance, by a loop over all triangles") {
+TEST_CASE("coarsen: no point of either surface lies farther from the other than the distance, by a loop over all triangles") {
   struct Case {
     std::string name;
     Panels panels;
@@ -79,7 +79,7 @@ TEST_CASE("coarsen: no point of either surface lies further from the other than 
     CHECK(coarse.panels.panels.size() < (c.name == "blade" ? 1.0 : 0.8) * static_cast<double>(given.triangles().size()));
     CHECK(coarse.distance <= c.distance);
     const auto fine = triangles_of(given.panels()), few = triangles_of(coarse.panels);
-    // quads of the given panels may be cut either way by the loop, which matters for warped ones only: as the library cuts them
+    // the split of quads matters for warped ones only: the loop uses that of the library
     std::vector<Triangle3> cut;
     for (std::size_t t = 0; t < given.triangles().size(); ++t) cut.push_back({given.corner(t, 0), given.corner(t, 1), given.corner(t, 2)});
     const double there = sampled_distance(cut, few, 3), back = sampled_distance(few, cut, 8);
@@ -97,18 +97,18 @@ TEST_CASE("coarsen: no point of either surface lies further from the other than 
   }
 }
 
-TEST_CASE("coarsen: no edge becomes longer than asked") {
+TEST_CASE("coarsen: no edge becomes longer than requested") {
   for (const double panel : {0.25, 0.4}) {
     const Coarsened coarse = coarsen(surface_from(make_box({.size = {1, 1, 1}, .edge_length = 0.05})), {flat, panel});
     double longest = 0;
     for (const Triangle3& t : triangles_of(coarse.panels)) longest = std::max(longest, fixtures::longest_edge(t));
     CHECK(longest <= panel);
-    CHECK(longest > 0.9 * panel);  // and they come near
+    CHECK(longest > 0.9 * panel);  // and the limit is nearly reached
     CHECK(coarse.panels.panels.size() < 4800 / 4);
   }
 }
 
-TEST_CASE("coarsen: a smaller distance leaves more panels, and one far below the curve's own all of them") {
+TEST_CASE("coarsen: a smaller distance leaves more panels, and one far below the sagitta all of them") {
   const Surface sphere = surface_from(make_sphere({.diameter = 1, .edge_length = 0.05}));
   std::size_t last = 0;
   for (const double distance : {0.1, 0.02, 0.005, 0.001}) {
@@ -139,7 +139,7 @@ TEST_CASE("coarsen: on flat faces parts with straight borders keep their areas")
   for (const std::size_t k : {0u, 1u}) CHECK(after.report().parts[k].area == fixtures::relative(given.report().parts[k].area, 1e-13));  // rounding
 }
 
-TEST_CASE("coarsen: a rim moves along itself only, and by no more than the distance") {
+TEST_CASE("coarsen: a boundary moves along itself only, and by no more than the distance") {
   const Panels plate = fixtures::askew_plate(20, 1, 2);
   const Coarsened square = coarsen(surface_from(plate), {flat, any_size});
   CHECK(square.panels.panels.size() == 2);
@@ -147,7 +147,7 @@ TEST_CASE("coarsen: a rim moves along itself only, and by no more than the dista
   for (const Triangle3& t : triangles_of(square.panels)) area += fixtures::area(t);
   CHECK(area == fixtures::relative(1, 1e-15));
 
-  // a round hole's rim, by its own points: the upper half of a sphere
+  // the boundary of a round hole, by its own points: the upper half of a sphere
   Panels bowl{make_sphere({.diameter = 1, .edge_length = 0.06}).vertices, {}, {}, {}};
   for (const auto& p : make_sphere({.diameter = 1, .edge_length = 0.06}).panels)
     if (bowl.vertices[std::size_t(p[0])].z + bowl.vertices[std::size_t(p[1])].z + bowl.vertices[std::size_t(p[2])].z > 0) bowl.panels.push_back(p);
@@ -167,8 +167,8 @@ TEST_CASE("coarsen: a rim moves along itself only, and by no more than the dista
   CHECK(sampled_distance(rim(after), rim(given), 12) <= distance);
 }
 
-TEST_CASE("coarsen: thin walls do not fold through themselves, though the distance is larger than they are thick") {
-  // an arched sheet, a tenth as thick as the distance allows it to move
+TEST_CASE("coarsen: thin walls do not intersect themselves, although the distance is larger than their thickness") {
+  // an arched sheet, with a thickness of a tenth of the distance
   const auto arch = [](const Vec3d& p) { return Vec3d{p.x, p.y, p.z - 0.4 * p.x * p.x + 0.05 * std::sin(8 * p.y)}; };
   const Panels sheet = fixtures::moved(make_box({.size = {1, 1, 0.01}, .edge_length = 0.08}), arch);
   const Coarsened coarse = coarsen(surface_from(sheet), {0.1, any_size});
@@ -190,7 +190,7 @@ TEST_CASE("coarsen: thin walls do not fold through themselves, though the distan
   CHECK(surface_from(thin.panels).report().cavities == 1);
 }
 
-TEST_CASE("coarsen: parts that touch still do so in single places, where two of them would come to share an edge too") {
+TEST_CASE("coarsen: parts in contact at single points do not come to share an edge") {
   // the edge from (0, 1, 1) to (1, 1, 1) of a box, and on it that of a tetrahedron, which has a vertex elsewhere than the box has them
   const Vec3d m{0.4, 1, 1}, p{0, 1, 1}, q{1, 1, 1}, r{0.5, 1.3, 1.5}, s{0.5, 0.7, 1.5};
   const Panels tetrahedron{{p, m, q, r, s}, {{0, 3, 1, -1}, {1, 3, 2, -1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {0, 4, 3, -1}, {2, 3, 4, -1}}, {}, {}};
@@ -202,7 +202,7 @@ TEST_CASE("coarsen: parts that touch still do so in single places, where two of 
   CHECK(after.report().volume == fixtures::relative(given.report().volume, 1e-13));  // rounding
 }
 
-TEST_CASE("coarsen: the result has the same bits for any number of threads") {
+TEST_CASE("coarsen: the result is bitwise identical for any number of threads") {
   const Surface hull = surface_from(fixtures::hull());
   const int threads = thread_count();
   use_threads(1);
@@ -214,7 +214,7 @@ TEST_CASE("coarsen: the result has the same bits for any number of threads") {
   CHECK(alone.panels == together.panels);
 }
 
-TEST_CASE("coarsen: particles strike a coarsened box where they strike the finely cut one") {
+TEST_CASE("coarsen: particles contact a coarsened box at the same positions as the fine one") {
   const Panels fine = make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.05});
   const auto before = std::make_shared<const Surface>(fine);
   const auto after = std::make_shared<const Surface>(coarsen(*before, {flat, any_size}).panels);
@@ -232,7 +232,7 @@ TEST_CASE("coarsen: particles strike a coarsened box where they strike the finel
     REQUIRE(found.size() == expected.size());
     CHECK(found.size() > 500);
     for (std::size_t k = 0; k < found.size(); ++k) {
-      constexpr double rounding = 1e-12;  // [m] the offset of the swept detector, larger than what the places differ by
+      constexpr double rounding = 1e-12;  // [m] the offset of the swept detector, larger than the difference of the positions
       CHECK(found[k].point == expected[k].point);
       CHECK(norm(found[k].relocation - expected[k].relocation) < rounding);
       CHECK(norm(found[k].hit - expected[k].hit) < rounding);

@@ -21,7 +21,7 @@ Panels panels_of(const CollapsibleTriangles& mesh) {
   return out;
 }
 
-/// Collapses whatever may be, whatever it looks like, until nothing may. `check` sees the mesh now and then.
+/// Performs all admissible collapses, regardless of shape. `check` is called with the mesh from time to time.
 template <class Check>
 Panels collapsed(const Panels& panels, unsigned seed, const Check& check) {
   CollapsibleTriangles mesh(surface_from(panels));
@@ -57,7 +57,7 @@ std::size_t boundary_edges(const Panels& panels) {
 
 }  // namespace
 
-TEST_CASE("collapsible: whatever is collapsed, a sphere stays one until a tetrahedron is left, and a torus stays a torus") {
+TEST_CASE("collapsible: under any collapses a sphere stays a sphere until a tetrahedron is left, and a torus stays a torus") {
   const auto expect = [](int characteristic) {
     return [=](const Panels& panels) {
       CHECK(fixtures::is_watertight(panels));
@@ -85,7 +85,7 @@ TEST_CASE("collapsible: a plate with a hole keeps the hole and its outline, each
   }
 }
 
-TEST_CASE("collapsible: a ring lists neighbours counterclockwise, from rim to rim where there is one") {
+TEST_CASE("collapsible: a ring lists neighbours counterclockwise, from boundary to boundary if there is one") {
   const Surface plate = surface_from(fixtures::askew_plate(2, 1, 1));
   const CollapsibleTriangles mesh(plate);
   const auto at = [&](const Vec3d& place) {

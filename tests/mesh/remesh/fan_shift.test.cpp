@@ -39,7 +39,7 @@ std::optional<double> height(const std::array<Vec3d, 3>& t, double x, double y) 
   return (a * t[0].z + b * t[1].z + c * t[2].z) / (a + b + c);
 }
 
-/// By points over the polygon: the largest difference of heights; nothing where one of the two covers a point twice or faces down.
+/// By sampling the polygon: the largest difference of heights; nothing if one of the two covers a point twice or faces down.
 std::optional<double> sampled_shift(const Fan& fan, std::size_t to) {
   std::vector<std::array<Vec3d, 3>> old_ones, new_ones;
   for (std::size_t j = 0; j < fan.size(); ++j) {
@@ -54,7 +54,7 @@ std::optional<double> sampled_shift(const Fan& fan, std::size_t to) {
   constexpr int steps = 150;
   for (int i = -steps; i <= steps; ++i)
     for (int k = -steps; k <= steps; ++k) {
-      // a little askew, so that no point lies on an edge and counts twice
+      // slightly oblique, so that no point lies on an edge and counts twice
       const double x = 1.5 * i / steps + 1e-7, y = 1.5 * k / steps + 3e-7;
       std::optional<double> old_height, new_height;
       for (const auto& t : old_ones)
@@ -68,7 +68,7 @@ std::optional<double> sampled_shift(const Fan& fan, std::size_t to) {
 
 }  // namespace
 
-TEST_CASE("fan shift: it is the largest difference of heights, by points over the polygon") {
+TEST_CASE("fan shift: it is the largest difference of heights, by sampling the polygon") {
   std::mt19937_64 random(11);
   std::size_t taken = 0, refused = 0;
   for (int k = 0; k < 60; ++k) {
@@ -103,10 +103,10 @@ TEST_CASE("fan shift: the same in any frame") {
   }
 }
 
-TEST_CASE("fan shift: a fan that goes round twice, or is turned away from the direction, has none") {
+TEST_CASE("fan shift: a fan of two revolutions, or facing away from the direction, has none") {
   std::vector<Vec3d> twice;
   for (int j = 0; j < 12; ++j) twice.push_back({std::cos(std::numbers::pi * j / 3), std::sin(std::numbers::pi * j / 3), 0.01 * j});
-  twice[0] = 0.05 * twice[0];  // so near to the centre that the new triangles from here face up all, and go round twice too
+  twice[0] = 0.05 * twice[0];  // so near to the centre that the new triangles from here all face up, and make two revolutions too
   CHECK(!shift({{0, 0, 0}, twice, true}, 0, up));
   const std::vector<Vec3d> square{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   CHECK(shift({{0, 0, 0.5}, square, true}, 0, up).value() == fixtures::relative(0.5, 1e-12));

@@ -1,4 +1,4 @@
-/// What refined and coarsened panels are compared by: measures that share nothing with the library but Vec3 and the surface's report.
+/// Measures of refined and coarsened panels that share nothing with the library but Vec3 and the surface's report.
 #pragma once
 
 #include <algorithm>
@@ -37,14 +37,14 @@ inline double smallest_angle(const Triangle3& t) {
 
 inline fccda::Surface surface_from(const Panels& panels) { return fccda::Surface(panels, {.orientation = fccda::Orientation::normals}); }
 
-/// Vertices put elsewhere by up to `share` of the size of the panels about them, the same for the same seed.
+/// Vertices displaced at random by up to `share` of the size of the panels about them, reproducible by the seed.
 inline Panels shaken(Panels panels, double share, unsigned seed) {
   std::mt19937_64 random(seed);
   for (Vec3d& vertex : panels.vertices) vertex += random_in_box(random, {-share, -share, -share}, {share, share, share});
   return panels;
 }
 
-/// A square plate in z = 0 of thin, askew triangles: a lattice whose inner vertices are shaken, then stretched along x.
+/// A square plate in z = 0 of thin, oblique triangles: a lattice with randomly displaced inner vertices, stretched along x.
 inline Panels askew_plate(int cells, double stretch, unsigned seed) {
   std::mt19937_64 random(seed);
   Panels out;
@@ -63,7 +63,7 @@ inline Panels askew_plate(int cells, double stretch, unsigned seed) {
   return out;
 }
 
-/// [m] The largest distance from the triangles `from`, sampled densely, to the triangles `to`, by a loop over all. Never more than Hausdorff's.
+/// [m] The largest distance from the triangles `from`, sampled densely, to the triangles `to`, by a loop over all. A lower bound of the Hausdorff distance.
 inline double sampled_distance(const std::vector<Triangle3>& from, const std::vector<Triangle3>& to, int samples) {
   double largest = 0;
   for (const Triangle3& t : from)
@@ -80,7 +80,7 @@ inline double sampled_distance(const std::vector<Triangle3>& from, const std::ve
   return largest;
 }
 
-/// Edges of triangles that go through another triangle, inside both: none of a surface that does not meet itself.
+/// Number of edges that cross the interior of another triangle: none for a surface without self-intersection.
 inline std::size_t self_crossings(const std::vector<Triangle3>& triangles) {
   const auto volume = [](const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) { return dot(b - a, cross(c - a, d - a)); };
   const auto goes_through = [&](const Vec3d& p, const Vec3d& q, const Triangle3& t) {

@@ -42,7 +42,7 @@ std::vector<Case> closed_cases() {
            0.2}};
 }
 
-/// The triangles of refined panels are those of triangles given: by corners, since refining leaves a triangle's corners in order.
+/// Matches the triangles of refined panels with the given ones by corners, since refinement keeps the order of a triangle's corners.
 std::size_t kept(const Panels& given, const Panels& refined) {
   const auto key = [](const Triangle3& t) {
     std::array<std::array<double, 3>, 3> corners;
@@ -61,7 +61,7 @@ Vec3d middle(const Triangle3& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
 }  // namespace
 
-TEST_CASE("refine: area, volume, centroid and inertia stay, and the surface stays closed without a hanging vertex") {
+TEST_CASE("refine: area, volume, centroid and inertia are unchanged, and the surface stays closed without a hanging vertex") {
   for (const Case& c : closed_cases()) {
     CAPTURE(c.name);
     const Surface given = surface_from(c.panels);
@@ -81,7 +81,7 @@ TEST_CASE("refine: area, volume, centroid and inertia stay, and the surface stay
   }
 }
 
-TEST_CASE("refine: every new vertex lies on the surface as given") {
+TEST_CASE("refine: every new vertex lies on the given surface") {
   const Panels torus = fixtures::torus(1, 0.3, 12, 7, 1);
   const auto given = triangles_of(refine(surface_from(torus), {}));
   for (const Vec3d& vertex : refine(surface_from(torus), std::vector<Refinement>{{.edge_length = 0.12}}).vertices) {
@@ -94,7 +94,7 @@ TEST_CASE("refine: every new vertex lies on the surface as given") {
   }
 }
 
-TEST_CASE("refine: no angle becomes smaller than half the smallest of the mesh, however askew it is") {
+TEST_CASE("refine: no angle becomes smaller than half the smallest of the mesh, however distorted it is") {
   for (const double stretch : {1.0, 4.0, 20.0, 0.05})
     for (unsigned seed = 1; seed <= 6; ++seed) {
       CAPTURE(stretch);
@@ -110,7 +110,7 @@ TEST_CASE("refine: no angle becomes smaller than half the smallest of the mesh, 
     }
 }
 
-TEST_CASE("refine: with no wish, or a coarse one, nothing changes") {
+TEST_CASE("refine: without a refinement, or with a coarse one, nothing changes") {
   const Panels sphere = make_sphere({.diameter = 1, .edge_length = 0.1});
   for (const std::vector<Refinement>& wishes : {std::vector<Refinement>{}, std::vector<Refinement>{{.edge_length = 0.1}}}) {
     const Panels refined = refine(surface_from(sphere), wishes);
@@ -119,14 +119,14 @@ TEST_CASE("refine: with no wish, or a coarse one, nothing changes") {
   }
 }
 
-TEST_CASE("refine: every panel that reaches into a box is small, and far from it panels stay as they are") {
+TEST_CASE("refine: every panel that reaches into a box is small, and panels far from it are unchanged") {
   const Panels sphere = make_sphere({.diameter = 1, .edge_length = 0.1});
   const Box box{{0.4, -0.1, -0.1}, {0.6, 0.1, 0.1}};
   const double panel = 0.02;
   const Panels refined = refine(surface_from(sphere), std::vector<Refinement>{{.edge_length = panel, .box = box}});
   std::size_t inside = 0, far = 0, far_given = 0;
   for (const Triangle3& t : triangles_of(refined)) {
-    // sampled, because a panel may reach into a box with no corner there
+    // sampled, because a panel may reach into a box without a corner there
     for (int i = 0; i <= 8; ++i)
       for (int j = 0; i + j <= 8; ++j)
         if (box.distance((i * t[0] + j * t[1] + (8 - i - j) * t[2]) / 8.0) == 0) {
@@ -144,7 +144,7 @@ TEST_CASE("refine: every panel that reaches into a box is small, and far from it
   CHECK(refined.panels.size() < sphere.panels.size() + 3000);
 }
 
-TEST_CASE("refine: a small box in the middle of a large panel is found, though no corner lies in it") {
+TEST_CASE("refine: a small box in the middle of a large panel is found, although no corner lies in it") {
   const Panels cube = fixtures::unit_cube();
   const Box box{{0.3, 0.55, 0.99}, {0.31, 0.56, 1.01}};
   const Panels refined = refine(surface_from(cube), std::vector<Refinement>{{.edge_length = 0.02, .box = box}});
@@ -156,7 +156,7 @@ TEST_CASE("refine: a small box in the middle of a large panel is found, though n
   CHECK(refined.panels.size() < 1000);
 }
 
-TEST_CASE("refine: a named part becomes small, parts keep names and area, and only those beside it are halved along") {
+TEST_CASE("refine: a named part is refined, parts keep names and area, and only adjacent ones are halved along with it") {
   const Panels cylinder = make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.2, .panels = PanelKind::quads});
   const Surface given = surface_from(cylinder);
   const Surface refined(refine(given, std::vector<Refinement>{{.edge_length = 0.06, .surface_part = "top"}}));
@@ -169,25 +169,25 @@ TEST_CASE("refine: a named part becomes small, parts keep names and area, and on
   CHECK(refined.report().parts[2].panels > 5 * given.report().parts[2].panels);
 }
 
-TEST_CASE("refine: a part that is none is refused with the names that there are") {
+TEST_CASE("refine: an unknown part is rejected with the list of names") {
   const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.3}));
   CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.edge_length = 0.1, .surface_part = "sides"}}),
                        "refinement: the surface has no part \"sides\"; did you mean side? Its parts are bottom, side, top.", InputError);
   CHECK_THROWS_WITH_AS(refine(surface_from(fixtures::unit_cube()), std::vector<Refinement>{{.edge_length = 0.1, .surface_part = "side"}}),
-                       "refinement: the surface has no part \"side\"; its panels have no names, so leave the parts out, or name them in its file.", InputError);
+                       "refinement: the surface has no part \"side\"; its panels have no names, so omit the parts, or name them in its file.", InputError);
 }
 
-TEST_CASE("refine: a box without panels is refused, because it is a mistake of place or unit") {
+TEST_CASE("refine: a box without panels is rejected, because its position or unit is wrong") {
   const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.3}));
   CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.name = "bow", .edge_length = 0.1, .box = Box{{10, 0, 0}, {20, 1, 1}}}}),
                        "bow: no panel reaches into the box from (10, 0, 0) to (20, 1, 1) m, and the surface goes from (-0.5, -0.5, -1) to (0.5, 0.5, 1) m; "
-                       "mend the box.",
+                       "correct the box.",
                        InputError);
   CHECK_THROWS_WITH_AS(refine(cylinder, std::vector<Refinement>{{.edge_length = 0.1, .box = Box{{0, 0, 0.5}, {1, 1, 2}}, .surface_part = "bottom"}}),
                        doctest::Contains("no panel of part bottom reaches into the box"), InputError);
 }
 
-TEST_CASE("refine: of several wishes the smallest counts, and what is given together narrows one another") {
+TEST_CASE("refine: the smallest of several refinements counts, and conditions of one are combined") {
   const Surface cylinder = surface_from(make_cylinder({.diameter = 1, .height = 2, .edge_length = 0.3}));
   const Box upper{{-1, -1, 0.5}, {1, 1, 2}};
   const Surface refined(
@@ -207,7 +207,7 @@ TEST_CASE("refine: of several wishes the smallest counts, and what is given toge
   CHECK(refined.triangles().size() < 2 * fine);
 }
 
-TEST_CASE("refine: on cylinder, sphere and torus panels turn by at most the angle, down to the wanted size") {
+TEST_CASE("refine: on cylinder, sphere and torus panels turn by at most the angle, down to the requested size") {
   struct Round {
     std::string name;
     Panels panels;
@@ -236,7 +236,7 @@ TEST_CASE("refine: on cylinder, sphere and torus panels turn by at most the angl
     }
 }
 
-TEST_CASE("refine: by curvature alone flat faces stay coarse, and creases get the wanted size") {
+TEST_CASE("refine: by curvature alone flat faces stay coarse, and creases get the requested size") {
   const Panels box = fixtures::unit_cube();
   const Panels refined = refine(surface_from(box), std::vector<Refinement>{{.edge_length = 0.05, .angle = 0.1}});
   const auto on_edge = [](const Vec3d& p) { return (p.x == 0 || p.x == 1) + (p.y == 0 || p.y == 1) + (p.z == 0 || p.z == 1) >= 2; };
@@ -249,19 +249,18 @@ TEST_CASE("refine: by curvature alone flat faces stay coarse, and creases get th
   CHECK(fixtures::is_watertight(refined));
 }
 
-TEST_CASE("refine: a size that would give more panels than there is room for is refused with one that does") {
+TEST_CASE("refine: a size that exceeds the limit of panels is rejected with an affordable one") {
   const Surface cube = surface_from(fixtures::unit_cube());
   CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.name = "hull", .edge_length = 1e-5}}),
-                       "hull: panels of 1e-05 m would be about 4.8e+11 of them, more than the 3e+07 that there is room for; panels of 0.0014 m would do.",
-                       InputError);
-  // what is named does do, and is not far too large
-  CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.edge_length = 0.01}}, 1e4), doctest::Contains("panels of 0.077 m would do"), InputError);
+                       "hull: an edge length of 1e-05 m would give about 4.8e+11 panels, more than the limit of 3e+07; use 0.0014 m or more.", InputError);
+  // the suggested size is affordable, and not far too large
+  CHECK_THROWS_WITH_AS(refine(cube, std::vector<Refinement>{{.edge_length = 0.01}}, 1e4), doctest::Contains("use 0.077 m or more"), InputError);
   const std::size_t count = refine(cube, std::vector<Refinement>{{.edge_length = 0.077}}, 1e4).panels.size();
   CHECK(count <= 10000);
   CHECK(count > 2500);
 }
 
-TEST_CASE("refine: an open surface keeps its rim, and its normals point to its outside") {
+TEST_CASE("refine: an open surface keeps its boundary, and its normals point to its outside") {
   Panels plate = fixtures::askew_plate(4, 1, 3);
   const Surface given(plate, {.orientation = Orientation::reversed});
   const Surface refined(refine(given, std::vector<Refinement>{{.edge_length = 0.1}}), {.orientation = Orientation::normals});

@@ -29,14 +29,14 @@ std::vector<fixtures::Body> meshes() {
 
 }  // namespace
 
-TEST_CASE("bvh: the closest point is the one that asking every triangle finds, near, far, on panels, edges and vertices") {
+TEST_CASE("bvh: the closest point agrees with a loop over every triangle, near, far, on panels, edges and vertices") {
   for (const fixtures::Body& body : meshes()) {
     CAPTURE(body.name);
     const Surface surface(body.panels);
     const Bvh bvh(surface);
     const fixtures::Soup soup(surface);
     const Box& bounds = surface.report().bounds;
-    // rounding of coordinates, of distances, and of the oracle's normal equations on slivers
+    // rounding of coordinates, of distances, and of the reference's normal equations on slivers
     const double tolerance = 1e-12 * (largest_magnitude(bounds.low) + largest_magnitude(bounds.high));
     std::mt19937_64 random(5);
     for (int trial = 0; trial < 300; ++trial) {
@@ -55,7 +55,7 @@ TEST_CASE("bvh: the closest point is the one that asking every triangle finds, n
   }
 }
 
-TEST_CASE("bvh: a guess changes no bit of the answer, however wrong it is") {
+TEST_CASE("bvh: results are bitwise identical for any guess") {
   const Surface surface(fixtures::hull());
   const Bvh bvh(surface);
   std::mt19937_64 random(6);
@@ -70,7 +70,7 @@ TEST_CASE("bvh: a guess changes no bit of the answer, however wrong it is") {
   }
 }
 
-TEST_CASE("bvh: what a search learnt of its surroundings changes no bit of the answers near by, and saves the walk through the tree") {
+TEST_CASE("bvh: results with cached surroundings are bitwise identical, and save the traversal of the tree") {
   std::size_t from_nearby = 0, walked = 0;
   for (const fixtures::Body& body : meshes()) {
     CAPTURE(body.name);
@@ -98,11 +98,11 @@ TEST_CASE("bvh: what a search learnt of its surroundings changes no bit of the a
       }
     }
   }
-  CHECK(from_nearby > 1000);  // both ways are taken
+  CHECK(from_nearby > 1000);  // both code paths are exercised
   CHECK(walked > 1000);
 }
 
-TEST_CASE("bvh: of equal distances the lowest panel counts, wherever the search begins") {
+TEST_CASE("bvh: among equal distances the lowest panel counts, wherever the search begins") {
   const Surface cube(fixtures::unit_cube());
   const Bvh bvh(cube);
   for (int guess = -1; guess < 12; ++guess) {
@@ -134,7 +134,7 @@ TEST_CASE("bvh: among the triangles that face a viewer, the closest one is found
   }
 }
 
-TEST_CASE("bvh: the distance to a segment is the least to any triangle, and 0 where it goes through") {
+TEST_CASE("bvh: the distance to a segment is the least to any triangle, and 0 if it crosses one") {
   for (const fixtures::Body& body : meshes()) {
     CAPTURE(body.name);
     const Surface surface(body.panels);
@@ -150,13 +150,13 @@ TEST_CASE("bvh: the distance to a segment is the least to any triangle, and 0 wh
       REQUIRE(distance);
       const double truth = soup.distance(path);
       CHECK(*distance <= truth + 1e-12 * largest_magnitude(bounds.high));  // rounding of coordinates
-      CHECK(*distance >= truth - 1e-9);                                    // how near the oracle gets to the minimum
+      CHECK(*distance >= truth - 1e-9);                                    // the accuracy of the reference minimum
       CHECK_FALSE(bvh.distance_to_segment(path.start, path.end, *distance - 1e-9, asked));
     }
   }
 }
 
-TEST_CASE("bvh: shots straight at vertices and edges never slip through") {
+TEST_CASE("bvh: paths straight at vertices and edges never pass through") {
   for (const fixtures::Body& body : fixtures::bodies()) {
     CAPTURE(body.name);
     const Surface surface(body.panels);
@@ -171,7 +171,7 @@ TEST_CASE("bvh: shots straight at vertices and edges never slip through") {
       const Vec3d out = surface.pseudonormal(t, static_cast<Feature>((along == 0 ? 4 : 1) + e));
       const Vec3d way = normalised(out + 0.4 * fixtures::random_direction(random));
       const Vec3d start = place + 1e-3 * way, end = place - 1e-3 * way;
-      // through the place, so one of the two directions meets a front
+      // through the point, so one of the two directions meets a front
       std::size_t asked = 0;
       const bool hit = bvh.first_hit(start, end, asked).has_value() || bvh.first_hit(end, start, asked).has_value();
       missed += !hit;
@@ -180,7 +180,7 @@ TEST_CASE("bvh: shots straight at vertices and edges never slip through") {
   }
 }
 
-TEST_CASE("bvh: the first hit is the nearest of all front faces on the way") {
+TEST_CASE("bvh: the first hit is the nearest of all front faces on the path") {
   const Surface surface(fixtures::torus(0.4, 0.15, 24, 12));
   const Bvh bvh(surface);
   std::size_t asked = 0;
@@ -190,7 +190,7 @@ TEST_CASE("bvh: the first hit is the nearest of all front faces on the way") {
   CHECK(-2 + 4 * first->fraction == fixtures::relative(-0.547, 0.01));
 }
 
-TEST_CASE("bvh: what is no number, or out of reach of floats, finds nothing and does not hang") {
+TEST_CASE("bvh: queries with not-a-number, or beyond the range of floats, find nothing and terminate") {
   const Surface surface(fixtures::sphere());
   const Bvh bvh(surface);
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();

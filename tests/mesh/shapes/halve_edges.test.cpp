@@ -62,7 +62,7 @@ FlatSheet grid(int n, std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_CASE("halved edges: none is longer than asked, the area stays, the sheet stays whole and angles do not go below half of the smallest") {
+TEST_CASE("halved edges: none is longer than requested, the area is unchanged, the sheet stays conforming and angles do not fall below half of the smallest") {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 20; ++trial) {
     FlatSheet sheet = grid(2 + static_cast<int>(random() % 4), random);
@@ -79,7 +79,7 @@ TEST_CASE("halved edges: none is longer than asked, the area stays, the sheet st
       }
       const auto at = [&](std::size_t c) { return sheet.points[static_cast<std::size_t>(t[c])]; };
       const double twice = cross(at(1) - at(0), at(2) - at(0)).z;
-      CHECK(twice > 0);  // wound as before
+      CHECK(twice > 0);  // orientation unchanged
       area += 0.5 * twice;
     }
     CHECK(area == fixtures::relative(1, 1e-12));  // sums of some thousand triangles
@@ -88,13 +88,13 @@ TEST_CASE("halved edges: none is longer than asked, the area stays, the sheet st
       const auto [a, b] = one.first;
       const Vec3d p = sheet.points[static_cast<std::size_t>(a)], q = sheet.points[static_cast<std::size_t>(b)];
       const bool is_boundary_edge = (p.x == q.x && (p.x == 0 || p.x == 1)) || (p.y == q.y && (p.y == 0 || p.y == 1));
-      if (!is_boundary_edge) CHECK(walked.count({b, a}) == 1);  // a vertex on somebody's edge would leave a slit
+      if (!is_boundary_edge) CHECK(walked.count({b, a}) == 1);  // a hanging vertex would leave a slit
     }
     CHECK(sheet.smallest_angle() >= 0.5 * angle * (1 - 1e-9));  // Rosenberg and Stenger (1975): halving the longest edge
   }
 }
 
-TEST_CASE("halved edges: a sheet that is fine enough stays as it is") {
+TEST_CASE("halved edges: a sheet that is fine enough is unchanged") {
   std::mt19937_64 random(1);
   FlatSheet sheet = grid(3, random);
   const auto before = sheet.triangles;

@@ -9,7 +9,7 @@
 
 using fccda::MonotoneCubic;
 
-TEST_CASE("monotone cubic: it meets its points, stays between neighbours and has no kinks") {
+TEST_CASE("monotone cubic: it interpolates its points, stays between neighbours and has no kinks") {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> any(0, 1);
   for (int trial = 0; trial < 200; ++trial) {
@@ -21,7 +21,7 @@ TEST_CASE("monotone cubic: it meets its points, stays between neighbours and has
       double before = y[k];
       for (int i = 1; i <= 50; ++i) {
         const double now = curve(x[k] + (x[k + 1] - x[k]) * i / 50);
-        CHECK((now - before) * (y[k + 1] - y[k]) >= -1e-14);  // never turns back between two points, but for rounding
+        CHECK((now - before) * (y[k + 1] - y[k]) >= -1e-14);  // monotone between two points, up to rounding
         before = now;
       }
     }
@@ -33,7 +33,7 @@ TEST_CASE("monotone cubic: it meets its points, stays between neighbours and has
   }
 }
 
-TEST_CASE("monotone cubic: straight lines stay straight, and beyond the ends the last value holds") {
+TEST_CASE("monotone cubic: straight lines stay straight, and the value is constant beyond the ends") {
   const MonotoneCubic line({1, 2, 4, 5}, {3, 5, 9, 11});
   for (const double x : {1.0, 1.3, 2.0, 3.7, 5.0}) CHECK(line(x) == fixtures::relative(1 + 2 * x, 1e-14));  // rounding
   CHECK(line(0) == 3);
@@ -42,7 +42,7 @@ TEST_CASE("monotone cubic: straight lines stay straight, and beyond the ends the
   CHECK(two(0.5) == fixtures::relative(0.75, 1e-14));
 }
 
-TEST_CASE("monotone cubic: as another program interpolates the squared chords of the Wageningen series") {
+TEST_CASE("monotone cubic: agrees with another program on the squared chords of the Wageningen series") {
   // scipy.interpolate.PchipInterpolator of the same nine points
   const MonotoneCubic curve({0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}, {2.762244, 3.541924, 4.2025, 4.631104, 4.782969, 4.596736, 3.8809, 2.502724, 0});
   CHECK(curve(0.25) == fixtures::relative(3.16758759207252, 1e-12));

@@ -52,7 +52,7 @@ const double panel_sizes[] = {0.06, 0.02, 0.0113, 0.005, 0.002};
 
 }  // namespace
 
-TEST_CASE("shapes: each is watertight, wound outward and like a sphere, for coarse and fine panels") {
+TEST_CASE("shapes: each is watertight, oriented outward and of genus 0, for coarse and fine panels") {
   for (const double panel : panel_sizes) {
     for (const PanelKind kind : {PanelKind::triangles, PanelKind::quads}) {
       for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
@@ -73,8 +73,8 @@ TEST_CASE("shapes: each is watertight, wound outward and like a sphere, for coar
   }
 }
 
-TEST_CASE("shapes: no edge is longer than the panel, diagonals not longer than √2 panels") {
-  constexpr double rounding = 1 + 1e-8;  // ten times what divisions() takes for a whole number of panels
+TEST_CASE("shapes: no edge is longer than the edge length, no diagonal longer than √2 times it") {
+  constexpr double rounding = 1 + 1e-8;  // ten times the tolerance of divisions() for a whole number of panels
   std::vector<double> sizes(std::begin(panel_sizes), std::end(panel_sizes));
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 100; ++trial) sizes.push_back(std::uniform_real_distribution<double>(0.002, 0.06)(random));
@@ -101,7 +101,7 @@ TEST_CASE("shapes: a whole number of panels is taken as such") {
   CHECK(circle_divisions(1, 10) == 4);
 }
 
-TEST_CASE("shapes: the cylinder's columns lie on the coordinate planes and mirror one another to the last bit") {
+TEST_CASE("shapes: the cylinder's columns lie on the coordinate planes and are exact mirror images") {
   for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
     for (const double panel : panel_sizes) {
       const Panels cylinder = make_cylinder({.diameter = 0.05, .height = 0.025, .axis = axis, .edge_length = panel});
@@ -139,15 +139,15 @@ TEST_CASE("shapes: the cylinder has exactly the volume of its prism, whatever th
   }
 }
 
-TEST_CASE("shapes: far too small panels are refused before memory is asked for") {
+TEST_CASE("shapes: far too small panels are rejected before memory is allocated") {
   CHECK_THROWS_WITH_AS(make_sphere({.diameter = 1, .edge_length = 1e-9}),
-                       "sphere: panels of 1e-09 m would be 8.75388e+18 in number, more than the 1e+08 that fit in memory; use larger ones.", InputError);
+                       "sphere: an edge length of 1e-09 m would give 8.75388e+18 panels, more than the limit of 1e+08; use a larger one.", InputError);
   CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = 1, .edge_length = 1e-9}), InputError);
   CHECK_THROWS_AS(make_cylinder({.diameter = 1e-9, .height = 1, .edge_length = 1e-9}), InputError);
   CHECK_THROWS_AS(make_box({.size = {1, 1e-9, 1e-9}, .edge_length = 1e-12}), InputError);
 }
 
-TEST_CASE("shapes: without a panel size a box has two triangles or a quad a side, a sphere and a cylinder panels of a twentieth of the diameter") {
+TEST_CASE("shapes: without an edge length a box has two triangles or a quad per side, a sphere and a cylinder edges of a twentieth of the diameter") {
   CHECK(make_box({.size = {1, 2, 3}}).panels.size() == 12);
   CHECK(make_box({.size = {1, 2, 3}, .panels = PanelKind::quads}).panels.size() == 6);
   const Surface box(make_box({.size = {1, 2, 3}}));
@@ -158,18 +158,18 @@ TEST_CASE("shapes: without a panel size a box has two triangles or a quad a side
   CHECK(same(make_cylinder({.diameter = 2, .height = 1}), make_cylinder({.diameter = 2, .height = 1, .edge_length = 0.1})));
 }
 
-TEST_CASE("shapes: lengths that are not positive and finite are refused") {
+TEST_CASE("shapes: lengths that are not positive and finite are rejected") {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, infinity, std::numeric_limits<double>::quiet_NaN()}) {
     CHECK_THROWS_AS(make_box({.size = {1, bad, 1}, .edge_length = 0.5}), InputError);
     CHECK_THROWS_AS(make_sphere({.diameter = bad, .edge_length = 0.5}), InputError);
     CHECK_THROWS_AS(make_cylinder({.diameter = 1, .height = bad, .edge_length = 0.5}), InputError);
   }
-  CHECK_THROWS_WITH_AS(make_box({.size = {1, 1, 1}, .edge_length = -0.5}), "box: panel is -0.5 m, but it must be positive; leave it out for panels by default.",
+  CHECK_THROWS_WITH_AS(make_box({.size = {1, 1, 1}, .edge_length = -0.5}), "box: the edge length is -0.5 m, but it must be positive; omit it for the default.",
                        InputError);
 }
 
-TEST_CASE("prism: the surface over a concave outline is closed, encloses its area times its height, and is the same for both ways round") {
+TEST_CASE("prism: the surface over a concave outline is closed, encloses its area times its height, and is the same for both orientations") {
   PrismShape ell{.outline = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}, .height = 0.5};
   for (int way = 0; way < 2; ++way) {
     const Surface surface(make_prism(ell));

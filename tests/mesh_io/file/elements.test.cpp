@@ -171,7 +171,7 @@ TEST_CASE("parts: a name that is none is refused with what was meant or with tho
                        InputError);
   Panels nameless = panels_of(one(references()[0]), "m.stl");
   CHECK_THROWS_WITH_AS(keep_parts(nameless, std::vector<std::string>{"hull"}, "m.stl"),
-                       "m.stl: the surface has no part \"hull\"; its panels have no names, so leave the parts out, or name them in its file.", InputError);
+                       "m.stl: the surface has no part \"hull\"; its panels have no names, so omit the parts, or name them in its file.", InputError);
 }
 
 TEST_CASE("parts: panels of other parts go, and the rest keep their names") {

@@ -54,7 +54,7 @@ TEST_CASE("region of: every kind of region that a Setup names is made, and says 
 
   const ImpactorBounds chosen = made(AutoBoundsSetup{});
   CHECK(std::holds_alternative<BoxUnion>(chosen.region));
-  CHECK(chosen.fitted.ends_with("taken: the bounding box"));
+  CHECK(chosen.fitted.ends_with("chosen: the bounding box"));
 }
 
 TEST_CASE("region of: count and gain bound the fitted boxes") {
@@ -71,9 +71,9 @@ TEST_CASE("region of: count and gain bound the fitted boxes") {
 TEST_CASE("region of: a surface that sticks out is refused at the region's key, unless clipping is meant") {
   const Surface surface = block();
   const ContactBoundsSetup small{.shape = BoxUnionBoundsSetup{.boxes = {{"bow", {0.5, 1, 1}, {0.75, 0, 0}}}}};
-  CHECK(complaint(small, surface).starts_with("impactors.ram.contact_bounds: region: 18 of 20 panels stick out of the box by up to 1.5 m"));
+  CHECK(complaint(small, surface).starts_with("impactors.ram.contact_bounds: contact bounds: 18 of 20 panels extend beyond the box by up to 1.5 m"));
   ContactBoundsSetup clipping = small;
   clipping.on_exceed.index = 1;
   CHECK(complaint(clipping, surface) == "");
-  CHECK(complaint({.shape = CylinderSectorsBoundsSetup{.radius = 0.3}}, surface).find("stick out of the cylinder's sectors") != std::string::npos);
+  CHECK(complaint({.shape = CylinderSectorsBoundsSetup{.radius = 0.3}}, surface).find("extend beyond the cylinder's sectors") != std::string::npos);
 }
