@@ -234,7 +234,7 @@ class Gmsh {
       if (t < 3) belongs[static_cast<std::size_t>(t)] = tag;
     }
     if (belongs != belongs_ && kind.dimension >= 2) {  // most have the label of the previous element
-      belongs_ = is expected;
+      belongs_ = belongs;
       label_ = groups_.label_of(belongs[0], belongs[1], belongs[2]);
     }
     parse_element_nodes(

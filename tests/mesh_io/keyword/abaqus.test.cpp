@@ -125,7 +125,7 @@ TEST_CASE("abaqus: types are identified by family and number of nodes, whatever 
   CHECK(abaqus_type("SC8R").kind == ElementKind::hexahedron);
 }
 
-TEST_CASE("abaqus: beams, springs and everything other than the mesh are skipped; plane and unknown elements are refused with advice") {
+TEST_CASE("abaqus: beams, springs and everything other than the mesh are skipped, and plane and unknown elements are refused with advice") {
   const Elements read = parse(square +
                               "*ELEMENT, TYPE=B31\n1,1,2\n*ELEMENT, TYPE=CONN3D2\n1, , Hull-1.7\n*ELEMENT, TYPE=S4\n1,1,2,3,4\n*MATERIAL, "
                               "NAME=steel\n*DENSITY\n7850.,\n*NODE OUTPUT\nU\n"
