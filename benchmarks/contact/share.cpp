@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
     const fccda::Timers before = simulation.timers();
     for (int step = 0; step < arguments.steps; ++step) simulation.step();
     const auto a_step = [&](std::string_view timer) { return (simulation.timers().seconds(timer) - before.seconds(timer)) / arguments.steps; };
-    const double contact = a_step("contact"), rest = a_step("predict") + a_step("forces") + a_step("boundaries") + a_step("monitors");
+    const double contact = a_step("contact"), rest = a_step("predict") + a_step("forces") + a_step("boundary conditions") + a_step("monitors");
 
     const Body& body = simulation.bodies().front();
     const double spacing = body.particles.spacing();

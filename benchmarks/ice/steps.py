@@ -24,7 +24,7 @@ CASES = {  # deck, and how much of it
     "propeller": ("propeller_ice/deck.yaml", "time.end=40 ms"),
     "submarine": ("submarine_surfacing/deck.yaml", "time.end=0.2 s"),
 }
-TIMERS = ("contact", "forces", "fragments", "boundaries")
+TIMERS = ("contact", "forces", "fragments", "boundary conditions")
 
 
 def run(program, case):

@@ -92,7 +92,7 @@ Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {
   written.visit_state([&](std::string_view name, auto&& values) { file_("written/" + std::string(name), values); });
   file_.expect_all_read();
   if (simulation.state_hash() != file_.natural("state_hash"))
-    throw fccda::InputError(fmt::format("{} does not restore the state that was written; start anew without --resume.", path_.string()));
+    throw fccda::InputError(fmt::format("{} does not restore the state that was written; start a new run without --resume.", path_.string()));
   return written;
 }
 
