@@ -56,14 +56,14 @@ constexpr std::size_t fewest_for_spectrum = 16;
 Table expected_history(const std::filesystem::path& folder) {
   Table table = read_history(folder);
   if (table.names.front() != "time [s]")
-    throw InputError(fmt::format("{}: the first column is no time [s]; take the file as the run wrote it.", table.file.string()));
+    throw InputError(fmt::format("{}: the first column is no time [s]; use the file as written by the run.", table.file.string()));
   const std::vector<double>& times = table.columns.front();
   if (times.size() < 2)
     throw InputError(fmt::format("{} has fewer than two rows, so there is nothing between them to tell of; run for longer.", table.file.string()));
   for (std::size_t row = 1; row < times.size(); ++row)
     if (!(times[row] > times[row - 1]))
-      throw InputError(fmt::format("{}:{}: time goes from {} s to {} s, but it must increase; take the file as the run wrote it.", table.file.string(), row + 2,
-                                   times[row - 1], times[row]));
+      throw InputError(fmt::format("{}:{}: time goes from {} s to {} s, but it must increase; use the file as written by the run.", table.file.string(),
+                                   row + 2, times[row - 1], times[row]));
   return table;
 }
 

@@ -9,7 +9,7 @@
 namespace fccda {
 namespace {
 
-/// Which numbers of parts are wanted.
+/// A flag for each part: whether it is selected.
 std::vector<bool> wanted_parts(std::span<const std::string> parts, std::span<const std::string> names, const std::string& file) {
   const std::vector<std::string> nameless(1);
   const std::span<const std::string> known = names.empty() ? std::span<const std::string>(nameless) : names;

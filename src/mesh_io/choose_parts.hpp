@@ -1,4 +1,4 @@
-/// Some parts of a mesh in place of all.
+/// Selection of mesh parts by name.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace fccda {
 
-/// Leaves the panels of the named parts only; all where `parts` is empty. Throws InputError where a name is none of the file's parts: it
-/// says what was probably meant, or which there are.
+/// Keeps only the panels of the named parts; all where `parts` is empty. Throws InputError for an unknown name, with the closest match or
+/// the list of parts.
 void keep_parts(Panels& panels, std::span<const std::string> parts, const std::string& file);
 
-/// The same of elements: solids of the parts that are left have a skin where they met those that are not.
+/// The same for elements. Faces between kept and removed solids become boundary faces.
 void keep_parts(Elements& elements, std::span<const std::string> parts, const std::string& file);
 
 }  // namespace fccda

@@ -13,7 +13,7 @@
 namespace fccda {
 namespace {
 
-/// Statements that add nothing to the faces.
+/// Statements without effect on the faces.
 constexpr std::string_view without_faces[] = {"vn",  "vt",     "vp",     "s",     "usemtl",   "mtllib",   "l",          "p",
                                               "lod", "maplib", "usemap", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
@@ -31,7 +31,7 @@ class Obj {
       } else if (statement == "g" || statement == "o") {
         parts_.begin(words_.rest_of_line());
       } else if (!statement.starts_with('#') && std::find(std::begin(without_faces), std::end(without_faces), statement) == std::end(without_faces)) {
-        words_.fail(shown(statement) + " is no statement that can be read: surfaces need `v` and `f`; export the file as a mesh of polygons.");
+        words_.fail(shown(statement) + " is not a supported statement: surfaces need `v` and `f`; export the file as a polygon mesh.");
       }
     }
     parts_.finish();
@@ -42,7 +42,7 @@ class Obj {
   void parse_vertex() {
     Vec3d vertex;
     for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] = words_.number(words_.next_in_line(), "vertex " + std::to_string(out_.vertices.size() + 1));
-    if (out_.vertices.size() == static_cast<std::size_t>(std::numeric_limits<int>::max())) words_.fail("there are too many vertices; make the mesh coarser.");
+    if (out_.vertices.size() == static_cast<std::size_t>(std::numeric_limits<int>::max())) words_.fail("too many vertices; coarsen the mesh.");
     out_.vertices.push_back(vertex);
   }
 
@@ -52,12 +52,12 @@ class Obj {
     long long index = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (digits.empty() || end != digits.data() + digits.size() || problem == std::errc::invalid_argument) {
-      words_.fail("the face has " + shown(word) + " where a vertex number belongs.");
+      words_.fail("the face has " + shown(word) + " where a vertex number is expected.");
     }
     const long long from_zero = index > 0 ? index - 1 : count + index;
     if (problem != std::errc{} || index == 0 || from_zero < 0 || from_zero >= count) {
       words_.fail("the face has vertex " + shown(digits) + ", but there are " + std::to_string(count) +
-                  " before this line, counted from 1 or back from -1; mend the numbers.");
+                  " before this line, counted from 1 or back from -1; correct the numbers.");
     }
     return static_cast<int>(from_zero);
   }
@@ -66,10 +66,10 @@ class Obj {
     face_.clear();
     for (std::string_view word = words_.next_in_line(); !word.empty() && !word.starts_with('#'); word = words_.next_in_line())
       face_.push_back(parse_index(word));
-    if (face_.size() < 3) words_.fail("the face has " + std::to_string(face_.size()) + " vertices, but needs three; delete it or mend it.");
+    if (face_.size() < 3) words_.fail("the face has " + std::to_string(face_.size()) + " vertices, but needs at least three; delete or correct it.");
     if (!add_polygon(out_, face_)) {
       words_.fail("the face with " + std::to_string(face_.size()) +
-                  " vertices cannot be cut into triangles, for its sides cross one another; triangulate the mesh when exporting it.");
+                  " vertices cannot be triangulated because its sides cross; triangulate the mesh before exporting it.");
     }
   }
 

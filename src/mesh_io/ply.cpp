@@ -26,12 +26,12 @@ class Ply {
       } else if (element.name == "face") {
         parse_faces(element);
       } else if (element.name == "tristrips" && element.count > 0) {
-        fail("the file holds triangle strips (`tristrips`), which cannot be read from PLY; write it with faces.");
+        fail("triangle strips (`tristrips`) are not supported in PLY; export faces.");
       } else {
         skip(element);
       }
     }
-    if (!words_.at_end()) fail("there is more behind the last element; a count or the file is damaged; write it again.");
+    if (!words_.at_end()) fail("there is data after the last element; a count or the file is damaged: export it again.");
     add_faces();
     return std::move(out_);
   }
@@ -42,19 +42,19 @@ class Ply {
     throw InputError(file_ + ": " + sentence);
   }
 
-  /// The element that is being read, as messages call it.
+  /// Name of the current element for messages.
   std::string here() const { return excerpt(element_->name) + " " + std::to_string(number_ + 1); }
 
   [[noreturn]] void fail_at_end() const {
-    fail("the file ends in " + here() + " of " + std::to_string(element_->count) + "; it was cut short or a count is damaged; write it again.");
+    fail("the file ends in " + here() + " of " + std::to_string(element_->count) + "; it is truncated or a count is damaged: export it again.");
   }
 
-  /// Before anything is allocated for an element, or a count of milliards walked through.
+  /// Checks a count against the file size before memory is allocated or a loop over a huge count begins.
   void check_room(const PlyElement& element) const {
     const std::size_t least = element.least_bytes(header_.is_text());
-    if (least == 0 || element.count <= (words_.remaining() + 1) / least) return;  // the last number of a text has no space behind it
-    fail("the header says " + std::to_string(element.count) + " of `" + excerpt(element.name) + "`, more than the " + std::to_string(words_.remaining()) +
-         " bytes behind it can hold; the file was cut short or the count is damaged; write it again.");
+    if (least == 0 || element.count <= (words_.remaining() + 1) / least) return;  // the last number of a text may lack a trailing space
+    fail("the header states " + std::to_string(element.count) + " of `" + excerpt(element.name) + "`, more than the " + std::to_string(words_.remaining()) +
+         " bytes after it can hold; the file is truncated or the count is damaged: export it again.");
   }
 
   double number(NumberType type) {
@@ -66,7 +66,7 @@ class Ply {
     const std::string_view bytes = words_.bytes(size_of(type));
     if (bytes.size() < size_of(type)) fail_at_end();
     const double value = real_at(bytes.data(), type, *header_.order);
-    if (!std::isfinite(value)) fail(here() + " has a number that is not finite; mend the mesh and write it again.");
+    if (!std::isfinite(value)) fail(here() + " has a number that is not finite; repair the mesh and export it again.");
     return value;
   }
 
@@ -82,7 +82,8 @@ class Ply {
 
   std::size_t length_of_list(const PlyProperty& property) {
     const double length = number(*property.count);
-    if (length < 0 || length != std::floor(length)) fail(here() + " has a list whose count is negative or no whole number; mend the file or write it again.");
+    if (length < 0 || length != std::floor(length))
+      fail(here() + " has a list whose count is negative or not an integer; correct the file or export it again.");
     if (length > static_cast<double>(words_.remaining())) fail_at_end();
     return static_cast<std::size_t>(length);
   }
@@ -101,7 +102,7 @@ class Ply {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string_view name = std::string_view("xyz").substr(axis, 1);
       const auto found = std::find_if(properties.begin(), properties.end(), [&](const PlyProperty& p) { return p.name == name && !p.count; });
-      if (found == properties.end()) fail("the element `vertex` has no property `" + std::string(name) + "`; write the file again with x, y and z.");
+      if (found == properties.end()) fail("the element `vertex` has no property `" + std::string(name) + "`; export the file again with x, y and z.");
       place[axis] = static_cast<std::size_t>(found - properties.begin());
     }
     out_.vertices.reserve(element.count);
@@ -120,10 +121,10 @@ class Ply {
     const std::vector<PlyProperty>& properties = element.properties;
     const auto corners = std::find_if(properties.begin(), properties.end(),
                                       [](const PlyProperty& p) { return p.count && (p.name == "vertex_indices" || p.name == "vertex_index"); });
-    if (corners == properties.end()) fail("the element `face` has no list `vertex_indices`; write the file again.");
+    if (corners == properties.end()) fail("the element `face` has no list `vertex_indices`; export the file again.");
     const PlyElement* vertices = header_.element("vertex");
     vertex_count_ = vertices ? vertices->count : 0;
-    if (vertex_count_ > static_cast<std::size_t>(std::numeric_limits<int>::max())) fail("there are too many vertices; make the mesh coarser.");
+    if (vertex_count_ > static_cast<std::size_t>(std::numeric_limits<int>::max())) fail("too many vertices; coarsen the mesh.");
     ends_.reserve(element.count);
     for (number_ = 0; number_ < element.count; ++number_)
       for (auto property = properties.begin(); property != properties.end(); ++property) property == corners ? parse_corners(*property) : skip(*property);
@@ -131,25 +132,26 @@ class Ply {
 
   void parse_corners(const PlyProperty& property) {
     const std::size_t length = length_of_list(property);
-    if (length < 3) fail(here() + " has " + std::to_string(length) + " vertices, but needs three; delete it or mend it.");
+    if (length < 3) fail(here() + " has " + std::to_string(length) + " vertices, but needs at least three; delete or correct it.");
     for (std::size_t k = 0; k < length; ++k) {
       const double vertex = number(property.type);
       if (vertex < 0 || vertex >= static_cast<double>(vertex_count_) || vertex != std::floor(vertex)) {
-        fail(here() + " has a vertex that is none of the " + std::to_string(vertex_count_) + ", counted from 0; mend the file or write it again.");
+        fail(here() + " has a vertex number outside the range of the " + std::to_string(vertex_count_) +
+             ", counted from 0; correct the file or export it again.");
       }
       corners_.push_back(static_cast<int>(vertex));
     }
     ends_.push_back(corners_.size());
   }
 
-  /// At the end, for faces may come before the vertices that cutting them needs.
+  /// Called at the end, since faces may precede the vertices that their triangulation needs.
   void add_faces() {
     std::size_t begin = 0;
     for (std::size_t f = 0; f < ends_.size(); begin = ends_[f++]) {
       const std::size_t count = ends_[f] - begin;
       if (add_polygon(out_, std::span(corners_).subspan(begin, count))) continue;
       throw InputError(file_ + ": face " + std::to_string(f + 1) + " with " + std::to_string(count) +
-                       " vertices cannot be cut into triangles, for its sides cross one another; triangulate the mesh when exporting it.");
+                       " vertices cannot be triangulated because its sides cross; triangulate the mesh before exporting it.");
     }
   }
 
@@ -157,11 +159,11 @@ class Ply {
   Words words_;
   PlyHeader header_;
   const PlyElement* element_ = nullptr;
-  std::size_t number_ = 0;  // of the element that is being read, from 0
+  std::size_t number_ = 0;  // of the current element, from 0
   std::size_t vertex_count_ = 0;
   Panels out_;
   std::vector<int> corners_;
-  std::vector<std::size_t> ends_;  // of each face, in corners_
+  std::vector<std::size_t> ends_;  // end of each face in corners_
 };
 
 }  // namespace

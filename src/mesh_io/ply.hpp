@@ -1,4 +1,4 @@
-/// PLY: vertices and polygons with any properties, as text or binary.
+/// PLY: vertices and polygons with arbitrary properties, text or binary.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace fccda {
 
-/// The faces of a PLY file's contents, in its units: x, y, z of `vertex` and the list `vertex_indices` (or `vertex_index`) of `face`, in
-/// whatever order and of whatever types; polygons with more than four corners are cut into triangles (add_polygon.hpp). Other properties
-/// (normals, colours) and elements (edges, materials) are passed over, triangle strips refused. There are no parts. Throws InputError that
-/// names the file and the line (text) or the element (binary, counted from 1).
+/// Reads the faces of a PLY file, in its units: x, y, z of `vertex` and the list `vertex_indices` (or `vertex_index`) of `face`, in any
+/// order and of any type; polygons with more than four corners are triangulated (add_polygon.hpp). Other properties (normals, colours) and
+/// elements (edges, materials) are skipped; triangle strips are refused. There are no parts. Throws InputError with the file and the line
+/// (text) or the element (binary, counted from 1).
 Panels parse_ply(std::string_view contents, const std::string& file);
 
 }  // namespace fccda

@@ -21,19 +21,19 @@ NumberType type_of(const Words& words, std::string_view word) {
 }
 
 std::optional<std::endian> parse_format(Words& words) {
-  if (!is_word(words.next(), "format")) words.fail("the format, such as `format ascii 1.0`, must be in the second line of a PLY file; write it again.");
+  if (!is_word(words.next(), "format")) words.fail("the format, such as `format ascii 1.0`, must be in the second line of a PLY file; export it again.");
   const std::string_view format = words.next_in_line();
   if (format == "ascii") return std::nullopt;
   if (format == "binary_little_endian") return std::endian::little;
   if (format == "binary_big_endian") return std::endian::big;
-  words.fail("the format is " + shown(format) + ", but must be ascii, binary_little_endian or binary_big_endian; write the file again.");
+  words.fail("the format is " + shown(format) + ", but must be ascii, binary_little_endian or binary_big_endian; export the file again.");
 }
 
 PlyElement parse_element(Words& words, const PlyHeader& header) {
   PlyElement element;
   element.name = words.next_in_line();
   const bool is_ours = element.name == "vertex" || element.name == "face";
-  if (is_ours && header.element(element.name)) words.fail("the header has " + shown(element.name) + " twice; write the file again.");
+  if (is_ours && header.element(element.name)) words.fail("the header has " + shown(element.name) + " twice; export the file again.");
   element.count = count_number(words, words.next_in_line(), "the element " + shown(element.name));
   return element;
 }
@@ -43,7 +43,7 @@ PlyProperty parse_property(Words& words) {
   std::string_view type = words.next_in_line();
   if (type == "list") {
     property.count = type_of(words, words.next_in_line());
-    if (!is_whole(*property.count)) words.fail("the count of a list is no whole number by its type; write the file again.");
+    if (!is_whole(*property.count)) words.fail("the count of a list must be of an integer type; export the file again.");
     type = words.next_in_line();
   }
   property.type = type_of(words, type);
@@ -66,7 +66,7 @@ const PlyElement* PlyHeader::element(std::string_view name) const {
 }
 
 PlyHeader parse_ply_header(Words& words) {
-  if (words.next() != "ply") words.fail("a PLY file begins with `ply`; this is another format under its name.");
+  if (words.next() != "ply") words.fail("a PLY file begins with `ply`; the contents do not match the file extension.");
   words.skip_line();
   PlyHeader header{parse_format(words), {}};
   for (words.skip_line();; words.skip_line()) {
@@ -74,15 +74,15 @@ PlyHeader parse_ply_header(Words& words) {
     if (statement == "element") {
       header.elements.push_back(parse_element(words, header));
     } else if (statement == "property") {
-      if (header.elements.empty()) words.fail("the property comes before the first element; write the file again.");
+      if (header.elements.empty()) words.fail("the property comes before the first element; export the file again.");
       header.elements.back().properties.push_back(parse_property(words));
     } else if (statement == "end_header") {
       words.skip_line();
       return header;
     } else if (statement.empty()) {
-      words.fail("the file ends in its header, before `end_header`; it was cut short; write it again.");
+      words.fail("the file ends in its header, before `end_header`; it is truncated: export it again.");
     } else if (statement != "comment" && statement != "obj_info") {
-      words.fail(shown(statement) + " is no statement of a PLY header, which has element, property, comment, obj_info and end_header.");
+      words.fail(shown(statement) + " is not a PLY header statement; these are element, property, comment, obj_info and end_header.");
     }
   }
 }

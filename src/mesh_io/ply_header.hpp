@@ -1,4 +1,4 @@
-/// The header of a PLY file: which elements follow it, and of what their properties are made.
+/// PLY header: the elements that follow and the types of their properties.
 ///
 /// Format: G. Turk, The PLY Polygon File Format (1994).
 #pragma once
@@ -18,7 +18,7 @@ namespace fccda {
 struct PlyProperty {
   std::string_view name;
   NumberType type;
-  std::optional<NumberType> count;  ///< of a list: the type of the count before it
+  std::optional<NumberType> count;  ///< for lists: type of the preceding count
 };
 
 struct PlyElement {
@@ -26,19 +26,19 @@ struct PlyElement {
   std::size_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Of one of these elements: bytes in a binary file, and at least so many in a text.
+  /// Minimum size of one such element [bytes], in a binary or text file.
   std::size_t least_bytes(bool is_text) const;
 };
 
 struct PlyHeader {
-  std::optional<std::endian> order;  ///< of binary numbers; none: they are text
+  std::optional<std::endian> order;  ///< byte order of binary numbers; empty: text
   std::vector<PlyElement> elements;
 
   bool is_text() const { return !order; }
-  const PlyElement* element(std::string_view name) const;  ///< nothing where there is none
+  const PlyElement* element(std::string_view name) const;  ///< nullptr where there is none
 };
 
-/// Reads up to the first byte behind the header. Throws InputError with the line where it is none.
+/// Reads up to the first byte after the header. Throws InputError with the line where the header is invalid.
 PlyHeader parse_ply_header(Words& words);
 
 }  // namespace fccda

@@ -39,14 +39,14 @@ const Format formats[] = {{".stl", parse_stl},    {".obj", parse_obj},  {".ply",
                           {".vtk", parse_vtk},    {".vtp", parse_vtp},  {".vtu", parse_vtp},    {".msh", parse_gmsh},
                           {".inp", parse_abaqus}, {".k", parse_lsdyna}, {".key", parse_lsdyna}, {".dyn", parse_lsdyna}};
 
-/// Those that another program meshes.
+/// Formats that an external program meshes.
 constexpr std::string_view cad_extensions[] = {".step", ".stp", ".iges", ".igs"};
 
 [[noreturn]] void refuse_format(const std::string& file, const std::string& extension) {
   std::vector<std::string> extensions;
   for (const Format& format : formats) extensions.emplace_back(format.extension);
   extensions.insert(extensions.end(), std::begin(cad_extensions), std::end(cad_extensions));
-  std::string sentence = file + ": " + (extension.empty() ? "a file without extension" : shown(extension)) + " is no format of surfaces that can be read";
+  std::string sentence = file + ": " + (extension.empty() ? "a file without extension" : shown(extension)) + " is not a supported surface format";
   constexpr std::size_t slip = 1;
   const std::string_view meant = nearest_word(extension, extensions);
   const bool is_slip = !meant.empty() && edits_between(extension, meant) <= slip;
@@ -77,7 +77,7 @@ Panels chosen(Elements elements, std::span<const std::string> parts, const std::
 }
 
 Panels expect_panels(Panels panels, const std::string& file) {
-  if (panels.panels.empty()) throw InputError(file + ": the file holds no triangles or faces; check what was exported.");
+  if (panels.panels.empty()) throw InputError(file + ": the file contains no triangles or faces; check the export.");
   return panels;
 }
 
@@ -94,7 +94,7 @@ Panels parse_panels(std::string_view contents, const std::filesystem::path& file
 Panels read_panels(const std::filesystem::path& path, std::span<const std::string> parts) {
   if (const auto panels = panels_in_memory(path.string())) return expect_panels(chosen(*panels, parts, path.string()), path.string());
   if (is_cad(path)) return expect_panels(chosen(read_cad(path), parts, path.string()), path.string());
-  format_of(path);  // a format that is none is told before the file is looked for
+  format_of(path);  // report an unknown format before searching for the file
   return parse_panels(contents_of(path), path, parts);
 }
 
@@ -113,7 +113,7 @@ Elements read_elements(const std::filesystem::path& path, std::span<const std::s
     keep_parts(elements, parts, name);
     return elements;
   }
-  throw InputError(name + ": a file of this kind has no cells that could be read; the formats of meshes are " + known + ".");
+  throw InputError(name + ": this format has no cells; the mesh formats are " + known + ".");
 }
 
 }  // namespace fccda

@@ -1,4 +1,4 @@
-/// Surfaces from files, whatever their format.
+/// Reading of surfaces and meshes from files of any supported format.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,18 @@
 
 namespace fccda {
 
-/// Panels in memory of that name (panels_in_memory.hpp), or of a file in the format that its extension names (with `.gz` behind it where packed), in the file's
-/// units and in double precision (CAD files in metres); all parts, or those named. Of solid elements the skin. Throws InputError, one sentence with the file
-/// and the line, byte or triangle, where there is nothing to read or the contents are damaged. Needs memory of a few times the file's (unpacked)
-/// size, whatever the file says of itself. Throws RunError where the program that meshes CAD files cannot be run: no temporary folder, or no
-/// room in it, or no new process.
+/// Reads the panels of a file in the format of its extension (followed by `.gz` where compressed), or the panels in memory of that name
+/// (panels_in_memory.hpp), in the file's units and in double precision (CAD files in metres); all parts, or the named ones. Solid elements
+/// contribute their boundary faces. Throws InputError with the file and the line, byte or triangle where there is nothing to read or the
+/// contents are damaged. Memory use is bounded by a few times the (decompressed) file size, whatever counts the file states. Throws RunError
+/// where the CAD mesher cannot be run: no temporary folder, no space in it, or no new process.
 Panels read_panels(const std::filesystem::path& path, std::span<const std::string> parts = {});
 
-/// The same of contents that are in memory already, as of a file of that name. CAD files have to be files.
+/// The same for contents in memory; `file` gives the name and format. Not available for CAD files.
 Panels parse_panels(std::string_view contents, const std::filesystem::path& file, std::span<const std::string> parts = {});
 
-/// The elements of a mesh file, solid ones too, where its format has them: all parts, or those named. Throws InputError as read_panels does, and
-/// for formats that have surfaces only.
+/// Reads the elements of a mesh file, including solids: all parts, or the named ones. Throws InputError as read_panels does, and for
+/// surface-only formats.
 Elements read_elements(const std::filesystem::path& path, std::span<const std::string> parts = {});
 
 }  // namespace fccda

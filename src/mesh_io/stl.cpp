@@ -34,7 +34,7 @@ std::uint64_t binary_count(std::string_view contents) { return little_endian<std
 
 bool has_binary_length(std::string_view contents) { return contents.size() >= start && contents.size() == start + triangle_bytes * binary_count(contents); }
 
-/// Text holds no zero bytes; the count of a binary file does, below 16 million triangles.
+/// Text contains no zero bytes; the triangle count of a binary file does, below 16 million triangles.
 bool looks_like_text(std::string_view contents) {
   Words words(contents, "");
   return is_word(words.next(), "solid") && contents.substr(0, start).find('\0') == std::string_view::npos;
@@ -43,20 +43,20 @@ bool looks_like_text(std::string_view contents) {
 Panels parse_binary(std::string_view contents, const std::string& file) {
   if (contents.size() < start) {
     throw InputError(file + ": " + std::to_string(contents.size()) + " bytes are too few for an STL file, which begins with `solid` or has " +
-                     std::to_string(start) + " bytes before its first triangle; write it again.");
+                     std::to_string(start) + " bytes before its first triangle; export it again.");
   }
   const std::uint64_t count = binary_count(contents);
   const std::string of_count = " of " + std::to_string(count);
   const std::uint64_t needed = start + triangle_bytes * count;
   if (contents.size() < needed) {
     throw InputError(file + ": the file ends in triangle " + std::to_string((contents.size() - start) / triangle_bytes + 1) + of_count +
-                     "; it was cut short or is no STL file; write it again.");
+                     "; it is truncated or not an STL file: export it again.");
   }
   if (contents.size() > needed) {
     throw InputError(file + ": " + std::to_string(contents.size() - needed) + " bytes follow the last" + of_count +
-                     " triangles; the count or the file is damaged; write it again.");
+                     " triangles; the count or the file is damaged: export it again.");
   }
-  if (3 * count > std::numeric_limits<int>::max()) throw InputError(file + ": " + std::to_string(count) + " triangles are too many; make the mesh coarser.");
+  if (3 * count > std::numeric_limits<int>::max()) throw InputError(file + ": " + std::to_string(count) + " triangles are too many; coarsen the mesh.");
 
   Panels out;
   out.vertices.reserve(3 * count);
@@ -69,7 +69,7 @@ Panels parse_binary(std::string_view contents, const std::string& file) {
       at += 12;
       if (!is_finite(corner)) {
         throw InputError(file + ": triangle " + std::to_string(t + 1) + of_count +
-                         " has a coordinate that is not a finite number; mend the mesh and write it again.");
+                         " has a coordinate that is not a finite number; repair the mesh and export it again.");
       }
     }
     add_triangle(out, corners);
@@ -90,9 +90,9 @@ class TextStl {
         const std::string_view word = words_.next();
         if (is_word(word, "endsolid")) break;
         if (word.empty())
-          words_.fail("the file ends after " + std::to_string(out_.panels.size()) + " triangles without `endsolid`; it was cut short; write it again.");
+          words_.fail("the file ends after " + std::to_string(out_.panels.size()) + " triangles without `endsolid`; it is truncated: export it again.");
         if (!is_word(word, "facet"))
-          words_.fail(shown(word) + " follows " + std::to_string(out_.panels.size()) + " triangles, where `facet` or `endsolid` belongs.");
+          words_.fail(shown(word) + " follows " + std::to_string(out_.panels.size()) + " triangles, where `facet` or `endsolid` is expected.");
         parse_facet();
       }
       words_.skip_line();
@@ -107,8 +107,8 @@ class TextStl {
   void expect(std::string_view keyword) {
     const std::string_view word = words_.next();
     if (is_word(word, keyword)) return;
-    if (word.empty()) words_.fail("the file ends in " + triangle() + "; it was cut short; write it again.");
-    words_.fail(triangle() + " has " + shown(word) + " where `" + std::string(keyword) + "` belongs.");
+    if (word.empty()) words_.fail("the file ends in " + triangle() + "; it is truncated: export it again.");
+    words_.fail(triangle() + " has " + shown(word) + " where `" + std::string(keyword) + "` is expected.");
   }
 
   void parse_facet() {
@@ -127,7 +127,7 @@ class TextStl {
     }
     expect("endloop");
     expect("endfacet");
-    if (out_.vertices.size() > std::numeric_limits<int>::max() - 3) words_.fail("there are too many triangles; make the mesh coarser.");
+    if (out_.vertices.size() > std::numeric_limits<int>::max() - 3) words_.fail("too many triangles; coarsen the mesh.");
     add_triangle(out_, corners);
   }
 

@@ -154,8 +154,8 @@ def _(t):
                               ((box, "--scale", "-1"), "--scale is -1, but it must be above 0"),
                               ((box, "--out", "box.ply"), "box.ply: surfaces are written as .stl or .obj"),
                               (("bax.obj",), "bax.obj: there is no such file"),
-                              (("box.slt",), "box.slt: `.slt` is no format of surfaces that can be read; did you mean `.stl`?"),
-                              (("box.3dm",), "box.3dm: `.3dm` is no format of surfaces that can be read; the formats are .stl")):
+                              (("box.slt",), "box.slt: `.slt` is not a supported surface format; did you mean `.stl`?"),
+                              (("box.3dm",), "box.3dm: `.3dm` is not a supported surface format; the formats are .stl")):
         t.expect_complaint(t.run_program("mesh", *arguments), 2, begins)
     done = t.run_program("mesh", box, "--out", "nowhere/box.stl")
     t.expect_complaint(done, 2, "nowhere/box.stl cannot be written", "there is no folder nowhere")

@@ -154,7 +154,7 @@ def _(t):
     t.assertEqual((fewer.times[0], fewer.times[-1]), (whole.times[0], whole.times[-1]))
     gaps = [round((b - a) / 0.2e-6) for a, b in zip(fewer.times, fewer.times[1:])]
     t.assertLessEqual(max(gaps) - min(gaps), 1)
-    t.assertIn(f"{len(fewer.times)} of 61 pictures are shown", " ".join(fewer.notes))
+    t.assertIn(f"{len(fewer.times)} of 61 frames are shown", " ".join(fewer.notes))
     body, _, _ = fewer.body("plate")
     t.assertEqual(body["shown"], 6400)
     expect_frames(t, fewer, t.folder / "r", "plate")
@@ -216,7 +216,7 @@ def _(t):
 
     report = after(without("run.json"))  # as of a run that was killed
     t.assertIsNone(report.run)
-    t.assertRegex(report.notes[0], r"^d/run\.json is not there: the run goes on, or was killed\.")
+    t.assertRegex(report.notes[0], r"^d/run\.json does not exist: the run is in progress or was killed\.")
     t.assertEqual(len(report.body("plate")[2]), 5)
 
     report = after(cut("run.json"))
@@ -225,10 +225,10 @@ def _(t):
 
     report = after(without("history.csv"))
     t.assertNotIn("history", report.description)
-    t.assertRegex(report.notes[0], r"^d/history\.csv is not there")
+    t.assertRegex(report.notes[0], r"^d/history\.csv does not exist")
     report = after(without("history.json"))
     t.assertIn("history", report.description)
-    t.assertRegex(report.notes[0], r"^d/history\.json is not there.*Where rows were joined here, the last of them stands\.$")
+    t.assertRegex(report.notes[0], r"^d/history\.json does not exist.*Where rows were joined here, the last of them stands\.$")
     report = after(cut("history.csv", 0.99))
     t.assertNotIn("history", report.description)
     t.assertRegex(report.notes[0], r"^d/history\.csv:\d+: this row ")
@@ -247,12 +247,12 @@ def _(t):
     report = after(without("frames/plate.pvd"))
     t.assertEqual([body["name"] for body in report.description["bodies"]], ["stone"])
     report = after(lambda folder: (folder / "frames/stone.pvd").write_text("nothing"))
-    t.assertRegex(report.notes[0], r"^d/frames/stone\.pvd lists no pictures")
+    t.assertRegex(report.notes[0], r"^d/frames/stone\.pvd lists no frames")
     report = after(lambda folder: shutil.copy(folder / "frames/stone_00001.vtp", folder / "frames/plate_00002.vtp"))
-    t.assertRegex(report.notes[0], r"^d/frames/plate_00002\.vtp shows 64 particles, but the pictures before it 960; take the files of one run\.$")
+    t.assertRegex(report.notes[0], r"^d/frames/plate_00002\.vtp has 64 particles, but the earlier frames have 960; take the files of one run\.$")
     report = after(lambda folder: shutil.rmtree(folder / "frames"))
     t.assertEqual((report.description["bodies"], report.times), ([], []))
-    t.assertRegex(report.notes[0], r"^d/frames holds no series of pictures")
+    t.assertRegex(report.notes[0], r"^d/frames contains no frame series")
 
 
 @claim("report: a folder without results, and a size out of range, are refused with 2 and a sentence")

@@ -138,7 +138,7 @@ def _(t):
     t.expect_complaint(run(t, name, "--out", "r", "--resume", "--set", "time.end=40 us"), 2, "--set time.end: time.end is 4e-05 here, but 3e-05 in the run")
     t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}, before)
     (t.folder / "r/checkpoint.h5").write_bytes(before["checkpoint.h5"][:-1])
-    t.expect_complaint(run(t, name, "--out", "r", "--resume"), 2, "r/checkpoint.h5 is damaged", "start anew without --resume")
+    t.expect_complaint(run(t, name, "--out", "r", "--resume"), 2, "r/checkpoint.h5 is damaged", "start a new run without --resume")
     del before["checkpoint.h5"]
     t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in before}, before)
 

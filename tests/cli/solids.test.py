@@ -92,9 +92,9 @@ def _(t):
 def _(t):
     header = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 0\nPOINT_DATA 2\nSCALARS mass float\nLOOKUP_TABLE default\n1 2\n"
     for text, sentence in [
-        (header, "there is no point array `volume` of one number a point; there are `mass`"),
+        (header, "there is no scalar point array `volume`; the file has `mass`"),
         (header + "SCALARS volume float\nLOOKUP_TABLE default\n1 -2\n", " the volume of point 1, counted from 0, is -2 m3"),
-        (header[: header.index("POINT_DATA")], "there is no point array `volume` of one number a point; there is none at all"),
+        (header[: header.index("POINT_DATA")], "there is no scalar point array `volume`; the file has none"),
     ]:
         (t.folder / "cloud.vtk").write_text(text)
         done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.vtk}}")))
@@ -102,7 +102,7 @@ def _(t):
     vtu = '<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="1" NumberOfCells="0"><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0</DataArray></Points><PointData><DataArray type="Float32" Name="mass" format="ascii">1</DataArray></PointData></Piece></UnstructuredGrid></VTKFile>'
     (t.folder / "cloud.vtu").write_text(vtu)
     done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.vtu}}")))
-    t.expect_complaint(done, 2, "deck.yaml:", "cloud.vtu:1: the piece has no point array `volume` of one number a point; it has `mass`.")
+    t.expect_complaint(done, 2, "deck.yaml:", "cloud.vtu:1: the piece has no scalar point array `volume`; it has `mass`.")
 
 
 @claim("what is wrong with a file of a solid or a cloud is told at its key, and in the file at its line")

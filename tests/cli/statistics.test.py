@@ -181,7 +181,7 @@ def _(t):
     t.expect_success("run", t.deck(name="other.yaml"), "--out", "unbroken")
     before = t.files("r")
     for arguments, words in (
-        (["nowhere"], ["nowhere/history.csv is not there", "perimpact run"]),
+        (["nowhere"], ["nowhere/history.csv does not exist", "perimpact run"]),
         (["r", "--from", "1"], ["--from 1 s and --to 2e-05 s leave no time of r/history.csv, whose rows go from 0 to 2e-05 s"]),
         (["r", "--to", "1 kg"], ["--to is 1 kg: that is a mass; write a time"]),
         (["r", "--columns", "cylinder.fource_x"], ["--columns: r/history.csv has no column cylinder.fource_x", "did you mean cylinder.force_x?"]),

@@ -1,4 +1,4 @@
-"""What is installed, and fccda on its own. The first argument is places.json (install.py)."""
+"""The installed package, and fccda alone. The first argument is places.json (install.py)."""
 
 import json
 import re
@@ -14,7 +14,7 @@ def places(scene):
     return {name: Path(place) for name, place in json.loads(Path(scene.program).read_text()).items()}
 
 
-@claim("every header of fccda is installed, and nothing that is not its")
+@claim("every header of fccda is installed, and no others")
 def headers(scene):
     at = places(scene)
     ours = {path.relative_to(at["source"] / "src") for path in (at["source"] / "src/fccda").rglob("*.hpp")}
@@ -23,7 +23,7 @@ def headers(scene):
     scene.assertEqual(installed, ours)
 
 
-@claim("the package passes on C++20, OpenMP, zlib to link with and the folder of its headers, and nothing of the machine it was built on")
+@claim("the package exports C++20, OpenMP, zlib and its include folder, and no paths of the build machine")
 def package(scene):
     at = places(scene)
     files = sorted((at["folder"] / "fccda").rglob("*.cmake"))
@@ -39,7 +39,7 @@ def package(scene):
     scene.assertIsNone(re.search(r"-march|-mtune|-ffp|-fno-", text))
 
 
-@claim("fccda configures by itself, with its tests, and needs no more of the tree than its own folder and cmake/ and tests/")
+@claim("fccda configures alone, with its tests, and needs only its folder, cmake/ and tests/ of the tree")
 def alone(scene):
     at = places(scene)
     build = scene.folder / "build"

@@ -25,7 +25,7 @@ std::string tetrahedron() { return fixtures::off_text(fixtures::mesh_of(fixtures
 
 }  // namespace
 
-TEST_CASE("off: every bit comes back, with the panels that OBJ makes of the same polygons") {
+TEST_CASE("off: vertices are read back bitwise, with the panels that OBJ gives for the same polygons") {
   for (const Mesh& mesh : fixtures::polygon_meshes()) {
     const Panels panels = parse(fixtures::off_text(mesh));
     CHECK(panels.vertices == mesh.vertices);
@@ -34,7 +34,7 @@ TEST_CASE("off: every bit comes back, with the panels that OBJ makes of the same
   }
 }
 
-TEST_CASE("off: counts may stand in the first line, stick to its word, or lack the edges") {
+TEST_CASE("off: counts may be on the first line, directly follow its word, or lack the edges") {
   for (const char* header : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF3 1 0\n", "OFF\r\n\r\n3 1\r\n", "# made\n\nOFF # a file\n# counts\n3 1 3 # of it\n"}) {
     CAPTURE(header);
     const Panels panels = parse(header + body);
@@ -43,7 +43,7 @@ TEST_CASE("off: counts may stand in the first line, stick to its word, or lack t
   }
 }
 
-TEST_CASE("off: normals, colours and texture of vertices, colours of faces and comments are passed over") {
+TEST_CASE("off: normals, colours and texture of vertices, colours of faces and comments are skipped") {
   const Panels panels = parse(
       "STCNOFF\n# made\n3 2 0\n0 0 0 0 0 1 255 0 0 255 0.5 0.5\n# between\n1 0 0  0 0 1 1 0 0 1\n\n0 1 0 nan nan nan # last\n"
       "3 0 1 2 0.5 0.5 0.5 # grey\n3 2 1 0 255 0 0 255\n# end\n");
@@ -52,51 +52,55 @@ TEST_CASE("off: normals, colours and texture of vertices, colours of faces and c
   for (const char* word : {"COFF", "NOFF", "STOFF", "CNOFF"}) CHECK(parse(std::string(word) + "\n3 1 0\n" + body).panels.size() == 1);
 }
 
-TEST_CASE("off: cut short anywhere it is refused in one sentence, or reads where only digits are gone") {
+TEST_CASE("off: a truncated file is refused in one sentence, or read where only digits are missing") {
   const std::string whole = tetrahedron();
   for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
     CHECK_THROWS_AS(parse(whole.substr(0, length)), InputError);
     check_read_or_refused(whole.substr(0, length), 0);
   }
-  check_refused("OFF\n4 1 0\n0 0 0\n1 0 0\n0 0.000000000000000000 0\n", "hull.off:6: the file ends before vertex 4 of 4; it was cut short; write it again.");
-  check_refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n# end\n", "hull.off:8: the file ends before face 2 of 2; it was cut short; write it again.");
+  check_refused("OFF\n4 1 0\n0 0 0\n1 0 0\n0 0.000000000000000000 0\n", "hull.off:6: the file ends before vertex 4 of 4; it is truncated: export it again.");
+  check_refused("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n# end\n", "hull.off:8: the file ends before face 2 of 2; it is truncated: export it again.");
 }
 
-TEST_CASE("off: counts that the file cannot hold ask for no memory") {
+TEST_CASE("off: counts beyond the file size are refused without allocating memory") {
   check_refused(with(tetrahedron(), "4 4 0", "4000000000 4 0"),
-                "hull.off:3: there should be 4000000000 vertices, more than the 56 bytes behind this line can hold; the file was cut short or the count is "
-                "damaged; write it again.");
+                "hull.off:3: the header states 4000000000 vertices, more than the 56 bytes after this line can hold; the file is truncated or the count is "
+                "damaged: export it again.");
   check_refused(with(tetrahedron(), "4 4 0", "4 4000000000 0"),
-                "hull.off:3: there should be 4000000000 faces, more than the 56 bytes behind this line can hold; the file was cut short or the count is "
-                "damaged; write it again.");
-  check_refused(with(tetrahedron(), "4 4 0", "-4 4 0"), "hull.off:2: the count of vertices has `-4` where a count belongs; mend the file or write it again.");
-  check_refused(with(tetrahedron(), "4 4 0", "4"), "hull.off:2: the count of faces has nothing where a count belongs; mend the file or write it again.");
-  check_refused(with(tetrahedron(), "4 4 0", "4 3 0"), "hull.off:10: `3` follows the last of 3 faces; the count or the file is damaged; write it again.");
+                "hull.off:3: the header states 4000000000 faces, more than the 56 bytes after this line can hold; the file is truncated or the count is "
+                "damaged: export it again.");
+  check_refused(with(tetrahedron(), "4 4 0", "-4 4 0"),
+                "hull.off:2: the count of vertices has `-4` where a count is expected; correct the file or export it again.");
+  check_refused(with(tetrahedron(), "4 4 0", "4"),
+                "hull.off:2: the count of faces has nothing where a count is expected; correct the file or export it again.");
+  check_refused(with(tetrahedron(), "4 4 0", "4 3 0"), "hull.off:10: `3` follows the last of 3 faces; the count or the file is damaged: export it again.");
   check_refused(with(tetrahedron(), "\n3 0 2 1", "\n4000000000 0 2 1"),
-                "hull.off:7: face 1 has nothing where a whole number belongs; mend the file or write it again.");
+                "hull.off:7: face 1 has nothing where an integer is expected; correct the file or export it again.");
 }
 
-TEST_CASE("off: vertices and faces that cannot be used name the line") {
-  check_refused(with(tetrahedron(), "\n1 0 0", "\n1 nan 0"), "hull.off:4: vertex 2 has `nan` where a finite number belongs; mend the file or write it again.");
-  check_refused(with(tetrahedron(), "\n1 0 0", "\n1 0   "), "hull.off:4: vertex 2 has nothing where a finite number belongs; mend the file or write it again.");
-  check_refused(with(tetrahedron(), "\n3 0 2 1", "\n3 0 2 4"), "hull.off:7: face 1 has vertex 4, but there are 4, counted from 0; mend the numbers.");
-  check_refused(with(tetrahedron(), "\n3 0 2 1", "\n3 0 2 -1"), "hull.off:7: face 1 has vertex -1, but there are 4, counted from 0; mend the numbers.");
-  check_refused(with(tetrahedron(), "\n3 0 2 1", "\n2 0 2  "), "hull.off:7: face 1 has 2 vertices, but needs three; delete it or mend it.");
-  check_refused(with(tetrahedron(), "\n3 0 2 1", "\n3 0 2 x"), "hull.off:7: face 1 has `x` where a whole number belongs; mend the file or write it again.");
+TEST_CASE("off: invalid vertices and faces are refused with the line") {
+  check_refused(with(tetrahedron(), "\n1 0 0", "\n1 nan 0"),
+                "hull.off:4: vertex 2 has `nan` where a finite number is expected; correct the file or export it again.");
+  check_refused(with(tetrahedron(), "\n1 0 0", "\n1 0   "),
+                "hull.off:4: vertex 2 has nothing where a finite number is expected; correct the file or export it again.");
+  check_refused(with(tetrahedron(), "\n3 0 2 1", "\n3 0 2 4"), "hull.off:7: face 1 has vertex 4, but there are 4, counted from 0; correct the numbers.");
+  check_refused(with(tetrahedron(), "\n3 0 2 1", "\n3 0 2 -1"), "hull.off:7: face 1 has vertex -1, but there are 4, counted from 0; correct the numbers.");
+  check_refused(with(tetrahedron(), "\n3 0 2 1", "\n2 0 2  "), "hull.off:7: face 1 has 2 vertices, but needs at least three; delete or correct it.");
+  check_refused(with(tetrahedron(), "\n3 0 2 1", "\n3 0 2 x"), "hull.off:7: face 1 has `x` where an integer is expected; correct the file or export it again.");
   Mesh crossed;
   crossed.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {2, 5, 0}};
   crossed.add_polygon({0, 1, 2, 3, 4});
   check_refused(fixtures::off_text(crossed),
-                "hull.off:9: face 1 with 5 vertices cannot be cut into triangles, for its sides cross one another; triangulate the mesh when exporting it.");
+                "hull.off:9: face 1 with 5 vertices cannot be triangulated because its sides cross; triangulate the mesh before exporting it.");
 }
 
 TEST_CASE("off: binary files, other dimensions and other formats are refused by name") {
-  check_refused("OFF BINARY\n" + std::string(40, '\0'), "hull.off:1: this is a binary OFF, which cannot be read; write it as text, or as PLY.");
-  check_refused("4OFF\n3 1 0\n", "hull.off:1: `4OFF` has vertices with other than three coordinates; write the file in three dimensions.");
-  check_refused("nOFF 2\n3 1 0\n", "hull.off:1: `nOFF` has vertices with other than three coordinates; write the file in three dimensions.");
-  check_refused("XOFF\n3 1 0\n", "hull.off:1: `XOFF` is no OFF that can be read; those are OFF, with ST, C and N before it.");
-  check_refused("solid hull\n", "hull.off:1: an OFF file begins with `OFF`, but this has `solid`; this is another format under its name.");
-  check_refused("", "hull.off:1: an OFF file begins with `OFF`, but this has nothing; this is another format under its name.");
+  check_refused("OFF BINARY\n" + std::string(40, '\0'), "hull.off:1: binary OFF is not supported; export the file as text or as PLY.");
+  check_refused("4OFF\n3 1 0\n", "hull.off:1: `4OFF` has vertices with other than three coordinates; export the file in three dimensions.");
+  check_refused("nOFF 2\n3 1 0\n", "hull.off:1: `nOFF` has vertices with other than three coordinates; export the file in three dimensions.");
+  check_refused("XOFF\n3 1 0\n", "hull.off:1: `XOFF` is not a supported OFF header; supported are OFF and its prefixes ST, C and N.");
+  check_refused("solid hull\n", "hull.off:1: an OFF file begins with `OFF`, but this one with `solid`; the contents do not match the file extension.");
+  check_refused("", "hull.off:1: an OFF file begins with `OFF`, but this one with nothing; the contents do not match the file extension.");
 }
 
 TEST_CASE("off: thousands of damaged files are read or refused, never more") {

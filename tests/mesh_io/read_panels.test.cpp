@@ -24,7 +24,7 @@ std::string refusal(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("read: the extension chooses the format, in capitals too, and STL shows itself whether it is text") {
+TEST_CASE("read: the extension selects the format, in capitals too, and STL is recognised as text or binary") {
   const fixtures::TemporaryFolder folder;
   const Panels cube = fixtures::unit_cube();
   fixtures::put(folder / "a.stl", fixtures::stl_text(cube));
@@ -41,23 +41,23 @@ TEST_CASE("read: the extension chooses the format, in capitals too, and STL show
   CHECK(read_panels(folder / "c.Obj").panels.size() == 6);
 }
 
-TEST_CASE("read: an unknown format is refused with what was meant") {
+TEST_CASE("read: an unknown format is refused with the closest match") {
   const std::string formats = "formats are .stl, .obj, .ply, .off, .vtk, .vtp, .vtu, .msh, .inp, .k, .key, .dyn, .step, .stp, .iges and .igs.";
-  CHECK(refusal("hull.stk") == ": `.stk` is no format of surfaces that can be read; did you mean `.stl`? The " + formats);
-  CHECK(refusal("hull.obi") == ": `.obi` is no format of surfaces that can be read; did you mean `.obj`? The " + formats);
-  CHECK(refusal("hull.3dm") == ": `.3dm` is no format of surfaces that can be read; the " + formats);
-  CHECK(refusal("hull") == ": a file without extension is no format of surfaces that can be read; the " + formats);
+  CHECK(refusal("hull.stk") == ": `.stk` is not a supported surface format; did you mean `.stl`? The " + formats);
+  CHECK(refusal("hull.obi") == ": `.obi` is not a supported surface format; did you mean `.obj`? The " + formats);
+  CHECK(refusal("hull.3dm") == ": `.3dm` is not a supported surface format; the " + formats);
+  CHECK(refusal("hull") == ": a file without extension is not a supported surface format; the " + formats);
 }
 
-TEST_CASE("read: files that are not there, empty, folders or without faces are refused in one sentence") {
+TEST_CASE("read: missing files, empty files, folders and files without faces are refused in one sentence") {
   const fixtures::TemporaryFolder folder;
-  CHECK(refusal(folder / "none.stl") == ": there is no such file; check the path and the folder it starts from.");
+  CHECK(refusal(folder / "none.stl") == ": there is no such file; check the path and the folder it is relative to.");
   std::filesystem::create_directory(folder / "folder.stl");
-  CHECK(refusal(folder / "folder.stl") == ": this is no file but a folder or a device; give the file of the surface.");
+  CHECK(refusal(folder / "folder.stl") == ": this is a folder or a device, not a file; give the path of the surface file.");
   fixtures::put(folder / "empty.stl", "");
-  CHECK(refusal(folder / "empty.stl") == ": the file is empty; write it again.");
+  CHECK(refusal(folder / "empty.stl") == ": the file is empty; export it again.");
   fixtures::put(folder / "hollow.stl", "solid nothing\nendsolid nothing\n");
-  CHECK(refusal(folder / "hollow.stl") == ": the file holds no triangles or faces; check what was exported.");
+  CHECK(refusal(folder / "hollow.stl") == ": the file contains no triangles or faces; check the export.");
   fixtures::put(folder / "points.obj", "v 0 0 0\nv 1 0 0\n");
-  CHECK(refusal(folder / "points.obj") == ": the file holds no triangles or faces; check what was exported.");
+  CHECK(refusal(folder / "points.obj") == ": the file contains no triangles or faces; check the export.");
 }

@@ -18,7 +18,7 @@ void check_refused(const std::string& contents, const char* sentence) { CHECK_TH
 
 std::string with(std::string text, const std::string& old, const std::string& replacement) { return text.replace(text.find(old), old.size(), replacement); }
 
-/// Every outcome but one sentence or a surface of sensible size is wrong.
+/// Passes only for a one-sentence refusal or a surface of sensible size.
 void check_read_or_refused(const std::string& contents, std::size_t most_panels) {
   std::string sentence;
   std::size_t panels = 0;
@@ -35,7 +35,7 @@ void check_read_or_refused(const std::string& contents, std::size_t most_panels)
 
 }  // namespace
 
-TEST_CASE("stl: text comes back with all digits") {
+TEST_CASE("stl: text is read back with all digits") {
   const Panels torus = fixtures::torus(2, 0.5, 9, 7);
   const Panels back = parse(fixtures::stl_text(torus));
   CHECK(back.panels.size() == 2 * torus.panels.size());
@@ -46,7 +46,7 @@ TEST_CASE("stl: text comes back with all digits") {
   CHECK(Surface(back).report().vertices == torus.vertices.size());
 }
 
-TEST_CASE("stl: binary comes back as the floats it holds, and closes when welded") {
+TEST_CASE("stl: binary is read back as the stored floats, and is closed when welded") {
   const Panels torus = fixtures::torus(2, 0.5, 9, 7);
   const Panels back = parse(fixtures::stl_binary(torus));
   std::size_t next = 0;
@@ -74,7 +74,7 @@ TEST_CASE("stl: text may have capitals, any white space, plus signs, several sol
   CHECK(panels.vertices[2] == Vec3d{4, 5, 6});
 }
 
-TEST_CASE("stl: each solid of a text is a part, solids of one name are one, and a binary file has no parts") {
+TEST_CASE("stl: each solid of a text is a part, solids of equal name are one part, and a binary file has no parts") {
   const std::string facet = "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 1 vertex 0 1 0 endloop endfacet\n";
   const Panels panels = parse("solid blade 1 \t\r\n" + facet + facet + "endsolid blade 1\nsolid hub\n" + facet + "endsolid\nsolid blade 1\n" + facet +
                               "endsolid\nsolid\n" + facet + "endsolid\nsolid nothing in it\nendsolid");
@@ -85,36 +85,36 @@ TEST_CASE("stl: each solid of a text is a part, solids of one name are one, and 
   CHECK(parse(fixtures::stl_binary(fixtures::unit_cube())).part.empty());
 }
 
-TEST_CASE("stl: text cut short anywhere is never read as a smaller surface") {
+TEST_CASE("stl: a truncated text is never read as a smaller surface") {
   const std::string whole = fixtures::stl_text(fixtures::tetrahedron());
   for (std::size_t length = 0; length < whole.rfind("endsolid") + 8; ++length) CHECK_THROWS_AS(parse(whole.substr(0, length)), InputError);
   check_refused(whole.substr(0, whole.find("endfacet") + 9),
-                "hull.stl:9: the file ends after 1 triangles without `endsolid`; it was cut short; write it again.");
-  check_refused(whole.substr(0, whole.find("endloop")), "hull.stl:7: the file ends in triangle 1; it was cut short; write it again.");
+                "hull.stl:9: the file ends after 1 triangles without `endsolid`; it is truncated: export it again.");
+  check_refused(whole.substr(0, whole.find("endloop")), "hull.stl:7: the file ends in triangle 1; it is truncated: export it again.");
 }
 
-TEST_CASE("stl: a binary file cut short anywhere is never read, and names the triangle where it ends") {
+TEST_CASE("stl: a truncated binary file is refused with the triangle where it ends") {
   const std::string whole = fixtures::stl_binary(fixtures::tetrahedron());
   for (std::size_t length = 0; length < whole.size(); ++length) CHECK_THROWS_AS(parse(whole.substr(0, length)), InputError);
-  check_refused(whole.substr(0, 84 + 50 + 20), "hull.stl: the file ends in triangle 2 of 4; it was cut short or is no STL file; write it again.");
+  check_refused(whole.substr(0, 84 + 50 + 20), "hull.stl: the file ends in triangle 2 of 4; it is truncated or not an STL file: export it again.");
   check_refused(whole.substr(0, 70),
-                "hull.stl: 70 bytes are too few for an STL file, which begins with `solid` or has 84 bytes before its first triangle; write it again.");
+                "hull.stl: 70 bytes are too few for an STL file, which begins with `solid` or has 84 bytes before its first triangle; export it again.");
   check_refused(fixtures::stl_binary(fixtures::tetrahedron(), "solid too").substr(0, 84 + 50 + 20),
-                "hull.stl: the file ends in triangle 2 of 4; it was cut short or is no STL file; write it again.");
-  check_refused(whole + "abc", "hull.stl: 3 bytes follow the last of 4 triangles; the count or the file is damaged; write it again.");
+                "hull.stl: the file ends in triangle 2 of 4; it is truncated or not an STL file: export it again.");
+  check_refused(whole + "abc", "hull.stl: 3 bytes follow the last of 4 triangles; the count or the file is damaged: export it again.");
 }
 
-TEST_CASE("stl: a count of four milliards asks for no memory") {
+TEST_CASE("stl: a count of four billion is refused without allocating memory") {
   std::string huge = fixtures::stl_binary(fixtures::tetrahedron());
   huge.replace(80, 4, "\xff\xff\xff\xff");
-  check_refused(huge, "hull.stl: the file ends in triangle 5 of 4294967295; it was cut short or is no STL file; write it again.");
+  check_refused(huge, "hull.stl: the file ends in triangle 5 of 4294967295; it is truncated or not an STL file: export it again.");
 }
 
-TEST_CASE("stl: coordinates that are no finite numbers name the triangle") {
+TEST_CASE("stl: coordinates that are not finite are refused with the triangle") {
   Panels bad = fixtures::tetrahedron();
   bad.vertices[3].z = std::numeric_limits<double>::quiet_NaN();
-  check_refused(fixtures::stl_binary(bad), "hull.stl: triangle 2 of 4 has a coordinate that is not a finite number; mend the mesh and write it again.");
-  check_refused(fixtures::stl_text(bad), "hull.stl:13: triangle 2 has `nan` where a finite number belongs; mend the file or write it again.");
+  check_refused(fixtures::stl_binary(bad), "hull.stl: triangle 2 of 4 has a coordinate that is not a finite number; repair the mesh and export it again.");
+  check_refused(fixtures::stl_text(bad), "hull.stl:13: triangle 2 has `nan` where a finite number is expected; correct the file or export it again.");
   bad.vertices[3].z = 1e300;  // infinite as a float
   CHECK_THROWS_AS(parse(fixtures::stl_binary(bad)), InputError);
   const std::string good = fixtures::stl_text(fixtures::tetrahedron());
@@ -123,12 +123,12 @@ TEST_CASE("stl: coordinates that are no finite numbers name the triangle") {
   }
 }
 
-TEST_CASE("stl: text that breaks the form names the line and what belongs there") {
+TEST_CASE("stl: text that violates the format is refused with the line and the expected word") {
   const std::string good = fixtures::stl_text(fixtures::tetrahedron());
-  check_refused(with(good, "endloop", "vertex 1 1 1\nendloop"), "hull.stl:7: triangle 1 has `vertex` where `endloop` belongs.");
-  check_refused(with(good, "outer loop", "inner loop"), "hull.stl:3: triangle 1 has `inner` where `outer` belongs.");
-  check_refused(with(good, "  facet", "  face"), "hull.stl:2: `face` follows 0 triangles, where `facet` or `endsolid` belongs.");
-  check_refused(good + "junk", "hull.stl:31: triangle 5 has `junk` where `solid` belongs.");
+  check_refused(with(good, "endloop", "vertex 1 1 1\nendloop"), "hull.stl:7: triangle 1 has `vertex` where `endloop` is expected.");
+  check_refused(with(good, "outer loop", "inner loop"), "hull.stl:3: triangle 1 has `inner` where `outer` is expected.");
+  check_refused(with(good, "  facet", "  face"), "hull.stl:2: `face` follows 0 triangles, where `facet` or `endsolid` is expected.");
+  check_refused(good + "junk", "hull.stl:31: triangle 5 has `junk` where `solid` is expected.");
 }
 
 TEST_CASE("stl: a thousand files of junk and damaged files are read or refused, never more") {

@@ -1,4 +1,4 @@
-"""The contact library from NumPy, on its own."""
+"""The contact library alone, from NumPy."""
 
 import package
 from claims import claim, main
@@ -14,9 +14,9 @@ def grid(n=21, low=-1.0, high=1.0):
     return np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
 
 
-@claim("a box that moves strikes just the points that it passes over, when and where a formula says")
+@claim("a moving box hits exactly the points in its path, at the analytical times and positions")
 def passing(test):
-    x = grid() + 0.013  # none on a plane of the box
+    x = grid() + 0.013  # none on a face of the box
     detector = fccda.ContactDetector(fccda.Surface(fccda.Mesh.box(**UNIT_BOX)))
     outside = (np.abs(x) > 0.5).any(axis=1)
     inside = detector.points_inside(fccda.Pose(), x)
@@ -33,7 +33,7 @@ def passing(test):
     np.testing.assert_allclose(contacts["depth"], 0.9 - x[struck, 2], rtol=0, atol=1e-12)
 
 
-@claim("points that fall on a free ball give it what they lose, and none gets in")
+@claim("points that fall on a free ball transfer their momentum loss to it, and none penetrates")
 def falling(test):
     rng = np.random.default_rng(1)
     ball = fccda.Surface(fccda.Mesh.sphere(diameter=2, panel=0.2))
@@ -60,7 +60,7 @@ def falling(test):
     test.assertLess(body.velocity[2], -0.1)
 
 
-@claim("arrays are read and written in place whichever way they lie, and those that cannot be written are refused")
+@claim("arrays of any memory layout are read and modified in place, and read-only ones are refused")
 def layouts(test):
     def once(make):
         box = fccda.Surface(fccda.Mesh.box(**UNIT_BOX))
@@ -90,15 +90,15 @@ def layouts(test):
     box = fccda.Surface(fccda.Mesh.box(**UNIT_BOX))
     detector, body, motion = fccda.ContactDetector(box), fccda.RigidBody(mass=1.0), fccda.RigidBody(mass=1.0).advance(0.1)
     x = np.zeros((2, 3)) + 2
-    contacts = detector.detect(motion, x.astype(np.float32), x.tolist())  # what is only read may be anything that makes an array
+    contacts = detector.detect(motion, x.astype(np.float32), x.tolist())  # read-only arguments may be anything that converts to an array
     crooked = np.zeros(2, np.dtype([("x", "f8", 3), ("kind", "i4")]))["x"]  # rows of 28 bytes
     fixed = x.copy()
     fixed.flags.writeable = False
     for x_t1, velocity, sentence in (
-        (x.astype(int), x, "x_t1 is written to, so it must be an array of float64 or float32, but it is one of int64; make it with dtype=float."),
-        (x, fixed, "velocity is written to, but NumPy says that it may only be read; pass a copy."),
-        (np.zeros((3, 2)), x, "x_t1 has the shape (3, 2), but one row x, y, z a point is needed: (points, 3)."),
-        (crooked, x, "x_t1 is written to, but its numbers do not lie at whole numbers of their size; pass numpy.ascontiguousarray of it."),
+        (x.astype(int), x, "x_t1 is modified in place, so it must be an array of float64 or float32, not int64; create it with dtype=float."),
+        (x, fixed, "velocity is modified in place, but the array is read-only; pass a copy."),
+        (np.zeros((3, 2)), x, "x_t1 has the shape (3, 2), but must have one row x, y, z per point: (points, 3)."),
+        (crooked, x, "x_t1 is modified in place, but its strides are not multiples of the item size; pass numpy.ascontiguousarray of it."),
     ):
         with test.assertRaises(InputError) as error:
             fccda.respond(contacts, motion, body, x_t0=x, x_t1=x_t1, velocity=velocity, mass=1.0)
@@ -107,7 +107,7 @@ def layouts(test):
         fccda.respond(contacts, motion, body, x_t0=x, x_t1=x.copy(), velocity=x.copy(), mass=[1.0, 1, 1])
 
 
-@claim("a region limits where contact is looked for")
+@claim("contact bounds limit the detection of contact")
 def regions(test):
     box = fccda.Surface(fccda.Mesh.box(**UNIT_BOX))
     x = grid() + 0.013
@@ -121,9 +121,9 @@ def regions(test):
         fccda.ContactDetector(box, boxes=[([1, 2, 2], [0.5, 0, 0])])
 
 
-@claim("poses, bodies and surfaces say what formulas say")
+@claim("poses, bodies and surfaces agree with formulas")
 def formulas(test):
-    turned = fccda.Pose([1, 2, 3], [np.sqrt(0.5), 0, 0, np.sqrt(0.5)])  # by a right angle about z
+    turned = fccda.Pose([1, 2, 3], [np.sqrt(0.5), 0, 0, np.sqrt(0.5)])  # by 90 degrees about z
     np.testing.assert_allclose(turned.to_world([[1, 0, 0]]), [[1, 3, 3]], rtol=0, atol=1e-15)
     np.testing.assert_allclose(turned.to_body([[1, 3, 3]]), [[1, 0, 0]], rtol=0, atol=1e-15)
     np.testing.assert_allclose(turned.rotation, [[0, -1, 0], [1, 0, 0], [0, 0, 1]], rtol=0, atol=1e-15)
@@ -136,7 +136,7 @@ def formulas(test):
     np.testing.assert_allclose(body.inertia, np.diag([13, 10, 5]), rtol=0, atol=1e-12)  # m/12 (b² + c²) with m = 12
     np.testing.assert_allclose(body.kinetic_energy, 0.5 * 5 * 9, rtol=1e-14)
     body.add_impulse([6, 6, 0], [0, 0, 5])
-    np.testing.assert_allclose(body.velocity, [0.5, 0, 0], rtol=1e-14)  # y is held
+    np.testing.assert_allclose(body.velocity, [0.5, 0, 0], rtol=1e-14)  # y is constrained
     np.testing.assert_allclose(body.angular_velocity, [0, 0, 4], rtol=1e-14)
     body.drive("y", 2.0)
     motion = body.advance(0.25)
@@ -147,14 +147,14 @@ def formulas(test):
     test.assertEqual((len(quads), quads.parts, quads.faces.tolist()), (2, ["floor", "ramp"], [[0, 1, 2, 3], [1, 4, 2, -1]]))
     test.assertEqual(fccda.Surface(quads, outside="normals").area, 1.5)
     with test.assertRaises(InputError):
-        fccda.Surface(quads)  # open, and nothing says which side is outside
+        fccda.Surface(quads)  # open, and no side is declared outside
     with test.assertRaisesRegex(InputError, "quaternion"):
         fccda.Pose([0, 0, 0], [1, 1, 0, 0])
-    with test.assertRaisesRegex(InputError, "no degree of freedom"):
+    with test.assertRaisesRegex(InputError, "not a degree of freedom"):
         fccda.RigidBody(1, free=["u"])
 
 
-@claim("arrays of float32 are seen and changed in place, and none of their rounding takes a point into the surface")
+@claim("arrays of float32 are read and modified in place, and their rounding does not move a point into the surface")
 def singles(test):
     rng = np.random.default_rng(2)
     box = fccda.Surface(fccda.Mesh.box([1, 1, 1]))
@@ -173,11 +173,11 @@ def singles(test):
     test.assertGreater(struck, 1000)
 
 
-@claim("each point may have a radius of its own, and detectors of one surface find what those of their own do")
+@claim("each point may have a different radius, and detectors that share a surface find the same contacts as separate ones")
 def radii(test):
     box = fccda.Surface(fccda.Mesh.box([1, 1, 1]))
     x0, motion = np.array([[0, 0, 2.0], [0.2, 0, 2.0], [0.4, 0, 2.0]]), fccda.Motion(fccda.Pose(), fccda.Pose(), dt=0.1)
-    x1 = x0 - [0, 0, 1.35]  # ends 0.15 above the lid
+    x1 = x0 - [0, 0, 1.35]  # ends 0.15 above the top face
     radius = [0.1, 0.2, 0.3]
     contacts = fccda.ContactDetector(box).detect(motion, x0, x1, radius)
     test.assertEqual(contacts["point"].tolist(), [1, 2])
@@ -191,7 +191,7 @@ def radii(test):
         fccda.ContactDetector(box).detect(motion, x0, x1, [0.1, 0.2])
 
 
-@claim("the body stays as it is where its impulses are to be summed first, and the sum does what one call does")
+@claim("with apply=False the body is unchanged, and the summed impulses have the effect of a single call")
 def summed(test):
     def strike(parts):
         detector, body = fccda.ContactDetector(fccda.Surface(fccda.Mesh.box([1, 1, 1]))), fccda.RigidBody(mass=4.0, inertia=[1, 1, 1], free=["z", "rx", "ry"])
@@ -207,7 +207,7 @@ def summed(test):
     test.assertEqual(strike(1), strike(2))
 
 
-@claim("numbers that are not finite, friction below 0 and turns of more than half a revolution are refused, in Python's words")
+@claim("numbers that are not finite, negative friction and rotations beyond half a revolution are refused, in Python terms")
 def refusals(test):
     box, nan = fccda.Surface(fccda.Mesh.box([1, 1, 1])), float("nan")
     detector, still = fccda.ContactDetector(box), fccda.Motion(fccda.Pose(), fccda.Pose(), 0.1)

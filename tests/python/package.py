@@ -1,4 +1,4 @@
-"""Makes the package of the build that is tested importable, and the claims of tests/cli: to be imported first.
+"""Makes the package of the tested build and the claims of tests/cli importable; import it first.
 
     python3 views.test.py BUILD/perimpact ["the sentence"]      the package lies in BUILD/python
 """
@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(Path(sys.argv[1]).resolve().parent / "python"), str(ROOT / "tests" / "cli")]
 
-# The deck of claims.py as Python's own numbers, in SI.
+# The deck of claims.py with Python numbers, in SI.
 SETUP = {
     "title": "Small plate",
     "time": {"end": 20e-6},

@@ -1,4 +1,4 @@
-"""Python and the command line are one program: the same bits, the same files."""
+"""Python and the command line give bitwise identical results and the same files."""
 
 import copy
 
@@ -14,7 +14,7 @@ def finished(simulation):
     return simulation.state_hash
 
 
-@claim("a deck run from Python leaves the same files as the command line, and the same state")
+@claim("a deck run from Python writes the same files as the command line, and reaches the same state")
 def same_files(test):
     deck = test.folder / test.deck()
     test.expect_success("run", deck, "--out", "told", "--threads", 1)
@@ -25,13 +25,13 @@ def same_files(test):
     test.assertEqual(simulation.state_hash, test.report("told")["state_hash"])
     test.assertEqual(test.files("asked"), test.files("told"))
     for name in test.files("told"):
-        if name in ("run.json", "checkpoint.h5", "report.html"):  # hold times of the clock on the wall; run.json is compared by its hash
+        if name in ("run.json", "checkpoint.h5", "report.html"):  # contain wall-clock times; run.json is compared by its hash
             continue
         test.assertEqual((test.folder / "asked" / name).read_bytes(), (test.folder / "told" / name).read_bytes(), name)
     test.assertEqual(test.report("asked")["outcome"], test.report("told")["outcome"])
 
 
-@claim("a dict with the keys of a deck makes the simulation of the deck, bit for bit, with numbers or with units")
+@claim("a dict with the keys of a deck gives a simulation bitwise identical to the deck's, with numbers or with units")
 def same_dict(test):
     deck = test.folder / test.deck()
     wanted = finished(perimpact.Simulation.from_deck(deck))
@@ -46,7 +46,7 @@ def same_dict(test):
     test.assertEqual(finished(perimpact.Simulation(perimpact.Simulation(package.SETUP).setup)), wanted)
 
 
-@claim("a mesh from arrays strikes as the same mesh from a file, bit for bit, and is refused as a file is")
+@claim("a mesh from arrays gives bitwise the results of the same mesh from a file, and is refused as a file is")
 def same_mesh(test):
     mesh = perimpact.Mesh.cylinder(diameter=0.04, height=0.04, panel=0.004)
     vertices, faces = mesh.vertices, mesh.faces[:, :3]
@@ -69,7 +69,7 @@ def same_mesh(test):
     test.assertIn("open", str(refused.exception))
 
 
-@claim("a body may be what a mesh from arrays encloses")
+@claim("a mesh from arrays may define the shape of a body")
 def body_of_mesh(test):
     setup = copy.deepcopy(package.SETUP)
     plate = setup["bodies"]["plate"]
@@ -78,7 +78,7 @@ def body_of_mesh(test):
     test.assertEqual(len(body), 20 * 12 * 4)
 
 
-@claim("steps one by one, runs in fragments, callbacks and any number of threads change no bit")
+@claim("single steps, partial runs, callbacks and any number of threads give bitwise identical results")
 def same_steps(test):
     deck = test.folder / test.deck()
     wanted = finished(perimpact.Simulation.from_deck(deck))
@@ -105,7 +105,7 @@ def same_steps(test):
     perimpact.use_threads(1)
 
 
-@claim("a run that Python left is gone on with by Python or by the command line, and ends as one that never stopped")
+@claim("a run interrupted in Python is resumed by Python or by the command line, bitwise identical to an uninterrupted one")
 def resumed(test):
     deck = test.folder / test.deck()
     test.expect_success("run", deck, "--out", "whole", "--threads", 1)
@@ -126,7 +126,7 @@ def resumed(test):
         test.assertEqual(test.files(name), test.files("whole"))
 
 
-@claim("a run with an own force and a mesh from arrays is gone on with as if never left, and not with another mesh or without the force")
+@claim("a run with a user force and a mesh from arrays is resumed bitwise, and refused with another mesh or without the force")
 def resumed_with_own(test):
     def made(panel=0.004, force=True):
         setup = copy.deepcopy(package.SETUP)
@@ -152,7 +152,7 @@ def resumed_with_own(test):
     test.assertEqual((test.folder / "left" / "history.csv").read_bytes(), (test.folder / "whole" / "history.csv").read_bytes())
 
 
-@claim("a relaxation gives the same bits as the command line, though it is left off to look for signals")
+@claim("a relaxation is bitwise identical to the command line's, although it is paused to check for signals")
 def relaxed(test):
     deck = test.folder / "relax.yaml"
     deck.write_text(RELAX)
@@ -160,7 +160,7 @@ def relaxed(test):
     test.assertEqual(finished(perimpact.Simulation.from_deck(deck)), test.report("told")["state_hash"])
 
 
-@claim("the history is that of history.csv, and in the set-up that is read back every value stands")
+@claim("the history equals history.csv, and the set-up read back contains every value")
 def same_history(test):
     deck = test.folder / test.deck()
     test.expect_success("run", deck, "--threads", 1)
@@ -169,7 +169,7 @@ def same_history(test):
     table = test.history("results")
     test.assertEqual(list(simulation.history), list(table))
     for column, values in table.items():
-        test.assertEqual(simulation.history[column].tolist(), values, column)  # CSV keeps every bit
+        test.assertEqual(simulation.history[column].tolist(), values, column)  # CSV is exact
     test.assertEqual(simulation.setup["bodies"]["plate"]["spacing"], 0.005)
     test.assertEqual(simulation.setup["impactors"]["cylinder"]["velocity"], [0, -32, 0])
 

@@ -1,10 +1,10 @@
-"""fccda: contact of points with moving rigid surfaces, for any code.
+"""fccda: continuous contact between points and moving rigid surfaces, for any particle code.
 
     detector = fccda.ContactDetector(fccda.Surface(fccda.Mesh.read("hull.stl")), radius=0.01)
     body = fccda.RigidBody(mass=1.0, velocity=[0, 0, -2])
     for _ in range(steps):
         x_t0 = x.copy()
-        ...                                       # the code moves its points: velocity, x
+        ...                                       # the solver updates velocity and x
         motion = body.advance(dt)
         contacts = detector.detect(motion, x_t0, x)
         fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x, velocity=velocity, mass=m)

@@ -36,7 +36,7 @@ void Series::list(double time, const std::string& file) {
   times_.push_back(time);
   try {
     write_list();
-  } catch (...) {  // a picture that no list names would never be seen
+  } catch (...) {  // an unlisted frame would never be shown
     times_.pop_back();
     std::error_code ignored;
     std::filesystem::remove(folder_ / file, ignored);
@@ -61,7 +61,7 @@ std::vector<FrameFile> frame_files_of(const std::filesystem::path& list) {
     if (error != std::errc() || behind != time.data() + time.size() || name.empty()) break;
     frames.push_back(std::move(frame));
   }
-  if (frames.empty()) throw fccda::InputError(fmt::format("{} lists no pictures with their times; take the file as the run wrote it.", list.string()));
+  if (frames.empty()) throw fccda::InputError(fmt::format("{} lists no frames with their times; use the file as written by the run.", list.string()));
   return frames;
 }
 

@@ -24,7 +24,7 @@ bool is_frame(std::string_view name) {  // <body>_00000.vtp
   return digits >= 5 && name.size() > 1 && name.ends_with('_');
 }
 
-bool is_series(const fs::path& folder, std::string_view name) {  // <body>.pvd beside the frames that it lists
+bool is_series(const fs::path& folder, std::string_view name) {  // <body>.pvd next to the frames that it lists
   return name.ends_with(".pvd") && fs::exists(folder / (std::string(name.substr(0, name.size() - 4)) + "_00000.vtp"));
 }
 
@@ -35,7 +35,7 @@ bool is_line(std::string_view name) {  // <line>_t<seconds>.csv
   return time != std::string_view::npos && time > 0 && time + 2 < name.size() && name.find_first_not_of("0123456789.e-+", time + 2) == std::string_view::npos;
 }
 
-/// Files of `folder` that are ours, whole or left in part by a run that was killed.
+/// Files of `folder` that a run writes, complete or partial from a killed run.
 template <class IsOurs>
 std::vector<fs::path> our_files(const fs::path& folder, const IsOurs& is_ours) {
   std::vector<fs::path> found;
@@ -79,7 +79,7 @@ ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std:
                     [](const fs::path& file) { return file.extension() != ".part" && file.filename() != "run.json" && file.filename() != "report.html"; });
     remove(files);
   };
-  // the checkpoint first: what it goes on from must not be there without the rest
+  // the checkpoint first: it must not remain without the results that it resumes
   remove_from(folder_, [](std::string_view name) { return name == "checkpoint.h5"; });
   remove_from(folder_, [](std::string_view name) { return name == "run.json" || name == "report.html" || name == "history.csv" || name == "history.json"; });
   remove_from(folder_, [](std::string_view name) { return name == "statistics.csv" || name == "windows.csv" || name == "spectrum.csv"; });

@@ -16,14 +16,14 @@ namespace perimpact::report {
 
 namespace {
 
-/// An array as its tag says it, with the section that it stands in.
+/// An array as described by its tag, with its section.
 struct Tag {
   std::string section, name;
   std::size_t components;
   fccda::VtpArray array;
 };
 
-/// The one fragment that write_vtp writes, all arrays appended as raw bytes.
+/// Reads the single piece that write_vtp writes, all arrays appended as raw bytes.
 class Reader {
  public:
   Reader(std::string_view contents, std::string file) : contents_(contents), tags_(contents, file), file_(std::move(file)) { read_tags(); }
@@ -42,21 +42,21 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void fail(std::size_t line, const std::string& what) const { tags_.fail(line, what + "; take the file as the run wrote it."); }
+  [[noreturn]] void fail(std::size_t line, const std::string& what) const { tags_.fail(line, what + "; use the file as written by the run."); }
 
   std::size_t count(const fccda::XmlTag& tag, std::string_view attribute) const {
     const std::string_view word = tag[attribute];
     std::size_t value = 0;
     const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (problem != std::errc{} || end != word.data() + word.size() || value > std::size_t{1} << 40)
-      fail(tag.line, fmt::format("{} is {}, where a count belongs", attribute, fccda::shown(word)));
+      fail(tag.line, fmt::format("{} is {}, where a count is expected", attribute, fccda::shown(word)));
     return value;
   }
 
   void read_tags() {
     std::string section;
     for (fccda::XmlTag tag = tags_.next();; tag = tags_.next()) {
-      if (tag.kind == fccda::XmlTag::Kind::end_of_file) fail(tag.line, "the file has no appended data: it is cut short, or no picture of a run");
+      if (tag.kind == fccda::XmlTag::Kind::end_of_file) fail(tag.line, "the file has no appended data: it is truncated or not a frame of a run");
       if (tag.kind == fccda::XmlTag::Kind::closing) continue;
       if (tag.name == "VTKFile") {
         encoding_.order = tag["byte_order"] == "BigEndian" ? std::endian::big : std::endian::little;
@@ -83,9 +83,9 @@ class Reader {
     constexpr std::pair<std::string_view, NumberType> types[] = {
         {"Float32", NumberType::float32}, {"Float64", NumberType::float64}, {"Int32", NumberType::int32}, {"UInt8", NumberType::uint8}};
     const auto type = std::find_if(std::begin(types), std::end(types), [&](const auto& each) { return each.first == tag["type"]; });
-    if (type == std::end(types)) fail(tag.line, fmt::format("numbers of type {} are none that a run writes", fccda::shown(tag["type"])));
+    if (type == std::end(types)) fail(tag.line, fmt::format("number type {} is not one that a run writes", fccda::shown(tag["type"])));
     Tag found{section, std::string(tag["Name"]), count(tag, "NumberOfComponents"), {}};
-    if (found.components == 0 || found.components > 9) fail(tag.line, fmt::format("{} components are none that a run writes", found.components));
+    if (found.components == 0 || found.components > 9) fail(tag.line, fmt::format("a run writes no arrays of {} components", found.components));
     found.array.name = section + "/" + found.name;
     found.array.type = type->second;
     found.array.format = fccda::VtpArray::Format::appended;
@@ -97,7 +97,7 @@ class Reader {
   const Tag& wanted(std::string_view section, std::string_view name) const {
     for (const Tag& tag : found_)
       if (tag.section == section && tag.name == name) return tag;
-    throw fccda::InputError(fmt::format("{}: the picture has no {} in {}; take the file as the run wrote it.", file_, name, section));
+    throw fccda::InputError(fmt::format("{}: the frame has no {} in {}; use the file as written by the run.", file_, name, section));
   }
 
   std::vector<std::array<int, 4>> panels(fccda::VtpArrays& arrays) const {
@@ -105,7 +105,7 @@ class Reader {
     const std::vector<std::int64_t> ends = arrays.wholes(offsets.array, polygons_);
     std::int64_t begin = 0;
     for (const std::int64_t end : ends) {
-      if (end - begin != 3 && end - begin != 4) fail(offsets.array.line, "a panel has neither three corners nor four");
+      if (end - begin != 3 && end - begin != 4) fail(offsets.array.line, "a panel must have three or four corners");
       begin = end;
     }
     const std::vector<std::int64_t> corners = arrays.wholes(wanted("Polys", "connectivity").array, static_cast<std::size_t>(begin));
@@ -113,7 +113,8 @@ class Reader {
     std::size_t at = 0;
     for (std::size_t panel = 0; panel < polygons_; ++panel)
       for (std::size_t corner = 0; at < static_cast<std::size_t>(ends[panel]); ++corner, ++at) {
-        if (corners[at] < 0 || corners[at] >= static_cast<std::int64_t>(points_)) fail(offsets.array.line, "a panel has a corner that is no point of the file");
+        if (corners[at] < 0 || corners[at] >= static_cast<std::int64_t>(points_))
+          fail(offsets.array.line, "a panel has a corner outside the points of the file");
         out[panel][corner] = static_cast<int>(corners[at]);
       }
     return out;

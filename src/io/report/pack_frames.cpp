@@ -15,7 +15,7 @@ namespace {
 using fccda::Vec3d;
 using output::Json;
 
-/// An array that is packed in each picture, and how its numbers become reals again.
+/// An array that is encoded in each frame, with its quantisation.
 struct PackedArray {
   std::string name, unit;
   int bytes;
@@ -37,13 +37,13 @@ struct PackedArray {
   }
 };
 
-constexpr std::uint32_t finest = 65535, coarsest = 4095;  // steps of 16 and of 12 bits
+constexpr std::uint32_t finest = 65535, coarsest = 4095;  // quantisation steps of 16 and 12 bits
 
 PackedArray reals(std::string name, std::string unit, const Range& range, std::uint32_t steps) {
   return {std::move(name), std::move(unit), 2, Scale(range.low, range.high, steps)};
 }
 
-/// Displacements need be no finer than undeformed places, unless they are small; and what is finer than it need be packs badly.
+/// Quantisation of displacements: no finer than the reference positions unless displacements are small, since excess precision compresses badly.
 std::uint32_t steps_of_displacement(const Range& displacement, const Range& place) {
   const double span = displacement.high - displacement.low, box = place.high - place.low;
   return box > 0 ? static_cast<std::uint32_t>(std::clamp<double>(std::ceil(finest * span / box), coarsest, finest)) : finest;
@@ -62,7 +62,7 @@ void add_blob(PackedFrames& out, std::string id, const std::string& bytes) {
 
 const char* const axis_names[] = {"x", "y", "z"};
 
-/// Packs a body's pictures one after the other.
+/// Encodes the frames of a body sequentially.
 class PackedBody {
  public:
   PackedBody(const BodyFrames& body, const std::vector<std::uint32_t>& particles, std::size_t number, PackedFrames& out)
@@ -139,7 +139,7 @@ class PackedImpactor {
     description_["vertices"] = impactor.vertices.size();
     description_["panels"] = impactor.panels.size();
     std::string bytes;
-    for (std::size_t axis = 0; axis < 3; ++axis) {  // as floats, bit for bit
+    for (std::size_t axis = 0; axis < 3; ++axis) {  // as floats, bitwise
       std::vector<std::uint32_t> words;
       for (const Vec3d& vertex : impactor.vertices) words.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(vertex[axis])));
       ArrayPacker(4).append(words, bytes);
@@ -160,7 +160,7 @@ class PackedImpactor {
 
   void add(std::size_t number, std::size_t time_number, PackedFrames& out) {
     const RigidMotion& motion = impactor_.motions[number];
-    Json rows = Json::array();  // a matrix of three rows and four columns
+    Json rows = Json::array();  // a 3 × 4 matrix
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (std::size_t column = 0; column < 3; ++column) rows.push_back(motion.turn.row[axis][column]);
       rows.push_back(motion.shift[axis]);
@@ -199,15 +199,15 @@ PackedFrames pack_frames(const Frames& frames, const Choice& choice) {
   for (std::size_t i = 0; i < frames.impactors.size(); ++i) impactors.emplace_back(frames.impactors[i], i, out);
 
   for (std::size_t now = 0; now < choice.times.size(); ++now) {
-    const auto add_picture = [&](const std::vector<output::FrameFile>& frames, auto& packed) {
+    const auto add_frame = [&](const std::vector<output::FrameFile>& frames, auto& packed) {
       const auto is_now = [&](const output::FrameFile& frame) { return frame.time == choice.times[now]; };
       const auto frame = std::find_if(frames.begin(), frames.end(), is_now);
       if (frame != frames.end()) packed.add(static_cast<std::size_t>(frame - frames.begin()), now, out);
     };
     const std::size_t before = out.bytes;
-    for (std::size_t b = 0; b < bodies.size(); ++b) add_picture(frames.bodies[b].frames, bodies[b]);
+    for (std::size_t b = 0; b < bodies.size(); ++b) add_frame(frames.bodies[b].frames, bodies[b]);
     out.bytes_of_bodies += out.bytes - before;
-    for (std::size_t i = 0; i < impactors.size(); ++i) add_picture(frames.impactors[i].frames, impactors[i]);
+    for (std::size_t i = 0; i < impactors.size(); ++i) add_frame(frames.impactors[i].frames, impactors[i]);
   }
   for (const PackedBody& body : bodies) out.bodies.push_back(body.description());
   for (const PackedImpactor& impactor : impactors) out.impactors.push_back(impactor.description());

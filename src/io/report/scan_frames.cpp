@@ -15,7 +15,7 @@ namespace {
 using fccda::InputError;
 using fccda::Vec3d;
 
-/// An array of so many components, where it is there.
+/// The array with that number of components, or nullptr.
 const FrameArray* array_of(const FrameReader& frame, std::string_view name, int components) {
   const FrameArray* found = frame.find(name);
   return found != nullptr && found->components == components ? found : nullptr;
@@ -24,10 +24,10 @@ const FrameArray* array_of(const FrameReader& frame, std::string_view name, int 
 const FrameArray& needed(const FrameReader& frame, const std::filesystem::path& file, std::string_view name, int components) {
   if (const FrameArray* found = array_of(frame, name, components)) return *found;
   throw InputError(
-      fmt::format("{}: the picture has no array {} of {} numbers a particle; take the file as the run wrote it.", file.string(), name, components));
+      fmt::format("{}: the frame has no array {} of {} numbers per particle; use the file as written by the run.", file.string(), name, components));
 }
 
-/// [m] the distance that most particles have to the one before: the spacing of a lattice.
+/// The most frequent distance between successive particles [m]: the lattice spacing.
 double default_distance(const std::vector<Vec3d>& points) {
   std::vector<double> distances;
   for (std::size_t i = 1; i < points.size(); ++i) distances.push_back(fccda::norm(points[i] - points[i - 1]));
@@ -47,13 +47,13 @@ void add_particles(BodyFrames& body, const FrameReader& frame, const output::Fra
   const bool is_first = body.frames.empty();
   if (!is_first && count != body.undeformed.size())
     throw InputError(
-        fmt::format("{} shows {} particles, but the pictures before it {}; take the files of one run.", entry.file.string(), count, body.undeformed.size()));
+        fmt::format("{} has {} particles, but the earlier frames have {}; use the files of one run.", entry.file.string(), count, body.undeformed.size()));
   if (!is_first && (fragment != nullptr) != body.has_fragments)
-    throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name fragments; take the files of one run.", entry.file.string(),
-                                 fragment ? "it does" : "those do"));
+    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} fragments; use the files of one run.", entry.file.string(),
+                                 fragment ? "it lists" : "those list"));
   if (!is_first && (plastic_strain != nullptr) != body.has_plastic_strain)
-    throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name plastic strains; take the files of one run.",
-                                 entry.file.string(), plastic_strain ? "it does" : "those do"));
+    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} plastic strains; use the files of one run.", entry.file.string(),
+                                 plastic_strain ? "it lists" : "those list"));
   if (is_first) {
     body.has_fragments = fragment != nullptr;
     body.has_plastic_strain = plastic_strain != nullptr;
@@ -84,14 +84,14 @@ void add_panels(ImpactorFrames& impactor, const FrameReader& frame, const output
   }
   fccda::Box box;
   for (const Vec3d& point : frame.points) box.include(point);
-  constexpr double rounding = 1e-9;  // of coordinates; the run moves its surfaces in double precision
+  constexpr double rounding = 1e-9;  // relative to coordinates; the run moves its surfaces in double precision
   const auto motion = rigid_motion(impactor.vertices, frame.points, rounding * (fccda::largest_magnitude(box.low) + fccda::largest_magnitude(box.high)));
   if (!motion || frame.panels.size() != impactor.panels.size())
-    throw InputError(fmt::format("{} shows another surface than the pictures before it; take the files of one run.", entry.file.string()));
+    throw InputError(fmt::format("{} has a different surface from the earlier frames; use the files of one run.", entry.file.string()));
   for (std::size_t a = 0; a < impactor.arrays.size(); ++a) {
     const FrameArray* array = frame.find(impactor.arrays[a]);
     if (array == nullptr)
-      throw InputError(fmt::format("{} has no array {}, as the pictures before it; take the files of one run.", entry.file.string(), impactor.arrays[a]));
+      throw InputError(fmt::format("{} lacks the array {} of the earlier frames; use the files of one run.", entry.file.string(), impactor.arrays[a]));
     for (std::size_t i = 0; i < array->count(); ++i) impactor.ranges[a].include(array->scalar(i));
   }
   impactor.motions.push_back(*motion);
@@ -141,7 +141,7 @@ Frames scan_frames(const std::filesystem::path& folder, std::vector<std::string>
 
   Frames frames;
   if (lists.empty())
-    notes.push_back(fmt::format("{} holds no series of pictures (.pvd), so nothing can be shown in 3-D; `output.frames` in the deck asks for them.",
+    notes.push_back(fmt::format("{} contains no frame series (.pvd), so there is no 3-D view; set `output.frames` in the deck to write frames.",
                                 folder_of_frames.string()));
   for (const std::filesystem::path& list : lists) try {
       scan_series(list, frames, notes);

@@ -1,4 +1,4 @@
-/// An impactor's region, for run.json and for `check`.
+/// Report of an impactor's contact bounds, for run.json and `check`.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace perimpact {
 
-/// "none", "box", "box_union" or "cylinder_sectors"; whatever the deck said, what it came to.
+/// Kind of the resulting contact bounds: "none", "box", "box_union" or "cylinder_sectors".
 std::string bounds_kind(const fccda::ContactBounds& region);
 
-/// Its volume over that of the surface's bounding box; nothing where there is no region, or the surface is flat.
+/// Volume of the contact bounds relative to the bounding box of the surface; nothing without bounds, or for a flat surface.
 std::optional<double> share_of_bounding_box(const Impactor& impactor);
 
 output::Json contact_bounds_report(const Impactor& impactor);

@@ -1,4 +1,4 @@
-/// Pictures of what is wrong with a surface.
+/// Output of surface defects for ParaView.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace perimpact {
 
-/// The panels that have one of the defects, for ParaView, in the coordinates of `panels`. Cell arrays: `defect`, the number of
-/// fccda::DefectKind (docs/guide/surface_meshes.md), and `panel`, as the file counts them. Throws RunError where the file cannot be written.
+/// Writes the panels with one of the defects, in the coordinates of `panels`. Cell arrays: `defect`, the number of fccda::DefectKind
+/// (docs/guide/surface_meshes.md), and `panel`, the panel number in the file. Throws RunError where the file cannot be written.
 void write_defects(const std::filesystem::path& path, const fccda::Panels& panels, std::span<const fccda::Defect> defects);
 
 }  // namespace perimpact

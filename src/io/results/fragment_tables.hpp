@@ -1,7 +1,7 @@
-/// The fragments of one body that may break, in numbers:
+/// Fragment statistics of one body with a failure criterion:
 ///
-///   fragments/<body>.csv       a row each picture: how many, how heavy
-///   fragments/<body>_end.csv   a row each fragment of two and more particles, at the end: where, how large, how fast
+///   fragments/<body>.csv       one row per frame: number and masses
+///   fragments/<body>_end.csv   one row per fragment of two or more particles, at the end: position, extent, velocity
 #pragma once
 
 #include <cstdint>
@@ -20,26 +20,26 @@ namespace perimpact {
 class FragmentTable {
  public:
   FragmentTable() = default;
-  /// Goes on behind the first `size` bytes of the table; there is none yet where that is 0.
+  /// Resumes after the first `size` bytes of the table; 0: no table yet.
   FragmentTable(const output::ResultsFolder& folder, const std::string& body, std::uint64_t size);
 
-  /// Call with each picture. `time` [s].
+  /// Call with each frame. `time` [s].
   void after_frame(const output::ResultsFolder& folder, const std::string& body, double time, const Fragments& fragments);
 
-  void sync();                                                        ///< all rows reach the disk
+  void sync();                                                        ///< flushes all rows to disk
   std::uint64_t size() const { return table_ ? table_->size() : 0; }  ///< [byte]
   static std::filesystem::path table(const std::filesystem::path& results, const std::string& body) {
     return output::ResultsFolder::fragments_in(results) / (body + ".csv");
   }
 
  private:
-  std::optional<output::CsvWriter> table_;  // opened by the first picture
+  std::optional<output::CsvWriter> table_;  // opened by the first frame
 };
 
-/// The table at the end, of the 10 000 heaviest at most.
+/// Writes the table at the end, with at most the 10 000 heaviest fragments.
 void write_last_fragments(const output::ResultsFolder& folder, const Body& body);
 
-/// For run.json.
+/// Fragment counts for run.json.
 output::Json fragment_report(const FragmentCount& count);
 
 }  // namespace perimpact

@@ -1,4 +1,4 @@
-/// Vectors in JSON.
+/// JSON arrays of vectors.
 #pragma once
 
 #include "base/vec3.hpp"

@@ -1,8 +1,8 @@
-/// What contact did to the panels of an impactor, as the cell arrays of its pictures:
+/// Contact loads on the panels of an impactor, as cell arrays of its frames:
 ///
-///   contact_pressure [Pa]   normal, mean over the time since the picture before
+///   contact_pressure [Pa]   normal, mean over the time since the previous frame
 ///   peak_pressure [Pa]      the largest mean over one load interval so far (docs/guide/results.md)
-///   contact_impulse [N s]   since the start, along the axes of the world
+///   contact_impulse [N s]   since the start, in the global axes
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,11 @@ namespace perimpact {
 
 class PanelFrames {
  public:
-  /// Writes the impactor where it is at that time [s]. Call it in the order of time. An impactor whose detector names no panels
+  /// Writes the impactor at its current position. Call in the order of `time` [s]. An impactor whose detector does not resolve panels
   /// (analytic) is written without arrays.
   void write(const std::filesystem::path& path, const Impactor& impactor, double time);
 
-  /// As base/state.hpp says.
+  /// State visitor (base/state.hpp).
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit("normal_impulse", normal_impulse_);
@@ -26,11 +26,11 @@ class PanelFrames {
   }
 
  private:
-  std::vector<double> normal_impulse_;  // [N s] of each panel at the picture before
-  double time_ = 0;                     // [s] of the picture before
+  std::vector<double> normal_impulse_;  // [N s] of each panel at the previous frame
+  double time_ = 0;                     // [s] of the previous frame
 };
 
-/// The panels of an impactor where it is now, without arrays.
+/// Writes the panels of an impactor at its current position, without arrays.
 void write_impactor(const std::filesystem::path& path, const Impactor& impactor);
 
 }  // namespace perimpact

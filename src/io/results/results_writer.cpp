@@ -15,7 +15,7 @@ namespace perimpact {
 
 namespace {
 
-/// Three numbers a particle, as the float that pictures need.
+/// Three numbers per particle, as floats for the frames.
 template <class Value>
 std::vector<float> of_particles(const Body& body, const Value& value) {
   std::vector<float> numbers;
@@ -33,7 +33,7 @@ std::vector<std::string> headings_of(std::span<const Column> columns) {
   return headings;
 }
 
-/// What the columns of history.csv are, for programs that read it.
+/// Writes history.json, the description of the columns of history.csv for programs that read it.
 void write_columns(const std::filesystem::path& path, std::span<const Column> columns) {
   output::Json json = output::Json::object();
   json["format"] = 1;
@@ -49,14 +49,14 @@ void write_columns(const std::filesystem::path& path, std::span<const Column> co
   output::write_whole_file(path, json.text());
 }
 
-/// The tables that go on must hold what had been written of them.
+/// Checks that the tables to be resumed contain all that had been written.
 void expect_files(const Simulation& simulation, const std::filesystem::path& folder, const Written& written) {
   const auto expect = [](const std::filesystem::path& path, std::uint64_t size) {
     std::error_code missing;
     const std::uintmax_t there = std::filesystem::file_size(path, missing);
     if (missing || there < size)
-      throw fccda::InputError(fmt::format("{} {}, so the run cannot go on with it; put it back, or start anew without --resume.", path.string(),
-                                          missing ? "is not there" : "holds less than when the checkpoint was written"));
+      throw fccda::InputError(fmt::format("{} {}, so the run cannot be resumed; restore it, or start a new run without --resume.", path.string(),
+                                          missing ? "is missing" : "is shorter than when the checkpoint was written"));
   };
   expect(output::ResultsFolder::history_in(folder), written.history);
   for (std::size_t i = 0; i < written.pressure_area.size(); ++i)
@@ -92,7 +92,7 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
 }
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
-    : lines_(lines_of(simulation)),  // before the folder loses the results of an earlier run
+    : lines_(lines_of(simulation)),  // first, so that an error leaves the results of an earlier run in the folder
       folder_(folder),
       history_(folder_.history(), headings_of(simulation.monitors().columns())),
       panel_frames_(simulation.impactors().size()),
@@ -171,7 +171,7 @@ void ResultsWriter::write_frame(const Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
     impactor_series_[i].add(time, [&](const std::filesystem::path& path) { panel_frames_[i].write(path, simulation.impactors()[i], time); });
   last_frame_step_ = simulation.clock().step;
-  // where more frames are wanted than there are steps, one of this step stands for several
+  // where more frames are requested than there are steps, one frame counts for several
   while (next_frame_ <= frames_wanted_ && step_of_frame(next_frame_, simulation.clock()) <= last_frame_step_) ++next_frame_;
 }
 

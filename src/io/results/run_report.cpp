@@ -157,7 +157,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["solids"] = report.solids;
   json["may_overlap"] = report.may_overlap;
   for (const fccda::PartReport& part : report.parts) {
-    if (report.parts.size() == 1 && part.name.empty()) break;  // nothing is named
+    if (report.parts.size() == 1 && part.name.empty()) break;  // a single unnamed part
     Json& entry = json["parts"][part.name];
     entry["panels"] = part.panels;
     entry["area [m2]"] = part.area;

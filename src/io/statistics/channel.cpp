@@ -20,7 +20,7 @@ namespace {
 
 enum class Cell : std::uint8_t { empty, remains, broken };
 
-/// The widest row of broken cells; empty ones neither begin nor end one.
+/// The widest run of broken cells; empty cells neither begin nor end it.
 struct BrokenRow {
   std::size_t first = 0, behind = 0;
 
@@ -54,11 +54,11 @@ const deck::YamlNode* member(const deck::YamlNode* node, std::string_view key) {
   return entry ? &entry->value : nullptr;
 }
 
-/// [m] of a body that may break, by run.json.
+/// Spacing [m] of a body with a failure criterion, from run.json.
 double spacing_of(const std::filesystem::path& results, const std::string& body) {
   const std::filesystem::path file = output::ResultsFolder::run_in(results);
   if (!std::filesystem::exists(file))
-    throw fccda::InputError(fmt::format("{} is not there; the width of a channel can be told once the run has ended or was interrupted.", file.string()));
+    throw fccda::InputError(fmt::format("{} does not exist; the channel width is available once the run has ended or was interrupted.", file.string()));
   const deck::YamlNode run = deck::parse_document(fccda::contents_of(file), file.string());
   const deck::YamlNode* bodies = member(&run, "bodies");
   const deck::YamlNode* found = member(bodies, body);
@@ -66,13 +66,13 @@ double spacing_of(const std::filesystem::path& results, const std::string& body)
     std::vector<std::string> names;
     if (bodies)
       for (const auto& entry : bodies->entries) names.push_back(entry.key);
-    throw fccda::InputError(
-        fmt::format("--channel: {} has no body {}; there is {}.", results.string(), body, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    throw fccda::InputError(fmt::format("--channel: {} has no body {}; its bodies: {}.", results.string(), body,
+                                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }
   const deck::YamlNode* spacing = member(found, "spacing [m]");
   if (!member(found, "fragments") || !spacing)
     throw fccda::InputError(
-        fmt::format("--channel: body {} never breaks, so it has no channel; its material needs critical_stretch, or the body failure.", body));
+        fmt::format("--channel: body {} has no failure criterion, so it has no channel; set critical_stretch in its material, or failure in the body.", body));
   return std::stod(spacing->text);
 }
 
@@ -86,7 +86,7 @@ std::vector<ChannelColumn> channel_columns(std::span<const Vec3d> places, std::s
   Vec3d low = places[0], high = low;
   for (const Vec3d& place : places)
     for (std::size_t c = 0; c < 2; ++c) low[c] = std::min(low[c], place[c]), high[c] = std::max(high[c], place[c]);
-  // pictures hold single precision
+  // frames have single precision
   for (std::size_t c = 0; c < 2; ++c) low[c] = std::round(low[c] / (1e-3 * spacing)) * 1e-3 * spacing;
   const auto cell = [&](const Vec3d& place, std::size_t c) { return static_cast<std::size_t>(std::lround(std::max(0.0, place[c] - low[c]) / spacing)); };
   const std::size_t columns = cell(high, axis) + 1, rows = cell(high, across) + 1;
@@ -131,7 +131,7 @@ ChannelWidths widths_of(std::span<const ChannelColumn> columns, double spacing, 
   const auto narrower = [](const ChannelColumn* a, const ChannelColumn* b) { return a->width < b->width; };
   const ChannelColumn &narrowest = **std::min_element(with_channel.begin(), with_channel.end(), narrower),
                       &widest = **std::max_element(with_channel.begin(), with_channel.end(), narrower);
-  widths.mean = narrowest.width;  // added to, so that equal widths have exactly their mean
+  widths.mean = narrowest.width;  // accumulate differences, so that equal widths have exactly their mean
   for (const ChannelColumn* column : with_channel) widths.mean += (column->width - narrowest.width) / count;
   for (const ChannelColumn* column : with_channel) widths.deviation += (column->width - widths.mean) * (column->width - widths.mean) / count;
   widths.deviation = std::sqrt(widths.deviation);
@@ -147,18 +147,17 @@ ChannelFrame read_channel_frame(const std::filesystem::path& results, const std:
   frame.spacing = spacing_of(results, body);
   const std::filesystem::path list = output::ResultsFolder::frames_in(results) / (body + ".pvd");
   if (!std::filesystem::exists(list))
-    throw fccda::InputError(fmt::format("{} is not there; the width of a channel is read from pictures, so the run needs output.frames.", list.string()));
+    throw fccda::InputError(fmt::format("{} does not exist; the channel width is read from frames, so the run needs output.frames.", list.string()));
   const std::vector<output::FrameFile> frames = output::frame_files_of(list);
   const auto behind = std::find_if(frames.begin(), frames.end(), [&](const output::FrameFile& one) { return latest && one.time > *latest; });
-  if (behind == frames.begin())
-    throw fccda::InputError(fmt::format("{} lists no picture up to {:.4g} s; take a later --to.", list.string(), latest.value_or(0)));
+  if (behind == frames.begin()) throw fccda::InputError(fmt::format("{} lists no frame up to {:.4g} s; use a later --to.", list.string(), latest.value_or(0)));
   frame.file = std::prev(behind)->file;
   frame.time = std::prev(behind)->time;
   for (const double fragment : fccda::read_point_values(frame.file, "fragment").values) frame.fragments.push_back(static_cast<std::int32_t>(fragment));
-  frame.places = fccda::read_point_values(frames.front().file, "fragment").points;  // that at t = 0
+  frame.places = fccda::read_point_values(frames.front().file, "fragment").points;  // frame at t = 0
   if (frame.places.size() != frame.fragments.size() || frame.places.empty())
     throw fccda::InputError(
-        fmt::format("{} and {} hold other numbers of particles; they are not of one run.", frames.front().file.string(), frame.file.string()));
+        fmt::format("{} and {} have different numbers of particles; use the files of one run.", frames.front().file.string(), frame.file.string()));
   return frame;
 }
 

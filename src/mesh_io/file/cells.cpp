@@ -7,7 +7,7 @@ namespace fccda {
 
 namespace {
 
-/// Of the edge-to-edge size, cubed or squared: less is rounding.
+/// Relative to the extent, cubed or squared; smaller measures are rounding error.
 constexpr double nothing = 1e-12;
 
 Vec3d middle_of(std::span<const Vec3d> points) {
@@ -25,7 +25,7 @@ double size_of(std::span<const Vec3d> corners) {
 std::optional<Cell> solid_cell(ElementKind kind, std::span<const Vec3d> corners) {
   const Vec3d centre = middle_of(corners);
   const double size = size_of(corners), least = nothing * size * size * size;
-  double outward = 0, inward = 0;  // volume of the parts before each side of a face, by their sign
+  double outward = 0, inward = 0;  // sums of the positive and the negative tetrahedron volumes
   Vec3d moment{};
   const auto faces = faces_of(kind);
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -41,7 +41,7 @@ std::optional<Cell> solid_cell(ElementKind kind, std::span<const Vec3d> corners)
     }
   }
   const double volume = outward + inward;
-  constexpr double folded = 1e-3;  // of the volume: a warped face may be a little concave
+  constexpr double folded = 1e-3;  // fraction of the volume: a warped face may be slightly concave
   if (!(std::fabs(volume) > least) || std::min(-inward, outward) > folded * std::fabs(volume)) return std::nullopt;
   return Cell{std::fabs(volume), centre + moment / volume};
 }

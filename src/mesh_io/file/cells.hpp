@@ -1,4 +1,4 @@
-/// Volume and middle of one element of a mesh, over its corners: nodes in the middle of edges are not used.
+/// Volume (or area) and centroid of one mesh element, from its corner nodes; mid-side nodes are not used.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,16 @@
 namespace fccda {
 
 struct Cell {
-  double measure;  ///< [m³] of a solid, [m²] of a surface element
+  double measure;  ///< [m³] for a solid, [m²] for a surface element
   Vec3d centroid;  ///< [m]
 };
 
-/// A solid is cut into tetrahedra from its centre to the triangles that its faces' middles make with their sides, which encloses just the volume
-/// of the trilinear hexahedron. Which way round its nodes run does not matter. A surface element is cut into triangles from its first corner.
+/// Splits a solid into tetrahedra from its centre to the triangles between each face centre and the face's edges. For a hexahedron this gives
+/// exactly the volume of the trilinear element. The orientation of the nodes does not matter. A surface element is split into triangles from
+/// its first corner.
 ///
-/// Nothing where it has no volume, or is turned in on itself (more than a thousandth of it is seen from behind), as solids are whose nodes are in
-/// another order than the file's format has.
+/// Returns nothing for a degenerate or self-folded element (more than a thousandth of its volume inverted), as occurs where the nodes are not in
+/// the order of the file format.
 std::optional<Cell> cell_of(ElementKind kind, std::span<const Vec3d> corners);
 
 }  // namespace fccda

@@ -10,12 +10,12 @@ std::string contents_of(const std::filesystem::path& path) {
   const std::string file = path.string();
   std::error_code problem;
   const auto status = std::filesystem::status(path, problem);
-  if (!std::filesystem::exists(status)) throw InputError(file + ": there is no such file; check the path and the folder it starts from.");
-  if (!std::filesystem::is_regular_file(status)) throw InputError(file + ": this is no file but a folder or a device; give the file of the surface.");
+  if (!std::filesystem::exists(status)) throw InputError(file + ": there is no such file; check the path and the folder it is relative to.");
+  if (!std::filesystem::is_regular_file(status)) throw InputError(file + ": this is a folder or a device, not a file; give the path of the surface file.");
   const std::uintmax_t size = std::filesystem::file_size(path, problem);
   std::ifstream stream(path, std::ios::binary);
-  if (problem || !stream) throw InputError(file + ": the file cannot be opened; check that you may read it.");
-  if (size == 0) throw InputError(file + ": the file is empty; write it again.");
+  if (problem || !stream) throw InputError(file + ": the file cannot be opened; check its read permission.");
+  if (size == 0) throw InputError(file + ": the file is empty; export it again.");
   std::string contents(size, '\0');
   stream.read(contents.data(), static_cast<std::streamsize>(size));
   if (stream.gcount() != static_cast<std::streamsize>(size)) throw InputError(file + ": the file cannot be read to its end; check the disk.");

@@ -1,4 +1,4 @@
-/// What is in a file.
+/// File contents as bytes.
 #pragma once
 
 #include <filesystem>
@@ -6,13 +6,13 @@
 
 namespace fccda {
 
-/// All bytes of the file, as they are. Throws InputError where it is not there, is no file, empty, or cannot be read.
+/// All bytes of the file. Throws InputError where the file does not exist, is not a regular file, is empty or cannot be read.
 std::string contents_of(const std::filesystem::path& path);
 
-/// Does the name end in `.gz`? Then the contents are to be unpacked (inflate.hpp).
+/// Whether the name ends in `.gz`, so that the contents must be decompressed (inflate.hpp).
 bool is_gzip(const std::filesystem::path& path);
 
-/// hull.stl for hull.stl.gz; other names as they are.
+/// The name without `.gz`: hull.stl for hull.stl.gz; other names are unchanged.
 std::filesystem::path unpacked(const std::filesystem::path& path);
 
 }  // namespace fccda

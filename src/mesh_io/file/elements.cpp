@@ -16,7 +16,7 @@ constexpr int none = -1;
 using Face = std::array<int, 4>;  // of three corners, or four
 using Edge = std::array<int, 2>;
 
-/// Corners, edges with a middle node (in the order of those nodes) and faces, by corner number.
+/// Topology of a solid by corner number: corners, edges with a mid-side node (in the order of those nodes) and faces.
 struct Solid {
   std::size_t corners;
   std::span<const Edge> edges;
@@ -64,7 +64,7 @@ std::size_t corners_of_surface(ElementKind kind, std::size_t nodes) {
   }
 }
 
-/// A face of a solid, or a surface element of three or four corners (`face` none), known by its corners in any order.
+/// A face of a solid, or a surface element of three or four corners (`face` empty), identified by its corners in any order.
 struct Cover {
   std::array<int, 4> sorted;
   std::size_t element;
@@ -99,10 +99,10 @@ class Skin {
   }
 
  private:
-  /// Can a face of a solid have the corners of this surface element?
+  /// Whether a face of a solid can have the corners of this surface element.
   bool takes_part(std::size_t e) const { return has_solids_ && corners_of_surface(in_.kinds[e], in_.nodes_of_element(e).size()) <= 4; }
 
-  /// Of all faces and surface elements with the same corners, those that are surface; in the order of the elements.
+  /// The boundary faces: of all faces and surface elements with equal corners, those on the outer surface, in the order of the elements.
   std::vector<Cover> seen_from_outside() {
     has_solids_ = std::any_of(in_.kinds.begin(), in_.kinds.end(), is_solid);
     std::vector<Cover> covers;
@@ -124,8 +124,8 @@ class Skin {
       end = std::find_if(begin, covers.end(), [&](const Cover& c) { return c.sorted != begin->sorted; });
       const auto faces = std::count_if(begin, end, [](const Cover& c) { return c.face != none; });
       if (faces > 2) {
-        throw InputError(file_ + ": " + std::to_string(faces) + " solid elements share one face, the first is number " + std::to_string(begin->element + 1) +
-                         " in the order of the file; elements must not lie in one another: mend the mesh.");
+        throw InputError(file_ + ": " + std::to_string(faces) + " solid elements share one face, the first of them element " +
+                         std::to_string(begin->element + 1) + " in file order; elements must not overlap, so repair the mesh.");
       }
       if (faces == 2) continue;
       const bool is_covered = faces < end - begin;
@@ -158,8 +158,8 @@ class Skin {
         return;
       default:
         if (add_polygon(out_, n)) return;
-        throw InputError(file_ + ": element " + std::to_string(e + 1) + " in the order of the file, a polygon with " + std::to_string(n.size()) +
-                         " corners, cannot be cut into triangles, for its sides cross one another; triangulate the mesh when exporting it.");
+        throw InputError(file_ + ": element " + std::to_string(e + 1) + " in file order, a polygon with " + std::to_string(n.size()) +
+                         " corners, cannot be triangulated because its sides cross; triangulate the mesh before exporting it.");
     }
   }
 

@@ -10,7 +10,7 @@
 namespace fccda {
 namespace {
 
-/// One stream of zlib, which counts bytes by unsigned int: both ends are given to it in pieces.
+/// A zlib stream. zlib counts bytes in unsigned int, so input and output are passed in chunks.
 class Inflater {
  public:
   explicit Inflater(std::string_view packed, int window_bits) : packed_(packed) {
@@ -20,12 +20,12 @@ class Inflater {
   Inflater& operator=(const Inflater&) = delete;
   ~Inflater() { inflateEnd(&stream_); }
 
-  /// Fills `room`, or less where the stream ends, is cut short or damaged. Returns how many bytes were written.
+  /// Fills `room`, or part of it where the stream ends, is truncated or damaged. Returns the number of bytes written.
   std::size_t fill(char* room, std::size_t size) {
     std::size_t written = 0;
     while (written < size && outcome_ == Z_OK) {
       const std::size_t given = std::min(packed_.size(), piece), wanted = std::min(size - written, piece);
-      // zlib reads through a pointer to bytes that are not const, and writes none of them
+      // zlib takes a non-const pointer to its input, but does not write to it
       stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed_.data()));
       stream_.avail_in = static_cast<uInt>(given);
       stream_.next_out = reinterpret_cast<Bytef*>(room + written);
@@ -42,7 +42,7 @@ class Inflater {
   bool is_cut_short() const { return outcome_ == Z_BUF_ERROR; }
   bool is_good() const { return outcome_ == Z_OK; }
 
-  /// After the end of one stream, goes on with the next.
+  /// Continues with the next stream after the end of one.
   void begin_next() {
     inflateReset(&stream_);
     outcome_ = Z_OK;
@@ -61,7 +61,7 @@ constexpr std::string_view gzip_mark = "\x1f\x8b";
 }  // namespace
 
 std::string gunzip(std::string_view packed, const std::string& file) {
-  if (!packed.starts_with(gzip_mark)) throw InputError(file + ": this is no gzip file, though its name ends in .gz; rename it, or pack it again.");
+  if (!packed.starts_with(gzip_mark)) throw InputError(file + ": this is not a gzip file, although its name ends in .gz; rename it or compress it again.");
   const std::size_t most = std::max<std::size_t>(std::size_t{64} << 20, 256 * packed.size());
   constexpr int gzip_window = 15 + 16;
   Inflater inflater(packed, gzip_window);
@@ -71,25 +71,25 @@ std::string gunzip(std::string_view packed, const std::string& file) {
     if (used == out.size()) out.resize(std::min(most + 1, std::max(2 * out.size(), 4 * packed.size() + 256)));
     used += inflater.fill(out.data() + used, out.size() - used);
     if (used > most) {
-      throw InputError(file + ": the file unpacks to more than " + std::to_string(most >> 20) +
-                       " MiB, 256 times its size, which no mesh does; unpack it and look.");
+      throw InputError(file + ": the file decompresses to more than " + std::to_string(most >> 20) +
+                       " MiB, the limit for a mesh file of its size; decompress it and inspect the contents.");
     }
     if (inflater.is_at_end()) {
       if (!inflater.rest().starts_with(gzip_mark)) break;  // zeros may follow, from tapes
       inflater.begin_next();
     } else if (inflater.is_cut_short()) {
-      throw InputError(file + ": the gzip file ends before its contents do; it was cut short; copy it again.");
+      throw InputError(file + ": the gzip file is truncated; copy it again.");
     } else if (!inflater.is_good()) {
-      throw InputError(file + ": the gzip file is damaged after " + std::to_string(used) + " bytes of its contents; copy it again.");
+      throw InputError(file + ": the gzip file is damaged after " + std::to_string(used) + " bytes of decompressed data; copy it again.");
     }
   }
   out.resize(used);
-  if (out.empty()) throw InputError(file + ": there is nothing in this gzip file; write it again.");
+  if (out.empty()) throw InputError(file + ": the gzip file has no contents; export it again.");
   return out;
 }
 
 std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
-  std::string out(size + 1, '\0');  // one more, to see that there is no more
+  std::string out(size + 1, '\0');  // one byte more, to detect excess data
   Inflater inflater(packed, 15);
   if (inflater.fill(out.data(), out.size()) != size || !inflater.is_at_end()) return std::nullopt;
   out.resize(size);

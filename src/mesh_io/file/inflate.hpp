@@ -1,4 +1,4 @@
-/// Unpacking of what zlib has packed.
+/// Decompression of gzip and zlib data.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,12 @@
 
 namespace fccda {
 
-/// The contents of a gzip file, all members one after the other. Throws InputError where it is no gzip file, cut short, damaged, or
-/// unpacks to more than 256 times its size and 64 MiB.
+/// The decompressed contents of a gzip file, all members concatenated. Throws InputError where the data are not gzip, are truncated or damaged,
+/// or exceed both 256 times the compressed size and 64 MiB.
 std::string gunzip(std::string_view packed, const std::string& file);
 
-/// A zlib stream that unpacks to exactly `size` bytes; nothing where it does not. Takes memory of `size`, so check that first: zlib packs
-/// at most 1032 bytes into one.
+/// Decompresses a zlib stream of exactly `size` bytes; nothing for any other size. Allocates `size` bytes, so check it first: zlib compresses at most
+/// 1032 bytes into one.
 std::optional<std::string> inflated(std::string_view packed, std::size_t size);
 
 }  // namespace fccda

@@ -1,4 +1,4 @@
-/// Numbers as binary files store them: of ten types, in either byte order.
+/// Number types of binary files: ten types, in either byte order.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ enum class NumberType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32
 
 constexpr bool is_whole(NumberType type) { return type < NumberType::float32; }
 
-/// Calls `visit` with a zero of the type.
+/// Calls `visit` with a zero of the given type.
 template <class Visit>
 constexpr decltype(auto) visit_type(NumberType type, const Visit& visit) {
   switch (type) {
@@ -63,8 +63,8 @@ inline double real_at(const char* bytes, NumberType type, std::endian order) {
   return visit_type(type, [&](auto zero) { return static_cast<double>(number_at<decltype(zero)>(bytes, order)); });
 }
 
-/// All numbers in `bytes`, as double or std::int64_t; the latter of whole types only. What 64 bits hold with no sign and not with one
-/// becomes the largest, which is no number of anything either.
+/// All numbers in `bytes`, as double or std::int64_t; the latter for integer types only. Unsigned values beyond the signed 64-bit range become the
+/// largest signed value, which is out of range for any index.
 template <class Number>
 std::vector<Number> numbers_in(std::string_view bytes, NumberType type, std::endian order) {
   EXPECTS(std::is_floating_point_v<Number> || is_whole(type));

@@ -1,4 +1,4 @@
-/// Small things that all readers of text need.
+/// Utilities shared by the text readers.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace fccda {
 
-inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  ///< some editors put it before UTF-8
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  ///< some editors put it at the start of UTF-8 files
 
-/// The whole word as a number, in any notation that C++ reads; nothing where it is none, or is out of range. Infinities are numbers here.
+/// The entire word as a number, in any notation that C++ reads; nothing where it is not a number or out of range. Infinities are accepted.
 template <class Number>
 std::optional<Number> parsed(std::string_view word) {
   Number value{};
@@ -21,7 +21,7 @@ std::optional<Number> parsed(std::string_view word) {
   return is_whole ? std::optional(value) : std::nullopt;
 }
 
-/// Without the plus sign that C++ does not read.
+/// The word without a leading plus sign, which std::from_chars rejects.
 inline std::string_view without_plus(std::string_view word) { return word.starts_with('+') && !word.starts_with("+-") ? word.substr(1) : word; }
 
 inline std::string_view trimmed(std::string_view text, std::string_view blanks = " \t") {
@@ -29,7 +29,7 @@ inline std::string_view trimmed(std::string_view text, std::string_view blanks =
   return begin == std::string_view::npos ? std::string_view{} : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-/// As it may be shown in a report: with ? for bytes that no terminal shows.
+/// The text with ? for unprintable bytes, for reports and messages.
 inline std::string printable(std::string_view text) {
   std::string out(text);
   std::replace_if(

@@ -1,4 +1,4 @@
-/// Whole numbers in text: counts, and numbers of vertices.
+/// Integers in text: counts and vertex numbers.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace fccda {
 
-/// The word as a whole number; throws InputError with the line of `words` for anything else. `what` is what the sentence calls it.
+/// The word as an integer; throws InputError with the line of `words` for anything else. `what` names the quantity in the message.
 std::int64_t whole_number(const Words& words, std::string_view word, std::string_view what);
 
-/// The same of a count, which is not negative.
+/// The same for a count, which must not be negative.
 std::size_t count_number(const Words& words, std::string_view word, std::string_view what);
 
 }  // namespace fccda

@@ -13,7 +13,7 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool is_break(char c) { return c == '\n' || c == '\r'; }
 char lowered(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-/// By the character: a look-up where every byte of a file of millions of words passes.
+/// Look-up table by character, since every byte of files with millions of words is tested.
 constexpr auto ends_word = [] {
   std::array<bool, 256> ends{};
   for (const char c : {' ', '\t', '\v', '\f', '\n', '\r'}) ends[static_cast<unsigned char>(c)] = true;
@@ -36,7 +36,7 @@ void Words::pass_line_end() {
 
 std::string_view Words::take_word() {
   const std::size_t begin = at_;
-  std::size_t end = at_;  // a member would be written at every character
+  std::size_t end = at_;  // local, because a member would be stored at every character
   while (end < text_.size() && !ends_word[static_cast<unsigned char>(text_[end])]) ++end;
   at_ = end;
   return text_.substr(begin, end - begin);
@@ -92,7 +92,7 @@ std::string_view Words::bytes(std::size_t count) {
 double Words::number(std::string_view word, std::string_view what) const {
   const std::optional<double> value = parsed<double>(without_plus(word));
   if (!value || !std::isfinite(*value)) {
-    fail(std::string(what) + " has " + shown(word) + " where a finite number belongs; mend the file or write it again.");
+    fail(std::string(what) + " has " + shown(word) + " where a finite number is expected; correct the file or export it again.");
   }
   return *value;
 }

@@ -26,19 +26,19 @@ bool is_iges(const std::filesystem::path& path) {
   return is_word(extension, ".igs") || is_word(extension, ".iges");
 }
 
-/// gmsh says of any other file that it could not read it, and no more.
+/// Checks the file type first, since the error of gmsh for other files gives no reason.
 void check_kind(const std::filesystem::path& path) {
   const std::string file = path.string();
-  if (is_gzip(path)) throw InputError(file + ": packed CAD files are not read; unpack it with gunzip and name the file without .gz.");
+  if (is_gzip(path)) throw InputError(file + ": compressed CAD files are not supported; decompress the file with gunzip and give its name without .gz.");
   const std::string contents = contents_of(path);
   constexpr std::size_t letter_column = 72;  // of the 80 of each line of IGES; S: the start section
   if (is_iges(path) && (contents.size() <= letter_column || contents[letter_column] != 'S'))
-    throw InputError(file + ": this is no IGES file, for its first line has no S in column 73; export it again, as STEP if that is possible.");
+    throw InputError(file + ": this is not an IGES file: its first line has no S in column 73; export it again, as STEP if possible.");
   if (!is_iges(path) && Words(contents, file).next().substr(0, 12) != "ISO-10303-21")
-    throw InputError(file + ": this is no STEP file, for it does not begin with `ISO-10303-21`; export it again.");
+    throw InputError(file + ": this is not a STEP file: it does not begin with `ISO-10303-21`; export it again.");
 }
 
-/// Why gmsh, or OpenCASCADE in it, did not go on: OpenCASCADE's last complaint, which says more, or else gmsh's own.
+/// The reason for a failure: the last error of OpenCASCADE, which is more specific, or else that of gmsh.
 std::string last_error(const std::string& output) {
   constexpr std::string_view of_gmsh = "Error   : ", of_opencascade = "ERR ", stars = "****";
   std::string general, exact;
@@ -46,7 +46,7 @@ std::string last_error(const std::string& output) {
   for (; !words.at_end(); words.skip_line()) {
     const std::string line = words.rest_of_line();
     if (line.starts_with(of_gmsh)) general = line.substr(of_gmsh.size());
-    const std::size_t begin = line.find(of_opencascade);  // between colours and stars
+    const std::size_t begin = line.find(of_opencascade);  // between colour codes and asterisks
     if (begin == std::string::npos) continue;
     exact = line.substr(begin + of_opencascade.size());
     exact.resize(std::min(exact.find(stars), exact.size()));
@@ -56,28 +56,28 @@ std::string last_error(const std::string& output) {
 }
 
 void check_end(const ProgramEnd& end, const std::string& file) {
-  const std::string advice = "; open the file in gmsh or another CAD program, mend it there and export it again, or export STL.";
-  if (end.signal == SIGINT) throw InputError(file + ": meshing it with gmsh was interrupted.");
-  if (end.signal != 0) throw InputError(file + ": gmsh crashed while it read or meshed this file (" + strsignal(end.signal) + ")" + advice);
+  const std::string advice = "; repair the file in gmsh or another CAD program and export it again, or export STL.";
+  if (end.signal == SIGINT) throw InputError(file + ": meshing with gmsh was interrupted.");
+  if (end.signal != 0) throw InputError(file + ": gmsh crashed while reading or meshing this file (" + strsignal(end.signal) + ")" + advice);
   const std::string reason = last_error(end.output);
   if (end.exit_code == 0 && reason.empty()) return;
   throw InputError(file + ": gmsh cannot mesh this file" + (reason.empty() ? "" : ": " + reason) + advice);
 }
 
-/// What gmsh's mesh holds, in its unit: OpenCASCADE, which reads the file, makes millimetres of every unit. (Geometry.OCCTargetUnit would
-/// make metres, but fails for IGES in Gmsh 4.8.)
+/// The mesh that gmsh generates, in millimetres: OpenCASCADE, which reads the file, converts every unit to millimetres.
+/// (Geometry.OCCTargetUnit would convert to metres, but fails for IGES in Gmsh 4.8.)
 Elements mesh_of(const std::filesystem::path& path) {
   const std::string file = path.string();
   const TemporaryFolder folder;
-  const std::string name = is_iges(path) ? "model.igs" : "model.step";  // gmsh goes by the extension, and could mistake parts of other names for options
+  const std::string name = is_iges(path) ? "model.igs" : "model.step";  // gmsh selects the format by extension and could parse parts of other names as options
   std::error_code problem;
   std::filesystem::create_symlink(std::filesystem::absolute(path), folder / name, problem);
-  if (problem) throw RunError(folder.path().string() + ": nothing can be put into this temporary folder: " + problem.message() + ".");
+  if (problem) throw RunError(folder.path().string() + ": cannot write to this temporary folder: " + problem.message() + ".");
   std::vector<std::string> words{"gmsh", name, "-2", "-v", "2", "-nt", "1", "-bin", "-format", "msh41", "-o", "mesh.msh"};
   const auto set = [&](const char* option, const char* value) { words.insert(words.end(), {"-setnumber", option, value}); };
   set("Mesh.MeshSizeFromCurvature", panels_around_a_circle);
   if (is_iges(path)) {
-    set("Geometry.OCCSewFaces", "1");  // IGES has faces one by one, STEP mostly solids, which must not be sewn to one another
+    set("Geometry.OCCSewFaces", "1");  // IGES stores separate faces; STEP mostly stores solids, which must not be sewn together
     set("Geometry.Tolerance", sewing_tolerance);
   }
   const auto end = run_program(words, folder, {"GMSH_HOME=" + folder.path().string()});  // not with the user's own settings
@@ -95,7 +95,7 @@ Elements mesh_of(const std::filesystem::path& path) {
 Elements read_cad(const std::filesystem::path& path) {
   check_kind(path);
   Elements elements = mesh_of(path);
-  if (elements.size() == 0) throw InputError(path.string() + ": gmsh finds no surfaces in this file; export solids or faces, not curves or points alone.");
+  if (elements.size() == 0) throw InputError(path.string() + ": gmsh finds no surfaces in this file; export solids or faces, not only curves or points.");
   for (Vec3d& vertex : elements.vertices) vertex *= metres_per_millimetre;
   return elements;
 }

@@ -1,4 +1,4 @@
-/// CAD files, STEP and IGES, meshed by the program `gmsh`.
+/// CAD files (STEP and IGES), meshed with the program `gmsh`.
 #pragma once
 
 #include <filesystem>
@@ -7,15 +7,15 @@
 
 namespace fccda {
 
-/// Triangles over all faces of the file, in metres, whatever its unit. Parts are the faces, "surface 5" as gmsh counts them; it does not hand
-/// on the names that the file gives. Panels are so small that 36 would go around a circle of the local curvature (they lie within 0.4 % of the
-/// radius), and at most a tenth of the model's diagonal long; who needs another size meshes the file with gmsh and reads its .msh.
+/// A triangle mesh of all faces of the file, in metres whatever its unit. Parts are the faces, "surface 5" in gmsh's numbering; gmsh does not
+/// pass on the names in the file. The mesh size gives 36 panels around a circle of the local curvature (deviation within 0.4 % of the radius),
+/// and is at most a tenth of the model's diagonal. For another mesh size, mesh the file with gmsh and read its .msh.
 ///
-/// Faces of IGES whose edges lie within 1 µm of one another are sewn together, those of STEP stay as its solids and shells have them.
+/// IGES faces whose edges lie within 1 µm of one another are sewn together; STEP faces keep the topology of their solids and shells.
 ///
-/// The program is looked up on PATH and run without a shell, in a temporary folder that is gone afterwards. Throws InputError where the
-/// file is packed, no CAD file or without surfaces, and where gmsh is not there, fails, or says that anything went wrong: a face
-/// that it cannot mesh would leave a hole. Throws RunError where no temporary folder can be made or filled, or the program not be started.
+/// The program is found on PATH and run without a shell, in a temporary folder that is removed afterwards. Throws InputError where the
+/// file is compressed, not a CAD file or has no surfaces, and where gmsh is missing, fails or reports any error: a face that it cannot
+/// mesh would leave a hole. Throws RunError where the temporary folder cannot be created or written, or the program cannot be started.
 Elements read_cad(const std::filesystem::path& path);
 
 }  // namespace fccda

@@ -19,7 +19,7 @@
 namespace fccda {
 namespace {
 
-/// What execve wants: pointers to the strings, and a null pointer.
+/// The argument vector of execve: pointers to the strings and a terminating null pointer.
 std::vector<char*> pointers(std::vector<std::string>& strings) {
   std::vector<char*> out;
   for (std::string& string : strings) out.push_back(string.data());
@@ -40,7 +40,7 @@ std::vector<std::string> environment_with(const std::vector<std::string>& variab
 
 constexpr int keyboard_signals[] = {SIGINT, SIGQUIT};
 
-/// This process does not hear interrupts from the keyboard, as system(3) has it.
+/// Ignores keyboard interrupts in this process while a child runs, as system(3) does.
 class DeafToKeyboard {
  public:
   DeafToKeyboard() {
@@ -104,7 +104,7 @@ TemporaryFolder::TemporaryFolder() {
   const std::filesystem::path parent = std::filesystem::temp_directory_path(problem);
   std::string name = (parent / "fccda-XXXXXX").string();
   if (problem || mkdtemp(name.data()) == nullptr)
-    throw RunError("no temporary folder can be made in " + parent.string() + "; make room there, or name another place in the variable TMPDIR.");
+    throw RunError("cannot create a temporary folder in " + parent.string() + "; free disk space there or set TMPDIR to another folder.");
   path_ = name;
 }
 
@@ -125,7 +125,7 @@ std::optional<ProgramEnd> run_program(const std::vector<std::string>& words, con
     if (problem == ENOENT) return {};
     if (problem != 0) throw RunError("the program " + words[0] + " cannot be started: " + std::generic_category().message(problem) + ".");
     while (waitpid(child, &status, 0) < 0)
-      if (errno != EINTR) throw RunError("the end of the program " + words[0] + " cannot be waited for: " + std::generic_category().message(errno) + ".");
+      if (errno != EINTR) throw RunError("waiting for the program " + words[0] + " failed: " + std::generic_category().message(errno) + ".");
   }
   ProgramEnd end;
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);

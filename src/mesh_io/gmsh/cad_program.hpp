@@ -1,4 +1,4 @@
-/// Another program, run in a temporary folder.
+/// Runs an external program in a temporary folder.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace fccda {
 
-/// A new folder that only its owner may enter, removed with all that is in it.
+/// A temporary folder accessible to its owner only, removed with its contents on destruction.
 class TemporaryFolder {
  public:
-  TemporaryFolder();  ///< throws RunError where none can be made
+  TemporaryFolder();  ///< throws RunError where it cannot be created
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -25,14 +25,14 @@ class TemporaryFolder {
 
 struct ProgramEnd {
   int exit_code = 0;
-  int signal = 0;      ///< that ended the program; 0: none did
-  std::string output;  ///< the last 64 kB of what it wrote to both of its streams
+  int signal = 0;      ///< that terminated the program; 0: none
+  std::string output;  ///< the last 64 kB of its standard output and standard error
 };
 
-/// Runs `words[0]`, looked up on PATH, with the other words as its arguments and `folder` as its working directory, and waits for its end.
-/// Nothing where there is no such program. It has no input. While it runs, an interrupt from the keyboard reaches it alone, so that
-/// the caller can clean up; `signal` tells. `variables`: set in its environment besides ours, as NAME=value. Throws RunError where it is there but cannot
-/// be started or waited for.
+/// Runs `words[0]`, found on PATH, with the other words as arguments and `folder` as working directory, and waits for it to end.
+/// Returns nothing where the program does not exist. Its standard input is empty. While it runs, a keyboard interrupt reaches only the
+/// program, so that the caller can clean up; ProgramEnd::signal reports it. `variables`: additional environment variables, as NAME=value.
+/// Throws RunError where the program exists but cannot be started or waited for.
 std::optional<ProgramEnd> run_program(const std::vector<std::string>& words, const TemporaryFolder& folder, const std::vector<std::string>& variables);
 
 }  // namespace fccda

@@ -22,10 +22,10 @@ class Gmsh {
   Elements parse() {
     for (std::string line = in_.line(); !line.empty(); line = in_.line()) {
       if (!line.starts_with('$') || line.starts_with("$End"))
-        in_.fail(shown(line) + " stands where a section such as `$Nodes` belongs; mend the file or write it again.");
+        in_.fail(shown(line) + " appears where a section such as `$Nodes` is expected; correct the file or export it again.");
       parse_section(line.substr(1));
     }
-    if (!has_elements_) in_.fail("the file ends without `$Elements`; it was cut short or holds no mesh; write it again.");
+    if (!has_elements_) in_.fail("the file ends without `$Elements`; it is truncated or contains no mesh: export it again.");
     if (in_.version() == GmshVersion::v2) groups_.join_repeated(out_);
     groups_.name_parts(out_);
     return std::move(out_);
@@ -42,15 +42,15 @@ class Gmsh {
     } else if (name == "PartitionedEntities" && is_4()) {
       parse_partitioned_entities();
     } else if (name == "Nodes") {
-      if (has_nodes_) in_.fail("there is a second section `$Nodes`; write each mesh into a file of its own.");
+      if (has_nodes_) in_.fail("there is a second `$Nodes` section; export each mesh to a separate file.");
       is_4() ? parse_node_blocks() : parse_nodes();
       finish_nodes();
     } else if (name == "Elements") {
-      if (!has_nodes_) in_.fail("`$Elements` comes before `$Nodes`; write the file again with Gmsh.");
+      if (!has_nodes_) in_.fail("`$Elements` comes before `$Nodes`; export the file again with Gmsh.");
       has_elements_ = true;
       is_4() ? parse_element_blocks() : in_.is_binary() ? parse_binary_elements() : parse_text_elements();
     } else if (name == "ParametricNodes") {
-      in_.fail("the section `$ParametricNodes` cannot be read; write the mesh without parametric coordinates (Mesh.SaveParametric 0).");
+      in_.fail("the section `$ParametricNodes` is not supported; export the mesh without parametric coordinates (Mesh.SaveParametric 0).");
     } else {
       return in_.skip_section(name);
     }
@@ -67,9 +67,10 @@ class Gmsh {
       int found = 0;
       for (std::string_view word = words.next(); found < 2 && !word.empty() && word.front() != '"'; word = words.next()) tags[found++] = in_.integer_of(word);
       const std::size_t open = line.find('"'), close = line.rfind('"');
-      if (found == 0 || open == close) in_.fail(in_.place() + " is " + shown(line) + ", but has the form `2 1 \"hull\"`; mend the file or write it again.");
-      constexpr std::size_t longest = 512;  // the format allows 127 characters, each of up to four bytes
-      if (close - open > longest) in_.fail(in_.place() + " is longer than 127 characters; shorten it in Gmsh and write it again.");
+      if (found == 0 || open == close)
+        in_.fail(in_.place() + " is " + shown(line) + ", but must have the form `2 1 \"hull\"`; correct the file or export it again.");
+      constexpr std::size_t longest = 512;  // the format allows 127 characters of up to four bytes each
+      if (close - open > longest) in_.fail(in_.place() + " is longer than 127 characters; shorten it in Gmsh and export it again.");
       const std::string name = line.substr(open + 1, close - open - 1);
       // version 2.0 did not write the dimension
       for (const int dimension : {2, 3})
@@ -117,7 +118,7 @@ class Gmsh {
     return counts;
   }
 
-  /// What follows the tag: where the entity is, its groups, what bounds it.
+  /// Fields after the tag: bounding box, physical groups, bounding entities.
   void parse_groups(GmshEntity entity, int called) {
     const bool is_point = entity.first == 0;
     const int box = is_point && in_.version() == GmshVersion::v4_1 ? 3 : 6;
@@ -155,8 +156,8 @@ class Gmsh {
       const int parametric = in_.integer();
       const std::int64_t count = in_.count();
       if (dimension < 0 || dimension > 3 || parametric < 0 || parametric > 1)
-        in_.fail(in_.place() + " begins with numbers that are no dimension and no 0 or 1; the file is damaged; write it again.");
-      // curves have one parameter, surfaces two; volumes three, in 4.1
+        in_.fail(in_.place() + " begins with an invalid dimension or parametric flag; the file is damaged: export it again.");
+      // curves have one parameter, surfaces two and, in version 4.1, volumes three
       const int parameters = parametric == 0 || (dimension == 3 && !is_4_1) ? 0 : dimension;
       const std::int64_t before = static_cast<std::int64_t>(tags_.size());
       if (is_4_1) {
@@ -182,28 +183,27 @@ class Gmsh {
 
   void check_total(const char* what, std::int64_t found, std::int64_t total) {
     if (found == total) return;
-    in_.fail("the blocks hold " + std::to_string(found) + " " + what + ", but the section says " + std::to_string(total) +
-             "; the file is damaged; write it again.");
+    in_.fail("the blocks contain " + std::to_string(found) + " " + what + ", but the section states " + std::to_string(total) +
+             "; the file is damaged: export it again.");
   }
 
   void parse_vertex() {
     Vec3d vertex;
     for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] = in_.number();
-    if (out_.vertices.size() == static_cast<std::size_t>(std::numeric_limits<int>::max())) in_.fail("there are too many nodes; make the mesh coarser.");
+    if (out_.vertices.size() == static_cast<std::size_t>(std::numeric_limits<int>::max())) in_.fail("too many nodes; coarsen the mesh.");
     out_.vertices.push_back(vertex);
   }
 
   void finish_nodes() {
     has_nodes_ = true;
-    if (const auto twice = tags_.finish())
-      in_.fail("two nodes have the number " + std::to_string(*twice) + "; number the mesh anew in Gmsh and write it again.");
+    if (const auto twice = tags_.finish()) in_.fail("two nodes have the number " + std::to_string(*twice) + "; renumber the mesh in Gmsh and export it again.");
   }
 
   const GmshKind& kind_of(int type) const {
     if (const GmshKind* kind = gmsh_kind(type)) return *kind;
-    in_.fail("elements of Gmsh's type " + std::to_string(type) +
-             " cannot be read: only points, lines, triangles, quads, tetrahedra, hexahedra, prisms and pyramids of first or second order; set "
-             "Mesh.ElementOrder to 1 or 2 and write the mesh again.");
+    in_.fail("elements of Gmsh type " + std::to_string(type) +
+             " are not supported, only points, lines, triangles, quads, tetrahedra, hexahedra, prisms and pyramids of first or second order; set "
+             "Mesh.ElementOrder to 1 or 2 and export the mesh again.");
   }
 
   template <class Integer>
@@ -216,7 +216,7 @@ class Gmsh {
     for (int n = 0; n < kind.nodes; ++n) {
       const std::int64_t tag = next_tag();
       const std::optional<int> node = tags_.find(tag);
-      if (!node) in_.fail(in_.place() + " has node `" + std::to_string(tag) + "`, but there is none of that number; mend the mesh and write it again.");
+      if (!node) in_.fail(in_.place() + " has node `" + std::to_string(tag) + "`, which is not defined; repair the mesh and export it again.");
       in_file[static_cast<std::size_t>(n)] = *node;
     }
     const std::span<const std::uint8_t> order = is_reversed && kind.dimension == 2 ? kind.reversed : kind.order;
@@ -227,13 +227,13 @@ class Gmsh {
 
   /// Tags and nodes of an element of version 2.
   void parse_element(const GmshKind& kind, int tag_count) {
-    if (tag_count < 0) in_.fail(in_.place() + " has " + std::to_string(tag_count) + " tags; the file is damaged; write it again.");
-    std::array<int, 3> belongs{kind.dimension, 0, 0};  // then its group and its entity; more tags say its partitions
+    if (tag_count < 0) in_.fail(in_.place() + " has " + std::to_string(tag_count) + " tags; the file is damaged: export it again.");
+    std::array<int, 3> belongs{kind.dimension, 0, 0};  // then its group and its entity; further tags give its partitions
     for (int t = 1; t <= tag_count; ++t) {
       const int tag = in_.integer();
       if (t < 3) belongs[static_cast<std::size_t>(t)] = tag;
     }
-    if (belongs != belongs_ && kind.dimension >= 2) {  // most are of the same label as the one before
+    if (belongs != belongs_ && kind.dimension >= 2) {  // most have the label of the previous element
       belongs_ = belongs;
       label_ = groups_.label_of(belongs[0], belongs[1], belongs[2]);
     }
@@ -258,7 +258,7 @@ class Gmsh {
       const GmshKind& kind = kind_of(in_.integer());
       const int in_block = in_.integer(), tags = in_.integer();
       if (in_block < 1 || in_block > count - e + 1)
-        in_.fail(in_.place() + " begins a block of " + std::to_string(in_block) + "; the count or the file is damaged; write it again.");
+        in_.fail(in_.place() + " begins a block of " + std::to_string(in_block) + "; the count or the file is damaged: export it again.");
       for (const std::int64_t end = e + in_block; e < end; ++e) {
         in_.begin("element", e, count);
         in_.integer();
@@ -295,8 +295,8 @@ class Gmsh {
   Elements out_;
   NodeTags tags_;
   GmshGroups groups_;
-  std::array<int, 3> belongs_{};  // version 2: dimension, group and entity of the latest surface or solid
-  int label_ = 0;                 // and their label
+  std::array<int, 3> belongs_{};  // version 2: dimension, group and entity of the latest surface or solid element
+  int label_ = 0;                 // the label of these
   bool has_nodes_ = false, has_elements_ = false;
 };
 

@@ -1,7 +1,7 @@
-/// Gmsh's own format, .msh: versions 2, 4.0 and 4.1, as text or binary in either byte order.
+/// Gmsh mesh format (.msh): versions 2, 4.0 and 4.1, text or binary in either byte order.
 ///
-/// Sources: Gmsh reference manual, sections "MSH file format", "Node ordering" and "Legacy formats"; for 4.0, which it no longer
-/// describes, files that Gmsh 4.8 writes.
+/// Sources: Gmsh reference manual, sections "MSH file format", "Node ordering" and "Legacy formats"; for version 4.0, which the manual no
+/// longer describes, files written by Gmsh 4.8.
 #pragma once
 
 #include <string>
@@ -11,12 +11,11 @@
 
 namespace fccda {
 
-/// Triangles, quads, tetrahedra, hexahedra, prisms and pyramids of first and second order; in solids of second order the nodes in the
-/// middle of edges are used, those in the middle of faces are not. Parts are physical groups, by name or as "physical surface 3"; elements
-/// in several groups are a part of their own, called by all names, "deck + hull". Elements in none are parts by the entity they mesh,
-/// "surface 5" or "volume 2". An entity that its first group holds turned over is turned over. Points, lines and all sections that
-/// say nothing of nodes, elements and groups are skipped. Throws InputError that names the file and the line (text) or the node or element
-/// (binary, counted from 1).
+/// Reads triangles, quads, tetrahedra, hexahedra, prisms and pyramids of first and second order. Of second-order solids the mid-side
+/// nodes are used, mid-face nodes are not. Parts are physical groups, by name or as "physical surface 3"; elements in several groups form
+/// a separate part that joins the names, "deck + hull". Elements in no group are named after their entity, "surface 5" or "volume 2". An
+/// entity that is reversed in its first group is reversed. Points, lines and sections that do not concern nodes, elements or groups are
+/// skipped. Throws InputError with the file and the line (text) or the node or element (binary, counted from 1).
 Elements parse_gmsh(std::string_view contents, const std::string& file);
 
 }  // namespace fccda

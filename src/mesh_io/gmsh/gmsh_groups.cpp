@@ -11,7 +11,7 @@
 namespace fccda {
 namespace {
 
-/// Numbers of the elements, those with the same nodes one after the other, each such run in the order of the file.
+/// Element numbers sorted by nodes, so that elements with equal nodes are adjacent, in file order among themselves.
 std::vector<std::size_t> by_nodes(const Elements& elements) {
   std::vector<int> nodes = elements.nodes;
   const auto nodes_of = [&](std::size_t e) {
@@ -38,7 +38,7 @@ bool have_same_nodes(const Elements& elements, std::size_t a, std::size_t b) {
 void GmshGroups::add(GmshEntity entity, const std::vector<int>& groups, int called) {
   Membership membership{{entity.first, groups, groups.empty() ? called : 0}, !groups.empty() && groups.front() < 0};
   std::vector<int>& tags = membership.label.groups;
-  constexpr int least = std::numeric_limits<int>::min();  // has no positive, and is as good a tag as any
+  constexpr int least = std::numeric_limits<int>::min();  // cannot be negated; a valid tag nevertheless
   std::transform(tags.begin(), tags.end(), tags.begin(), [](int tag) { return tag == least ? tag : std::abs(tag); });
   std::sort(tags.begin(), tags.end());
   tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
@@ -77,7 +77,7 @@ void GmshGroups::join_repeated(Elements& elements) {
     std::set<int> groups(label.groups.begin(), label.groups.end());
     for (end = std::next(begin); end != order.end() && have_same_nodes(elements, *begin, *end); ++end) {
       const std::vector<int>& more = labels_[static_cast<std::size_t>(elements.part[*end])].groups;
-      // one without a group, or in the same group again, is no repetition for a group's sake: it stays, as a mistake of the mesh
+      // a duplicate without a group or within one group does not result from group membership: it is kept, as a defect of the mesh
       if (groups.empty() || more.empty() || !groups.insert(more.front()).second) continue;
       elements.part[*end] = dropped;
     }
@@ -93,7 +93,7 @@ void GmshGroups::join_repeated(Elements& elements) {
 std::string GmshGroups::name_of(const GmshLabel& label) const {
   const std::string noun = label.dimension == 3 ? "volume " : "surface ";
   if (label.groups.empty()) return label.entity == 0 ? "" : noun + std::to_string(label.entity);
-  constexpr std::size_t longest = 200;  // [bytes] a group takes two bytes of the file, its name up to 512, in every label anew
+  constexpr std::size_t longest = 200;  // [bytes] a group takes two bytes in the file, but up to 512 for its name in every label
   std::string all;
   std::set<std::string> seen;
   for (auto group = label.groups.begin(); group != label.groups.end(); ++group) {

@@ -1,4 +1,4 @@
-/// What elements of Gmsh are called: by the physical groups of the entity they mesh, or else by that entity.
+/// Part names of Gmsh elements: the physical groups of their entity, or else the entity itself.
 #pragma once
 
 #include <map>
@@ -10,46 +10,46 @@
 
 namespace fccda {
 
-/// A point, curve, surface or volume of the geometry, known by dimension and tag.
+/// A point, curve, surface or volume of the geometry: its dimension and tag.
 using GmshEntity = std::pair<int, int>;
 
-/// Where an element belongs. Elements of one label are one part.
+/// Physical groups and entity of an element. Elements with equal labels form one part.
 struct GmshLabel {
   int dimension = 0;
   std::vector<int> groups;  ///< tags of the physical groups, ascending, each once
-  int entity = 0;           ///< tag of the entity where there is no group; 0: nor an entity
+  int entity = 0;           ///< tag of the entity where there is no group; 0: no entity either
   friend auto operator<=>(const GmshLabel&, const GmshLabel&) = default;
 };
 
 class GmshGroups {
  public:
-  /// The name of the physical group with that tag.
+  /// Names the physical group with that tag.
   void name(int dimension, int group, std::string name) { names_[{dimension, group}] = std::move(name); }
 
-  /// Physical groups of an entity, in the order of the file; a negative tag says that the group holds the entity turned over. `called` is the
-  /// entity whose tag names the elements where there are none: the entity itself, or the one that it is a partition of.
+  /// Physical groups of an entity, in file order; a negative tag marks an entity that is reversed in the group. `called` is the
+  /// entity whose tag names the elements that have no group: the entity itself, or the parent of a partition.
   void add(GmshEntity entity, const std::vector<int>& groups, int called);
 
-  /// The label of the entity's elements, numbered; one number a label.
+  /// The number of the label of the entity's elements; one number per label.
   int label_of(GmshEntity entity);
-  /// That of elements in one group (0: in none), where the file says so element by element.
+  /// The same for elements in one group (0: none), where the file gives the group per element.
   int label_of(int dimension, int group, int entity);
 
-  /// Is the entity turned over by the first of its groups?
+  /// Whether the entity is reversed in its first group.
   bool is_reversed(GmshEntity entity) const;
 
-  /// Version 2 lists an element once for each of its groups. Makes one of those: `elements` with labels as parts.
+  /// Merges the repeated elements of version 2, which lists an element once per group. `elements`: with labels as parts.
   void join_repeated(Elements& elements);
 
-  /// Puts part names in place of labels. Of several groups all names, "deck + hull", or as many as fit into 200 bytes: "deck + hull + 12 more".
-  /// Labels that are called the same are one part.
+  /// Replaces labels by part names. Several groups are joined, "deck + hull", up to 200 bytes: "deck + hull + 12 more". Labels with equal
+  /// names form one part.
   void name_parts(Elements& elements) const;
 
  private:
   struct Membership {
     GmshLabel label;
     bool is_reversed;
-    int number = -1;  // of the label, once one asked: many blocks may belong to an entity of many groups
+    int number = -1;  // of the label, cached: many blocks may belong to an entity with many groups
   };
 
   int number_of(const GmshLabel& label);

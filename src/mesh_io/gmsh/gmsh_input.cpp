@@ -13,15 +13,15 @@
 namespace fccda {
 namespace {
 
-constexpr std::string_view cut_short = "it was cut short; write it again.";
-constexpr std::string_view damaged = "the count or the file is damaged; write it again.";
+constexpr std::string_view cut_short = "it is truncated: export it again.";
+constexpr std::string_view damaged = "the count or the file is damaged: export it again.";
 
 }  // namespace
 
 GmshInput::GmshInput(std::string_view contents, const std::string& file) : file_(file), words_(contents, file) {
   const std::string_view header = words_.next();
-  if (header == "$NOD") fail("this is version 1 of Gmsh's format, which cannot be read; open the mesh in Gmsh and export it as version 4 or 2.");
-  if (header != "$MeshFormat") fail(shown(header) + " stands where `$MeshFormat` belongs, so this is no mesh of Gmsh; export it as one.");
+  if (header == "$NOD") fail("version 1 of the Gmsh format is not supported; open the mesh in Gmsh and export it as version 4 or 2.");
+  if (header != "$MeshFormat") fail(shown(header) + " appears where `$MeshFormat` is expected, so this is not a Gmsh mesh; export it as one.");
 
   const std::string_view version = words_.next();
   const std::optional<double> number = parsed<double>(version);
@@ -30,12 +30,13 @@ GmshInput::GmshInput(std::string_view contents, const std::string& file) : file_
   } else if (number == 4.0 || number == 4.1) {
     version_ = number == 4.0 ? GmshVersion::v4_0 : GmshVersion::v4_1;
   } else {
-    fail(shown(version) + " is no version of Gmsh's format that can be read, which are 2, 4.0 and 4.1; open the mesh in Gmsh and export it as one of these.");
+    fail(shown(version) + " is not a supported version of the Gmsh format; open the mesh in Gmsh and export it as version 2, 4.0 or 4.1.");
   }
 
   const std::string_view type = words_.next(), size = words_.next();
-  if (type != "0" && type != "1") fail(shown(type) + " stands where 0 (text) or 1 (binary) belongs behind the version; mend the file or write it again.");
-  if (size != "8") fail("the file has numbers of " + shown(size) + " bytes, but only those of 8 can be read; write it on a 64-bit machine.");
+  if (type != "0" && type != "1")
+    fail(shown(type) + " appears where 0 (text) or 1 (binary) is expected after the version; correct the file or export it again.");
+  if (size != "8") fail("the file has numbers of " + shown(size) + " bytes, but 8 are required; export it on a 64-bit machine.");
   is_binary_ = type == "1";
   if (is_binary_) begin_binary(contents.substr(static_cast<std::size_t>(size.data() + size.size() - contents.data())));
   end_section("MeshFormat");
@@ -45,7 +46,9 @@ void GmshInput::begin_binary(std::string_view rest) {
   rest_ = rest.substr(std::min(rest.find('\n'), rest.size() - 1) + 1);
   if (rest_.size() >= sizeof(std::int32_t) && number_at<std::int32_t>(rest_.data(), byte_order_) != 1) byte_order_ = std::endian::big;
   if (value<std::int32_t>() != 1) {
-    fail("the file says that it is binary, but the binary one that tells the byte order does not follow; it is text or was copied as text; write it again.");
+    fail(
+        "the header declares binary data, but the integer 1 that marks the byte order does not follow; the file is text or was transferred as text: export it "
+        "again.");
   }
 }
 
@@ -72,13 +75,13 @@ T GmshInput::value() {
 std::string_view GmshInput::word() {
   const std::string_view word = words_.next();
   if (word.empty()) fail_at_end();
-  if (word.front() == '$') fail(shown(word) + " stands in " + place() + "; " + std::string(damaged));
+  if (word.front() == '$') fail(shown(word) + " appears in " + place() + "; " + std::string(damaged));
   return word;
 }
 
 std::int64_t GmshInput::long_integer_of(std::string_view word) const {
   const std::optional<std::int64_t> integer = parsed<std::int64_t>(word);
-  if (!integer) fail(place() + " has " + shown(word) + " where a whole number belongs; mend the file or write it again.");
+  if (!integer) fail(place() + " has " + shown(word) + " where an integer is expected; correct the file or export it again.");
   return *integer;
 }
 
@@ -98,19 +101,19 @@ std::int64_t GmshInput::long_integer() {
 }
 
 void GmshInput::fail_out_of_range(std::string_view number) const {
-  fail(place() + " has the number " + shown(number) + ", which is out of range; the file is damaged, or the mesh is to be numbered anew in Gmsh.");
+  fail(place() + " has the number " + shown(number) + ", which is out of range; renumber the mesh in Gmsh, or export it again if the file is damaged.");
 }
 
 std::int64_t GmshInput::count() {
   const std::int64_t count = long_integer();
-  if (count < 0) fail(place() + " has `" + std::to_string(count) + "` where a count belongs; " + std::string(damaged));
+  if (count < 0) fail(place() + " has `" + std::to_string(count) + "` where a count is expected; " + std::string(damaged));
   return count;
 }
 
 double GmshInput::number() {
   if (is_binary_) {
     const auto number = value<double>();
-    if (!std::isfinite(number)) fail(place() + " has a coordinate that is not a finite number; mend the mesh and write it again.");
+    if (!std::isfinite(number)) fail(place() + " has a coordinate that is not a finite number; repair the mesh and export it again.");
     return number;
   }
   const std::string_view w = word();
@@ -137,7 +140,7 @@ std::string GmshInput::line() {
 std::int64_t GmshInput::count_in_line(std::string_view of) {
   const std::string text = line();
   const std::optional<std::int64_t> count = parsed<std::int64_t>(text);
-  if (!count || *count < 0) fail(shown(text) + " stands where the number of " + std::string(of) + " belongs; mend the file or write it again.");
+  if (!count || *count < 0) fail(shown(text) + " appears where the number of " + std::string(of) + " is expected; correct the file or export it again.");
   return *count;
 }
 
@@ -145,7 +148,7 @@ void GmshInput::end_section(std::string_view section) {
   const std::string end = "$End" + std::string(section), text = line();
   if (text == end) return;
   if (end.starts_with(text)) fail("the file ends before `" + excerpt(end) + "`; " + std::string(cut_short));
-  fail(shown(text) + " stands where `" + excerpt(end) + "` belongs; " + std::string(damaged));
+  fail(shown(text) + " appears where `" + excerpt(end) + "` is expected; " + std::string(damaged));
 }
 
 void GmshInput::skip_section(std::string_view section) {

@@ -17,7 +17,7 @@ constexpr Node triangle_6_reversed[] = {0, 2, 1, 5, 4, 3};
 constexpr Node quad_8_reversed[] = {0, 3, 2, 1, 7, 6, 5, 4};
 constexpr Node quad_9_reversed[] = {0, 3, 2, 1, 7, 6, 5, 4, 8};
 
-// behind the corners: for each edge in the order of Elements, which of the file's nodes lies on it
+// after the corners: for each edge in the order of Elements, the index of its mid-side node in the file
 // Gmsh: 01 12 20 03 23 13
 constexpr Node tetrahedron_10[] = {0, 1, 2, 3, /*01*/ 4, /*12*/ 5, /*20*/ 6, /*03*/ 7, /*13*/ 9, /*23*/ 8};
 // Gmsh: 01 03 04 12 14 23 24 34

@@ -1,4 +1,4 @@
-/// The types of elements that Gmsh numbers, and how their nodes become those of Elements.
+/// Gmsh element types, and the mapping of their nodes to those of Elements.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 
 namespace fccda {
 
-/// Gmsh orders corners as Elements does. Its nodes in the middle of edges come in another order in solids (reference manual of Gmsh,
-/// section "Node ordering"). Those in the middle of a solid's faces, and of the solid, are not used.
+/// A Gmsh element type. Gmsh orders corners as Elements does, but mid-side nodes of solids differently (Gmsh reference manual, section "Node
+/// ordering"). Mid-face and mid-volume nodes are not used.
 struct GmshKind {
-  int type;                                ///< Gmsh's number
+  int type;                                ///< Gmsh's type number
   int dimension;                           ///< 0 point, 1 line, 2 surface, 3 solid
   int nodes;                               ///< in the file
-  ElementKind kind;                        ///< of surfaces and solids
-  std::span<const std::uint8_t> order;     ///< which of the file's nodes are the element's, in its order; of surfaces and solids
-  std::span<const std::uint8_t> reversed;  ///< the same for an element turned over; of surfaces
+  ElementKind kind;                        ///< surfaces and solids only
+  std::span<const std::uint8_t> order;     ///< indices of the file's nodes in the order of Elements; surfaces and solids only
+  std::span<const std::uint8_t> reversed;  ///< the same for a reversed element; surfaces only
 };
 
 /// Points, lines, surfaces and solids of first and second order; nullptr for other types.

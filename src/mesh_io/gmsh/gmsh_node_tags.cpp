@@ -13,7 +13,7 @@ std::optional<std::int64_t> NodeTags::finish() {
 
 std::optional<int> NodeTags::find(std::int64_t tag) const {
   if (tags_.empty() || tag < tags_.front().first || tag > tags_.back().first) return {};
-  // without gaps the place is known at once; the difference cannot overflow where it is less than the count, and else unsigned wraps
+  // without gaps the index follows directly; the unsigned difference is exact where it is less than the count, and wraps otherwise
   const auto from_first = static_cast<std::uint64_t>(tag) - static_cast<std::uint64_t>(tags_.front().first);
   if (from_first < tags_.size() && tags_[from_first].first == tag) return tags_[from_first].second;
   const auto found = std::lower_bound(tags_.begin(), tags_.end(), tag, [](const auto& entry, std::int64_t wanted) { return entry.first < wanted; });

@@ -1,4 +1,4 @@
-/// Nodes by the numbers that a file gives them, which may be any and in any order.
+/// Map from the node numbers of a file, which are arbitrary, to node indices.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,16 @@
 
 namespace fccda {
 
-/// Sorted, not hashed: no file can make it slower than n log n, and numbers in ascending order cost nothing.
+/// Node tags, sorted rather than hashed: no file can cost more than O(n log n), and ascending numbers need no sorting.
 class NodeTags {
  public:
-  void add(std::int64_t tag) { tags_.emplace_back(tag, static_cast<int>(tags_.size())); }  ///< of the next node; at most as many as an int counts
+  void add(std::int64_t tag) { tags_.emplace_back(tag, static_cast<int>(tags_.size())); }  ///< tag of the next node; the number of nodes must fit an int
   std::size_t size() const { return tags_.size(); }
 
-  /// Call after the last node and before find(). A number that two nodes have, where there is one.
+  /// Call after the last node and before find(). Returns a duplicate number where there is one.
   std::optional<std::int64_t> finish();
 
-  /// Which node has the number, counted from 0; nothing where none has.
+  /// The index of the node with that number, from 0; nothing where there is none.
   std::optional<int> find(std::int64_t tag) const;
 
  private:

@@ -28,7 +28,8 @@ class Assembler {
       for (const auto& [key, part] : model_.parts) add(part.second, part.first, {}, as_it_is);
       return std::move(out_);
     }
-    for (const AbaqusInstance& instance : model_.instances) spend(size(part_of(instance)) + size(instance.own));  // all of them before the first is made
+    for (const AbaqusInstance& instance : model_.instances)
+      spend(size(part_of(instance)) + size(instance.own));  // check the total before creating the first copy
     sort_sets_of_instances();
     is_one_of_many_ = model_.instances.size() > 1;
     for (const AbaqusInstance& instance : model_.instances) {
@@ -43,8 +44,8 @@ class Assembler {
 
  private:
   using Sets = std::vector<const AbaqusSet*>;
-  // What instances and sets may make of a file, in nodes, corners, members of sets and letters of names: no mesh needs more, and a small
-  // file that asks for more is damaged.
+  // Limit on the expansion of instances and sets, in nodes, corners, set members and name characters. No practical mesh exceeds it; a small
+  // file that does is damaged.
   static constexpr std::size_t smallest_budget = std::size_t{8} << 20;
 
   void finish(AbaqusMesh& mesh) { mesh.mesh.finish(lines_); }
@@ -57,8 +58,8 @@ class Assembler {
   const AbaqusMesh& part_of(const AbaqusInstance& instance) const {
     const auto part = model_.parts.find(capitals(instance.part));
     if (part == model_.parts.end()) {
-      lines_.fail_at(instance.line,
-                     "instance " + excerpt(instance.name) + " is of part " + excerpt(instance.part) + ", which is not defined; mend the name or add the part.");
+      lines_.fail_at(instance.line, "instance " + excerpt(instance.name) + " is of part " + excerpt(instance.part) +
+                                        ", which is not defined; correct the name or add the part.");
     }
     return part->second.second;
   }
@@ -67,8 +68,8 @@ class Assembler {
 
   void spend(std::size_t entries) {
     if (entries > budget_) {
-      lines_.fail("instances and sets make more than " + std::to_string(std::max(smallest_budget, lines_.file_size())) +
-                  " nodes and members of this file; export only the parts that are struck.");
+      lines_.fail("instances and sets expand to more than " + std::to_string(std::max(smallest_budget, lines_.file_size())) +
+                  " nodes and set members; export only the parts in the contact area.");
     }
     budget_ -= entries;
   }
@@ -103,8 +104,8 @@ class Assembler {
     return parts;
   }
 
-  /// Gives elements that *ELEMENT names no set for to the sets that list them, the smallest first; those that share an element with one before are
-  /// left out as a whole. Says whether there was any.
+  /// Assigns elements without a set on *ELEMENT to the sets that list them, smallest set first; a set that shares an element with an earlier one is
+  /// skipped entirely. Returns whether any element was assigned.
   bool claim(const AbaqusMesh& mesh, const std::string& name, const Sets& sets_of_instance, std::vector<int>& parts) {
     struct Claim {
       std::string name;

@@ -17,7 +17,7 @@ std::string_view without_quotes(std::string_view text) {
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// Where the next comma outside quotes is, or the end.
+/// The position of the next comma outside quotes, or the end.
 std::size_t next_comma(std::string_view text, std::size_t from) {
   char quote = 0;
   for (std::size_t k = from; k < text.size(); ++k) {

@@ -1,4 +1,4 @@
-/// How Abaqus input files are written: keywords with parameters, and data lines of values between commas (Abaqus Analysis User's Guide, "Input syntax rules").
+/// Syntax of Abaqus input files: keywords with parameters, and comma-separated data lines (Abaqus Analysis User's Guide, "Input syntax rules").
 #pragma once
 
 #include <string>
@@ -10,23 +10,22 @@
 
 namespace fccda {
 
-/// `*ELEMENT, TYPE=S4, ELSET=bow`: case and blanks do not count, but for those in quotes.
+/// A keyword line such as `*ELEMENT, TYPE=S4, ELSET=bow`; case and blanks are ignored outside quotes.
 struct AbaqusKeyword {
   std::string name;                                             ///< in capitals, without blanks and star: ENDPART
-  std::vector<std::pair<std::string, std::string>> parameters;  ///< name in capitals, value as written (without quotes); empty where there is none
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< name in capitals, value as written without quotes; the value may be empty
 
-  const std::string* find(std::string_view parameter) const;  ///< its value; null where it is not given
+  const std::string* find(std::string_view parameter) const;  ///< value of the parameter; nullptr where it is absent
 };
 
-/// What a line is.
+/// Classification of a line.
 bool is_abaqus_comment(std::string_view line);  ///< **
-bool is_abaqus_keyword(std::string_view line);  ///< *, first but for blanks
+bool is_abaqus_keyword(std::string_view line);  ///< *, after optional blanks
 
-/// The keyword on the current line; where that ends with a comma it goes on in the next line that is no comment.
+/// The keyword on the current line; a trailing comma continues it on the next non-comment line.
 AbaqusKeyword abaqus_keyword(Lines& lines);
 
-/// The values between the commas of a data line, without the blanks around them. What follows the last comma counts only where it is not blank: then
-/// `goes_on` is false.
+/// The comma-separated values of a data line, trimmed. A blank field after the last comma is not a value; it sets `goes_on`.
 struct AbaqusValues {
   std::vector<std::string_view> values;
   bool goes_on = false;  ///< the line ends with a comma

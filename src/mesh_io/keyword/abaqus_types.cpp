@@ -8,22 +8,22 @@ namespace {
 
 using Use = AbaqusType::Use;
 
-/// Families with the number of nodes behind their name.
+/// Families whose name is followed by the number of nodes.
 struct Family {
   std::string_view name;
   Use use;
 };
 constexpr Family families[] = {
     {"S", Use::surface},   {"DS", Use::surface},  {"M3D", Use::surface}, {"SFM3D", Use::surface}, {"R3D", Use::surface},  // surfaces
-    {"CPS", Use::surface}, {"CPE", Use::surface}, {"CAX", Use::surface},  // plane ones, as which mesh generators write surfaces in space
+    {"CPS", Use::surface}, {"CPE", Use::surface}, {"CAX", Use::surface},  // plane elements, which mesh generators use for 3-D surfaces
     {"C3D", Use::solid},   {"DC3D", Use::solid},  {"AC3D", Use::solid},  {"EC3D", Use::solid},    {"Q3D", Use::solid},
     {"COH3D", Use::solid}, {"SC", Use::solid},    {"CSS", Use::solid}};
 
-/// Whatever begins so. Lines, points, springs, connectors, particles:
+/// Prefixes of skipped types: lines, points, springs, connectors, particles.
 constexpr std::string_view skipped[] = {"B2",      "B3",   "T2D",    "T3D",    "PIPE",     "ELBOW", "FRAME", "MASS",   "ROTARYI", "HEATCAP", "SPRING",
                                         "DASHPOT", "CONN", "GAPUNI", "GAPCYL", "GAPSPHER", "DGAP",  "DCOUP", "JOINTC", "JOINT2D", "JOINT3D", "RB2D",
                                         "RB3D",    "R2D",  "ITSUNI", "ITSCYL", "DC1D",     "AC1D",  "PC3D",  "PD3D",   "DCC1D",   "LS6",     "PSI"};
-/// Plane and axisymmetric elements that no mesh generator writes for anything else:
+/// Plane and axisymmetric elements that mesh generators do not use for 3-D surfaces.
 constexpr std::string_view plane[] = {"CPEG", "CGAX", "SAX",  "MAX",  "MGAX", "RAX",   "SFMAX", "SFMGAX",
                                       "DC2D", "DCAX", "DSAX", "AC2D", "ACAX", "COH2D", "COHAX", "WARP"};
 
@@ -66,7 +66,7 @@ AbaqusType abaqus_type(std::string_view name) {
     const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), nodes);
     if (problem != std::errc{}) continue;
     const std::string_view variant(end, static_cast<std::size_t>(rest.data() + rest.size() - end));
-    if (family.use == Use::solid && variant.find('V') != std::string_view::npos) return {};  // C3D15V, C3D27V: any number of nodes
+    if (family.use == Use::solid && variant.find('V') != std::string_view::npos) return {};  // C3D15V, C3D27V: variable number of nodes
     return family.use == Use::solid ? solid_of(nodes) : surface_of(nodes);
   }
   if (begins_with_one_of(name, skipped)) return {Use::skipped};

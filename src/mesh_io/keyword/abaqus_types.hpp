@@ -1,4 +1,4 @@
-/// The element types of Abaqus.
+/// Abaqus element types.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@ namespace fccda {
 struct AbaqusType {
   enum class Use : std::uint8_t {
     surface,  ///< shells, membranes, surface and rigid elements
-    solid,    ///< with a skin; continuum shells and cohesive layers too
-    skipped,  ///< lines, points, springs: without a surface
-    plane,    ///< plane and axisymmetric elements: they have no place in space
+    solid,    ///< solids, continuum shells and cohesive elements: their boundary faces are used
+    skipped,  ///< lines, points, springs: no surface
+    plane,    ///< plane and axisymmetric elements: no 3-D geometry
     unknown
   };
   Use use = Use::unknown;
@@ -22,8 +22,8 @@ struct AbaqusType {
   std::size_t nodes = 0;
 };
 
-/// What a type (in capitals: C3D8R, S4R5, STRI65) is. Letters behind the number of nodes, such as R, I, H, T, M, choose how the solver integrates: the
-/// shape is the same. (Abaqus Analysis User's Guide, "Element index".)
+/// Classifies a type name (in capitals: C3D8R, S4R5, STRI65). Letters after the number of nodes, such as R, I, H, T, M, select the element
+/// formulation and do not affect the geometry (Abaqus Analysis User's Guide, "Element index").
 AbaqusType abaqus_type(std::string_view name);
 
 }  // namespace fccda

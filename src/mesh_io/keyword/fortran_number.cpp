@@ -8,7 +8,7 @@
 namespace fccda {
 namespace {
 
-/// With the exponent as C++ reads it.
+/// The number with its exponent in C++ notation.
 std::string with_e(std::string_view digits) {
   std::string out;
   for (const char c : digits) {

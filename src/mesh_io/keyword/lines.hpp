@@ -1,4 +1,4 @@
-/// The lines of a text file with their numbers, for formats in which lines and columns count.
+/// Line reader with line numbers, for line- and column-based formats.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,15 @@ namespace fccda {
 
 class Lines {
  public:
-  /// `text` must outlive this. A byte order mark is passed over.
+  /// `text` must outlive this object. A byte order mark is skipped.
   Lines(std::string_view text, std::string file);
 
-  bool next();                                            ///< goes to the next line, the first at first; false where there is none
-  std::string_view line() const { return line_; }         ///< without its end: a line feed, a carriage return or both
-  std::size_t number() const { return number_; }          ///< of the line, counted from 1
+  bool next();                                            ///< moves to the next line (initially the first); false at the end of the file
+  std::string_view line() const { return line_; }         ///< without its line end: a line feed, a carriage return or both
+  std::size_t number() const { return number_; }          ///< line number, from 1
   std::size_t file_size() const { return text_.size(); }  ///< [bytes]
 
-  /// Throws InputError: "file:line: sentence", of the current line or of a given one.
+  /// Throws InputError "file:line: sentence", for the current or a given line.
   [[noreturn]] void fail(const std::string& sentence) const { fail_at(number_, sentence); }
   [[noreturn]] void fail_at(std::size_t number, const std::string& sentence) const;
 
@@ -29,7 +29,7 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-/// In capitals, as formats that were born on punched cards compare their words.
+/// The text in upper case, for comparison of keywords without regard to case.
 std::string capitals(std::string_view text);
 
 }  // namespace fccda

@@ -22,7 +22,7 @@ namespace {
 using Id = NumberedMesh::Id;
 using Kind = LsdynaBlock::Kind;
 
-// columns of the cards in standard form
+// card columns in standard format
 constexpr int node_columns[] = {8, 16, 16, 16};
 constexpr int element_columns[] = {8, 8, 8, 8, 8, 8, 8, 8, 8, 8};
 constexpr int part_columns[] = {10, 10, 10, 10, 10, 10, 10, 10};
@@ -37,16 +37,16 @@ class LsdynaFile {
       const std::string_view line = lines_.line();
       if (line.starts_with('$')) continue;
       if (line.starts_with('*')) {
-        if (is_due_) fail_in_element("ends before its last card; it was cut short; write the file again.");
+        if (is_due_) fail_in_element("ends before its last card; it is truncated: export the file again.");
         start_block();
         has_keyword = true;
       } else if (!has_keyword && !trimmed(line).empty()) {
-        lines_.fail(shown(trimmed(line)) + " stands where a keyword such as *KEYWORD belongs; this is no LS-DYNA file.");
+        lines_.fail(shown(trimmed(line)) + " appears where a keyword such as *KEYWORD is expected; this is not an LS-DYNA file.");
       } else {
         parse_line();
       }
     }
-    if (is_due_) fail_in_element("ends before its last card; it was cut short; write the file again.");
+    if (is_due_) fail_in_element("ends before its last card; it is truncated: export the file again.");
     return mesh();
   }
 
@@ -60,17 +60,17 @@ class LsdynaFile {
         default_width_ = lsdyna_usual_width(keyword_);
         return;
       case Kind::include:
-        lines_.fail("*" + excerpt(keyword_.name) + " names another file, but only this one is read; put the lines of that file here.");
+        lines_.fail("*" + excerpt(keyword_.name) + " refers to another file, but only this one is read; insert the lines of that file here.");
       case Kind::maker:
-        lines_.fail("*" + excerpt(keyword_.name) + " moves nodes or copies elements, which cannot be read; export the mesh as it is after that.");
+        lines_.fail("*" + excerpt(keyword_.name) + " moves nodes or copies elements, which is not supported; export the resulting mesh.");
       case Kind::other:
-        lines_.fail("*" + excerpt(keyword_.name) + " cannot be read; export the surface as *ELEMENT_SHELL or *ELEMENT_SOLID of plain nodes.");
+        lines_.fail("*" + excerpt(keyword_.name) + " is not supported; export the surface as *ELEMENT_SHELL or *ELEMENT_SOLID with ordinary nodes.");
       default:
         return;
     }
   }
 
-  /// Cards of one element or part are counted by `card_`, from 0; it is 0 again when the next one may begin.
+  /// `card_` counts the cards of one element or part from 0; it is 0 again when the next one may begin.
   void parse_line() {
     const bool is_blank = trimmed(lines_.line()).empty();
     switch (block_.kind) {
@@ -93,13 +93,13 @@ class LsdynaFile {
   LsdynaCard card(std::span<const int> columns) const { return {lines_, columns, keyword_.width}; }
 
   Id positive(Id id, const std::string& what) const {
-    if (id <= 0) lines_.fail(what + " is " + std::to_string(id) + ", but numbers begin with 1; mend the file or write it again.");
+    if (id <= 0) lines_.fail(what + " is " + std::to_string(id) + ", but numbers begin with 1; correct the file or export it again.");
     return id;
   }
 
   void parse_node() {
     const LsdynaCard fields = card(node_columns);
-    const Id id = positive(fields.integer(0, "*NODE"), "the number of a node");
+    const Id id = positive(fields.integer(0, "*NODE"), "the node number");
     const std::string name = "node " + std::to_string(id);
     const auto coordinate = [&](std::size_t k) { return fields.real(k, name); };
     nodes_and_elements_.add_node(id, {coordinate(1), coordinate(2), coordinate(3)}, lines_.number());
@@ -123,7 +123,7 @@ class LsdynaFile {
   void begin_element() {
     const LsdynaCard fields = card(element_columns);
     element_line_ = lines_.number();
-    element_ = positive(fields.integer(0, "*" + keyword_.name), "the number of an element");
+    element_ = positive(fields.integer(0, "*" + keyword_.name), "the element number");
     element_name_ = "element " + std::to_string(element_);
     part_ = fields.integer(1, element_name_);
     nodes_.clear();
@@ -138,7 +138,7 @@ class LsdynaFile {
   void add_element() {
     while (!nodes_.empty() && nodes_.back() == 0) nodes_.pop_back();
     for (const Id id : nodes_)
-      if (id <= 0) fail_in_element("has " + std::to_string(id) + " among its nodes; mend the element.");
+      if (id <= 0) fail_in_element("has " + std::to_string(id) + " among its nodes; correct the element.");
     const std::size_t count = nodes_.size();
     if (block_.kind == Kind::shells) {
       if (count == 8 && !repeats_nodes(nodes_)) return add(ElementKind::quad_8, nodes_);
@@ -163,8 +163,8 @@ class LsdynaFile {
 
   [[noreturn]] void refuse_shape() const {
     fail_in_element(block_.kind == Kind::shells
-                        ? "has nodes that make no triangle or quad, with middle nodes on all sides of a quad or on none; mend it or delete it."
-                        : "has nodes that make no tetrahedron, pyramid, wedge or hexahedron, nor a tetrahedron of ten nodes; mend it or delete it.");
+                        ? "has nodes that do not form a triangle or a quad (with mid-side nodes on all sides of a quad or on none); correct or delete it."
+                        : "has nodes that do not form a tetrahedron, pyramid, wedge, hexahedron or ten-node tetrahedron; correct or delete it.");
   }
 
   void parse_card_of_part() {
@@ -184,7 +184,7 @@ class LsdynaFile {
     std::unordered_map<std::string, int> times;
     for (const auto& [id, heading] : headings_) ++times[heading];
     const auto tells = [&](const std::string& heading) {
-      const bool is_number = heading.starts_with("part ") && fortran_integer(std::string_view(heading).substr(5));  // of another part, maybe
+      const bool is_number = heading.starts_with("part ") && fortran_integer(std::string_view(heading).substr(5));  // may be the default name of another part
       return !heading.empty() && !is_number && times[heading] == 1;
     };
     std::vector<std::string> names;
@@ -218,7 +218,7 @@ class LsdynaFile {
   LsdynaBlock block_;
   int card_ = 0;
 
-  bool is_due_ = false;  // more cards of the element
+  bool is_due_ = false;  // whether more cards of the element follow
   bool has_second_card_ = false;
   int cards_of_element_ = 0;
   Id element_ = 0, part_ = 0;

@@ -8,14 +8,14 @@
 
 namespace fccda {
 
-/// The mesh of an LS-DYNA keyword file's contents, in its units: *NODE, *ELEMENT_SHELL (with THICKNESS, BETA, MCID, OFFSET, DOF), *ELEMENT_SOLID (on one
-/// card, or on two with up to ten nodes; ORTHO, DOF) and *ELEMENT_TSHELL (BETA), in fixed columns of any width or between commas. Shells and solids
-/// that repeat nodes are the triangles, tetrahedra, pyramids and wedges they stand for. Beams, springs, masses, seatbelts and everything
-/// that is no mesh are skipped. *END ends the file.
+/// Reads the mesh of an LS-DYNA keyword file, in its units: *NODE, *ELEMENT_SHELL (with THICKNESS, BETA, MCID, OFFSET, DOF), *ELEMENT_SOLID (on
+/// one card, or on two with up to ten nodes; ORTHO, DOF) and *ELEMENT_TSHELL (BETA), in fixed columns of any width or comma-separated. Shells
+/// and solids with repeated nodes are converted to the triangles, tetrahedra, pyramids and wedges they represent. Beams, springs, masses,
+/// seatbelts and everything other than the mesh are skipped. *END ends the file.
 ///
-/// A part is called by the heading of its *PART, or `part 7` where that is blank, not there or that of another part too.
+/// A part is named by the heading of its *PART, or `part 7` where that is blank, missing or ambiguous.
 ///
-/// Throws InputError, one sentence with file and line. Refused by name: *INCLUDE, keywords that move nodes or copy parts, other kinds of
+/// Throws InputError with file and line. Not supported, and refused by name: *INCLUDE, keywords that move nodes or copy parts, other kinds of
 /// shells and solids, parameters (&name) in place of numbers.
 Elements parse_lsdyna(std::string_view contents, const std::string& file);
 

@@ -16,7 +16,7 @@ std::size_t columns(int standard, LsdynaWidth width) {
   return static_cast<std::size_t>(std::max(standard, at_least));
 }
 
-/// The width that a sign behind a keyword stands for.
+/// The field width that a sign after a keyword denotes.
 std::optional<LsdynaWidth> width_of(char sign) {
   switch (sign) {
     case '+':
@@ -56,8 +56,7 @@ LsdynaCard::LsdynaCard(const Lines& lines, std::span<const int> widths, LsdynaWi
   EXPECTS(widths.size() <= most);
   std::string_view rest = lines.line();
   const bool has_commas = rest.find(',') != std::string_view::npos;
-  if (!has_commas && rest.find('\t') != std::string_view::npos)
-    lines.fail("the card has a tab, so that its columns cannot be counted; put blanks in place of tabs.");
+  if (!has_commas && rest.find('\t') != std::string_view::npos) lines.fail("the card contains a tab, so its columns are ambiguous; replace tabs by blanks.");
   for (std::size_t k = 0; k < widths.size() && !rest.empty(); ++k) {
     const std::size_t end = std::min(has_commas ? rest.find(',') : columns(widths[k], width), rest.size());
     fields_[k] = trimmed(rest.substr(0, end));
@@ -75,14 +74,14 @@ double LsdynaCard::real(std::size_t k, const std::string& what) const {
 std::int64_t LsdynaCard::integer(std::size_t k, const std::string& what) const {
   if (field(k).empty()) return 0;
   const std::optional<std::int64_t> value = fortran_integer(field(k));
-  if (!value) refuse(k, what, "a whole number");
+  if (!value) refuse(k, what, "an integer");
   return *value;
 }
 
 void LsdynaCard::refuse(std::size_t k, const std::string& what, std::string_view belongs) const {
   const bool is_parameter = field(k).find('&') != std::string_view::npos;
-  lines_.fail(what + " has " + shown(field(k)) + " where " + std::string(belongs) + " belongs; " +
-              (is_parameter ? "parameters cannot be read: write the number itself." : "mend the file or write it again."));
+  lines_.fail(what + " has " + shown(field(k)) + " where " + std::string(belongs) + " is expected; " +
+              (is_parameter ? "parameters are not supported: write the number itself." : "correct the file or export it again."));
 }
 
 }  // namespace fccda

@@ -1,5 +1,5 @@
-/// How LS-DYNA keyword files are written: keywords, and cards of fields in fixed columns or between commas (LS-DYNA Keyword User's Manual I, "General Card
-/// Format").
+/// Syntax of LS-DYNA keyword files: keywords, and cards with fields in fixed columns or separated by commas (LS-DYNA Keyword User's Manual I,
+/// "General Card Format").
 #pragma once
 
 #include <array>
@@ -13,34 +13,34 @@
 
 namespace fccda {
 
-/// Widths of fields: as each keyword says (8, 10 and 16 columns), those below 10 widened to 10 (`I10=Y`, or % behind a keyword), or all of
-/// them 20 (`LONG=Y`, or + behind a keyword; - means standard).
+/// Field widths: standard for each keyword (8, 10 and 16 columns), widths below 10 widened to 10 (`I10=Y`, or % after a keyword), or all 20
+/// (`LONG=Y`, or + after a keyword; - means standard).
 enum class LsdynaWidth : std::uint8_t { standard, i10, large };
 
-/// `*ELEMENT_SHELL_THICKNESS %`
+/// A keyword line such as `*ELEMENT_SHELL_THICKNESS %`.
 struct LsdynaKeyword {
-  std::string name;  ///< in capitals, without star and the sign of the width: ELEMENT_SHELL_THICKNESS
-  std::string rest;  ///< in capitals: what follows on the line
+  std::string name;  ///< in capitals, without asterisk and width sign: ELEMENT_SHELL_THICKNESS
+  std::string rest;  ///< in capitals: the remainder of the line
   LsdynaWidth width = LsdynaWidth::standard;
 };
 
-/// The keyword on a line that begins with a star. `usual`: the width where the line says none.
+/// The keyword on a line that begins with an asterisk. `usual`: the width where the line gives none.
 LsdynaKeyword lsdyna_keyword(std::string_view line, LsdynaWidth usual);
 
-/// What `*KEYWORD` says of the width of all fields.
+/// The default field width that `*KEYWORD` sets.
 LsdynaWidth lsdyna_usual_width(const LsdynaKeyword& keyword);
 
-/// The fields of one card: between commas where the line has any, else in columns. What is blank or not there is empty.
+/// The fields of one card: comma-separated where the line has commas, else in columns. Blank and missing fields are empty.
 class LsdynaCard {
  public:
   static constexpr std::size_t most = 10;
 
-  /// `widths`: in the standard form [columns]. Throws InputError through `lines` where columns cannot be counted because of tabs.
+  /// `widths`: in standard format [columns]. Throws InputError through `lines` where tabs make the columns ambiguous.
   LsdynaCard(const Lines& lines, std::span<const int> widths, LsdynaWidth width);
 
   std::string_view field(std::size_t k) const { return fields_[k]; }
 
-  /// Numbers; 0 where the field is blank. `what`: what the sentence calls it where there is another text.
+  /// Numbers; 0 where the field is blank. `what` names the item in the message for invalid text.
   double real(std::size_t k, const std::string& what) const;
   std::int64_t integer(std::size_t k, const std::string& what) const;
 

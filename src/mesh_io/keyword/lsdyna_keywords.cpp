@@ -8,14 +8,14 @@ namespace {
 
 using Kind = LsdynaBlock::Kind;
 
-/// Takes the next option off `rest`, as `_OFFSET`.
+/// Removes the option, such as `_OFFSET`, from the start of `rest`.
 bool take(std::string_view& rest, std::string_view option) {
   const bool is_next = rest.starts_with(option) && (rest.size() == option.size() || rest[option.size()] == '_');
   if (is_next) rest.remove_prefix(option.size());
   return is_next;
 }
 
-/// What is left when all options are taken must be nothing.
+/// The block, or Kind::other where unknown options remain.
 LsdynaBlock known(LsdynaBlock block, std::string_view rest) { return rest.empty() ? block : LsdynaBlock{Kind::other}; }
 
 LsdynaBlock shells(std::string_view rest) {
@@ -28,7 +28,7 @@ LsdynaBlock shells(std::string_view rest) {
 
 LsdynaBlock solids(std::string_view rest) {
   LsdynaBlock out{Kind::solids};
-  take(rest, "_TET4TOTET10");  // the solver puts nodes into the middles of edges: the shape is the same
+  take(rest, "_TET4TOTET10");  // the solver adds mid-side nodes: the geometry is the same
   if (take(rest, "_ORTHO")) out.more_cards += 2;
   if (take(rest, "_DOF")) ++out.more_cards;
   return known(out, rest);
@@ -44,7 +44,7 @@ LsdynaBlock elements(std::string_view rest) {
   constexpr std::string_view without_surface[] = {"_BEAM",    "_BEARING", "_BLANKING", "_DIRECT",   "_DISCRETE", "_INERTIA",
                                                   "_LANCING", "_MASS",    "_PLOTEL",   "_SEATBELT", "_SPH",      "_TRIM"};
   if (take(rest, "_SHELL")) {
-    // how heat flows between shells, not shells
+    // *ELEMENT_SHELL_SOURCE_SINK defines heat flow between shells, not shells
     return rest == "_SOURCE_SINK" ? LsdynaBlock{} : shells(rest);
   }
   if (take(rest, "_SOLID")) return solids(rest);

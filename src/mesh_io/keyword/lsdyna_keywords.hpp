@@ -1,4 +1,4 @@
-/// What a keyword of LS-DYNA means to a reader of meshes.
+/// LS-DYNA keywords as a mesh reader classifies them.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,21 @@ struct LsdynaBlock {
     shells,
     solids,
     thick_shells,
-    parts,  ///< heading and number, with more cards behind
-    part,   ///< the same, but for one part: how many cards follow depends on their contents
+    parts,  ///< heading and number, followed by more cards
+    part,   ///< the same for a single part: the number of cards depends on their contents
     include,
-    maker,  ///< moves nodes, makes or copies elements
-    other   ///< shells or solids of a kind that cannot be read
+    maker,  ///< moves nodes, or generates or copies elements
+    other   ///< unsupported shells or solids
   };
   Kind kind = Kind::skipped;
 
-  /// Cards that follow the one (or two) that define an element or part.
+  /// Number of cards after the one (or two) that define an element or part.
   int more_cards = 0;
-  bool has_thickness = false;  ///< shells: a card more, and another where middle nodes are given
-  bool has_inertia = false;    ///< parts: a card more where the fifth field of the first one says 1
+  bool has_thickness = false;  ///< shells: one additional card, and another where mid-side nodes are given
+  bool has_inertia = false;    ///< parts: one additional card where the fifth field of the first one is 1
 };
 
-/// `name`: without star, in capitals: ELEMENT_SHELL_THICKNESS_OFFSET. (LS-DYNA Keyword User's Manual I.)
+/// Classifies a keyword. `name`: in capitals without asterisk, ELEMENT_SHELL_THICKNESS_OFFSET (LS-DYNA Keyword User's Manual I).
 LsdynaBlock lsdyna_block(std::string_view name);
 
 }  // namespace fccda

@@ -52,15 +52,15 @@ void NumberedMesh::sort_nodes(const Lines& lines) {
     if (kept > 0 && node_ids_[order[kept - 1]] == node_ids_[k]) {
       const std::size_t first = order[kept - 1];
       if (places_[first] == places_[k]) continue;
-      lines.fail_at(node_lines_[k], "node " + std::to_string(node_ids_[k]) + " is in another place on line " + std::to_string(node_lines_[first]) +
-                                        "; give one of the two another number.");
+      lines.fail_at(node_lines_[k], "node " + std::to_string(node_ids_[k]) + " has different coordinates on line " + std::to_string(node_lines_[first]) +
+                                        "; renumber one of the two.");
     }
     order[kept++] = k;
   }
   order.resize(kept);
   node_ids_ = in_order(node_ids_, order);
   places_ = in_order(places_, order);
-  node_lines_ = {};  // nothing is said of nodes from here on
+  node_lines_ = {};  // later messages do not refer to node lines
 }
 
 void NumberedMesh::sort_elements(const Lines& lines) {
@@ -70,7 +70,7 @@ void NumberedMesh::sort_elements(const Lines& lines) {
   const auto is_before = [&](std::size_t a, std::size_t b) { return number(a) < number(b); };
   if (!std::is_sorted(by_number_.begin(), by_number_.end(), is_before)) std::stable_sort(by_number_.begin(), by_number_.end(), is_before);
   is_repeat_.assign(size(), false);
-  std::size_t first = 0;  // of those with the number
+  std::size_t first = 0;  // first element with the same number
   for (std::size_t k = 1; k < by_number_.size(); ++k) {
     const std::size_t element = by_number_[k], other = by_number_[first];
     if (number(element) != number(other)) {
@@ -78,8 +78,8 @@ void NumberedMesh::sort_elements(const Lines& lines) {
     } else if (are_alike(element, other)) {
       is_repeat_[element] = true;
     } else {
-      lines.fail_at(element_lines_[element], "element " + std::to_string(element_ids_[element]) + " is another one on line " +
-                                                 std::to_string(element_lines_[other]) + "; give one of the two another number.");
+      lines.fail_at(element_lines_[element], "element " + std::to_string(element_ids_[element]) + " is defined differently on line " +
+                                                 std::to_string(element_lines_[other]) + "; renumber one of the two.");
     }
   }
   std::erase_if(by_number_, [&](std::size_t e) { return is_repeat_[e]; });
@@ -97,7 +97,7 @@ std::span<const NumberedMesh::Id> NumberedMesh::nodes_of_element(std::size_t ele
 
 std::size_t NumberedMesh::find_node(Id id) const {
   if (node_ids_.empty() || id < node_ids_.front() || id > node_ids_.back()) return node_ids_.size();
-  // ids differ by one at least, so that the wanted one is not farther than this; it is just there where they are counted without gaps
+  // sorted ids differ by at least one, which bounds the index of `id`; without gaps the bound is exact
   const std::uint64_t farthest = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(node_ids_.front());
   if (farthest < node_ids_.size() && node_ids_[farthest] == id) return farthest;
   const auto found = std::lower_bound(node_ids_.begin(), node_ids_.end(), id);
@@ -113,11 +113,12 @@ std::span<const std::size_t> NumberedMesh::elements_between(Id first, Id last) c
 void NumberedMesh::append_to(Elements& out, const std::function<Vec3d(const Vec3d&)>& moved, std::span<const int> parts, const Lines& lines) const {
   EXPECTS(parts.size() == size());
   const std::size_t base = out.vertices.size();
-  if (base + places_.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) lines.fail("there are too many nodes; make the mesh coarser.");
+  if (base + places_.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) lines.fail("too many nodes; coarsen the mesh.");
   for (std::size_t n = 0; n < places_.size(); ++n) {
     out.vertices.push_back(moved(places_[n]));
     if (!is_finite(out.vertices.back()))
-      lines.fail("node " + std::to_string(node_ids_[n]) + " is moved to coordinates that are no finite numbers; mend its place or its instance's.");
+      lines.fail("node " + std::to_string(node_ids_[n]) +
+                 " is transformed to coordinates that are not finite; correct the node or the transformation of its instance.");
   }
   std::vector<int> vertices;
   for (std::size_t e = 0; e < size(); ++e) {
@@ -127,7 +128,7 @@ void NumberedMesh::append_to(Elements& out, const std::function<Vec3d(const Vec3
       const std::size_t node = find_node(id);
       if (node == node_ids_.size()) {
         lines.fail_at(element_lines_[e], "element " + std::to_string(element_ids_[e]) + " has node " + std::to_string(id) +
-                                             ", which is not defined; mend the element or add the node.");
+                                             ", which is not defined; correct the element or add the node.");
       }
       vertices.push_back(static_cast<int>(base + node));
     }

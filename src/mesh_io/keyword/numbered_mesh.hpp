@@ -1,4 +1,4 @@
-/// Nodes and elements under the numbers that solvers give them: any numbers, elements before their nodes or after.
+/// Nodes and elements with arbitrary solver numbering; elements may precede their nodes.
 #pragma once
 
 #include <cstddef>
@@ -16,28 +16,28 @@ class NumberedMesh {
  public:
   using Id = std::int64_t;
 
-  /// `line`: where it is defined, for messages.
+  /// `line`: line of the definition, for messages.
   void add_node(Id id, const Vec3d& place, std::size_t line);
 
-  /// `family`: numbers of different families have nothing to do with each other, as those of shells and solids in LS-DYNA. `group`: what the
-  /// reader will make a part of, counted from 0.
+  /// `family`: numbers of different families are independent, as those of shells and solids in LS-DYNA. `group`: index of the future part, from
+  /// 0.
   void add_element(Id id, ElementKind kind, std::span<const Id> element_nodes, int family, int group, std::size_t line);
 
-  /// Call after the last node and element, before anything below. Sorts by number; a node that comes twice in the same place, or an element twice with
-  /// the same nodes, is one. Throws InputError through `lines` where the second differs from the first.
+  /// Sorts by number; call after the last node and element and before the functions below. Merges duplicates: nodes with equal coordinates, and
+  /// elements with equal nodes. Throws InputError through `lines` where a duplicate number has a different definition.
   void finish(const Lines& lines);
 
   std::size_t size() const { return groups_.size(); }  ///< elements
   int group(std::size_t element) const { return groups_[element]; }
-  std::size_t entries() const { return node_ids_.size() + nodes_.size(); }  ///< nodes and corners: what a copy costs
+  std::size_t entries() const { return node_ids_.size() + nodes_.size(); }  ///< nodes plus corners: the size of a copy
 
   Id id(std::size_t element) const { return element_ids_[element]; }
 
-  /// The elements with the numbers from first to last, in the order of these; only where all elements are of one family.
+  /// The elements numbered from first to last, in ascending order; requires that all elements are of one family.
   std::span<const std::size_t> elements_between(Id first, Id last) const;
 
-  /// Appends the nodes, each where `moved` puts it, and the elements, each in the part that `parts` (one an element) says. Throws InputError
-  /// through `lines` where an element has a node that is not there.
+  /// Appends the nodes, transformed by `moved`, and the elements, with the part numbers in `parts` (one per element). Throws InputError through
+  /// `lines` where an element has an undefined node.
   void append_to(Elements& out, const std::function<Vec3d(const Vec3d&)>& moved, std::span<const int> parts, const Lines& lines) const;
 
  private:

@@ -64,7 +64,7 @@ struct Hull {
   }
 };
 
-/// Is every edge run along once in each direction?
+/// Whether every edge is traversed once in each direction (a closed, consistently oriented surface).
 bool is_closed(const Hull& hull) {
   const auto times = [&](Id from, Id to) {
     int sum = 0;
@@ -81,7 +81,7 @@ bool is_closed(const Hull& hull) {
   return true;
 }
 
-/// Of a wedge: the corner of the other triangle that shares an edge with `corner`.
+/// For a wedge: the corner of the other triangle that shares an edge with `corner`.
 Id partner(const Hull& hull, const Face& triangle, Id corner) {
   for (const Face& face : hull.all()) {
     if (face.count != 4 || !holds(face.all(), corner)) continue;
@@ -141,7 +141,7 @@ std::optional<NumberedShape> solid_without_repeats(std::span<const Id> corners) 
     if (!all_differ(out.all())) return std::nullopt;
   } else if (is(5, 4, 1)) {
     start_with(ElementKind::pyramid, hull.first_with(4));
-  } else if (is(4, 4, 0) || is(4, 2, 1)) {  // the second: LS-DYNA repeats the fourth node five times, so that one face looks like a quad
+  } else if (is(4, 4, 0) || is(4, 2, 1)) {  // second case: LS-DYNA repeats the fourth node five times, so one face appears as a quad
     start_with(ElementKind::tetrahedron, hull.first_with(3));
   } else {
     return std::nullopt;

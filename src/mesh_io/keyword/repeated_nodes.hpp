@@ -1,4 +1,4 @@
-/// Linear elements that repeat nodes: the way in which solvers write triangles as quads, and tetrahedra, pyramids and wedges as hexahedra.
+/// Degenerate linear elements: solvers write triangles as quads, and tetrahedra, pyramids and wedges as hexahedra with repeated nodes.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace fccda {
 
-/// An element of a kind, by the numbers that its file gives the nodes.
+/// Kind of an element and its node numbers in the file.
 struct NumberedShape {
   ElementKind kind = ElementKind::polygon;
   std::array<std::int64_t, 8> nodes{};
@@ -21,11 +21,11 @@ struct NumberedShape {
 
 bool repeats_nodes(std::span<const std::int64_t> nodes);
 
-/// What a triangle or quad is when a node that follows itself is taken once. Nothing where fewer than three are left, or one comes again later.
+/// Reduces a triangle or quad with consecutive equal nodes. Nothing where fewer than three nodes remain or a node recurs later.
 std::optional<NumberedShape> surface_without_repeats(std::span<const std::int64_t> corners);
 
-/// What a tetrahedron (4 nodes), pyramid (5), wedge (6) or hexahedron (8) is when edges and faces between equal nodes have shrunk to points: one of
-/// those four kinds. Nothing where it is none, as a hexahedron of seven nodes, or one folded flat.
+/// Reduces a tetrahedron (4 nodes), pyramid (5), wedge (6) or hexahedron (8) whose edges and faces between equal nodes collapse to points, to one of
+/// these four kinds. Nothing where the result is none of them, as for a hexahedron with seven distinct nodes or a flat one.
 std::optional<NumberedShape> solid_without_repeats(std::span<const std::int64_t> corners);
 
 }  // namespace fccda

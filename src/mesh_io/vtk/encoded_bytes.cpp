@@ -20,7 +20,7 @@ constexpr std::array<std::uint8_t, 256> values = [] {
 
 }  // namespace
 
-/// Four digits are three bytes; the last one or two may be padding, and are that many bytes less.
+/// Decodes four digits to three bytes; each of up to two trailing padding characters means one byte less.
 bool EncodedBytes::decode_four() {
   std::uint32_t bits = 0;
   std::size_t digits = 0, paddings = 0;

@@ -1,4 +1,4 @@
-/// Bytes that a file holds as they are, or as base64 (RFC 4648, section 4).
+/// Raw or base64-encoded bytes (RFC 4648, section 4).
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@ namespace fccda {
 
 enum class Encoding : std::uint8_t { raw, base64 };
 
-/// Gives bytes from the start of `text` on. In base64, white space is passed over, and behind padding a new run of digits may begin.
+/// Decodes `text` sequentially. In base64, white space is skipped, and a new run of digits may follow padding.
 class EncodedBytes {
  public:
-  /// `text` must outlive this.
+  /// `text` must outlive this object.
   EncodedBytes(std::string_view text, Encoding encoding) : text_(text), encoding_(encoding) {}
 
-  /// The next `count` bytes; nothing where the text ends before, or has characters that are no base64. Takes no memory in that case.
+  /// The next `count` bytes; nothing where the text ends earlier or has invalid base64 characters, in which case no memory is allocated.
   std::optional<std::string> next(std::size_t count);
 
  private:
@@ -25,7 +25,7 @@ class EncodedBytes {
 
   std::string_view text_;
   Encoding encoding_;
-  std::string decoded_;  // bytes that are decoded and not given yet, at most two
+  std::string decoded_;  // decoded bytes not yet returned, at most two
 };
 
 }  // namespace fccda

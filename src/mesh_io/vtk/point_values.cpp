@@ -14,7 +14,7 @@ PointValues read_point_values(const std::filesystem::path& path, std::string_vie
   const bool is_legacy = is_word(extension, ".vtk");
   if (!is_legacy && !is_word(extension, ".vtp") && !is_word(extension, ".vtu"))
     throw InputError(file + ": " + (extension.empty() ? "a file without extension" : shown(extension)) +
-                     " is no format of points that can be read; the formats are .vtk, .vtp and .vtu.");
+                     " is not a supported point format; the formats are .vtk, .vtp and .vtu.");
   const std::string stored = contents_of(path), unpacked = is_gzip(path) ? gunzip(stored, file) : std::string();
   const std::string& contents = is_gzip(path) ? unpacked : stored;
   return is_legacy ? parse_vtk_points(contents, file, array) : parse_vtp_points(contents, file, array);

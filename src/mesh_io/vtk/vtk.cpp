@@ -15,34 +15,33 @@ namespace {
 
 Words& at_third_line(Words& words) {
   const bool is_vtk = words.next() == "#" && is_word(words.next_in_line(), "vtk") && is_word(words.next_in_line(), "datafile");
-  if (!is_vtk) words.fail("a legacy VTK file begins with `# vtk DataFile Version`; this is another format under its name.");
+  if (!is_vtk) words.fail("a legacy VTK file begins with `# vtk DataFile Version`; the contents do not match the file extension.");
   words.skip_line();
   words.skip_line();  // a title, or nothing
   return words;
 }
 
-/// Attributes of points and cells whose sections have name and type in their line, and the values of each.
+/// Point and cell attributes whose section line has a name and a type, with the number of components.
 struct Attribute {
   std::string_view keyword;
-  std::size_t components;  ///< 0: the line has them, before the type
+  std::size_t components;  ///< 0: given on the line, before the type
 };
 constexpr Attribute attributes[] = {{"vectors", 3},  {"normals", 3},    {"texture_coordinates", 0}, {"tensors", 9},
                                     {"tensors6", 6}, {"global_ids", 1}, {"pedigree_ids", 1},        {"edge_flags", 1}};
 
 class LegacyVtk {
  public:
-  /// `wanted`: an array of point data, where points are to be read.
+  /// `wanted`: the array of point data to read when points are read.
   LegacyVtk(std::string_view contents, const std::string& file, std::string_view wanted = {})
       : file_(file), words_(contents, file), numbers_(at_third_line(words_), file), wanted_(wanted) {}
 
   PointValues points() {
     parse_sections();
     if (!values_)
-      numbers_.fail("there is no point array " + shown(wanted_) + " of one number a point; there " +
-                    (point_arrays_.empty() ? "is none at all." : "are" + point_arrays_ + "."));
+      numbers_.fail("there is no scalar point array " + shown(wanted_) + "; the file has" + (point_arrays_.empty() ? " none." : point_arrays_ + "."));
     if (3 * values_->size() != points_.size())
       numbers_.fail("the array " + shown(wanted_) + " has " + std::to_string(values_->size()) + " numbers for " + std::to_string(points_.size() / 3) +
-                    " points; write the file again.");
+                    " points; export the file again.");
     PointValues out{.values = std::move(*values_)};
     for (std::size_t k = 0; k < points_.size(); k += 3) out.points.push_back({points_[k], points_[k + 1], points_[k + 2]});
     return out;
@@ -63,7 +62,7 @@ class LegacyVtk {
   }
 
   void parse_kind() {
-    if (!is_word(words_.next(), "dataset")) words_.fail("the fourth line must name the DATASET; write the file again.");
+    if (!is_word(words_.next(), "dataset")) words_.fail("the fourth line must name the DATASET; export the file again.");
     const std::string_view kind = words_.next_in_line();
     is_grid_ = is_word(kind, "unstructured_grid");
     if (!is_grid_ && !is_word(kind, "polydata")) {
@@ -90,7 +89,7 @@ class LegacyVtk {
       if (!is_grid_ && is_word(section, lowered[k])) return parse_cells(lists[k], lists_[k]);
     for (const Attribute& attribute : attributes)
       if (is_word(section, attribute.keyword)) return skip_attribute(attribute);
-    numbers_.fail(shown(section) + " stands where a section belongs; a count before it or the file is damaged; write it again.");
+    numbers_.fail(shown(section) + " appears where a section is expected; a count before it or the file is damaged: export it again.");
   }
 
   void parse_points() {
@@ -100,16 +99,16 @@ class LegacyVtk {
     points_ = numbers_.reals(3 * count, type, "POINTS");
   }
 
-  /// So that three or four of each are still counted by 64 bits; the numbers themselves are counted where they are read.
+  /// Rejects counts whose small multiples would overflow 64 bits; the numbers themselves are checked on reading.
   void check_count(std::size_t count, std::string_view what) const {
     if (count > words_.remaining() + 1) {
-      numbers_.fail(std::string(what) + " says " + std::to_string(count) + ", more than the " + std::to_string(words_.remaining()) +
-                    " bytes behind it can hold; the file was cut short or the count is damaged; write it again.");
+      numbers_.fail(std::string(what) + " states " + std::to_string(count) + ", more than the " + std::to_string(words_.remaining()) +
+                    " bytes after it can hold; the file is truncated or the count is damaged: export it again.");
     }
   }
 
   void parse_cells(std::string_view section, VtkCells& cells) {
-    if (cells.size() > 0) numbers_.fail(std::string(section) + " comes twice; write the file again.");
+    if (cells.size() > 0) numbers_.fail(std::string(section) + " is given twice; export the file again.");
     const std::size_t first = numbers_.count(section), second = numbers_.count(section);
     check_count(first, section);
     check_count(second, section);
@@ -119,26 +118,27 @@ class LegacyVtk {
     for (std::size_t c = 0; c < first; ++c) {
       const std::int64_t length = at < lists.size() ? lists[at++] : -1;
       if (length < 0 || static_cast<std::size_t>(length) > lists.size() - at)
-        numbers_.fail(std::string(section) + " has a cell, number " + std::to_string(c) + " from 0, with more points than the section; write the file again.");
+        numbers_.fail(std::string(section) + " has a cell (number " + std::to_string(c) +
+                      ", counted from 0) with more points than the section; export the file again.");
       const auto begin = lists.begin() + static_cast<std::ptrdiff_t>(at);
       cells.points.insert(cells.points.end(), begin, begin + static_cast<std::ptrdiff_t>(length));
       cells.ends.push_back(static_cast<std::int64_t>(cells.points.size()));
       at += static_cast<std::size_t>(length);
     }
-    if (at != lists.size()) numbers_.fail(std::string(section) + " has more numbers than its cells; write the file again.");
+    if (at != lists.size()) numbers_.fail(std::string(section) + " has more numbers than its cells; export the file again.");
   }
 
-  /// Version 5: first the offsets of all cells, the first of them 0, then all points.
+  /// Version 5: offsets of all cells, beginning with 0, then all points.
   void parse_offsets(std::string_view section, VtkCells& cells, std::size_t offsets, std::size_t points) {
     cells.ends = numbers_.wholes(offsets, numbers_.type(section), section);
-    if (!takes("connectivity")) numbers_.fail(std::string(section) + " has no CONNECTIVITY behind its OFFSETS; it was cut short; write it again.");
+    if (!takes("connectivity")) numbers_.fail(std::string(section) + " has no CONNECTIVITY after its OFFSETS; it is truncated: export it again.");
     cells.points = numbers_.wholes(points, numbers_.type(section), section);
     if (cells.ends.empty()) return;
-    if (cells.ends.front() != 0) numbers_.fail(std::string(section) + " has OFFSETS that do not begin with 0; write the file again.");
+    if (cells.ends.front() != 0) numbers_.fail(std::string(section) + " has OFFSETS that do not begin with 0; export the file again.");
     cells.ends.erase(cells.ends.begin());
   }
 
-  /// Passes the word if it comes next.
+  /// Consumes the word if it is next.
   bool takes(std::string_view lowered) {
     const Words before = words_;
     if (is_word(words_.next(), lowered)) return true;
@@ -161,7 +161,7 @@ class LegacyVtk {
     while (!words_.next_in_line().empty());
   }
 
-  /// Takes the array as the parts where it is one that numbers them, better than the one so far, or as the one that is wanted.
+  /// Uses the array as part numbers where it ranks higher than the one found so far, or as the wanted array.
   void parse_array(std::string_view name, std::string_view type, std::size_t tuples, std::size_t components) {
     const int rank = is_of_cells_ && components == 1 ? vtk_part_rank(name) : -1;
     const std::string what = "the array " + shown(name);
@@ -185,7 +185,7 @@ class LegacyVtk {
     for (std::size_t a = 0; a < arrays; ++a) {
       while (takes("metadata")) skip_metadata();
       const std::string_view name = words_.next();
-      if (name.empty()) numbers_.fail("the file ends in FIELD; it was cut short; write it again.");
+      if (name.empty()) numbers_.fail("the file ends in FIELD; it is truncated: export it again.");
       if (is_word(name, "null_array")) continue;
       const std::string what = "the array " + shown(name);
       const std::size_t components = numbers_.count(what), tuples = numbers_.count(what);
@@ -221,19 +221,19 @@ class LegacyVtk {
 
   void check_parts(std::size_t cells) const {
     if (part_rank_ >= 0 && parts_.size() != cells) {
-      numbers_.fail(part_array_ + " has " + std::to_string(parts_.size()) + " numbers for " + std::to_string(cells) + " cells; write the file again.");
+      numbers_.fail(part_array_ + " has " + std::to_string(parts_.size()) + " numbers for " + std::to_string(cells) + " cells; export the file again.");
     }
   }
 
   void add_grid(VtkElements& out) const {
     if (types_.size() != cells_.size()) {
-      numbers_.fail("CELL_TYPES has " + std::to_string(types_.size()) + " types for " + std::to_string(cells_.size()) + " cells; write the file again.");
+      numbers_.fail("CELL_TYPES has " + std::to_string(types_.size()) + " types for " + std::to_string(cells_.size()) + " cells; export the file again.");
     }
     check_parts(cells_.size());
     if (cells_.size() > 0) out.add(cells_, types_, parts_);
   }
 
-  /// Cell data run through vertices, lines, polygons and strips in this order, whatever their order in the file.
+  /// Cell data are ordered by vertices, lines, polygons and strips, whatever their order in the file.
   void add_polydata(VtkElements& out) const {
     std::size_t all = 0;
     for (const VtkCells& list : lists_) all += list.size();
@@ -254,14 +254,14 @@ class LegacyVtk {
   std::array<VtkCells, 4> lists_;  // of POLYDATA: vertices, lines, polygons, strips
   VtkCells cells_;                 // of UNSTRUCTURED_GRID
   std::vector<std::int64_t> types_;
-  bool is_of_cells_ = false;  // what the data sections are about
+  bool is_of_cells_ = false;  // whether the data sections hold cell data
   std::size_t tuples_ = 0;
   int part_rank_ = -1;
   std::string part_array_;
   std::vector<std::int64_t> parts_;
   std::string_view wanted_;
   std::optional<std::vector<double>> values_;  // of the wanted array
-  std::string point_arrays_;                   // names of those with a number a point
+  std::string point_arrays_;                   // names of the scalar point arrays
 };
 
 }  // namespace

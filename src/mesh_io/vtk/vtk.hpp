@@ -1,4 +1,4 @@
-/// VTK's legacy files (.vtk), text and binary, versions 2 to 5.1.
+/// VTK legacy files (.vtk), text and binary, versions 2 to 5.1.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace fccda {
 
-/// The cells of a POLYDATA or UNSTRUCTURED_GRID file's contents, in its units, as vtk_cells.hpp says; other kinds of DATASET are refused.
-/// Cells may be lists with their lengths (up to version 4.2) or OFFSETS and CONNECTIVITY (5.0 on). Parts are the numbers of the first integer
-/// cell array that vtk_part_rank() knows, named `part 3` and so on. Other data of points, cells and the file are passed over. Throws
-/// InputError that names the file and the line (text) or the section (binary).
+/// Reads the cells of a POLYDATA or UNSTRUCTURED_GRID file, in its units (cell types: vtk_cells.hpp); other kinds of DATASET are refused.
+/// Cells may be lists with lengths (up to version 4.2) or OFFSETS and CONNECTIVITY (from 5.0). Parts are the values of the integer cell
+/// array with the best vtk_part_rank(), named `part 3` and so on. Other point, cell and field data are skipped. Throws InputError with the
+/// file and the line (text) or the section (binary).
 ///
 /// Format: VTK File Formats, Simple Legacy Formats, https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html
 Elements parse_vtk(std::string_view contents, const std::string& file);
 
-/// Its points, and of the array of point data of that name (of one component, SCALARS or in a FIELD) a number for each.
+/// Reads the points and the scalar point array of that name (one component, SCALARS or in a FIELD).
 PointValues parse_vtk_points(std::string_view contents, const std::string& file, std::string_view array);
 
 }  // namespace fccda

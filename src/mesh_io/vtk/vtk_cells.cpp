@@ -16,7 +16,7 @@ constexpr std::string_view part_arrays[] = {"part", "PartId", "gmsh:physical", "
 /// Cells without area: empty, vertex, vertices, line, lines; quadratic, cubic, Lagrange and Bézier curves.
 constexpr std::int64_t without_area[] = {0, 1, 2, 3, 4, 21, 35, 68, 75};
 
-/// Cells that Elements has under the numbers of VTK, with as many points or with more in faces and within, which come last.
+/// Supported cells by VTK type number, with their number of points; points within faces and cells come last and are dropped.
 struct Known {
   std::int64_t type;
   ElementKind kind;
@@ -71,7 +71,7 @@ void VtkElements::begin_piece(std::span<const double> coordinates) {
   first_point_ = out_.vertices.size();
   cell_ = 0;
   if (coordinates.size() / 3 > static_cast<std::size_t>(std::numeric_limits<int>::max()) - first_point_)
-    throw InputError(file_ + ": there are too many points; make the mesh coarser.");
+    throw InputError(file_ + ": too many points; coarsen the mesh.");
   for (std::size_t k = 0; k < coordinates.size(); k += 3) out_.vertices.push_back({coordinates[k], coordinates[k + 1], coordinates[k + 2]});
 }
 
@@ -84,29 +84,29 @@ void VtkElements::add(const VtkCells& cells, std::span<const std::int64_t> types
   for (std::size_t c = 0; c < cells.size(); ++c, ++cell_) {
     const std::int64_t type = types.size() == 1 ? types.front() : types[c];
     if (!is_readable(type))
-      fail("is " + name_of(type) + ", which cannot be read; write the surface in linear or quadratic cells, in ParaView by the filter Extract Surface.");
+      fail("is " + name_of(type) + ", which is not supported; export linear or quadratic cells, for example with the ParaView filter Extract Surface.");
     const auto end = static_cast<std::size_t>(cells.ends[c]);
-    if (cells.ends[c] < 0 || end < begin || end > cells.points.size()) fail("has an offset that is out of order; mend the file or write it again.");
+    if (cells.ends[c] < 0 || end < begin || end > cells.points.size()) fail("has an offset that is out of order; correct the file or export it again.");
     points.clear();
     for (; begin < end; ++begin) {
       const std::int64_t point = cells.points[begin];
       if (point < 0 || static_cast<std::uint64_t>(point) >= count)
-        fail("has point " + std::to_string(point) + ", but there are " + std::to_string(count) + ", counted from 0; mend the file or write it again.");
+        fail("has point " + std::to_string(point) + ", but there are " + std::to_string(count) + ", counted from 0; correct the file or export it again.");
       points.push_back(static_cast<int>(first_point_ + static_cast<std::size_t>(point)));
     }
-    if (c == 0 || (!parts.empty() && parts[c] != parts[c - 1]))  // a name is looked up once for cells in a row
+    if (c == 0 || (!parts.empty() && parts[c] != parts[c - 1]))  // one look-up per run of cells of equal part
       part_ = out_.part_number(parts.empty() ? "" : "part " + std::to_string(parts[c]));
     add_cell(type, points);
   }
   if (begin != cells.points.size()) {
     throw InputError(file_ + ": the cells have " + std::to_string(begin) + " point numbers, but the file has " + std::to_string(cells.points.size()) +
-                     "; mend the file or write it again.");
+                     "; correct the file or export it again.");
   }
 }
 
 void VtkElements::add_cell(std::int64_t type, std::span<const int> points) {
   const auto expect = [&](bool is_right, std::size_t expected) {
-    if (!is_right) fail("has " + std::to_string(points.size()) + " points, but needs " + std::to_string(expected) + "; mend the file or write it again.");
+    if (!is_right) fail("has " + std::to_string(points.size()) + " points, but needs " + std::to_string(expected) + "; correct the file or export it again.");
   };
   const auto add = [&](ElementKind kind, std::span<const int> nodes) { out_.add(kind, nodes, part_); };
   if (!has_area(type)) return;
@@ -116,7 +116,7 @@ void VtkElements::add_cell(std::int64_t type, std::span<const int> points) {
   }
   if (type == vtk_triangle_strip) {
     expect(points.size() >= 3, 3);
-    for (std::size_t k = 0; k + 2 < points.size(); ++k) {  // every second triangle of a strip is wound the other way
+    for (std::size_t k = 0; k + 2 < points.size(); ++k) {  // every second triangle of a strip has opposite orientation
       const std::size_t odd = k % 2;
       add(ElementKind::polygon, std::array{points[k + odd], points[k + 1 - odd], points[k + 2]});
     }

@@ -1,4 +1,4 @@
-/// Cells of VTK files, legacy and XML, as elements.
+/// Conversion of VTK cells, legacy and XML, to elements.
 #pragma once
 
 #include <cstddef>
@@ -13,35 +13,35 @@
 
 namespace fccda {
 
-/// Of all cells one after the other: the numbers of their points, and where those of each cell end.
+/// Cell connectivity: point numbers of all cells, and the end of each cell's range.
 struct VtkCells {
   std::vector<std::int64_t> points, ends;
 
   std::size_t size() const { return ends.size(); }
 };
 
-/// Cell types by VTK's numbers (vtkCellType.h) that PolyData has without saying so.
+/// The implicit cell types of PolyData, by VTK number (vtkCellType.h).
 constexpr std::int64_t vtk_poly_vertex = 2, vtk_poly_line = 4, vtk_triangle_strip = 6, vtk_polygon = 7;
 
-/// Which of the cell arrays that number parts this is, 0 the first choice; -1 for any other array. The arrays, in this order: `part`, `PartId`,
+/// Rank of a cell array as the source of part numbers, 0 the first choice; -1 for any other array. In order of rank: `part`, `PartId`,
 /// `gmsh:physical`, `gmsh:geometrical`, `medit:ref`, `CellEntityIds`, `STLSolidLabeling`.
 int vtk_part_rank(std::string_view array);
 
-/// Turns the cells of one or several pieces into elements.
+/// Converts the cells of one or several pieces to elements.
 ///
-/// Vertices and lines are passed over, strips become triangles, pixels quads and voxels hexahedra. Quadratic cells with points in faces and
-/// within (triangle 7, hexahedron 24 and 27, wedge 18, pyramid 19) are read without those. Cells with other shape functions or faces
-/// (Lagrange, Bézier, polyhedra, …) are refused by name.
+/// Vertices and lines are skipped, strips become triangles, pixels quads and voxels hexahedra. Mid-face and interior points of quadratic
+/// cells (triangle 7, hexahedron 24 and 27, wedge 18, pyramid 19) are dropped. Cells with other shape functions or faces (Lagrange, Bézier,
+/// polyhedra, …) are refused by name.
 class VtkElements {
  public:
-  /// `file`: how messages begin.
+  /// `file`: prefix of messages.
   explicit VtkElements(std::string file) : file_(std::move(file)) {}
 
-  /// The points that the cells added from here on count from 0. Throws InputError where they are more than an int can count.
+  /// Starts a piece: cells added from now on number these points from 0. Throws InputError where the points exceed the range of int.
   void begin_piece(std::span<const double> coordinates);
 
-  /// `types`: one for each cell, or one for all. `parts`: the number of each cell's part, or empty. Throws InputError that names the cell,
-  /// counted from 0 as VTK does, where its points are out of range, too many or too few, or where its type is refused.
+  /// `types`: one per cell, or one for all. `parts`: part number per cell, or empty. Throws InputError with the cell, counted from 0 as in
+  /// VTK, where its points are out of range, too many or too few, or its type is not supported.
   void add(const VtkCells& cells, std::span<const std::int64_t> types, std::span<const std::int64_t> parts);
 
   Elements take() { return std::move(out_); }
@@ -54,8 +54,8 @@ class VtkElements {
   Elements out_;
   std::size_t piece_ = 0;  // from 1
   std::size_t first_point_ = 0;
-  std::size_t cell_ = 0;  // that is being added, in its piece
-  int part_ = 0;          // of the cell
+  std::size_t cell_ = 0;  // current cell in its piece
+  int part_ = 0;          // part of the current cell
 };
 
 }  // namespace fccda

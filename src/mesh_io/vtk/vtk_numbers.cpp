@@ -10,7 +10,7 @@
 namespace fccda {
 namespace {
 
-/// `long` is of 64 bits as on all machines but Windows; vtkIdType is written as an int.
+/// `long` has 64 bits, as on all platforms except Windows; vtkIdType is written as int.
 constexpr std::pair<std::string_view, NumberType> types[] = {{"char", NumberType::int8},
                                                              {"signed_char", NumberType::int8},
                                                              {"unsigned_char", NumberType::uint8},
@@ -30,7 +30,7 @@ bool is_binary_word(Words& words) {
   const std::string_view word = words.next();
   words.skip_line();
   if (is_word(word, "binary")) return true;
-  if (!is_word(word, "ascii")) words.fail("the third line has " + shown(word) + ", but must be ASCII or BINARY; write the file again.");
+  if (!is_word(word, "ascii")) words.fail("the third line has " + shown(word) + ", but must be ASCII or BINARY; export the file again.");
   return false;
 }
 
@@ -48,7 +48,7 @@ void VtkNumbers::fail(const std::string& sentence) const {
   throw InputError(file_ + ": " + sentence);
 }
 
-void VtkNumbers::fail_at_end(std::string_view what) const { fail("the file ends in " + std::string(what) + "; it was cut short; write it again."); }
+void VtkNumbers::fail_at_end(std::string_view what) const { fail("the file ends in " + std::string(what) + "; it is truncated: export it again."); }
 
 std::size_t VtkNumbers::count(std::string_view what) {
   const std::string_view word = words_.next_in_line();
@@ -60,14 +60,14 @@ NumberType VtkNumbers::type(std::string_view what) {
   const std::string_view word = words_.next_in_line();
   if (word.empty() && words_.remaining() == 0) fail_at_end(what);
   if (const auto type = vtk_number_type(word)) return *type;
-  fail(std::string(what) + " has numbers of type " + shown(word) + ", which cannot be read; write it as int, vtktypeint64, float or double.");
+  fail(std::string(what) + " has numbers of type " + shown(word) + ", which is not supported; export it as int, vtktypeint64, float or double.");
 }
 
 void VtkNumbers::check_room(std::size_t bytes_each, std::size_t count, std::string_view what) const {
-  const std::size_t each = is_binary_ ? bytes_each : 2;  // a digit and a space, but for the last
+  const std::size_t each = is_binary_ ? bytes_each : 2;  // a digit and a space, except after the last
   if (count <= (words_.remaining() + (is_binary_ ? 0 : 1)) / each) return;
-  fail(std::string(what) + " should be " + std::to_string(count) + " numbers, more than the " + std::to_string(words_.remaining()) +
-       " bytes behind it can hold; the file was cut short or the count is damaged; write it again.");
+  fail(std::string(what) + " needs " + std::to_string(count) + " numbers, more than the " + std::to_string(words_.remaining()) +
+       " bytes after it can hold; the file is truncated or the count is damaged: export it again.");
 }
 
 template <class Number>
@@ -94,12 +94,12 @@ std::vector<Number> VtkNumbers::numbers(std::size_t count, NumberType type, std:
 std::vector<double> VtkNumbers::reals(std::size_t count, NumberType type, std::string_view what) {
   std::vector<double> out = numbers<double>(count, type, what);
   if (!std::all_of(out.begin(), out.end(), [](double number) { return std::isfinite(number); }))
-    fail(std::string(what) + " has a number that is not finite; mend the mesh and write it again.");
+    fail(std::string(what) + " has a number that is not finite; repair the mesh and export it again.");
   return out;
 }
 
 std::vector<std::int64_t> VtkNumbers::wholes(std::size_t count, NumberType type, std::string_view what) {
-  if (!is_whole(type)) fail(std::string(what) + " has numbers of type float or double, where whole ones belong; write the file again.");
+  if (!is_whole(type)) fail(std::string(what) + " has numbers of type float or double, where integers are expected; export the file again.");
   return numbers<std::int64_t>(count, type, what);
 }
 
@@ -107,9 +107,9 @@ void VtkNumbers::skip(std::size_t tuples, std::size_t components, std::string_vi
   const bool is_bit = is_word(type, "bit"), is_string = is_word(type, "string") || is_word(type, "utf8_string");
   const std::optional<NumberType> known = vtk_number_type(type);
   if (!known && !is_bit && !is_string)
-    fail(std::string(what) + " has values of type " + shown(type) + ", which cannot be passed over; write the file without.");
+    fail(std::string(what) + " has values of type " + shown(type) + ", which cannot be skipped; export the file without them.");
   if (is_binary_ || is_string) words_.skip_line();
-  const std::size_t most = 8 * (words_.remaining() + 1);  // a bit each
+  const std::size_t most = 8 * (words_.remaining() + 1);  // at least one bit each
   if (components > 0 && tuples > most / components) fail_at_end(what);
   const std::size_t count = tuples * components;
   if (is_string) return skip_strings(count, what);
@@ -122,7 +122,7 @@ void VtkNumbers::skip(std::size_t tuples, std::size_t components, std::string_vi
     if (words_.next().empty()) fail_at_end(what);
 }
 
-/// Strings: a line each, or in a binary file their length and their bytes.
+/// Strings: one per line in text, or length and bytes in a binary file.
 void VtkNumbers::skip_strings(std::size_t count, std::string_view what) {
   for (std::size_t k = 0; k < count; ++k) {
     if (words_.remaining() == 0) fail_at_end(what);
@@ -135,7 +135,7 @@ void VtkNumbers::skip_strings(std::size_t count, std::string_view what) {
   }
 }
 
-/// The two highest bits say of how many bytes it is: 3 of one, 2 of two, 1 of four, 0 of eight.
+/// The two highest bits give the size of the length field: 3 one byte, 2 two, 1 four, 0 eight.
 std::size_t VtkNumbers::length_of_string(std::string_view what) {
   const auto byte = [&] {
     const std::string_view next = words_.bytes(1);

@@ -1,4 +1,4 @@
-/// The words and numbers of VTK's legacy files: text throughout, or text with blocks of binary numbers, most significant byte first.
+/// Words and numbers of VTK legacy files: plain text, or text with blocks of big-endian binary numbers.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,27 @@
 
 namespace fccda {
 
-/// The type that a word such as `unsigned_char` means; nothing for others, such as `bit` and `string`.
+/// The number type that a word such as `unsigned_char` denotes; nothing for others, such as `bit` and `string`.
 std::optional<NumberType> vtk_number_type(std::string_view word);
 
 class VtkNumbers {
  public:
-  /// `words` stands at the word ASCII or BINARY; both must outlive this.
+  /// `words` must be positioned at the word ASCII or BINARY; both arguments must outlive this object.
   VtkNumbers(Words& words, const std::string& file);
 
   /// A word of the header line of a section.
   std::string_view word() { return words_.next_in_line(); }
-  std::size_t count(std::string_view what);  ///< the same as a count
-  NumberType type(std::string_view what);    ///< the same as the type of numbers
+  std::size_t count(std::string_view what);  ///< the next word as a count
+  NumberType type(std::string_view what);    ///< the next word as a number type
 
-  /// The numbers behind the header line. Throws InputError where the file does not hold as many.
+  /// The numbers after the header line. Throws InputError where the file has fewer.
   std::vector<double> reals(std::size_t count, NumberType type, std::string_view what);
   std::vector<std::int64_t> wholes(std::size_t count, NumberType type, std::string_view what);
 
-  /// Passes `tuples` times `components` values of the type of that name, numbers or not.
+  /// Skips `tuples` times `components` values of the named type, numeric or not.
   void skip(std::size_t tuples, std::size_t components, std::string_view type, std::string_view what);
 
-  /// Throws InputError, in a text with the line.
+  /// Throws InputError, with the line for a text file.
   [[noreturn]] void fail(const std::string& sentence) const;
 
  private:

@@ -20,7 +20,7 @@ constexpr std::pair<std::string_view, NumberType> types[] = {{"Int8", NumberType
                                                              {"Int64", NumberType::int64},    {"UInt64", NumberType::uint64}, {"Float32", NumberType::float32},
                                                              {"Float64", NumberType::float64}};
 
-/// An array that is needed: `section` is the element about it.
+/// A required array; `section` is its enclosing element.
 struct FoundArray {
   std::string_view section, name;
   VtpArray array;
@@ -32,12 +32,12 @@ struct Piece {
   std::vector<FoundArray> arrays;
   int part_rank = -1;
   VtpArray part;
-  std::string point_arrays;  // ", " and the name of each that has a number a point
+  std::string point_arrays;  // ", " and the name of each scalar point array
 };
 
 class VtkXml {
  public:
-  /// `wanted`: an array of PointData, where points are to be read.
+  /// `wanted`: the array of PointData to read when points are read.
   VtkXml(std::string_view contents, const std::string& file, std::string_view wanted = {})
       : file_(file), size_(contents.size()), tags_(contents, file), wanted_(wanted) {}
 
@@ -49,8 +49,8 @@ class VtkXml {
       if (piece.points == 0) continue;
       const VtpArray* wanted = find(piece, "PointData", wanted_);
       if (wanted == nullptr)
-        tags_.fail(piece.line, "the piece has no point array " + shown(wanted_) + " of one number a point; it has " +
-                                   (piece.point_arrays.empty() ? "none at all." : piece.point_arrays.substr(2) + "."));
+        tags_.fail(piece.line, "the piece has no scalar point array " + shown(wanted_) + "; it has " +
+                                   (piece.point_arrays.empty() ? "none." : piece.point_arrays.substr(2) + "."));
       const std::vector<double> values = arrays.reals(*wanted, piece.points), places = arrays.reals(array(piece, "Points", ""), 3 * piece.points);
       out.values.insert(out.values.end(), values.begin(), values.end());
       for (std::size_t k = 0; k < places.size(); k += 3) out.points.push_back({places[k], places[k + 1], places[k + 2]});
@@ -88,26 +88,27 @@ class VtkXml {
   }
 
   [[noreturn]] void fail_at_end() const {
-    tags_.fail(tags_.line_of_text(), "the file ends inside of " + shown(open_.back()) + "; it was cut short; write it again.");
+    tags_.fail(tags_.line_of_text(), "the file ends inside " + shown(open_.back()) + "; it is truncated: export it again.");
   }
 
   void open(const XmlTag& tag) {
     constexpr std::size_t deepest = 32;  // files have seven
-    if (open_.size() == deepest) tags_.fail(tag.line, "elements are nested deeper than VTK files have them; write the file again.");
+    if (open_.size() == deepest) tags_.fail(tag.line, "elements are nested more deeply than in any VTK file; export the file again.");
     open_.push_back(tag.name);
   }
 
   void close(const XmlTag& tag) {
     if (open_.empty() || open_.back() != tag.name) {
-      tags_.fail(tag.line, shown("/" + std::string(tag.name)) + " closes what is not open" + (open_.empty() ? "" : ", for " + shown(open_.back()) + " is") +
-                               "; the file is damaged; write it again.");
+      tags_.fail(tag.line, shown("/" + std::string(tag.name)) +
+                               (open_.empty() ? " closes no open element" : " does not match the open element " + shown(open_.back())) +
+                               "; the file is damaged: export it again.");
     }
     open_.pop_back();
   }
 
   void begin_file(const XmlTag& tag) {
     has_begun_ = true;
-    if (tag.name != "VTKFile") tags_.fail(tag.line, "a VTK file in XML begins with `<VTKFile`; this is another format under its name.");
+    if (tag.name != "VTKFile") tags_.fail(tag.line, "a VTK file in XML begins with `<VTKFile`; the contents do not match the file extension.");
     is_grid_ = tag["type"] == "UnstructuredGrid";
     if (!is_grid_ && tag["type"] != "PolyData") {
       tags_.fail(tag.line, "the file is of type " + shown(tag["type"]) +
@@ -119,15 +120,15 @@ class VtkXml {
     encoding_.is_packed = chosen<bool>(tag, "compressor", {{"", false}, {"vtkZLibDataCompressor", true}});
   }
 
-  /// What the value of an attribute stands for. The first choice is for files without it.
+  /// The meaning of an attribute's value. The first choice is the default.
   template <class Choice>
   Choice chosen(const XmlTag& tag, std::string_view attribute, std::initializer_list<std::pair<std::string_view, Choice>> choices) const {
     for (const auto& [value, choice] : choices)
       if (tag[attribute] == value) return choice;
-    std::string sentence = std::string(attribute) + " is " + shown(tag[attribute]) + ", but can be read as";
+    std::string sentence = std::string(attribute) + " is " + shown(tag[attribute]) + ", but must be";
     for (const auto& [value, choice] : choices)
       if (!value.empty()) sentence += (value == (choices.begin() + 1)->first ? " `" : " or `") + std::string(value) + "`";
-    tags_.fail(tag.line, sentence + " only; write the file so.");
+    tags_.fail(tag.line, sentence + "; export the file accordingly.");
   }
 
   std::size_t count(const XmlTag& tag, std::string_view attribute) const {
@@ -136,7 +137,7 @@ class VtkXml {
     if (word.empty()) return value;
     const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (problem != std::errc{} || end != word.data() + word.size() || value > size_t{1} << 60)
-      tags_.fail(tag.line, std::string(attribute) + " is " + shown(word) + ", where a count belongs; mend the file or write it again.");
+      tags_.fail(tag.line, std::string(attribute) + " is " + shown(word) + ", where a count is expected; correct the file or export it again.");
     return value;
   }
 
@@ -152,7 +153,7 @@ class VtkXml {
     pieces_.push_back(std::move(piece));
   }
 
-  /// The array as it is kept, or nothing where it is not needed.
+  /// The stored array, or nullptr where it is not needed.
   VtpArray* begin_array(const XmlTag& tag) {
     if (pieces_.empty() || open_.empty()) return nullptr;
     Piece& piece = pieces_.back();
@@ -164,7 +165,7 @@ class VtkXml {
     const bool is_needed = section == "Points" || (is_list && (name == "connectivity" || name == "offsets" || (name == "types" && is_grid_)));
     if (!is_needed || find(piece, section, name) != nullptr) return nullptr;
     if (section == "Points" && count(tag, "NumberOfComponents") != 3)
-      tags_.fail(tag.line, "the points have " + shown(tag["NumberOfComponents"]) + " components, but need 3; write the file again.");
+      tags_.fail(tag.line, "the points have " + shown(tag["NumberOfComponents"]) + " components, but need 3; export the file again.");
     piece.arrays.push_back({section, name, described(tag, name.empty() ? std::string(section) : std::string(section) + "/" + std::string(name))});
     return &piece.arrays.back().array;
   }
@@ -177,7 +178,7 @@ class VtkXml {
     return &piece.arrays.back().array;
   }
 
-  /// Takes the array as the parts where it is one that numbers them, better than the one so far.
+  /// Uses the array as part numbers where it ranks higher than the one found so far.
   VtpArray* begin_part(const XmlTag& tag, Piece& piece) {
     const int rank = vtk_part_rank(tag["Name"]);
     const auto type = type_of(tag);
@@ -198,14 +199,14 @@ class VtkXml {
     array.line = tag.line;
     const auto type = type_of(tag);
     if (type == std::end(types))
-      tags_.fail(tag.line, array.name + " has numbers of type " + shown(tag["type"]) + ", which cannot be read; write the file again.");
+      tags_.fail(tag.line, array.name + " has numbers of type " + shown(tag["type"]) + ", which is not supported; export the file again.");
     array.type = type->second;
     array.format = chosen<Format>(tag, "format", {{"", Format::ascii}, {"ascii", Format::ascii}, {"binary", Format::binary}, {"appended", Format::appended}});
     array.offset = count(tag, "offset");
     return array;
   }
 
-  /// Goes to the end of the array; its numbers are the text in front of what else it holds.
+  /// Moves to the end of the array; its numbers are the text before any nested element.
   void take_text(VtpArray& array) {
     const std::size_t depth = open_.size();
     while (open_.size() >= depth) {
@@ -223,7 +224,7 @@ class VtkXml {
     std::string_view text = tags_.rest();
     const std::size_t mark = text.find_first_not_of(" \t\r\n");
     if (mark == std::string_view::npos || text[mark] != '_')
-      tags_.fail(tag.line, "the appended data do not begin with `_`; the file is damaged; write it again.");
+      tags_.fail(tag.line, "the appended data do not begin with `_`; the file is damaged: export it again.");
     text.remove_prefix(mark + 1);
     encoding_.appended_text = encoding_.appended == Encoding::raw ? text : text.substr(0, text.find('<'));
   }
@@ -238,7 +239,7 @@ class VtkXml {
     static const VtpArray none;
     if (section == "Points" && piece.points == 0) return none;
     if (const VtpArray* found = find(piece, section, name)) return *found;
-    tags_.fail(piece.line, "the piece has no array" + (name.empty() ? "" : " " + shown(name)) + " in " + shown(section) + "; write the file again.");
+    tags_.fail(piece.line, "the piece has no array" + (name.empty() ? "" : " " + shown(name)) + " in " + shown(section) + "; export the file again.");
   }
 
   VtkCells cells(VtpArrays& arrays, const Piece& piece, std::string_view section, std::size_t count) const {
@@ -246,7 +247,7 @@ class VtkXml {
     VtkCells out;
     const VtpArray& offsets = array(piece, section, "offsets");
     out.ends = arrays.wholes(offsets, count);
-    if (out.ends.back() < 0) tags_.fail(offsets.line, offsets.name + " ends with a negative number; mend the file or write it again.");
+    if (out.ends.back() < 0) tags_.fail(offsets.line, offsets.name + " ends with a negative number; correct the file or export it again.");
     out.points = arrays.wholes(array(piece, section, "connectivity"), static_cast<std::size_t>(out.ends.back()));
     return out;
   }
@@ -261,7 +262,7 @@ class VtkXml {
     out.add(all, arrays.wholes(array(piece, "Cells", "types"), piece.cells), parts(arrays, piece, piece.cells));
   }
 
-  /// Cell data run through vertices, lines, polygons and strips in this order.
+  /// Cell data are ordered by vertices, lines, polygons and strips.
   void add_polydata(VtkElements& out, VtpArrays& arrays, const Piece& piece) const {
     const std::size_t before = piece.vertices + piece.lines;
     const std::vector<std::int64_t> part = parts(arrays, piece, before + piece.polygons + piece.strips);
@@ -278,7 +279,7 @@ class VtkXml {
   bool has_begun_ = false;
   bool is_grid_ = false;
   VtpEncoding encoding_;
-  std::vector<std::string_view> open_;  // elements, from outside in
+  std::vector<std::string_view> open_;  // open elements, outermost first
   std::vector<Piece> pieces_;
   std::string_view wanted_;
 };

@@ -15,17 +15,17 @@ void VtpArrays::fail(const VtpArray& array, const std::string& sentence) const {
   throw InputError(file_ + ":" + std::to_string(array.line) + ": " + excerpt(array.name) + " " + sentence);
 }
 
-void VtpArrays::fail_at_end(const VtpArray& array) const { fail(array, "ends before its numbers do, or is damaged; write the file again."); }
+void VtpArrays::fail_at_end(const VtpArray& array) const { fail(array, "is truncated or damaged; export the file again."); }
 
 std::vector<double> VtpArrays::reals(const VtpArray& array, std::size_t count) {
   std::vector<double> out = numbers<double>(array, count);
   if (!std::all_of(out.begin(), out.end(), [](double number) { return std::isfinite(number); }))
-    fail(array, "has a number that is not finite; mend the mesh and write it again.");
+    fail(array, "has a number that is not finite; repair the mesh and export it again.");
   return out;
 }
 
 std::vector<std::int64_t> VtpArrays::wholes(const VtpArray& array, std::size_t count) {
-  if (!is_whole(array.type)) fail(array, "has numbers of type Float32 or Float64, where whole ones belong; write the file again.");
+  if (!is_whole(array.type)) fail(array, "has numbers of type Float32 or Float64, where integers are expected; export the file again.");
   return numbers<std::int64_t>(array, count);
 }
 
@@ -33,7 +33,7 @@ template <class Number>
 std::vector<Number> VtpArrays::numbers(const VtpArray& array, std::size_t count) {
   if (count == 0) return {};
   if (count > bytes_left_ / sizeof(Number)) {
-    fail(array, "should be " + std::to_string(count) + " numbers, more than the file can hold; it was cut short or a count is damaged; write it again.");
+    fail(array, "needs " + std::to_string(count) + " numbers, more than the file can hold; it is truncated or a count is damaged: export it again.");
   }
   bytes_left_ -= count * sizeof(Number);
   if (array.format == VtpArray::Format::ascii) return numbers_of_text<Number>(array, count);
@@ -53,7 +53,7 @@ std::vector<Number> VtpArrays::numbers_of_text(const VtpArray& array, std::size_
     }
   }
   if (out.size() != count)
-    fail(array, "has " + std::to_string(out.size()) + " numbers, but needs " + std::to_string(count) + "; mend the file or write it again.");
+    fail(array, "has " + std::to_string(out.size()) + " numbers, but needs " + std::to_string(count) + "; correct the file or export it again.");
   return out;
 }
 
@@ -69,18 +69,18 @@ std::string VtpArrays::bytes(const VtpArray& array, std::size_t size) const {
   EncodedBytes source(is_appended ? encoding_.appended_text.substr(array.offset) : array.text, is_appended ? encoding_.appended : Encoding::base64);
   if (encoding_.is_packed) return unpacked(array, source, size);
   const std::size_t stored = header_number(array, source);
-  if (stored != size) fail(array, "has " + std::to_string(stored) + " bytes, but needs " + std::to_string(size) + "; write the file again.");
+  if (stored != size) fail(array, "has " + std::to_string(stored) + " bytes, but needs " + std::to_string(size) + "; export the file again.");
   auto out = source.next(size);
   if (!out) fail_at_end(array);
   return std::move(*out);
 }
 
-/// Counts: blocks, bytes of a block, bytes of the last one if that is less (else 0), and packed bytes of each; then the blocks.
+/// Header: number of blocks, block size, size of a shorter last block (else 0), compressed size of each block; then the blocks.
 std::string VtpArrays::unpacked(const VtpArray& array, EncodedBytes& source, std::size_t size) const {
   const std::size_t blocks = header_number(array, source), whole = header_number(array, source), partial = header_number(array, source);
   const bool is_sum =
       blocks > 0 && whole > 0 && partial <= whole && (blocks - 1) <= size / whole && (blocks - 1) * whole + (partial > 0 ? partial : whole) == size;
-  if (!is_sum) fail(array, "is packed in blocks that do not make up " + std::to_string(size) + " bytes; write the file again.");
+  if (!is_sum) fail(array, "is compressed in blocks whose sizes do not add up to " + std::to_string(size) + " bytes; export the file again.");
   const auto sizes = source.next(blocks * size_of(encoding_.header));
   if (!sizes) fail_at_end(array);
   std::string out;
@@ -91,7 +91,7 @@ std::string VtpArrays::unpacked(const VtpArray& array, EncodedBytes& source, std
     const std::size_t block_size = b + 1 == blocks && partial > 0 ? partial : whole;
     constexpr std::size_t most_into_a_byte = 1032;
     const auto block = block_size / most_into_a_byte > packed->size() ? std::nullopt : inflated(*packed, block_size);
-    if (!block) fail(array, "is damaged: block " + std::to_string(b + 1) + " of " + std::to_string(blocks) + " does not unpack; write the file again.");
+    if (!block) fail(array, "is damaged: block " + std::to_string(b + 1) + " of " + std::to_string(blocks) + " does not decompress; export the file again.");
     out += *block;
   }
   return out;

@@ -1,4 +1,4 @@
-/// Numbers of VTK's XML files: as text, as base64 in their place, or appended at the end of the file; plain or in blocks packed by zlib.
+/// Data arrays of VTK XML files: ascii, inline base64 or appended at the end of the file; plain or in zlib-compressed blocks.
 #pragma once
 
 #include <bit>
@@ -13,33 +13,33 @@
 
 namespace fccda {
 
-/// A DataArray as its tag says it.
+/// A DataArray as described by its tag.
 struct VtpArray {
-  std::string name;  ///< as messages call it
+  std::string name;  ///< for messages
   NumberType type = NumberType::float64;
   enum class Format : std::uint8_t { ascii, binary, appended } format = Format::ascii;
-  std::size_t offset = 0;  ///< of appended ones, from the start of the appended bytes
-  std::string_view text;   ///< of the others
-  std::size_t line = 0;    ///< where the text, or the tag of an appended one, begins
+  std::size_t offset = 0;  ///< for appended arrays, from the start of the appended bytes
+  std::string_view text;   ///< for the others
+  std::size_t line = 0;    ///< line of the text, or of the tag of an appended array
 };
 
-/// How binary numbers are written in the whole file.
+/// Encoding of binary numbers throughout the file.
 struct VtpEncoding {
   std::endian order = std::endian::little;
-  NumberType header = NumberType::uint32;  ///< type of the counts of bytes before each array
-  bool is_packed = false;                  ///< by vtkZLibDataCompressor
+  NumberType header = NumberType::uint32;  ///< type of the byte counts before each array
+  bool is_packed = false;                  ///< compressed by vtkZLibDataCompressor
   Encoding appended = Encoding::raw;
   std::string_view appended_text;
 };
 
 class VtpArrays {
  public:
-  /// `file_size` [bytes] bounds what may be unpacked: 256 times as much and 1 MiB.
+  /// `file_size` [bytes] bounds the decompressed size: 256 times as much plus 1 MiB.
   VtpArrays(const VtpEncoding& encoding, std::string file, std::size_t file_size)
       : encoding_(encoding), file_(std::move(file)), bytes_left_((std::size_t{1} << 20) + 256 * file_size) {}
 
-  /// All numbers of an array, which are `count`. Throws InputError with the line and the array's name where they are not as many, no finite
-  /// numbers (or no whole ones), damaged, or too much to unpack.
+  /// The `count` numbers of an array. Throws InputError with the line and the array's name where the number differs, values are not finite (or not
+  /// integers), the data are damaged, or the decompressed size exceeds the bound.
   std::vector<double> reals(const VtpArray& array, std::size_t count);
   std::vector<std::int64_t> wholes(const VtpArray& array, std::size_t count);
 
@@ -56,7 +56,7 @@ class VtpArrays {
 
   VtpEncoding encoding_;
   std::string file_;
-  std::size_t bytes_left_;  // to be unpacked from here on: the same bytes may be named by many arrays
+  std::size_t bytes_left_;  // remaining decompression budget: many arrays may refer to the same bytes
 };
 
 }  // namespace fccda

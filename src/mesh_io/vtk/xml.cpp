@@ -39,11 +39,11 @@ void XmlTags::pass(std::size_t end) {
 
 void XmlTags::pass_behind(std::string_view mark, const char* what) {
   const std::size_t end = text_.find(mark, at_);
-  if (end == std::string_view::npos) fail(line_, std::string(what) + " has no end; the file was cut short; write it again.");
+  if (end == std::string_view::npos) fail(line_, std::string(what) + " is not closed; the file is truncated: export it again.");
   pass(end + mark.size());
 }
 
-/// Of the tag that begins at at_: where its > is, which no quoted value is.
+/// The position of the closing > of the tag at at_, outside quoted values.
 std::size_t XmlTags::end_of_tag() const {
   char quote = 0;
   for (std::size_t k = at_; k < text_.size(); ++k) {
@@ -56,7 +56,7 @@ std::size_t XmlTags::end_of_tag() const {
       return k;
     }
   }
-  fail(line_, "a tag has no end; the file was cut short; write it again.");
+  fail(line_, "a tag is not closed; the file is truncated: export it again.");
 }
 
 XmlTag XmlTags::next() {
@@ -72,7 +72,7 @@ XmlTag XmlTags::next() {
     } else if (tag.starts_with("<?")) {
       pass_behind("?>", "a tag <?");
     } else if (tag.starts_with("<!")) {
-      fail(line_, "document types and CDATA (`<!`) cannot be read, and no VTK program writes them; write the file again.");
+      fail(line_, "document types and CDATA (`<!`) are not supported; export the file again.");
     } else {
       break;
     }

@@ -10,7 +10,7 @@
 
 using namespace perimpact::output;
 
-TEST_CASE("pvd: after each frame the list names every frame with its time, and no other") {
+TEST_CASE("pvd: after each frame the list contains every frame with its time, and no other") {
   const fixtures::TemporaryFolder folder;
   Series plate(folder.path(), "plate & ice");
   const auto frame = [](const std::filesystem::path& path) { write_whole_file(path, "frame"); };
@@ -29,7 +29,7 @@ TEST_CASE("pvd: after each frame the list names every frame with its time, and n
   CHECK(fixtures::files_in(folder.path()) == std::set<std::string>{"plate & ice.pvd", "plate & ice_00000.vtp", "plate & ice_00001.vtp"});
 }
 
-TEST_CASE("pvd: a series that goes on lists the frames that it is given and those that follow, and removes later ones") {
+TEST_CASE("pvd: a resumed series lists the given frames and those that follow, and removes later ones") {
   const fixtures::TemporaryFolder folder, whole;
   const auto frame = [](const std::filesystem::path& path) { write_whole_file(path, "frame"); };
   for (const auto* each : {&folder, &whole}) {
@@ -50,12 +50,12 @@ TEST_CASE("pvd: a series that goes on lists the frames that it is given and thos
   for (const std::string& name : fixtures::files_in(whole.path())) CHECK(fixtures::text_of(folder / name) == fixtures::text_of(whole / name));
 }
 
-TEST_CASE("pvd: a file that lists no pictures is refused") {
+TEST_CASE("pvd: a file that lists no frames is refused") {
   const fixtures::TemporaryFolder folder;
   for (const char* text : {"", "<VTKFile></VTKFile>", "<DataSet timestep=\"one\" file=\"a.vtp\"/>", "<DataSet timestep=\"1\"/>"}) {
     fixtures::put(folder / "plate.pvd", text);
     CHECK_THROWS_WITH_AS(frame_files_of(folder / "plate.pvd"),
-                         ((folder / "plate.pvd").string() + " lists no pictures with their times; take the file as the run wrote it.").c_str(),
+                         ((folder / "plate.pvd").string() + " lists no frames with their times; use the file as written by the run.").c_str(),
                          fccda::InputError);
   }
 }

@@ -1,4 +1,4 @@
-/// Writes one file of each kind into the folder given, for check_vtp.py, which knows the same formulas.
+/// Writes one file of each kind to the given folder, for check_vtp.py, which evaluates the same formulas.
 #include <cstdint>
 #include <filesystem>
 #include <string>

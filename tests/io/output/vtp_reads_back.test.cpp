@@ -7,7 +7,7 @@
 
 using namespace perimpact::output;
 
-TEST_CASE("vtp: a surface as it is written is a surface that can be read, bit for bit and with its parts") {
+TEST_CASE("vtp: a written surface is read back bitwise, with its parts") {
   const fixtures::TemporaryFolder folder;
   for (const fccda::Panels& panels : {fixtures::torus(2, 0.5, 9, 7, 1), fixtures::tetrahedron()}) {
     std::vector<std::int32_t> part(panels.panels.size(), 2);

@@ -12,7 +12,7 @@ using namespace perimpact::report;
 
 namespace {
 
-/// The inverse of ArrayPacker by its definition, in wide numbers that cannot wrap.
+/// The inverse of ArrayPacker from its definition, in wide integers that cannot overflow.
 std::vector<std::uint32_t> unpacked(const std::string& bytes, std::size_t count, int width, const std::vector<std::vector<std::uint32_t>>& before) {
   REQUIRE(bytes.size() == 1 + count * static_cast<std::size_t>(width));
   const int prediction = bytes[0];
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> unpacked(const std::string& bytes, std::size_t count,
 
 }  // namespace
 
-TEST_CASE("packing: numbers of any size, with wrap-around, come back in picture after picture") {
+TEST_CASE("packing: numbers of any size, with wrap-around, are decoded in every frame") {
   std::mt19937 chance(11);
   for (const int width : {1, 2, 4}) {
     CAPTURE(width);
@@ -55,7 +55,7 @@ TEST_CASE("packing: numbers of any size, with wrap-around, come back in picture 
   }
 }
 
-TEST_CASE("packing: each prediction is taken where it leaves nothing") {
+TEST_CASE("packing: each prediction is selected where its residuals vanish") {
   const std::size_t count = 500;
   std::mt19937 chance(12);
   std::vector<std::uint32_t> random(count), ramp(count), speed(count), constant(count, 7);
@@ -72,12 +72,12 @@ TEST_CASE("packing: each prediction is taken where it leaves nothing") {
   };
   CHECK(choice({constant}) == 0);
   CHECK(choice({random, random}) == 1);                                                 // nothing moves
-  CHECK(choice({random, plus(random, speed), plus(plus(random, speed), speed)}) == 2);  // each at a speed of its own
+  CHECK(choice({random, plus(random, speed), plus(plus(random, speed), speed)}) == 2);  // each at a different constant velocity
   CHECK(choice({ramp}) == 3);
-  CHECK(choice({random, plus(random, ramp)}) == 4);  // moves by what grows along the row
+  CHECK(choice({random, plus(random, ramp)}) == 4);  // displacement grows along the array
 }
 
-TEST_CASE("packing: reals come back within half a step, and their range is kept") {
+TEST_CASE("packing: reals are recovered within half a step, and the range is preserved") {
   std::mt19937 chance(13);
   std::uniform_real_distribution<double> any(-3.5, 12.25);
   const Scale scale(-3.5, 12.25, 4095);
@@ -94,7 +94,7 @@ TEST_CASE("packing: reals come back within half a step, and their range is kept"
   CHECK(flat.number_of(2) == 0);
 }
 
-TEST_CASE("packing: gzip is what gunzip unpacks, and equal for equal bytes") {
+TEST_CASE("packing: gzip output is decompressed by gunzip, and deterministic") {
   std::mt19937 chance(14);
   for (const std::size_t size : {1U, 100U, 70'000U}) {
     std::string bytes(size, '\0');
@@ -104,7 +104,7 @@ TEST_CASE("packing: gzip is what gunzip unpacks, and equal for equal bytes") {
   }
 }
 
-TEST_CASE("packing: base64 gives the examples of RFC 4648, section 10") {
+TEST_CASE("packing: base64 reproduces the examples of RFC 4648, section 10") {
   CHECK(base64("") == "");
   CHECK(base64("f") == "Zg==");
   CHECK(base64("fo") == "Zm8=");

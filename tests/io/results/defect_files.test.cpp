@@ -13,7 +13,7 @@
 
 using namespace fccda;
 
-TEST_CASE("defect pictures: each panel of each defect is there with its corners, its number and its kind, and nothing else") {
+TEST_CASE("defect files: each panel of each defect is written with its corners, number and kind, and nothing else") {
   const fixtures::TemporaryFolder folder;
   Panels panels = fixtures::unit_cube();  // six quads
   panels.vertices.push_back({9, 9, 9});   // of a panel that has no defect
@@ -44,7 +44,7 @@ TEST_CASE("defect pictures: each panel of each defect is there with its corners,
     }
 }
 
-TEST_CASE("defect pictures: the guide lists the numbers of the kinds") {
+TEST_CASE("defect files: the guide lists the numbers of the kinds") {
   const std::string guide = fixtures::text_of(PROJECT_FOLDER "/docs/guide/surface_meshes.md");
   for (std::size_t kind = 0; kind < std::size(defect_names); ++kind)
     CHECK_MESSAGE(guide.find("| " + std::to_string(kind) + " | " + std::string(defect_names[kind]) + " |") != std::string::npos, defect_names[kind]);

@@ -16,7 +16,7 @@ using namespace perimpact;
 
 namespace {
 
-/// A block struck by a face wider than itself, of panels smaller than its spacing.
+/// A block hit by a face wider than itself, with panels smaller than its spacing.
 Setup struck_block() {
   Setup setup;
   setup.time = {.end = 20e-6, .step = 5e-7};
@@ -39,30 +39,30 @@ Setup struck_block() {
   return setup;
 }
 
-fixtures::VtpFile picture(PanelFrames& pictures, const fixtures::TemporaryFolder& folder, const Simulation& simulation) {
-  const std::filesystem::path path = folder.path() / "picture.vtp";
-  pictures.write(path, simulation.impactors()[0], simulation.clock().time());
+fixtures::VtpFile frame_of(PanelFrames& frames, const fixtures::TemporaryFolder& folder, const Simulation& simulation) {
+  const std::filesystem::path path = folder.path() / "frame.vtp";
+  frames.write(path, simulation.impactors()[0], simulation.clock().time());
   std::ifstream file(path, std::ios::binary);
   return fixtures::VtpFile({std::istreambuf_iterator<char>(file), {}});
 }
 
 }  // namespace
 
-TEST_CASE("panel pictures: impulses of the panels sum to what the impactor lost, and pressures times areas to the force") {
+TEST_CASE("panel frames: impulses of the panels sum to the momentum loss of the impactor, and pressures times areas to the force") {
   const fixtures::TemporaryFolder folder;
   Simulation simulation(struck_block());
   const Impactor& hammer = simulation.impactors()[0];
   const fccda::PanelFaces faces(hammer.surface());
-  PanelFrames pictures;
-  picture(pictures, folder, simulation);
+  PanelFrames frames;
+  frame_of(frames, folder, simulation);
   Vec3d before = hammer.body().momentum();
   const Vec3d first = before;
   double time = 0;
   std::vector<float> peak(faces.size(), 0);
   bool was_struck = false;
   while (!simulation.clock().is_finished()) {
-    for (int k = 0; k < 6; ++k) simulation.step();  // not a multiple of the rows, which are 4 steps apart
-    const fixtures::VtpFile file = picture(pictures, folder, simulation);
+    for (int k = 0; k < 6; ++k) simulation.step();  // not a multiple of the row interval of 4 steps
+    const fixtures::VtpFile file = frame_of(frames, folder, simulation);
     const auto pressure = file.arrays.at("CellData/contact_pressure").as<float>(), impulse = file.arrays.at("CellData/contact_impulse").as<float>();
     REQUIRE(pressure.size() == faces.size());
     Vec3d sum{};
@@ -72,13 +72,13 @@ TEST_CASE("panel pictures: impulses of the panels sum to what the impactor lost,
       force += pressure[p] * faces[p].area;
     }
     const Vec3d lost = hammer.body().momentum() - first;
-    CHECK(norm(sum - lost) <= 1e-5 * (norm(lost) + 1e-9));  // written as float, 6e-8 a number
-    // the face that strikes looks along -y, so the normal force is the one along y
+    CHECK(norm(sum - lost) <= 1e-5 * (norm(lost) + 1e-9));  // written as float, 6e-8 per number
+    // the contact face points along -y, so the normal force is the y component
     const double mean = (hammer.body().momentum() - before).y / (simulation.clock().time() - time);
     if (mean == 0)
       CHECK(force == 0);
     else
-      CHECK(force == fixtures::relative(mean, 1e-6));  // written as float, 6e-8 a number
+      CHECK(force == fixtures::relative(mean, 1e-6));  // written as float, 6e-8 per number
     was_struck = was_struck || mean > 0;
     const auto peak_now = file.arrays.at("CellData/peak_pressure").as<float>();
     for (std::size_t p = 0; p < faces.size(); ++p) CHECK(peak_now[p] >= peak[p]);
@@ -89,12 +89,12 @@ TEST_CASE("panel pictures: impulses of the panels sum to what the impactor lost,
   CHECK(*std::max_element(peak.begin(), peak.end()) > 0);
 }
 
-TEST_CASE("panel pictures: an analytic sphere names no panels and has no arrays") {
+TEST_CASE("panel frames: an analytic sphere resolves no panels and has no arrays") {
   const fixtures::TemporaryFolder folder;
   Setup setup = struck_block();
   setup.impactors[0].surface = SphereSurface{.diameter = 0.02, .edge_length = 0.002};
   setup.contact.impactors.detector.index = static_cast<int>(DetectorKind::analytic);
   const Simulation simulation(setup);
-  PanelFrames pictures;
-  CHECK(picture(pictures, folder, simulation).arrays.count("CellData/contact_pressure") == 0);
+  PanelFrames frames;
+  CHECK(frame_of(frames, folder, simulation).arrays.count("CellData/contact_pressure") == 0);
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double spacing = 0.5;
 
-/// A sheet of 80 by 60 by 2 cells; `piece_of(i, j, k)` says to which fragment a cell belongs, none where that is negative.
+/// A sheet of 80 by 60 by 2 cells; `piece_of(i, j, k)` is the fragment of a cell, negative for an empty cell.
 struct Sheet {
   std::vector<Vec3d> places;
   std::vector<std::int32_t> fragments;
@@ -33,7 +33,7 @@ struct Sheet {
   }
 };
 
-/// Two halves, numbers 0 and 1, beside the channel, and floes of 4 cells in it, from number 2 on.
+/// Two halves, numbers 0 and 1, on both sides of the channel, and floes of 4 cells in it, from number 2.
 int of_channel(int i, int j, int low, int high) {
   if (j < low) return 0;
   if (j >= high) return 1;
@@ -42,7 +42,7 @@ int of_channel(int i, int j, int low, int high) {
 
 }  // namespace
 
-TEST_CASE("channel: one that is cut straight through a sheet has its width everywhere, along x and along y") {
+TEST_CASE("channel: a straight channel has a uniform width, along x and along y") {
   const Sheet sheet([](int i, int j, int) { return of_channel(i, j, 20, 44); });
   const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
   REQUIRE(columns.size() == 80);
@@ -61,7 +61,7 @@ TEST_CASE("channel: one that is cut straight through a sheet has its width every
   CHECK(widths.area == fixtures::relative(480, rounding));
   CHECK(widths.all_broken == fixtures::relative(480, rounding));
 
-  // the same turned by 90 degrees
+  // the same rotated by 90 degrees
   std::vector<Vec3d> turned;
   for (const Vec3d& place : sheet.places) turned.push_back({-place.y, place.x, place.z});
   const ChannelWidths of_turned = widths_of(channel_columns(turned, sheet.fragments, spacing, 1, 0.1), spacing, -1e9, 1e9);
@@ -69,7 +69,7 @@ TEST_CASE("channel: one that is cut straight through a sheet has its width every
   CHECK(of_turned.mean == fixtures::relative(widths.mean, rounding));
 }
 
-TEST_CASE("channel: of one that widens the extremes are told with their places, within the limits that are given") {
+TEST_CASE("channel: the extremes of a widening channel are given with their positions, within the given limits") {
   const auto high = [](int i) { return 22 + i / 4; };  // 2 cells at the lower end, 21 at the upper
   const Sheet sheet([&](int i, int j, int) { return of_channel(i, j, 20, high(i)); });
   const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
@@ -79,18 +79,18 @@ TEST_CASE("channel: of one that widens the extremes are told with their places, 
   CHECK(all.widest == 10.5);
   CHECK(all.widest_at == fixtures::relative(10 + 0.5 * 76.5, 1e-14));
   CHECK(all.mean == fixtures::relative(5.75, 1e-12));
-  CHECK(all.deviation == fixtures::relative(0.5 * std::sqrt((20 * 20 - 1) / 12.0), 1e-12));  // of 20 equally likely whole numbers
+  CHECK(all.deviation == fixtures::relative(0.5 * std::sqrt((20 * 20 - 1) / 12.0), 1e-12));  // of 20 equally likely integers
   const ChannelWidths middle = widths_of(columns, spacing, 20, 30);
   CHECK(middle.length == 10);
   CHECK(middle.narrowest == 3.5);
   CHECK(middle.widest == 5.5);
 }
 
-TEST_CASE("channel: broken places beside it are no part of its width, but of all that is broken through") {
+TEST_CASE("channel: broken cells outside it do not add to its width, but to the total broken through") {
   const Sheet sheet([](int i, int j, int k) {
     if (j == 3 && i < 40) return 100 + i;   // single particles along a crack in one half, through both layers
-    if (j == 50 && k == 0) return 200 + i;  // spalled off below only: the sheet remains above
-    if (j == 52 && k == 1) return 300 + i;  // and the other way round
+    if (j == 50 && k == 0) return 200 + i;  // spalled at the bottom only: the sheet remains above
+    if (j == 52 && k == 1) return 300 + i;  // and vice versa
     return of_channel(i, j, 30, 40);
   });
   const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
@@ -100,10 +100,10 @@ TEST_CASE("channel: broken places beside it are no part of its width, but of all
   }
 }
 
-TEST_CASE("channel: places without particles neither end nor widen it, and where nothing is broken there is none") {
+TEST_CASE("channel: empty cells neither end nor widen it, and without broken cells there is none") {
   const Sheet sheet([](int i, int j, int) {
     if (i >= 50) return j < 30 ? 0 : 1;             // a crack, but no floes
-    if (i < 10 && (j == 25 || j == 40)) return -1;  // a hole in the channel, and one beside it
+    if (i < 10 && (j == 25 || j == 40)) return -1;  // a hole in the channel, and one outside
     return of_channel(i, j, 20, 40);
   });
   const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
@@ -117,14 +117,14 @@ TEST_CASE("channel: places without particles neither end nor widen it, and where
   CHECK(widths_of(columns, spacing, 40, 50).length == 0);
 }
 
-TEST_CASE("channel: the share decides which fragments are the sheet that remains") {
+TEST_CASE("channel: the share determines which fragments form the remaining sheet") {
   const Sheet sheet([](int, int j, int) { return j < 20 ? 0 : j < 40 ? 1 : 2; });  // thirds
   const auto length = [&](double share) { return widths_of(channel_columns(sheet.places, sheet.fragments, spacing, 0, share), spacing, -1e9, 1e9).length; };
   CHECK(length(0.3) == 0);
   CHECK(length(0.35) == 40);  // nothing remains
 }
 
-TEST_CASE("channel: it is read from the last picture up to a time, with the places of the first") {
+TEST_CASE("channel: it is read from the last frame up to a time, with the positions of the first") {
   const fixtures::TemporaryFolder folder;
   const std::filesystem::path frames = folder / "frames";
   std::filesystem::create_directories(frames);
@@ -163,11 +163,11 @@ TEST_CASE("channel: it is read from the last picture up to a time, with the plac
     }
     return std::string();
   };
-  CHECK(said("snow") == "--channel: " + folder.path().string() + " has no body snow; there is ice, rock.");
-  CHECK(said("rock") == "--channel: body rock never breaks, so it has no channel; its material needs critical_stretch, or the body failure.");
-  CHECK(said("ice", -1) == (frames / "ice.pvd").string() + " lists no picture up to -1 s; take a later --to.");
+  CHECK(said("snow") == "--channel: " + folder.path().string() + " has no body snow; its bodies: ice, rock.");
+  CHECK(said("rock") == "--channel: body rock has no failure criterion, so it has no channel; set critical_stretch in its material, or failure in the body.");
+  CHECK(said("ice", -1) == (frames / "ice.pvd").string() + " lists no frame up to -1 s; use a later --to.");
   std::filesystem::remove(frames / "ice.pvd");
-  CHECK(said("ice") == (frames / "ice.pvd").string() + " is not there; the width of a channel is read from pictures, so the run needs output.frames.");
+  CHECK(said("ice") == (frames / "ice.pvd").string() + " does not exist; the channel width is read from frames, so the run needs output.frames.");
   std::filesystem::remove(folder / "run.json");
-  CHECK(said("ice") == (folder / "run.json").string() + " is not there; the width of a channel can be told once the run has ended or was interrupted.");
+  CHECK(said("ice") == (folder / "run.json").string() + " does not exist; the channel width is available once the run has ended or was interrupted.");
 }

@@ -30,7 +30,7 @@ std::string gzip(const std::string& contents) { return packed(contents, 15 + 16)
 
 }  // namespace
 
-TEST_CASE("gzip: a packed surface reads as the surface, in any case of its extensions") {
+TEST_CASE("gzip: a compressed surface reads as the surface, in any case of its extensions") {
   const fixtures::TemporaryFolder folder;
   const std::string text = fixtures::stl_text(fixtures::unit_cube());
   fixtures::put(folder / "cube.stl.gz", gzip(text));
@@ -39,30 +39,31 @@ TEST_CASE("gzip: a packed surface reads as the surface, in any case of its exten
   CHECK(read_panels(folder / "cube.STL.GZ").panels.size() == 12);
 }
 
-TEST_CASE("gzip: members one after the other are one file, and zeros behind them are nothing") {
+TEST_CASE("gzip: concatenated members are one file, and trailing zeros are ignored") {
   CHECK(gunzip(gzip("one ") + gzip("two") + std::string(512, '\0'), "f.gz") == "one two");
 }
 
-TEST_CASE("gzip: cut short anywhere, damaged, empty or no gzip at all is refused in one sentence") {
+TEST_CASE("gzip: a truncated, damaged, empty or foreign file is refused in one sentence") {
   const std::string good = gzip(fixtures::stl_text(fixtures::unit_cube()));
   for (std::size_t length = 2; length < good.size(); ++length) {
-    CHECK_THROWS_WITH_AS(gunzip(std::string_view(good).substr(0, length), "f.gz"),
-                         "f.gz: the gzip file ends before its contents do; it was cut short; copy it again.", InputError);
+    CHECK_THROWS_WITH_AS(gunzip(std::string_view(good).substr(0, length), "f.gz"), "f.gz: the gzip file is truncated; copy it again.", InputError);
   }
   std::string damaged = good;
   damaged[damaged.size() - 6] ^= 1;  // in the checksum
   CHECK_THROWS_WITH_AS(gunzip(damaged, "f.gz"), doctest::Contains("f.gz: the gzip file is damaged after "), InputError);
-  CHECK_THROWS_WITH_AS(gunzip("solid cube", "f.gz"), "f.gz: this is no gzip file, though its name ends in .gz; rename it, or pack it again.", InputError);
-  CHECK_THROWS_WITH_AS(gunzip(gzip(""), "f.gz"), "f.gz: there is nothing in this gzip file; write it again.", InputError);
+  CHECK_THROWS_WITH_AS(gunzip("solid cube", "f.gz"), "f.gz: this is not a gzip file, although its name ends in .gz; rename it or compress it again.",
+                       InputError);
+  CHECK_THROWS_WITH_AS(gunzip(gzip(""), "f.gz"), "f.gz: the gzip file has no contents; export it again.", InputError);
 }
 
-TEST_CASE("gzip: a file that unpacks to hundreds of times its size is refused before it fills the memory") {
+TEST_CASE("gzip: a file that decompresses to hundreds of times its size is refused before it fills the memory") {
   const std::string bomb = gzip(std::string(std::size_t{80} << 20, '\0'));
-  CHECK_THROWS_WITH_AS(gunzip(bomb, "f.gz"), "f.gz: the file unpacks to more than 64 MiB, 256 times its size, which no mesh does; unpack it and look.",
+  CHECK_THROWS_WITH_AS(gunzip(bomb, "f.gz"),
+                       "f.gz: the file decompresses to more than 64 MiB, the limit for a mesh file of its size; decompress it and inspect the contents.",
                        InputError);
 }
 
-TEST_CASE("zlib: a stream gives its bytes where it has just as many as expected, and nothing else") {
+TEST_CASE("zlib: a stream is decompressed only where its size is the expected one") {
   const std::string contents = "some bytes, some bytes, some bytes";
   const std::string stream = packed(contents, 15);
   CHECK(inflated(stream, contents.size()) == contents);

@@ -21,12 +21,12 @@ using Edges = std::vector<std::array<int, 2>>;
 struct Reference {
   ElementKind kind;
   std::vector<Vec3d> corners;
-  Edges edges;  // those with a middle node, in its order
+  Edges edges;  // those with a mid-side node, in its order
   std::size_t panels;
   double volume;  // 0: a surface
 };
 
-/// Unit elements, and each edge's middle node halfway, so that the quadratic ones are the same bodies.
+/// Unit elements with mid-side nodes at the midpoints, so that the quadratic ones have the same geometry.
 std::vector<Reference> references() {
   const std::vector<Vec3d> hexahedron{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   const std::vector<Vec3d> tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -78,7 +78,7 @@ Elements block() {
 
 }  // namespace
 
-TEST_CASE("elements: each solid, wound either way, has a closed outward skin of its volume") {
+TEST_CASE("elements: the boundary faces of each solid, in either orientation, are closed, outward and enclose its volume") {
   for (const Reference& reference : references()) {
     CAPTURE(static_cast<int>(reference.kind));
     for (const bool mirrored : {false, true}) {
@@ -89,24 +89,24 @@ TEST_CASE("elements: each solid, wound either way, has a closed outward skin of 
       const Surface surface(skin);
       CHECK(surface.is_closed());
       CHECK(surface.report().volume == fixtures::relative(reference.volume, 1e-12));
-      CHECK(surface.report().rewound == 0);  // the skin itself is consistent and outward,
-      CHECK(surface.report().flipped == 0);  // so nothing is left to be turned
+      CHECK(surface.report().rewound == 0);  // the boundary faces are consistent and outward,
+      CHECK(surface.report().flipped == 0);  // so none is flipped
     }
   }
 }
 
-TEST_CASE("elements: middle nodes that bulge out are followed") {
+TEST_CASE("elements: faces follow mid-side nodes that bulge outward") {
   Reference ball{ElementKind::tetrahedron_10, {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}, 16, 0};
   Elements elements = one(ball);
   const double straight = Surface(panels_of(elements, "file")).report().volume;
-  for (Vec3d& v : elements.vertices) v *= 1 / norm(v);  // middle nodes onto the sphere through the corners
+  for (Vec3d& v : elements.vertices) v *= 1 / norm(v);  // mid-side nodes onto the sphere through the corners
   const double bulged = Surface(panels_of(elements, "file")).report().volume;
-  // an octahedron over the middle nodes (4/3), and on four of its faces a pyramid up to the corner, of base √3/2 and height 1 - 1/√3
+  // an octahedron over the mid-side nodes (4/3), and on four of its faces a pyramid up to the corner, of base √3/2 and height 1 - 1/√3
   CHECK(bulged == fixtures::relative(4.0 / 3 + 4 * std::sqrt(3.0) / 2 * (1 - 1 / std::sqrt(3.0)) / 3, 1e-12));
   CHECK(straight == fixtures::relative(8.0 / 3, 1e-12));
 }
 
-TEST_CASE("elements: of a block only the outer faces are skin, and each part alone has its whole skin") {
+TEST_CASE("elements: only the outer faces of a block are boundary faces, and each part alone has its complete boundary") {
   const Panels whole = panels_of(block(), "file");
   CHECK(whole.panels.size() == 54);
   CHECK(Surface(whole).report().volume == fixtures::relative(27, 1e-12));
@@ -121,7 +121,7 @@ TEST_CASE("elements: of a block only the outer faces are skin, and each part alo
   CHECK(alone.report().area == fixtures::relative(2 * 9 + 4 * 3, 1e-12));
 }
 
-TEST_CASE("elements: a surface element on the skin stands for it, and one between two solids is inside") {
+TEST_CASE("elements: a surface element replaces the boundary face it covers, and one between two solids is internal") {
   Elements elements = block();
   const int hull = elements.part_number("hull");
   elements.add(ElementKind::polygon, std::vector{grid(0, 0, 3), grid(1, 0, 3), grid(1, 1, 3), grid(0, 1, 3)}, hull);
@@ -133,7 +133,7 @@ TEST_CASE("elements: a surface element on the skin stands for it, and one betwee
   CHECK(std::count(panels.part.begin(), panels.part.end(), 2) == 1);
 }
 
-TEST_CASE("elements: quadratic surface elements become panels over their middle nodes") {
+TEST_CASE("elements: quadratic surface elements become panels over their mid-side nodes") {
   Elements elements;
   elements.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 1, 0}};
   elements.add(ElementKind::quad_9, counted(9), elements.part_number(""));
@@ -146,24 +146,23 @@ TEST_CASE("elements: quadratic surface elements become panels over their middle 
   CHECK(Surface(panels_of(elements, "file"), {.orientation = Orientation::normals}).report().area == fixtures::relative(4, 1e-12));
 }
 
-TEST_CASE("elements: three solids on one face and polygons that cannot be cut are refused") {
+TEST_CASE("elements: three solids on one face and polygons that cannot be triangulated are refused") {
   Elements elements = one(references()[0]);
   elements.add(ElementKind::tetrahedron, counted(4), 0);
   elements.add(ElementKind::tetrahedron, counted(4), 0);
-  CHECK_THROWS_WITH_AS(
-      panels_of(elements, "mesh.inp"),
-      "mesh.inp: 3 solid elements share one face, the first is number 1 in the order of the file; elements must not lie in one another: mend the mesh.",
-      InputError);
+  CHECK_THROWS_WITH_AS(panels_of(elements, "mesh.inp"),
+                       "mesh.inp: 3 solid elements share one face, the first of them element 1 in file order; elements must not overlap, so repair the mesh.",
+                       InputError);
   Elements polygon;
   polygon.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {2, 5, 0}};
   polygon.add(ElementKind::polygon, counted(5), polygon.part_number(""));
-  CHECK_THROWS_WITH_AS(panels_of(polygon, "mesh.vtk"),
-                       "mesh.vtk: element 1 in the order of the file, a polygon with 5 corners, cannot be cut into triangles, for its sides cross one another; "
-                       "triangulate the mesh when exporting it.",
-                       InputError);
+  CHECK_THROWS_WITH_AS(
+      panels_of(polygon, "mesh.vtk"),
+      "mesh.vtk: element 1 in file order, a polygon with 5 corners, cannot be triangulated because its sides cross; triangulate the mesh before exporting it.",
+      InputError);
 }
 
-TEST_CASE("parts: a name that is none is refused with what was meant or with those there are") {
+TEST_CASE("parts: an unknown name is refused with the closest match or the list of parts") {
   Elements elements = block();
   CHECK_THROWS_WITH_AS(keep_parts(elements, std::vector<std::string>{"steal"}, "m.inp"),
                        "m.inp: the surface has no part \"steal\"; did you mean steel? Its parts are ice, steel.", InputError);
@@ -174,7 +173,7 @@ TEST_CASE("parts: a name that is none is refused with what was meant or with tho
                        "m.stl: the surface has no part \"hull\"; its panels have no names, so omit the parts, or name them in its file.", InputError);
 }
 
-TEST_CASE("parts: panels of other parts go, and the rest keep their names") {
+TEST_CASE("parts: panels of other parts are removed, and the rest keep their names") {
   Panels panels = panels_of(block(), "file");
   const Panels before = panels;
   keep_parts(panels, std::vector<std::string>{"steel"}, "file");

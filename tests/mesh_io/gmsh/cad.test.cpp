@@ -12,7 +12,7 @@
 
 using namespace fccda;
 
-// What the real program makes of CAD files is tested in tests/cli/formats.test.py. Here a script stands for it.
+// A script stands in for gmsh; the real program is tested in tests/cli/formats.test.py.
 
 namespace {
 
@@ -30,7 +30,7 @@ class Variable {
   std::string before_;
 };
 
-/// A folder with a program `gmsh` in it, and another one for temporary files, which must be empty in the end.
+/// A folder with a program `gmsh` in it, and another one for temporary files, which must be empty at the end.
 class Scene {
  public:
   explicit Scene(const std::string& script) {
@@ -68,11 +68,11 @@ class Scene {
 };
 
 const std::string copy_cube = "cp \"$(dirname \"$0\")\"/cube.msh mesh.msh\n";
-const std::string advice = "; open the file in gmsh or another CAD program, mend it there and export it again, or export STL.";
+const std::string advice = "; repair the file in gmsh or another CAD program and export it again, or export STL.";
 
 }  // namespace
 
-TEST_CASE("cad: what the program meshes is read in metres, and leaves nothing behind") {
+TEST_CASE("cad: the mesh of the program is read in metres, and no temporary files remain") {
   const Scene scene(copy_cube);
   Panels expected = fixtures::moved(fixtures::unit_cube(), [](Vec3d v) { return v *= 0.001; });
   const Panels read = scene.read();
@@ -83,7 +83,7 @@ TEST_CASE("cad: what the program meshes is read in metres, and leaves nothing be
 }
 
 TEST_CASE("cad: the program gets the file under a harmless name, no input, and neither a shell nor the user's settings") {
-  // `read` fails at once where there is no input
+  // `read` fails at once without input
   const Scene scene(
       "read line && exit 3\n[ \"$GMSH_HOME\" = \"$PWD\" ] || exit 4\ncase $1 in\nmodel.step) grep -q ISO model.step || exit 5;;\nmodel.igs) ;;\n*) exit "
       "6;;\nesac\n" +
@@ -97,18 +97,18 @@ TEST_CASE("cad: the program gets the file under a harmless name, no input, and n
   CHECK(scene.read("part.IGES").panels.size() == 6);
 }
 
-TEST_CASE("cad: why the program failed is in the sentence") {
+TEST_CASE("cad: the message gives the reason of the failure") {
   CHECK(Scene("echo Error   : first; echo 'Error   : Could not read' >&2; echo done; exit 1").refusal() ==
         "gmsh cannot mesh this file: Could not read" + advice);
   CHECK(Scene("exit 7").refusal() == "gmsh cannot mesh this file" + advice);
-  CHECK(Scene("echo 'Error   : no face 3'\n" + copy_cube).refusal() == "gmsh cannot mesh this file: no face 3" + advice);  // it goes on, with a hole
+  CHECK(Scene("echo 'Error   : no face 3'\n" + copy_cube).refusal() == "gmsh cannot mesh this file: no face 3" + advice);  // gmsh continues, with a hole
   CHECK(Scene("printf '\\033[31;1m**** ERR StepFile : Line 72: bad    ****\\033[0m\\n'; echo 'Error   : Could not read'; exit 1").refusal() ==
         "gmsh cannot mesh this file: StepFile : Line 72: bad" + advice);
-  CHECK(Scene("kill -SEGV $$").refusal() == "gmsh crashed while it read or meshed this file (Segmentation fault)" + advice);
-  CHECK(Scene("kill -INT $$").refusal() == "meshing it with gmsh was interrupted.");
+  CHECK(Scene("kill -SEGV $$").refusal() == "gmsh crashed while reading or meshing this file (Segmentation fault)" + advice);
+  CHECK(Scene("kill -INT $$").refusal() == "meshing with gmsh was interrupted.");
 }
 
-TEST_CASE("cad: a program that talks without end is heard to its end") {
+TEST_CASE("cad: long program output is read to its end") {
   CHECK(Scene("yes 'Info    : meshing' | head -n 50000; echo 'Error   : at last'; exit 1").refusal() == "gmsh cannot mesh this file: at last" + advice);
 }
 
@@ -118,11 +118,11 @@ TEST_CASE("cad: a mesh without surfaces, or none at all, is refused") {
   points.vertices = {{0, 0, 0}};
   points.elements = {{15, {0}}};
   fixtures::put(scene / "bin/cube.msh", gmsh_file(points));
-  CHECK(scene.refusal() == "gmsh finds no surfaces in this file; export solids or faces, not curves or points alone.");
+  CHECK(scene.refusal() == "gmsh finds no surfaces in this file; export solids or faces, not only curves or points.");
   CHECK_THROWS_AS(Scene("exit 0").read(), InputError);
 }
 
-TEST_CASE("cad: without the program it says how to get it, and files that are no CAD files never reach it") {
+TEST_CASE("cad: without the program the message says how to install it, and other files are refused before it runs") {
   const Scene scene("exit 1");
   std::filesystem::remove(scene / "bin/gmsh");
   {
@@ -139,8 +139,8 @@ TEST_CASE("cad: without the program it says how to get it, and files that are no
   fixtures::put(scene / "hull.stp", "solid hull\n");
   fixtures::put(scene / "hull.igs", "solid hull\n");
   fixtures::put(scene / "hull.step.gz", "any bytes");
-  CHECK(scene.refusal("hull.stp") == "this is no STEP file, for it does not begin with `ISO-10303-21`; export it again.");
-  CHECK(scene.refusal("hull.igs") == "this is no IGES file, for its first line has no S in column 73; export it again, as STEP if that is possible.");
-  CHECK(scene.refusal("hull.step.gz") == "packed CAD files are not read; unpack it with gunzip and name the file without .gz.");
-  CHECK(scene.refusal("none.iges") == "there is no such file; check the path and the folder it starts from.");
+  CHECK(scene.refusal("hull.stp") == "this is not a STEP file: it does not begin with `ISO-10303-21`; export it again.");
+  CHECK(scene.refusal("hull.igs") == "this is not an IGES file: its first line has no S in column 73; export it again, as STEP if possible.");
+  CHECK(scene.refusal("hull.step.gz") == "compressed CAD files are not supported; decompress the file with gunzip and give its name without .gz.");
+  CHECK(scene.refusal("none.iges") == "there is no such file; check the path and the folder it is relative to.");
 }

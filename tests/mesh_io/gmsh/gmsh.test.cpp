@@ -57,7 +57,7 @@ GmshMesh block() {
   return mesh;
 }
 
-/// A solid of second order: corners on the unit sphere, and Gmsh's numbers of the edges' ends in its order of their middle nodes.
+/// A second-order solid: corners on the unit sphere, and the corner numbers of its edges in Gmsh's order of mid-side nodes.
 struct Curved {
   int type, complete_type;
   std::size_t nodes_of_complete;
@@ -92,7 +92,7 @@ std::vector<Curved> curved_solids() {
 Vec3d on_sphere(const Vec3d& a, const Vec3d& b) { return normalised(a + b); }
 double area(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return 0.5 * norm(cross(b - a, c - a)); }
 
-/// Area over corners and middle nodes, by the corners of the faces alone.
+/// Area over corners and mid-side nodes, from the corners of the faces alone.
 double area_of(const Curved& solid) {
   double sum = 0;
   for (const std::vector<int>& face : solid.faces) {
@@ -108,7 +108,7 @@ double area_of(const Curved& solid) {
 
 }  // namespace
 
-TEST_CASE("gmsh: quads and triangles come back with all digits from every version, as text and binary in both byte orders") {
+TEST_CASE("gmsh: quads and triangles are read back exactly from every version, as text and binary in both byte orders") {
   for (const Panels& given : {fixtures::unit_cube(), make_sphere({.diameter = 0.7, .edge_length = 0.2}), fixtures::torus(2, 0.5, 9, 7)}) {
     for (const GmshForm& form : fixtures::every_gmsh_form()) {
       CAPTURE(described(form));
@@ -120,7 +120,7 @@ TEST_CASE("gmsh: quads and triangles come back with all digits from every versio
   }
 }
 
-TEST_CASE("gmsh: parameters of nodes and sections that say nothing of the surface are passed over") {
+TEST_CASE("gmsh: parametric coordinates and sections that do not concern the surface are skipped") {
   const Panels cube = fixtures::unit_cube();
   GmshMesh mesh = fixtures::gmsh_mesh(cube);
   mesh.has_other_sections = true;
@@ -133,7 +133,7 @@ TEST_CASE("gmsh: parameters of nodes and sections that say nothing of the surfac
   }
 }
 
-TEST_CASE("gmsh: of hexahedra the skin is read, and volumes are parts") {
+TEST_CASE("gmsh: the boundary faces of hexahedra are read, and volumes are parts") {
   GmshMesh mesh = block();
   mesh.names = {{{3, 7}, "ice"}, {{2, 7}, "of a surface"}};
   mesh.groups = {{{3, 1}, {7}}};
@@ -145,15 +145,15 @@ TEST_CASE("gmsh: of hexahedra the skin is read, and volumes are parts") {
   }
 }
 
-TEST_CASE("gmsh: middle nodes of second-order solids belong to the edges that Gmsh's manual says") {
+TEST_CASE("gmsh: mid-side nodes of second-order solids belong to the edges given in the Gmsh manual") {
   for (const Curved& solid : curved_solids()) {
     GmshMesh mesh;
     mesh.vertices = solid.corners;
     for (const auto& [a, b] : solid.edges) mesh.vertices.push_back(on_sphere(solid.corners[std::size_t(a)], solid.corners[std::size_t(b)]));
     GmshMesh complete = mesh;
-    complete.vertices.resize(solid.nodes_of_complete);  // middles of faces, and of the whole, are not looked at
+    complete.vertices.resize(solid.nodes_of_complete);  // mid-face and mid-volume nodes are ignored
     for (const auto& [one, type_of_one] : {std::pair(&mesh, solid.type), std::pair(&complete, solid.complete_type)}) {
-      const int type = type_of_one;  // a name of its own, for CAPTURE with clang
+      const int type = type_of_one;  // a plain variable, for CAPTURE with clang
       CAPTURE(type);
       one->elements.push_back({type, {}});
       for (int n = 0; n < int(one->vertices.size()); ++n) one->elements[0].nodes.push_back(n);
@@ -167,7 +167,7 @@ TEST_CASE("gmsh: middle nodes of second-order solids belong to the edges that Gm
   }
 }
 
-TEST_CASE("gmsh: surface elements of second order follow their middle nodes, on both sides of an entity") {
+TEST_CASE("gmsh: second-order surface elements follow their mid-side nodes, in both orientations of an entity") {
   const std::vector<Vec3d> square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 1, 0}};
   const std::vector<std::pair<GmshMesh, double>> cases{{{square, {{16, {0, 1, 2, 3, 4, 5, 6, 7}}}}, 4},
                                                        {{square, {{10, {0, 1, 2, 3, 4, 5, 6, 7, 8}}}}, 4},
@@ -185,7 +185,7 @@ TEST_CASE("gmsh: surface elements of second order follow their middle nodes, on 
   }
 }
 
-TEST_CASE("gmsh: parts are called by their groups, by all of them where there are several, else by the entity") {
+TEST_CASE("gmsh: parts are named after all their groups, or else after the entity") {
   GmshMesh mesh = fixtures::gmsh_mesh(fixtures::unit_cube());
   for (int k = 0; k < 6; ++k) mesh.elements[std::size_t(2 + k)].entity = 11 + k;
   mesh.names = {{{2, 1}, "deck \"A\""}, {{2, 2}, "hull"}, {{2, 3}, "hull"}, {{3, 4}, "of a volume"}, {{2, 4}, "in no entity"}};
@@ -199,7 +199,7 @@ TEST_CASE("gmsh: parts are called by their groups, by all of them where there ar
   }
 }
 
-TEST_CASE("gmsh: of many groups a part is called by those that fit into 200 bytes, so that names stay as small as the file") {
+TEST_CASE("gmsh: part names joined from many groups are limited to 200 bytes, so that names do not outgrow the file") {
   GmshMesh mesh = fixtures::gmsh_mesh(fixtures::unit_cube());
   for (int k = 0; k < 6; ++k) mesh.elements[std::size_t(2 + k)].entity = 11 + k;
   const std::string a(100, 'a'), b(97, 'b'), c(98, 'c'), d(500, 'd');
@@ -237,14 +237,14 @@ TEST_CASE("gmsh: an element that version 2 lists for each of its groups is one, 
   }
 }
 
-TEST_CASE("gmsh: partitions of an entity are called by it, or by their groups") {
+TEST_CASE("gmsh: partitions are named after their groups, or else after the parent entity") {
   GmshMesh mesh = fixtures::gmsh_mesh(fixtures::unit_cube());
   for (int k = 0; k < 6; ++k) mesh.elements[std::size_t(2 + k)].entity = 11 + k;
   mesh.names = {{{2, 1}, "hull"}};
   mesh.groups = {{{2, 13}, {1}}};
   mesh.parent = {{{2, 11}, {2, 3}}, {{2, 12}, {2, 3}}, {{2, 13}, {2, 4}}, {{2, 14}, {3, 1}}};
   for (const GmshForm& form : fixtures::every_gmsh_form()) {
-    if (form.version == 22) continue;  // has partitions as tags of each element
+    if (form.version == 22) continue;  // gives partitions as tags of each element
     CAPTURE(described(form));
     CHECK(panels_by_part(parse(gmsh_file(mesh, form))) ==
           std::map<std::string, int>{{"surface 3", 2}, {"hull", 1}, {"surface 14", 1}, {"surface 15", 1}, {"surface 16", 1}});
@@ -260,7 +260,7 @@ TEST_CASE("gmsh: names without dimension (version 2.0), elements without tags an
   CHECK(panels.part_names == std::vector<std::string>{"old hull", ""});
 }
 
-TEST_CASE("gmsh: a file cut short anywhere before its last section ends is refused") {
+TEST_CASE("gmsh: a file truncated anywhere before its last section ends is refused") {
   GmshMesh mesh = fixtures::gmsh_mesh(fixtures::unit_cube());
   mesh.names = {{{2, 1}, "hull"}};
   mesh.groups = {{{2, 1}, {1}}};
@@ -268,7 +268,7 @@ TEST_CASE("gmsh: a file cut short anywhere before its last section ends is refus
   for (const GmshForm& form : fixtures::every_gmsh_form()) {
     CAPTURE(described(form));
     const std::string whole = gmsh_file(mesh, form);
-    std::vector<std::size_t> ends;  // where a file may end: behind $EndElements and what follows, with the line end or without
+    std::vector<std::size_t> ends;  // valid ends of a file: after $EndElements and later sections, with or without the line end
     for (const char* last : {"$EndElements", "$EndPeriodic", "$EndNodeData"}) {
       const std::size_t end = whole.rfind(last) + std::string(last).size();
       ends.insert(ends.end(), {end, end + 1});
@@ -282,93 +282,92 @@ TEST_CASE("gmsh: a file cut short anywhere before its last section ends is refus
     }
   }
   const std::string text = small(text_4), binary = small(binary_2);
-  check_refused(text.substr(0, text.find("$EndNodes") - 10), "hull.msh:21: the file ends in node 3 of 4; it was cut short; write it again.");
-  check_refused(text.substr(0, text.find("$Elements")), "hull.msh:24: the file ends without `$Elements`; it was cut short or holds no mesh; write it again.");
-  check_refused(text.substr(0, text.find("$EndElements")), "hull.msh:36: the file ends before `$EndElements`; it was cut short; write it again.");
-  check_refused(binary.substr(0, binary.find("$EndElements") - 10), "hull.msh: the file ends in element 5 of 5; it was cut short; write it again.");
-  check_refused(binary.substr(0, 30), "hull.msh: the file ends before `$EndMeshFormat`; it was cut short; write it again.");
+  check_refused(text.substr(0, text.find("$EndNodes") - 10), "hull.msh:21: the file ends in node 3 of 4; it is truncated: export it again.");
+  check_refused(text.substr(0, text.find("$Elements")),
+                "hull.msh:24: the file ends without `$Elements`; it is truncated or contains no mesh: export it again.");
+  check_refused(text.substr(0, text.find("$EndElements")), "hull.msh:36: the file ends before `$EndElements`; it is truncated: export it again.");
+  check_refused(binary.substr(0, binary.find("$EndElements") - 10), "hull.msh: the file ends in element 5 of 5; it is truncated: export it again.");
+  check_refused(binary.substr(0, 30), "hull.msh: the file ends before `$EndMeshFormat`; it is truncated: export it again.");
 }
 
-TEST_CASE("gmsh: what is no mesh of Gmsh, or of a version that is not known, is refused by name") {
-  check_refused("", "hull.msh:1: nothing stands where `$MeshFormat` belongs, so this is no mesh of Gmsh; export it as one.");
-  check_refused("solid hull", "hull.msh:1: `solid` stands where `$MeshFormat` belongs, so this is no mesh of Gmsh; export it as one.");
-  check_refused("$NOD\n1\n", "hull.msh:1: this is version 1 of Gmsh's format, which cannot be read; open the mesh in Gmsh and export it as version 4 or 2.");
-  check_refused(
-      with(small(text_4), "4.1 0", "5 0"),
-      "hull.msh:2: `5` is no version of Gmsh's format that can be read, which are 2, 4.0 and 4.1; open the mesh in Gmsh and export it as one of these.");
+TEST_CASE("gmsh: files that are not Gmsh meshes, and unsupported versions, are refused by name") {
+  check_refused("", "hull.msh:1: nothing appears where `$MeshFormat` is expected, so this is not a Gmsh mesh; export it as one.");
+  check_refused("solid hull", "hull.msh:1: `solid` appears where `$MeshFormat` is expected, so this is not a Gmsh mesh; export it as one.");
+  check_refused("$NOD\n1\n", "hull.msh:1: version 1 of the Gmsh format is not supported; open the mesh in Gmsh and export it as version 4 or 2.");
+  check_refused(with(small(text_4), "4.1 0", "5 0"),
+                "hull.msh:2: `5` is not a supported version of the Gmsh format; open the mesh in Gmsh and export it as version 2, 4.0 or 4.1.");
   check_refused(with(small(text_4), "0 8", "2 8"),
-                "hull.msh:2: `2` stands where 0 (text) or 1 (binary) belongs behind the version; mend the file or write it again.");
-  check_refused(with(small(text_4), "0 8", "0 4"),
-                "hull.msh:2: the file has numbers of `4` bytes, but only those of 8 can be read; write it on a 64-bit machine.");
+                "hull.msh:2: `2` appears where 0 (text) or 1 (binary) is expected after the version; correct the file or export it again.");
+  check_refused(with(small(text_4), "0 8", "0 4"), "hull.msh:2: the file has numbers of `4` bytes, but 8 are required; export it on a 64-bit machine.");
   check_refused(with(small(text_2), "$Nodes", "$ParametricNodes"),
-                "hull.msh:4: the section `$ParametricNodes` cannot be read; write the mesh without parametric coordinates (Mesh.SaveParametric 0).");
+                "hull.msh:4: the section `$ParametricNodes` is not supported; export the mesh without parametric coordinates (Mesh.SaveParametric 0).");
 }
 
-TEST_CASE("gmsh: binary called text and text called binary are refused") {
-  check_refused(
-      with(small(text_4), "0 8", "1 8"),
-      "hull.msh: the file says that it is binary, but the binary one that tells the byte order does not follow; it is text or was copied as text; write it "
-      "again.");
+TEST_CASE("gmsh: binary declared as text and text declared as binary are refused") {
+  check_refused(with(small(text_4), "0 8", "1 8"),
+                "hull.msh: the header declares binary data, but the integer 1 that marks the byte order does not follow; the file is text or was transferred "
+                "as text: export it again.");
   check_refused(with(small(binary_4), "1 8", "0 8"),
-                "hull.msh:3: `????` stands where `$EndMeshFormat` belongs; the count or the file is damaged; write it again.");
+                "hull.msh:3: `????` appears where `$EndMeshFormat` is expected; the count or the file is damaged: export it again.");
 }
 
-TEST_CASE("gmsh: counts that are not true ask for no memory and are refused") {
+TEST_CASE("gmsh: false counts are refused without allocating memory") {
   const std::string text = small(text_2), blocks = small(text_4), binary = small(binary_2);
   check_refused(with(text, "$Nodes\n4", "$Nodes\n4000000000"),
-                "hull.msh:10: `$EndNodes` stands in node 5 of 4000000000; the count or the file is damaged; write it again.");
+                "hull.msh:10: `$EndNodes` appears in node 5 of 4000000000; the count or the file is damaged: export it again.");
   check_refused(with(text, "$Nodes\n4", "$Nodes\n3"),
-                "hull.msh:9: `13 0 1 0` stands where `$EndNodes` belongs; the count or the file is damaged; write it again.");
-  check_refused(with(text, "$Nodes\n4", "$Nodes\n-4"), "hull.msh:5: `-4` stands where the number of nodes belongs; mend the file or write it again.");
+                "hull.msh:9: `13 0 1 0` appears where `$EndNodes` is expected; the count or the file is damaged: export it again.");
+  check_refused(with(text, "$Nodes\n4", "$Nodes\n-4"), "hull.msh:5: `-4` appears where the number of nodes is expected; correct the file or export it again.");
   check_refused(with(text, "$Elements\n5", "$Elements\nfive"),
-                "hull.msh:12: `five` stands where the number of elements belongs; mend the file or write it again.");
+                "hull.msh:12: `five` appears where the number of elements is expected; correct the file or export it again.");
   check_refused(with(blocks, "$Nodes\n2 4 ", "$Nodes\n2 5 "),
-                "hull.msh:22: the blocks hold 4 nodes, but the section says 5; the file is damaged; write it again.");
+                "hull.msh:22: the blocks contain 4 nodes, but the section states 5; the file is damaged: export it again.");
   check_refused(with(blocks, "$Nodes\n2 4 ", "$Nodes\n-2 4 "),
-                "hull.msh:12: the beginning of `$Nodes` has `-2` where a count belongs; the count or the file is damaged; write it again.");
+                "hull.msh:12: the beginning of `$Nodes` has `-2` where a count is expected; the count or the file is damaged: export it again.");
   check_refused(with(binary, "$Elements\n5", "$Elements\n2"),
-                "hull.msh: `????????????????????????…` stands where `$EndElements` belongs; the count or the file is damaged; write it again.");
+                "hull.msh: `????????????????????????…` appears where `$EndElements` is expected; the count or the file is damaged: export it again.");
   std::string block_of_minus_1 = binary;
-  const std::size_t in_block = binary.find("$Elements\n5\n") + 12 + 4;  // behind the type of the first block
+  const std::size_t in_block = binary.find("$Elements\n5\n") + 12 + 4;  // after the type of the first block
   block_of_minus_1.replace(in_block, 4, "\xff\xff\xff\xff");
-  check_refused(block_of_minus_1, "hull.msh: element 1 of 5 begins a block of -1; the count or the file is damaged; write it again.");
+  check_refused(block_of_minus_1, "hull.msh: element 1 of 5 begins a block of -1; the count or the file is damaged: export it again.");
 }
 
-TEST_CASE("gmsh: coordinates, numbers and nodes that are none name the line, or the node or element") {
+TEST_CASE("gmsh: invalid coordinates, numbers and nodes are refused with the line, or the node or element") {
   const std::string text = small(text_2);
-  check_refused(with(text, "7 1 0 0", "7 1 nan 0"), "hull.msh:7: node 2 of 4 has `nan` where a finite number belongs; mend the file or write it again.");
-  check_refused(with(text, "7 1 0 0", "x 1 0 0"), "hull.msh:7: node 2 of 4 has `x` where a whole number belongs; mend the file or write it again.");
+  check_refused(with(text, "7 1 0 0", "7 1 nan 0"),
+                "hull.msh:7: node 2 of 4 has `nan` where a finite number is expected; correct the file or export it again.");
+  check_refused(with(text, "7 1 0 0", "x 1 0 0"), "hull.msh:7: node 2 of 4 has `x` where an integer is expected; correct the file or export it again.");
   check_refused(
       with(text, "7 1 0 0", "99999999999 1 0 0"),
-      "hull.msh:7: node 2 of 4 has the number `99999999999`, which is out of range; the file is damaged, or the mesh is to be numbered anew in Gmsh.");
-  check_refused(with(text, "7 1 0 0", "10 1 0 0"), "hull.msh:9: two nodes have the number 10; number the mesh anew in Gmsh and write it again.");
+      "hull.msh:7: node 2 of 4 has the number `99999999999`, which is out of range; renumber the mesh in Gmsh, or export it again if the file is damaged.");
+  check_refused(with(text, "7 1 0 0", "10 1 0 0"), "hull.msh:9: two nodes have the number 10; renumber the mesh in Gmsh and export it again.");
   check_refused(with(text, "1002 2 3 0 1 0 10 7 16", "1002 2 3 0 1 0 10 7 8"),
-                "hull.msh:15: element 3 of 5 has node `8`, but there is none of that number; mend the mesh and write it again.");
+                "hull.msh:15: element 3 of 5 has node `8`, which is not defined; repair the mesh and export it again.");
   check_refused(
       with(text, "1002 2 3 0 1 0 10 7 16", "1002 21 3 0 1 0 10 7 16"),
-      "hull.msh:15: elements of Gmsh's type 21 cannot be read: only points, lines, triangles, quads, tetrahedra, hexahedra, prisms and pyramids of first or "
-      "second order; set Mesh.ElementOrder to 1 or 2 and write the mesh again.");
-  check_refused(with(text, "1002 2 3 0", "1002 2 -3 0"), "hull.msh:15: element 3 of 5 has -3 tags; the file is damaged; write it again.");
+      "hull.msh:15: elements of Gmsh type 21 are not supported, only points, lines, triangles, quads, tetrahedra, hexahedra, prisms and pyramids of first or "
+      "second order; set Mesh.ElementOrder to 1 or 2 and export the mesh again.");
+  check_refused(with(text, "1002 2 3 0", "1002 2 -3 0"), "hull.msh:15: element 3 of 5 has -3 tags; the file is damaged: export it again.");
   Panels bad = fixtures::unit_cube();
   bad.vertices[3].z = std::numeric_limits<double>::infinity();
   check_refused(gmsh_file(fixtures::gmsh_mesh(bad), binary_4),
-                "hull.msh: node 4 of 8 has a coordinate that is not a finite number; mend the mesh and write it again.");
+                "hull.msh: node 4 of 8 has a coordinate that is not a finite number; repair the mesh and export it again.");
 }
 
-TEST_CASE("gmsh: names that are none, sections out of order and text between them are refused") {
+TEST_CASE("gmsh: invalid names, sections out of order and text between them are refused") {
   GmshMesh mesh = fixtures::gmsh_mesh(fixtures::unit_cube());
   mesh.names = {{{2, 1}, "hull"}};
   const std::string text = gmsh_file(mesh, text_2);
   check_refused(with(text, "2 1 \"hull\"", "2 1 hull"),
-                "hull.msh:6: physical name 1 of 1 is `2 1 hull`, but has the form `2 1 \"hull\"`; mend the file or write it again.");
+                "hull.msh:6: physical name 1 of 1 is `2 1 hull`, but must have the form `2 1 \"hull\"`; correct the file or export it again.");
   check_refused(with(text, "2 1 \"hull\"", "2 1 \"hull"),
-                "hull.msh:6: physical name 1 of 1 is `2 1 \"hull`, but has the form `2 1 \"hull\"`; mend the file or write it again.");
+                "hull.msh:6: physical name 1 of 1 is `2 1 \"hull`, but must have the form `2 1 \"hull\"`; correct the file or export it again.");
   check_refused(with(text, "\"hull\"", '"' + std::string(600, 'x') + '"'),
-                "hull.msh:6: physical name 1 of 1 is longer than 127 characters; shorten it in Gmsh and write it again.");
+                "hull.msh:6: physical name 1 of 1 is longer than 127 characters; shorten it in Gmsh and export it again.");
   check_refused(with(text, "$EndPhysicalNames", "$EndPhysicalNames\njunk"),
-                "hull.msh:8: `junk` stands where a section such as `$Nodes` belongs; mend the file or write it again.");
-  check_refused("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Elements\n", "hull.msh:4: `$Elements` comes before `$Nodes`; write the file again with Gmsh.");
-  check_refused(with(text, "$EndNodes", "$EndNodes\n$Nodes"), "hull.msh:19: there is a second section `$Nodes`; write each mesh into a file of its own.");
+                "hull.msh:8: `junk` appears where a section such as `$Nodes` is expected; correct the file or export it again.");
+  check_refused("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Elements\n", "hull.msh:4: `$Elements` comes before `$Nodes`; export the file again with Gmsh.");
+  check_refused(with(text, "$EndNodes", "$EndNodes\n$Nodes"), "hull.msh:19: there is a second `$Nodes` section; export each mesh to a separate file.");
 }
 
 TEST_CASE("gmsh: damaged files are read or refused, never more") {

@@ -29,7 +29,7 @@ void check_equal(const Elements& read, const Elements& written) {
 
 const std::string square = "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n";
 
-/// Every outcome but one sentence or a mesh of sensible size is wrong.
+/// Passes only for a one-sentence refusal or a mesh of sensible size.
 void check_read_or_refused(const std::string& contents, std::size_t most_nodes) {
   std::string sentence;
   std::size_t nodes = 0;
@@ -48,7 +48,7 @@ void check_read_or_refused(const std::string& contents, std::size_t most_nodes) 
 
 }  // namespace
 
-TEST_CASE("abaqus: shells and solids of each kind come back to the last bit") {
+TEST_CASE("abaqus: shells and solids of each kind are read back bitwise") {
   check_equal(parse(fixtures::abaqus_text(fixtures::elements_of(fixtures::unit_cube(), "cube"))), fixtures::elements_of(fixtures::unit_cube(), "cube"));
   const Elements sphere = fixtures::elements_of(make_sphere({.diameter = 2, .edge_length = 0.5}), "ball");
   check_equal(parse(fixtures::abaqus_text(sphere)), sphere);
@@ -70,7 +70,7 @@ TEST_CASE("abaqus: shells and solids of each kind come back to the last bit") {
   }
 }
 
-TEST_CASE("abaqus: case, blanks, comments, long lines and missing coordinates are as Abaqus has them") {
+TEST_CASE("abaqus: case, blanks, comments, long lines and missing coordinates follow the Abaqus syntax") {
   const Elements read = parse(
       "\xEF\xBB\xBF** written by hand\r\n*Heading\r\n 7 words, of any kind\r\n  * n o d e , nset = all ,\r\n** between\r\n system=r\r\n 1\r\n2, 1.\r\n\r\n 3 "
       ",1.D0, +1., 0., 0., 0., 1.\r\n"
@@ -81,7 +81,7 @@ TEST_CASE("abaqus: case, blanks, comments, long lines and missing coordinates ar
   CHECK(read.part_names == std::vector<std::string>{"Bow, port"});
 }
 
-TEST_CASE("abaqus: an element of many nodes goes on behind sixteen values, and behind a comma") {
+TEST_CASE("abaqus: an element with many nodes continues after sixteen values, and after a trailing comma") {
   std::string nodes = "*NODE\n", sixteen = "*ELEMENT, TYPE=C3D20\n1", one_line = sixteen;
   for (int k = 1; k <= 20; ++k) {
     nodes += std::to_string(k) + "," + std::to_string(k * k) + "\n";
@@ -92,7 +92,7 @@ TEST_CASE("abaqus: an element of many nodes goes on behind sixteen values, and b
   CHECK(parse(nodes + one_line + ",\n").nodes.size() == 20);
 }
 
-TEST_CASE("abaqus: types are known by family and number of nodes, whatever letters follow") {
+TEST_CASE("abaqus: types are identified by family and number of nodes, whatever letters follow") {
   using Use = AbaqusType::Use;
   for (const char* name : {"S3",     "S3R",     "S3RS",   "S4",     "S4R",  "S4RSW", "S4R5", "STRI3", "STRI65", "S8R",  "S8R5", "S9R5", "S6",
                            "SFM3D3", "SFM3D4R", "SFM3D6", "SFM3D8", "M3D3", "M3D4R", "M3D6", "M3D8",  "M3D9R",  "R3D3", "R3D4", "DS4"}) {
@@ -125,68 +125,70 @@ TEST_CASE("abaqus: types are known by family and number of nodes, whatever lette
   CHECK(abaqus_type("SC8R").kind == ElementKind::hexahedron);
 }
 
-TEST_CASE("abaqus: beams, springs and everything that is no mesh are skipped, plane and unknown elements refused with what to do") {
+TEST_CASE("abaqus: beams, springs and everything other than the mesh are skipped, and plane and unknown elements are refused with advice") {
   const Elements read = parse(square +
                               "*ELEMENT, TYPE=B31\n1,1,2\n*ELEMENT, TYPE=CONN3D2\n1, , Hull-1.7\n*ELEMENT, TYPE=S4\n1,1,2,3,4\n*MATERIAL, "
                               "NAME=steel\n*DENSITY\n7850.,\n*NODE OUTPUT\nU\n"
                               "*SURFACE, NAME=s, TYPE=ELEMENT\nbow, SPOS\n*STEP\n*STATIC\n");
   CHECK(read.size() == 1);
   CHECK(read.part_names == std::vector<std::string>{""});
-  check_refused("*ELEMENT, TYPE=SAX1\n1,1,2", "hull.inp:1: elements of type SAX1 lie in a plane and have no place in space; delete them.");
+  check_refused("*ELEMENT, TYPE=SAX1\n1,1,2", "hull.inp:1: elements of type SAX1 are two-dimensional and cannot form a 3-D surface; delete them.");
   check_refused("*ELEMENT, TYPE=C3D27\n",
-                "hull.inp:1: elements of type C3D27 cannot be read; delete them, or export them as shells (S3, S4) or solids (C3D4 to C3D20).");
-  check_refused("*ELEMENT\n1,1,2,3", "hull.inp:1: *ELEMENT needs TYPE=; mend the keyword.");
+                "hull.inp:1: elements of type C3D27 are not supported; delete them, or export them as shells (S3, S4) or solids (C3D4 to C3D20).");
+  check_refused("*ELEMENT\n1,1,2,3", "hull.inp:1: *ELEMENT needs TYPE=; correct the keyword.");
 }
 
-TEST_CASE("abaqus: elements that repeat nodes are what is left of them, and refused where that is nothing") {
+TEST_CASE("abaqus: elements that repeat nodes are reduced, and refused where nothing valid remains") {
   const Elements read = parse(square + "5,0,0,1\n*ELEMENT, TYPE=S4\n1,1,2,3,3\n*ELEMENT, TYPE=C3D8\n2,1,2,3,4,5,5,5,5\n");
   CHECK(read.kinds == std::vector{ElementKind::polygon, ElementKind::pyramid});
   CHECK(read.nodes_of_element(0).size() == 3);
   check_refused(square + "*ELEMENT, TYPE=S4\n1,1,2,1,3\n",
-                "hull.inp:7: element 1 repeats nodes, and what is left is no element that can be read; mend it or delete it.");
+                "hull.inp:7: element 1 repeats nodes and does not reduce to a supported element; correct or delete it.");
 }
 
-TEST_CASE("abaqus: what is in another file, made by the solver or in other coordinates is refused by name") {
-  check_refused("*NODE\n*INCLUDE, INPUT=mesh.inp\n", "hull.inp:2: *INCLUDE names another file, but only this one is read; put the lines of that file here.");
-  check_refused("*NODE, INPUT=mesh.inp\n", "hull.inp:1: *NODE names another file, but only this one is read; put the lines of that file here.");
+TEST_CASE("abaqus: content in other files, generated by the solver or in other coordinate systems is refused by name") {
+  check_refused("*NODE\n*INCLUDE, INPUT=mesh.inp\n",
+                "hull.inp:2: *INCLUDE refers to another file, but only this one is read; insert the lines of that file here.");
+  check_refused("*NODE, INPUT=mesh.inp\n", "hull.inp:1: *NODE refers to another file, but only this one is read; insert the lines of that file here.");
   for (const std::string name : {"NGEN", "NFILL", "NCOPY", "ELGEN", "ELCOPY"}) {
     check_refused(
         "*" + name + "\n",
-        ("hull.inp:1: *" + name + " makes nodes or elements that are not in the file; export the mesh with all nodes and elements written out.").c_str());
+        ("hull.inp:1: *" + name + " generates nodes or elements that are not in the file; export the mesh with all nodes and elements listed.").c_str());
   }
-  check_refused("*NODE, SYSTEM=C\n", "hull.inp:1: nodes in SYSTEM=C cannot be read, only in SYSTEM=R; write the coordinates as x, y, z.");
-  check_refused("*SYSTEM\n0,0,1,1,0,0\n", "hull.inp:2: *SYSTEM moves the nodes that follow, which cannot be read; write the coordinates in the global system.");
+  check_refused("*NODE, SYSTEM=C\n", "hull.inp:1: nodes in SYSTEM=C are not supported, only in SYSTEM=R; export Cartesian coordinates.");
+  check_refused("*SYSTEM\n0,0,1,1,0,0\n",
+                "hull.inp:2: *SYSTEM transforms the nodes that follow, which is not supported; export the coordinates in the global system.");
   CHECK(parse("*SYSTEM\n" + square).vertices.size() == 4);  // without a line: back to the global system
   check_refused("*SURFACE, TYPE=REVOLUTION, NAME=s\n",
-                "hull.inp:1: *SURFACE of TYPE=REVOLUTION is a surface without elements, which cannot be read; mesh it with R3D4 or S4, or delete it.");
+                "hull.inp:1: *SURFACE of TYPE=REVOLUTION is an analytical surface, which is not supported; mesh it with R3D4 or S4, or delete it.");
 }
 
-TEST_CASE("abaqus: nodes that are not there or in two places, and elements that are two, name their lines") {
+TEST_CASE("abaqus: missing nodes and conflicting definitions of nodes and elements are refused with their lines") {
   const std::string one = square + "*ELEMENT, TYPE=S3\n1,1,2,3\n";
   check_refused(square + "*ELEMENT, TYPE=S3\n1,1,2,9999999999\n",
-                "hull.inp:7: element 1 has node 9999999999, which is not defined; mend the element or add the node.");
-  check_refused(one + "*NODE\n2,1,0,1e-9\n", "hull.inp:9: node 2 is in another place on line 3; give one of the two another number.");
+                "hull.inp:7: element 1 has node 9999999999, which is not defined; correct the element or add the node.");
+  check_refused(one + "*NODE\n2,1,0,1e-9\n", "hull.inp:9: node 2 has different coordinates on line 3; renumber one of the two.");
   CHECK(parse(one + "*NODE\n2,1,0,0\n").vertices.size() == 4);
-  check_refused(one + "2,1,2,4\n1,1,2,4\n", "hull.inp:9: element 1 is another one on line 7; give one of the two another number.");
+  check_refused(one + "2,1,2,4\n1,1,2,4\n", "hull.inp:9: element 1 is defined differently on line 7; renumber one of the two.");
   CHECK(parse(one + "1,1,2,3\n").size() == 1);
 }
 
-TEST_CASE("abaqus: what is no number names the line and the thing that has it") {
-  check_refused("*NODE\n1,0,nan,0\n", "hull.inp:2: node 1 has `nan` where a finite number belongs; mend the file or write it again.");
-  check_refused("*NODE\n1,0,1e999,0\n", "hull.inp:2: node 1 has `1e999` where a finite number belongs; mend the file or write it again.");
-  check_refused("*NODE\nx,0,0,0\n", "hull.inp:2: *NODE has `x` where the number of a node belongs; mend the file or write it again.");
-  check_refused("*NODE\n-3,0,0,0\n", "hull.inp:2: *NODE has `-3` where the number of a node belongs; mend the file or write it again.");
+TEST_CASE("abaqus: invalid numbers are refused with the line and the item") {
+  check_refused("*NODE\n1,0,nan,0\n", "hull.inp:2: node 1 has `nan` where a finite number is expected; correct the file or export it again.");
+  check_refused("*NODE\n1,0,1e999,0\n", "hull.inp:2: node 1 has `1e999` where a finite number is expected; correct the file or export it again.");
+  check_refused("*NODE\nx,0,0,0\n", "hull.inp:2: *NODE has `x` where a node number is expected; correct the file or export it again.");
+  check_refused("*NODE\n-3,0,0,0\n", "hull.inp:2: *NODE has `-3` where a node number is expected; correct the file or export it again.");
   check_refused(square + "*ELEMENT, TYPE=S3\n1,1,,3\n",
-                "hull.inp:7: element 1 has nothing where the number of a node belongs; mend the file or write it again.");
+                "hull.inp:7: element 1 has nothing where a node number is expected; correct the file or export it again.");
   check_refused(square + "*ELEMENT, TYPE=S3\n1,1,2.0,3\n",
-                "hull.inp:7: element 1 has `2.0` where the number of a node belongs; mend the file or write it again.");
-  check_refused(square + "*ELEMENT, TYPE=S4\n1,1,2,3\n2,1,2,3,4\n", "hull.inp:7: element 1 has 3 nodes, but its type S4 needs 4; mend the element.");
-  check_refused(square + "*ELEMENT, TYPE=S4\n1,1,2,3,4,4\n", "hull.inp:7: element 1 has 5 nodes, but its type S4 needs 4; mend the element.");
-  check_refused(square + "*ELEMENT, TYPE=S4\n1,1,2,3,\n*NODE\n", "hull.inp:7: element 1 has 3 nodes, but its type S4 needs 4; mend the element.");
+                "hull.inp:7: element 1 has `2.0` where a node number is expected; correct the file or export it again.");
+  check_refused(square + "*ELEMENT, TYPE=S4\n1,1,2,3\n2,1,2,3,4\n", "hull.inp:7: element 1 has 3 nodes, but its type S4 needs 4; correct the element.");
+  check_refused(square + "*ELEMENT, TYPE=S4\n1,1,2,3,4,4\n", "hull.inp:7: element 1 has 5 nodes, but its type S4 needs 4; correct the element.");
+  check_refused(square + "*ELEMENT, TYPE=S4\n1,1,2,3,\n*NODE\n", "hull.inp:7: element 1 has 3 nodes, but its type S4 needs 4; correct the element.");
 }
 
-TEST_CASE("abaqus: files of other programs are told apart, and one without elements is empty") {
-  check_refused("8 6 0 0 0\n1 0 0 0\n", "hull.inp:1: `8 6 0 0 0` stands where a keyword such as *NODE belongs; this is no Abaqus input file.");
+TEST_CASE("abaqus: files of other programs are recognised, and one without elements is empty") {
+  check_refused("8 6 0 0 0\n1 0 0 0\n", "hull.inp:1: `8 6 0 0 0` appears where a keyword such as *NODE is expected; this is not an Abaqus input file.");
   CHECK_THROWS_AS(parse(std::string("\x7f"
                                     "ELF\x02\x01\0\0",
                                     8)),
@@ -195,7 +197,7 @@ TEST_CASE("abaqus: files of other programs are told apart, and one without eleme
   CHECK(parse("** nothing\n\n").size() == 0);
 }
 
-TEST_CASE("abaqus: cut short anywhere or damaged, a file is read or refused in one sentence") {
+TEST_CASE("abaqus: a truncated or damaged file is read or refused in one sentence") {
   const Elements block = fixtures::block_of(ElementKind::tetrahedron, 1);
   const std::string whole =
       "*PART, NAME=p\n" + fixtures::abaqus_mesh(block) +

@@ -7,7 +7,7 @@
 
 using namespace fccda;
 
-TEST_CASE("fortran: every way to write a real number gives the number that C++ writes so") {
+TEST_CASE("fortran: every notation of a real number gives the number of the C++ notation") {
   for (const char* word : {"1500", "1500.", "+1500.", "1.5e3", "1.5E+03", "1.5D+3", "1.5d3", "1.5+3", "15.+2", "150000-2", "+.15+4"}) {
     CAPTURE(word);
     CHECK(fortran_real(word) == 1500);
@@ -17,7 +17,7 @@ TEST_CASE("fortran: every way to write a real number gives the number that C++ w
   CHECK(fortran_real("0.1") == 0.1);
 }
 
-TEST_CASE("fortran: what is no finite number is none") {
+TEST_CASE("fortran: text other than a finite number is refused") {
   for (const char* word :
        {"", "x", "1 5", "1.5e", "1.5d", "1.5+", "1.5+-3", "+-1", "--1", "1,5", "nan", "inf", "-inf", "1e999", "1+999", "0x1", "1.5+3+3", "+", ".", "1.5e3 "}) {
     CAPTURE(word);
@@ -26,7 +26,7 @@ TEST_CASE("fortran: what is no finite number is none") {
   CHECK_FALSE(fortran_real(std::string(1000, '1') + "+5"));
 }
 
-TEST_CASE("fortran: whole numbers are those of 64 bits") {
+TEST_CASE("fortran: integers have 64 bits") {
   CHECK(fortran_integer("9999999999") == 9999999999);
   CHECK(fortran_integer("+7") == 7);
   CHECK(fortran_integer("-7") == -7);

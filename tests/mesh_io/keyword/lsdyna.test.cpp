@@ -24,7 +24,7 @@ constexpr LsdynaForm forms[] = {LsdynaForm::fixed, LsdynaForm::commas, LsdynaFor
 
 const std::string square = "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n";
 
-/// Nodes of each element in order of size: how a solid is turned does not matter to its skin.
+/// Sorted nodes of each element: the orientation of a solid does not affect its boundary faces.
 std::vector<std::vector<int>> sorted_nodes(const Elements& elements) {
   std::vector<std::vector<int>> out;
   for (std::size_t e = 0; e < elements.size(); ++e) {
@@ -52,7 +52,7 @@ void check_read_or_refused(const std::string& contents, std::size_t most_nodes) 
 
 }  // namespace
 
-TEST_CASE("lsdyna: shells come back to the last bit from columns of every width and from between commas") {
+TEST_CASE("lsdyna: shells are read back bitwise from columns of every width and from comma-separated fields") {
   for (const Elements& written :
        {fixtures::elements_of(fixtures::unit_cube(), "cube of quads"), fixtures::elements_of(make_sphere({.diameter = 2, .edge_length = 0.5}), "ball")}) {
     for (const LsdynaForm form : forms) {
@@ -66,7 +66,7 @@ TEST_CASE("lsdyna: shells come back to the last bit from columns of every width 
   }
 }
 
-TEST_CASE("lsdyna: solids come back as what they are, on one card or two, though all are written as hexahedra") {
+TEST_CASE("lsdyna: solids are read back as their kind, on one card or two, although all are written as hexahedra") {
   for (const ElementKind kind : {ElementKind::hexahedron, ElementKind::wedge, ElementKind::tetrahedron}) {
     const Elements written = fixtures::block_of(kind, 3);
     for (const LsdynaForm form : forms) {
@@ -89,7 +89,7 @@ TEST_CASE("lsdyna: solids come back as what they are, on one card or two, though
   for (const LsdynaForm form : forms) CHECK(parse(fixtures::lsdyna_text(ten, form)).nodes == ten.nodes);
 }
 
-TEST_CASE("lsdyna: the sign behind a keyword sets the width of its fields, and *KEYWORD that of all") {
+TEST_CASE("lsdyna: the sign after a keyword sets the width of its fields, and *KEYWORD that of all") {
   const std::string nodes =
       "*NODE %\n         1             0.0             0.0             0.0       0       0\n"
       "9999999999             1.0             0.0             0.0\n*NODE+\n"
@@ -104,13 +104,13 @@ TEST_CASE("lsdyna: the sign behind a keyword sets the width of its fields, and *
   CHECK(parse("*KEYWORD LONG=S\n*NODE\n       1             2.0             3.0             4.0\n").vertices[0] == Vec3d{2, 3, 4});
 }
 
-TEST_CASE("lsdyna: fields need no blanks between them, blank ones are 0, and reals may be as Fortran writes them") {
+TEST_CASE("lsdyna: fields need no blanks between them, blank ones are 0, and reals may be in Fortran notation") {
   const Elements read = parse("*NODE\n$ a comment\n12345678-1.5000000000-031.00000000000000" + std::string(16, ' ') + "       2\n");
   CHECK(read.vertices == std::vector<Vec3d>{{-1.5e-3, 1, 0}});
   CHECK(parse("*NODE\n       7                             2.0\n").vertices[0] == Vec3d{0, 2, 0});
 }
 
-TEST_CASE("lsdyna: options of shells bring cards that are passed over, thicknesses of middle nodes among them") {
+TEST_CASE("lsdyna: additional cards of shell options are skipped, including thicknesses at mid-side nodes") {
   const std::string shells[] = {
       "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,5,6,7,8\n",
       "*ELEMENT_SHELL_THICKNESS\n1,1,1,2,3,4\n.1,.1,.1,.1\n2,1,5,6,7,8\n\n",
@@ -128,7 +128,7 @@ TEST_CASE("lsdyna: options of shells bring cards that are passed over, thickness
   CHECK(parse(square + "*ELEMENT_SHELL\n1,1,1,2,3,0\n").nodes == std::vector{0, 1, 2});
 }
 
-TEST_CASE("lsdyna: options of solids bring cards that are passed over, and thick shells are solids") {
+TEST_CASE("lsdyna: additional cards of solid options are skipped, and thick shells are solids") {
   const std::string solids[] = {"*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n",
                                 "*ELEMENT_SOLID (ten nodes format)\n1,1\n1,2,3,4,5,6,7,8,0,0\n",
                                 "*ELEMENT_SOLID_ORTHO\n1,1,1,2,3,4,5,6,7,8\n1,0,0\n0,1,0\n",
@@ -143,11 +143,11 @@ TEST_CASE("lsdyna: options of solids bring cards that are passed over, and thick
   CHECK(parse(square + "*ELEMENT_SOLID\n1,1\n1,2,3,5\n").kinds == std::vector{ElementKind::tetrahedron});
 }
 
-TEST_CASE("lsdyna: shells and solids are numbered apart") {
+TEST_CASE("lsdyna: shells and solids are numbered independently") {
   CHECK(parse(square + "*ELEMENT_SHELL\n1,1,1,2,3,4\n*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n").size() == 2);
 }
 
-TEST_CASE("lsdyna: parts are called by their heading, and by number where that is blank, missing or twice there") {
+TEST_CASE("lsdyna: parts are named by their heading, or by number where that is blank, missing or ambiguous") {
   const std::string shells = square + "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,2,1,2,3\n3,3,1,2,4\n4,4,1,3,4\n5,5,2,3,4\n6,6,2,3,5\n";
   const Elements read =
       parse(shells +
@@ -159,7 +159,7 @@ TEST_CASE("lsdyna: parts are called by their heading, and by number where that i
   CHECK(parse(square + "*ELEMENT_SHELL\n1,9999999999,1,2,3,4\n").part_names == std::vector<std::string>{"part 9999999999"});
 }
 
-TEST_CASE("lsdyna: everything that is no mesh is skipped, and *END ends the file") {
+TEST_CASE("lsdyna: everything other than the mesh is skipped, and *END ends the file") {
   const Elements read = parse(
       "$ comment\n*KEYWORD MEMORY=100M\n*TITLE\nany text\n*CONTROL_TERMINATION\n  "
       "1.0\n*MAT_RIGID\n1,7.85e3\n*SECTION_SHELL\n1,2\n*SET_NODE_LIST\n1\n1,2,3\n*DEFINE_CURVE\n1\n0,&x\n" +
@@ -170,50 +170,51 @@ TEST_CASE("lsdyna: everything that is no mesh is skipped, and *END ends the file
   CHECK(read.size() == 1);
 }
 
-TEST_CASE("lsdyna: what is in another file, made by the solver, of another kind or a parameter is refused by name") {
+TEST_CASE("lsdyna: content in other files, generated by the solver, of unsupported kinds or parametrised is refused by name") {
   for (const std::string name : {"INCLUDE", "INCLUDE_TRANSFORM"})
     check_refused("*" + name + "\nmesh.k\n",
-                  ("hull.k:1: *" + name + " names another file, but only this one is read; put the lines of that file here.").c_str());
+                  ("hull.k:1: *" + name + " refers to another file, but only this one is read; insert the lines of that file here.").c_str());
   for (const std::string name : {"NODE_TRANSFORM", "PART_MOVE", "PART_DUPLICATE"})
-    check_refused("*" + name + "\n",
-                  ("hull.k:1: *" + name + " moves nodes or copies elements, which cannot be read; export the mesh as it is after that.").c_str());
+    check_refused("*" + name + "\n", ("hull.k:1: *" + name + " moves nodes or copies elements, which is not supported; export the resulting mesh.").c_str());
   for (const std::string name :
        {"ELEMENT_SHELL_COMPOSITE", "ELEMENT_SHELL_NURBS_PATCH", "ELEMENT_SOLID_H20", "ELEMENT_TSHELL_COMPOSITE", "ELEMENT_GENERALIZED_SHELL", "IGA_SHELL"})
     check_refused("*" + name + "\n",
-                  ("hull.k:1: *" + name + " cannot be read; export the surface as *ELEMENT_SHELL or *ELEMENT_SOLID of plain nodes.").c_str());
+                  ("hull.k:1: *" + name + " is not supported; export the surface as *ELEMENT_SHELL or *ELEMENT_SOLID with ordinary nodes.").c_str());
   check_refused("*PARAMETER\nR len,2.5\n*NODE\n1,&len,0,0\n",
-                "hull.k:4: node 1 has `&len` where a finite number belongs; parameters cannot be read: write the number itself.");
+                "hull.k:4: node 1 has `&len` where a finite number is expected; parameters are not supported: write the number itself.");
 }
 
-TEST_CASE("lsdyna: nodes that are not there or in two places, elements that are two or none, name their lines") {
+TEST_CASE("lsdyna: missing nodes, and conflicting or invalid nodes and elements, are refused with their lines") {
   const std::string one = square + "*ELEMENT_SHELL\n1,1,1,2,3,4\n";
   check_refused(square + "*ELEMENT_SHELL\n1,1,1,2,9999999999,4\n",
-                "hull.k:11: element 1 has node 9999999999, which is not defined; mend the element or add the node.");
-  check_refused(one + "*NODE\n2,1,0,.1\n", "hull.k:13: node 2 is in another place on line 3; give one of the two another number.");
+                "hull.k:11: element 1 has node 9999999999, which is not defined; correct the element or add the node.");
+  check_refused(one + "*NODE\n2,1,0,.1\n", "hull.k:13: node 2 has different coordinates on line 3; renumber one of the two.");
   CHECK(parse(one + "*NODE\n2,1,0,0\n").vertices.size() == 8);
-  check_refused(one + "1,1,1,2,4,3\n", "hull.k:12: element 1 is another one on line 11; give one of the two another number.");
+  check_refused(one + "1,1,1,2,4,3\n", "hull.k:12: element 1 is defined differently on line 11; renumber one of the two.");
   CHECK(parse(one + "1,1,1,2,3,4\n").size() == 1);
-  check_refused(square + "*ELEMENT_SHELL\n1,1,1,2,3,4,5\n",
-                "hull.k:11: element 1 has nodes that make no triangle or quad, with middle nodes on all sides of a quad or on none; mend it or delete it.");
+  check_refused(
+      square + "*ELEMENT_SHELL\n1,1,1,2,3,4,5\n",
+      "hull.k:11: element 1 has nodes that do not form a triangle or a quad (with mid-side nodes on all sides of a quad or on none); correct or delete it.");
   check_refused(square + "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7\n",
-                "hull.k:11: element 1 has nodes that make no tetrahedron, pyramid, wedge or hexahedron, nor a tetrahedron of ten nodes; mend it or delete it.");
-  check_refused(square + "*ELEMENT_SHELL\n1,1,1,0,3,4\n", "hull.k:11: element 1 has 0 among its nodes; mend the element.");
-  check_refused(square + "*ELEMENT_SOLID\n1,1\n*END\n", "hull.k:11: element 1 ends before its last card; it was cut short; write the file again.");
+                "hull.k:11: element 1 has nodes that do not form a tetrahedron, pyramid, wedge, hexahedron or ten-node tetrahedron; correct or delete it.");
+  check_refused(square + "*ELEMENT_SHELL\n1,1,1,0,3,4\n", "hull.k:11: element 1 has 0 among its nodes; correct the element.");
+  check_refused(square + "*ELEMENT_SOLID\n1,1\n*END\n", "hull.k:11: element 1 ends before its last card; it is truncated: export the file again.");
 }
 
-TEST_CASE("lsdyna: what is no number names the line and the thing that has it") {
-  check_refused("*NODE\n1,0,nan,0\n", "hull.k:2: node 1 has `nan` where a finite number belongs; mend the file or write it again.");
+TEST_CASE("lsdyna: invalid numbers are refused with the line and the item") {
+  check_refused("*NODE\n1,0,nan,0\n", "hull.k:2: node 1 has `nan` where a finite number is expected; correct the file or export it again.");
   check_refused("*NODE\n       1             0.0         0.0 0.0\n",
-                "hull.k:2: node 1 has `0.0 0.0` where a finite number belongs; mend the file or write it again.");
-  check_refused("*NODE\nx,0,0,0\n", "hull.k:2: *NODE has `x` where a whole number belongs; mend the file or write it again.");
-  check_refused("*NODE\n0,0,0,0\n", "hull.k:2: the number of a node is 0, but numbers begin with 1; mend the file or write it again.");
-  check_refused(square + "*ELEMENT_SHELL\n1,1,1,2.0,3,4\n", "hull.k:11: element 1 has `2.0` where a whole number belongs; mend the file or write it again.");
-  check_refused("*NODE\n1\t0\t0\t0\n", "hull.k:2: the card has a tab, so that its columns cannot be counted; put blanks in place of tabs.");
-  check_refused("solid cube\n", "hull.k:1: `solid cube` stands where a keyword such as *KEYWORD belongs; this is no LS-DYNA file.");
+                "hull.k:2: node 1 has `0.0 0.0` where a finite number is expected; correct the file or export it again.");
+  check_refused("*NODE\nx,0,0,0\n", "hull.k:2: *NODE has `x` where an integer is expected; correct the file or export it again.");
+  check_refused("*NODE\n0,0,0,0\n", "hull.k:2: the node number is 0, but numbers begin with 1; correct the file or export it again.");
+  check_refused(square + "*ELEMENT_SHELL\n1,1,1,2.0,3,4\n",
+                "hull.k:11: element 1 has `2.0` where an integer is expected; correct the file or export it again.");
+  check_refused("*NODE\n1\t0\t0\t0\n", "hull.k:2: the card contains a tab, so its columns are ambiguous; replace tabs by blanks.");
+  check_refused("solid cube\n", "hull.k:1: `solid cube` appears where a keyword such as *KEYWORD is expected; this is not an LS-DYNA file.");
   CHECK(parse("").size() == 0);
 }
 
-TEST_CASE("lsdyna: cut short anywhere or damaged, a file is read or refused in one sentence") {
+TEST_CASE("lsdyna: a truncated or damaged file is read or refused in one sentence") {
   const Elements block = fixtures::block_of(ElementKind::wedge, 1);
   std::mt19937_64 random(1);
   for (const LsdynaForm form : forms) {

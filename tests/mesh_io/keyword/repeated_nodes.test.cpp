@@ -30,11 +30,11 @@ double volume(const NumberedShape& shape) {
 
 }  // namespace
 
-TEST_CASE("repeats: hexahedra with repeated nodes are the solids that solvers mean by them") {
+TEST_CASE("repeats: hexahedra with repeated nodes reduce to the solids that solvers write so") {
   struct Case {
     Ids nodes;
     ElementKind kind;
-    double volume;  // [-] of the unit cube's part
+    double volume;  // [-] fraction of the unit cube
   };
   const Case cases[] = {{{0, 1, 2, 3, 4, 5, 6, 7}, ElementKind::hexahedron, 1},
                         {{0, 1, 2, 3, 4, 4, 7, 7}, ElementKind::wedge, 0.5},  // LS-DYNA: a quad, and an edge over it
@@ -51,7 +51,7 @@ TEST_CASE("repeats: hexahedra with repeated nodes are the solids that solvers me
   }
 }
 
-TEST_CASE("repeats: wedges, pyramids and tetrahedra may repeat nodes too, or none") {
+TEST_CASE("repeats: wedges, pyramids and tetrahedra may also repeat nodes") {
   CHECK(solid_without_repeats(Ids{0, 1, 2, 4, 5, 6})->kind == ElementKind::wedge);
   CHECK(solid_without_repeats(Ids{0, 1, 2, 4, 4, 4})->kind == ElementKind::tetrahedron);
   CHECK(solid_without_repeats(Ids{0, 1, 2, 0, 5, 6})->kind == ElementKind::pyramid);
@@ -60,14 +60,14 @@ TEST_CASE("repeats: wedges, pyramids and tetrahedra may repeat nodes too, or non
   CHECK(solid_without_repeats(Ids{0, 1, 2, 4})->kind == ElementKind::tetrahedron);
 }
 
-TEST_CASE("repeats: what is flat, folded or of seven nodes is none") {
+TEST_CASE("repeats: flat and folded elements and those of seven nodes are refused") {
   for (const Ids& nodes : {Ids{0, 1, 2, 3, 0, 1, 2, 3}, Ids{0, 0, 0, 0, 0, 0, 0, 0}, Ids{0, 1, 2, 3, 4, 4, 6, 7}, Ids{0, 1, 0, 1, 4, 5, 6, 7},
                            Ids{0, 1, 2, 4, 4, 6}, Ids{0, 1, 2, 2}, Ids{1, 1, 1, 1}}) {
     CHECK_FALSE(solid_without_repeats(nodes));
   }
 }
 
-TEST_CASE("repeats: whatever nodes a hexahedron repeats, what is left is a closed solid of different nodes") {
+TEST_CASE("repeats: whatever nodes a hexahedron repeats, the result is a closed solid of distinct nodes") {
   std::mt19937_64 random(1);
   int found = 0;
   for (int trial = 0; trial < 20000; ++trial) {
@@ -84,7 +84,7 @@ TEST_CASE("repeats: whatever nodes a hexahedron repeats, what is left is a close
   CHECK(found > 100);
 }
 
-TEST_CASE("repeats: a quad with a corner twice is a triangle, and with fewer than three corners nothing") {
+TEST_CASE("repeats: a quad with a repeated corner is a triangle, and with fewer than three corners nothing") {
   CHECK(surface_without_repeats(Ids{0, 1, 2, 3})->count == 4);
   for (const Ids& nodes : {Ids{0, 1, 2, 2}, Ids{0, 0, 1, 2}, Ids{0, 1, 1, 2}, Ids{0, 1, 2, 0}, Ids{0, 1, 2}}) CHECK(surface_without_repeats(nodes)->count == 3);
   for (const Ids& nodes : {Ids{0, 1, 0, 2}, Ids{0, 1, 1, 0}, Ids{0, 1, 1}, Ids{0, 0, 0, 0}}) CHECK_FALSE(surface_without_repeats(nodes));

@@ -12,7 +12,7 @@ namespace {
 std::optional<std::string> decoded(std::string_view text, std::size_t count) { return EncodedBytes(text, Encoding::base64).next(count); }
 }  // namespace
 
-TEST_CASE("base64: the examples of RFC 4648 are decoded, in one piece and byte by byte") {
+TEST_CASE("base64: the examples of RFC 4648 are decoded, at once and byte by byte") {
   const std::pair<const char*, const char*> examples[] = {{"Zg==", "f"},        {"Zm8=", "fo"},        {"Zm9v", "foo"},
                                                           {"Zm9vYg==", "foob"}, {"Zm9vYmE=", "fooba"}, {"Zm9vYmFy", "foobar"}};
   for (const auto& [text, expected] : examples) {
@@ -24,7 +24,7 @@ TEST_CASE("base64: the examples of RFC 4648 are decoded, in one piece and byte b
   }
 }
 
-TEST_CASE("base64: all bytes come back, through white space and behind padding") {
+TEST_CASE("base64: all bytes are decoded, across white space and after padding") {
   std::string bytes;
   for (int k = 0; k < 256; ++k) bytes += static_cast<char>(k);
   std::string text = fixtures::base64(bytes.substr(0, 100)) + fixtures::base64(bytes.substr(100));
@@ -32,7 +32,7 @@ TEST_CASE("base64: all bytes come back, through white space and behind padding")
   CHECK(decoded(text, 256) == bytes);
 }
 
-TEST_CASE("base64: other characters, a wrong end and more bytes than there are give nothing") {
+TEST_CASE("base64: invalid characters, a wrong end and too many requested bytes give nothing") {
   for (const char* text : {"Zm9", "Zm9*", "Z===", "====", "Zm=v", "Zg=", "Zg=g", "Z===Zg==", ""}) {
     CAPTURE(text);
     CHECK_FALSE(decoded(text, 1));
@@ -41,7 +41,7 @@ TEST_CASE("base64: other characters, a wrong end and more bytes than there are g
   CHECK(decoded("", 0) == std::string());
 }
 
-TEST_CASE("raw bytes: come as they are, until there are no more") {
+TEST_CASE("raw bytes: are returned unchanged until the end") {
   EncodedBytes source("abc", Encoding::raw);
   CHECK(source.next(2) == std::string("ab"));
   CHECK_FALSE(source.next(2));

@@ -13,7 +13,7 @@ using namespace fccda;
 
 namespace {
 
-/// One cell over points in its own order.
+/// One cell over the given points, in order.
 Elements one(std::int64_t type, const std::vector<Vec3d>& points) {
   VtkElements out("mesh.vtu");
   std::vector<double> coordinates;
@@ -30,7 +30,7 @@ Elements one(std::int64_t type, const std::vector<Vec3d>& points) {
 struct Body {
   std::int64_t type;
   std::vector<Vec3d> corners;
-  std::vector<std::vector<int>> middles;  ///< of edges, faces and the cell: the corners that they lie between
+  std::vector<std::vector<int>> middles;  ///< of edges, faces and the cell: the corners between which they lie
   double volume;
 };
 
@@ -47,7 +47,7 @@ std::vector<Vec3d> points_of(const Body& body) {
 using Middles = std::vector<std::vector<int>>;
 Middles joined(Middles a, const Middles& b) { return a.insert(a.end(), b.begin(), b.end()), a; }
 
-/// Unit solids with the points that VTK's documentation draws (vtkTriQuadraticHexahedron and so on), in its order.
+/// Unit solids with the points of the VTK documentation (vtkTriQuadraticHexahedron and so on), in its order.
 std::vector<Body> bodies() {
   const std::vector<Vec3d> cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   const std::vector<Vec3d> voxel{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
@@ -91,7 +91,7 @@ std::vector<Body> faces() {
 
 }  // namespace
 
-TEST_CASE("vtk cells: each kind of solid has a closed skin of its volume") {
+TEST_CASE("vtk cells: the boundary faces of each kind of solid are closed and enclose its volume") {
   for (const Body& body : bodies()) {
     CAPTURE(body.type);
     const Surface surface(panels_of(one(body.type, points_of(body)), "mesh.vtu"));
@@ -100,7 +100,7 @@ TEST_CASE("vtk cells: each kind of solid has a closed skin of its volume") {
   }
 }
 
-TEST_CASE("vtk cells: each kind of face has its area and looks to the side that it winds about") {
+TEST_CASE("vtk cells: each kind of face has its area and the normal of its winding") {
   for (const Body& face : faces()) {
     CAPTURE(face.type);
     const Surface surface(panels_of(one(face.type, points_of(face)), "mesh.vtu"), {.orientation = Orientation::normals});
@@ -110,30 +110,30 @@ TEST_CASE("vtk cells: each kind of face has its area and looks to the side that 
   }
 }
 
-TEST_CASE("vtk cells: the triangles of a strip all look to the side of the first") {
+TEST_CASE("vtk cells: the triangles of a strip all have the orientation of the first") {
   const Panels panels = panels_of(one(6, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}, {1, 2, 0}}), "mesh.vtu");
   CHECK(panels.panels == std::vector<std::array<int, 4>>{{0, 1, 2, -1}, {2, 1, 3, -1}, {2, 3, 4, -1}, {4, 3, 5, -1}});
   CHECK(Surface(panels, {.orientation = Orientation::normals}).report().rewound == 0);
 }
 
-TEST_CASE("vtk cells: points and lines are passed over, whatever their kind") {
+TEST_CASE("vtk cells: points and lines of any kind are skipped") {
   for (const std::int64_t type : {0, 1, 2, 3, 4, 21, 35, 68, 75}) CHECK(one(type, {{0, 0, 0}, {1, 0, 0}}).size() == 0);
 }
 
-TEST_CASE("vtk cells: kinds that have no panels are refused by name") {
+TEST_CASE("vtk cells: unsupported kinds are refused by name") {
   const char* sentences[] = {"a pentagonal prism",      "a polyhedron",           "a Lagrange tetrahedron", "a Bézier triangle",
                              "a cell of VTK's type 60", "a cell of VTK's type -1"};
   const std::int64_t types[] = {15, 42, 71, 76, 60, -1};
   for (std::size_t k = 0; k < std::size(types); ++k) {
     const std::string sentence = std::string("mesh.vtu: cell 0 (counted from 0) is ") + sentences[k] +
-                                 ", which cannot be read; write the surface in linear or quadratic cells, in ParaView by the filter Extract Surface.";
+                                 ", which is not supported; export linear or quadratic cells, for example with the ParaView filter Extract Surface.";
     CHECK_THROWS_WITH_AS(one(types[k], {{0, 0, 0}}), sentence.c_str(), InputError);
   }
 }
 
-TEST_CASE("vtk cells: too few points, points that are none and offsets out of order name the cell and the piece") {
-  CHECK_THROWS_WITH_AS(one(12, {{0, 0, 0}}), "mesh.vtu: cell 0 (counted from 0) has 1 points, but needs 8; mend the file or write it again.", InputError);
-  CHECK_THROWS_WITH_AS(one(7, {{0, 0, 0}}), "mesh.vtu: cell 0 (counted from 0) has 1 points, but needs 3; mend the file or write it again.", InputError);
+TEST_CASE("vtk cells: too few points, undefined points and offsets out of order are refused with the cell and the piece") {
+  CHECK_THROWS_WITH_AS(one(12, {{0, 0, 0}}), "mesh.vtu: cell 0 (counted from 0) has 1 points, but needs 8; correct the file or export it again.", InputError);
+  CHECK_THROWS_WITH_AS(one(7, {{0, 0, 0}}), "mesh.vtu: cell 0 (counted from 0) has 1 points, but needs 3; correct the file or export it again.", InputError);
   const std::vector<double> triangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
   const std::int64_t type = 5;
   const auto add = [&](const VtkCells& cells) {
@@ -143,18 +143,20 @@ TEST_CASE("vtk cells: too few points, points that are none and offsets out of or
     out.add(cells, std::span(&type, 1), {});
   };
   CHECK_THROWS_WITH_AS(add({{0, 1, 2, 0, 1, 3}, {3, 6}}),
-                       "mesh.vtu: piece 2: cell 1 (counted from 0) has point 3, but there are 3, counted from 0; mend the file or write it again.", InputError);
+                       "mesh.vtu: piece 2: cell 1 (counted from 0) has point 3, but there are 3, counted from 0; correct the file or export it again.",
+                       InputError);
   CHECK_THROWS_WITH_AS(add({{0, 1, -1}, {3}}),
-                       "mesh.vtu: piece 2: cell 0 (counted from 0) has point -1, but there are 3, counted from 0; mend the file or write it again.",
+                       "mesh.vtu: piece 2: cell 0 (counted from 0) has point -1, but there are 3, counted from 0; correct the file or export it again.",
                        InputError);
   for (const std::int64_t end : {2, -1, 7}) {
     CHECK_THROWS_WITH_AS(add({{0, 1, 2, 0, 1, 2}, {3, end}}),
-                         "mesh.vtu: piece 2: cell 1 (counted from 0) has an offset that is out of order; mend the file or write it again.", InputError);
+                         "mesh.vtu: piece 2: cell 1 (counted from 0) has an offset that is out of order; correct the file or export it again.", InputError);
   }
-  CHECK_THROWS_WITH_AS(add({{0, 1, 2, 0}, {3}}), "mesh.vtu: the cells have 3 point numbers, but the file has 4; mend the file or write it again.", InputError);
+  CHECK_THROWS_WITH_AS(add({{0, 1, 2, 0}, {3}}), "mesh.vtu: the cells have 3 point numbers, but the file has 4; correct the file or export it again.",
+                       InputError);
 }
 
-TEST_CASE("vtk cells: parts are named by their numbers, and cells of pieces without are of no part") {
+TEST_CASE("vtk cells: parts are named by number, and cells of pieces without part numbers belong to no part") {
   VtkElements out("mesh.vtu");
   const std::vector<double> triangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
   const std::int64_t type = 5;
@@ -167,10 +169,10 @@ TEST_CASE("vtk cells: parts are named by their numbers, and cells of pieces with
   const Elements elements = out.take();
   CHECK(elements.part_names == std::vector<std::string>{"part 3", "part -1", ""});
   CHECK(elements.part == std::vector{0, 1, 0, 2, 2, 2});
-  CHECK(elements.nodes_of_element(3)[0] == 3);  // the second piece counts its own points
+  CHECK(elements.nodes_of_element(3)[0] == 3);  // the second piece numbers its points from 0
 }
 
-TEST_CASE("vtk cells: of arrays that number parts the first of the list is chosen") {
+TEST_CASE("vtk cells: of several part arrays the one of best rank is used") {
   int rank = 0;
   for (const char* array : {"part", "PartId", "gmsh:physical", "gmsh:geometrical", "medit:ref", "CellEntityIds", "STLSolidLabeling"})
     CHECK(vtk_part_rank(array) == rank++);

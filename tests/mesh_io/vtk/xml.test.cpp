@@ -7,7 +7,7 @@
 using namespace fccda;
 using Kind = XmlTag::Kind;
 
-TEST_CASE("xml: tags come with names, attributes, text and lines, without comments") {
+TEST_CASE("xml: tags are returned with names, attributes, text and lines, without comments") {
   XmlTags tags("<?xml version='1.0'?>\n<!-- <no/> -->\n<a  one = \"1>0\"\n two='\"'>\ntext</a >\n<b/>", "f.xml");
   XmlTag tag = tags.next();
   CHECK(tag.kind == Kind::opening);
@@ -29,10 +29,10 @@ TEST_CASE("xml: tags come with names, attributes, text and lines, without commen
   CHECK(tags.next().kind == Kind::end_of_file);
 }
 
-TEST_CASE("xml: tags, comments and instructions without end, and document types are refused") {
+TEST_CASE("xml: unclosed tags, comments and instructions, and document types are refused") {
   const auto check_refused = [](const char* text, const char* sentence) { CHECK_THROWS_WITH_AS(XmlTags(text, "f.xml").next(), sentence, InputError); };
-  check_refused("\n<a b=\">", "f.xml:2: a tag has no end; the file was cut short; write it again.");
-  check_refused("<!-- ->", "f.xml:1: a comment has no end; the file was cut short; write it again.");
-  check_refused("<?xml", "f.xml:1: a tag <? has no end; the file was cut short; write it again.");
-  check_refused("<!DOCTYPE a>", "f.xml:1: document types and CDATA (`<!`) cannot be read, and no VTK program writes them; write the file again.");
+  check_refused("\n<a b=\">", "f.xml:2: a tag is not closed; the file is truncated: export it again.");
+  check_refused("<!-- ->", "f.xml:1: a comment is not closed; the file is truncated: export it again.");
+  check_refused("<?xml", "f.xml:1: a tag <? is not closed; the file is truncated: export it again.");
+  check_refused("<!DOCTYPE a>", "f.xml:1: document types and CDATA (`<!`) are not supported; export the file again.");
 }

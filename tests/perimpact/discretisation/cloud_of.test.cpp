@@ -177,8 +177,7 @@ TEST_CASE("cloud: meshes without solid cells, broken cells and files without cel
   plane.thickness = 1;
   CHECK(complaint(body_of(plane)).find("element 2 in the order of the file is a solid, but a plane body is made of triangles and quads;") != std::string::npos);
   CHECK(complaint(body_of(cells(folder / "cube.stl"))) ==
-        (folder / "cube.stl").string() +
-            ": a file of this kind has no cells that could be read; the formats of meshes are .vtk, .vtp, .vtu, .msh, .inp, .k, .key, .dyn.");
+        (folder / "cube.stl").string() + ": this format has no cells; the mesh formats are .vtk, .vtp, .vtu, .msh, .inp, .k, .key, .dyn.");
 }
 
 TEST_CASE("cloud: the order in space is one of all points, and the same for points that share one place") {
