@@ -35,13 +35,14 @@ LAYERS = {
     "perimpact/materials": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family", "perimpact/force", "perimpact/damage"],
     "perimpact/materials/elastic": ["base"],
     "perimpact/materials/ice": ["base"],
+    "perimpact/materials/plasticity": ["base"],
     "perimpact/self_contact": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family", "perimpact/materials/elastic"],
     "perimpact/discretisation": ["base", "mesh", "mesh_io", "perimpact/deck_model", "perimpact/particles"],
     "perimpact/impactor": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact/deck_model", "perimpact/particles", "perimpact/discretisation"],
     "io": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact"],
-    "io/deck": ["base", "mesh", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model"],
-    "io/statistics": ["base", "mesh", "mesh_io", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model", "io/output", "io/deck"],
-    "io/report": ["base", "mesh", "mesh_io", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model", "io/output", "io/deck", "io/statistics"],
+    "io/deck": ["base", "mesh", "perimpact/materials/plasticity", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model"],
+    "io/statistics": ["base", "mesh", "mesh_io", "perimpact/materials/plasticity", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model", "io/output", "io/deck"],
+    "io/report": ["base", "mesh", "mesh_io", "perimpact/materials/plasticity", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model", "io/output", "io/deck", "io/statistics"],
     "io/output": ["base", "mesh"],
 }
 

@@ -5,7 +5,7 @@
 
 #include "perimpact/materials/correspondence/correspondence_force.hpp"
 #include "perimpact/materials/ordinary_state/ordinary_state_force.hpp"
-#include "perimpact/materials/plasticity/plastic_force.hpp"
+#include "perimpact/materials/ordinary_state/plastic_force.hpp"
 
 namespace perimpact {
 

@@ -1,4 +1,4 @@
-#include "perimpact/materials/plasticity/plastic_force.hpp"
+#include "perimpact/materials/ordinary_state/plastic_force.hpp"
 
 #include <doctest/doctest.h>
 
