@@ -45,7 +45,7 @@ def run_all(program, folder, runs):
 def print_means():
     with open(TABLE) as file:
         rows = list(csv.DictReader(file))
-    print("| µ | step | runs | work of the sphere [MJ] | of it friction [MJ] | largest closing error |\n|---|---|---|---|---|---|")
+    print("| µ | step | runs | work of the sphere [MJ] | of which friction [MJ] | largest balance error |\n|---|---|---|---|---|---|")
     for friction, divisor in sorted({(row["friction"], row["steps of the automatic one"]) for row in rows}):
         those = [row for row in rows if (row["friction"], row["steps of the automatic one"]) == (friction, divisor)]
         mean = []
