@@ -17,8 +17,9 @@ def places(scene):
 @claim("every header of fccda is installed, and no others")
 def headers(scene):
     at = places(scene)
-    ours = {path.relative_to(at["source"] / "src") for path in (at["source"] / "src/fccda").rglob("*.hpp")}
-    installed = {path.relative_to(at["folder"] / "fccda/include") for path in (at["folder"] / "fccda/include").rglob("*") if path.is_file()}
+    source, include = at["source"] / "src", at["folder"] / "fccda/include"
+    ours = {path.relative_to(source) for folder in ("base", "mesh", "mesh_io", "marine", "fccda") for path in (source / folder).rglob("*.hpp")}
+    installed = {path.relative_to(include / "fccda") for path in include.rglob("*") if path.is_file()}
     scene.assertGreater(len(ours), 40)
     scene.assertEqual(installed, ours)
 
@@ -31,7 +32,7 @@ def package(scene):
     interface = dict(re.findall(r'^  INTERFACE_(\w+) "(.*)"$', text, re.MULTILINE))
     scene.assertEqual(
         interface,
-        {"COMPILE_FEATURES": "cxx_std_20", "INCLUDE_DIRECTORIES": "${_IMPORT_PREFIX}/include", "LINK_LIBRARIES": r"OpenMP::OpenMP_CXX;\$<LINK_ONLY:ZLIB::ZLIB>"},
+        {"COMPILE_FEATURES": "cxx_std_20", "INCLUDE_DIRECTORIES": "${_IMPORT_PREFIX}/include/fccda", "LINK_LIBRARIES": r"OpenMP::OpenMP_CXX;\$<LINK_ONLY:ZLIB::ZLIB>"},
     )
     scene.assertEqual(re.findall(r"find_dependency\((\w+)", text), ["OpenMP", "ZLIB"])
     for place in (at["build"], at["source"]):
