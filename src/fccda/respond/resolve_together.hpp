@@ -1,12 +1,12 @@
-/// Several bodies that strike the same points in one step.
+/// Contact of several bodies with the same points in one step, by alternating passes (Gauss-Seidel).
 ///
-/// All have moved when this begins. They act in the order given: each detects, relocates the points it struck and takes their impulse.
-/// What one puts out of itself may then be inside another; so each looks again at the points that others moved since it looked, until
-/// nothing is struck any more. Two walls that meet at a right angle or a wider one are done with the second pass. Where they are closing
-/// in on a point (a vice, a narrow wedge) there may be no place outside of all; after four passes what is left inside one is pinched, and
-/// returned. It is put out of it as soon as the others let it.
+/// All bodies have moved before. In the order given, each detects contact, relocates its points and takes their impulse. A point that one body
+/// relocates may then lie inside another. Each body therefore resolves again the points that others relocated since its last pass, until no
+/// contact is left. Two walls at an angle of 90° or more need two passes. Between closing walls (a vice, a narrow wedge) there may be no
+/// admissible position. Points that are still inside a body after four passes are returned as unresolved penetrations; they are relocated in a
+/// later step, once the other bodies leave clearance.
 ///
-/// Every pass gives to the bodies what it takes from the points, so momentum is kept as by one body alone.
+/// Each pass transfers momentum between points and bodies as with one body, so that momentum is conserved to rounding.
 #pragma once
 
 #include <algorithm>
@@ -19,22 +19,22 @@
 
 namespace fccda {
 
-/// A body with its detector and its response, against points of the type P.
+/// Requirements on a body with its contact detection and response, for points of the type P.
 template <class S, class P>
 concept ContactResolver = requires(S& resolver, P& points, std::span<const std::size_t> which, std::size_t i) {
-  { resolver.resolve_contact(points) } -> std::convertible_to<std::span<const Contact>>;               // detects and responds; once a step
-  { resolver.resolve_contact_again(points, which) } -> std::convertible_to<std::span<const Contact>>;  // the same for these points, in rising order
-  { resolver.still_inside(points, which) } -> std::convertible_to<std::vector<std::size_t>>;           // which of them are inside at t1
-  resolver.moved(i);                                                                                   // another one displaced point i
+  { resolver.resolve_contact(points) } -> std::convertible_to<std::span<const Contact>>;               // detection and response; once per step
+  { resolver.resolve_contact_again(points, which) } -> std::convertible_to<std::span<const Contact>>;  // the same for these points, in ascending order
+  { resolver.still_inside(points, which) } -> std::convertible_to<std::vector<std::size_t>>;           // those that are inside at t1
+  resolver.moved(i);                                                                                   // another body relocated point i
 };
 
 inline constexpr int max_passes = 4;
 
-/// Returns the pinched points of each striker, in rising order.
+/// Returns the points of each body with unresolved penetration, in ascending order.
 template <class S, class P>
 requires ContactResolver<S, P> std::vector<std::vector<std::size_t>> resolve_together(std::span<S> resolvers, P& points) {
-  std::vector<std::vector<std::size_t>> moved(resolvers.size());  // by others, since this one looked
-  std::vector<std::size_t> looked(resolvers.size(), 0);           // whether each has, in this step
+  std::vector<std::vector<std::size_t>> moved(resolvers.size());  // by others, since the last pass of this one
+  std::vector<std::size_t> looked(resolvers.size(), 0);           // whether each has had its first pass in this step
   const auto notify_others = [&](std::size_t resolver, std::span<const Contact> contacts) {
     for (std::size_t other = 0; other < resolvers.size(); ++other) {
       if (other == resolver) continue;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr FreeDegrees all_free{{true, true, true, true, true, true}};
 
-/// A body that strikes: what a code that uses the library writes.
+/// A body in contact, as a user of the library implements it.
 struct Striking {
   RigidBody body;
   Swept detector;
@@ -78,7 +78,7 @@ Vec3d momentum(const std::vector<Striking>& resolvers, const fixtures::TestPoint
   return sum;
 }
 
-/// A wall whose face looks along `normal` and lies at the distance `where` from the origin.
+/// A wall with the outward normal `normal`, at the distance `where` from the origin.
 Panels wall(const Vec3d& normal, double where) {
   const Quaternion turn = Quaternion::from_rotation(std::atan2(normal.y, normal.x) * Vec3d{0, 0, 1});
   const Mat3 matrix = turn.matrix();
@@ -87,10 +87,10 @@ Panels wall(const Vec3d& normal, double where) {
 
 }  // namespace
 
-TEST_CASE("together: points that two walls push into their corner end off both, and nothing is pinched") {
+TEST_CASE("together: points that two walls push into their corner end outside both, without unresolved penetration") {
   for (const double r : {0.0, 0.03}) {
     CAPTURE(r);
-    // the walls x = 0 and y = 0 come nearer by 0.05
+    // the walls x = 0 and y = 0 advance by 0.05
     std::vector<Striking> walls;
     walls.emplace_back(wall({1, 0, 0}, 0), r, Vec3d{0.05, 0, 0});
     walls.emplace_back(wall({0, 1, 0}, 0), r, Vec3d{0, 0.05, 0});
@@ -111,7 +111,7 @@ TEST_CASE("together: points that two walls push into their corner end off both, 
 
 namespace {
 
-/// Points whose travel is what they moved by themselves, as a solver knows it when the step begins.
+/// Points with the distance travelled of their own motion, as a solver knows it at the start of the step.
 struct SolverPoints : fixtures::TestPoints {
   double travel = 0;
   double block_travel(std::size_t) const { return travel; }
@@ -119,8 +119,8 @@ struct SolverPoints : fixtures::TestPoints {
 
 }  // namespace
 
-TEST_CASE("together: what one impactor throws at another is seen there, however far away it was") {
-  // the first wall sweeps 0.5 along x and takes a point at rest with it, to the other wall, which had it 0.45 away
+TEST_CASE("together: a point that one impactor moves into another is detected there, however far away it was") {
+  // the first wall sweeps 0.5 along x and carries a point at rest to the other wall, initially 0.45 away
   for (const bool sweeper_first : {true, false}) {
     CAPTURE(sweeper_first);
     std::vector<Striking> walls;
@@ -145,7 +145,7 @@ TEST_CASE("together: what one impactor throws at another is seen there, however 
   }
 }
 
-TEST_CASE("together: a wedge of two walls drives points out along its middle") {
+TEST_CASE("together: a wedge of two closing walls expels points along its bisector") {
   // Between its faces are 60°, 75°, 90°, 120°; each advances by 0.01.
   for (const double opening : {60.0, 75.0, 90.0, 120.0}) {
     CAPTURE(opening);
@@ -157,7 +157,7 @@ TEST_CASE("together: a wedge of two walls drives points out along its middle") {
     const UnresolvedPenetration unresolved = step(walls, points, 1);
     if (opening >= 90) CHECK(count(unresolved) == 0);
     for (std::size_t i = 0; i < 3; ++i) {
-      // Each look takes off a share of 1 - cos(opening) of the depth, which is 0.02 at most; there are seven after the first.
+      // Each pass reduces the depth, 0.02 at most, by a fraction 1 - cos(opening); seven passes follow the first.
       const double left = opening >= 90 ? 1e-10 : 0.02 * std::pow(std::cos(2 * half), 7);
       const double depth = 0.01 - std::min(dot(points.x1[i], n), dot(points.x1[i], m));
       CHECK(depth < left);
@@ -168,7 +168,7 @@ TEST_CASE("together: a wedge of two walls drives points out along its middle") {
   }
 }
 
-TEST_CASE("together: what a vice closes upon is pinched, counted, and free when it opens") {
+TEST_CASE("together: a point in a closing vice is an unresolved penetration, is counted, and is free when the vice opens") {
   const double r = 0.03;
   std::vector<Striking> jaws;
   jaws.emplace_back(wall({1, 0, 0}, -0.05), r, Vec3d{0.01, 0, 0});
@@ -205,9 +205,9 @@ std::shared_ptr<const Surface> open_plate(double where) {
 
 }  // namespace
 
-TEST_CASE("together: an open plate goes on pushing against a jaw that closes upon it by many steps, whichever acts first") {
-  // Gap and radius are 0.07 and 0.03; the jaw closes by 0.002 a step, so that points are pinched deeper than a step's way from the
-  // seventh step on.
+TEST_CASE("together: an open plate keeps contact with points against a jaw that closes on it over many steps, whichever acts first") {
+  // Gap and radius are 0.07 and 0.03; the jaw closes by 0.002 per step, so that points penetrate deeper than the travel of a step from
+  // the seventh step on.
   const double r = 0.03;
   for (const bool plate_first : {true, false}) {
     CAPTURE(plate_first);
@@ -244,7 +244,7 @@ struct Closing {
   bool all_outside = true, pinched_are_inside = true;
 };
 
-/// Three free spheres that fly and turn into a cloud of points from three sides.
+/// Three free, rotating spheres that move into a point cloud from three sides.
 Closing closing_spheres(bool forget) {
   const double r = 0.02, dt = 0.02;
   std::vector<Striking> spheres;
@@ -296,7 +296,7 @@ Closing closing_spheres(bool forget) {
 
 }  // namespace
 
-TEST_CASE("together: after three spheres closed in on a cloud each point is outside of all, or named as pinched, and momentum is kept") {
+TEST_CASE("together: after three spheres close in on a cloud each point is outside all of them or reported as unresolved, and momentum is conserved") {
   const Closing closing = closing_spheres(false);
   CHECK(closing.contacts > 100);
   CHECK(closing.all_outside);
@@ -304,7 +304,7 @@ TEST_CASE("together: after three spheres closed in on a cloud each point is outs
   CHECK(closing.momentum_error < 1e-13);  // rounding of some thousand impulses
 }
 
-TEST_CASE("together: forgetting all distances, and any number of threads, change no bit") {
+TEST_CASE("together: results are bitwise identical without the distance cache and for any number of threads") {
   const int threads = thread_count();
   use_threads(1);
   const std::vector<Vec3d> places = closing_spheres(false).places;
@@ -316,7 +316,7 @@ TEST_CASE("together: forgetting all distances, and any number of threads, change
   use_threads(threads);
 }
 
-TEST_CASE("together: the published and the analytic detector look again too") {
+TEST_CASE("together: the published and the analytic detector support repeated passes too") {
   const auto ball = fixtures::surface_of(make_sphere({.diameter = 1, .edge_length = 0.05}));
   fixtures::TestPoints points = points_at({{0.6, 0, 0}, {0.4, 0.01, 0.02}, {0, 0.01, 0.7}, {0.02, 0.01, 0.45}});
   points.x0[1] = {0.6, 0.01, 0.02}, points.x0[3] = {0.02, 0.01, 0.6};

@@ -51,7 +51,7 @@ struct Drift {
   std::size_t contacts;
 };
 
-/// How much of the momentum exchanged with a free hull is lost in `time` seconds.
+/// Fraction of the momentum exchanged with a free hull that is lost in `time` seconds.
 Drift drift(double dt, double time, double friction) {
   const auto surface = fixtures::surface_of(fixtures::hull());
   Swept detector(surface, Unbounded{}, 0.01);
@@ -75,7 +75,7 @@ Drift drift(double dt, double time, double friction) {
 
 }  // namespace
 
-TEST_CASE("respond: what the points gain the body loses, to rounding, with and without friction") {
+TEST_CASE("respond: impulses on points and body are opposite, to rounding, with and without friction") {
   for (const double friction : {0.0, 0.4}) {
     const Drift lost = drift(2e-3, 0.3, friction);
     CHECK(lost.contacts > 500);
@@ -83,7 +83,7 @@ TEST_CASE("respond: what the points gain the body loses, to rounding, with and w
   }
 }
 
-TEST_CASE("respond: the drift of angular momentum goes down with the step") {
+TEST_CASE("respond: the drift of angular momentum decreases with the step") {
   const double coarse = drift(4e-3, 0.4, 0).angular, fine = drift(1e-3, 0.4, 0).angular;
   CHECK(coarse < 0.02);
   CHECK(coarse / fine > 3);  // first order would be 4; which points touch, and when, differs between steps. 7.2 was measured
@@ -111,8 +111,8 @@ TEST_CASE("respond: a frictionless sphere gets no torque; friction gives it one"
 
 namespace {
 
-/// A point of 1 kg, held to the origin by a spring, is sent round a body at rest that is in its way: by what share its energy has
-/// risen after three times round.
+/// A point of 1 kg, tied to the origin by a spring, slides round a body at rest that obstructs its path: relative energy gain after three
+/// revolutions.
 template <class Detector>
 double gain_on_the_way_round(Detector detector, const Vec3d& start, const Vec3d& velocity, double spring, double dt) {
   RigidBody body({.mass = 1}, Pose(), {}, {}, {});
@@ -153,7 +153,7 @@ TEST_CASE("respond: a point that slides round a body without friction keeps its 
   }
 }
 
-TEST_CASE("respond: one point stops at the wall; its impulse is m v and friction takes at most µ times that from its sliding") {
+TEST_CASE("respond: one point stops at the wall; its impulse is m v and friction reduces its sliding by at most µ times that") {
   const auto wall = fixtures::surface_of(fixtures::box());  // face x = 0.5
   const double dt = 1e-3, slip = 3;
   for (const double friction : {0.0, 0.2, 10.0}) {
