@@ -1,4 +1,4 @@
-/// A body as the short-range force sees it.
+/// View of a body for the short-range force.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace perimpact {
 struct ContactingBody {
   Particles& particles;
   const Family& family;
-  std::span<const std::size_t> broken_ends;  ///< so far, of each row
+  std::span<const std::size_t> broken_ends;  ///< broken bond ends of each row so far
   double stiffness;                          ///< [N/m⁷] k of its springs (ShortRangeLaw::stiffness)
 };
 

@@ -11,17 +11,17 @@ namespace perimpact {
 namespace {
 
 constexpr double far = std::numeric_limits<double>::infinity();
-constexpr std::size_t block = 256;  // particles that one thread takes at a time
+constexpr std::size_t block = 256;  // particles per task of a thread
 
-/// In mean spacings of the finest body. Measured (benchmarks/fragments): where a quarter or all of a plate flies apart at a hundredth of the speed of
-/// sound, 0.35 and 0.75 cost 3 to 7 and 9 to 38 % more: a thin skin is made anew more often, a thick one has more pairs.
+/// Skin in mean spacings of the finest body. Measured (benchmarks/fragments): where a quarter or all of a plate disperses at a hundredth of the speed of
+/// sound, 0.35 and 0.75 cost 3 to 7 and 9 to 38 % more: a thin skin needs more rebuilds, a thick one has more pairs.
 constexpr double skin_ratio = 0.5;
 
-// of a cell
-constexpr std::uint8_t holds_lost = 1;      // a particle that has lost a bond
-constexpr std::uint8_t holds_exposed = 2;   // an exposed particle
-constexpr std::uint8_t is_near_damage = 4;  // a neighbour holds one that has lost a bond, or it does itself
-constexpr std::uint8_t is_near = 8;         // a neighbour holds one that looks for others, or it does itself
+// marks of a cell
+constexpr std::uint8_t holds_lost = 1;      // contains a particle that has lost a bond
+constexpr std::uint8_t holds_exposed = 2;   // contains an exposed particle
+constexpr std::uint8_t is_near_damage = 4;  // itself or a neighbour contains one that has lost a bond
+constexpr std::uint8_t is_near = 8;         // itself or a neighbour contains one that searches for contacts
 
 /// Calls f(first, last) for blocks of [0, count).
 template <class F>
@@ -56,17 +56,17 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
 }
 
 bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies) {
-  bool holds = is_known_;
+  bool is_valid = is_known_;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (const std::uint32_t slot : exposures_[b].update(bodies[b].particles, bodies[b].family, bodies[b].broken_ends))
-      holds = holds && near_damage_[particle_at_[b][slot]];
-  return !holds || has_moved_by_skin(bodies);
+      is_valid = is_valid && near_damage_[particle_at_[b][slot]];
+  return !is_valid || has_moved_by_skin(bodies);
 }
 
 bool NearPairs::has_moved_by_skin(std::span<const ContactingBody> bodies) {
   struct Moved {
     Vec3d low{far, far, far}, high{-far, -far, -far};
-    double furthest = 0;  // [m²] from the flight
+    double furthest = 0;  // [m²] from the drift
   };
   std::vector<Moved> of_block((particles_.size() + block - 1) / block);
   for_each_block(particles_.size(), [&](std::size_t first, std::size_t last) {
@@ -142,7 +142,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
         bonds_[pair++] = found[next].bond;
         has_bonds_[m] |= found[next].bond != no_bond;
       }
-      for (; pair < first_pair_[m + 1]; ++pair) others_[pair] = 0, bonds_[pair] = no_bond;  // which are read, but are no pairs
+      for (; pair < first_pair_[m + 1]; ++pair) others_[pair] = 0, bonds_[pair] = no_bond;  // padding, read but not used
     }
   });
 }
@@ -163,7 +163,7 @@ void NearPairs::mark_cells() {
     }
     cell_marks_[cell] = mark;
   });
-  // what the neighbours hold, into an array of its own: nobody reads what another writes
+  // marks of the neighbours are combined in a second array, so that no thread reads what another writes
   const auto widen = [&](unsigned from, std::uint8_t to) {
     std::vector<std::uint8_t> widened(cell_marks_.size());
     for_each_cell([&](std::size_t cell) {
@@ -181,19 +181,19 @@ void NearPairs::find_of(std::size_t p, std::span<const ContactingBody> bodies, s
   found.clear();
   const Member& i = particles_[p];
   const Exposure& exposure = exposures_[i.body];
-  const bool stirred = (cell_marks_[cells_.cell_of(p)] & is_near_damage) != 0, looks = stirred || exposure.is_exposed(i.slot);
+  const bool near_damage = (cell_marks_[cells_.cell_of(p)] & is_near_damage) != 0, searches = near_damage || exposure.is_exposed(i.slot);
   const double horizon = bodies[i.body].family.horizon(), surely_bonded = (1 - 1e-9) * horizon * horizon, reach = longest_ + skin_;
   bool may_be_bonded = false;
   cells_.for_each_around(cells_.cell_of(p), [&](std::size_t cell) {
-    const bool others_stirred = (cell_marks_[cell] & is_near_damage) != 0;
-    if (!looks && !others_stirred && !(cell_marks_[cell] & holds_exposed)) return;
+    const bool others_near_damage = (cell_marks_[cell] & is_near_damage) != 0;
+    if (!searches && !others_near_damage && !(cell_marks_[cell] & holds_exposed)) return;
     cells_.for_each_within(cell, reference_positions_.at(p), reach * reach, [&](std::uint32_t q) {
       if (q == p) return;
       const Member& j = particles_[q];
-      if (!looks && !others_stirred && !exposures_[j.body].is_exposed(j.slot)) return;
+      if (!searches && !others_near_damage && !exposures_[j.body].is_exposed(j.slot)) return;
       const bool one_body = i.body == j.body;
-      // of two that have lost no bond theirs is intact, if they had one
-      if (one_body && !stirred && !others_stirred && squared_norm(j.reference - i.reference) < surely_bonded) return;
+      // between two particles that have lost no bond, a bond of theirs is intact
+      if (one_body && !near_damage && !others_near_damage && squared_norm(j.reference - i.reference) < surely_bonded) return;
       const double least = reach_of(i, j) + skin_;
       if (!(squared_norm(reference_positions_.at(q) - reference_positions_.at(p)) < least * least)) return;
       may_be_bonded = may_be_bonded || one_body;
@@ -208,7 +208,7 @@ void NearPairs::name_bonds(std::size_t p, std::span<const ContactingBody> bodies
   const Member& i = particles_[p];
   const Family& family = bodies[i.body].family;
   const std::size_t eight = i.slot / fccda::byte_lanes;
-  std::size_t next = 0;  // both go by slot
+  std::size_t next = 0;  // both are sorted by slot
   family.for_each_bond(i.slot, [&](const FamilyBond& bond) {
     const std::uint32_t particle = particle_at_[i.body][bond.j];
     while (next < found.size() && found[next].particle < particle) ++next;

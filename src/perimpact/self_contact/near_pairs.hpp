@@ -1,12 +1,12 @@
-/// Pairs of particles that may touch before the list is made anew: a cache, of which no result depends.
+/// Verlet list (neighbour list with a skin) of particle pairs for short-range contact. It is a cache: results do not depend on it.
 ///
-/// A pair touches where its particles are nearer than their contact distance, have no intact bond, and at least one of them is exposed
-/// (force/exposure.hpp). The list holds every such pair, as long as
-///   no two particles have come nearer to one another by more than the skin: no displacement since differs by more than half of it from one
-///     that is near the middle of all, so that a flight of all together costs nothing;
-///   bonds broke only near particles that had lost one before, where the list holds bonded pairs too.
-/// It is made anew in the step in which either ends. Which pairs it holds besides is never felt: pairs that do not touch are skipped, and those
-/// that do are in the order of body and slot.
+/// A pair is in contact if its particles are nearer than their contact distance, have no intact bond, and at least one of them is exposed
+/// (family/exposure.hpp). The list contains every such pair as long as
+///   no two particles have approached by more than the skin: every displacement since the list was built is within half a skin of a common
+///     drift, so that rigid translation does not invalidate the list;
+///   bonds broke only near particles that had lost one before, where the list contains bonded pairs too.
+/// It is rebuilt in the step in which either condition fails. Surplus pairs do not affect results: pairs out of contact are skipped, and
+/// those in contact are summed in the order of body and slot.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@
 
 namespace perimpact {
 
-/// Its old values are lost. Where it has no room for that many it is let go of first: the arrays of pairs are the largest of a run with rubble, and old and
-/// new ones together would be its peak of memory. An eighth more is room for the next list.
+/// Resizes without keeping the values. If the capacity is too small, the old array is freed first: arrays of pairs are the largest of a run with
+/// rubble, and old and new ones together would determine its peak memory. An eighth more is reserved for the next list.
 template <class T, class Allocator>
 void resize_to(std::vector<T, Allocator>& values, std::size_t count) {
   if (values.capacity() < count) {
@@ -35,29 +35,29 @@ void resize_to(std::vector<T, Allocator>& values, std::size_t count) {
 
 class NearPairs {
  public:
-  /// A particle that has pairs.
+  /// A particle with pairs in the list.
   struct Member {
     std::uint32_t body, slot;
     Vec3d reference;         ///< [m] X
     double size;             ///< [m] Δ_i
     double volume;           ///< [m³]
-    std::uint32_t particle;  ///< its number among all particles of all bodies
+    std::uint32_t particle;  ///< index among all particles of all bodies
   };
-  /// Those that a member may touch, by body and slot. Whole eights may be read.
+  /// The possible contacts of a member, by body and slot. Packs of eight may be read.
   struct Pairs {
     std::size_t count;
     const std::int32_t* others;  ///< members
-    const std::uint32_t* bonds;  ///< row of the family of the member's eight slots where their bond is, if it was intact; else no_bond
+    const std::uint32_t* bonds;  ///< row of the bond in the family of the member's eight slots if it was intact; else no_bond
     bool has_bonds;              ///< not all are no_bond
   };
   static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max();
 
   NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
 
-  /// Whether the list does not hold any more, to be asked once a step; make() makes it anew.
+  /// Returns whether the list is out of date; to be called once per step. make() rebuilds it.
   bool needs_new_list(std::span<const ContactingBody> bodies);
   void make(std::span<const ContactingBody> bodies);
-  /// Has it made anew in the next step.
+  /// Forces a rebuild in the next step.
   void forget() { is_known_ = false; }
 
   std::span<const Member> members() const { return members_; }  ///< by body and slot
@@ -65,8 +65,8 @@ class NearPairs {
     const std::size_t first = first_pair_[member];
     return {pair_counts_[member], others_.data() + first, bonds_.data() + first, has_bonds_[member] != 0};
   }
-  std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< its number among all pairs, a multiple of eight
-  std::size_t pair_count() const { return first_pair_.back(); }                     ///< gaps after each member's pairs included
+  std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< index of its first pair among all pairs, a multiple of eight
+  std::size_t pair_count() const { return first_pair_.back(); }                     ///< including the padding after each member's pairs
   std::size_t particle_count() const { return particles_.size(); }
   bool is_exposed(const Member& member) const { return exposures_[member.body].is_exposed(member.slot); }
   std::size_t times_made() const { return times_made_; }
@@ -87,9 +87,9 @@ class NearPairs {
 
   // of all particles of all bodies, by body and slot
   std::vector<Member> particles_;
-  VectorArray reference_positions_;                      // [m] where they were when the list was made
-  Vec3d drift_{};                                        // [m] about how far they have gone since, all together
-  std::vector<std::uint8_t> near_damage_;                // near one that has lost a bond
+  VectorArray reference_positions_;                      // [m] positions when the list was built
+  Vec3d drift_{};                                        // [m] approximate common displacement since
+  std::vector<std::uint8_t> near_damage_;                // near a particle that has lost a bond
   std::vector<std::vector<std::uint32_t>> particle_at_;  // of body and slot
 
   WrappedCells cells_;

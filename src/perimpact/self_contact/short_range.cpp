@@ -10,7 +10,7 @@ using namespace fccda;
 
 namespace {
 
-/// Calls f(lane) for each bit, from the lowest on.
+/// Calls f(lane) for each set bit, in ascending order.
 template <class F>
 void for_each_bit(unsigned bits, const F& f) {
   for (; bits != 0; bits &= bits - 1) f(static_cast<std::size_t>(__builtin_ctz(bits)));
@@ -25,21 +25,21 @@ Vec3<Pack> difference(const Vec3<Pack>& a, const Vec3<Pack>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/// W of q² where that is below 4.
+/// W as a function of q², for q² below 4.
 template <class Pack>
 Pack weight_within(Pack q_squared) {
   const Pack x = larger(Pack(1.0) - Pack(0.25) * q_squared, Pack(0.0)), cube = x * x * x;
   return cube * cube;
 }
-/// -W'(q)/q of q², likewise.
+/// -W'(q)/q, likewise.
 template <class Pack>
 Pack slope_within(Pack q_squared) {
   const Pack x = larger(Pack(1.0) - Pack(0.25) * q_squared, Pack(0.0)), square = x * x;
   return Pack(3.0) * square * square * x;
 }
 
-/// Of each body, against itself and against others. Springs of two bodies are in series; since a density has one stiffness, whoever its particles belong to, it
-/// is that of the softest pair that the body can be one of.
+/// Stiffness of each body for contact with itself and with others. Springs of two bodies are in series. Since the density of others has one stiffness,
+/// whatever their bodies, it is that of the softest possible pair.
 std::vector<std::array<double, 2>> stiffness_of(std::span<const ContactingBody> bodies) {
   std::vector<std::array<double, 2>> all;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -84,7 +84,7 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   for_each_member([&](std::size_t m) { look_at(m, bodies, dt); });
   for_each_member([&](std::size_t m) { pair_sums_[m] = add_to(m, bodies, dt); });
 
-  // one after the other: sums of parts would depend on who is in the list
+  // serially: partial sums would depend on the members of the list
   double energy = 0;
   std::array<double, 2> work{};
   std::size_t touching = 0;
@@ -110,7 +110,7 @@ ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others
   return eight;
 }
 
-/// The density around a member, and what it presses with.
+/// Density around a member, and its pressure.
 void ShortRange::look_at(std::size_t m, std::span<const ContactingBody> bodies, double dt) {
   const NearPairs::Member& i = near_pairs_.members()[m];
   const ContactingBody& body = bodies[i.body];
@@ -138,26 +138,26 @@ void ShortRange::look_at(std::size_t m, std::span<const ContactingBody> bodies, 
         if (!near_pairs_.is_exposed(near_pairs_.members()[static_cast<std::size_t>(those[lane])])) near &= ~(1u << lane);
       });
     const std::size_t byte = (first_pair + first) / byte_lanes;
-    const unsigned anew = near & ~static_cast<unsigned>(is_near_[byte]);
+    const unsigned entered = near & ~static_cast<unsigned>(is_near_[byte]);
     is_near_[byte] = static_cast<std::uint8_t>(near);
     for_each_bit(near, [&](std::size_t lane) {
       if (law_.friction > 0) near_numbers[count] = static_cast<std::int32_t>(first + lane);
       near_others[count++] = those[lane];
       (static_cast<std::size_t>(those[lane]) - own_begin < own_count ? own : others) += eight.densities[lane];
     });
-    if (anew == 0) continue;
-    for_each_bit(anew, [&](std::size_t lane) {
+    if (entered == 0) continue;
+    for_each_bit(entered, [&](std::size_t lane) {
       const std::size_t other = static_cast<std::size_t>(those[lane]);
       if (law_.friction > 0) set_slip(first_pair + first + lane, {});
       if (!(other - own_begin < own_count)) return;
-      // that did not come near, but lost its bond where it is
+      // pairs that did not move into range, but lost their bond there
       const double reach = weight_reach * distance_of(size_[m], size_[other]);
       if (squared_norm(position_.at(other) - position_.at(m) - dt * (velocity_.at(other) - velocity_.at(m))) < reach * reach) fresh += eight.densities[lane];
     });
   }
   near_count_[m] = count;
 
-  // a lost bond pushes nobody: the threshold rises by as much as the density. It falls with the density, never below that of two faces.
+  // bond failure causes no repulsion: the threshold increases with the density. It decreases with the density, never below that of two faces.
   double& threshold = threshold_[i.particle];
   const double old = own - fresh;
   threshold = std::max(face_.density, std::min(threshold, old));
@@ -176,7 +176,7 @@ ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const Contacting
   const NearPairs::Member& i = near_pairs_.members()[m];
   got.energy = energy_of_[m];
   Vec3d force{};
-  // by body and slot: those of the own body lie together
+  // in the order of body and slot, those of the member's own body are contiguous
   const std::int32_t* near = near_.data() + near_pairs_.first_pair(m);
   const auto before = [&](std::size_t member) {
     return static_cast<std::size_t>(std::lower_bound(near, near + count, static_cast<std::int32_t>(member)) - near);
@@ -213,13 +213,13 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
     if (pushes == 0 && !slides) continue;
     const Vec3<Pack> between{gather<Pack>(x[0], those) - Pack(place.x), gather<Pack>(x[1], those) - Pack(place.y), gather<Pack>(x[2], those) - Pack(place.z)};
     const Pack squared = between.x * between.x + between.y * between.y + between.z * between.z;
-    pushes &= bits_where_greater(squared, Pack(0.0));  // two in one place are pushed nowhere
+    pushes &= bits_where_greater(squared, Pack(0.0));  // coincident particles have no direction of repulsion
     got.touching += static_cast<std::uint32_t>(__builtin_popcount(pushes));
     Vec3<Pack> slip{};
     if (slides) {
       for (std::size_t c = 0; c < 3; ++c) slip[c] = gather<Pack>(slip_[c].data() + first_pair, numbers);
-      const unsigned held = all & ~pushes & bits_where_greater(slip.x * slip.x + slip.y * slip.y + slip.z * slip.z, Pack(0.0));
-      for_each_bit(held, [&](std::size_t lane) {
+      const unsigned released = all & ~pushes & bits_where_greater(slip.x * slip.x + slip.y * slip.y + slip.z * slip.z, Pack(0.0));
+      for_each_bit(released, [&](std::size_t lane) {
         let_go(first_pair + static_cast<std::size_t>(numbers[lane]), tangential_stiffness(members[m], members[static_cast<std::size_t>(those[lane])]), got);
       });
     }
@@ -242,7 +242,7 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
     sum = difference(sum, scaled(push, between));
     if (!slides) continue;
 
-    // as force_of() has it
+    // as in force_of()
     const Pack inverse = inverse_square_root(squared);
     const Vec3<Pack> n = scaled(inverse, between);
     const Vec3<Pack> w{gather<Pack>(v[0], those) - Pack(speed.x), gather<Pack>(v[1], those) - Pack(speed.y), gather<Pack>(v[2], those) - Pack(speed.z)};
@@ -274,12 +274,12 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
     return all;
   };
   force += Vec3d{total(sum.x), total(sum.y), total(sum.z)};
-  // half of each pair is this end's
+  // half of each pair belongs to this member
   got.energy += 0.25 * total(stored);
   got.friction_dissipation += 0.25 * total(rubbed);
 }
 
-/// What the spring of a pair held when the pressure ended.
+/// Dissipates the energy of the tangential spring of a pair out of contact.
 void ShortRange::let_go(std::size_t pair, double stiffness, PairSum& got) {
   got.friction_dissipation += 0.25 * stiffness * squared_norm(slip_of(pair));
   set_slip(pair, {});
@@ -312,7 +312,7 @@ double ShortRange::tangential_stiffness(const NearPairs::Member& i, const NearPa
   return tangential_share * (0.5 * (stiffness_[i.body][whose] + stiffness_[j.body][whose])) * (i.volume * j.volume);
 }
 
-/// Of the pairs in the list, before it is made anew or looked at from outside.
+/// Stores the state of the pairs, before the list is rebuilt or the state is visited.
 void ShortRange::keep_pairs() {
   if (is_kept_) return;
   is_kept_ = true;
@@ -332,7 +332,7 @@ void ShortRange::keep_pairs() {
   }
 }
 
-/// Gives a new list what was known of its pairs.
+/// Assigns the stored state to the pairs of a new list.
 void ShortRange::take_up_pairs() {
   const auto members = near_pairs_.members();
   position_ = velocity_ = VectorArray(members.size(), 0);
@@ -347,13 +347,13 @@ void ShortRange::take_up_pairs() {
       density_stiffness_[whose][m] = density_stiffness(face_, stiffness_[i.body][whose], i.volume, law_.distance_ratio * i.size);
     first_member_[i.body] = m;
   }
-  for (std::size_t b = stiffness_.size(); b-- > 0;) first_member_[b] = std::min(first_member_[b], first_member_[b + 1]);  // of a body without any
+  for (std::size_t b = stiffness_.size(); b-- > 0;) first_member_[b] = std::min(first_member_[b], first_member_[b + 1]);  // of a body without members
   energy_of_.assign(members.size(), 0);
   pair_sums_.assign(members.size(), {});
   near_count_.assign(members.size(), 0);
   const std::size_t count = near_pairs_.pair_count();
   resize_to(near_, count + byte_lanes);
-  std::fill(near_.begin(), near_.end(), 0);  // eights of them are read
+  std::fill(near_.begin(), near_.end(), 0);  // packs of eight are read
   is_near_.assign(count / byte_lanes, 0);
   if (law_.friction > 0) {
     resize_to(near_number_, count + byte_lanes);
@@ -367,7 +367,7 @@ void ShortRange::take_up_pairs() {
   std::vector<std::uint32_t> member_of(threshold_.size(), std::numeric_limits<std::uint32_t>::max());
   for (std::size_t m = 0; m < members.size(); ++m) member_of[members[m].particle] = static_cast<std::uint32_t>(m);
   for (std::size_t p = 0; p < threshold_.size(); ++p)
-    if (member_of[p] == std::numeric_limits<std::uint32_t>::max()) threshold_[p] = face_.density;  // nothing is near it
+    if (member_of[p] == std::numeric_limits<std::uint32_t>::max()) threshold_[p] = face_.density;  // no particle in range
   const auto give = [&](std::uint32_t from, std::uint32_t to, const Vec3d& slip) {
     const std::uint32_t m = member_of[from], other = member_of[to];
     if (m == std::numeric_limits<std::uint32_t>::max() || other == std::numeric_limits<std::uint32_t>::max()) return;

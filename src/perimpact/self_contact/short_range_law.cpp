@@ -15,7 +15,7 @@ double ShortRangeLaw::stiffness(const IsotropicElastic& elastic, double horizon,
 
 namespace {
 
-/// -ln(e)/2
+/// -ln(e)/2 for the given damping ratio.
 double half_decrement(double damping_ratio) {
   if (damping_ratio < 1) {
     const double phi = std::asin(damping_ratio);
@@ -33,7 +33,7 @@ double damping_ratio_of(double restitution) {
   if (wanted == 0) return 0;
   double low = 0, high = 1;
   while (half_decrement(high) < wanted) high *= 2;
-  for (int halving = 0; halving < 60; ++halving) {  // to the last bit: the decrement grows with the damping
+  for (int halving = 0; halving < 60; ++halving) {  // to rounding: the decrement increases with the damping
     const double middle = 0.5 * (low + high);
     (half_decrement(middle) < wanted ? low : high) = middle;
   }

@@ -10,7 +10,7 @@ namespace perimpact {
 
 namespace {
 
-/// Number of the cube along an axis; positions that are not numbers, or beyond all that is counted, are all in one.
+/// Index of the cube along an axis; positions that are NaN or out of range share the cube 0.
 std::int64_t cube(double position, double edge) {
   constexpr double most = 1e15;
   const double number = std::floor(position / edge);
@@ -22,7 +22,7 @@ std::int64_t cube(double position, double edge) {
 void WrappedCells::sort(const VectorArray& points, double edge) {
   constexpr double far = std::numeric_limits<double>::infinity();
   const std::size_t count = points.slots();
-  std::array<std::array<double, 2>, 3> ends;  // least and greatest along each axis
+  std::array<std::array<double, 2>, 3> ends;  // minimum and maximum along each axis
   for (std::size_t c = 0; c < 3; ++c) {
     ends[c] = {far, -far};
     for (std::size_t p = 0; p < count; ++p) ends[c] = {std::min(ends[c][0], points.component(c)[p]), std::max(ends[c][1], points.component(c)[p])};

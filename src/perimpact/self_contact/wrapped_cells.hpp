@@ -1,5 +1,5 @@
-/// Points sorted into cubes, to find those near one another. The cubes of space are numbered round a table of a fixed size, so that a
-/// fragment however far away costs no memory: cubes far apart may share a cell of the table, and whoever looks compares distances anyhow.
+/// Linked cells (cell list) with periodic indices, for neighbour search. The indices of the cubes wrap around a table of fixed size, so that
+/// distant fragments cost no memory. Distant cubes may share a cell of the table; the search compares distances in any case.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@ class WrappedCells {
   void sort(const VectorArray& points, double edge);
 
   std::size_t size() const { return first_.empty() ? 0 : first_.size() - 1; }  ///< cells of the table
-  std::uint32_t cell_of(std::size_t point) const { return cell_of_[point]; }   ///< where the point lies
+  std::uint32_t cell_of(std::size_t point) const { return cell_of_[point]; }   ///< cell that contains the point
   std::span<const std::uint32_t> points_in(std::size_t cell) const { return {points_.data() + first_[cell], first_[cell + 1] - first_[cell]}; }  ///< ascending
 
-  /// Calls visit(point) for the points in the cell that are nearer to a place than the root of `squared` [m²], in ascending order.
+  /// Calls visit(point) for the points in the cell with a squared distance below `squared` [m²] from `place`, in ascending order.
   template <class Visit>
   void for_each_within(std::size_t cell, const Vec3d& place, double squared, const Visit& visit) const {
     using Pack = fccda::NativePack;
@@ -39,7 +39,7 @@ class WrappedCells {
     }
   }
 
-  /// Calls visit(cell) for the cell and all around it, each once.
+  /// Calls visit(cell) for the cell and its neighbours, each once.
   template <class Visit>
   void for_each_around(std::size_t cell, const Visit& visit) const {
     const std::array<std::size_t, 3> at = {cell & mask(0), (cell >> bits_[0]) & mask(1), cell >> (bits_[0] + bits_[1])};
@@ -56,7 +56,7 @@ class WrappedCells {
   std::size_t mask(std::size_t axis) const { return (std::size_t{1} << bits_[axis]) - 1; }
   std::size_t steps(std::size_t axis) const { return bits_[axis] == 0 ? 1 : 3; }
 
-  std::array<unsigned, 3> bits_{};  // of the number of cells along each axis: 0, or 2 at least, so that the neighbours of a cell are different ones
+  std::array<unsigned, 3> bits_{};  // of the number of cells along each axis: 0, or 2 at least, so that the neighbours of a cell are distinct
   std::vector<std::uint32_t> cell_of_, first_, points_;
   VectorArray sorted_;  // [m] the points, cell by cell
 };

@@ -1,4 +1,4 @@
-// The short-range force on particles in given places: against a sum over all pairs, and what must be nothing.
+// The short-range force on particles at given positions: against a sum over all pairs, and cases without force.
 #include "perimpact/self_contact/short_range.hpp"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ using fixtures::shatter;
 
 namespace {
 
-/// The law as the page has it, over all pairs and with what it remembers; bonds and surfaces are found by other ways than the code's.
+/// Reference: the law of the theory page over all pairs, with its history variables; bonds and surfaces are found independently of the code.
 class AllPairs {
  public:
   std::vector<std::vector<Vec3d>> force;  // [N] of each body and slot, of the last evaluation
@@ -143,7 +143,7 @@ class AllPairs {
   std::vector<double> thresholds_;  // of each particle
 };
 
-/// The largest difference of forces, over the largest force.
+/// Largest difference of forces, over the largest force.
 double difference(const Pile& pile, const AllPairs& expected) {
   double largest = 0, apart = 0;
   for (std::size_t b = 0; b < pile.bodies.size(); ++b)
@@ -157,7 +157,7 @@ double difference(const Pile& pile, const AllPairs& expected) {
 
 constexpr double spacing = 0.001;
 
-/// A block of which a part is loose, and another with other spacings and another material that has run into it; all shaken.
+/// A partly fragmented block, and another of different spacing and material that penetrates it; all with random velocities.
 Pile wreck(fixtures::Points points, PlaneState plane, double share) {
   const Vec3d size = plane == PlaneState::none ? Vec3d{0.008, 0.006, 0.005} : Vec3d{0.016, 0.012, 0.002};
   Pile pile{.law = {.friction = 0.3, .damping_ratio = 0.2}, .bodies = {}};
@@ -178,7 +178,7 @@ Pile wreck(fixtures::Points points, PlaneState plane, double share) {
   return pile;
 }
 
-/// Moves all particles as their velocities say.
+/// Moves all particles with their velocities.
 void drift(Pile& pile, double dt) {
   for (Body& body : pile.bodies)
     for (const std::uint32_t slot : body.particles.slot_of())
@@ -187,7 +187,7 @@ void drift(Pile& pile, double dt) {
 
 }  // namespace
 
-TEST_CASE("short range: forces are those of a sum over all pairs, for lattices and clouds, in space and in the plane, whole to all in pieces") {
+TEST_CASE("short range: forces are those of a sum over all pairs, for lattices and clouds, in 3-D and 2-D, intact to fully fragmented") {
   constexpr double dt = 1e-6;  // particles go 0.03 of a spacing a step
   for (const auto points : {fixtures::Points::lattice, fixtures::Points::listed, fixtures::Points::shaken})
     for (const auto plane : {PlaneState::none, PlaneState::stress})
@@ -216,7 +216,7 @@ TEST_CASE("short range: forces are those of a sum over all pairs, for lattices a
       }
 }
 
-TEST_CASE("short range: bonds that break and particles that wander are felt in the same step, list or no list") {
+TEST_CASE("short range: bond failure and motion take effect in the same step, with and without the list") {
   constexpr double dt = 1e-8;
   Pile pile = wreck(fixtures::Points::lattice, PlaneState::none, 0.02);
   const auto bodies = pile.touching();
@@ -246,7 +246,7 @@ TEST_CASE("short range: bonds that break and particles that wander are felt in t
   CHECK(contact.near_pairs().times_made() < 12);
 }
 
-TEST_CASE("short range: bonds that break push nobody where they are, and hold from there on, from the step in which they broke") {
+TEST_CASE("short range: bond failure in place causes no repulsion, and contact acts from that distance on, from the step of failure") {
   for (const double squeeze : {1.0, 0.7}) {
     CAPTURE(squeeze);
     Pile pile{.law = {}, .bodies = {}};
@@ -273,7 +273,7 @@ TEST_CASE("short range: bonds that break push nobody where they are, and hold fr
     CHECK(contact.touching() == 0);
     CHECK(contact.energy() == 0);
     const auto shift = [&](double by) { body.particles.position.set(where, body.particles.position.at(where) + Vec3d{by * spacing, 0, 0}); };
-    // nearer to one and farther from the other: the densities of both ends rise
+    // closer to one and farther from the other: the densities of both ends increase
     shift(0.2);
     evaluate();
     CHECK(contact.touching() >= 1);
@@ -281,7 +281,7 @@ TEST_CASE("short range: bonds that break push nobody where they are, and hold fr
   }
 }
 
-TEST_CASE("short range: linear momentum is kept to rounding, angular momentum only without friction") {
+TEST_CASE("short range: linear momentum is conserved to rounding, angular momentum only without friction") {
   for (const double friction : {0.0, 0.3}) {
     Pile pile = wreck(fixtures::Points::shaken, PlaneState::none, 0.5);
     pile.law.friction = friction;
@@ -301,7 +301,7 @@ TEST_CASE("short range: linear momentum is kept to rounding, angular momentum on
   }
 }
 
-TEST_CASE("short range: neighbours with an intact bond feel nothing, stretched or pressed") {
+TEST_CASE("short range: no force acts between neighbours with an intact bond, stretched or compressed") {
   for (const auto points : {fixtures::Points::lattice, fixtures::Points::shaken})
     for (const double stretch : {1.3, 0.7, 0.4}) {
       CAPTURE(stretch);
@@ -316,7 +316,7 @@ TEST_CASE("short range: neighbours with an intact bond feel nothing, stretched o
     }
 }
 
-TEST_CASE("short range: a thin plate folded upon itself touches itself, without a broken bond") {
+TEST_CASE("short range: a thin plate folded onto itself is in self-contact, without a broken bond") {
   Pile pile{.law = {}, .bodies = {}};
   pile.bodies.push_back(fixtures::body({.size = {0.04, 0.004, 0.002}, .spacing = spacing}));
   const double radius = 0.0022;  // of the fold: the two halves lie 4.4 mm apart but for the thickness, and are pressed further
@@ -329,7 +329,7 @@ TEST_CASE("short range: a thin plate folded upon itself touches itself, without 
   const auto bodies = pile.touching();
   ShortRange contact(pile.law, bodies);
   contact.add_forces(bodies, 1e-8);
-  // at first all is as near as it is put; pressed on, the halves push
+  // initially there is no force; further compression makes the halves repel
   AllPairs expected;
   expected.evaluate(pile, 1e-8);
   CHECK(difference(pile, expected) <= 1e-10);
@@ -344,7 +344,7 @@ TEST_CASE("short range: a thin plate folded upon itself touches itself, without 
   CHECK(difference(pile, expected) <= 1e-10);
 }
 
-TEST_CASE("short range: bodies that fly together need no new list, however far") {
+TEST_CASE("short range: bodies in common translation need no new list, however far") {
   Pile pile = wreck(fixtures::Points::lattice, PlaneState::none, 0.3);
   const auto bodies = pile.touching();
   ShortRange contact(pile.law, bodies);
@@ -355,7 +355,7 @@ TEST_CASE("short range: bodies that fly together need no new list, however far")
   CHECK(contact.near_pairs().times_made() == 1);
 }
 
-TEST_CASE("short range: particles in one place are pushed nowhere, and nothing becomes infinite") {
+TEST_CASE("short range: coincident particles are not repelled, and all values stay finite") {
   Pile pile{.law = {.friction = 0.3}, .bodies = {}};
   pile.bodies.push_back(fixtures::lone_particle(spacing, {}, {1, 0, 0}));
   pile.bodies.push_back(fixtures::lone_particle(spacing, {}, {-1, 0, 0}));

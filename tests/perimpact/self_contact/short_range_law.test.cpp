@@ -13,7 +13,7 @@ using namespace perimpact;
 
 namespace {
 
-/// Speed of parting over speed of approach of a linear oscillator that ends when nothing pushes any more, in steps so small that they do not show.
+/// Coefficient of restitution of a linear oscillator until the force vanishes, converged in the step.
 double integrated_restitution(double damping_ratio) {
   const double dt = 1e-5;  // of 1/ω
   double x = 0, v = 1;     // overlap and its rate
@@ -25,7 +25,7 @@ double integrated_restitution(double damping_ratio) {
   }
 }
 
-/// Two particles fly at one another with 1 m/s each; returns how fast they part, over 2 m/s. `steps` in one radian of the contact.
+/// Two particles collide at 1 m/s each; returns the coefficient of restitution. `steps` per radian of the contact.
 double restitution_of_two(double wanted, double steps) {
   const double size = 0.001;
   fixtures::Pile pile{.law = {.damping_ratio = damping_ratio_of(wanted)}, .bodies = {}};
@@ -52,14 +52,14 @@ double restitution_of_two(double wanted, double steps) {
   REQUIRE(touched);
   if (wanted == 1) CHECK(energy == fixtures::relative(mass, 0.01));  // 2 m v²/2 all in the spring, but for where in a step its end falls
   const double relative_velocity = pile.bodies[1].particles.velocity.at(0).x - pile.bodies[0].particles.velocity.at(0).x;
-  // what the dashpot took is what is missing
+  // the dissipation of the dashpot is the energy lost
   CHECK(mass * (1 - 0.25 * relative_velocity * relative_velocity) == fixtures::absolute(contact.dashpot_dissipation(), 0.01 * mass, "J"));
   return relative_velocity / 2;
 }
 
 }  // namespace
 
-TEST_CASE("short-range law: the damping ratio gives the restitution asked for, from weak to overdamped") {
+TEST_CASE("short-range law: the damping ratio gives the required restitution, from weak to overdamped") {
   CHECK(damping_ratio_of(1) == 0);
   for (const double e : {0.95, 0.8, 0.5, 0.2, std::exp(-2.0), 0.1}) {
     CAPTURE(e);
@@ -68,14 +68,14 @@ TEST_CASE("short-range law: the damping ratio gives the restitution asked for, f
   CHECK(damping_ratio_of(std::exp(-2.0)) == fixtures::relative(1, 1e-6));  // where the two branches meet
 }
 
-TEST_CASE("short-range law: two particles that collide part with the restitution of the deck, and the dashpots' work is the energy they lack") {
+TEST_CASE("short-range law: two particles rebound with the restitution of the deck, and the dashpot dissipation is their energy loss") {
   for (const double e : {1.0, 0.9, 0.5, 0.2}) {
     CAPTURE(e);
     CHECK(restitution_of_two(e, 200) == fixtures::relative(e, 0.02));  // velocities are half a step old: 2 ζ/200 of a radian, and the end of contact
   }
 }
 
-TEST_CASE("short-range law: friction stores up to Coulomb's limit and takes what is slipped beyond, the same for any step") {
+TEST_CASE("short-range law: friction stores energy up to Coulomb's limit and dissipates slip beyond it, the same for any step") {
   const ShortRangeLaw law{.friction = 0.3};
   const double k = 1e8, normal = 1e3, most = 0.3 * 0.9 * normal;
   for (const int steps : {10, 1000}) {
@@ -99,7 +99,7 @@ TEST_CASE("short-range law: friction stores up to Coulomb's limit and takes what
       if (std::fabs(speed) > 1) CHECK(std::fabs(force.friction.z) == fixtures::relative(most, 1e-12));  // rounding
     }
     const double elastic = most / k;  // [m] that the spring gives
-    // to: 5 mm less the spring's way; fro: 20 mm less twice the spring's; at last the spring lets go 20 µm, of which it takes 5.4 to come to rest
+    // forward: 5 mm less the spring's extension; back: 20 mm less twice that; finally the spring releases 20 µm, 5.4 of them to come to rest
     CHECK(force.friction.z == fixtures::relative(most, 1e-12));
     CHECK(work == fixtures::relative(most * (5e-3 - elastic + 20e-3 - 2 * elastic + 20e-6 - 2 * elastic),
                                      0.92 / steps));  // of the first step half is lost, of that of the turn all
@@ -111,7 +111,7 @@ TEST_CASE("short-range law: friction stores up to Coulomb's limit and takes what
   CHECK(force_of(still, law, 1e-6, slip).friction == Vec3d{});
 }
 
-TEST_CASE("short-range law: a tangential spring that turns with its pair keeps its energy, and what it holds when pressure ends is taken") {
+TEST_CASE("short-range law: a tangential spring that rotates with its pair keeps its energy, and what is left at loss of contact is dissipated") {
   const ShortRangeLaw law{.friction = 0.5};
   Touch touch{.direction = {1, 0, 0}, .velocity = {}, .spring = 1e6, .stiffness = 1e9, .reduced_mass = 1e-3, .tangential_stiffness = 1e8, .oblique_share = 1};
   Vec3d slip{0, 1e-6, 0};
@@ -127,8 +127,8 @@ TEST_CASE("short-range law: a tangential spring that turns with its pair keeps i
   CHECK(released.tangential_energy == 0);
 }
 
-TEST_CASE("short-range law: constants of a face are those of a sum over a lattice, and contact weight and slope belong together") {
-  // threshold: the phase in which a layer is densest, at the distance at which contact begins; slope: the mean over phases, by a difference
+TEST_CASE("short-range law: constants of a face are those of a sum over a lattice, and the slope is the derivative of the weight") {
+  // threshold: the phase of largest density, at the contact distance; slope: the mean over phases, by a difference
   for (const bool plane : {false, true}) {
     const Face face = plane ? face_in_plane : face_in_space;
     const auto density = [&](double z, double u, double v) {
@@ -156,7 +156,7 @@ TEST_CASE("short-range law: constants of a face are those of a sum over a lattic
   CHECK(contact_weight(9.0) == 0);
 }
 
-TEST_CASE("short-range law: stiffness is 15 times that of the bond-based bond over the horizon, in space and in the plane") {
+TEST_CASE("short-range law: stiffness is 15 times that of the bond-based bond over the horizon, in 3-D and 2-D") {
   const ShortRangeLaw law;
   constexpr double pi = std::numbers::pi;
   const double E = 9e9, horizon = 0.03, thickness = 0.02;

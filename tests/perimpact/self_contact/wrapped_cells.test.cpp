@@ -16,7 +16,7 @@ VectorArray array_of(const std::vector<Vec3d>& points) {
 }
 }  // namespace
 
-TEST_CASE("wrapped cells: the points within an edge are those of the cell and around it, each once, on lines, in planes and with some far away") {
+TEST_CASE("wrapped cells: the cell and its neighbours contain all points within an edge, each once, on lines, in planes and with distant points") {
   std::mt19937_64 random(5);
   struct Scene {
     const char* name;
@@ -49,7 +49,7 @@ TEST_CASE("wrapped cells: the points within an edge are those of the cell and ar
   }
 }
 
-TEST_CASE("wrapped cells: positions that are not numbers do no harm") {
+TEST_CASE("wrapped cells: NaN positions are harmless") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), far = std::numeric_limits<double>::infinity();
   WrappedCells cells;
   cells.sort(array_of({{0, 0, 0}, {nan, 0, 1}, {far, -far, 1e300}}), 0.1);
