@@ -11,7 +11,7 @@ namespace perimpact {
 
 namespace {
 
-/// A value that is linear in the bulges c_k: value + Σ slope_k c_k.
+/// A linear function of the bulges c_k: value + Σ slope_k c_k.
 struct Linear {
   double value = 0;
   std::vector<double> slope;
@@ -23,7 +23,7 @@ struct Linear {
   }
 };
 
-/// Half a sum of squares of such values, which is least somewhere.
+/// Weighted sum of squares of such functions, to be minimised.
 class Squares {
  public:
   explicit Squares(std::size_t unknowns) : sum_(0), right_(unknowns, 0.0), matrix_(unknowns, std::vector<double>(unknowns, 0.0)) {}
@@ -36,13 +36,13 @@ class Squares {
     }
   }
 
-  /// Σ weight value² at its least. The first unknown stays 0: all together only move the plate.
+  /// Minimum of Σ weight value². The first unknown stays 0: a common shift of all is a rigid translation.
   double least() const {
     std::vector<std::vector<double>> a = matrix_;
     std::vector<double> b = right_;
     double least = sum_;
-    for (std::size_t k = 1; k < b.size(); ++k) {       // Cholesky's factors of a symmetric matrix, on the way to the minimum: sum - bᵀ A⁻¹ b
-      if (a[k][k] <= 1e-12 * matrix_[k][k]) continue;  // a layer that nothing holds
+    for (std::size_t k = 1; k < b.size(); ++k) {       // symmetric elimination (Cholesky); the minimum is sum - bᵀ A⁻¹ b
+      if (a[k][k] <= 1e-12 * matrix_[k][k]) continue;  // a layer without bonds across
       for (std::size_t r = k + 1; r < b.size(); ++r) {
         const double factor = a[r][k] / a[k][k];
         for (std::size_t c = k; c < b.size(); ++c) a[r][c] -= factor * a[k][c];
@@ -64,7 +64,7 @@ class Squares {
 double relative_bending_stiffness(const ThinLattice& plate, const OrdinaryState& law, CorrectionKind correction, const Stencil& stencil) {
   const bool is_plane = plate.thickness.has_value();
   const std::size_t along = is_plane ? 1 - plate.axis : (plate.axis + 1) % 3;
-  // what the rim changes: the factors of particles as far as their families reach, farther with each sweep, and the families of the middle itself
+  // influence of the plate's edge: the correction factors within a horizon, one more with each sweep, and the families of the middle column
   const int half = (CorrectionFactors::sweeps + 3) * stencil.reach();
   Lattice lattice{.cells = {2 * half + 1, 2 * half + 1, is_plane ? 1 : 2 * half + 1}, .spacing = plate.spacing, .thickness = plate.thickness};
   lattice.cells[plate.axis] = plate.layers;
@@ -76,7 +76,7 @@ double relative_bending_stiffness(const ThinLattice& plate, const OrdinaryState&
 
   const auto unknowns = static_cast<std::size_t>(plate.layers);
   const auto layer_of = [&](const Vec3d& X) { return static_cast<std::size_t>(std::lround((X[plate.axis] - lattice.origin[plate.axis]) / plate.spacing)); };
-  Squares energy(unknowns);  // of the column in the middle, [J] for κ = 1/m
+  Squares energy(unknowns);  // of the middle column, [J] for κ = 1/m
   std::array<int, 3> cell{half, half, is_plane ? 0 : half};
   for (int layer = 0; layer < plate.layers; ++layer) {
     cell[plate.axis] = layer;

@@ -35,7 +35,7 @@ Particles filled(const BodySetup& setup, const BodySolid& solid) {
                    [&](const Vec3d& X) { return inside[lattice.slot(number(X.x, 0), number(X.y, 1), number(X.z, 2))] != 0; });
 }
 
-/// Bonds that know nothing of one another fix Poisson's ratio.
+/// Bond-based materials have a fixed Poisson's ratio.
 double poissons_ratio_of(const BodySetup& setup) {
   if (!std::holds_alternative<BondBasedSetup>(setup.material)) return setup.elastic().poissons_ratio;
   return setup.plane.as<PlaneState>() == PlaneState::stress ? 1.0 / 3 : 0.25;
@@ -70,16 +70,15 @@ Plasticity plasticity_of(const PlasticitySetup& setup) {
   return {ellipse, {setup.failure_strain, setup.failure_width, setup.failure_pressure}};
 }
 
-/// Throws SetupError where no particle has a deformation gradient.
+/// Throws SetupError if no particle has a deformation gradient.
 template <std::size_t D>
 CorrespondenceForce<D> require_full_rank(CorrespondenceForce<D> force, const Particles& particles, const BodySetup& setup) {
   const auto slots = particles.slot_of();
   if (std::any_of(slots.begin(), slots.end(), [&](std::size_t slot) { return force.remaining(slot) > 0; })) return force;
-  throw SetupError(
-      "bodies." + setup.name + ".material.model",
-      fmt::format("body {} is so thin that its particles have neighbours in one {} only, from which the model correspondence knows no strain; take "
-                  "a smaller spacing{}.",
-                  setup.name, D == 3 ? "plane" : "line", D == 3 ? ", or plane: stress" : ""));
+  throw SetupError("bodies." + setup.name + ".material.model",
+                   fmt::format("body {} is too thin for the model correspondence: its particles have neighbours in one {} only, which define no deformation "
+                               "gradient; use a smaller spacing{}.",
+                               setup.name, D == 3 ? "plane" : "line", D == 3 ? ", or plane: stress" : ""));
 }
 
 InternalForce::Kind correspondence_force(const Correspondence& law, Breaking breaking, Family& family, const Particles& particles, const BodySetup& setup) {
@@ -87,7 +86,7 @@ InternalForce::Kind correspondence_force(const Correspondence& law, Breaking bre
   return require_full_rank(CorrespondenceForce<3>(law, std::move(breaking), family, particles), particles, setup);
 }
 
-/// Sums f(slot) over the particles, in rows, so that rounding does not grow with their number.
+/// Sums f(slot) over the particles in blocks, so that rounding does not grow with their number.
 template <class Value, class F>
 Value sum_over(const Particles& particles, Value total, const F& f) {
   constexpr std::size_t block = 256;
@@ -100,11 +99,11 @@ Value sum_over(const Particles& particles, Value total, const F& f) {
   return total;
 }
 
-constexpr int most_layers_that_bend = 40;  // from there on they lack less than a hundredth
+constexpr int most_layers_that_bend = 40;  // beyond, the deficit is below 1 %
 
 double relative_bending_stiffness(const BodySetup& setup, std::size_t axis, int layers) {
   const IsotropicElastic elastic = elastic_of(setup);
-  const std::optional<double> thickness = setup.is_plane() ? std::optional(1.0) : std::nullopt;  // which cancels
+  const std::optional<double> thickness = setup.is_plane() ? std::optional(1.0) : std::nullopt;  // cancels
   const ThinLattice plate{*setup.spacing, thickness, axis, layers};
   const Stencil stencil(setup.family.as<FamilyRule>(), plate.spacing, setup.horizon_ratio, thickness);
   std::optional<FamilySums> sums;
@@ -113,7 +112,7 @@ double relative_bending_stiffness(const BodySetup& setup, std::size_t axis, int 
   return perimpact::relative_bending_stiffness(plate, law, correction_of(setup), stencil);
 }
 
-/// Throws SetupError where the layers across the axis of bending_calibration cannot be made to bend as a plate.
+/// Stiffness factor of bending_calibration. Throws SetupError if the layers across its axis cannot be calibrated.
 double bending_calibration(const BodySetup& setup, const Particles& particles) {
   const std::size_t axis = static_cast<std::size_t>(setup.bending_calibration.index) - 1;
   const int layers = layers_along(axis, particles);
@@ -125,7 +124,7 @@ double bending_calibration(const BodySetup& setup, const Particles& particles) {
   const double relative = relative_bending_stiffness(setup, axis, layers);
   constexpr double least = 0.2;  // two layers have 0.11
   if (relative < least)
-    refuse(fmt::format("{} layers of body {} have only {:.2g} of the bending stiffness of a plate, too little to be made up for; take three layers or more.",
+    refuse(fmt::format("{} layers of body {} have only {:.2g} of the bending stiffness of a plate, too little for calibration; use three layers or more.",
                        layers, setup.name, relative));
   return 1 / relative;
 }
@@ -151,7 +150,7 @@ std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Par
   double next = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < (particles.is_plane() ? 2u : 3u); ++axis)
     if (axis != thin) next = std::min(next, size[axis]);
-  constexpr double slender = 4;  // bodies less wide hardly bend
+  constexpr double slender = 4;  // less slender bodies hardly bend
   const int layers = layers_along(thin, particles);
   if (layers < 2 || layers > most_layers_that_bend || next < slender * size[thin]) return {};
   return BendingOfLayers{thin, layers, relative_bending_stiffness(setup, thin, layers)};
@@ -197,7 +196,7 @@ Body make_body(const BodySetup& setup, Particles particles) {
     InternalForce internal(correspondence_force({elastic, options_of(*correspondence), horizon, particles.thickness().value_or(1)}, std::move(breaking),
                                                 *family, particles, setup),
                            particles);
-    std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);  // after: stress fades as it does along cracks that grow
+    std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);  // after construction: stress fades as along growing cracks
     return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks)};
   }
   CorrectionFactors correction(correction_of(setup), basis_of(law), *family, particles);

@@ -1,4 +1,4 @@
-/// A deformable body: its particles, their bonds, and what the bonds do.
+/// A deformable body: particles, bonds and internal forces.
 #pragma once
 
 #include <optional>
@@ -20,16 +20,16 @@ struct Body {
   Particles particles;
   Family family;
   InternalForce internal;
-  std::optional<FailureCriterion> failure = {};  ///< nothing where bonds never break
-  std::vector<CrackCut> cracks = {};             ///< that were there from the start
-  std::optional<double> bending = {};            ///< k_b that all bonds are stiffer by, where the set-up has the bending stiffness made right
+  std::optional<FailureCriterion> failure = {};  ///< empty if bonds never break
+  std::vector<CrackCut> cracks = {};             ///< initial cracks
+  std::optional<double> bending = {};            ///< factor k_b of all bond stiffnesses, with bending_calibration
 
-  /// Momentum [kg m/s] of all particles, summed in blocks, in order.
+  /// Linear momentum [kg m/s], summed in blocks, in order.
   Vec3d momentum() const;
-  /// [J]; velocities are brought from the middle of the step to its end with the present forces: v + f dt/(2ρ).
+  /// [J] with velocities advanced from the middle of the step to its end by the current forces: v + f dt/(2ρ).
   double kinetic_energy(double dt) const;
-  /// [J] ½ Σ m v_{n-1/2}·v_{n+1/2}: with the elastic energy of linear bonds this is constant to rounding, where the other has a ripple of (ω dt)²
-  /// (docs/theory/energy.md).
+  /// [J] ½ Σ m v_{n-1/2}·v_{n+1/2}: its sum with the elastic energy of linear bonds is constant to rounding, while that of kinetic_energy()
+  /// oscillates by (ω dt)² (docs/theory/energy.md).
   double kinetic_energy_of_scheme(double dt) const;
   double memory() const;  ///< [bytes] of its arrays
 
@@ -40,33 +40,32 @@ struct Body {
     internal.visit_state(name, visit);
   }
 
-  /// What was only noted, and changes no step.
+  /// Recorded data that do not affect any step.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
     internal.visit_record(name, visit);
   }
 };
 
-/// The particles that fill the solid, or those of the cloud, with their first velocities. Throws SetupError where there are none, or too many to be
-/// numbered.
+/// Particles that fill the solid, or those of the cloud, with their initial velocities. Throws SetupError if there are none, or more than can be
+/// indexed.
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation);
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 
-/// Elastic constants of its material, in space or in its plane.
+/// Elastic constants of its material, 3-D or 2-D.
 IsotropicElastic elastic_of(const BodySetup& setup);
 
-/// How a body that is thin along an axis bends, before any calibration.
+/// Bending of a body that is thin along an axis, before calibration.
 struct BendingOfLayers {
   std::size_t axis;
   int layers;
   double relative;  ///< bending stiffness over that of a plate
 };
 
-/// Of a body on a lattice, four times as wide as thick; nothing of others, and none of the model correspondence.
+/// For a body on a lattice at least four times as wide as thick; empty for others and for the model correspondence.
 std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Particles& particles);
 
-/// The body of these particles: its bonds and surface corrections are those of the particles that are there, and cracks are cut after. Throws
-/// SetupError where a crack cannot be cut.
+/// Builds the body of these particles: bonds and surface correction first, then initial cracks. Throws SetupError if a crack cannot be cut.
 Body make_body(const BodySetup& setup, Particles particles);
 inline Body make_body(const BodySetup& setup) { return make_body(setup, make_particles(setup)); }
 

@@ -10,7 +10,7 @@ namespace perimpact {
 
 namespace {
 
-/// Layers of particles in the thinnest direction.
+/// Number of particle layers in the thinnest direction.
 int thinnest_layers(const Particles& particles) {
   const Vec3d size = extent(particles);
   const double thinnest = particles.is_plane() ? std::min(size.x, size.y) : std::min({size.x, size.y, size.z});

@@ -1,4 +1,4 @@
-/// When the bonds of a body break, as its Setup says it, and what that means in the terms of engineers.
+/// Failure criterion of a body from its set-up, with the equivalent fracture energy and flexural strength.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace perimpact {
 
-/// Three ways to say one thing: whichever was given implies the two others (docs/theory/damage.md).
+/// Three equivalent parameters: each of them determines the other two (docs/theory/damage.md).
 struct FailureCriterion {
   double stretch;            ///< [-] s_c
   double fracture_energy;    ///< [J/m²] G₀
@@ -20,13 +20,13 @@ struct FailureCriterion {
   int layers;
 };
 
-/// Nothing where bonds never break. `law`: that of the body; of a correspondence material, the linear one with the same constants.
+/// Empty if bonds never break. `law`: of the body; for a correspondence material the linear law with the same constants.
 std::optional<FailureCriterion> failure_criterion(const BodySetup& setup, const OrdinaryState& law, const Family& family, const Particles& particles);
 
-/// The rule, from the criterion.
+/// Rule of bond failure for the criterion.
 BreakingRule breaking_rule(const std::optional<FailureSetup>& setup, const FailureCriterion& criterion);
 
-/// Strength of each slot (damage/strength.hpp); empty where it is 1 everywhere. `never`: slots of particles whose bonds never break.
+/// Strength of each slot (damage/strength.hpp); empty if it is 1 everywhere. `never`: slots of particles whose bonds never break.
 std::vector<double> strength_of(const std::optional<FailureSetup>& setup, const Particles& particles, const std::vector<std::size_t>& never);
 
 }  // namespace perimpact

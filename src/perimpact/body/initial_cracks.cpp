@@ -23,9 +23,9 @@ Crack crack_of(const CrackSetup& setup, const BodySetup& body, const Particles& 
   try {
     if (!particles.is_plane()) return Crack(corners, tolerance);
     if (corners.size() != 2)
-      throw fccda::InputError(fmt::format(
-          "the crack has {} corners, but in a plane body it is a line of two points, which stands for a cut through the thickness.", corners.size()));
-    // wherever it was drawn along z, it goes through the layer
+      throw fccda::InputError(
+          fmt::format("the crack has {} corners, but a crack in a plane body is a line of two points, a cut through the thickness.", corners.size()));
+    // at any z, it cuts the single layer
     const double z = particles.reference(particles.slot_of().front()).z;
     return Crack::through_thickness({corners[0].x, corners[0].y, z}, {corners[1].x, corners[1].y, z}, tolerance);
   } catch (const fccda::InputError& error) {
@@ -44,7 +44,7 @@ std::vector<CrackCut> cut_first_cracks(const BodySetup& body, const Particles& p
     cuts.push_back({crack.name, 0, 0});
   }
 
-  // only particles that a bond could bring through a crack are looked at closely
+  // only particles within the reach of a bond across a crack are tested in detail
   const double reach = family.horizon() + particles.spacing();
   std::vector<std::uint8_t> is_near(particles.slots(), 0);
   for (const std::uint32_t slot : particles.slot_of()) {
@@ -62,12 +62,12 @@ std::vector<CrackCut> cut_first_cracks(const BodySetup& body, const Particles& p
     return false;
   });
   for (std::size_t c = 0; c < cuts.size(); ++c) {
-    cuts[c].bonds /= 2;  // each was asked for from both ends
+    cuts[c].bonds /= 2;  // each was counted at both ends
     if (cuts[c].bonds == 0)
       throw SetupError(
           key_of(body.cracks[c], body),
-          fmt::format("the crack {} cuts no bond of body {}: it is outside of it, or another crack is there already; its corners are from the body's "
-                      "position, in metres.",
+          fmt::format("the crack {} cuts no bond of body {}: it lies outside the body, or coincides with another crack; its corners are relative to the "
+                      "body's position, in metres.",
                       cuts[c].name, body.name));
   }
   return cuts;
@@ -78,8 +78,8 @@ std::vector<std::string> warnings_of(const std::vector<CrackCut>& cracks, const 
   for (const CrackCut& crack : cracks)
     if (crack.in_plane > 0)
       warnings.push_back(
-          fmt::format("{} particles of body {} lie in the plane of crack {} and count as on the side of its normal. Move it by half a spacing to say "
-                      "which layers it is between.",
+          fmt::format("{} particles of body {} lie in the plane of crack {} and are assigned to the side of its normal. Move the crack by half a spacing "
+                      "to place it between two layers.",
                       crack.in_plane, body, crack.name));
   return warnings;
 }

@@ -1,5 +1,5 @@
-/// Cracks that a body has from the start: bonds that cross them are cut before the first step, after the surface correction, which stays that of
-/// the whole body. They count as damage.
+/// Initial cracks: bonds across them are cut before the first step, after the surface correction, which remains that of the uncracked body. Cut
+/// bonds count as damage.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,18 @@
 
 namespace perimpact {
 
+/// Result of cutting one crack.
 struct CrackCut {
   std::string name;
-  std::size_t bonds;     ///< that it cut; one that several cross is counted for the first
-  std::size_t in_plane;  ///< particles that lie in it, and count as on the side of its normal (solid/crack.hpp)
+  std::size_t bonds;     ///< cut bonds; a bond cut by several cracks counts for the first
+  std::size_t in_plane;  ///< particles in its plane, assigned to the side of its normal (discretisation/crack.hpp)
 };
 
-/// Throws SetupError, with the key of the crack, where its polygon is none, has two points but the body is no plane one or the other way round, or cuts
-/// no bond.
+/// Cuts the bonds across all initial cracks. Throws SetupError with the key of the crack if its polygon is invalid, has two points for a 3-D body or
+/// more for a 2-D body, or cuts no bond.
 std::vector<CrackCut> cut_first_cracks(const BodySetup& body, const Particles& particles, Family& family);
 
-/// A sentence for each crack with particles in its plane.
+/// One warning for each crack with particles in its plane.
 std::vector<std::string> warnings_of(const std::vector<CrackCut>& cracks, const std::string& body);
 
 }  // namespace perimpact

@@ -24,9 +24,9 @@ Vec3d Sample::displacement(const Body& body) const {
 }
 
 std::vector<Sample> samples_along(const Body& body, const Vec3d& from, const Vec3d& to) {
-  const int pieces = std::max(1, static_cast<int>(std::lround(norm(to - from) / body.particles.spacing())));
+  const int segments = std::max(1, static_cast<int>(std::lround(norm(to - from) / body.particles.spacing())));
   std::vector<Sample> samples;
-  for (int piece = 0; piece < pieces; ++piece) samples.emplace_back(body, from + ((piece + 0.5) / pieces) * (to - from));
+  for (int segment = 0; segment < segments; ++segment) samples.emplace_back(body, from + ((segment + 0.5) / segments) * (to - from));
   return samples;
 }
 

@@ -1,4 +1,4 @@
-/// Where a run is looked at: points and lines of a body.
+/// Probes of a run: points and lines of a body.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace perimpact {
 
-/// A point of the undeformed body, seen through the particles nearest to it: all that are equally near (to 1e-6 of the spacing), up to eight.
+/// Probe at a point of the undeformed body, evaluated at the nearest particles: all at the same distance (to 1e-6 of the spacing), up to eight.
 struct Sample {
   Vec3d at;  ///< [m] in the reference configuration
   std::vector<std::uint32_t> slots;
@@ -19,7 +19,7 @@ struct Sample {
   Vec3d displacement(const Body& body) const;  ///< [m] mean
 };
 
-/// Samples at the middles of equal pieces of a line, as many as spacings fit.
+/// Samples at the midpoints of equal segments of a line, one per spacing.
 std::vector<Sample> samples_along(const Body& body, const Vec3d& from, const Vec3d& to);
 
 }  // namespace perimpact

@@ -25,15 +25,15 @@ Breaking::Breaking(const BreakingRule& rule, const std::vector<double>& strength
 
 namespace {
 
-/// s_min of the particles of a pack, at most 0.
+/// Minimum bond stretch s_min of the particles of a pack, at most 0.
 template <class Pack, class Bonds, class Lengths>
 Pack least_stretch(const Bonds& bonds, const Lengths& lengths, const std::array<const double*, 3>& x, std::size_t slot) {
-  Pack most(0.0);  // 1 - |η + ξ|²/|ξ|², which grows as the stretch falls
+  Pack most(0.0);  // 1 - |η + ξ|²/|ξ|², which increases as the stretch decreases
   for_each_bond<Pack>(bonds, x, slot, Unbreakable{}, [&](const auto& bond) {
     const Pack length = lengths.template length<Pack>(bond.index);
     most = fccda::larger(most, fccda::select(bond.intact, Pack(1.0) - bond.squared_length / (length * length)));
   });
-  const Pack squared = fccda::larger(Pack(1.0) - most, Pack(1e-12));  // a bond without length is not squeezed further
+  const Pack squared = fccda::larger(Pack(1.0) - most, Pack(1e-12));  // lower bound for bonds of zero length
   return squared * fccda::inverse_square_root(squared) - Pack(1.0);
 }
 

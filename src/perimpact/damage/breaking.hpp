@@ -1,4 +1,4 @@
-/// When the bonds of a body break: the rule, the limits of its bonds, and what the loop over bonds asks.
+/// Bond failure of a body: the rule, the limits of its bonds, and their evaluation in the loop over bonds.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace perimpact {
 
-/// The limits of a bond in tension, the same for all particles.
+/// Tensile limits of bonds, the same for all particles.
 struct TensionOnStencil {
   std::span<const double> squared_limits;  ///< [m²] of each bond of the stencil
   template <class Pack>
@@ -34,7 +34,7 @@ struct TensionOnList {
   }
 };
 
-/// Breaks bonds longer than their limit.
+/// Failure in tension only: breaks bonds longer than their limit.
 template <class Limits>
 struct BreakInTension {
   static constexpr bool is_armed = true;
@@ -67,7 +67,7 @@ struct LengthOnList {
   }
 };
 
-/// The whole rule, with the strength of the two particles: |η + ξ| > (1 + s_c k) |ξ|, or < (1 - s_m k) |ξ| where this is a length; k = (k_i + k_j)/2.
+/// The full rule, with the strength of the two particles: |η + ξ| > (1 + s_c k) |ξ|, or < (1 - s_m k) |ξ| if this is positive; k = (k_i + k_j)/2.
 template <class Lengths, bool in_compression>
 struct BreakByStrength {
   static constexpr bool is_armed = true;
@@ -95,6 +95,7 @@ struct BreakByStrength {
   }
 };
 
+/// Bond failure of one body.
 class Breaking {
  public:
   /// Bonds never break.
@@ -102,12 +103,12 @@ class Breaking {
   /// `strength` [-] of each slot (damage/strength.hpp); where empty, 1 everywhere.
   Breaking(const BreakingRule& rule, const std::vector<double>& strength, const Family& family, const Particles& particles);
 
-  /// A pass over the bonds in which they break, if options.may_break: per_pack(row, slot, breaker) goes through those of a pack of particles with the breaker,
-  /// writes what belongs to the pack, and returns its energy [J]. Counts broken ends, and sums the energy of each row if options.with_energy.
+  /// Pass over the bonds in which they break, if options.may_break. per_pack(row, slot, breaker) visits the bonds of a pack of particles with the breaker,
+  /// writes the results of the pack, and returns its energy [J]. Counts broken ends, and sums the energy of each row if options.with_energy.
   ///
-  /// Where the rule hardens it matters how far particles are pressed together, but only for bonds beyond the limit that they have at rest. Packs with such a
-  /// bond are postponed: when all others are done the strength of these bonds is found. What was postponed in the pass before is at once, so that little is
-  /// done twice; except where energies are summed, of which the order then would depend on what was before.
+  /// With hardening, the critical stretch depends on compression, but this matters only for bonds beyond their unconfined limit. Packs with such a bond
+  /// are postponed: their strength is evaluated after all other packs. Packs postponed in the previous pass are postponed at once, so that little is
+  /// evaluated twice; not so where energies are summed, since the order of summation would then depend on the previous pass.
   template <class Pack, class Bonds, class PerPack>
   void for_each_pack(const Bonds& bonds, const Particles& particles, Family& family, const PassOptions& options, RowSums& rows, const PerPack& per_pack);
 
@@ -129,7 +130,7 @@ class Breaking {
       return {family.list()->length.data()};
   }
 
-  /// Calls f(breaker) with the kind of breaker that does no more than the rule needs, for particles that are not pressed together.
+  /// Calls f(breaker) with the cheapest breaker for the rule, for unconfined particles.
   template <class Bonds, class F>
   void choose(const Family& family, bool may_break, const F& f) const {
     if (!rule_ || !may_break) return f(Unbreakable{});
@@ -147,7 +148,7 @@ class Breaking {
       f(BreakByStrength<Lengths<Bonds>, false>{lengths<Bonds>(family), rule_->stretch, 0, half_strength.component(0)});
   }
 
-  /// Calls f(row, slot) for the packs that were postponed.
+  /// Calls f(row, slot) for the postponed packs.
   template <class Pack, class F>
   void for_each_postponed(const Particles& particles, const F& f) const {
     fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t r) {
@@ -159,7 +160,7 @@ class Breaking {
     });
   }
 
-  /// Finds the strength of the particles that are asked for, where they are now.
+  /// Computes the strength of the requested particles at their current positions.
   template <class Pack>
   void find_pressed_strength(const Particles& particles, Family& family);
 
@@ -167,10 +168,10 @@ class Breaking {
 
   std::optional<BreakingRule> rule_;
   std::vector<double> squared_limits_, lengths_;  // [m²] [m] of each bond of the stencil
-  ScalarArray half_strength_;                     // [-] k/2 of particles that are not pressed together; empty where all are 1 and there is no compression
-  // where the rule hardens:
-  ScalarArray pressed_half_strength_;    // [-] k/2, of those that were asked for as they were pressed together then
-  std::vector<std::uint8_t> is_asked_;   // of each eight slots: their strength is needed
+  ScalarArray half_strength_;                     // [-] k/2 of unconfined particles; empty if all are 1 and there is no compressive limit
+  // with hardening:
+  ScalarArray pressed_half_strength_;    // [-] k/2 under the compression of the last request
+  std::vector<std::uint8_t> is_asked_;   // of each eight slots: their strength is requested
   std::vector<std::uint8_t> postponed_;  // of each pack
   std::vector<std::uint8_t> row_has_postponed_;
 };
@@ -205,7 +206,7 @@ void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Fam
         unsigned beyond = 0;
         for_each_bond<Pack>(bonds, particles.position.pointers(), slot, Unbreakable{}, [&](const auto& bond) {
           const unsigned bits = bond.intact & breaker.bits(bond.index, bond.squared_length, of_i, bond.neighbour);
-          for (unsigned left = bits; left != 0; left &= left - 1) {  // of the neighbours alone: this one is asked for by them
+          for (unsigned left = bits; left != 0; left &= left - 1) {  // of the neighbours alone: they request that of this particle
             const std::size_t j = bond.neighbour.slot_of(static_cast<std::size_t>(std::countr_zero(left)));
             std::atomic_ref(is_asked_[j / fccda::byte_lanes]).store(yes, std::memory_order_relaxed);
           }

@@ -1,4 +1,4 @@
-// Bending stiffness of few layers: against a beam that is bent by relaxation, which knows nothing of columns and bulges.
+// Bending stiffness of few layers: against a beam bent by relaxation, independent of columns and bulges.
 #include "perimpact/body/bending.hpp"
 
 #include <doctest/doctest.h>
@@ -27,7 +27,7 @@ double relative(int layers, const PlaneState plane = PlaneState::none, double po
   return relative_bending_stiffness({spacing, thickness, is_plane ? 1u : 2u, layers}, law, CorrectionKind::energy, stencil);
 }
 
-/// A beam along x, held at its left end over three columns, whose right face is pushed down.
+/// A cantilever along x, clamped at its left end over three columns, loaded at its right face.
 Setup cantilever(int layers, int width, int length, const char* calibration, double force) {
   BodySetup body{.name = "beam", .spacing = spacing};
   const Vec3d size{length * spacing, width * spacing, layers * spacing};
@@ -61,8 +61,8 @@ Setup cantilever(int layers, int width, int length, const char* calibration, dou
 
 }  // namespace
 
-TEST_CASE("bending: many layers bend as a plate does") {
-  // bonds between inside and surface, which the correction leaves 1 to 2 % off, count less the deeper the body is
+TEST_CASE("bending: many layers have the stiffness of a plate") {
+  // bonds between interior and surface, 1 to 2 % off after the correction, count less the thicker the body is
   CHECK(relative(24) == fixtures::relative(1, 0.015));
   CHECK(relative(24, PlaneState::stress) == fixtures::relative(1, 0.015));
   CHECK(relative(24, PlaneState::strain, 0.3) == fixtures::relative(1, 0.015));
@@ -80,15 +80,15 @@ TEST_CASE("bending: fewer layers are softer") {
   }
 }
 
-TEST_CASE("bending: the factor does not know the modulus or the spacing of a lattice") {
+TEST_CASE("bending: the factor does not depend on the modulus or the spacing of a lattice") {
   const Stencil stencil(FamilyRule::hu_ha_bobaru, 0.01, 3.015, std::nullopt);
   const IsotropicElastic elastic{70e9, nu, 3};
   const OrdinaryState law(elastic, madenci_oterkus_influences, stencil.horizon(), 1, sums_of(stencil, madenci_oterkus_influences, nu));
-  // every length and modulus cancels but for rounding of some hundred terms
+  // lengths and moduli cancel, to rounding of some hundred terms
   CHECK(relative_bending_stiffness({0.01, std::nullopt, 0, 4}, law, CorrectionKind::energy, stencil) == fixtures::relative(relative(4), 1e-10));
 }
 
-TEST_CASE("bending: a beam of four layers bends as the theory of beams says with the calibration, and a sixth too far without") {
+TEST_CASE("bending: a beam of four layers has the deflection of beam theory with the calibration, and a sixth more without") {
   constexpr int layers = 4, width = 6, length = 51;
   constexpr double force = 1e3;
   const double h = layers * spacing, b = width * spacing, L = (length - 3.5) * spacing;  // from the held columns' edge to the middle of the load
@@ -99,12 +99,12 @@ TEST_CASE("bending: a beam of four layers bends as the theory of beams says with
     fixtures::run(simulation);
     return -fixtures::value(simulation, "tip.displacement_z [m]");
   };
-  // the held end gives way a little within the horizon, and a beam is not the wide plate that the factor is of: together 4.4 %
+  // the clamped end is slightly compliant within the horizon, and the factor is that of a wide plate, not of a beam: together 4.4 %
   CHECK(sag("z") == fixtures::relative(theory, 0.05));
   CHECK(sag("none") > 1.15 * theory);
 }
 
-TEST_CASE("bending: the calibration makes every bond stiffer by one factor and leaves strength alone") {
+TEST_CASE("bending: the calibration scales every bond stiffness by one factor and does not change strength") {
   const auto made = [](const char* calibration, double modulus) {
     Setup setup = cantilever(4, 6, 20, calibration, 1e3);
     auto& material = std::get<OrdinaryStateSetup>(setup.bodies.front().material);
@@ -121,7 +121,7 @@ TEST_CASE("bending: the calibration makes every bond stiffer by one factor and l
   CHECK(law.b() == fixtures::relative(*calibrated.bending * plain.internal.ordinary_state()->law().b(), 1e-14));  // one product
 }
 
-TEST_CASE("bending: what cannot be calibrated is refused with a reason") {
+TEST_CASE("bending: an impossible calibration is rejected with a reason") {
   std::string key;
   CHECK(fixtures::complaint(cantilever(1, 6, 20, "z", 1), key).find("has 1 layers of particles along z") != std::string::npos);
   CHECK(key == "bodies.beam.bending_calibration");

@@ -102,8 +102,8 @@ TEST_CASE("solid bodies: cracks that are none, or nowhere, are refused at their 
   setup = ball();
   for (Vec3d& corner : setup.cracks[0].polygon) corner.y = 1;
   CHECK(complaint(run_of(setup), key) ==
-        "the crack notch cuts no bond of body body: it is outside of it, or another crack is there already; its corners are from the body's position, in "
-        "metres.");
+        "the crack notch cuts no bond of body body: it lies outside the body, or coincides with another crack; its corners are relative to the body's "
+        "position, in metres.");
 }
 
 TEST_CASE("solid bodies: a crack in a layer of particles parts it from the one below, and says so") {
@@ -116,7 +116,7 @@ TEST_CASE("solid bodies: a crack in a layer of particles parts it from the one b
       const auto is_above = [&](std::size_t slot) { return body.particles.reference(slot).z > -1e-6; };
       CHECK(is_above(i) == is_above(bond.j));
     });
-  CHECK(warns_of(simulation, "25 particles of body body lie in the plane of crack middle and count as on the side of its normal."));
+  CHECK(warns_of(simulation, "25 particles of body body lie in the plane of crack middle and are assigned to the side of its normal."));
 }
 
 TEST_CASE("solid bodies: a plane disc with a hole and a crack is one layer as thick as its cylinder") {
