@@ -1,4 +1,4 @@
-/// What the bonds of a body do to its particles, whatever its material.
+/// Internal forces of a body, for any material.
 #pragma once
 
 #include <variant>
@@ -9,33 +9,34 @@
 
 namespace perimpact {
 
+/// Internal force density from the bonds, with bond failure.
 class InternalForce {
  public:
   using Kind = std::variant<OrdinaryStateForce, CorrespondenceForce<3>, CorrespondenceForce<2>, PlasticForce>;  // by material
 
   InternalForce(Kind kind, const Particles& particles);
 
-  /// Writes particles.force_density [N/m³], the sum over intact bonds at the current positions, in the order of the family for each
-  /// particle, so that the result is the same to the last bit for any number of threads. Bonds that are too long break on the way; `dt` [s] is that of the step
-  /// that led here, in whose middle they are taken to break, and 0 where none did.
+  /// Writes particles.force_density [N/m³], the sum over intact bonds at the current positions. Each particle sums in the order of its family, so that
+  /// results are bitwise reproducible across thread counts. Bonds beyond their limit break in this pass. `dt` [s]: last step, in whose middle they are
+  /// assumed to break; 0 if there was none.
   void evaluate(Particles& particles, Family& family, double dt = 0);
 
-  /// The same, and returns the elastic energy at these positions [J].
+  /// The same; returns the elastic energy at these positions [J].
   double evaluate_with_energy(Particles& particles, Family& family, double dt = 0);
 
-  /// The same as evaluate(), and breaks no bond.
+  /// The same as evaluate(), without bond failure.
   void evaluate_unbroken(Particles& particles, Family& family);
 
-  /// The same as evaluate(), one particle at a time: the oracle of the tests.
+  /// The same as evaluate(), one particle at a time: reference for the tests.
   void evaluate_scalar(Particles& particles, Family& family, double dt = 0);
 
   std::size_t broken_bonds() const;                                               ///< since construction, each counted once
-  std::span<const std::size_t> broken_ends() const { return rows_.broken_ends; }  ///< since construction, of the particles of each row
+  std::span<const std::size_t> broken_ends() const { return rows_.broken_ends; }  ///< since construction, by row of particles
 
-  /// [J] what breaking took of the elastic energy since construction (docs/theory/energy.md).
+  /// [J] elastic energy released by bond failure since construction (docs/theory/energy.md).
   double fracture_energy() const;
 
-  /// [N/m⁷] what the force density of a bond gains by each metre of its length, its family's share left aside.
+  /// [N/m⁷] derivative of a bond's force density with respect to its length, without the contribution of its family.
   double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {
     return std::visit([&](const auto& force) { return force.bond_stiffness(slot, bond); }, kind_);
   }
@@ -44,7 +45,7 @@ class InternalForce {
     return std::visit([](const auto& force) -> const Breaking& { return force.breaking(); }, kind_);
   }
   const OrdinaryStateForce* ordinary_state() const { return std::get_if<OrdinaryStateForce>(&kind_); }
-  const Correspondence* correspondence() const;  ///< null of other materials
+  const Correspondence* correspondence() const;  ///< null for other materials
   const PlasticForce* plastic() const { return std::get_if<PlasticForce>(&kind_); }
   PlasticForce* plastic() { return std::get_if<PlasticForce>(&kind_); }
   double plastic_dissipation() const { return plastic() ? plastic()->dissipation() : 0; }  ///< [J] since construction
@@ -56,7 +57,7 @@ class InternalForce {
     if (plastic()) plastic()->visit_state(name, visit);
   }
 
-  /// What was noted of the run so far; no step depends on it.
+  /// Accumulated energies; they do not affect any step.
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     visit(name + ".fracture_energy_of_row", std::span<double>(rows_.fracture_energy));

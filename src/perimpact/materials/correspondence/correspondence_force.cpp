@@ -13,15 +13,15 @@ using namespace fccda;
 
 namespace {
 
-/// How near eight slots are to bonds that broke in a pass.
+/// Topological distance of eight slots from the bonds that broke in a pass.
 enum Nearness : std::uint8_t {
   far_off,
   beside_changed,  ///< has a neighbour whose energy changed
-  changed,         ///< a neighbour lost bonds, and with it its own energy changed
+  changed,         ///< a neighbour lost bonds, which changed its own energy
   broke_here
 };
 
-/// ξ and ω v V of the bonds of a stencil.
+/// Reference vectors ξ and weights ω v V of the bonds of a stencil.
 struct StencilShapes {
   std::span<const Vec3d> bonds;
   std::span<const double> weighted_volume;
@@ -43,7 +43,7 @@ struct StencilShapes {
   }
 };
 
-/// Those of the bonds of a list.
+/// The same for the bonds of a list.
 struct ListShapes {
   std::array<const double*, 3> X;
   const double* weighted_volume;
@@ -64,7 +64,7 @@ struct ListShapes {
   }
 };
 
-/// What all passes over one body read and write.
+/// Data that the passes over one body read and write.
 template <std::size_t D, class Bonds, class Shapes>
 struct BodyView {
   const Particles& particles;
@@ -75,11 +75,11 @@ struct BodyView {
   std::array<double*, D*(D + 1) / 2 + 2> shape;
   const double* bound_at_first;
   std::array<double*, D * D + 1> response;
-  std::array<double*, D * D> gradient, carried, rate;  // of the stabilisation bond-level
+  std::array<double*, D * D> gradient, carried, rate;  // for the stabilisation bond-level
   const Family* family;
 };
 
-/// Σ ω a⊗b v V over the bonds of a pack.
+/// Adds ω v V a⊗b for one bond of each particle of a pack.
 template <std::size_t D, class Pack>
 void add_outer(SmallMatrix<Pack, D>& sum, const Vec3<Pack>& a, const Vec3<Pack>& b, Pack weight) {
   for (std::size_t s = 0; s < D; ++s) {
@@ -97,7 +97,7 @@ SmallMatrix<Pack, D> inverse_shape_of(const View& body, std::size_t slot) {
   return inverse;
 }
 
-/// K⁻¹ and χ of the particles of one pack, from the bonds that they have now.
+/// Computes K⁻¹ and χ of the particles of one pack from their intact bonds.
 template <std::size_t D, class Pack, class View>
 void make_shape(const View& body, std::size_t slot) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
@@ -117,7 +117,7 @@ void make_shape(const View& body, std::size_t slot) {
   }
 }
 
-/// Makes K⁻¹ and χ of the particles of one pack anew if their bonds are not those that they are of.
+/// Recomputes K⁻¹ and χ of the particles of one pack if their bonds have changed.
 template <std::size_t D, class Pack, class View>
 void follow_bonds(const View& body, std::size_t slot, std::uint8_t* known) {
   const std::size_t eight = slot / byte_lanes, rows = body.bonds.rows(eight);
@@ -128,7 +128,7 @@ void follow_bonds(const View& body, std::size_t slot, std::uint8_t* known) {
   make_shape<D, Pack>(body, slot);
 }
 
-/// What F leaves of the bonds of a pack: Σ ω |z|² v V [m⁵].
+/// Residual of the bonds of a pack: Σ ω |z|² v V [m⁵].
 template <std::size_t D, class Pack, class View>
 Pack remainder_of_pack(const View& body, std::size_t slot, const SmallMatrix<Pack, D>& gradient) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
@@ -146,7 +146,7 @@ Pack remainder_of_pack(const View& body, std::size_t slot, const SmallMatrix<Pac
   return sum;
 }
 
-/// Bonds as they were when K⁻¹ was made. `known`: of eight slots, or of all.
+/// Bonds for which K⁻¹ was computed. `known`: of eight slots, or of all.
 template <class Bonds>
 struct KnownBonds : Bonds {
   std::uint8_t* known;
@@ -154,7 +154,7 @@ struct KnownBonds : Bonds {
   std::uint8_t* bytes(std::size_t eight) const { return family ? known + family->begin(eight) : known; }
 };
 
-/// W - dt W'/2 [J] of the particles of a pack, from these bonds and the K⁻¹ and χ that are kept: their energy in the middle of the step that led here.
+/// Energy W - dt W'/2 [J] of the particles of a pack in the middle of the last step, from these bonds and the cached K⁻¹ and χ.
 template <std::size_t D, class Pack, class View>
 [[gnu::noinline, gnu::cold]] double energy_amid_step(const View& body, std::size_t slot, double dt) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
@@ -180,10 +180,10 @@ template <std::size_t D, class Pack, class View>
   return energy_of_pack(fused_multiply_add(Pack(-0.5 * dt), power, energy), body.particles, slot);
 }
 
-/// B and c of the particles of one pack; returns their energy density [J/m³], if asked to. Adds to `fracture` [J].
+/// Computes B and c of the particles of one pack; returns their energy density [J/m³] if with_energy. Adds the released energy to `fracture` [J].
 template <std::size_t D, class Pack, class View, class Breaking>
 Pack response_of_pack(const View& body, std::size_t slot, const Breaking& breaking, std::uint8_t* known, const PassOptions& options, double& fracture) {
-  if constexpr (Breaking::is_armed) follow_bonds<D, Pack>(body, slot, known);  // such as a checkpoint brought: what breaks now is counted from there
+  if constexpr (Breaking::is_armed) follow_bonds<D, Pack>(body, slot, known);  // as after a restart: failure in this pass is counted from the current bonds
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
   [[maybe_unused]] bool broke = false;
   SmallMatrix<Pack, D> moment;
@@ -232,7 +232,7 @@ void store_matrix(const std::array<double*, D * D>& to, std::size_t slot, const 
     for (std::size_t s = 0; s < D; ++s) store(to[r * D + s] + slot, matrix.m[r][s]);
 }
 
-/// (own - of the neighbour) ξ
+/// (own - neighbour's) ξ for one bond of each particle of a pack.
 template <std::size_t D, class Pack, class Bond>
 Vec3<Pack> difference_along(const SmallMatrix<Pack, D>& own, const std::array<double*, D * D>& all, const Bond& bond, const Vec3<Pack>& xi) {
   Vec3<Pack> difference{Pack(0.0), Pack(0.0), Pack(0.0)};
@@ -241,13 +241,13 @@ Vec3<Pack> difference_along(const SmallMatrix<Pack, D>& own, const std::array<do
   return difference;
 }
 
-/// F of the particles of one pack, of which the moment is given.
+/// Stores F of the particles of one pack, from their moment Σ ω y⊗ξ v V.
 template <std::size_t D, class Pack, class View>
 void store_gradient(const View& body, std::size_t slot, const SmallMatrix<Pack, D>& moment) {
   store_matrix<D>(body.gradient, slot, Correspondence::gradient(moment, inverse_shape_of<D, Pack>(body, slot), remaining_of<Pack>(body.shape, slot)));
 }
 
-/// dF/dt, or F anew, of the particles of one pack, from their neighbours' velocities or positions.
+/// Moment Σ ω a⊗ξ v V of the particles of one pack, with a the differences of velocities or positions to their neighbours: for dF/dt or F.
 template <std::size_t D, class Pack, class View>
 SmallMatrix<Pack, D> moment_of_pack(const View& body, std::size_t slot, const std::array<const double*, 3>& of) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
@@ -258,7 +258,7 @@ SmallMatrix<Pack, D> moment_of_pack(const View& body, std::size_t slot, const st
   return moment;
 }
 
-/// W - dt W'/2 [J/m³] of the particles of one pack, from the gradients (and their rates) that are stored.
+/// Energy density W - dt W'/2 [J/m³] of the particles of one pack, from the stored gradients (and their rates).
 template <std::size_t D, class Pack, bool with_rate, class View>
 [[gnu::noinline]] Pack bond_level_energy(const View& body, std::size_t slot, [[maybe_unused]] double dt) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
@@ -305,7 +305,7 @@ template <std::size_t D, class Pack, bool with_rate, class View>
   return energy;
 }
 
-/// F¹ of the particles of one pack, its stress Q = χ P K⁻¹, and of B what needs no neighbour's stress.
+/// F¹ of the particles of one pack, its stress Q = χ P K⁻¹, and the part of B without the stresses of neighbours.
 template <std::size_t D, class Pack, class View>
 void bond_level_stress(const View& body, std::size_t slot) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
@@ -327,7 +327,7 @@ void bond_level_stress(const View& body, std::size_t slot) {
   store(body.response[D * D] + slot, c);
 }
 
-/// The rest of B: what the stresses of this particle and of its neighbours have to do with its F, by way of their F¹.
+/// Remaining part of B: stresses of the particle and its neighbours, whose F¹ depend on its F.
 template <std::size_t D, class Pack, class View>
 void bond_level_return(const View& body, std::size_t slot) {
   const auto of_i = body.shapes.template of_particle<Pack>(slot);
@@ -349,7 +349,7 @@ void bond_level_return(const View& body, std::size_t slot) {
       store(body.response[r * D + s] + slot, fused_multiply_add(Pack(0.5), returned.m[r][s], load<Pack>(body.response[r * D + s] + slot)));
 }
 
-/// F of the particles of one pack; breaks what breaks. F, K⁻¹ and χ of packs that lost bonds are left to account_for_broken().
+/// Computes F of the particles of one pack, with bond failure. Packs that lost bonds are completed by account_for_broken().
 template <std::size_t D, class Pack, class View, class Breaking>
 void gradient_of_pack(const View& body, std::size_t slot, const Breaking& breaking, std::uint8_t* known, std::uint8_t* broken) {
   if constexpr (Breaking::is_armed) follow_bonds<D, Pack>(body, slot, known);
@@ -436,14 +436,14 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking 
     for (std::size_t entry = 0; entry < list.length.size(); ++entry) listed_weighted_volume_.push_back(law_.weight(list.length[entry]) * list.volume[entry]);
   }
   with_bonds(particles, family, [&](const auto& body) {
-    // packs of fewer lanes than a byte share what is known of their bonds: one thread takes all of a byte
+    // packs of fewer lanes than a byte share bytes of known_: one thread takes all packs of a byte
     parallel_for(static_cast<std::ptrdiff_t>(particles.slots() / byte_lanes), [&](std::ptrdiff_t eight) {
       const std::size_t begin = static_cast<std::size_t>(eight) * byte_lanes;
       for (std::size_t slot = begin; slot < begin + byte_lanes; slot += lanes<NativePack>)
         follow_bonds<D, NativePack>(body, slot, known_.data() + family.begin(begin / byte_lanes));
     });
   });
-  std::copy_n(shape_.component(symmetric + 1), particles.slots(), bound_at_first_.begin());  // χ is 1 here, or 0 where the bound is
+  std::copy_n(shape_.component(symmetric + 1), particles.slots(), bound_at_first_.begin());  // here χ is 1, or 0 where the bound is 0
 }
 
 template <std::size_t D>
@@ -456,7 +456,7 @@ template <class Pack, class View>
       body.shapes,         body.law,      body.shape,
       body.bound_at_first, body.response, body.gradient,
       body.carried,        body.rate,     body.family};
-  // a bond that breaks changes F at its ends, and with it the energy of their families; that takes dF/dt of the families of these
+  // a broken bond changes F at its ends, and thus the energy of their families, which needs dF/dt of the families of these
   for (const std::uint8_t from : {broke_here, changed})
     for (std::size_t eight = 0; eight < broken_.size(); ++eight) {
       if (broken_[eight] < from) continue;

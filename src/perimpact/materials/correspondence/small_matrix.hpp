@@ -1,5 +1,5 @@
-/// Matrices of two or three dimensions, of doubles or of packs: what a deformation gradient and its stress are made of. Loops have constant
-/// bounds and no branches, so that a kernel may call all of this for a pack of particles.
+/// Matrices of size 2 × 2 or 3 × 3, of doubles or packs, for deformation gradients and stresses. Loops have constant bounds and no branches, so
+/// that kernels can call these functions for a pack of particles.
 #pragma once
 
 #include <cmath>
@@ -66,7 +66,7 @@ SmallMatrix<T, D> scaled_plus(T f, const SmallMatrix<T, D>& a, T g) {
   return sum;
 }
 
-/// tr(a bᵀ): the sum of the products of the elements.
+/// Double contraction a : b = tr(a bᵀ).
 template <class T, std::size_t D>
 T contraction(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& b) {
   T sum = a.m[0][0] * b.m[0][0];
@@ -76,7 +76,7 @@ T contraction(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& b) {
   return sum;
 }
 
-/// a⁻¹ det a of a symmetric matrix; exists for every one.
+/// Adjugate a⁻¹ det a of a symmetric matrix; exists also for singular ones.
 template <class T, std::size_t D>
 SmallMatrix<T, D> adjugate(const SmallMatrix<T, D>& a) {
   SmallMatrix<T, D> adj;
@@ -94,7 +94,7 @@ SmallMatrix<T, D> adjugate(const SmallMatrix<T, D>& a) {
   return adj;
 }
 
-/// det a of a symmetric matrix, given its adjugate.
+/// Determinant of a symmetric matrix, given its adjugate.
 template <class T, std::size_t D>
 T determinant(const SmallMatrix<T, D>& a, const SmallMatrix<T, D>& adj) {
   T sum = a.m[0][0] * adj.m[0][0];
@@ -108,12 +108,12 @@ struct Eigen {
   SmallMatrix<double, D> vectors;  ///< as columns
 };
 
-/// Eigenvalues and eigenvectors of a symmetric matrix, by Jacobi's rotations (Golub and Van Loan, Matrix Computations, 8.5); each value to
-/// rounding of the largest.
+/// Eigenvalues and eigenvectors of a symmetric matrix, by Jacobi rotations (Golub and Van Loan, Matrix Computations, 8.5); each value
+/// accurate to rounding of the largest.
 template <std::size_t D>
 Eigen<D> eigen_of(SmallMatrix<double, D> a) {
   SmallMatrix<double, D> q = SmallMatrix<double, D>::identity();
-  constexpr int most_sweeps = 20;  // converges quadratically: five do
+  constexpr int most_sweeps = 20;  // convergence is quadratic: five suffice
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double off = 0;
     for (std::size_t r = 0; r < D; ++r)

@@ -1,16 +1,16 @@
-/// Elastic laws of finite strain, isotropic and hyperelastic: the second Piola-Kirchhoff stress S and the energy ψ from X = C - 1 = Fᵀ F - 1.
-/// A rotation leaves C as it is, so that a rigid motion has no stress, however large.
+/// Isotropic hyperelastic laws at finite strain: the second Piola-Kirchhoff stress S and the energy ψ from X = C - 1 = Fᵀ F - 1.
+/// C is invariant under rotations, so that rigid motions of any size are free of stress.
 ///
 ///   St Venant-Kirchhoff   E = X/2         S = λ tr(E) 1 + 2µ E                ψ = λ tr(E)²/2 + µ tr(E²)         [Pa], [J/m³]
 ///   Hencky                H = ln(C)/2     S = (λ tr(H) 1 + 2µ H) C⁻¹          ψ = λ tr(H)²/2 + µ tr(H²)
 ///
 /// (Bonet and Wood, Nonlinear Continuum Mechanics for Finite Element Analysis (2008), ch. 6; Hencky, Z. techn. Phys. 9 (1928) 215.)
-/// S = 2 ∂ψ/∂C in both. Where plane stress holds, the third strain follows linearly from the two others, and the formulas hold in two
-/// dimensions with the λ of the plane (docs/theory/correspondence.md).
+/// S = 2 ∂ψ/∂C in both. In plane stress the third strain is a linear function of the other two, and the formulas apply in two
+/// dimensions with the plane-stress λ (docs/theory/correspondence.md).
 ///
-/// ln C is a series where strains are below some 5 %, for all particles of a pack at once: ln(1 + X) = 2 artanh Z, Z = X (2 + X)⁻¹. Beyond, the
-/// particle's eigenvalues are found. Below a stretch of one tenth, ln c goes on as its tangent, so that a family that has been squeezed flat or
-/// turned inside out, as those of heavily damaged particles can be, still has a finite stress, which is the gradient of a finite energy.
+/// For strains below some 5 %, ln C is evaluated as a series for all particles of a pack at once: ln(1 + X) = 2 artanh Z, Z = X (2 + X)⁻¹. Larger
+/// strains use the eigenvalues of each particle. Below a stretch of one tenth, ln c continues as its tangent: flattened or inverted families, as of
+/// heavily damaged particles, then have a finite stress, the gradient of a finite energy.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace perimpact {
 
 enum class StressLaw { hencky, st_venant_kirchhoff };
 
-/// S [Pa] and ψ [J/m³].
+/// Second Piola-Kirchhoff stress S [Pa] and energy ψ [J/m³].
 template <class T, std::size_t D>
 struct Stress {
   SmallMatrix<T, D> second;
@@ -46,11 +46,11 @@ Stress<T, D> st_venant_kirchhoff(const SmallMatrix<T, D>& x, double lambda, doub
 
 namespace hencky {
 
-/// Largest Σ X_rs² for which the series is taken; its eigenvalues are then below 0.1, those of Z below 0.053, and the first term left out,
-/// Z¹³/13, is 4e-17 of Z.
+/// Largest Σ X_rs² for the series. The eigenvalues of X are then below 0.1, those of Z below 0.053, and the first neglected term, Z¹³/13, is
+/// 4e-17 of Z.
 inline constexpr double largest_square = 0.01;
 
-/// By the series.
+/// Hencky law by the series.
 template <class T, std::size_t D>
 Stress<T, D> by_series(const SmallMatrix<T, D>& x, double lambda, double mu) {
   using Matrix = SmallMatrix<T, D>;
@@ -69,7 +69,7 @@ Stress<T, D> by_series(const SmallMatrix<T, D>& x, double lambda, double mu) {
   return stress;
 }
 
-/// By eigenvalues, one particle at a time.
+/// Hencky law by eigenvalues, one particle at a time.
 template <std::size_t D>
 Stress<double, D> by_eigenvalues(const SmallMatrix<double, D>& x, double lambda, double mu) {
   constexpr double least = 0.01;  // of C: a stretch of one tenth

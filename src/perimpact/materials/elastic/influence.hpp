@@ -1,4 +1,4 @@
-/// How much a bond counts in a family sum, by its length: the influence function ω(|ξ|) (Silling et al., J. Elast. 88 (2007) 151).
+/// Influence function ω(|ξ|), the weight of a bond in family sums by its length (Silling et al., J. Elast. 88 (2007) 151).
 #pragma once
 
 #include <cmath>
@@ -7,10 +7,10 @@
 namespace perimpact {
 
 /// one: 1.  inverse: δ/|ξ|.  inverse_square: (δ/|ξ|)².  parabolic: 1 up to δ/2, then 4 (r - r²), r = |ξ|/δ.  gaussian: exp(-(r/0.4)²).
-/// Beyond δ, where bonds of Hu, Ha and Bobaru's family still reach, parabolic is 0; the others go on.
+/// Beyond δ, where the family of Hu, Ha and Bobaru still has bonds, parabolic is 0; the others continue.
 enum class Influence { one, inverse, inverse_square, parabolic, gaussian };
 
-/// ω |ξ|² [m²], which is what the sums take; finite at |ξ| = 0.
+/// ω |ξ|² [m²], the weight in family sums; finite at |ξ| = 0.
 inline double weight_of(Influence influence, double length, double horizon) {
   const double r = length / horizon;
   switch (influence) {
@@ -28,7 +28,7 @@ inline double weight_of(Influence influence, double length, double horizon) {
   return 0;
 }
 
-/// m = ∫ ω |ξ|² dV over the whole horizon [m⁵]; in the plane over a disc of that thickness. Simpson's rule: exact where ω is a power, to 1e-12
+/// Weighted volume m = ∫ ω |ξ|² dV over the full horizon [m⁵]; in 2-D over a disc of that thickness. Simpson's rule: exact where ω is a power, to 1e-12
 /// for the others (parabolic has its kink at a node).
 inline double weighted_volume(Influence influence, double horizon, int dimension, double thickness) {
   constexpr int intervals = 2000;

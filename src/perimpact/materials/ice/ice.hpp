@@ -1,4 +1,4 @@
-/// Strength and stiffness of ice from its brine (docs/theory/ice.md).
+/// Flexural strength and modulus of sea ice from its brine volume (docs/theory/ice.md).
 ///
 ///   ν_b = S (49.185/|T| + 0.532)/1000         Frankenstein and Garner, J. Glaciol. 6 (1967) 943; S [g/kg], T [°C] from -22.9 to -0.5
 ///   σ_f = 1.76 exp(-5.88 √ν_b) MPa            Timco and O'Brien, Cold Reg. Sci. Technol. 22 (1994) 285
@@ -10,13 +10,13 @@
 
 namespace perimpact {
 
-/// [-] `salinity` [g/kg], `temperature` [°C].
+/// Brine volume fraction [-]. `salinity` [g/kg], `temperature` [°C].
 inline double brine_volume(double salinity, double temperature) { return 1e-3 * salinity * (49.185 / std::fabs(temperature) + 0.532); }
 
-/// [Pa]
+/// Flexural strength [Pa].
 inline double ice_flexural_strength(double brine_volume) { return 1.76e6 * std::exp(-5.88 * std::sqrt(brine_volume)); }
 
-/// [Pa] below zero where the formula does not hold: from a brine volume of 0.256 on.
+/// Effective modulus [Pa]; negative, thus invalid, for brine volumes of 0.256 and more.
 inline double ice_youngs_modulus(double brine_volume) { return 1e9 * (10 * (1 - 3.51 * brine_volume) - 1); }
 
 }  // namespace perimpact

@@ -10,7 +10,7 @@ using namespace fccda;
 
 namespace {
 
-/// The constants of the bonds of a stencil: those of whole families, and of any other table of factors.
+/// Constants of the bonds of a stencil: those of complete families, and one set for each further table of factors.
 struct StencilConstants {
   std::span<const OrdinaryState::Folded<double>> folded;  // table after table
   std::size_t bonds;
@@ -23,7 +23,7 @@ struct StencilConstants {
   }
 };
 
-/// Those of the bonds of a list.
+/// The same for the bonds of a list.
 struct ListConstants {
   const OrdinaryState& law;
   const double *length, *stretch, *dilatation;
@@ -35,7 +35,7 @@ struct ListConstants {
   }
 };
 
-/// What all passes over one body read and write.
+/// Data that the passes over one body read and write.
 template <class Bonds, class Constants>
 struct BodyView {
   const Particles& particles;
@@ -52,7 +52,7 @@ struct BodyView {
   BodyView with(const Constants& others) const { return {particles, x, force, theta, bonds, others, correction, law, rows, dt}; }
 };
 
-/// y_j' - y_i' [m/s] of the bonds of a pack.
+/// Relative velocity y_j' - y_i' [m/s] of the bonds of a pack.
 template <class Pack, class View, class Bond>
 Vec3<Pack> relative_velocity(const View& body, std::size_t slot, const Bond& bond) {
   const std::array<const double*, 3> v = body.particles.velocity.pointers();
@@ -60,27 +60,27 @@ Vec3<Pack> relative_velocity(const View& body, std::size_t slot, const Bond& bon
           bond.neighbour.of(v[2]) - load<Pack>(v[2] + slot)};
 }
 
-/// What the stretch of bonds that just broke held in the middle of the step, u - dt u'/2 [J], at this end, summed over the lanes that `bond.intact` names.
+/// Stretch energy of bonds that just broke, in the middle of the step, u - dt u'/2 [J], at this end, summed over the lanes in `bond.intact`.
 template <class Pack, class View, class Bond, class Correction>
 [[gnu::noinline, gnu::cold]] double released_energy(const View& body, std::size_t slot, const Bond& bond, const Correction& correction) {
   const auto& folded = body.constants.template constants<Pack>(bond.index);
   const Pack inverse_length = inverse_square_root(bond.squared_length);
-  const Pack pull = OrdinaryState::stretch_force(folded, inverse_length);  // a bond's energy is shared by its ends: so is the power of its force
+  const Pack pull = OrdinaryState::stretch_force(folded, inverse_length);  // the ends share the energy of a bond, and thus the power of its force
   const Pack rate = Pack(0.5) * pull * dot(bond.between, relative_velocity<Pack>(body, slot, bond));
-  const Pack held = OrdinaryState::stretch_energy(folded, bond.squared_length * inverse_length) - Pack(0.5 * body.dt) * rate;
-  const Pack density = correction.stretch.corrected(held, correction.stretch.template of<Pack>(slot), bond.index, bond.neighbour);
+  const Pack released = OrdinaryState::stretch_energy(folded, bond.squared_length * inverse_length) - Pack(0.5 * body.dt) * rate;
+  const Pack density = correction.stretch.corrected(released, correction.stretch.template of<Pack>(slot), bond.index, bond.neighbour);
   return energy_of_pack(select(bond.intact, density), body.particles, slot);
 }
 
-/// What bonds of a pack add to the rate of θ [1/s].
+/// Contribution of the bonds of a pack to the rate of θ [1/s].
 template <class Pack, class View, class Bond>
 Pack dilatation_rate(const View& body, std::size_t slot, const Bond& bond) {
   return Pack(body.constants.template constants<Pack>(bond.index).theta_slope) * inverse_square_root(bond.squared_length) *
          dot(bond.between, relative_velocity<Pack>(body, slot, bond));
 }
 
-/// What the dilatation of the particles of a pack gave up, a θ² - dt (a θ²)'/2 before less after [J]. Of the broken bonds: `gone` [-] what they had added to
-/// the sum θ, `gone_rate` [1/s] to its rate; `sum`: what is left.
+/// Dilatation energy released by the particles of a pack: a θ² - dt (a θ²)'/2 before failure, less the same after it [J]. `gone` [-], `gone_rate` [1/s]:
+/// contributions of the broken bonds to the sum θ and its rate; `sum`: that of the remaining bonds.
 template <class Pack, class View, class Correction>
 [[gnu::noinline, gnu::cold]] double released_dilatation_energy(const View& body, std::size_t slot, Pack sum, Pack gone, Pack gone_rate,
                                                                const Correction& correction) {
@@ -98,7 +98,7 @@ template <class Pack, class View, class Correction>
   return energy_of_pack(density(sum + gone, rate + gone_rate) - density(sum, rate), body.particles, slot);
 }
 
-/// θ of the particles of one pack. Adds to `fracture` [J].
+/// θ of the particles of one pack. Adds the released energy to `fracture` [J].
 template <class Pack, class View, class Breaker, class Correction>
 void dilatation_of_pack(const View& body, std::size_t slot, const Breaker& breaking, const Correction& correction, double& fracture) {
   const auto of_i = correction.dilatation.template of<Pack>(slot);
@@ -123,7 +123,7 @@ void dilatation_of_pack(const View& body, std::size_t slot, const Breaker& break
   store(body.theta + slot, correction.pushing(theta, slot));
 }
 
-/// Force density of the particles of one pack; returns their energy [J], summed, if asked to. Adds to `fracture` [J].
+/// Force density of the particles of one pack; returns their total energy [J] if with_energy. Adds the released energy to `fracture` [J].
 template <class Pack, bool has_dilatation, bool with_energy, class View, class Breaker, class Correction>
 double force_of_pack(const View& body, std::size_t slot, const Breaker& breaking, const Correction& correction, double& fracture) {
   const auto stretch_of_i = correction.stretch.template of<Pack>(slot);
@@ -156,7 +156,7 @@ double force_of_pack(const View& body, std::size_t slot, const Breaker& breaking
   return with_energy ? energy_of_pack(energy, body.particles, slot) : 0.0;
 }
 
-/// per_pack(body, slot, corrections) of a pack; where factors have a table, they are in the constants and there are no corrections.
+/// Calls per_pack(body, slot, corrections) for a pack; with a table of factors these are in the constants, and there are no corrections.
 template <class View, class Correction, class PerPack>
 auto with_factors(const View& body, std::size_t slot, const Correction& corrections, const PerPack& per_pack) {
   const std::int32_t table = body.correction.table_of(slot / byte_lanes);
@@ -175,7 +175,7 @@ void all_packs(const View& body, Breaking& breaking, Family& family, const PassO
       });
       return 0.0;
     });
-    forces.may_break = false;  // the dilatation pass has broken what breaks
+    forces.may_break = false;  // bonds have broken in the dilatation pass
   }
   breaking.for_each_pack<Pack>(body.bonds, body.particles, family, forces, body.rows, [&](std::size_t row, std::size_t slot, const auto& breaker) {
     return with_factors(body, slot, corrections, [&](const View& view, std::size_t at, const auto& factors) {
@@ -210,7 +210,7 @@ OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, Breaking breaking, Cor
       }
     return;
   }
-  const bool by_family = correction_.kind() == CorrectionKind::family;  // whose factors the kernel takes, since it needs those of particles anyhow
+  const bool by_family = correction_.kind() == CorrectionKind::family;  // the kernel applies its factors, since it needs those of particles anyway
   stretch_.assign(family.list()->length.size(), 0.0);
   if (law_.needs_dilatation()) dilatation_ = stretch_;
   parallel_for(static_cast<std::ptrdiff_t>(particles.size()), [&](std::ptrdiff_t particle) {

@@ -1,4 +1,4 @@
-/// What uniform strain sums to over the family of an interior particle of a lattice, with the weights of a material.
+/// Family sums of uniform strain for an interior particle of a lattice, with the weights of a material.
 #pragma once
 
 #include "perimpact/family/stencil.hpp"
@@ -6,7 +6,7 @@
 
 namespace perimpact {
 
-/// `poissons_ratio`: of the plane where the body is plane.
+/// `poissons_ratio`: in 2-D that of the plane.
 inline FamilySums sums_of(const Stencil& stencil, const Influences& influences, double poissons_ratio) {
   FamilySums sums{};
   for (const StencilBond& bond : stencil.bonds()) {
