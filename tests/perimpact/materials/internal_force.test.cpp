@@ -19,8 +19,8 @@ using fixtures::BodyOptions;
 
 namespace {
 
-/// The elastic energy by a loop over all pairs of particles: shares nothing with the kernels but the constants of the law and the factors of
-/// particles.
+/// Reference for the elastic energy: a loop over all pairs of particles, which shares only the constants of the law and the factors of particles
+/// with the kernels.
 struct PairSums {
   const Body& body;
   std::vector<std::size_t> slots;
@@ -49,7 +49,7 @@ struct PairSums {
   }
   double energy() const { return body.internal.correspondence() ? correspondence_energy() : ordinary_energy(); }
 
-  /// Calls visit(j, ξ, v V) for all that particle i is bonded to.
+  /// Calls visit(j, ξ, v V) for all bonds of particle i.
   template <class Visit>
   void for_each_neighbour(std::size_t i, const Visit& visit) const {
     const double delta = body.family.horizon();
@@ -61,7 +61,7 @@ struct PairSums {
     }
   }
 
-  /// K⁻¹ of each particle, χ being 1, and F (z is inert in the plane).
+  /// K⁻¹ and F of each particle, with χ = 1 (in 2-D, z is inactive).
   struct Gradients {
     std::vector<Mat3> inverse, F;
   };
@@ -82,7 +82,7 @@ struct PairSums {
     for (std::size_t r = 0; r < 3; ++r) sum.row[r] += (weight * a[r]) * b;
   }
 
-  /// ψ(F) + c/2 Σ ω |z|² v V, with the classical laws in the principal stretches, and Wan's c by the tensor C1 itself; of the stabilisation bond-level
+  /// ψ(F) + c/2 Σ ω |z|² v V, with the classical laws in the principal stretches, and Wan's c by the tensor C1 itself; for the stabilisation bond-level
   /// F + Σ ω (y - F̄ξ)⊗ξ v V K⁻¹ in place of F, and y - F̄ξ in place of z.
   double correspondence_energy() const {
     const Correspondence& law = *body.internal.correspondence();
@@ -150,7 +150,7 @@ double largest(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST_CASE("internal force: the wide kernel and the one-particle kernel agree for every material, dimension and kind of points") {
+TEST_CASE("internal force: the SIMD and the scalar kernel agree for every material, dimension and kind of points") {
   for (const fixtures::NamedOptions& one : fixtures::every_body()) {
     const BodyOptions& options = one.options;
     CAPTURE(one.name);
@@ -159,7 +159,7 @@ TEST_CASE("internal force: the wide kernel and the one-particle kernel agree for
     wide.internal.evaluate(wide.particles, wide.family);
     scalar.internal.evaluate_scalar(scalar.particles, scalar.family);
     const auto a = forces(wide), b = forces(scalar);
-    // lengths are rounded differently by a few 1e-16; a bond of strain 1e-3 turns that into 1e-12 of its force, a family into less
+    // rounding of lengths differs by a few 1e-16; at a strain of 1e-3 this is 1e-12 of a bond's force, and less of a family's
     const double tolerance = 1e-12 * largest(b);
     double worst = 0;
     for (std::size_t n = 0; n < a.size(); ++n) worst = std::max(worst, std::fabs(a[n] - b[n]));
@@ -168,7 +168,7 @@ TEST_CASE("internal force: the wide kernel and the one-particle kernel agree for
   }
 }
 
-TEST_CASE("internal force: it is the gradient of the energy that a loop over all pairs gives, for every material, dimension and kind of points") {
+TEST_CASE("internal force: it is the gradient of the energy from a loop over all pairs, for every material, dimension and kind of points") {
   for (const fixtures::NamedOptions& one : fixtures::every_body({0.006, 0.005, 0.004})) {
     const BodyOptions& options = one.options;
     CAPTURE(one.name);
@@ -180,7 +180,7 @@ TEST_CASE("internal force: it is the gradient of the energy that a loop over all
     const auto force = forces(solid);
     const double scale = largest(force);
     const std::size_t axes = solid.particles.is_plane() ? 2 : 3;
-    for (const std::size_t i : {std::size_t{0}, sums.x.size() / 3, sums.x.size() - 1})  // a corner, an inner one, the other corner
+    for (const std::size_t i : {std::size_t{0}, sums.x.size() / 3, sums.x.size() - 1})  // a corner, an interior particle, the opposite corner
       for (std::size_t c = 0; c < axes; ++c) {
         const double h = 1e-8;  // central difference: error h² relative to (strain scale 1e-2)² and rounding 1e-13/1e-5, both below 1e-5
         sums.x[i][c] += h;
@@ -194,7 +194,7 @@ TEST_CASE("internal force: it is the gradient of the energy that a loop over all
   }
 }
 
-TEST_CASE("internal force: a rigid motion, however large its rotation, gives no force") {
+TEST_CASE("internal force: a rigid motion with any rotation gives no force") {
   for (const fixtures::NamedOptions& one : fixtures::every_body()) {
     const BodyOptions& options = one.options;
     CAPTURE(one.name);
@@ -204,7 +204,7 @@ TEST_CASE("internal force: a rigid motion, however large its rotation, gives no 
       return Vec3d{std::cos(angle) * X.x - std::sin(angle) * X.y + 0.3, std::sin(angle) * X.x + std::cos(angle) * X.y - 0.2, X.z + 0.1};
     });
     solid.internal.evaluate(solid.particles, solid.family);
-    // coordinates near 0.4 m are rounded to 5e-17 m, which is a strain of 5e-14 on the spacing; a strained family pulls with about E/Δ times
+    // coordinates near 0.4 m are rounded to 5e-17 m, a strain of 5e-14 on the spacing; the force density of a strained family is about E/Δ times
     // its strain, and with ν = 0.4 and inverse-square influence three times that
     CHECK(largest(forces(solid)) <= 3e-12 * fixtures::youngs_modulus / 0.001);
   }
@@ -225,13 +225,13 @@ TEST_CASE("internal force: forces and moments sum to zero, to rounding") {
       moment += cross(solid.particles.position.at(slot), force);
       scale += norm(force);
     }
-    // each pair is exactly opposite and along its bond; what is left is rounding of sums of up to 178 terms, each below 1e-15 of the whole
+    // forces of a pair are exactly opposite and along its bond; the rest is rounding of sums of up to 178 terms, each below 1e-15 of the sum
     CHECK(norm(sum) <= 1e-14 * scale);
     CHECK(norm(moment) <= 1e-14 * scale * 0.012);
   }
 }
 
-TEST_CASE("internal force: a plane body is never pushed out of its plane") {
+TEST_CASE("internal force: a 2-D body has no out-of-plane force") {
   for (const fixtures::NamedOptions& one : fixtures::every_body()) {
     const BodyOptions& options = one.options;
     if (options.plane == PlaneState::none) continue;
@@ -257,12 +257,12 @@ TEST_CASE("internal force: on the points of a lattice the stencil and the neighb
     const auto a = forces(lattice), b = forces(listed);
     double worst = 0;
     for (std::size_t n = 0; n < a.size(); ++n) worst = std::max(worst, std::fabs(a[n] - b[n]));
-    // lengths of the list come from coordinates, with an error of 1e-17 m on extensions of 1e-5 m: 1e-12 of the force, 178 of them at random
+    // lengths of the list come from coordinates, with an error of 1e-17 m on extensions of 1e-5 m: 1e-12 of the force, for 178 random terms
     CHECK(worst <= 1e-10 * largest(b));
   }
 }
 
-TEST_CASE("internal force: factors taken from a table in the middle of long rows are those that the neighbour lists compute bond by bond") {
+TEST_CASE("internal force: factors from a table in the middle of long rows equal those that the neighbour lists compute bond by bond") {
   for (const SurfaceCorrection correction : {SurfaceCorrection::energy, SurfaceCorrection::volume})
     for (const double nu : {0.25, 0.3}) {
       CAPTURE(nu);
@@ -284,7 +284,7 @@ TEST_CASE("internal force: factors taken from a table in the middle of long rows
     }
 }
 
-TEST_CASE("internal force: one, two and four threads give the same bits") {
+TEST_CASE("internal force: results are bitwise identical for one, two and four threads") {
   const int before = fccda::thread_count();
   std::vector<std::vector<double>> results;
   for (const int threads : {1, 2, 4}) {
@@ -306,7 +306,7 @@ TEST_CASE("internal force: one, two and four threads give the same bits") {
   CHECK(results[0] == results[2]);
 }
 
-TEST_CASE("internal force: a bond breaks at both of its ends, for ever, and no other breaks") {
+TEST_CASE("internal force: bond failure is irreversible, acts at both ends, and affects no other bond") {
   for (fixtures::NamedOptions one : fixtures::every_body()) {
     BodyOptions& options = one.options;
     CAPTURE(one.name);
@@ -345,7 +345,7 @@ TEST_CASE("internal force: a bond breaks at both of its ends, for ever, and no o
     CHECK(intact_ends == 2 * solid.family.intact_bonds());
     const std::size_t broken = solid.internal.broken_bonds();
     CHECK(broken > 10);
-    fixtures::deform(solid, [](const Vec3d& X) { return X; });  // back in place: what is broken stays broken
+    fixtures::deform(solid, [](const Vec3d& X) { return X; });  // back to the reference positions: broken bonds stay broken
     solid.internal.evaluate(solid.particles, solid.family);
     CHECK(solid.internal.broken_bonds() == broken);
     CHECK(solid.family.intact_bonds() + broken == solid.family.initial_bonds());
@@ -363,7 +363,7 @@ TEST_CASE("internal force: compression breaks no bond, and without a critical st
   CHECK(drawn.family.intact_bonds() == drawn.family.initial_bonds());
 }
 
-TEST_CASE("internal force: where the factors of all bonds are 1, the corrected kernel gives the same bits as the plain one") {
+TEST_CASE("internal force: where the factors of all bonds are 1, the corrected kernel is bitwise identical to the plain one") {
   Body corrected = body({.size = {0.034, 0.021, 0.021}}), uncorrected = body({.size = {0.034, 0.021, 0.021}, .correction = SurfaceCorrection::none});
   fixtures::shake(corrected, 1e-6), fixtures::shake(uncorrected, 1e-6);
   corrected.internal.evaluate(corrected.particles, corrected.family);

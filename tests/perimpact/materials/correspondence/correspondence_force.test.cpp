@@ -17,7 +17,7 @@ using fixtures::Model;
 
 namespace {
 
-/// Correspondence in every dimension on every kind of points, with both laws.
+/// Correspondence in 3-D and 2-D, on lattices and clouds, with both laws.
 std::vector<fixtures::NamedOptions> every_correspondence(const Vec3d& size) {
   std::vector<fixtures::NamedOptions> all;
   for (fixtures::NamedOptions& one : fixtures::every_body(size))
@@ -42,7 +42,7 @@ std::vector<Vec3d> forces(Body& body) {
   return all;
 }
 
-/// All bits of the bonds, as a checkpoint holds them.
+/// All bond flags, as stored in a checkpoint.
 std::vector<std::uint8_t> bonds_of(Body& body) {
   std::vector<std::uint8_t> bits;
   body.family.visit_state("", [&](const std::string&, std::span<std::uint8_t> values) { bits.assign(values.begin(), values.end()); });
@@ -56,7 +56,7 @@ void cut_at_random(Body& body, double share) {
   body.family.cut([share](std::size_t i, std::size_t j) { return fixtures::drawn(i, j) < share; });
 }
 
-/// Compares forces with central differences of the energy that the body itself reports, at some particles.
+/// Compares forces with central differences of the reported energy, at some particles.
 void check_gradient(Body& solid, double h, double tolerance) {
   const auto force = forces(solid);
   const double scale = largest_force(solid);
@@ -74,8 +74,8 @@ void check_gradient(Body& solid, double h, double tolerance) {
     }
 }
 
-/// Stiffness of a bar of 4 × 4 particles in bending or torsion, over that of Saint-Venant's theory. Three layers at each end are displaced as the theory
-/// says, the others are brought to equilibrium by conjugate gradients; then the moment at one end is compared with the curvature, or twist, of the middle.
+/// Stiffness of a bar of 4 × 4 particles in bending or torsion, over that of Saint-Venant's theory. Three layers at each end are displaced according
+/// to the theory, the others are brought to equilibrium by conjugate gradients; the moment at one end is compared with the curvature, or twist, at the middle.
 double stiffness_of_bar(Stabilisation stabilisation, bool torsion) {
   BodyOptions options = correspondence({0.032, 0.004, 0.004});
   options.stabilisation = stabilisation;
@@ -142,15 +142,15 @@ double stiffness_of_bar(Stabilisation stabilisation, bool torsion) {
 
 }  // namespace
 
-TEST_CASE("correspondence: a bar of four layers bends and twists as Saint-Venant's does, which the gradient of one end alone does not let it") {
-  // what is left is of the order (δ/H)², with δ/H = 3/4: -10 % and +8 %
+TEST_CASE("correspondence: a bar of four layers bends and twists as Saint-Venant's, which one-sided gradients do not permit") {
+  // the error is of the order (δ/H)², with δ/H = 3/4: -10 % and +8 %
   CHECK(stiffness_of_bar(Stabilisation::bond_level, false) == fixtures::relative(1, 0.11));
   CHECK(stiffness_of_bar(Stabilisation::bond_level, true) == fixtures::relative(1, 0.11));
   CHECK(stiffness_of_bar(Stabilisation::wan, false) > 4);
   CHECK(stiffness_of_bar(Stabilisation::wan, true) > 5);
 }
 
-TEST_CASE("correspondence: uniform strain, however large, has exactly the energy of the classical law, on every kind of points") {
+TEST_CASE("correspondence: uniform strain of any size has exactly the energy of the classical law, on lattices and clouds") {
   const Mat3 dilated = Mat3::diagonal({1.1, 1.1, 1.1}), drawn = Mat3::diagonal({1.2, 0.95, 1.0}), sheared{{{1, 0.3, 0}, {0, 1, 0}, {0, 0, 1}}},
              turned{{{0, -1.05, 0}, {1, 0, 0}, {0, 0, 1}}};
   for (const fixtures::NamedOptions& one : every_correspondence({0.006, 0.005, 0.004})) {
@@ -163,7 +163,7 @@ TEST_CASE("correspondence: uniform strain, however large, has exactly the energy
       fixtures::deform(solid, [&](const Vec3d& X) { return F * X; });
       const Mat3 C = transpose(F) * F;
       const IsotropicElastic& elastic = solid.internal.correspondence()->elastic();
-      // a symmetric matrix of two dimensions beside an eigenvalue of its own
+      // block diagonal: a symmetric 2 × 2 matrix and a third eigenvalue
       const double mean = 0.5 * (C.row[0].x + C.row[1].y), radius = std::hypot(0.5 * (C.row[0].x - C.row[1].y), C.row[0].y);
       double volume = 0, squares = 0;
       for (const double c : {mean + radius, mean - radius, C.row[2].z}) {
@@ -171,13 +171,13 @@ TEST_CASE("correspondence: uniform strain, however large, has exactly the energy
         volume += strain, squares += strain * strain;
       }
       const double density = 0.5 * elastic.lame_modulus() * volume * volume + elastic.shear_modulus() * squares;
-      // gradients are sums of a hundred terms, good to 1e-15 or so, of strains of 0.05 and more
+      // gradients are sums of a hundred terms, accurate to about 1e-15, with strains of 0.05 and more
       CHECK(solid.internal.evaluate_with_energy(solid.particles, solid.family) == fixtures::relative(density * total_volume(solid), 1e-12));
     }
   }
 }
 
-TEST_CASE("correspondence: under uniform strain nothing pulls at the particles inside a lattice") {
+TEST_CASE("correspondence: under uniform strain no force acts on interior particles of a lattice") {
   for (const PlaneState plane : {PlaneState::none, PlaneState::stress})
     for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff}) {
       BodyOptions options = correspondence(plane == PlaneState::none ? Vec3d{0.021, 0.021, 0.021} : Vec3d{0.023, 0.022, 0.001});
@@ -187,7 +187,7 @@ TEST_CASE("correspondence: under uniform strain nothing pulls at the particles i
       solid.internal.evaluate(solid.particles, solid.family);
       const Lattice& lattice = *solid.particles.lattice();
       const std::size_t middle =
-          lattice.slot(10, 10, plane == PlaneState::none ? 10 : 0);  // three horizons from the surface: families of its neighbours' neighbours are whole
+          lattice.slot(10, 10, plane == PlaneState::none ? 10 : 0);  // three horizons from the surface: families of its neighbours' neighbours are complete
       // at the surface the stress of 0.03 E ends within a spacing; inside it is rounding of that
       CHECK(largest_force(solid) > 1e-3 * fixtures::youngs_modulus / options.spacing);
       CHECK(fccda::largest_magnitude(solid.particles.force_density.at(middle)) < 1e-14 * fixtures::youngs_modulus / options.spacing);
@@ -216,7 +216,7 @@ TEST_CASE("correspondence: a checkerboard has no strain, and only the stabilisat
   }
 }
 
-TEST_CASE("correspondence: Wan's number is his tensor in a whole family, and Silling's is 18κ/(πδ⁵)/2 for the influence one") {
+TEST_CASE("correspondence: Wan's constant equals his tensor in a complete family, and Silling's is 18κ/(πδ⁵)/2 for constant influence") {
   BodyOptions options = correspondence({0.015, 0.009, 0.009});
   options.stabilisation = Stabilisation::wan;
   Body solid = body(options);
@@ -234,7 +234,7 @@ TEST_CASE("correspondence: Wan's number is his tensor in a whole family, and Sil
   CHECK(law.stabilisation(trace(inverse)) == fixtures::relative(kappa * trace(inverse), 1e-12));
 }
 
-TEST_CASE("correspondence: forces follow the bonds, whoever took them away or put them back") {
+TEST_CASE("correspondence: forces depend on the current bonds alone, whatever cut or restored them") {
   for (const fixtures::NamedOptions& one : every_correspondence({0.006, 0.005, 0.004})) {
     const BodyOptions& options = one.options;
     CAPTURE(one.name);
@@ -245,7 +245,7 @@ TEST_CASE("correspondence: forces follow the bonds, whoever took them away or pu
     cut_at_random(solid, 0.3);
     const auto cut = forces(solid);
     CHECK(cut != at_first);
-    Body resumed = body(options);  // as a checkpoint does it: a body made anew gets the bonds that it had
+    Body resumed = body(options);  // as on restart: a new body gets the stored bonds
     fixtures::shake(resumed, 1e-5);
     put_bonds(resumed, bonds_of(solid));
     CHECK(forces(resumed) == cut);
@@ -254,18 +254,18 @@ TEST_CASE("correspondence: forces follow the bonds, whoever took them away or pu
   }
 }
 
-TEST_CASE("correspondence: a body without nine tenths of its bonds still has the gradient of its energy for a force") {
+TEST_CASE("correspondence: with nine tenths of its bonds broken, the force of a body is still the gradient of its energy") {
   for (const fixtures::NamedOptions& one : every_correspondence({0.006, 0.005, 0.004})) {
     const BodyOptions& options = one.options;
     CAPTURE(one.name);
     Body solid = body(options);
     cut_at_random(solid, 0.9);
     fixtures::shake(solid, 1e-5);
-    check_gradient(solid, 1e-8, 1e-5);  // as in the test of whole families
+    check_gradient(solid, 1e-8, 1e-5);  // as in the test of complete families
   }
 }
 
-TEST_CASE("correspondence: families squeezed flat or turned inside out have finite forces, still the gradient of the energy") {
+TEST_CASE("correspondence: flattened or inverted families have finite forces, still the gradient of the energy") {
   for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff})
     for (const double z : {0.05, 0.0, -0.4}) {
       CAPTURE(z);
@@ -275,11 +275,11 @@ TEST_CASE("correspondence: families squeezed flat or turned inside out have fini
       fixtures::deform(solid, [&](const Vec3d& X) { return Vec3d{1.1 * X.x, 0.9 * X.y, z * X.z}; });
       fixtures::shake(solid, 1e-5);
       CHECK(largest_force(solid) < 1e6 * fixtures::youngs_modulus);
-      check_gradient(solid, 1e-8, 1e-4);  // the second derivative jumps where the tangent takes over
+      check_gradient(solid, 1e-8, 1e-4);  // the second derivative jumps at the transition to the tangent
     }
 }
 
-TEST_CASE("correspondence: particles whose bonds span no volume have no stress, and four that do have one") {
+TEST_CASE("correspondence: particles whose bonds span no volume have no stress, four whose bonds do have one") {
   const double h = 0.001;
   const auto force_of = [&](const std::vector<Vec3d>& points, std::optional<double> thickness = {}) {
     Cloud cloud{.points = points, .volumes = std::vector<double>(points.size(), h * h * thickness.value_or(h)), .thickness = thickness};
@@ -300,13 +300,13 @@ TEST_CASE("correspondence: particles whose bonds span no volume have no stress, 
   CHECK(force_of({{0, 0, 0}}) == 0);
   CHECK(force_of({{0, 0, 0}, {h, 0, 0}}) == 0);
   CHECK(force_of({{0, 0, 0}, {h, 0, 0}, {0, h, 0}}) == 0);
-  CHECK(force_of({{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {h, 1.3 * h, 0}, {-h, 0.7 * h, 0}}) == 0);  // all in one plane, at odd places
+  CHECK(force_of({{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {h, 1.3 * h, 0}, {-h, 0.7 * h, 0}}) == 0);  // all in one plane, at irregular positions
   CHECK(force_of({{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {0, 0, h}}) > 1e-3 * fixtures::youngs_modulus / h);
   CHECK(force_of({{0, 0, 0}, {h, 0, 0}, {2 * h, 0, 0}}, h) == 0);
   CHECK(force_of({{0, 0, 0}, {h, 0, 0}, {0, h, 0}}, h) > 1e-3 * fixtures::youngs_modulus / h);
 }
 
-TEST_CASE("correspondence: a body one particle thick is refused unless it is plane") {
+TEST_CASE("correspondence: a body one particle thick is rejected unless it is 2-D") {
   BodyOptions sheet = correspondence({0.010, 0.007, 0.001});
   try {
     body(sheet);

@@ -58,7 +58,7 @@ void check_gradient(StressLaw law, double size, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("stress laws: the stress is twice the derivative of the energy by C, for small strains and for large ones") {
+TEST_CASE("stress laws: the stress is twice the derivative of the energy with respect to C, for small and large strains") {
   for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff})
     for (const double size : {0.01, 0.4}) {  // by the series, by eigenvalues
       CAPTURE(size);
@@ -79,13 +79,13 @@ TEST_CASE("stress laws: the energy is quadratic in the principal strains of the 
       const double ln = 0.5 * std::log(value), green = 0.5 * (value - 1);
       ln_volume += ln, ln_squares += ln * ln, green_volume += green, green_squares += green * green;
     }
-    // eigenvalues of the oracle, which come from a cubic, are good to 1e-9 where two are alike
+    // eigenvalues of the reference, from a cubic, are accurate to 1e-9 where two are nearly equal
     CHECK(stress(StressLaw::hencky, x).energy == fixtures::relative(0.5 * lambda * ln_volume * ln_volume + mu * ln_squares, 1e-9));
     CHECK(stress(StressLaw::st_venant_kirchhoff, x).energy == fixtures::relative(0.5 * lambda * green_volume * green_volume + mu * green_squares, 1e-9));
   }
 }
 
-TEST_CASE("stress laws: the logarithm by series and by eigenvalues agree where one takes over from the other") {
+TEST_CASE("stress laws: the logarithm by series and by eigenvalues agree at the transition") {
   std::mt19937_64 random(4);
   for (int trial = 0; trial < 100; ++trial) {
     Matrix<3> x = random_strain<3>(random, 0.1);
@@ -93,14 +93,14 @@ TEST_CASE("stress laws: the logarithm by series and by eigenvalues agree where o
     for (auto& row : x.m)
       for (double& element : row) element *= size;
     const auto series = hencky::by_series(x, lambda, mu), exact = hencky::by_eigenvalues(x, lambda, mu);
-    // the first term left out is 4e-17 of the strain; eigenvalues are good to 1e-16 of the largest, 0.1: a few roundings
+    // the first neglected term is 4e-17 of the strain; eigenvalues are accurate to 1e-16 of the largest, 0.1
     CHECK(series.energy == fixtures::relative(exact.energy, 1e-14));
     for (std::size_t r = 0; r < 3; ++r)
       for (std::size_t s = 0; s < 3; ++s) CHECK(std::fabs(series.second.m[r][s] - exact.second.m[r][s]) < 1e-15);
   }
 }
 
-TEST_CASE("stress laws: particles of a pack have the stress that they have alone, whichever way the logarithm is found") {
+TEST_CASE("stress laws: particles of a pack have the same stress as single ones, with the logarithm by series or by eigenvalues") {
   using Pack = fccda::NativePack;
   constexpr std::size_t width = fccda::lanes<Pack>;
   std::mt19937_64 random(5);
@@ -128,7 +128,7 @@ TEST_CASE("stress laws: particles of a pack have the stress that they have alone
   }
 }
 
-TEST_CASE("stress laws: what is squeezed flat, or flatter than flat, still has a finite stress, the derivative of a finite energy") {
+TEST_CASE("stress laws: flattened or inverted states have a finite stress, the derivative of a finite energy") {
   for (const double c : {0.02, 0.011, 0.01, 0.009, 0.0, -1e-9}) {
     CAPTURE(c);
     const auto of = [](double zz) {
@@ -142,7 +142,7 @@ TEST_CASE("stress laws: what is squeezed flat, or flatter than flat, still has a
   }
 }
 
-TEST_CASE("stress laws: plane stress is the law of two dimensions with the constants of the plane") {
+TEST_CASE("stress laws: plane stress is the two-dimensional law with the plane-stress constants") {
   const IsotropicElastic solid{2.0, 0.3}, plane = IsotropicElastic::in(Plane::stress, 2.0, 0.3);
   std::mt19937_64 random(6);
   for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff})

@@ -37,7 +37,7 @@ double classical_energy(const IsotropicElastic& elastic, const Vec3d& normal, do
 
 }  // namespace
 
-TEST_CASE("stencil sums: families have the published share of the horizon's volume") {
+TEST_CASE("stencil sums: families have the published fraction of the horizon volume") {
   const double sphere = 4.0 / 3.0 * std::numbers::pi * std::pow(ratio * spacing, 3), disc = std::numbers::pi * std::pow(ratio * spacing, 2) * thickness;
   const auto volume = [](Plane plane, FamilyRule rule) { return sums_of(stencil_in(plane, rule), madenci_oterkus_influences, 0.25).volume; };
   // physics notes, table 1.6, three decimals
@@ -47,7 +47,7 @@ TEST_CASE("stencil sums: families have the published share of the horizon's volu
   CHECK(volume(Plane::strain, FamilyRule::hu_ha_bobaru) / disc == fixtures::relative(0.967, 0.001));
 }
 
-TEST_CASE("stencil sums: with continuum constants the lattice has the energies of the published table, in space and in the plane") {
+TEST_CASE("stencil sums: with continuum constants the lattice has the energies of the published table, in 3-D and 2-D") {
   // W_lattice/W_classical of table 1.6, three decimals: uniform dilatation, uniaxial strain, shear; bond-based
   struct Row {
     Plane plane;
@@ -71,7 +71,7 @@ TEST_CASE("stencil sums: with continuum constants the lattice has the energies o
   }
 }
 
-TEST_CASE("stencil sums: normalised on the lattice, a pull along an axis has exactly its Young's modulus and uniform strain its dilatation") {
+TEST_CASE("stencil sums: normalised on the lattice, uniaxial tension along an axis has exactly Young's modulus and uniform strain its dilatation") {
   for (const Plane plane : {Plane::none, Plane::stress, Plane::strain})
     for (const FamilyRule rule : {FamilyRule::madenci_oterkus, FamilyRule::hu_ha_bobaru})
       for (const double nu : {-0.2, 0.2, 0.25, 0.3, 0.4, 0.49}) {
@@ -90,7 +90,7 @@ TEST_CASE("stencil sums: normalised on the lattice, a pull along an axis has exa
 }
 
 TEST_CASE("stencil sums: energies of dilatation, uniaxial strain and shear are classical within the lattice's anisotropy, for every influence") {
-  // Normalised on a pull along an axis, what is left is the anisotropy of the sums Σ ω n_x⁴ and Σ ω n_x² n_y² on this lattice. It grows the
+  // Normalised on uniaxial tension along an axis, the error is the anisotropy of the sums Σ ω n_x⁴ and Σ ω n_x² n_y² on this lattice. It grows the
   // fewer bonds count; the worst of these cases is shear at ν = 0.4 (docs/theory/ordinary_state.md has the table).
   struct Row {
     Influences influences;
