@@ -21,7 +21,7 @@ def free_plate(**changes):
 def as_body_force(test):
     density = [3e7, 0, -1e7]  # [N/m3]
     deck = free_plate()
-    deck["bodies"]["plate"]["boundaries"] = {"push": {"body_force": {"force_density": density}}}
+    deck["bodies"]["plate"]["boundary_conditions"] = {"push": {"body_force": {"force_density": density}}}
     ours = perimpact.Simulation(free_plate(), forces={"plate": {"push": lambda time, body: density}})
     theirs = perimpact.Simulation(deck)
     ours.run(), theirs.run()
