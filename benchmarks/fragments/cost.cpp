@@ -2,8 +2,8 @@
 ///
 ///   fragments_cost --threads 1
 ///
-/// A plate of 100 × 60 × 12 particles; in 0, 5, 25 and 100 % of it, from one end, all bonds are broken and the particles move randomly at a hundredth of
-/// the speed of sound and collide. The steps are those of Simulation::step(), and the times those of its timers.
+/// A plate of 100 × 60 × 12 particles; in 0, 5, 25 and 100 % of it, from one end, all bonds are broken and the particles move randomly at a
+/// hundredth of the speed of sound and collide. The steps are those of Simulation::step(), and the times those of its timers.
 
 #include <fmt/format.h>
 
