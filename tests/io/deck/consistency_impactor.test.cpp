@@ -156,8 +156,8 @@ TEST_CASE("consistency of impactors: panels are made smaller and larger as the d
 TEST_CASE("consistency of impactors: an angle of panels is less than half a turn, and written with its unit") {
   check_refused(
       "refine: {round: {edge_length: 1 mm, angle: 10}}", "10}}",
-      "angle is 10, but it must be above 0 and below 3.141592653589793. An angle such as 10 deg: only where the surface curves, panels become so small "
-      "that they turn by it at most, but not smaller than panel; at creases they are that small. Where absent, curved or not.");
+      "angle is 10, but it must be above 0 and below 3.141592653589793. Restricts refinement to curved areas: panels are refined until they turn by at most "
+      "this angle, for example 10 deg, but not below edge_length; creases are refined to edge_length. Where absent, flat areas are refined too.");
 }
 
 TEST_CASE("consistency of impactors: panels are changed only where the detector knows any") {

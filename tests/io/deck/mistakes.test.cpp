@@ -41,8 +41,8 @@ TEST_CASE("mistakes: a key given twice, at any level, with both places") {
 
 TEST_CASE("mistakes: missing keys, at the map that lacks them, with unit and meaning") {
   check_complaint({"    spacing: 0.001\n", "", "plate:",
-                   "bodies.plate lacks spacing [m], a length; for example spacing: 9 mm. Distance between neighbouring particles of the lattice. Shapes "
-                   "of points and cells have none, all others need it."});
+                   "bodies.plate lacks spacing [m], a length; for example spacing: 9 mm. Particle spacing Δ of the lattice. Required, except for the shapes "
+                   "points and cells, which have none."});
   check_complaint(
       {"time: {end: 200 us, step: 0.1 us}", "time: {}", "time:", "time lacks end [s], a time; for example end: 0.1 us. Time at which the run ends."});
   check_complaint({"    shape: {box: {size: [0.2, 0.1, 0.009]}}\n", "",
@@ -58,28 +58,29 @@ TEST_CASE("mistakes: missing keys, at the map that lacks them, with unit and mea
 }
 
 TEST_CASE("mistakes: a value of another type") {
-  check_complaint({"frames: 40", "frames: 40.5", "40.5", "frames is 40.5, but a whole number is needed. Number of pictures after the one at t = 0. 0: none."});
+  check_complaint(
+      {"frames: 40", "frames: 40.5", "40.5", "frames is 40.5, but a whole number is needed. Number of output frames after the one at t = 0. 0: none."});
   check_complaint({"0.001\n", "[0.001]\n", "[0.001]", "spacing is a list, but a length is needed, for example 9 mm."});
   check_complaint({"spacing: 0.001", "spacing: thick", "thick", "spacing is thick, but that is not a number; write a length, for example 9 mm."});
   check_complaint({"spacing: 0.001", "spacing:", "spacing:",
-                   "spacing has no value; write one, or leave the key out. Distance between neighbouring particles of the lattice. "
-                   "Shapes of points and cells have none, all others need it."});
+                   "spacing has no value; write one, or leave the key out. Particle spacing Δ of the lattice. Required, except for the shapes points and "
+                   "cells, which have none."});
   check_complaint(
       {"[0, -32, 0]", "[0, -32]", "[0, -32]",
-       "velocity has 2 numbers, but three are needed: [x, y, z]. Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."});
+       "velocity has 2 numbers, but three are needed: [x, y, z]. Velocity of the centre of mass at t = 0; constrained degrees of freedom keep it."});
   check_complaint(
       {"[0, -32, 0]", "-32", "-32",
-       "velocity is -32, but three numbers are needed: [x, y, z]. Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."});
+       "velocity is -32, but three numbers are needed: [x, y, z]. Velocity of the centre of mass at t = 0; constrained degrees of freedom keep it."});
   check_complaint({"[0, -32, 0]", "[0, fast, 0]", "fast", "y of velocity is fast, but that is not a number; write a velocity, for example 32 m/s."});
   check_complaint({"free_dofs: [y]", "free: y", "y  ",
-                   "free is y, but a list is needed, such as [a, b]. Degrees of freedom that contact and loads may change, of x, y, z, rx, ry, rz. "
-                   "The others keep their given velocity, or follow motion."});
+                   "free is y, but a list is needed, such as [a, b]. Free degrees of freedom, which contact and loads may change, of x, y, z, rx, ry, rz. The "
+                   "others keep their given velocity or follow motion."});
   check_complaint(
       {"time: {end: 200 us, step: 0.1 us}", "time: 200 us", "200 us", "time is \"200 us\", but a map of keys is needed; perimpact describe time lists them."});
-  check_complaint({"title: Rigid", "title: [a]\n#", "[a]", "title is a list, but text is needed. One line that says what is simulated."});
+  check_complaint({"title: Rigid", "title: [a]\n#", "[a]", "title is a list, but text is needed. One line that describes the simulation."});
   check_complaint({"    spacing: 0.001", "    spacing: 0.001\n    published: yes", "yes",
-                   "published is yes, but true or false is needed. true: the discretisation of the seed "
-                   "paper, that is family madenci-oterkus, normalisation continuum, surface_correction none; the three may then not be given."});
+                   "published is yes, but true or false is needed. true: the discretisation of Zhang et al. (the FCCDA paper), that is family madenci-oterkus, "
+                   "normalisation continuum, surface_correction none; these keys must then be absent."});
 }
 
 TEST_CASE("mistakes: a value with the wrong unit") {
@@ -92,19 +93,19 @@ TEST_CASE("mistakes: a value with the wrong unit") {
 }
 
 TEST_CASE("mistakes: a value out of range, with the range in words") {
-  check_complaint({"mass: 1.57", "mass: -2 t", "-2 t", "mass is \"-2 t\", but it must be above 0. Mass; or give the density."});
-  check_complaint({"3.015", "1.5", "1.5", "horizon_ratio is 1.5, but it must be from 2 to 6. Horizon δ in spacings."});
-  check_complaint({"friction: 0", "friction: -0.1", "-0.1",
-                   "friction is -0.1, but it must be at least 0. Coulomb's coefficient of friction between particles and impactors. "
-                   "The published detector takes 0 only."});
-  check_complaint({"0.1, 0.009", "0, 0.009", "0, 0.009",
-                   "y of size is 0, but it must be above 0. Edge lengths in x, y and z. Of a body that is just this box, whole multiples of the spacing."});
-  check_complaint({"edge_length: 0.001", "edge_length: 0", "0}}   #",
-                   "panel is 0, but it must be above 0. Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles "
-                   "reach 1.41 times it."});
+  check_complaint({"mass: 1.57", "mass: -2 t", "-2 t", "mass is \"-2 t\", but it must be above 0. Mass; alternatively, give the density."});
+  check_complaint({"3.015", "1.5", "1.5", "horizon_ratio is 1.5, but it must be from 2 to 6. Horizon δ over the particle spacing, m = δ/Δ."});
   check_complaint(
-      {"[0.05, 0.05, 0.01]", "[0.05, 0.05, -0.01]", "-0.01", "z of size is -0.01, but it must be above 0. Edge lengths along the surface's own axes."});
-  check_complaint({"frames: 40", "frames: -1", "-1", "frames is -1, but it must be from 0 to 100000. Number of pictures after the one at t = 0. 0: none."});
+      {"friction: 0", "friction: -0.1", "-0.1",
+       "friction is -0.1, but it must be at least 0. Coulomb friction coefficient between particles and impactors. The published detector requires 0."});
+  check_complaint({"0.1, 0.009", "0, 0.009", "0, 0.009",
+                   "y of size is 0, but it must be above 0. Edge lengths in x, y and z; whole multiples of the spacing if the body is only this box."});
+  check_complaint(
+      {"edge_length: 0.001", "edge_length: 0", "0}}   #",
+       "panel is 0, but it must be above 0. Longest panel edge around, along and between the rings of the caps; diagonals of triangles reach 1.41 times it."});
+  check_complaint({"[0.05, 0.05, 0.01]", "[0.05, 0.05, -0.01]", "-0.01", "z of size is -0.01, but it must be above 0. Edge lengths along the surface's axes."});
+  check_complaint(
+      {"frames: 40", "frames: -1", "-1", "frames is -1, but it must be from 0 to 100000. Number of output frames after the one at t = 0. 0: none."});
 }
 
 TEST_CASE("mistakes: a word that is no choice") {

@@ -38,8 +38,8 @@ TEST_CASE("overrides: mistakes are told at the --set that made them") {
   CHECK(complaint(plate, {"bodies.plat.spacing=1"}) == "--set bodies.plat.spacing: the deck has no bodies.plat; did you mean plate?");
   CHECK(complaint(plate, {"time.step=3 m"}) == "--set time.step: step is \"3 m\", but that is a length; write a time, for example 0.1 us.");
   CHECK(complaint(plate, {"time.step="}) ==
-        "--set time.step: step has no value; write one, or leave the key out. Time step. Where absent, 0.9 times the stable estimate of Silling and Askari "
-        "over all bodies.");
+        "--set time.step: step has no value; write one, or leave the key out. Time step. Where absent, 0.9 times the stable time step estimated after Silling "
+        "and Askari, the smallest over all bodies.");
   CHECK(complaint(plate, {"time.step.x=3"}) == "--set time.step.x: time.step is \"0.1 us\", not a map, so nothing in it can be set; set time.step itself.");
   CHECK(complaint(plate, {"time"}) == "--set time: a key path, = and a value are needed, for example --set output.frames=0.");
   CHECK(complaint(plate, {"=3"}) == "--set =3: a key path, = and a value are needed, for example --set output.frames=0.");

@@ -73,16 +73,13 @@ TEST_CASE("solids in a deck: points are read from their file, cells have its pat
 TEST_CASE("solids in a deck: a corner of a crack is three lengths") {
   const std::string crack = "    cracks: {notch: {polygon: ";
   check_complaint({"    spacing:", crack + "[[0, 0, 0], [1, 0]]}}\n    spacing:", "[1, 0]",
-                   "point 2 of polygon has 2 numbers, but three are needed: [x, y, z]. Corners of a "
-                   "plane polygon in order around it, from the body's position and along its axes; in a plane body the two ends of a line. Bonds that cross or "
-                   "touch it are "
-                   "cut."});
+                   "point 2 of polygon has 2 numbers, but three are needed: [x, y, z]. Corners of a plane polygon in order, relative to the body's position "
+                   "and in its axes; in a plane body the two ends of a line. Bonds that cross or touch it are cut."});
   check_complaint({"    spacing:", crack + "[[0, 0, 1 s]]}}\n    spacing:", "1 s]",
                    "z of point 1 of polygon is \"1 s\", but that is a time; write a length, for example 9 mm."});
   check_complaint({"    spacing:", crack + "3}}\n    spacing:", "3}}",
-                   "polygon is 3, but a list is needed, such as [[0, 0, 0], [1, 0, 0], [1, 1, 0]]. Corners of a plane "
-                   "polygon in order around it, from the body's position and along its axes; in a plane body the two ends of a line. Bonds that cross or touch "
-                   "it are cut."});
+                   "polygon is 3, but a list is needed, such as [[0, 0, 0], [1, 0, 0], [1, 1, 0]]. Corners of a plane polygon in order, relative to the body's "
+                   "position and in its axes; in a plane body the two ends of a line. Bonds that cross or touch it are cut."});
 }
 
 TEST_CASE("solids in a deck: only a single box has to be whole spacings") {
