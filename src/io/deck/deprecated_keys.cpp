@@ -9,7 +9,7 @@ namespace perimpact::deck {
 
 namespace {
 
-/// A key in the map at `path`. In paths `*` stands for any key, so for a name that the deck chose.
+/// A key in the map at `path`. In paths `*` matches any key, and thus names chosen in the deck.
 struct RenamedKey {
   std::string_view path, old_name, name;
 };
@@ -19,7 +19,7 @@ struct RenamedWord {
   std::string_view path, old_word, word;
 };
 
-// Paths are written in current names: the map that a path leads to was reached after the keys above it were renamed.
+// Paths use current names, because keys are renamed from the top down.
 constexpr RenamedKey renamed_keys[] = {
     {"time.relax", "most_iterations", "max_iterations"},
     {"bodies.*", "parts", "add"},
@@ -126,7 +126,8 @@ class Renamer {
       return;
     }
     if (is_override(into)) return;
-    if (!is_override(from)) refuse(place, fmt::format("`{}` is the former name of `{}`, and the deck gives both; keep `{}`.", key.old_name, key.name, key.name));
+    if (!is_override(from))
+      refuse(place, fmt::format("`{}` is the former name of `{}`, and the deck gives both; keep `{}`.", key.old_name, key.name, key.name));
     into = std::move(from);
   }
 

@@ -35,7 +35,7 @@ TEST_CASE("describe: a key is found by its whole path, with any name or none, an
     CHECK_MESSAGE(describe(path) == poissons_ratio, path);
 }
 
-TEST_CASE("describe: a map is told with all below it") {
+TEST_CASE("describe: a map is listed with all its keys") {
   CHECK(
       describe("time") ==
       "time: map, required\n    Duration of the run and time step.\n  end: number [s], above 0, required\n      Time at which the run ends.\n  step: number "
@@ -51,18 +51,18 @@ TEST_CASE("describe: a map is told with all below it") {
   CHECK(describe("surface").find("one of cylinder, sphere, box, hull, propeller, file") != std::string::npos);
 }
 
-TEST_CASE("describe: a key that stands in several places is told for each") {
+TEST_CASE("describe: a key in several maps is listed for each") {
   const std::string text = describe("diameter");
   CHECK(text.find("impactors.<name>.surface.cylinder.diameter: ") != std::string::npos);
   CHECK(text.find("impactors.<name>.surface.sphere.diameter: ") != std::string::npos);
 }
 
-TEST_CASE("describe: nothing asked is everything told") {
+TEST_CASE("describe: without a path all keys are listed") {
   const std::string all = describe("");
   for (const auto& entry : perimpact::deck::reference()) CHECK_MESSAGE(all.find(std::string(entry.key()) + ": ") != std::string::npos, entry.path);
 }
 
-TEST_CASE("describe: an unknown key gets a suggestion") {
+TEST_CASE("describe: an unknown key yields a suggestion") {
   CHECK(complaint("bodies.poisson_ratio") == "bodies.poisson_ratio: a deck has no such key; did you mean poissons_ratio?");
   CHECK(complaint("colour") == "colour: a deck has no such key; perimpact describe lists all.");
   CHECK(complaint("..") != "");
@@ -75,6 +75,6 @@ TEST_CASE("describe: the deck reference of the guide is up to date (perimpact de
   CHECK(is_up_to_date);
 }
 
-TEST_CASE("reference: every key has a sentence, but for maps whose name says all") {
+TEST_CASE("reference: every key except maps has a sentence") {
   for (const auto& entry : perimpact::deck::reference()) CHECK_MESSAGE((entry.is_map || !entry.sentence.empty()), entry.path);
 }

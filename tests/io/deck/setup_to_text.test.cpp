@@ -375,7 +375,7 @@ TEST_CASE("setup to text: the plate reads back from its own run.json") {
   check_same(setup, read(deck::setup_to_text(setup)).setup);
 }
 
-TEST_CASE("setup to text: any setup reads back to the same bits") {
+TEST_CASE("setup to text: any setup reads back bitwise identical") {
   Random random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const Setup setup = some_setup(random);
@@ -385,7 +385,7 @@ TEST_CASE("setup to text: any setup reads back to the same bits") {
   }
 }
 
-TEST_CASE("setup to text: text is escaped as JSON demands, and absent values are left out") {
+TEST_CASE("setup to text: text is escaped as JSON requires, and absent values are omitted") {
   Setup setup = read(fixtures::plate).setup;
   setup.title = "a \"b\" \\ \n é";
   setup.time.step.reset();
