@@ -1,4 +1,4 @@
-"""Impactors that float: what check foretells, and what a run leaves behind."""
+"""Impactors that float: what check foretells, and the results of a run."""
 
 import math
 
@@ -41,10 +41,10 @@ def _(t):
         return next(line for line in out.splitlines() if line.startswith("  in water"))
 
     begins = "  in water          "
-    t.assertEqual(line(), begins + "floats at rest: displaces 500 kg with a draught of 0.25 m, net force +0 N upward; as it is turned, it rests at a draught of 0.25 m")
-    t.assertEqual(line(("position: [0, 0, 0]", "position: [0, 0, -0.1 m]")), begins + "rises: displaces 700 kg with a draught of 0.35 m, net force +1962 N upward; as it is turned, it rests at a draught of 0.25 m")
-    t.assertEqual(line(("position: [0, 0, 0]", "position: [0, 0, 3 m]")), begins + "settles: displaces 0 kg with a draught of -2.75 m, net force -4905 N upward; as it is turned, it rests at a draught of 0.25 m")
-    t.assertEqual(line(("mass: 500 kg", "mass: 1500 kg"), ("position: [0, 0, 0]", "position: [0, 0, -3 m]")), begins + "sinks: displaces 1000 kg with a draught of 3.25 m, net force -4905 N upward; it is heavier than all the water that it can displace")
+    t.assertEqual(line(), begins + "floats at rest: displaces 500 kg at a draft of 0.25 m, net force +0 N upward; in this attitude it floats at a draft of 0.25 m")
+    t.assertEqual(line(("position: [0, 0, 0]", "position: [0, 0, -0.1 m]")), begins + "rises: displaces 700 kg at a draft of 0.35 m, net force +1962 N upward; in this attitude it floats at a draft of 0.25 m")
+    t.assertEqual(line(("position: [0, 0, 0]", "position: [0, 0, 3 m]")), begins + "settles: displaces 0 kg at a draft of -2.75 m, net force -4905 N upward; in this attitude it floats at a draft of 0.25 m")
+    t.assertEqual(line(("mass: 500 kg", "mass: 1500 kg"), ("position: [0, 0, 0]", "position: [0, 0, -3 m]")), begins + "sinks: displaces 1000 kg at a draft of 3.25 m, net force -4905 N upward; it is heavier than the water that it can displace")
 
 
 @claim("floating: history and run.json tell the water's force, the displaced mass, draughts and work, and the box bobs with the period of its waterplane")

@@ -124,7 +124,7 @@ def _(t):
 @claim("mistakes: an empty --out is refused")
 def _(t):
     for command in "check", "run":
-        t.expect_complaint(t.run_program(command, t.deck(), "--out", ""), 2, "--out is empty, which names no folder")
+        t.expect_complaint(t.run_program(command, t.deck(), "--out", ""), 2, "--out is empty; use --out .")
     t.assertEqual(t.files("."), ["deck.yaml"])
 
 

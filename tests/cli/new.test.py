@@ -1,4 +1,4 @@
-"""new: a deck to start from."""
+"""new: starter decks."""
 
 from claims import claim, main
 
@@ -29,10 +29,10 @@ def _(t):
 def _(t):
     deck, schema = t.folder / "plate.yaml", t.folder / "perimpact.schema.json"
     deck.write_text("mine")
-    t.expect_complaint(t.run_program("new", "plate"), 2, "plate.yaml is there already and stays as it is; ", "--force")
+    t.expect_complaint(t.run_program("new", "plate"), 2, "plate.yaml already exists; ", "--force")
     t.assertEqual((deck.read_text(), schema.exists()), ("mine", False))
     schema.write_text("mine too")
-    t.assertIn("perimpact.schema.json was there and stays", t.expect_success("new", "ship").out)
+    t.assertIn("perimpact.schema.json is kept", t.expect_success("new", "ship").out)
     t.assertEqual(schema.read_text(), "mine too")
     t.expect_success("new", "plate", "--force")
     t.assertNotEqual((deck.read_text(), schema.read_text()), ("mine", "mine too"))

@@ -113,7 +113,7 @@ def _(t):
 @claim("report: run writes it at its end and says where; without --no-report it is there, with it not, and a new run takes the old one away")
 def _(t):
     out = t.expect_success("run", t.deck(), "--out", "r").out
-    t.assertRegex(out, r"\n  r/report\.html  all of it, for the browser \(0\.\d MB\)\n$")
+    t.assertRegex(out, r"\n  r/report\.html  report for the browser \(0\.\d MB\)\n$")
     written = (t.folder / "r/report.html").read_bytes()
     t.expect_success("report", "r")
     t.assertEqual((t.folder / "r/report.html").read_bytes(), written)  # the same folder gives the same file
@@ -125,7 +125,7 @@ def _(t):
 def _(t):
     room = 500_000  # for all other files of this run, but not for the page
     out = t.expect_success("run", t.deck(), "--out", "r", limits={resource.RLIMIT_FSIZE: room}).out
-    t.assertRegex(out, r"\nwarning: there is no report of this run: r/report\.html cannot be written: .*\n$")
+    t.assertRegex(out, r"\nwarning: the report of this run could not be written: r/report\.html cannot be written: .*\n$")
     t.assertEqual(t.report("r")["outcome"], "finished")
     t.assertEqual([name for name in t.files("r") if "report" in name], [])
 

@@ -1,4 +1,4 @@
-"""A run that was stopped at any moment goes on from its checkpoint and ends with the very same numbers."""
+"""A restart from a checkpoint at any step is bitwise exact."""
 
 import random
 import re
@@ -66,7 +66,7 @@ def stopped_twice_and_resumed(t, name, which, chance):
         code, out = stop(t, which, chance.uniform(0, 0.1), name, "--out", "r", *resume, threads=threads)
         t.assertIn(code, (0, -9 if which == signal.SIGKILL else 128 + which), out)
         if code > 0:
-            t.assertIn("perimpact run deck.yaml --out r --resume goes on from here", out)
+            t.assertIn("resume with perimpact run deck.yaml --out r --resume", out)
         resume = ["--resume"]
     done = run(t, name, "--out", "r", *resume, threads=1)
     t.assertEqual(done.code, 0, done)
@@ -100,7 +100,7 @@ def _(t):
     out, err = process.communicate(timeout=60)
     t.assertEqual((process.returncode, err), (130, ""))
     step = int(re.search(r"\(step (\d+) of 600\)", out)[1])
-    command = re.search(r"; perimpact (run .*) goes on from here", out)[1]
+    command = re.search(r"; resume with perimpact (run .*)", out)[1]
     t.assertEqual(command, f"run deck.yaml --out 'it is here' --set 'impactors.cylinder.velocity=[0, -30, 0]' --set output.checkpoint_interval=0 --resume")
     done = run(t, name, "--out", "it is here", *changes, "--resume", threads=1)
     t.assertEqual((done.code, done.err), (0, ""))
@@ -154,13 +154,13 @@ def _(t):
     process.communicate()
     small = t.deck(name="small.yaml")
     done = run(t, small, "--out", "r")
-    t.assertRegex(done.out, r"The unfinished run in r \(step \d+ of \d+\) is replaced; --resume would have gone on with it\.")
+    t.assertRegex(done.out, r"The unfinished run in r \(step \d+ of \d+\) is replaced; --resume would have continued it\.")
     t.assertNotIn("unfinished", run(t, small, "--out", "r").out)
     t.expect_success("run", small, "--out", "fresh")
     expect_same(t, "r", "fresh")
 
 
-@claim("resume: an error says which the last checkpoint is, and after a full disk the run goes on from it")
+@claim("resume: an error names the last checkpoint, and after a full disk the run resumes from it")
 def _(t):
     # history.csv outgrows the checkpoint, and the limit
     name = deck(t, ("[100 mm, 60 mm, 20 mm]", "[30 mm, 60 mm, 20 mm]"), ("history_interval: 0.7 us", "history_interval: 0.05 us"))
@@ -170,13 +170,13 @@ def _(t):
     quick = ["--set", "output.checkpoint_interval=1 us"]
     done = t.run_program("run", name, "--out", "r", *quick, limits={resource.RLIMIT_FSIZE: room})
     t.expect_complaint(done, 3, "r/history.csv cannot be written", "ulimit -f")
-    t.assertRegex(done.err, r"The last checkpoint is that of step \d+; perimpact run deck\.yaml --out r --set 'output.checkpoint_interval=1 us' --resume goes on from it\.")
+    t.assertRegex(done.err, r"The last checkpoint is at step \d+; resume from it with perimpact run deck\.yaml --out r --set 'output.checkpoint_interval=1 us' --resume")
     t.expect_success("run", name, "--out", "r", "--resume")
     expect_same(t, "r", "whole")
     blows_up = t.deck(("end: 20 us", "end: 1 ms, step: 1.5 us"), ("-32 m/s", "-3200 m/s"), MORE, ("frames: 4", "frames: 0"))
     done = t.run_program("run", blows_up, "--out", "r2", *quick)
-    t.expect_complaint(done, 3, "At step ", "The last checkpoint is that of step ")
-    t.assertNotIn("goes on from it", done.err)
+    t.expect_complaint(done, 3, "At step ", "The last checkpoint is at step ")
+    t.assertNotIn("resume from it", done.err)
 
 
 main()

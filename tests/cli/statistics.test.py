@@ -154,7 +154,7 @@ def sheet(t, *changes):
 def _(t):
     t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
     whole = t.expect_success("statistics", "r", "--channel", "plate:x").out  # the strip is 40 % of the sheet
-    t.assertIn("nowhere broken through", whole)
+    t.assertIn("no column is broken through", whole)
     out = t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.41").out
     t.assertIn("nowhere", t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.2").out)
     # the strips beside it hold 25 and 35 % of the particles: with 41 % nothing remains, and the whole sheet is broken
@@ -182,11 +182,11 @@ def _(t):
     before = t.files("r")
     for arguments, words in (
         (["nowhere"], ["nowhere/history.csv is not there", "perimpact run"]),
-        (["r", "--from", "1"], ["--from 1 s and --to 2e-05 s leave no time of r/history.csv, whose rows go from 0 to 2e-05 s"]),
+        (["r", "--from", "1"], ["--from 1 s and --to 2e-05 s leave no time of r/history.csv, whose rows range from 0 to 2e-05 s"]),
         (["r", "--to", "1 kg"], ["--to is 1 kg: that is a mass; write a time"]),
         (["r", "--columns", "cylinder.fource_x"], ["--columns: r/history.csv has no column cylinder.fource_x", "did you mean cylinder.force_x?"]),
         (["r", "--windows", "0"], ["--windows: Value 0 not in range", "--help says more"]),
-        (["r", "--segment", "1 s"], ["--segment is 1 s, but it must hold from 16 rows to all 10"]),
+        (["r", "--segment", "1 s"], ["--segment is 1 s, but it must cover from 16 rows to all 10"]),
         (["r", "--channel", "plate"], ["--channel is plate, but it must be a body and the axis", "ice:x"]),
         (["r", "--channel", "plate:z"], ["--channel is plate:z"]),
         (["r", "--channel", "ice:x"], ["--channel: r has no body ice; there is plate"]),
@@ -206,7 +206,7 @@ def _(t):
     t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv:3: time goes from 0 s to 0 s, but it must increase")
     (t.folder / "r/history.csv").write_text("time [s],ice.kinetic_energy [J]\n0,1\n1,1\n")
     t.write_kinds("r")
-    t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv tells of no impactor", "--columns")
+    t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv has no columns of impactors", "--columns")
 
 
 @claim("statistics: a run into the same folder takes away what was told of the earlier one")

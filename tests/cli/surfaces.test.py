@@ -74,7 +74,7 @@ def _(t):
     t.assertGreater(max(map(abs, port["cylinder.force_x [N]"])), 0.01 * max(port["cylinder.force_y [N]"]))  # so it is not its own image
 
 
-@claim("surfaces: scale, mirror, complete, rotate and translate act in this order, about the axes x, y and z in this order")
+@claim("surfaces: scale, mirror, mirror_merge, rotate and translate act in this order, about the axes x, y and z in this order")
 def _(t):
     try:
         from vtp_reader import read_vtp
@@ -250,7 +250,7 @@ def _(t):
     (t.folder / "finer.yaml").write_text(changed(deck, ("    mass: 8000 kg\n", "    mass: 8000 kg\n" + remesh)))
 
     checked = t.expect_success("check", "my_deck.yaml").out
-    for quoted in ("closure closed", "size 12 x 2.4 x 1.5 m", "touches floe at 0.1303 s"):
+    for quoted in ("closure closed", "size 12 x 2.4 x 1.5 m", "with floe at 0.1303 s"):
         t.assertIn(quoted, guide)
         t.assertIn(quoted, re.sub(" +", " ", checked))
     printed = t.expect_success("mesh", "half_hull.obj").out

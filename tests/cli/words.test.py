@@ -47,7 +47,7 @@ def _(t):
 def _(t):
     (t.folder / "half.obj").write_text(TETRAHEDRON.rsplit("f", 1)[0])
     out = t.expect_success("mesh", "half.obj").out
-    t.assertIn("open, 3 edges on a rim", out)
+    t.assertIn("open, 3 boundary edges", out)
     t.assertIn("orientation: normals", out)
 
 
