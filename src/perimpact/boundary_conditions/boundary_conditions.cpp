@@ -10,9 +10,9 @@
 namespace perimpact {
 
 template <class Kind, class Act>
-void BoundaryConditions::for_each(const Act& accumulate_impulse) {
+void BoundaryConditions::for_each(const Act& act) {
   for (NamedBoundaryCondition& one : all_)
-    if (auto* boundary = std::get_if<Kind>(&one.boundary)) accumulate_impulse(*boundary);
+    if (auto* boundary = std::get_if<Kind>(&one.boundary)) act(*boundary);
 }
 
 BoundaryConditions::BoundaryConditions(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of) {
@@ -34,9 +34,9 @@ BoundaryConditions::BoundaryConditions(const BodySetup& body, const IsotropicEla
 void BoundaryConditions::add(NamedBoundaryCondition boundary) {
   for (const NamedBoundaryCondition& one : all_)
     if (one.name == boundary.name)
-      throw SetupError("bodies." + boundary.name, fmt::format("{} is the name of a boundary already, and would name the columns of both in history.csv; "
-                                                              "choose another.",
-                                                              boundary.name));
+      throw SetupError(
+          "bodies." + boundary.name,
+          fmt::format("{} is already the name of a boundary condition, whose columns in history.csv it would share; choose another.", boundary.name));
   all_.push_back(std::move(boundary));
 }
 
@@ -52,11 +52,10 @@ void BoundaryConditions::refuse_constrained_twice(const BodySetup& body, const P
           continue;
         }
         const std::string& name = body.boundary_conditions[k].name;
-        throw SetupError(
-            fmt::format("bodies.{}.boundaries.{}", body.name, name),
-            fmt::format("{} holds particles of body {} in direction {} that {} holds too; let their regions not overlap, or take the direction out "
-                        "of one.",
-                        name, body.name, axis_words[axis], body.boundary_conditions[static_cast<std::size_t>(holder[slot])].name));
+        throw SetupError(fmt::format("bodies.{}.boundary_conditions.{}", body.name, name),
+                         fmt::format("{} constrains particles of body {} in direction {} that {} constrains too; separate their particle sets, or remove the "
+                                     "direction from one of the two.",
+                                     name, body.name, axis_words[axis], body.boundary_conditions[static_cast<std::size_t>(holder[slot])].name));
       }
     }
   }
@@ -69,9 +68,9 @@ void BoundaryConditions::refuse_floating_twice(const BodySetup& body, const Part
     if (!water) continue;
     for (const std::uint32_t slot : water->slots()) {
       if (hydrostatics[slot] != 0)
-        throw SetupError(fmt::format("bodies.{}.boundaries.{}", body.name, body.boundary_conditions[k].name),
-                         fmt::format("{} gives particles of body {} weight and water that another floating boundary gives them already; let their regions not "
-                                     "overlap, or remove one.",
+        throw SetupError(fmt::format("bodies.{}.boundary_conditions.{}", body.name, body.boundary_conditions[k].name),
+                         fmt::format("{} applies weight and buoyancy to particles of body {} that another floating boundary condition includes; separate their "
+                                     "particle sets, or remove one of the two.",
                                      body.boundary_conditions[k].name, body.name));
       hydrostatics[slot] = 1;
     }

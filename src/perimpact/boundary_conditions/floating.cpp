@@ -82,7 +82,7 @@ Vec3d Floating::resist(Particles& particles, double dt) {
     const std::size_t slot = slots_[k];
     const Vec3d velocity = particles.velocity.at(slot);
     const bool is_exposed = exposure_ && exposure_->is_exposed(slot);
-    if (!is_exposed && water_.damping == 0 && water_.added_mass == 0) return forces_.record_force(k, {}, dt * velocity);  // most of a thick body
+    if (!is_exposed && water_.damping == 0 && water_.added_mass == 0) return forces_.record_force(k, {}, dt * velocity);  // most particles of a thick body
     const Vec3d before = particles.force_density.at(slot);
     const double height = particles.size_of(slot), wet = water_.submerged(particles.position.at(slot).z, height);
     const bool drags = wet > 0 && is_exposed;

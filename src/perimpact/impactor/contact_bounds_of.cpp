@@ -55,7 +55,7 @@ ImpactorBounds made(const CylinderSectorsBoundsSetup& setup, const Surface& surf
   const CylinderSectors region(fit_sectors(surface, known), surface, beyond);
   if (fitted.empty()) return {region, ""};
   std::string words = fmt::format("{} fitted to the surface", fmt::join(fitted, ", "));
-  if (!region.shape().has_gaps()) words += "; between its blades there is no gap in angle worth having, so the fan is the whole cylinder";
+  if (!region.shape().has_gaps()) words += "; the angular gaps between its blades are negligible, so that the fan is the whole cylinder";
   return {region, words};
 }
 
@@ -70,7 +70,7 @@ ImpactorBounds contact_bounds_of(const ContactBoundsSetup& setup, const Surface&
   try {
     return std::visit([&](const auto& shape) { return made(shape, surface, setup.on_exceed.as<Beyond>()); }, setup.shape);
   } catch (const InputError& error) {
-    throw SetupError("impactors." + impactor + ".region", error);
+    throw SetupError("impactors." + impactor + ".contact_bounds", error);
   }
 }
 

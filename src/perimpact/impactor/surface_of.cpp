@@ -13,14 +13,16 @@ namespace {
 
 fccda::PanelKind kind(const Choice& panels) { return panels.as<fccda::PanelKind>(); }
 
-fccda::Panels panels_of(const CylinderSurface& s) { return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.edge_length, kind(s.panel_shape)}); }
+fccda::Panels panels_of(const CylinderSurface& s) {
+  return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.edge_length, kind(s.panel_shape)});
+}
 fccda::Panels panels_of(const SphereSurface& s) { return fccda::make_sphere({s.diameter, s.edge_length}); }
 fccda::Panels panels_of(const BoxSurface& s) { return fccda::make_box({s.size, s.edge_length, kind(s.panel_shape)}); }
 fccda::Panels panels_of(const HullSurface& s) { return fccda::make_hull(shape_of(s)); }
 fccda::Panels panels_of(const PropellerSurface& s) { return fccda::make_propeller(shape_of(s)); }
 fccda::Panels panels_of(const FileSurface& s) { return panels_of_file(s); }
 
-/// Surfaces that we make ourselves are closed; a file says.
+/// Generated surfaces are closed; for a file the deck declares the orientation.
 fccda::Orientation orientation(const SurfaceSetup& setup) {
   const auto* file = std::get_if<FileSurface>(&setup);
   return file ? file->orientation.as<fccda::Orientation>() : fccda::Orientation::undeclared;

@@ -3,12 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "fixtures/temporary_folder.hpp"
 #include "io/deck/fixtures.hpp"
 #include "io/deck/setup_to_text.hpp"
 
 using namespace perimpact;
-using fixtures::complaint;
-using fixtures::read;
 
 namespace {
 
@@ -83,6 +82,22 @@ impactors:
 contact: {impactors: {detector: published, reading: letter, starting_inside: remove}}
 output: {history: 1 us, checkpoint_every: 10 s}
 )";
+
+/// With the surface part.stl in the deck's folder.
+deck::Deck read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  static const fixtures::TemporaryFolder folder;
+  fixtures::put(folder.path() / "part.stl", "solid\n");
+  return deck::read_deck_text(text, "deck.yaml", folder.path(), overrides);
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    read(text);
+    return "";
+  } catch (const fccda::InputError& error) {
+    return error.what();
+  }
+}
 
 std::vector<std::string> warnings_of(const std::string& deck, std::vector<std::string> overrides = {}) { return read(deck, overrides).warnings; }
 

@@ -112,7 +112,7 @@ TEST_CASE("mistakes: a word that is not an allowed choice") {
       {"detector: swept", "detector: sweept", "sweept", "detector is sweept, but it must be one of swept, published, analytic; did you mean swept?"});
   check_complaint({"axis: z", "axis: up", "up", "axis is up, but it must be one of x, y, z."});
   check_complaint({"model: ordinary-state", "model: elastic", "elastic",
-                   "model is elastic, which is not known; known here: ordinary-state, linear-peridynamic-solid, bond-based, correspondence."});
+                   "model is elastic, which is unknown; known here: ordinary-state, linear-peridynamic-solid, bond-based, correspondence."});
   check_complaint({"{cylinder: {diameter", "{cone: {diameter", "cone",
                    "cone is not a key of impactors.cylinder.surface; known here: cylinder, sphere, box, hull, propeller, file."});
   check_complaint({"{cylinder: {diameter", "{sphere: {diameter: 1, edge_length: 1}, cylinder: {diameter", "sphere",

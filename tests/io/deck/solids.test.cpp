@@ -35,7 +35,7 @@ std::string complaint_here(const std::string& text) {
 
 TEST_CASE("solids in a deck: every shape, added solids, holes, cracks and particle sets are read with units") {
   fixtures::put(folder() / "ice.stl", "solid\n");
-  const BodySetup body = read_here(plate_with(shape, R"(    shape: {file: ice.stl, scale: 0.001, file_add: [floe]}
+  const BodySetup body = read_here(plate_with(shape, R"(    shape: {file: ice.stl, scale: 0.001, file_parts: [floe]}
     spacing: 1 mm
     rotate: [0, 0, 90 deg]
     add: {ridge: {shape: {cylinder: {diameter: 2 cm, height: 0.3, axis: x}}, position: [0, 0, 1 cm], rotate: [0, 45 deg, 0]}}
