@@ -100,7 +100,7 @@ def _(t):
 @claim("boundary_conditions: a region that is not there is refused with its place in the deck")
 def _(t):
     done = t.run_program("run", bar(t, ("clamp: {fixed: {particle_set: left}}", "clamp: {fixed: {particle_set: lef}}")))
-    t.expect_complaint(done, 2, "bar.yaml:12:", "body bar has no region lef; did you mean left?")
+    t.expect_complaint(done, 2, "bar.yaml:12:", "body bar has no particle set lef; did you mean left?")
 
 
 @claim("boundary_conditions: an absorbing layer is refused where the body goes on at the face it names, and taken at the body's end")
@@ -113,7 +113,7 @@ def _(t):
         t.expect_success("check", layer(at, face), "--out", "r")
     for at, face in (("40 mm", "-x"), ("-40 mm", "+x"), ("0 mm", "+x")):
         done = t.run_program("check", layer(at, face), "--out", "r")
-        t.expect_complaint(done, 2, "deck.yaml:8:", f"the layer ends where body plate goes on towards {face}, ", "Let region layer reach the end of the body")
+        t.expect_complaint(done, 2, "deck.yaml:8:", f"the layer ends where body plate continues towards {face}, ", "extend particle set layer to the end of the body")
 
 
 @claim("boundary_conditions: a run that finds no equilibrium ends with exit code 3, the increment and its residual")

@@ -53,7 +53,7 @@ def _(t):
     for command in "check", "run":
         said = warnings(t.expect_success(command, deck, "--out", "r").out)
         t.assertEqual(len(said), 1)
-        t.assertIn("The panels of impactor cylinder point inward in 1 of its 1 components; these were turned over", said[0])
+        t.assertIn("The normals of impactor cylinder point inward in 1 of its 1 components and were reversed", said[0])
     t.assertEqual(t.report("r")["warnings"], said)
     t.assertEqual(t.history("r"), t.history("right"))
 
@@ -63,7 +63,7 @@ def _(t):
     out = t.expect_success("run", t.deck(("-32 m/s", "32 m/s")), "--out", "r").out
     said = warnings(out)
     t.assertEqual(len(said), 1)
-    t.assertRegex(said[0], r"^Impactor cylinder never touched body plate until t = 2e-05 s: the nearest it came was \S+ m, at t = 0 s\.")
+    t.assertRegex(said[0], r"^Impactor cylinder had no contact with body plate until t = 2e-05 s: the smallest distance was \S+ m, at t = 0 s\.")
     t.assertGreater(out.index(said[0]), out.index("monitors"))
     t.assertEqual(t.report("r")["warnings"], said)
 

@@ -75,7 +75,7 @@ def _(t):
 def _(t):
     (t.folder / "lid.obj").write_text("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n")
     done = t.run_program("check", deck(t, ("{box: {size: [2 m, 1 m, 0.5 m], edge_length: 0.5 m}}", "{file: lid.obj, orientation: normals}")), "--out", "r")
-    t.expect_complaint(done, 2, "raft.yaml:", "raft is open", "nothing says what it displaces")
+    t.expect_complaint(done, 2, "raft.yaml:", "raft is open", "its displacement is undefined")
 
 
 main()

@@ -40,8 +40,8 @@ def _(t):
 
 @claim("new: an unknown deck and a place where nothing can be written are one sentence each")
 def _(t):
-    t.expect_complaint(t.run_program("new", "plat"), 2, "there is no deck plat to start from; did you mean plate?")
-    t.expect_complaint(t.run_program("new", "tank"), 2, "there is no deck tank to start from; known here: plate, propeller, ship.")
+    t.expect_complaint(t.run_program("new", "plat"), 2, "there is no starter deck plat; did you mean plate?")
+    t.expect_complaint(t.run_program("new", "tank"), 2, "there is no starter deck tank; known here: plate, propeller, ship.")
     t.expect_complaint(t.run_program("new", "ship", "far/away.yaml"), 2, "far/away.yaml cannot be written: there is no folder far. Make it first")
     t.expect_complaint(t.run_program("new", "ship", "."), 2, ". is there already")
     t.assertEqual(t.files("."), [])

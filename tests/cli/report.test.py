@@ -260,7 +260,7 @@ def _(t):
     (t.folder / "empty").mkdir()
     for folder in ("empty", "nowhere"):
         t.expect_complaint(t.run_program("report", folder), 2, f"{folder} holds no results of a run", "perimpact run")
-    t.expect_complaint(t.run_program("report", "empty", "--size", "0"), 2, "--size: Value 0 not in range", "--help says more")
+    t.expect_complaint(t.run_program("report", "empty", "--size", "0"), 2, "--size: Value 0 not in range", "--help lists the options")
     t.assertEqual(t.files("empty"), [])
 
 

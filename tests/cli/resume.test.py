@@ -116,7 +116,7 @@ def _(t):
     t.assertEqual(run(t, name, "--out", "r").code, 0)
     before = {file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}
     done = run(t, name, "--out", "r", "--resume")
-    t.assertEqual((done.code, done.out), (0, "The run in r is finished (step 600 of 600): there is nothing to resume.\n"))
+    t.assertEqual((done.code, done.out), (0, "The run in r is finished (step 600 of 600); there is nothing to resume.\n"))
     t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}, before)
     shutil.copytree(t.folder / "r", t.folder / "whole")
     (t.folder / "r/run.json").unlink()

@@ -34,7 +34,7 @@ def _(t):
     said = facts(t.expect_success("shape", "propeller", *PROPELLER, "--out", "screw.stl").out)
     t.assertEqual(said["closure"], "closed")
     t.assertEqual(said["components"], "5")
-    t.assertEqual(said["area ratio"], "expanded 0.6699 beyond r/R = 0.167, 0.5701 beyond this hub")
+    t.assertEqual(said["area ratio"], "expanded 0.6699 outside r/R = 0.167, 0.5701 outside this hub")
     t.assertEqual(said["at 0.7 R"], f"chord 1.477 m, thickness 0.06427 m, pitch angle {math.degrees(math.atan(0.76 / 0.7 / math.pi)):.4g} deg")
     t.assertRegex(t.expect_success("mesh", "screw.stl").out, r"blade_4: \d+ panels")
 

@@ -39,11 +39,11 @@ def _(t):
     cracks: {notch: {polygon: [[0, 0, -1], [1, 0, -1], [1, 0, 1], [0, 0, 1]]}}"""
     out = t.expect_success("check", t.deck((SHAPE, body), NO_LINES), "--out", "r").out
     t.assertRegex(out, r"particles +\d+ \(12 x 12 x 12 cells of 0.005 m\)")
-    t.assertRegex(out, r"mass +[\d.]+ kg, [-+][\d.]+ % against its solid \(0.90478 kg\)")
+    t.assertRegex(out, r"mass +[\d.]+ kg; [-+][\d.]+ % relative to the solid \(0.90478 kg\)")
     t.assertRegex(out, r"crack notch +\d+ bonds cut")
     t.assertIn("plate.vtp", t.files("r/check"))
     holed = t.expect_success("check", t.deck((SHAPE, body + "\n    holes: {bore: {shape: {box: {size: [20 mm, 20 mm, 1]}}, position: [20 mm, 0, 0]}}"), NO_LINES)).out
-    t.assertNotIn("against its solid", holed)  # nobody knows the volume of that
+    t.assertNotIn("relative to the solid", holed)  # nobody knows the volume of that
 
 
 @claim("a cloud from a CSV file runs, and pictures number its particles as the file does")

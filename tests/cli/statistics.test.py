@@ -135,7 +135,7 @@ def _(t):
     t.assertEqual(list(results_table(t.folder / "r/statistics.csv")), loads)
     out = t.expect_success("statistics", "r", "--columns", "plate.grip.force,total.energy").out
     t.assertEqual(list(results_table(t.folder / "r/statistics.csv")), [f"plate.grip.force_{axis}" for axis in "xyz"] + ["total.energy"])
-    t.assertIn("spectrum: none, for 10 rows are fewer than the 16 that it needs", out)
+    t.assertIn("spectrum: none, since 10 rows are fewer than the required 16", out)
     t.assertFalse((t.folder / "r/spectrum.csv").exists())
 
 
@@ -185,7 +185,7 @@ def _(t):
         (["r", "--from", "1"], ["--from 1 s and --to 2e-05 s leave no time of r/history.csv, whose rows range from 0 to 2e-05 s"]),
         (["r", "--to", "1 kg"], ["--to is 1 kg: that is a mass; write a time"]),
         (["r", "--columns", "cylinder.fource_x"], ["--columns: r/history.csv has no column cylinder.fource_x", "did you mean cylinder.force_x?"]),
-        (["r", "--windows", "0"], ["--windows: Value 0 not in range", "--help says more"]),
+        (["r", "--windows", "0"], ["--windows: Value 0 not in range", "--help lists the options"]),
         (["r", "--segment", "1 s"], ["--segment is 1 s, but it must cover from 16 rows to all 10"]),
         (["r", "--channel", "plate"], ["--channel is plate, but it must be a body and the axis", "ice:x"]),
         (["r", "--channel", "plate:z"], ["--channel is plate:z"]),

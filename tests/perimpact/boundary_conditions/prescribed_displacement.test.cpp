@@ -105,5 +105,7 @@ TEST_CASE("held: a direction that two hold is refused, other directions of the s
     key = error.key(), sentence = error.what();
   }
   CHECK(key == "bodies.body.boundary_conditions.all");
-  CHECK(sentence == "all holds particles of body body in direction y that grip holds too; let their regions not overlap, or take the direction out of one.");
+  CHECK(sentence ==
+        "all constrains particles of body body in direction y that grip constrains too; separate their particle sets, or remove the direction from one of the "
+        "two.");
 }

@@ -74,10 +74,10 @@ TEST_CASE("own force: what is no number, leaves the plane, or has the name of an
     };
   };
   CHECK_THROWS_WITH_AS(made(block(), constant({std::nan(""), 0, 0})),
-                       "At 0 s the own force block.own is not a finite number on 160 particles; look at the function that computes it.", fccda::RunError);
+                       "At 0 s the user force block.own is not finite on 160 particles; check the function that computes it.", fccda::RunError);
   CHECK_THROWS_WITH_AS(made(block(true), constant({0, 0, 1})),
-                       "the own force block.own acts along z on 40 particles, but the body is plane and nothing may; let its z be 0.", fccda::InputError);
+                       "the user force block.own acts along z on 40 particles, but the body is 2-D; set its z component to 0.", fccda::InputError);
   const Setup setup = block();
   CHECK_THROWS_WITH_AS(Simulation(setup, Start(setup), {given(constant({})), given(constant({}))}),
-                       "block.own is the name of a boundary already, and would name the columns of both in history.csv; choose another.", SetupError);
+                       "block.own is already the name of a boundary condition, whose columns in history.csv it would share; choose another.", SetupError);
 }

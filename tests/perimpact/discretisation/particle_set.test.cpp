@@ -16,8 +16,8 @@ BodySetup block() {
   BodySetup setup = fixtures::body_setup({.size = {10, 10, 5}, .spacing = 1});
   setup.position = {100, 0, 0};
   setup.particle_sets = {{"left", BoxSolid{{2, 20, 20}}, {-5, 0, 0}, {}},
-                   {"rod", CylinderSolid{3.1, 20, {axis_words, 2}}, {-0.5, 0.5, 0}, {}},
-                   {"far", SphereSolid{1}, {50, 0, 0}, {}}};
+                         {"rod", CylinderSolid{3.1, 20, {axis_words, 2}}, {-0.5, 0.5, 0}, {}},
+                         {"far", SphereSolid{1}, {50, 0, 0}, {}}};
   return setup;
 }
 
@@ -57,13 +57,14 @@ TEST_CASE("region: a removed particle is in none") {
 
 TEST_CASE("region: a name that is none and a region without particles are told with their keys") {
   std::string key;
-  CHECK(complaint("lft", block(), key) == "body body has no region lft; did you mean left?");
+  CHECK(complaint("lft", block(), key) == "body body has no particle set lft; did you mean left?");
   CHECK(key == "bodies.body.boundary_conditions.pull.region");
-  CHECK(complaint("everything", block(), key) == "body body has no region everything; its regions are left, rod, far.");
+  CHECK(complaint("everything", block(), key) == "body body has no particle set everything; its particle sets are left, rod, far.");
   CHECK(complaint("far", block(), key) ==
-        "region far of body body holds no particle; its place is from the body's position, in metres: move it, or make it larger than a spacing of 1 m.");
+        "particle set far of body body contains no particle; its position is relative to the body's position, in metres: move it, or make it larger than a "
+        "spacing of 1 m.");
   CHECK(key == "bodies.body.particle_sets.far");
   BodySetup bare = block();
   bare.particle_sets.clear();
-  CHECK(complaint("left", bare, key) == "body body has no region left; it has none; add one under bodies.body.particle_sets.");
+  CHECK(complaint("left", bare, key) == "body body has no particle set left; it has none; add one under bodies.body.particle_sets.");
 }

@@ -232,11 +232,10 @@ TEST_CASE("solid: a file is scaled, turned and moved before the body's own frame
 TEST_CASE("solid: a surface that is not closed has no inside, and says so") {
   fixtures::Panels open = fixtures::unit_cube();
   open.panels.pop_back();
-  CHECK_THROWS_WITH_AS(
-      surface(open),
-      "test: the surface is open, 4 of its edges have a panel on one side only, so it has no inside that could be filled; `perimpact mesh` shows "
-      "where they are and which weld would close them.",
-      fccda::InputError);
+  CHECK_THROWS_WITH_AS(surface(open),
+                       "test: the surface is open: 4 of its edges have a panel on one side only, so that no interior is defined; `perimpact mesh` shows these "
+                       "edges and the welding tolerance that would close them.",
+                       fccda::InputError);
 }
 
 TEST_CASE("solid: the inside of a real hull is what the solid angle of all its panels says") {

@@ -50,7 +50,7 @@ TEST_CASE("region of: every kind of region that a Setup names is made, and says 
       made(CylinderSectorsBoundsSetup{.axis = Vec3d{1, 0, 0}, .point = Vec3d{}, .radius = 0.8, .length = 2.0, .hub_radius = 0.8, .blades = 1});
   CHECK(std::get<CylinderSectors>(sectors.region).volume() == fixtures::relative(std::numbers::pi * 0.8 * 0.8 * 2, 1e-12));
   CHECK(sectors.fitted ==
-        "sector_angle, start_angle fitted to the surface; between its blades there is no gap in angle worth having, so the fan is the whole cylinder");
+        "sector_angle, start_angle fitted to the surface; the angular gaps between its blades are negligible, so that the fan is the whole cylinder");
 
   const ImpactorBounds chosen = made(AutoBoundsSetup{});
   CHECK(std::holds_alternative<BoxUnion>(chosen.region));

@@ -128,13 +128,13 @@ TEST_CASE("driven impactor: what cannot be is refused with its key") {
   std::string key;
   Setup both = plate_and_cylinder();
   both.impactors[0].density = 8000;
-  CHECK(complaint(both, key) == "impactor cylinder needs a mass or a density, and not both.");
+  CHECK(complaint(both, key) == "impactor cylinder needs either a mass or a density.");
   CHECK(key == "impactors.cylinder");
   Setup free = plate_and_cylinder();
   free.impactors[0].free_dofs = {"y"};
   free.impactors[0].motion.y.emplace().times = {0};
   free.impactors[0].motion.y->velocities = {1};
-  CHECK(complaint(free, key) == "y of cylinder is free, so no table can move it; hold it, or remove its motion.");
+  CHECK(complaint(free, key) == "y of cylinder is free, so that its motion cannot be prescribed; remove it from free_dofs, or remove its motion.");
   CHECK(key == "impactors.cylinder.motion.y");
   Setup part = plate_and_cylinder();
   GaugeSetup gauge;

@@ -119,9 +119,8 @@ TEST_CASE("floating impactor: an open surface is refused with its key") {
   raft.density.reset();
   raft.mass = 10;
   std::string key;
-  CHECK(
-      complaint(setup, key) ==
-      "the surface of raft is open, so nothing says what it displaces; close the surface (`perimpact mesh` says where it is open), or remove floating and give "
-      "the force as a load.");
+  CHECK(complaint(setup, key) ==
+        "the surface of raft is open, so that its displacement is undefined; close the surface (`perimpact mesh` shows where it is open), or remove floating "
+        "and give the force as a load.");
   CHECK(key == "impactors.raft.floating");
 }

@@ -61,7 +61,7 @@ TEST_CASE("in plane: a struck plane body stays in its plane to the last bit, and
 }
 
 TEST_CASE("in plane: an impactor that leaves the plane, or may, is refused") {
-  const char* sentence = "body that it may strike is plane: it must stay in the plane";
+  const char* sentence = "body that it may contact is plane: restrict it to motion along x and y";
   CHECK(complaint(struck_plate()).empty());
   Setup setup = struck_plate();
   setup.impactors[0].velocity.z = 0.1;
@@ -82,7 +82,8 @@ TEST_CASE("in plane: an open surface must go on through the plane") {
   const auto wall = [&](double low) {
     ::fixtures::put(folder / "wall.obj",
                     "v -0.01 0 " + std::to_string(low) + "\nv 0.01 0 " + std::to_string(low) + "\nv 0.01 0 0.04\nv -0.01 0 0.04\nf 1 2 3 4\n");
-    setup.impactors[0].surface = FileSurface{.file = (folder / "wall.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
+    setup.impactors[0].surface =
+        FileSurface{.file = (folder / "wall.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
     setup.impactors[0].position = {0, 0.0121, 0};
     setup.impactors[0].inertia = Vec3d{1e-6, 1e-6, 1e-6};
     return complaint(setup);

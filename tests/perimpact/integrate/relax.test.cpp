@@ -231,8 +231,8 @@ TEST_CASE("relax: a body that nothing holds finds no equilibrium, and the error 
   }
   CHECK(sentence.starts_with("Increment 1 (t = 0.5 s) is not in equilibrium after 20 iterations: the residual is "));
   CHECK(
-      sentence.ends_with(", but the tolerance 0.0001. Perhaps there is no equilibrium, because something is not held, or has broken off; else allow more "
-                         "iterations, or take smaller increments."));
+      sentence.ends_with(", but the tolerance is 0.0001. If a part is unconstrained or has broken off, there is no equilibrium; otherwise increase "
+                         "max_iterations, or use smaller increments."));
 }
 
 TEST_CASE("relax: one and two threads find the same state to the last bit, with bonds that break on the way") {

@@ -116,7 +116,7 @@ TEST_CASE("boundary_conditions: a region that the body does not have is refused 
   Setup setup = clamped_plate();
   setup.bodies[0].boundary_conditions[0].kind = FixedSetup{.particle_set = "lefft"};
   std::string key;
-  CHECK(complaint(setup, key) == "body plate has no region lefft; did you mean left?");
+  CHECK(complaint(setup, key) == "body plate has no particle set lefft; did you mean left?");
   CHECK(key == "bodies.plate.boundary_conditions.clamp.fixed.particle_set");
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("relax: impactors are refused") {
   setup.impactors = {sphere(0)};
   std::string key;
   CHECK(complaint(setup, key) ==
-        "impactor sphere cannot take part where bodies are relaxed; lead the particles it would touch with a boundary, or remove time.relax.");
+        "impactor sphere is not supported with time.relax; prescribe the displacement of the particles in contact instead, or remove time.relax.");
   CHECK(key == "impactors.sphere");
 }
 

@@ -162,13 +162,13 @@ TEST_CASE("floating: in search of equilibrium a block comes to float where Archi
   }
 }
 
-TEST_CASE("floating: weight and water that would count twice are refused") {
+TEST_CASE("floating: two floating boundary conditions on the same particles are refused") {
   Setup setup = block(0, calm(), 0.1);
   setup.bodies[0].boundary_conditions.push_back({"lake", calm()});
   std::string key;
   const std::string sentence = complaint(setup, key);
   CHECK(key == "bodies.ice.boundary_conditions.lake");
-  CHECK(sentence.starts_with("lake gives particles of body ice weight and water that another floating boundary gives them already"));
+  CHECK(sentence.starts_with("lake applies weight and buoyancy to particles of body ice that another floating boundary condition includes"));
 }
 
 TEST_CASE("floating: held particles neither drag nor sink, and their holder carries them") {

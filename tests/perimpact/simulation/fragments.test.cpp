@@ -372,12 +372,13 @@ TEST_CASE("fragments: bodies of two dimensions touch others in their plane, and 
   Setup mixed = two_bars(PlaneState::none, 10, 1e-6);
   mixed.bodies[1].plane.index = static_cast<int>(PlaneState::stress);
   CHECK(fixtures::complaint(mixed, key) ==
-        "body right is plane and body left is not, but only bodies of the same dimension can touch; write law: none, or give both the same plane.");
+        "body right is plane and body left is not, but contact is supported between bodies of the same dimension only; set law: none, or give both the same "
+        "plane.");
   CHECK(key == "contact.fragments.law");
   Setup apart = two_bars(PlaneState::stress, 10, 1e-6);
   apart.bodies[1].position.z = 0.001;
   CHECK(fixtures::complaint(apart, key) ==
-        "the plane bodies left and right lie at z = 0 m and 0.001 m, but only bodies in one plane can touch; give them the same z, or write law: none.");
+        "the plane bodies left and right lie at z = 0 m and 0.001 m, but contact is supported within one plane only; give them the same z, or set law: none.");
 }
 
 TEST_CASE("fragments: bodies that start nearer than they may are told of in a warning") {
@@ -385,7 +386,7 @@ TEST_CASE("fragments: bodies that start nearer than they may are told of in a wa
   setup.bodies[1].position.x = 0.0116;
   const std::vector<std::string> warnings = Simulation(setup).warnings();
   REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].find(" pairs of particles start nearer to one another than their contact distance, and the ") != std::string::npos);
+  CHECK(warnings[0].find(" pairs of particles are initially closer than their contact distance, and ") != std::string::npos);
 }
 
 TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap of rubble is quiet at it") {

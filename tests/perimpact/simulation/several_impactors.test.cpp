@@ -78,7 +78,7 @@ TEST_CASE("several impactors: what two plates crush beyond the width of a partic
   const std::vector<std::string> warnings = simulation.closing_warnings();
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("Particles of body sheet were pinched between impactor plate_0 and others, first at t = 2e-07 s: summed over steps, " +
-                         std::to_string(first.unresolved(0).count) + " were left inside it") == 0);
+                         std::to_string(first.unresolved(0).count) + " penetrations remained") == 0);
 }
 
 TEST_CASE("several impactors: any number of threads ends in the same state to the last bit") {

@@ -120,7 +120,7 @@ TEST_CASE("simulation: what cannot run is refused with its key: a step beyond th
   std::string key;
   Setup too_long = struck_plate();
   too_long.time.step = 2e-6;
-  CHECK(complaint(too_long, key).find("times the longest stable one") != std::string::npos);
+  CHECK(complaint(too_long, key).find("times the critical time step") != std::string::npos);
   CHECK(key == "time.step");
   Setup inside = struck_plate();
   inside.impactors[0].position.y = 0.018;

@@ -73,10 +73,10 @@ TEST_CASE("solid bodies: the mass of the solid is known, and a lattice too coars
   REQUIRE(fine.filled_mass(0).has_value());
   CHECK(fine.filled_mass(0)->solid == fixtures::relative(fixtures::density * std::numbers::pi / 6 * 0.016 * 0.016 * 0.016, 1e-12));
   CHECK(fine.filled_mass(0)->particles == fixtures::relative(fine.bodies()[0].particles.total_mass(), 1e-12));
-  CHECK(!warns_of(fine, "against its solid"));
+  CHECK(!warns_of(fine, "relative to its solid"));
   setup.spacing = 0.0065;  // two by two by two cells, 2197 mm³ of 3217 mm³
   setup.shape = CylinderSolid{0.016, 0.016, {axis_words, 2}};
-  CHECK(warns_of(Simulation(run_of(setup)), "-31.7 % against its solid of 0.02574 kg: the lattice is coarse for it. Take a smaller spacing."));
+  CHECK(warns_of(Simulation(run_of(setup)), "-31.7 % relative to its solid of 0.02574 kg: the lattice is too coarse. Use a smaller spacing."));
   CHECK(!Simulation(run_of(ball())).filled_mass(0).has_value());
 }
 
@@ -90,14 +90,14 @@ TEST_CASE("solid bodies: a body without particles is refused, particles without 
   setup = ball();
   setup.cracks.clear();
   setup.add = {{"crumb", BoxSolid{{0.001, 0.001, 0.001}}, {0.0205, 0.0005, 0.0005}, {}}};
-  CHECK(warns_of(Simulation(run_of(setup)), "1 particles of body body have no bond, the solid is too thin there"));
+  CHECK(warns_of(Simulation(run_of(setup)), "1 particles of body body have no bonds, because the solid is too thin there"));
 }
 
 TEST_CASE("solid bodies: cracks that are none, or nowhere, are refused at their polygon") {
   std::string key;
   BodySetup setup = ball();
   setup.cracks[0].polygon.resize(2);
-  CHECK(complaint(run_of(setup), key).starts_with("the crack has 2 corners, but a polygon needs three or more"));
+  CHECK(complaint(run_of(setup), key).starts_with("the crack has 2 corners, but a polygon needs at least three"));
   CHECK(key == "bodies.body.cracks.notch.polygon");
   setup = ball();
   for (Vec3d& corner : setup.cracks[0].polygon) corner.y = 1;

@@ -109,7 +109,7 @@ TEST_CASE("start: projected particles begin on the surface with their velocity, 
   CHECK(value(simulation, "total.momentum_y [kg m/s]") == fixtures::relative(block.particles.mass(0) * 1600, 1e-12));
   CHECK(value(simulation, "block.elastic_energy [J]") > 0);
   CHECK(simulation.contacts() == 0);
-  CHECK(warns_of(simulation, "were put on it, the furthest moved by "));
+  CHECK(warns_of(simulation, "were projected onto it, by at most "));
 
   double stretch = 0;  // over all pairs, from positions alone
   const auto& slots = block.particles.slot_of();
@@ -145,7 +145,7 @@ TEST_CASE("start: an impactor that holds the whole body leaves nothing to remove
   setup.impactors.push_back(setup.impactors[0]);
   setup.impactors[1].name = "second";
   setup.impactors[1].position = {0, -0.0099, 0};  // lower half, half a millimetre further in than there is room
-  CHECK(complaint(setup).find("no place near them is clear of all impactors") != std::string::npos);
+  CHECK(complaint(setup).find("no position near them is outside all impactors") != std::string::npos);
 }
 
 TEST_CASE("start: a moving body is looked at where it is at t = 0, not a step before") {
