@@ -33,7 +33,7 @@ def bar(t, *changes):
     return "bar.yaml"
 
 
-@claim("boundary_conditions: a bar that is relaxed leaves a row an increment, and says how each ended")
+@claim("boundary conditions: relaxation of a bar writes one row per increment with its convergence")
 def _(t):
     out = t.expect_success("run", bar(t), "--out", "r").out
     t.assertRegex(out, r"\n\d+ threads, 4 increments of 0\.25 s; results go to r\n")
@@ -51,14 +51,14 @@ def _(t):
     t.assertEqual(report["increment [s]"], 0.25)
 
 
-@claim("boundary_conditions: check tells what each acts on, and how many increments there are")
+@claim("boundary conditions: check reports the particles of each, and the number of increments")
 def _(t):
     out = t.expect_success("check", bar(t), "--out", "r").out
     t.assertIn("  bar.clamp         fixed, 75 particles\n  bar.pull          prescribed, 75 particles\n", out)
     t.assertIn("time\n  increments        4 of 0.25 s\n", out)
 
 
-@claim("boundary_conditions: a relaxed bar that is stopped between increments goes on and ends in the same state, with the same rows")
+@claim("boundary conditions: a relaxation interrupted between increments resumes to the same state and rows")
 def _(t):
     many = ("increments: 4", "increments: 40")
     t.expect_success("run", bar(t, many), "--out", "whole")
@@ -75,7 +75,7 @@ def _(t):
     t.assertEqual((t.folder / "stopped/history.csv").read_bytes(), (t.folder / "whole/history.csv").read_bytes())
 
 
-@claim("boundary_conditions: a relaxed bar that is stopped in the middle of increments goes on there and ends in the same state, with the same rows")
+@claim("boundary conditions: a relaxation interrupted within an increment resumes to the same state and rows")
 def _(t):
     slow = (("increments: 4", "increments: 2"), ("tolerance: 1e-5", "tolerance: 1e-7"), ("spacing: 1 mm", "spacing: 0.5 mm"))
     t.expect_success("run", bar(t, *slow), "--out", "whole")
@@ -97,13 +97,13 @@ def _(t):
     t.assertEqual((t.folder / "stopped/history.csv").read_bytes(), (t.folder / "whole/history.csv").read_bytes())
 
 
-@claim("boundary_conditions: a region that is not there is refused with its place in the deck")
+@claim("boundary conditions: an unknown particle set is refused with its position in the deck")
 def _(t):
     done = t.run_program("run", bar(t, ("clamp: {fixed: {particle_set: left}}", "clamp: {fixed: {particle_set: lef}}")))
     t.expect_complaint(done, 2, "bar.yaml:12:", "body bar has no particle set lef; did you mean left?")
 
 
-@claim("boundary_conditions: an absorbing layer is refused where the body goes on at the face it names, and taken at the body's end")
+@claim("boundary conditions: an absorbing layer is refused where the body continues beyond its face, and accepted at the end of the body")
 def _(t):
     def layer(at, face):
         regions = f"particle_sets: {{layer: {{shape: {{box: {{size: [20 mm, 60 mm, 20 mm]}}}}, position: [{at}, 0, 0]}}}}"
@@ -116,7 +116,7 @@ def _(t):
         t.expect_complaint(done, 2, "deck.yaml:8:", f"the layer ends where body plate continues towards {face}, ", "extend particle set layer to the end of the body")
 
 
-@claim("boundary_conditions: a run that finds no equilibrium ends with exit code 3, the increment and its residual")
+@claim("boundary conditions: a run without equilibrium ends with exit code 3, the increment and its residual")
 def _(t):
     loose = ("clamp: {fixed: {particle_set: left}}", "clamp: {body_force: {force_density: [0, 1 MN/m3, 0]}}")
     done = t.run_program("run", bar(t, loose, ("tolerance: 1e-5", "max_iterations: 50")), "--out", "r")

@@ -101,7 +101,7 @@ def _(t):
         t.assertEqual(head.find(".//Piece").get("NumberOfPoints"), str(points))
 
 
-@claim("check: every kind of region is told, drawn and in run.json alike")
+@claim("check: every kind of contact bounds is reported, written as VTP and recorded in run.json")
 def _(t):
     cylinder = "{cylinder_sectors: {axis: [0, 0, 1], radius: 21 mm, length: 40 mm, hub_radius: 21 mm, point: [0, 0, 0], blades: 1, sector_angle: 90 deg, start_angle: 0}}"
     halves = "{box_union: {boxes: {left: {size: [20 mm, 40 mm, 40 mm], centre: [-10 mm, 0, 0]}, right: {size: [20 mm, 40 mm, 40 mm], centre: [10 mm, 0, 0]}}}}"
@@ -139,7 +139,7 @@ def _(t):
             file.unlink()
 
 
-@claim("check: reports panels before and after coarsening and refinement, run.json too, and parts stay")
+@claim("check: reports panels before and after coarsening and refinement, as does run.json, and parts are preserved")
 def _(t):
     keys = "coarsen: {max_deviation: 0.2 mm, max_edge_length: 10 mm}\n    refine: {struck: {edge_length: 1 mm, surface_part: side, box: {size: [20 mm, 20 mm, 10 mm], centre: [0, -20 mm, 0]}}}"
     plain = t.deck()
@@ -163,7 +163,7 @@ def _(t):
     t.assertEqual((surface["closure"], list(surface["parts"])), ("closed", ["bottom", "side", "top"]))
 
 
-@claim("check: a refinement that cannot be done is refused at its place, with its name")
+@claim("check: an impossible refinement is refused at its position, with its name")
 def _(t):
     for wish, sentence in [
         ("{edge_length: 1 mm, part: sides}", 'struck: the surface has no part "sides"; did you mean side? Its parts are bottom, side, top.'),

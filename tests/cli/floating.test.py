@@ -34,7 +34,7 @@ def deck(t, *changes):
     return "raft.yaml"
 
 
-@claim("floating: check says whether an impactor floats, rises, settles or sinks, and its draught at rest")
+@claim("floating: check reports whether an impactor floats, rises, settles or sinks, and its equilibrium draft")
 def _(t):
     def line(*changes):
         out = t.expect_success("check", deck(t, *changes), "--out", "r").out
@@ -47,7 +47,7 @@ def _(t):
     t.assertEqual(line(("mass: 500 kg", "mass: 1500 kg"), ("position: [0, 0, 0]", "position: [0, 0, -3 m]")), begins + "sinks: displaces 1000 kg at a draft of 3.25 m, net force -4905 N upward; it is heavier than the water that it can displace")
 
 
-@claim("floating: history and run.json tell the water's force, the displaced mass, draughts and work, and the box bobs with the period of its waterplane")
+@claim("floating: history and run.json give water force, displaced mass, draft and work, and the box oscillates with the period of its waterplane")
 def _(t):
     # six periods of 1.003 s and a quarter: it ends where the box is fastest, so that all its energy is in the work
     t.expect_success("run", deck(t, ("position: [0, 0, 0]", "position: [0, 0, 0.05 m]"), ("end: 6 s", "end: 6.27 s")), "--out", "r")

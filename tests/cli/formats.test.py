@@ -145,22 +145,22 @@ def _(t):
                            ("f.msh", "-format", "msh41", "-part", "3"), ("g.msh", "-format", "msh22", "-part", "3"))
 
 
-@claim("formats: what gmsh saves as STL reads back equal")
+@claim("formats: STL files written by gmsh read back equal")
 def _(t):
     expect_what_gmsh_saves(t, ("a.stl", "-format", "stl"), ("b.stl", "-format", "stl", "-bin"))
 
 
-@claim("formats: what gmsh saves as VTK reads back equal, surfaces and solids")
+@claim("formats: VTK files written by gmsh read back equal, surfaces and solids")
 def _(t):
     expect_what_gmsh_saves(t, ("a.vtk", "-format", "vtk"), ("b.vtk", "-format", "vtk", "-bin"))
 
 
-@claim("formats: what gmsh saves for Abaqus reads back equal, surfaces and solids")
+@claim("formats: Abaqus files written by gmsh read back equal, surfaces and solids")
 def _(t):
     expect_what_gmsh_saves(t, ("a.inp", "-format", "inp"))
 
 
-@claim("formats: what gmsh saves for LS-DYNA reads back equal, surfaces and solids")
+@claim("formats: LS-DYNA files written by gmsh read back equal, surfaces and solids")
 def _(t):
     expect_what_gmsh_saves(t, ("a.key", "-format", "key"))
 
@@ -295,42 +295,42 @@ def expect_what_meshio_writes(t, *forms, quads=True, solids=True, pyramids=True)
             expect_equal(t, name, expected)
 
 
-@claim("formats: what meshio writes as STL reads back equal")
+@claim("formats: STL files written by meshio read back equal")
 def _(t):
     expect_what_meshio_writes(t, ("a.stl", "stl", {"binary": False}), ("b.stl", "stl", {"binary": True}), quads=False, solids=False)
 
 
-@claim("formats: what meshio writes as OBJ reads back equal")
+@claim("formats: OBJ files written by meshio read back equal")
 def _(t):
     expect_what_meshio_writes(t, ("a.obj", "obj", {}), solids=False)
 
 
-@claim("formats: what meshio writes as PLY reads back equal")
+@claim("formats: PLY files written by meshio read back equal")
 def _(t):
     expect_what_meshio_writes(t, ("a.ply", "ply", {"binary": False}), ("b.ply", "ply", {"binary": True}), solids=False)
 
 
-@claim("formats: what meshio writes as OFF reads back equal")
+@claim("formats: OFF files written by meshio read back equal")
 def _(t):
     expect_what_meshio_writes(t, ("a.off", "off", {}), quads=False, solids=False)
 
 
-@claim("formats: what meshio writes as VTK reads back equal, surfaces and solids")
+@claim("formats: VTK files written by meshio read back equal, surfaces and solids")
 def _(t):
     expect_what_meshio_writes(t, *((f"{form}_{binary}.vtk", form, {"binary": binary}) for form in ("vtk42", "vtk51") for binary in (False, True)))
 
 
-@claim("formats: what meshio writes as VTU reads back equal, surfaces and solids")
+@claim("formats: VTU files written by meshio read back equal, surfaces and solids")
 def _(t):
     expect_what_meshio_writes(t, ("a.vtu", "vtu", {"binary": False}), ("b.vtu", "vtu", {"compression": None}), ("c.vtu", "vtu", {"compression": "zlib"}))
 
 
-@claim("formats: what meshio writes for Abaqus reads back equal, surfaces and solids")
+@claim("formats: Abaqus files written by meshio read back equal, surfaces and solids")
 def _(t):
     expect_what_meshio_writes(t, ("a.inp", "abaqus", {}), pyramids=False)  # for which meshio has no name there
 
 
-@claim("formats: what meshio writes for Gmsh reads back equal, surfaces and solids")
+@claim("formats: Gmsh files written by meshio read back equal, surfaces and solids")
 def _(t):
     expect_what_meshio_writes(t, *((f"{form}_{binary}.msh", form, {"binary": binary}) for form in ("gmsh22", "gmsh") for binary in (False, True)))
 

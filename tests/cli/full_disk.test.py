@@ -35,7 +35,7 @@ def run_with_files_up_to(t, size, *settings):
     return t.run_program("run", t.deck(), "--out", "r", *settings, limits={resource.RLIMIT_FSIZE: size})
 
 
-@claim("full disk: a picture that does not fit ends the run, and all before it is whole")
+@claim("full disk: an output frame that does not fit ends the run, and all earlier output is intact")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "whole")
     size = (t.folder / "whole/frames/plate_00001.vtp").stat().st_size
@@ -48,7 +48,7 @@ def _(t):
     expect_intact(t, "r", "whole")
 
 
-@claim("full disk: a row of history that does not fit is taken back")
+@claim("full disk: an incomplete row of history is removed")
 def _(t):
     settings = ["--set", "output.frames=0", "--set", "output.history_interval=0.1 us"]
     t.expect_success("run", t.deck(), "--out", "whole", *settings)
@@ -61,7 +61,7 @@ def _(t):
     expect_intact(t, "r", "whole")
 
 
-@claim("full disk: with room for nothing but the trial, the first file is named")
+@claim("full disk: if only the trial file fits, the first file is named")
 def _(t):
     done = run_with_files_up_to(t, 100)
     t.expect_complaint(done, 3, "r/history.csv cannot be written", "ulimit -f")

@@ -28,7 +28,7 @@ def interrupted(t, which):
     return process.returncode, out
 
 
-@claim("interrupt: Ctrl-C ends a run after its step with 130, and SIGTERM with 143, and nothing is half-written")
+@claim("interrupt: Ctrl-C ends a run after its step with 130, and SIGTERM with 143, without partial files")
 def _(t):
     for which, code in (signal.SIGINT, 130), (signal.SIGTERM, 143):
         returned, out = interrupted(t, which)
@@ -46,7 +46,7 @@ def _(t):
             t.assertEqual(float(entries[-1].get("timestep")), report["time [s]"])  # the last picture shows the state that was reached
 
 
-@claim("interrupt: what an interrupted run wrote is what the whole run would have written")
+@claim("interrupt: the output of an interrupted run equals that of the full run up to then")
 def _(t):
     interrupted(t, signal.SIGINT)
     report, rows = t.report("r"), t.history("r")

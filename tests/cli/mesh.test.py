@@ -146,7 +146,7 @@ def _(t):
     t.assertNotIn("sound_defects.vtp", t.files("."))
 
 
-@claim("mesh: mistakes of the command line are told in one sentence")
+@claim("mesh: command-line errors are reported in one sentence")
 def _(t):
     box = write(t, "box.obj", grid_box((1, 1, 1), (1, 1, 1)))
     for arguments, begins in (((box, "--spacing", "3 kg"), "--spacing is 3 kg: that is a mass"),

@@ -22,7 +22,7 @@ def refused_surface(t, surface, at, *words):
     refused(t, (CYLINDER, surface), at, *words)
 
 
-@claim("mistakes: in the deck are refused at their line and column")
+@claim("mistakes: errors in the deck are refused at their line and column")
 def _(t):
     refused(t, ("poissons_ratio", "poisson_ratio"), "poisson_ratio", "did you mean poissons_ratio?")
     refused(t, ("mass: 1 kg", "mass: 1 kg\n    mass: 2 kg"), "mass: 2 kg", "mass is given twice", "deck.yaml:11:5")
@@ -31,7 +31,7 @@ def _(t):
     refused(t, ("end: 20 us", "end: 20 us, step: 30 us"), "30 us", "longer than the whole run")
 
 
-@claim("mistakes: found only when the simulation is built carry their line and column too")
+@claim("mistakes: errors found during set-up of the simulation also have line and column")
 def _(t):
     refused(t, ("end: 20 us", "end: 20 us, step: 3 us"), "3 us", "times the critical time step", "omit time.step")
     refused(t, ("0, 50 mm, 0", "0, 40 mm, 0"), "[0, 40 mm, 0]", "cylinder starts inside body plate", "56 particles")
@@ -53,7 +53,7 @@ def _(t):
     t.expect_success("run", t.deck(), *alone, "--set", "time.step=0.5 us")
 
 
-@claim("mistakes: a surface file that is missing, broken or no surface is refused with what is wrong and where")
+@claim("mistakes: a missing, damaged or invalid surface file is refused with reason and position")
 def _(t):
     (t.folder / "cut.stl").write_text("solid rock\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n")
     (t.folder / "noise.stl").write_bytes(bytes(range(256)))
@@ -68,7 +68,7 @@ def _(t):
         t.expect_complaint(t.run_program("mesh", name), 2, name)
 
 
-@claim("mistakes: a deck that is missing, a folder, or not to be read is named")
+@claim("mistakes: a missing or unreadable deck, or a folder, is named")
 def _(t):
     t.expect_complaint(t.run_program("run", "none.yaml"), 2, "none.yaml: there is no such file")
     t.expect_complaint(t.run_program("run", "."), 2, ".: this is a folder", "deck.yaml")
@@ -76,7 +76,7 @@ def _(t):
     t.expect_complaint(t.run_program("run", "/proc/self/mem"), 2, "/proc/self/mem: this file cannot be read")  # reading fails, opening does not
 
 
-@claim("mistakes: results that cannot be written are noticed before anything is computed")
+@claim("mistakes: an unwritable results folder is reported before any computation")
 def _(t):
     deck = t.deck()
     for command in ("run", "check"):
@@ -84,7 +84,7 @@ def _(t):
         t.expect_complaint(t.run_program(command, deck, "--out", "/proc/results"), 2, "results cannot be written to the folder /proc/results", "--out")
 
 
-@claim("mistakes: in --set name the key")
+@claim("mistakes: errors in --set name the key")
 def _(t):
     deck = t.deck()
     t.expect_complaint(t.run_program("run", deck, "--set", "time.end"), 2, "--set time.end: ", "output.frames=0")
@@ -93,7 +93,7 @@ def _(t):
     t.expect_complaint(t.run_program("run", deck, "--set", "time.step=3 us"), 2, "--set time.step: ", "times the critical time step")
 
 
-@claim("mistakes: on the command line are one sentence with a way out")
+@claim("mistakes: command-line errors are one sentence with a remedy")
 def _(t):
     deck = t.deck()
     for arguments, *words in [
@@ -114,7 +114,7 @@ def _(t):
         t.assertLess(len(done.err), 200, done.err)
 
 
-@claim("mistakes: a set-up larger than the machine's memory is refused before it is built, with the spacing that would fit")
+@claim("mistakes: a set-up larger than the memory of the machine is refused before it is built, with a suitable spacing")
 def _(t):
     for command in "check", "run":
         done = t.run_program(command, t.deck(), "--set", "bodies.plate.spacing=2 um")
@@ -128,7 +128,7 @@ def _(t):
     t.assertEqual(t.files("."), ["deck.yaml"])
 
 
-@claim("mistakes: a set-up that does not get its memory is refused, not aborted")
+@claim("mistakes: a failed allocation is an error, not an abort")
 def _(t):
     done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=200 um", limits={resource.RLIMIT_AS: 2**30})
     t.expect_complaint(done, 3, "there is not enough memory", "spacing")

@@ -73,7 +73,7 @@ def stopped_twice_and_resumed(t, name, which, chance):
     return len(t.report("r").get("resumed_at_steps", []))
 
 
-@claim("resume: stopped by Ctrl-C, SIGTERM or SIGKILL, then resumed with other numbers of threads, a run ends as if nothing had happened")
+@claim("resume: interrupted by Ctrl-C, SIGTERM or SIGKILL, then restarted with other numbers of threads, a run is bitwise identical to an uninterrupted one")
 def _(t):
     name, chance = deck(t), random.Random(1)
     t.assertEqual(run(t, name, "--out", "whole").code, 0)
@@ -86,7 +86,7 @@ def _(t):
         t.assertGreater(resumed, 0)
 
 
-@claim("resume: an interrupted run says how to go on, and run.json says at which steps it did")
+@claim("resume: an interrupted run prints the command to resume, and run.json records the steps of restarts")
 def _(t):
     changes = ["--set", "impactors.cylinder.velocity=[0, -30, 0]", "--set", "output.checkpoint_interval=0"]
     name = deck(t)
@@ -110,7 +110,7 @@ def _(t):
     expect_same(t, "it is here", "whole")
 
 
-@claim("resume: a finished run is left as it is, and where the end was not told yet it is told")
+@claim("resume: a finished run is unchanged, and a missing final report is written")
 def _(t):
     name = deck(t)
     t.assertEqual(run(t, name, "--out", "r").code, 0)
@@ -124,7 +124,7 @@ def _(t):
     expect_same(t, "r", "whole")
 
 
-@claim("resume: what cannot be resumed is refused with 2 and a sentence, and nothing of it is lost")
+@claim("resume: an impossible restart is refused with 2 and a sentence, without loss of data")
 def _(t):
     name = deck(t)
     t.expect_complaint(run(t, name, "--out", "r", "--resume"), 2, "there is no checkpoint r/checkpoint.h5", "run without --resume")
@@ -143,7 +143,7 @@ def _(t):
     t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in before}, before)
 
 
-@claim("resume: a run begun anew where an unfinished one could go on says so, and one that replaces a finished one does not")
+@claim("resume: replacing an unfinished run is reported, replacing a finished one is not")
 def _(t):
     name = t.deck(("end: 20 us", "end: 100 s"), MORE)
     process = t.start("run", name, "--out", "r")

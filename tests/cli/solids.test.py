@@ -15,7 +15,7 @@ def centres():
     return [(x, y, z) for z in steps(4) for y in steps(12) for x in steps(20)]
 
 
-@claim("a plate that a file encloses is struck as the box of the same size is")
+@claim("a plate enclosed by a surface file behaves as the box of the same size")
 def _(t):
     (t.folder / "plate.stl").write_text(grid_box((100.0, 60.0, 20.0), (3, 2, 1)).stl())
     t.expect_success("run", t.deck(), "--out", "box")
@@ -32,7 +32,7 @@ def _(t):
         t.assertTrue(all(abs(a - b) <= 1e-9 * scale for a, b in zip(one[column], other[column])), column)
 
 
-@claim("check says what a solid with a hole and a crack comes to, and draws it")
+@claim("check reports a solid with a hole and a crack, and writes it as VTP")
 def _(t):
     body = """shape: {sphere: {diameter: 60 mm}}
     spacing: 5 mm
@@ -46,7 +46,7 @@ def _(t):
     t.assertNotIn("relative to the solid", holed)  # nobody knows the volume of that
 
 
-@claim("a cloud from a CSV file runs, and pictures number its particles as the file does")
+@claim("a point cloud from a CSV file runs, and frames number its particles as the file does")
 def _(t):
     rows = "".join(f"{1000 * x!r}, {y!r}, {z!r}, 0.125\n" for x, y, z in centres())
     (t.folder / "cloud.csv").write_text("x [mm], y [m], z [m], volume [cm3]\n" + rows)
@@ -58,7 +58,7 @@ def _(t):
     t.assertIn(b'Name="original"', (t.folder / "r/frames/plate_00004.vtp").read_bytes())
 
 
-@claim("points that meshio writes as VTU and VTK, plain, packed and text, run as the same points of a CSV file do, to the last bit")
+@claim("points written by meshio as VTU and VTK, plain, compressed and text, are bitwise identical to those of a CSV file")
 def _(t):
     try:
         import meshio
@@ -88,7 +88,7 @@ def _(t):
     t.assertEqual(t.report("upper")["state_hash"], t.report("csv")["state_hash"])
 
 
-@claim("a VTK file without volumes is told with the arrays that it has")
+@claim("a VTK file without volumes is refused with the list of its arrays")
 def _(t):
     header = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 0\nPOINT_DATA 2\nSCALARS mass float\nLOOKUP_TABLE default\n1 2\n"
     for text, sentence in [
@@ -105,7 +105,7 @@ def _(t):
     t.expect_complaint(done, 2, "deck.yaml:", "cloud.vtu:1: the piece has no point array `volume` of one number a point; it has `mass`.")
 
 
-@claim("what is wrong with a file of a solid or a cloud is told at its key, and in the file at its line")
+@claim("errors in a file of a solid or point cloud are reported at its key, and with the line in the file")
 def _(t):
     cube = grid_box((100.0, 60.0, 20.0), (1, 1, 1))
     (t.folder / "open.stl").write_text(Shape({"": cube.parts[""][1:]}).stl())

@@ -49,7 +49,7 @@ def _(t):
         t.assertEqual(told["unit"], "N")
 
 
-@claim("statistics: windows tell mean and extremes of equal parts of the time")
+@claim("statistics: windows give mean and extremes of equal parts of the time")
 def _(t):
     t.expect_success("run", t.deck(("history_interval: 2 us", "history_interval: 0.3 us")), "--out", "r")
     out = t.expect_success("statistics", "r", "--columns", "cylinder.force_y,cylinder.position_y", "--windows", "7").out
@@ -79,7 +79,7 @@ def write_history(t, times, columns):
     t.write_kinds("r", loads=["ship.force_x"])
 
 
-@claim("statistics: the spectrum is Welch's, by a plain sum over each segment, and says its segments and resolution")
+@claim("statistics: the spectrum equals Welch's method by a direct sum over each segment, and reports segments and resolution")
 def _(t):
     chance, dt = random.Random(5), 0.02
     force = [3 * math.sin(2 * math.pi * 2.5 * dt * k) + chance.gauss(0, 1) for k in range(301)]
@@ -103,7 +103,7 @@ def _(t):
     t.assertAlmostEqual(1 / period, 2.5, delta=1 / 1.28)  # within the resolution
 
 
-@claim("statistics: unevenly spaced rows give the spectrum's peak where even ones do")
+@claim("statistics: unevenly spaced rows give the same spectral peak as even ones")
 def _(t):
     chance, times = random.Random(6), [0.0]
     while times[-1] < 60:
@@ -124,7 +124,7 @@ def _(t):
     t.assertAlmostEqual(sum(spectrum["ship.force_x [N2/Hz]"]) * resolution, 0.5, delta=0.02)
 
 
-@claim("statistics: gauges' forces and torques belong to the loads, those of boundaries do not, and --columns chooses any")
+@claim("statistics: forces and torques of gauges belong to the loads, those of boundary conditions do not, and --columns selects any")
 def _(t):
     deck = t.deck(("    free_dofs: [y]", "    free_dofs: [y]\n    gauges: {side: {point: [0, 0, 0], axis: [0, 0, 1]}}"),
                   ("  plate:\n    shape", "  plate:\n    particle_sets: {low: {position: [0, -25 mm, 0], shape: {box: {size: [1, 10 mm, 1]}}}}\n"
@@ -150,7 +150,7 @@ def sheet(t, *changes):
     return t.deck(SHEET, BREAKS, ("at: [0, 0, 0]", "at: [1, 0, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [1, -0.03, 0], to: [1, 0.03, 0]"), *changes)
 
 
-@claim("statistics: the width of a channel that two cracks cut is their distance, and its edges are theirs")
+@claim("statistics: the width of a channel between two cracks is their distance, and its edges are theirs")
 def _(t):
     t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
     whole = t.expect_success("statistics", "r", "--channel", "plate:x").out  # the strip is 40 % of the sheet
@@ -175,7 +175,7 @@ def _(t):
     t.assertIn("mean 0.4 m", across)  # seen the other way, the whole sheet is broken through over 30 mm
 
 
-@claim("statistics: what cannot be told is refused with 2 and a sentence, and nothing is written")
+@claim("statistics: invalid requests are refused with 2 and a sentence, and nothing is written")
 def _(t):
     t.expect_success("run", sheet(t, ("20 us}", "20 us, step: 0.5 us}")), "--out", "r")
     t.expect_success("run", t.deck(name="other.yaml"), "--out", "unbroken")
@@ -209,7 +209,7 @@ def _(t):
     t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv has no columns of impactors", "--columns")
 
 
-@claim("statistics: a run into the same folder takes away what was told of the earlier one")
+@claim("statistics: a new run into the same folder removes the statistics of the earlier one")
 def _(t):
     t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
     before = t.files("r")

@@ -39,7 +39,7 @@ Simulation made(const Setup& setup, std::function<void(double, const Body&, Vect
 
 }  // namespace
 
-TEST_CASE("own force: it is asked at t = 0 and once a step, at the positions of then, for particles alone") {
+TEST_CASE("user force: it is evaluated at t = 0 and once per step, at current positions, for particles only") {
   std::vector<double> times;
   std::size_t changed_before = 0;
   Simulation simulation = made(block(), [&](double time, const Body& body, VectorArray& density) {
@@ -53,7 +53,7 @@ TEST_CASE("own force: it is asked at t = 0 and once a step, at the positions of 
   CHECK(changed_before == 0);
 }
 
-TEST_CASE("own force: its work is the kinetic energy that it takes from a body it brakes") {
+TEST_CASE("user force: its work is the kinetic energy that it removes from a body it brakes") {
   Simulation simulation = made(block(), [](double, const Body& body, VectorArray& density) {
     for (const std::uint32_t slot : body.particles.slot_of()) density.set(slot, {-5e5, 0, 0});  // half of the velocity in the run
   });
@@ -67,7 +67,7 @@ TEST_CASE("own force: its work is the kinetic energy that it takes from a body i
   CHECK(std::fabs(fixtures::value(simulation, "total.energy_balance_error [J]")) < 1e-10 * 0.5 * mass);
 }
 
-TEST_CASE("own force: what is no number, leaves the plane, or has the name of another is told") {
+TEST_CASE("user force: values that are not finite, out-of-plane components and duplicate names are refused") {
   const auto constant = [](const Vec3d& f) {
     return [f](double, const Body& body, VectorArray& density) {
       for (const std::uint32_t slot : body.particles.slot_of()) density.set(slot, f);

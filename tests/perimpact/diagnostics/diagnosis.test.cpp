@@ -57,7 +57,7 @@ TEST_CASE("diagnosis: facets more than half a spacing off the cylinder, but no f
   CHECK(diagnose(made(setup), plate(), dt).empty());
 }
 
-TEST_CASE("diagnosis: a surface in millimetres is a hundred bodies large") {
+TEST_CASE("diagnosis: a surface in millimetres exceeds a hundred bodies in size") {
   ImpactorSetup setup = cylinder();
   setup.surface = BoxSurface{.size = {50, 25, 25}, .edge_length = 50};
   CHECK(holds(panels_of_another_unit(made(setup), plate()), "scale: 0.001"));

@@ -65,7 +65,7 @@ PointsShape grid() {
 
 }  // namespace
 
-TEST_CASE("cloud: each solid cell of a mesh becomes a particle in its middle, of its volume, in Gmsh, Abaqus and LS-DYNA files alike") {
+TEST_CASE("cloud: each solid cell of a mesh becomes a particle at its centroid with its volume, in Gmsh, Abaqus and LS-DYNA files alike") {
   const fixtures::TemporaryFolder folder;
   for (const ElementKind kind : {ElementKind::hexahedron, ElementKind::wedge, ElementKind::tetrahedron}) {
     const int n = 3, cuts = kind == ElementKind::hexahedron ? 1 : kind == ElementKind::wedge ? 2 : 6;
@@ -90,7 +90,7 @@ TEST_CASE("cloud: each solid cell of a mesh becomes a particle in its middle, of
   }
 }
 
-TEST_CASE("cloud: parts of a mesh may be chosen, and holes take cells out") {
+TEST_CASE("cloud: parts of a mesh can be selected, and holes remove cells") {
   const fixtures::TemporaryFolder folder;
   fixtures::put(folder / "block.inp", fixtures::abaqus_text(fixtures::block_of(ElementKind::hexahedron, 3)));
   CellsShape shape = cells(folder / "block.inp");

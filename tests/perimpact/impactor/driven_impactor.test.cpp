@@ -42,7 +42,7 @@ double own_energy(const Simulation& simulation) {
 
 }  // namespace
 
-TEST_CASE("driven impactor: a table of displacements is met while it strikes, and the works balance the energy") {
+TEST_CASE("driven impactor: a table of displacements is followed during impact, and works balance the energy") {
   Setup setup = plate_and_cylinder();
   setup.impactors[0].motion.y.emplace().times = {0, 20e-6, 30e-6};
   setup.impactors[0].motion.y->displacements = {0, -0.5e-3, -0.4e-3};
@@ -63,7 +63,7 @@ TEST_CASE("driven impactor: a table of displacements is met while it strikes, an
   CHECK(own_energy(simulation) > -0.2 * simulation.impactors()[0].constraint_work());
 }
 
-TEST_CASE("driven impactor: a load that presses a free one into the plate does the work that energy gains") {
+TEST_CASE("driven impactor: a load that presses a free impactor into the plate does the work gained in energy") {
   Setup setup = plate_and_cylinder();
   setup.impactors[0].free_dofs = {"y"};
   LoadSetup push;
@@ -111,7 +111,7 @@ TEST_CASE("driven impactor: gauges of all parts add up to its force and moment, 
   CHECK_NOTHROW(value(simulation, "cylinder.spin.torque [N m]"));
 }
 
-TEST_CASE("driven impactor: a density makes the mass and inertia that the mass would") {
+TEST_CASE("driven impactor: a density yields the same mass and inertia as the mass") {
   Setup by_mass = plate_and_cylinder(), by_density = plate_and_cylinder();
   const Simulation one(by_mass);
   const double volume = one.impactors()[0].surface().report().volume;
@@ -124,7 +124,7 @@ TEST_CASE("driven impactor: a density makes the mass and inertia that the mass w
   CHECK(a.properties().inertia.row[2].z == fixtures::relative(0.5 * 0.1 * 0.01 * 0.01, 0.01));  // of the round cylinder; panels lie within
 }
 
-TEST_CASE("driven impactor: what cannot be is refused with its key") {
+TEST_CASE("driven impactor: invalid set-ups are refused with their key") {
   std::string key;
   Setup both = plate_and_cylinder();
   both.impactors[0].density = 8000;

@@ -73,7 +73,7 @@ TEST_CASE("energy balance: it closes for every material while a driven block bre
   }
 }
 
-TEST_CASE("energy balance: contact's work on a driven impactor is its force times its way, and on a free one what it gains") {
+TEST_CASE("energy balance: the work of contact on a driven impactor is its force times displacement, and on a free one its gain") {
   for (const bool is_free : {false, true}) {
     Setup setup = pierced(Model::ordinary_state);
     if (is_free) setup.impactors[0].free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
@@ -94,7 +94,7 @@ TEST_CASE("energy balance: contact's work on a driven impactor is its force time
   }
 }
 
-TEST_CASE("energy balance: a first blow takes what two bodies lose that go on together") {
+TEST_CASE("energy balance: the first impact dissipates the loss of a perfectly inelastic collision") {
   Setup setup = pierced(Model::ordinary_state);
   setup.bodies[0].boundary_conditions.clear();
   setup.contact.impactors.friction = 0;
@@ -111,7 +111,7 @@ TEST_CASE("energy balance: a first blow takes what two bodies lose that go on to
   CHECK(value(simulation, "total.contact_dissipation [J]") == fixtures::relative(0.5 * static_cast<double>(resolved) * mass * 1600, 1e-9));
 }
 
-TEST_CASE("energy balance: a run that is left off after every step goes on with it to the last bit, for materials that keep what bonds determine") {
+TEST_CASE("energy balance: a restart after every step is bitwise exact, for materials with state determined by bonds") {
   for (const Model model : {Model::ordinary_state, Model::correspondence}) {
     Setup setup = pierced(model, 0.3);
     setup.time.end = 8e-6;

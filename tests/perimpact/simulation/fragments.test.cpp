@@ -81,7 +81,7 @@ double nearest(const Body& body) {
 
 }  // namespace
 
-TEST_CASE("fragments: two equal bars that meet head on exchange their velocities, keep momentum and the energy to one per cent, in space and in the plane") {
+TEST_CASE("fragments: two equal bars in head-on impact exchange their velocities, conserve momentum and the energy to one per cent, in 3-D and 2-D") {
   for (const PlaneState plane : {PlaneState::none, PlaneState::stress}) {
     CAPTURE(static_cast<int>(plane));
     Setup setup = two_bars(plane, 10, 30e-6);  // the wave needs 10 µs to the far end and back
@@ -137,7 +137,7 @@ TEST_CASE(
   for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
 }
 
-TEST_CASE("fragments: what friction and dashpots take is what rubble loses when it collides") {
+TEST_CASE("fragments: the dissipation by friction and dashpots is the energy loss of colliding rubble") {
   // no bonds: the springs alone hold energy, and the works are those of the scheme, so only its ripple of (ω dt)² is left
   Setup setup = with_contact(
       {block("left", {0.006, 0.006, 0.006}, {-0.0035, 0.0004, 0}, {40, 3, 0}), block("right", {0.006, 0.006, 0.006}, {0.0035, 0, 0.0003}, {-40, 0, 5})}, 3e-5);
@@ -159,7 +159,7 @@ TEST_CASE("fragments: what friction and dashpots take is what rubble loses when 
   CHECK(simulation.fragments()->dashpot_dissipation() > 0.05 * first);
 }
 
-TEST_CASE("fragments: a pressed slider is braked by µ times the pressure, and stays where it stops") {
+TEST_CASE("fragments: a slider under pressure is braked by µ times the pressure, and comes to rest") {
   // particles right above one another, and a way so short that they stay so; the slab below is held
   const double spacing = 0.001, acceleration = 3e4, friction = 0.3, speed = 0.3;
   Setup setup = with_contact({block("slab", {0.004, 0.004, 0.003}, {0, 0, -0.0015}, {}), block("slider", {0.004, 0.004, 0.002}, {0, 0, 0.001}, {})}, 1);
@@ -244,7 +244,7 @@ Rebound rebound(double speed, double along_y, double along_z, double angle) {
 
 }  // namespace
 
-TEST_CASE("fragments: blocks that meet face to face do not feel the phase of their lattices, nor how they are turned") {
+TEST_CASE("fragments: face-to-face contact of blocks depends neither on the phase nor on the rotation of their lattices") {
   for (const double speed : {1.0, 5.0}) {
     const Rebound plain = rebound(speed, 0, 0, 0);
     CAPTURE(speed);
@@ -259,7 +259,7 @@ TEST_CASE("fragments: blocks that meet face to face do not feel the phase of the
   }
 }
 
-TEST_CASE("fragments: a block that slides on another without friction keeps its speed, whatever its lattice's angle") {
+TEST_CASE("fragments: a block that slides on another without friction keeps its speed, for any angle of its lattice") {
   for (const double angle : {0.0, 0.35}) {
     CAPTURE(angle);
     const Vec3d start{-0.4, 0.01, 0.1};
@@ -284,7 +284,7 @@ TEST_CASE("fragments: a block that slides on another without friction keeps its 
   }
 }
 
-TEST_CASE("fragments: friction and dashpots take in every step of confined crushing, and the balance closes") {
+TEST_CASE("fragments: friction and dashpots dissipate in every step of confined crushing, and the energy balance closes") {
   // a heavy sphere into a block in a rigid mould: rubble is pressed and rubs against what boundaries hold
   fixtures::BodyOptions ice{.spacing = 0.1, .model = fixtures::Model::bond_based};
   BodySetup body = block("ice", {1.2, 1.2, 0.6}, {0, 0, -0.3}, {}, ice);
@@ -325,7 +325,7 @@ TEST_CASE("fragments: friction and dashpots take in every step of confined crush
   CHECK(std::fabs(value(simulation, "total.energy_balance_error [J]")) <= 0.005 * work);  // what is asked of contact
 }
 
-TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart, and all together keep their momentum") {
+TEST_CASE("fragments: the fragments of a block under impact separate, and conserve their total momentum") {
   fixtures::BodyOptions brittle{.critical_stretch = 1e-3};
   Setup setup = with_contact({block("block", {0.010, 0.008, 0.005}, {}, {}, brittle)}, 2e-5);
   ImpactorSetup ball;
@@ -350,7 +350,7 @@ TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart,
   CHECK(apart[1] > 0.4);  // of a spacing; contact begins at 0.9 and gives way
 }
 
-TEST_CASE("fragments: a run left off and taken up by a simulation made anew goes on with the same bits and works") {
+TEST_CASE("fragments: a restart is bitwise exact, also in the works") {
   const Setup setup = shattering();
   Simulation whole(setup);
   std::optional<Simulation> resumed(std::in_place, setup);
@@ -367,7 +367,7 @@ TEST_CASE("fragments: a run left off and taken up by a simulation made anew goes
   CHECK(whole.fragments()->friction_dissipation() > 0);
 }
 
-TEST_CASE("fragments: bodies of two dimensions touch others in their plane, and nothing else") {
+TEST_CASE("fragments: 2-D bodies have contact within their plane only") {
   std::string key;
   Setup mixed = two_bars(PlaneState::none, 10, 1e-6);
   mixed.bodies[1].plane.index = static_cast<int>(PlaneState::stress);
@@ -381,7 +381,7 @@ TEST_CASE("fragments: bodies of two dimensions touch others in their plane, and 
         "the plane bodies left and right lie at z = 0 m and 0.001 m, but contact is supported within one plane only; give them the same z, or set law: none.");
 }
 
-TEST_CASE("fragments: bodies that start nearer than they may are told of in a warning") {
+TEST_CASE("fragments: bodies initially closer than the contact distance yield a warning") {
   Setup setup = two_bars(PlaneState::none, 0, 1e-6);
   setup.bodies[1].position.x = 0.0116;
   const std::vector<std::string> warnings = Simulation(setup).warnings();
@@ -389,7 +389,7 @@ TEST_CASE("fragments: bodies that start nearer than they may are told of in a wa
   CHECK(warnings[0].find(" pairs of particles are initially closer than their contact distance, and ") != std::string::npos);
 }
 
-TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap of rubble is quiet at it") {
+TEST_CASE("stable step: contact shortens it, and dashpots more so; a pile of rubble is stable at it") {
   Setup setup = two_bars(PlaneState::none, 10, 30e-6);
   const auto step = [&] { return Simulation(setup).stability().estimate; };
   const double with = step();

@@ -44,7 +44,7 @@ Setup struck_plate(double nu = 0.25) {
 
 }  // namespace
 
-TEST_CASE("simulation: plate and cylinder together keep their linear momentum to 1e-10, struck off-centre and free to turn") {
+TEST_CASE("simulation: plate and cylinder conserve their linear momentum to 1e-10, in off-centre impact with free rotation") {
   for (const double friction : {0.0, 0.2}) {
     Setup setup = struck_plate();
     setup.contact.impactors.friction = friction;
@@ -58,7 +58,7 @@ TEST_CASE("simulation: plate and cylinder together keep their linear momentum to
   }
 }
 
-TEST_CASE("simulation: one, two and four threads end in the same state to the last bit, with a dilatation, breaking bonds and a turning impactor") {
+TEST_CASE("simulation: one, two and four threads end in the bitwise identical state, with a dilatation, breaking bonds and a rotating impactor") {
   const int before = fccda::thread_count();
   Setup setup = struck_plate(0.3);
   std::get<OrdinaryStateSetup>(setup.bodies[0].material).critical_stretch = 2e-3;
@@ -79,7 +79,7 @@ TEST_CASE("simulation: one, two and four threads end in the same state to the la
   CHECK(hashes[0] == hashes[2]);
 }
 
-TEST_CASE("simulation: the hash sees a single changed bit of the state") {
+TEST_CASE("simulation: the hash detects a single changed bit of the state") {
   Simulation simulation(struck_plate());
   const std::uint64_t hash = simulation.state_hash();
   std::span<double> velocity;
@@ -91,7 +91,7 @@ TEST_CASE("simulation: the hash sees a single changed bit of the state") {
   CHECK(simulation.state_hash() != hash);
 }
 
-TEST_CASE("simulation: a fine mesh and the analytic cylinder do the same within three times the facet error") {
+TEST_CASE("simulation: a fine mesh and the analytic cylinder agree within three times the facet error") {
   Setup meshed = struck_plate(), analytic = struck_plate();
   for (Setup* setup : {&meshed, &analytic}) setup->impactors[0].position.x = 0, setup->impactors[0].free_dofs = {"y"};
   analytic.contact.impactors.detector.index = static_cast<int>(DetectorKind::analytic);
@@ -103,7 +103,7 @@ TEST_CASE("simulation: a fine mesh and the analytic cylinder do the same within 
   CHECK(std::fabs(value(a, "centre.displacement_y [m]")) > 10 * facet);
 }
 
-TEST_CASE("simulation: a region exactly as wide as the cylinder changes no force") {
+TEST_CASE("simulation: contact bounds exactly as wide as the cylinder change no force") {
   Setup without = struck_plate(), with = struck_plate();
   with.impactors[0].contact_bounds = {BoxRegionSetup{.size = {0.02, 0.02, 0.01}}, Choice{on_exceed_words, 1}};
   Simulation a(without), b(with);
@@ -116,7 +116,7 @@ TEST_CASE("simulation: a region exactly as wide as the cylinder changes no force
   CHECK(a.state_hash() != 0);
 }
 
-TEST_CASE("simulation: what cannot run is refused with its key: a step beyond the stable one, an impactor that starts inside") {
+TEST_CASE("simulation: an unstable step and an impactor that starts inside are refused with their key") {
   std::string key;
   Setup too_long = struck_plate();
   too_long.time.step = 2e-6;
@@ -128,7 +128,7 @@ TEST_CASE("simulation: what cannot run is refused with its key: a step beyond th
   CHECK(key == "impactors.cylinder.position");
 }
 
-TEST_CASE("simulation: held degrees of freedom keep their velocity, and the holder's work balances the energy") {
+TEST_CASE("simulation: constrained degrees of freedom keep their velocity, and constraint work balances the energy") {
   Setup setup = struck_plate();
   setup.impactors[0].free_dofs = {};
   setup.impactors[0].position.x = 0;
@@ -143,7 +143,7 @@ TEST_CASE("simulation: held degrees of freedom keep their velocity, and the hold
   CHECK(gained >= 0.8 * work);
 }
 
-TEST_CASE("simulation: energy that appears from nowhere ends the run with a sentence") {
+TEST_CASE("simulation: an energy increase without a source ends the run with a message") {
   Simulation simulation(struck_plate());
   for (int step = 0; step < 20; ++step) simulation.step();
   simulation.visit_state([&](const std::string& name, auto&& values) {  // what an unstable step would do
@@ -157,5 +157,5 @@ TEST_CASE("simulation: energy that appears from nowhere ends the run with a sent
   } catch (const fccda::RunError& error) {
     sentence = error.what();
   }
-  CHECK(sentence.find("make it smaller") != std::string::npos);
+  CHECK(sentence.find("is unstable for this run; reduce it") != std::string::npos);
 }

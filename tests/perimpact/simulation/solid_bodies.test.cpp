@@ -35,7 +35,7 @@ Setup run_of(BodySetup body) { return {.time = {.end = 1e-6, .step = {}}, .bodie
 
 }  // namespace
 
-TEST_CASE("solid bodies: a ball has particles where it should, none in its bore, and no bond over its crack") {
+TEST_CASE("solid bodies: a ball has the expected particles, none in its bore, and no bond across its crack") {
   const BodySetup setup = ball();
   const Body body = make_body(setup);
   const double radius = 0.008, bore = 0.002;
@@ -66,7 +66,7 @@ TEST_CASE("solid bodies: a ball has particles where it should, none in its bore,
   CHECK(body.family.initial_bonds() == whole.family.initial_bonds());  // cut bonds count as damage
 }
 
-TEST_CASE("solid bodies: the mass of the solid is known, and a lattice too coarse for it is told") {
+TEST_CASE("solid bodies: the mass of the solid is known, and a lattice too coarse for it is reported") {
   BodySetup setup = ball();
   setup.holes.clear(), setup.cracks.clear();
   const Simulation fine(run_of(setup));
@@ -80,7 +80,7 @@ TEST_CASE("solid bodies: the mass of the solid is known, and a lattice too coars
   CHECK(!Simulation(run_of(ball())).filled_mass(0).has_value());
 }
 
-TEST_CASE("solid bodies: a body without particles is refused, particles without bonds are told") {
+TEST_CASE("solid bodies: a body without particles is refused, particles without bonds are reported") {
   BodySetup setup = ball();
   std::string key;
   setup.holes = {{"all", BoxSolid{{1, 1, 1}}, {}, {}}};
@@ -93,7 +93,7 @@ TEST_CASE("solid bodies: a body without particles is refused, particles without 
   CHECK(warns_of(Simulation(run_of(setup)), "1 particles of body body have no bonds, because the solid is too thin there"));
 }
 
-TEST_CASE("solid bodies: cracks that are none, or nowhere, are refused at their polygon") {
+TEST_CASE("solid bodies: invalid cracks and cracks outside the body are refused at their polygon") {
   std::string key;
   BodySetup setup = ball();
   setup.cracks[0].polygon.resize(2);
@@ -106,7 +106,7 @@ TEST_CASE("solid bodies: cracks that are none, or nowhere, are refused at their 
         "metres.");
 }
 
-TEST_CASE("solid bodies: a crack in a layer of particles parts it from the one below, and says so") {
+TEST_CASE("solid bodies: a crack in a layer of particles separates it from the one below, with a warning") {
   BodySetup setup = fixtures::body_setup({.size = {0.005, 0.005, 0.005}, .spacing = 0.001});  // the middle layer is at z = 0
   setup.cracks = {{"middle", {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}};              // normal up
   const Simulation simulation(run_of(setup));
@@ -133,7 +133,7 @@ TEST_CASE("solid bodies: a plane disc with a hole and a crack is one layer as th
   CHECK(body.cracks[0].bonds > 0);
 }
 
-TEST_CASE("solid bodies: the cells of a Gmsh mesh are a body that flies as it is thrown, with regions by place") {
+TEST_CASE("solid bodies: the cells of a Gmsh mesh form a body in free flight, with particle sets by position") {
   const ::fixtures::TemporaryFolder folder;
   const fccda::Elements block = ::fixtures::block_of(fccda::ElementKind::tetrahedron, 4);
   ::fixtures::GmshMesh mesh;
