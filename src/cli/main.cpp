@@ -60,8 +60,7 @@ void add_statistics(CLI::App& command, StatisticsArguments& arguments) {
   command.add_option("--channel-from", arguments.channel.from, "Lower end on the axis, a length");
   command.add_option("--channel-to", arguments.channel.to, "Upper end on the axis, a length");
   command
-      .add_option("--sheet", arguments.channel.sheet,
-                  "Fragments with at least this share of the body's particles belong to the intact sheet beside the channel")
+      .add_option("--sheet", arguments.channel.sheet, "Fragments with at least this share of the body's particles belong to the intact sheet along the channel")
       ->capture_default_str();
 }
 

@@ -42,7 +42,7 @@ Surface fit_surface(const Panels& panels, double weld, const std::filesystem::pa
   }
 }
 
-/// All that a picture can show.
+/// All defects that can be shown in a file.
 std::vector<Defect> defects_of(const Surface& surface, const SelfIntersections& folds) {
   std::vector<Defect> defects = folds.defects;
   if (!surface.is_closed()) defects.push_back({DefectKind::rim, surface.panels_on_boundary()});

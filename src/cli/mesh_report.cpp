@@ -38,8 +38,8 @@ std::optional<std::string> half_suspicion(const Surface& surface) {
   const double tolerance = 1e-6 * norm(surface.report().bounds.size());  // floats of binary STL round by less
   constexpr const char* axes[] = {"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3 && !all.empty(); ++axis) {
-    const bool in_plane = std::all_of(all.begin(), all.end(), [&](const BoundaryLoop& rim) {
-      return std::max(std::abs(rim.bounds.low[axis]), std::abs(rim.bounds.high[axis])) <= tolerance;
+    const bool in_plane = std::all_of(all.begin(), all.end(), [&](const BoundaryLoop& loop) {
+      return std::max(std::abs(loop.bounds.low[axis]), std::abs(loop.bounds.high[axis])) <= tolerance;
     });
     if (in_plane)
       return fmt::format("all boundary edges lie in the plane {0} = 0; if the file contains one half, `mirror_merge: {0}` in the deck adds the other",

@@ -1,4 +1,4 @@
-"""Bodies that are held, loaded and relaxed, from the deck to the results folder."""
+"""Boundary conditions and relaxation, from the deck to the results folder."""
 
 import signal
 import time
@@ -45,7 +45,7 @@ def _(t):
     # 34 of 40 mm are free and about as long is what strains: E A u/L, within the length of the clamps
     t.assertTrue(200e9 * 25e-6 * 0.04 / 40 < force[-1] < 200e9 * 25e-6 * 0.04 / 34, force)
     t.assertAlmostEqual(history["bar.clamp.force_x [N]"][-1] / force[-1], -1, 3)  # the residual adds up along the bar
-    t.assertAlmostEqual(history["middle.displacement_x [m]"][-1] / 2e-5, 1, 2)  # half of the way, but for that and the bar's contraction
+    t.assertAlmostEqual(history["middle.displacement_x [m]"][-1] / 2e-5, 1, 2)  # half of the displacement, up to that and the bar's contraction
     t.assertEqual(report["bodies"]["bar"]["boundaries"]["clamp"]["kind"], "fixed")
     t.assertEqual(report["bodies"]["bar"]["boundaries"]["pull"]["particles"], 75)
     t.assertEqual(report["increment [s]"], 0.25)

@@ -47,7 +47,7 @@ def _(t):
 
 @claim("columns: the mean of a water force times the time is the momentum from the water")
 def _(t):
-    # nothing touches it, so that weight, buoyancy and damping alone move it
+    # without contact, only weight, buoyancy and damping move it
     deck = t.deck(FLOATING, ("position: [0, 50 mm, 0]", "position: [0, 2, 5 mm]"), ("velocity: [0, -32 m/s, 0]", "velocity: [0, 0, -2]"), ("end: 20 us", "end: 400 us"),
                   ("history_interval: 2 us", "history_interval: 133 us"))
     t.expect_success("run", deck, "--out", "r")
@@ -78,7 +78,7 @@ def _(t):
         deck = t.deck(("end: 20 us", "end: 40 us"), ("history_interval: 2 us", f"history_interval: {history}"))
         t.expect_success("run", deck, "--out", "r", "--no-report")
         found.append({name: (t.folder / "r" / name).read_bytes() for name in t.files("r") if name.startswith("frames/cylinder") or name.endswith("_at_peak.csv")})
-    t.assertEqual(len(found[0]), 1 + 5 + 1)  # the list of pictures, the pictures, the curve
+    t.assertEqual(len(found[0]), 1 + 5 + 1)  # the list of frames, the frames, the curve
     t.assertGreater(max(table(t.folder / "r/pressure_area/cylinder_at_peak.csv")["mean_pressure [Pa]"]), 0)
     t.assertTrue(found[0] == found[1] == found[2])
 

@@ -1,4 +1,4 @@
-"""Warnings: what looks wrong before a run, and what a run turns out to have been."""
+"""Warnings before a run and at its end."""
 
 from claims import claim, main
 

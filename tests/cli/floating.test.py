@@ -4,7 +4,7 @@ import math
 
 from claims import claim, main
 
-# a box of 2 m × 1 m × 0.5 m in water of 1000 kg/m3, and a body far above that nothing touches
+# a box of 2 m × 1 m × 0.5 m in water of 1000 kg/m3, and a body far above without contact
 DECK = """\
 title: A box in water
 time: {end: 6 s, step: 2 ms}

@@ -68,7 +68,7 @@ def panels_in(kind):
 
 
 class Measured:
-    """Panels, area and enclosed volume of surface cells, given as (kind, array of node numbers); they need not be wound alike, but be convex
+    """Panels, area and enclosed volume of surface cells, given as (kind, array of node numbers); their orientation may differ, but they must be convex
     together with what `inside` says: a point inside the body of each triangle."""
 
     def __init__(self, points, cells, inside):
@@ -85,7 +85,7 @@ class Measured:
 
 
 def inside_of_scene(points):
-    """The middle of the first box, of the second if it stands apart, or of the ball: each body is convex."""
+    """The centre of the first box, of the second if it is separate, or of the ball: each body is convex."""
     return np.where(points[:, :1] > 2.1, [[3.0, 0, 0]], np.where(points[:, :1] > 1.25, [[1.75, 0.5, 0.5]], [[0.5, 0.5, 0.5]]))
 
 
@@ -214,7 +214,7 @@ Transfinite Surface{:};
 
 
 def meshio_surface():
-    """A sphere of triangles between its poles and of quads around its equator, wound outward."""
+    """A sphere of triangles between its poles and of quads around its equator, oriented outward."""
     rings, around = 7, 12
     polar, turn = np.pi * np.arange(1, rings) / rings, 2 * np.pi * np.arange(around) / around
     grid = np.array([[np.sin(p) * np.cos(u), np.sin(p) * np.sin(u), np.cos(p)] for p in polar for u in turn])
@@ -248,7 +248,7 @@ def meshio_solids():
                         points.append([4 * body + x + 0.5, y + 0.5, z + 0.5])
                         for face in FACES["hexahedron"]:
                             corners = [c[int(k)] for k in face]
-                            # towards the middle the base must be wound inward
+                            # towards the middle the base must be oriented inward
                             base = corners if face == "0123" else corners[::-1]
                             if face == "4567":  # cut in two tetrahedra each: no cube is above the other's lid but at z = 1
                                 if z == 0:

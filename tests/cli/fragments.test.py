@@ -1,4 +1,4 @@
-"""What a run tells of the fragments of bodies that break."""
+"""Fragment output of a run."""
 
 import signal
 import time

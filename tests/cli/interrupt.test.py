@@ -11,7 +11,7 @@ LONG = ("end: 20 us", "end: 100 s")  # would take hours
 
 
 def interrupted(t, which):
-    """Starts a long run, sends it the signal when it is under way; exit code and output."""
+    """Starts a long run, sends it the signal while it is running; returns exit code and output."""
     shutil.rmtree(t.folder / "r", ignore_errors=True)
     process = t.start("run", t.deck(LONG), "--out", "r", "--set", "output.frames=100000")
     history = t.folder / "r/history.csv"
@@ -43,7 +43,7 @@ def _(t):
         for name in ("plate", "cylinder"):
             entries = xml.parse(t.folder / f"r/frames/{name}.pvd").findall("./Collection/DataSet")
             t.assertEqual({entry.get("file") for entry in entries}, {path.name for path in (t.folder / "r/frames").glob(f"{name}_*.vtp")})
-            t.assertEqual(float(entries[-1].get("timestep")), report["time [s]"])  # the last picture shows the state that was reached
+            t.assertEqual(float(entries[-1].get("timestep")), report["time [s]"])  # the last frame is that of the final state
 
 
 @claim("interrupt: the output of an interrupted run equals that of the full run up to then")

@@ -10,7 +10,7 @@ def _(t):
     first = next(k for k, force in enumerate(history["cylinder.force_y [N]"]) if force != 0)
     t.assertEqual(curve["time [s]"], history["time [s]"][first:])
     for k, force in enumerate(curve["normal_force [N]"]):
-        # the cylinder is struck along its lowest line and a little beside it: there the normal leans, and its share along y is less
+        # contact is along the lowest line of the cylinder and near it, where the normal is inclined and its y component smaller
         t.assertGreaterEqual(force, history["cylinder.force_y [N]"][first + k] * (1 - 1e-12))
         t.assertLess(force, history["cylinder.force_y [N]"][first + k] * 1.05 + 1e-9)
         faces = curve["contact_area [m2]"][k] / 0.005**2

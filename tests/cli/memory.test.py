@@ -72,7 +72,7 @@ def _(t):
 
 
 def expect_rubble_near(t, friction):
-    """A stretch below rounding breaks the bonds of a body that flies; the impactor has the list made anew while all are loose."""
+    """A stretch below rounding breaks the bonds of a body that flies; the impactor causes the list to be rebuilt while all are loose."""
     (t.folder / "deck.yaml").write_text(f"""title: Rubble
 time: {{end: 10 us, step: 0.5 us}}
 output: {{frames: 1, folder: r}}

@@ -9,12 +9,12 @@ from shapes import Shape, defects, folded_prism, grid_box, half_hull, moebius, p
 
 
 def rows(t, *arguments):
-    """What stands behind each name of the report; a list for names with several rows."""
+    """Value of each row of the report; a list for names with several rows."""
     found = {}
     for line in t.expect_success("mesh", *arguments).out.splitlines()[1:]:
         match = re.match(r"  (?:  )?(\S.*?)? {2,}(\S.*)$", line)
         if match:
-            name = match[1] or name  # a row without one goes on with that above
+            name = match[1] or name  # a row without a name continues the one above
             found.setdefault(name, []).append(match[2])
     return {name: values[0] if len(values) == 1 else values for name, values in found.items()}
 
@@ -127,7 +127,7 @@ def _(t):
 
     said = rows(t, write(t, "folded.obj", folded_prism()))
     t.assertIn("repair the fold", said["inside out"])
-    # sides 0 and 5 meet at the origin, and side 3 goes through both
+    # sides 0 and 5 meet at the origin, and side 3 intersects both
     t.assertEqual(defects(t.folder / "folded_defects.vtp"), {"inside out": [0, 3, 5]})
 
     said = rows(t, write(t, "rooms.obj", two_rooms()))

@@ -1,4 +1,4 @@
-"""What a user can do wrong ends in one sentence that begins with error:, with the place in the deck where there is one, and in exit code 2.
+"""Input errors end in one sentence that begins with error:, with the position in the deck if there is one, and in exit code 2.
 Every mistake of the deck's own is in tests/io/deck; here are those that only the whole program can make or find."""
 
 import resource
@@ -9,7 +9,7 @@ CYLINDER = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 
 
 
 def refused(t, change, at, *words):
-    """The changed deck is refused at the place where `at` stands, the same by run and by check."""
+    """The changed deck is refused at the position of `at`, alike by run and by check."""
     deck = t.deck(change)
     begins = f"deck.yaml:{place_of(changed(DECK, change), at)}: "
     for command in ("run", "check"):

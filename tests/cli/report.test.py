@@ -22,7 +22,7 @@ def half_step(array, extra=0.0):
 
 
 def expect_frames(t, report, folder, name, kept=None):
-    """Every picture in the report equals its file within half a step of each quantity."""
+    """Every frame in the report equals its file within half a quantisation step of each quantity."""
     body, places, pictures = report.body(name)
     half = {array["name"]: half_step(array) for array in body["arrays"]}
     t.assertEqual(len(pictures), len(body["pictures"]))
@@ -36,7 +36,7 @@ def expect_frames(t, report, folder, name, kept=None):
             for axis in range(3):
                 t.assertLessEqual(abs(picture[f"displacement_{'xyz'[axis]}"][shown] - u[axis]), half[f"displacement_{'xyz'[axis]}"])
                 x = places[axis][shown] + picture[f"displacement_{'xyz'[axis]}"][shown]
-                # files hold places as floats, and the undeformed place is one less another
+                # files contain positions as floats, and the undeformed position is a difference
                 bound = half_step(body["undeformed"][axis], half[f"displacement_{'xyz'[axis]}"] + 2 * FLOAT * abs(arrays["points"][particle][axis]))
                 t.assertLessEqual(abs(x - arrays["points"][particle][axis]), bound)
             t.assertLessEqual(abs(picture["speed"][shown] - math.hypot(*v)), half["speed"])
@@ -141,7 +141,7 @@ def _(t):
 
 @claim("report: a larger run is thinned, first frames evenly, then particles, and stays below the size")
 def _(t):
-    # 60 pictures of 6 400 particles, of which 2 296 lie on the surface: 40 x 20 x 8 cells of 2.5 mm
+    # 60 frames of 6 400 particles, of which 2 296 lie on the surface: 40 x 20 x 8 cells of 2.5 mm
     deck = t.deck(("spacing: 5 mm", "spacing: 2.5 mm"), ("frames: 4", "frames: 60"), ("size: [100 mm, 60 mm, 20 mm]", "size: [100 mm, 50 mm, 20 mm]"),
                   ("position: [0, 50 mm, 0]", "position: [0, 45 mm, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [0, -25 mm, 0], to: [0, 25 mm, 0]"), ("{end: 20 us}", "{end: 12 us, step: 0.2 us}"), ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.003}"))
     t.expect_success("run", deck, "--out", "r", "--no-report")
@@ -149,7 +149,7 @@ def _(t):
     t.assertEqual((whole.notes, len(whole.times)), ([], 61))
     size = sum(len(text) for name, text in whole.scripts.items() if name not in ("description", "run", "history"))
 
-    fewer = report_of(t, "r", "--size", f"{0.85e-6 * size:.3f}")  # pictures alone
+    fewer = report_of(t, "r", "--size", f"{0.85e-6 * size:.3f}")  # frames alone
     t.assertTrue(40 <= len(fewer.times) < 61, len(fewer.times))
     t.assertEqual((fewer.times[0], fewer.times[-1]), (whole.times[0], whole.times[-1]))
     gaps = [round((b - a) / 0.2e-6) for a, b in zip(fewer.times, fewer.times[1:])]

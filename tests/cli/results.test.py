@@ -86,7 +86,7 @@ def _(t):
     t.assertEqual(names[first + 19], "plate.kinetic_energy [J]")
     for axis in AXES:
         for rim, caps, whole in zip(*(history[f"cylinder.{who}force_{axis} [N]"] for who in ("rim.", "caps.", "")), strict=True):
-            t.assertAlmostEqual(rim + caps, whole, delta=1e-9 * 1e5)  # sums of some hundred pushes in another order
+            t.assertAlmostEqual(rim + caps, whole, delta=1e-9 * 1e5)  # sums of some hundred impulses in another order
     for torque, moment in zip(history["cylinder.hub.torque [N m]"], history["cylinder.hub.moment_z [N m]"], strict=True):
         t.assertAlmostEqual(torque, moment, delta=1e-9)  # the axis is z and does not turn
     t.assertGreater(max(map(abs, history["cylinder.rim.force_y [N]"])), 1e5)
@@ -232,7 +232,7 @@ def _(t):
 
 @claim("results: an unstable run exits with 3 and the step, and run.json records the message")
 def _(t):
-    # just below the limit of small strains, and struck so fast that strains are not small
+    # just below the limit of small strains, and with an impact so fast that strains are not small
     done = t.run_program("run", t.deck(("end: 20 us", "end: 1 ms, step: 1.5 us"), ("-32 m/s", "-3200 m/s")), "--out", "r")
     t.expect_complaint(done, 3, "At step ", "smaller")
     report = t.report("r")

@@ -14,7 +14,7 @@ STEPS = ("time: {end: 20 us}", "time: {end: 30 us, step: 0.05 us}")
 BREAKS = ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002")
 MORE = ("  history_interval: 2 us", "  history_interval: 0.7 us\n  checkpoint_interval: 10 ms")
 LINE = ("to: [0, 30 mm, 0]}", "to: [0, 30 mm, 0], times: [3 us, 17 us, 30 us]}")
-TIME_DEPENDENT = ("run.json", "report.html", "checkpoint.h5")  # tell how long it took, and where it was resumed
+TIME_DEPENDENT = ("run.json", "report.html", "checkpoint.h5")  # contain wall-clock times and restarts
 
 
 def deck(t, *changes):
@@ -27,7 +27,7 @@ def run(t, *arguments, threads=2):
 
 
 def expect_same(t, folder, whole):
-    """All files but those that tell of wall times are the same, byte for byte, and run.json says the same of the run."""
+    """All files without wall-clock times are identical byte for byte, and run.json describes the same run."""
     t.assertEqual(t.files(folder), t.files(whole))
     for name in t.files(whole):
         if name not in TIME_DEPENDENT:
@@ -36,7 +36,7 @@ def expect_same(t, folder, whole):
     for each in report, wanted:
         for key in ("wall_time [s]", "timers [s]", "threads", "resumed_at_steps"):
             each.pop(key, None)
-        for impactor in each["impactors"].values():  # what detectors remember of distances is looked up again
+        for impactor in each["impactors"].values():  # cached distances of detectors are searched again
             for detection in impactor["detection"].values():
                 for key in ("points_in_region", "points_asked", "panels_asked"):
                     del detection[key]

@@ -1,4 +1,4 @@
-"""Bodies from files, with holes and cracks, and clouds, from the deck to the pictures."""
+"""Bodies from files, with holes and cracks, and point clouds, from the deck to output frames."""
 
 import unittest
 
@@ -43,7 +43,7 @@ def _(t):
     t.assertRegex(out, r"crack notch +\d+ bonds cut")
     t.assertIn("plate.vtp", t.files("r/check"))
     holed = t.expect_success("check", t.deck((SHAPE, body + "\n    holes: {bore: {shape: {box: {size: [20 mm, 20 mm, 1]}}, position: [20 mm, 0, 0]}}"), NO_LINES)).out
-    t.assertNotIn("relative to the solid", holed)  # nobody knows the volume of that
+    t.assertNotIn("relative to the solid", holed)  # its volume is unknown
 
 
 @claim("a point cloud from a CSV file runs, and frames number its particles as the file does")

@@ -63,7 +63,7 @@ def _(t):
         t.assertAlmostEqual(windows["cylinder.force_y.mean [N]"][k], mean_of(rows), delta=1e-9 * max(history[FORCE]))  # parts of rows at the ends
         for word, choose in (("maximum", max), ("minimum", min)):
             t.assertEqual(windows[f"cylinder.force_y.{word} [N]"][k], choose(value for _, value, _ in rows))
-        # the cylinder goes down: its highest place is that at the beginning, on the line between two rows
+        # the cylinder moves down: its highest position is at the beginning, interpolated between two rows
         row = next(n for n in range(1, len(history["time [s]"])) if history["time [s]"][n] > begin)
         (t0, t1), (y0, y1) = history["time [s]"][row - 1 : row + 1], history["cylinder.position_y [m]"][row - 1 : row + 1]
         t.assertAlmostEqual(windows["cylinder.position_y.maximum [m]"][k], y0 + (y1 - y0) * (begin - t0) / (t1 - t0), delta=1e-12)
@@ -157,7 +157,7 @@ def _(t):
     t.assertIn("no column is broken through", whole)
     out = t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.41").out
     t.assertIn("nowhere", t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.2").out)
-    # the strips beside it hold 25 and 35 % of the particles: with 41 % nothing remains, and the whole sheet is broken
+    # the strips along it have 25 and 35 % of the particles: with 41 % nothing remains, and the whole sheet is broken
     t.assertIn("mean 0.3 m", out)
     cut = t.deck(SHEET, BREAKS, ("at: [0, 0, 0]", "at: [1, 0, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [1, -0.03, 0], to: [1, 0.03, 0]"),
                  ("-201 mm, 45 mm", "-201 mm, -45 mm"), ("201 mm, 45 mm", "201 mm, -45 mm"))
@@ -172,7 +172,7 @@ def _(t):
         for got, wanted in ((low, -0.075), (high, -0.045), (width, 0.03)):
             t.assertAlmostEqual(got, wanted, delta=1e-9)  # places are rounded to a thousandth of a spacing, which these hit
     across = t.expect_success("statistics", "r", "--channel", "plate:y", "--sheet", "0.2").out
-    t.assertIn("mean 0.4 m", across)  # seen the other way, the whole sheet is broken through over 30 mm
+    t.assertIn("mean 0.4 m", across)  # along the other axis, the whole sheet is broken through over 30 mm
 
 
 @claim("statistics: invalid requests are refused with 2 and a sentence, and nothing is written")

@@ -1,4 +1,4 @@
-"""Surfaces from files in decks: every key, what is refused, and that the way a surface is written changes nothing in the contact."""
+"""Surfaces from files in decks: every key, what is refused, and contact independent of the form of the file."""
 
 import gzip
 import math
@@ -27,7 +27,7 @@ def use(t, surface, place, *more, name="deck.yaml"):
 
 
 def run(t, folder, *arguments):
-    """History of a run in which something is struck."""
+    """History of a run with contact."""
     t.expect_success("run", *arguments, "--out", folder, "--threads", "1")
     history = t.history(folder)
     t.assertGreater(max(history["cylinder.contacts [-]"]), 0, folder)
@@ -102,7 +102,7 @@ def _(t):
     distance = lambda p, q: math.dist(p, q)
     for one, others in (found, expected), (expected, found):
         for p in one:
-            t.assertLess(min(distance(p, q) for q in others), 1e-7)  # pictures are in single precision
+            t.assertLess(min(distance(p, q) for q in others), 1e-7)  # frames are in single precision
     # the wall between both halves is gone
     unturned = use(t, keys.replace("20 deg, -30 deg, 40 deg", "0, 0, 0"), "position: [0, 0, 0]")
     t.assertRegex(t.expect_success("check", unturned, "--out", "r").out, r"0\.02 x 0\.06 x 0\.04 m\n(.*\n)*  components +1\n")
@@ -210,7 +210,7 @@ def _(t):
     deck = use(t, "file: surface.obj, scale: 0.001", BOX_PLACE)
     t.expect_success("check", deck, "--out", "r")
     t.expect_success("run", deck, "--out", "r")
-    t.assertEqual([name for name in t.files("r") if "defects" in name], [])  # the picture is gone with what it showed
+    t.assertEqual([name for name in t.files("r") if "defects" in name], [])  # the file of defects is removed
 
 
 @claim("surfaces: a surface with an inner wall runs with a declared orientation, and a warning reports its cut edges")

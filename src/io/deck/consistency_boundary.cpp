@@ -45,11 +45,11 @@ void check(FixedSetup& fixed, const Context& context) {
   }
 }
 
-void check_displacement(DisplacementSetup& course, const std::string& path, const Context& context) {
+void check_displacement(DisplacementSetup& history, const std::string& path, const Context& context) {
   const Places& places = context.places;
   const std::pair<std::string_view, bool> forms[] = {
-      {"velocity", course.velocity.has_value()},  {"displacement", course.displacement.has_value()}, {"times", !course.times.empty()},
-      {"velocities", !course.velocities.empty()}, {"displacements", !course.displacements.empty()},  {"file", !course.file.empty()}};
+      {"velocity", history.velocity.has_value()},  {"displacement", history.displacement.has_value()}, {"times", !history.times.empty()},
+      {"velocities", !history.velocities.empty()}, {"displacements", !history.displacements.empty()},  {"file", !history.file.empty()}};
   std::string_view first;
   for (const auto& [key, is_given] : forms) {
     if (!is_given) continue;
@@ -60,15 +60,15 @@ void check_displacement(DisplacementSetup& course, const std::string& path, cons
   }
   if (first.empty()) refuse(places.of(path), fmt::format("{} needs a velocity or a displacement, times with either, or a file.", path));
   if (first == "velocity" || first == "displacement") return;
-  check_table(course, path, places);
-  read_table(course, false, path, context.folder, places);
+  check_table(history, path, places);
+  read_table(history, false, path, context.folder, places);
 }
 
 void check(PrescribedSetup& prescribed, const Context& context) {
   if (!prescribed.x && !prescribed.y && !prescribed.z)
     refuse(context.places.of(context.path), fmt::format("{} prescribes no motion; give x, y or z.", context.path));
   for (std::size_t axis = 0; axis < std::size(axis_words); ++axis)
-    if (auto& course = prescribed.of(axis)) check_displacement(*course, fmt::format("{}.{}", context.path, axis_words[axis]), context);
+    if (auto& history = prescribed.of(axis)) check_displacement(*history, fmt::format("{}.{}", context.path, axis_words[axis]), context);
   if (prescribed.z) context.refuse_along_z("z");
 }
 

@@ -61,10 +61,10 @@ ForceSum Floating::add_to(Particles& particles) {
     const double t = (water_.level - z) / height + 0.5;
     const double column = t <= 0 ? 0 : t < 1 ? 0.5 * t * t : t - 0.5;  // ∫ S dz/Δ from the particle upward
     Vec3d density = particles.force_density.at(slot);
-    const double own = lift * water_.submerged(z, height) - weight;
-    density.z += own;
+    const double net = lift * water_.submerged(z, height) - weight;
+    density.z += net;
     particles.force_density.set(slot, density);
-    const double force = volume * own;
+    const double force = volume * net;
     return Hydrostatics{{{0, 0, force}, force * force}, volume * (weight * z + lift * height * column)};
   });
   if (has_begun_) {

@@ -174,7 +174,7 @@ void add_boundaries(Random& random, BodySetup& body, bool relaxes) {
 }
 
 void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
-  // of y and ry, which are held here
+  // of y and ry, which are constrained here
   TranslationTable& heave = impactor.motion.y.emplace();
   fill_table(random, heave.times, random() % 2 ? heave.velocities : heave.displacements);
   RotationTable& turn = impactor.motion.ry.emplace();
@@ -279,7 +279,7 @@ void fill_shapes(Random& random, BodySetup& body) {
   }
 }
 
-/// Any model, with one of the keys that say when bonds break, or none of them.
+/// Any model, with at most one failure criterion.
 void fill_material(Random& random, BodySetup& body) {
   const MaterialSetup models[] = {OrdinaryStateSetup{}, LinearSolidSetup{}, BondBasedSetup{}, CorrespondenceSetup{}};
   body.material = models[random() % std::size(models)];

@@ -24,7 +24,7 @@ struct Echo {
   double absorbed;  ///< [-] what the layer says it took, of the same
 };
 
-/// A pulse that runs along a bar in uniaxial strain (its sides are held) into the layer and back.
+/// A pulse along a bar in uniaxial strain (constrained sides) into the layer and back.
 Echo echo(std::optional<double> reflection) {
   BodySetup setup = fixtures::body_setup({.size = {length, 0.004, 0.004}});
   setup.boundary_conditions = {{"sides", FixedSetup{.directions = {"y", "z"}}}};
@@ -62,7 +62,7 @@ TEST_CASE("absorbing: the reflection coefficient is the requested one, and the l
 TEST_CASE("absorbing: damping increases with the square of the depth to 3 c ln(1/R)/L, with the integral of the formula") {
   CHECK(layer_damping(0, 2, 5000, 0.01) == 0);
   CHECK(layer_damping(2, 2, 5000, 0.01) == fixtures::relative(3 * 5000 * std::log(100) / 2, 1e-14));
-  double integral = 0;  // of α/(2c), on the way in and out, by the middle rule
+  double integral = 0;  // of α/(2c), inward and outward, by the midpoint rule
   constexpr int pieces = 1000;
   for (int k = 0; k < pieces; ++k) integral += 2 * layer_damping((k + 0.5) / pieces * 2, 2, 5000, 0.01) / (2 * 5000) * 2 / pieces;
   CHECK(std::exp(-integral) == fixtures::relative(0.01, 1e-5));  // the rule's error is 1/pieces²
@@ -98,6 +98,6 @@ TEST_CASE("absorbing: constrained directions are not damped") {
   const auto free = [&](std::size_t axis) {
     return std::count_if(layer.damping().begin(), layer.damping().end(), [&](const Vec3d& each) { return each[axis] > 0; });
   };
-  CHECK(free(0) == 4 * 4 * 4);  // of five layers the last is held
+  CHECK(free(0) == 4 * 4 * 4);  // of five layers the last is constrained
   CHECK(free(1) == 5 * 4 * 4);
 }

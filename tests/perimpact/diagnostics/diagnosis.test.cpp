@@ -11,7 +11,7 @@ using namespace perimpact;
 
 namespace {
 
-/// The cylinder of the plate benchmark, and what it strikes.
+/// The cylinder of the plate benchmark, and its target.
 ImpactorSetup cylinder() {
   ImpactorSetup setup;
   setup.name = "cylinder";
@@ -114,10 +114,10 @@ TEST_CASE("diagnosis: particles behind an open surface are counted, but not thos
   const Impactor wall = made(setup);
   CHECK(particles_behind(wall, particles) == 8);
   CHECK(holds(starts_behind(wall, plate(), particles), "8 of the 16 particles of body plate start behind the open surface of impactor cylinder"));
-  setup.position = {1.5, 0, 0};  // its rim is at x = 0.5: half of the particles lie beyond it
+  setup.position = {1.5, 0, 0};  // its edge is at x = 0.5: half of the particles lie beyond it
   CHECK(particles_behind(made(setup), particles) == 2);
   setup.surface = BoxSurface{.size = {3, 3, 3}, .edge_length = 1};
-  CHECK(particles_behind(made(setup), particles) == 0);  // closed: that is starting_inside's business
+  CHECK(particles_behind(made(setup), particles) == 0);  // closed: handled by initial_overlap
   std::filesystem::remove(file);
 }
 

@@ -42,7 +42,7 @@ std::vector<std::string> closing(const Setup& setup) {
 TEST_CASE("proximity: an impactor without contact is reported with its smallest distance and the time of it") {
   const std::vector<std::string> warnings = closing(flyby());
   REQUIRE(warnings.size() == 1);
-  // over the block it is 3 mm away from contact; it gets there at x = -21 mm, after 6 µs, and is looked at a hundred times in the 40 µs
+  // over the block it is 3 mm away from contact; it gets there at x = -21 mm, after 6 µs, and is sampled a hundred times in the 40 µs
   const std::string sentence = "Impactor cube had no contact with body block until t = 4e-05 s: the smallest distance was 0.003 m, at t = ";
   CHECK(warnings[0].starts_with(sentence));
   const double time = std::stod(warnings[0].substr(sentence.size()));
@@ -78,7 +78,7 @@ TEST_CASE("proximity: particles that penetrate where contact bounds clip are cou
   CHECK(last.find(" particles of body block penetrated impactor cube outside the contact bounds, the first by t = ") != std::string::npos);
   CHECK(last.find("Enlarge impactors.cube.contact_bounds.") != std::string::npos);
   const double first = std::stod(last.substr(last.find("t = ") + 4));
-  // The region begins 2 mm before the cube's middle, and is looked at from a contact radius of 1 mm before that. The middle is 7 mm from the
+  // The contact bounds begin 2 mm before the cube's centre, and contact is searched from a contact radius of 1 mm before. The centre is 7 mm from the
   // first particles at the start, which nothing stops before: 20 to 25 µs at 200 m/s, and up to 1 µs to the next row.
   CHECK(first >= 19.9e-6);
   CHECK(first <= 26e-6);

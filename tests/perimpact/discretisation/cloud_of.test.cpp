@@ -1,4 +1,4 @@
-// Clouds: the cells of meshes in the formats that hold them, and points of a list.
+// Point clouds: cells of meshes in all formats with cells, and points of a list.
 #include "perimpact/discretisation/cloud_of.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Regions: which particles a name stands for.
+// Particle sets: the particles of a name.
 #include "perimpact/discretisation/particle_set.hpp"
 
 #include <doctest/doctest.h>

@@ -173,7 +173,7 @@ TEST_CASE("solid: rows along faces, edges and corners of a surface contain the p
 
 TEST_CASE("solid: rows within faces parallel to them up to rounding end outside the solid") {
   // one such row in two hundred slips past a sliver of the face in its plane, and seems to enter more often than to leave; were that not seen to,
-  // the address sanitizer would tell
+  // checked by the address sanitizer
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> share(0, 1);
   for (int n = 0; n < 200; ++n) {
@@ -212,7 +212,7 @@ TEST_CASE("solid: a cavity is outside, and overlapping parts are united") {
   const SurfaceSolid pair = surface(fixtures::joined(ball(1, {}), ball(1, {0.4, 0.05, 0.02})));
   for (const Vec3d& point : {Vec3d{-0.3, 0, 0}, Vec3d{0.2, 0.02, 0}, Vec3d{0.7, 0, 0}}) CHECK(holds(pair, point));
   CHECK(!holds(pair, {0.2, -0.48, 0}));
-  CHECK(!pair.volume().has_value());  // they overlap, so that nobody knows
+  CHECK(!pair.volume().has_value());  // they overlap, so that the volume is unknown
 }
 
 TEST_CASE("solid: a file is scaled, rotated and translated before the frame of the body applies") {

@@ -17,7 +17,7 @@ using fixtures::value;
 
 namespace {
 
-/// A block of 4 × 4 × 4 cm struck by a face wider than itself, for 600 steps.
+/// A block of 4 × 4 × 4 cm in contact with a face wider than itself, for 600 steps.
 Setup struck_block(std::optional<double> history) {
   Setup setup;
   setup.time = {.end = 600 * 4e-7, .step = 4e-7};
@@ -58,7 +58,7 @@ TEST_CASE("monitors: energy without a source is detected at the same step, with 
     } catch (const fccda::RunError& error) {
       sentences.emplace_back(error.what());
     }
-    CHECK(simulation.clock().step == 306);  // every hundredth of the run is looked at, which here is every sixth step
+    CHECK(simulation.clock().step == 306);  // every hundredth of the run is checked, here every sixth step
   }
   REQUIRE(sentences.size() == 4);
   for (const std::string& one : sentences) CHECK(one == sentences.front());

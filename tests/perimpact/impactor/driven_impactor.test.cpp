@@ -17,7 +17,7 @@ using fixtures::value;
 
 namespace {
 
-/// A small plate and a cylinder that touches its edge at t = 0, at rest.
+/// A small plate and a cylinder in contact with its edge at t = 0, at rest.
 Setup plate_and_cylinder() {
   Setup setup;
   setup.time = {.end = 40e-6, .step = 2e-7};
@@ -34,7 +34,7 @@ Setup plate_and_cylinder() {
   return setup;
 }
 
-/// What is left of the energy when the works of holder and loads are taken off [J].
+/// Energy minus constraint work and work of loads [J].
 double own_energy(const Simulation& simulation) {
   const Impactor& impactor = simulation.impactors()[0];
   return value(simulation, "total.energy [J]") - impactor.constraint_work() - impactor.load_work();

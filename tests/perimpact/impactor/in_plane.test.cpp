@@ -16,7 +16,7 @@ namespace {
 
 constexpr double spacing = 0.002, height = 0.03;  // [m]; `height`: of the plane z
 
-/// A plane plate off the origin's height, and a cylinder through its plane that strikes an edge off the middle.
+/// A plane plate off the origin's height, and a cylinder through its plane in off-centre contact with an edge.
 Setup struck_plate() {
   Setup setup;
   setup.time = {.end = 30e-6, .step = 1e-7};
@@ -53,7 +53,7 @@ TEST_CASE("in plane: a plane body in contact stays bitwise in its plane, and mom
     momentum += particles.mass(slot) * particles.velocity.at(slot);
   }
   const Impactor& cylinder = simulation.impactors()[0];
-  REQUIRE(norm(cylinder.account().impulse) + norm(momentum) > 0.1);  // [kg m/s]; it did strike
+  REQUIRE(norm(cylinder.account().impulse) + norm(momentum) > 0.1);  // [kg m/s]; contact occurred
   CHECK(cylinder.body().velocity().z == 0);
   CHECK(cylinder.body().pose().position().z == height);
   const Vec3d after = 0.05 * cylinder.body().velocity() + momentum;

@@ -63,7 +63,7 @@ std::vector<double> solve(std::vector<std::vector<double>> K, std::vector<double
   return b;
 }
 
-/// Displacements under a body force with the particles of the first layer in x held, of the stiffness found by differences of the forces.
+/// Displacements under a body force with the first layer of particles in x constrained, from the stiffness by differences of the forces.
 std::vector<Vec3d> direct_solution(Body body, const Vec3d& force_density) {
   const double step = 1e-6 * body.particles.spacing();
   double first = body.particles.reference(body.particles.slot_of()[0]).x;
@@ -106,7 +106,7 @@ double largest(const Particles& particles, const std::function<Vec3d(std::size_t
   return most;
 }
 
-/// A bar along x of 12 layers of 1 mm, its ends held in x, the right one led to `displacement`.
+/// A bar along x of 12 layers of 1 mm, its ends constrained in x, the right one displaced by `displacement`.
 BodySetup pulled_bar(double displacement, std::optional<double> critical_stretch = {}) {
   BodySetup setup = fixtures::body_setup({.size = {0.012, 0.003, 0.003}, .critical_stretch = critical_stretch});
   DisplacementSetup course;

@@ -34,7 +34,7 @@ TEST_CASE("stable step: the limit of the infinite lattice is that of the Bloch a
     const Body body = continuum_body(row.family, row.nu);
     const double waves = fixtures::plane_wave_limit(body);
     CHECK(in_spacings(waves) == fixtures::relative(row.exact, 0.005));
-    // without a correction surfaces are softer than the inside: the body stands what the lattice does, and little more since waves must fit into it
+    // without a correction surfaces are softer than the interior: the limit is that of the lattice, and little more since waves must fit into the body
     CHECK(exact_stable_step(body) > 0.999 * waves);
     CHECK(exact_stable_step(body) < 1.1 * waves);
   }

@@ -1,4 +1,4 @@
-// Boundaries in whole simulations: regions of the deck, columns, contact on held particles, threads.
+// Boundary conditions in whole simulations: particle sets, columns, contact on constrained particles, threads.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ Setup clamped_plate() {
   return setup;
 }
 
-/// A sphere that strikes the plate from above at x.
+/// A sphere that impacts the plate from above at x.
 ImpactorSetup sphere(double x) {
   ImpactorSetup impactor;
   impactor.name = "sphere";
@@ -61,9 +61,9 @@ TEST_CASE("boundary conditions: force and work of each are columns of the histor
     impulse += value(simulation, "plate.clamp.force_z [N]") * 1e-6;
     CHECK(row < value(simulation, "time [s]"));
   }
-  CHECK(value(simulation, "sphere.velocity_z [m/s]") > -19.9);  // it did strike
+  CHECK(value(simulation, "sphere.velocity_z [m/s]") > -19.9);  // contact occurred
   CHECK(impulse > 0);                                           // and the clamp felt it
-  // exact but for rounding: all momentum that leaves goes through the clamp
+  // exact up to rounding: all momentum leaves through the clamp
   CHECK(value(simulation, "total.momentum_z [kg m/s]") - before == fixtures::relative(impulse, 1e-9));
   CHECK(value(simulation, "plate.clamp.work [J]") == 0);
 }

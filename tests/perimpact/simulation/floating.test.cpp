@@ -46,7 +46,7 @@ double middle(const Simulation& simulation) {
   return sum / static_cast<double>(particles.size());
 }
 
-/// [s] between the first and the last time that the middle goes up through z, over the number of bobs between.
+/// [s] between the first and the last upward crossing of z by the centre, over the number of oscillations between.
 double period(Simulation& simulation, double z) {
   std::vector<double> times;
   double before = middle(simulation);

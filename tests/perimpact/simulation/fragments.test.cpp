@@ -93,7 +93,7 @@ TEST_CASE("fragments: two equal bars in head-on impact exchange their velocities
       simulation.step();
       most = std::max(most, simulation.fragments()->energy());
     }
-    CHECK(most > 0.01 * energy);                                // they did touch
+    CHECK(most > 0.01 * energy);                                // contact occurred
     CHECK(value(simulation, "total.contact_energy [J]") == 0);  // and have parted
     CHECK(value(simulation, "total.energy [J]") == fixtures::relative(energy, 0.01));
     CHECK(std::fabs(value(simulation, "total.momentum_x [kg m/s]")) <= 1e-12 * mass * 10);
@@ -138,7 +138,7 @@ TEST_CASE(
 }
 
 TEST_CASE("fragments: the dissipation by friction and dashpots is the energy loss of colliding rubble") {
-  // no bonds: the springs alone hold energy, and the works are those of the scheme, so only its ripple of (ω dt)² is left
+  // no bonds: only the springs store energy, and the works are those of the scheme, so only its ripple of (ω dt)² is left
   Setup setup = with_contact(
       {block("left", {0.006, 0.006, 0.006}, {-0.0035, 0.0004, 0}, {40, 3, 0}), block("right", {0.006, 0.006, 0.006}, {0.0035, 0, 0.0003}, {-40, 0, 5})}, 3e-5);
   setup.contact.fragments.friction = 0.3;
@@ -160,7 +160,7 @@ TEST_CASE("fragments: the dissipation by friction and dashpots is the energy los
 }
 
 TEST_CASE("fragments: a slider under pressure is braked by µ times the pressure, and comes to rest") {
-  // particles right above one another, and a way so short that they stay so; the slab below is held
+  // particles right above one another, and a displacement so short that they stay so; the slab below is constrained
   const double spacing = 0.001, acceleration = 3e4, friction = 0.3, speed = 0.3;
   Setup setup = with_contact({block("slab", {0.004, 0.004, 0.003}, {0, 0, -0.0015}, {}), block("slider", {0.004, 0.004, 0.002}, {0, 0, 0.001}, {})}, 1);
   setup.contact.fragments.friction = friction;
@@ -285,7 +285,7 @@ TEST_CASE("fragments: a block that slides on another without friction keeps its 
 }
 
 TEST_CASE("fragments: friction and dashpots dissipate in every step of confined crushing, and the energy balance closes") {
-  // a heavy sphere into a block in a rigid mould: rubble is pressed and rubs against what boundaries hold
+  // a heavy sphere into a block in a rigid mould: rubble is compressed and slides against constrained particles
   fixtures::BodyOptions ice{.spacing = 0.1, .model = fixtures::Model::bond_based};
   BodySetup body = block("ice", {1.2, 1.2, 0.6}, {0, 0, -0.3}, {}, ice);
   BondBasedSetup material;
@@ -347,7 +347,7 @@ TEST_CASE("fragments: the fragments of a block under impact separate, and conser
     apart[touches] = nearest(simulation.bodies()[0]);
   }
   CHECK(apart[0] < 0.5 * apart[1]);
-  CHECK(apart[1] > 0.4);  // of a spacing; contact begins at 0.9 and gives way
+  CHECK(apart[1] > 0.4);  // of a spacing; contact begins at 0.9 and is compliant
 }
 
 TEST_CASE("fragments: a restart is bitwise exact, also in the works") {

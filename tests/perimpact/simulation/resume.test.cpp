@@ -14,7 +14,7 @@ namespace perimpact {
 namespace {
 
 /// Two bodies among three impactors: one that spins and rubs and has a gauge and a region that clips it, one driven by a table and pushed by
-/// a load, and an open sheet. The first floats. Bonds break, panels share pushes, and the row of history that is open at most steps holds pushes.
+/// a load, and an open sheet. The first floats. Bonds break, panels share impulses, and the open row of history contains impulses at most steps.
 Setup lively(const ::fixtures::TemporaryFolder& folder) {
   Setup setup;
   setup.time = {.end = 4.4e-6, .step = 2e-7};

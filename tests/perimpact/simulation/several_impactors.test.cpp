@@ -73,7 +73,7 @@ TEST_CASE("several impactors: penetration that two plates cannot resolve is coun
   const Impactor& first = simulation.impactors()[0];
   CHECK(first.unresolved(0).count > 0);
   CHECK(first.unresolved(0).first == fixtures::relative(2e-7, 1e-12));  // 1e-6 of play each, 1e-6 a step
-  CHECK(simulation.contacts() == 2 * 5 * 4);                            // each particle by both plates, however often they looked
+  CHECK(simulation.contacts() == 2 * 5 * 4);                            // each particle by both plates, independent of the number of passes
   CHECK(simulation.impactors()[1].unresolved(0).count == 0);            // the last to act puts them out of itself
   const std::vector<std::string> warnings = simulation.closing_warnings();
   REQUIRE(warnings.size() == 1);

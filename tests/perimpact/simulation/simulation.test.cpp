@@ -22,7 +22,7 @@ using fixtures::value;
 
 namespace {
 
-/// A small plate struck on its edge by a cylinder that touches it at t = 0.
+/// A small plate with a cylinder in contact with its edge at t = 0.
 Setup struck_plate(double nu = 0.25) {
   Setup setup;
   setup.time = {.end = 40e-6, .step = 2e-7};
@@ -54,7 +54,7 @@ TEST_CASE("simulation: plate and cylinder conserve their linear momentum to 1e-1
     CHECK(before == fixtures::relative(-3.2, 1e-12));  // 0.1 kg at 32 m/s
     CHECK(std::fabs(value(simulation, "total.momentum_y [kg m/s]") / before - 1) <= 1e-10);
     CHECK(std::fabs(value(simulation, "total.momentum_x [kg m/s]")) <= 1e-10 * 3.2);
-    CHECK(std::fabs(value(simulation, "cylinder.velocity_y [m/s]")) < 30);  // it did strike
+    CHECK(std::fabs(value(simulation, "cylinder.velocity_y [m/s]")) < 30);  // contact occurred
   }
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("simulation: the hash detects a single changed bit of the state") {
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<double>>)
       if (name == "plate.velocity_z") velocity = values;
   });
-  velocity[17] = 5e-324;  // the smallest number there is, in place of 0
+  velocity[17] = 5e-324;  // the smallest positive number, in place of 0
   CHECK(simulation.state_hash() != hash);
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("simulation: contact bounds exactly as wide as the cylinder change no 
   Simulation a(without), b(with);
   while (!a.clock().is_finished()) {
     a.step(), b.step();
-    // the plate is thinner than the region, so nothing that touches is cut off: the same contacts, to the bit
+    // the plate is thinner than the bounds, so that no contact is clipped: bitwise the same contacts
     REQUIRE(a.monitors().row().size() == b.monitors().row().size());
     REQUIRE(value(a, "cylinder.force_y [N]") == value(b, "cylinder.force_y [N]"));
   }
@@ -137,7 +137,7 @@ TEST_CASE("simulation: constrained degrees of freedom keep their velocity, and c
   CHECK(value(simulation, "cylinder.velocity_y [m/s]") == -32);
   const double work = simulation.impactors()[0].constraint_work();
   CHECK(work > 0);
-  // relocation is plastic, so a little of the work is lost at first touch; none may appear
+  // relocation is plastic, so that a little work is dissipated at first contact; none may be created
   const double gained = value(simulation, "total.energy [J]") - 0.5 * 0.1 * 32 * 32;
   CHECK(gained <= 1.01 * work);
   CHECK(gained >= 0.8 * work);

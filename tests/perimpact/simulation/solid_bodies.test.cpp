@@ -16,7 +16,7 @@ using fixtures::complaint;
 
 namespace {
 
-/// A ball of 16 mm with a bore along z, cut along y = 0 from its rim to the bore's axis.
+/// A ball of 16 mm with a bore along z, cut along y = 0 from its surface to the bore's axis.
 BodySetup ball() {
   BodySetup setup = fixtures::body_setup({.spacing = 0.001});
   setup.shape = SphereSolid{0.016};
@@ -56,7 +56,7 @@ TEST_CASE("solid bodies: a ball has the expected particles, none in its bore, an
     const Vec3d Xi = whole.particles.reference(i) - setup.position;
     whole.family.for_each_bond(i, [&](const FamilyBond& bond) {
       const Vec3d Xj = whole.particles.reference(bond.j) - setup.position;
-      if (Xi.y < 0 && Xj.y > 0 && Xi.x + Xi.y / (Xi.y - Xj.y) * (Xj.x - Xi.x) > -1e-9) ++over;  // those that touch the end of the crack are cut
+      if (Xi.y < 0 && Xj.y > 0 && Xi.x + Xi.y / (Xi.y - Xj.y) * (Xj.x - Xi.x) > -1e-9) ++over;  // bonds through the end of the crack are cut
     });
   }
   REQUIRE(body.cracks.size() == 1);
@@ -128,7 +128,7 @@ TEST_CASE("solid bodies: a plane disc with a hole and a crack is one layer as th
   CHECK(body.particles.thickness() == fixtures::relative(0.003, 1e-12));
   CHECK(body.particles.lattice()->cells[2] == 1);
   for (const std::uint32_t slot : body.particles.slot_of()) CHECK(body.particles.reference(slot).z == 0);
-  // π (10² - 2²) cells, to a tenth of those on the rims of 2 π 12
+  // π (10² - 2²) cells, to a tenth of those on the circumferences of 2 π 12
   CHECK(static_cast<double>(body.particles.size()) == fixtures::relative(std::numbers::pi * 96, 0.025));
   CHECK(body.cracks[0].bonds > 0);
 }

@@ -136,7 +136,7 @@ TEST_CASE("stable step: the automatic step of a nearly incompressible block is b
   Simulation simulation(setup);
   const double exact = exact_stable_step(simulation.bodies()[0]);
   CHECK(simulation.stability().estimate < exact);
-  CHECK(!simulation.stability().exact);  // nobody asked
+  CHECK(!simulation.stability().exact);  // not computed
   const double automatic = simulation.stability().step;
   CHECK(energy_after(simulation.bodies()[0], automatic, 300) < 6);  // as above
 

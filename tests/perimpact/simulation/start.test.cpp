@@ -37,7 +37,7 @@ Setup sunk_ball(InitialOverlap choice) {
   return setup;
 }
 
-/// Particles that a ball of that radius about the ball's centre holds, from the coordinates alone.
+/// Particles within that radius of the ball's centre, from the coordinates alone.
 std::size_t particles_within(double radius) {
   std::size_t count = 0;
   for (double x = -0.015; x < 0.016; x += 0.002)
