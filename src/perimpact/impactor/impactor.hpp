@@ -113,7 +113,7 @@ class Impactor {
   bool names_panels() const { return detectors_.empty() || !std::holds_alternative<fccda::Analytic>(detectors_.front()); }
   fccda::Effort effort(std::size_t body) const;  ///< cumulative, of detection against that body
 
-  /// Slots of that body whose particles are inside the surface, or nearer to it than the contact radius. A particle at the contact radius is not inside.
+  /// Slots of that body whose particles are inside the surface, or nearer to it than the contact radius (exclusive).
   std::vector<std::size_t> initial_overlap(std::size_t body, const ContactParticles& particles) const;
 
   /// Nearest positions outside the surface for particles of that body; empty if there is none.

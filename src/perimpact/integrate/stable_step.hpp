@@ -13,13 +13,13 @@ namespace perimpact {
 /// dashpots the step is (√(D² + 4 ω²) - D)/ω², at which a damped oscillation of symplectic Euler begins to grow.
 double silling_askari_step(const Body& body, const ShortRange::Bound& contact = {});
 
-/// A step that is stable for every material, Poisson's ratio, surface and correction, whatever bonds break [s]: that of Silling and Askari if the
-/// dilatation stores no energy (a <= 0) or too little to matter, else 2/ω with
+/// Stable step for every material, Poisson's ratio, surface and correction and any bond failure [s]: that of Silling and Askari if the
+/// dilatation stores no energy (a <= 0) or little enough, else 2/ω with
 ///
 ///   ρ ω² = max_j λ_max(Σ_i C_ij V_i n nᵀ) + Σ_i C_ij V_i + 2a S_j max_i g_i² S_i,   S_i = Σ_k w_ik + |Σ_k w_ik n|,   w_ik = d ω_θ |ξ| G_θ v V_k
 ///
-/// i over j and its family. This is a norm of the stiffness (largest |Ku| for |u_i| <= 1), hence an upper bound of its largest eigenvalue; no term grows when
-/// bonds break, since S = max_e Σ w (1 + n·e) (docs/theory/time_step.md). Two passes over the bonds.
+/// i over j and its family. This is a norm of the stiffness (largest |Ku| for |u_i| <= 1), hence an upper bound of its largest eigenvalue;
+/// no term grows when bonds break, since S = max_e Σ w (1 + n·e) (docs/theory/time_step.md). Two passes over the bonds.
 double safe_stable_step(const Body& body, const ShortRange::Bound& contact = {});
 
 /// Critical time step of this body with its surfaces, corrections and intact bonds: 2/ω of its stiffest mode [s] (integrate/stiffest_mode.hpp);
