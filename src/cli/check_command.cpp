@@ -106,10 +106,10 @@ void print_hydrostatics(const Impactor& impactor) {
   const double weight = impactor.body().mass() * impactor.water()->gravity;
   const double force = std::fabs(placed.hydrostatics.force) <= none * weight ? 0 : placed.hydrostatics.force;
   const char* const behaviour = force == 0 ? "floats at rest" : force > 0 ? "rises" : placed.rise ? "settles" : "sinks";
-  const std::string at_rest = placed.rise ? fmt::format("in this attitude it floats at a draft of {:.4g} m", placed.draft_ - *placed.rise)
+  const std::string at_rest = placed.rise ? fmt::format("in this attitude it floats at a draft of {:.4g} m", placed.draft - *placed.rise)
                                           : "it is heavier than the water that it can displace";
   fmt::print("  {:<18}{}: displaces {:.5g} kg at a draft of {:.4g} m, net force {:+.4g} N upward; {}\n", "in water", behaviour,
-             impactor.water()->density * placed.hydrostatics.volume, placed.draft_, force, at_rest);
+             impactor.water()->density * placed.hydrostatics.volume, placed.draft, force, at_rest);
 }
 
 void print_approach(const Simulation& simulation, const Impactor& impactor) {

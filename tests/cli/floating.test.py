@@ -60,10 +60,10 @@ def _(t):
     t.assertAlmostEqual(period / (2 * math.pi * math.sqrt(500 / (1000 * 9.81 * 2))), 1, delta=1e-4)  # (ω dt)²/24 and straight lines between rows
     for height, displaced in zip(heights, history["raft.displaced_mass [kg]"]):
         t.assertAlmostEqual(displaced, 1000 * 2 * (0.25 - height), delta=1e-8)
-    expected = {"level [m]": 0, "mass [kg]": 500, "added_mass [kg]": 0, "displaced_at_start [kg]": 400, "force_at_start [N]": -981, "draught_at_start [m]": 0.2, "draught_at_rest [m]": 0.25}
+    expected = {"level [m]": 0, "mass [kg]": 500, "added_mass [kg]": 0, "displaced_at_start [kg]": 400, "force_at_start [N]": -981, "draft_at_start [m]": 0.2, "draft_at_rest [m]": 0.25}
     for key, value in expected.items():
         t.assertAlmostEqual(report[key], value, delta=1e-9 * 1000, msg=key)
-    t.assertAlmostEqual(report["draught [m]"], 0.25 - heights[-1], delta=1e-12)
+    t.assertAlmostEqual(report["draft [m]"], 0.25 - heights[-1], delta=1e-12)
     # weight and buoyancy lose what the box gains, but for the half step between places and velocities, ω dt of the energy of 24.5 J at most
     start = 500 * 9.81 * 0.05 + 1000 * 9.81 * 0.2**2  # m g z, and ρ g B L T²/2 to push a box under
     t.assertAlmostEqual(report["work [J]"], start - report["potential [J]"], delta=24.5 * 6.3 * 2e-3)

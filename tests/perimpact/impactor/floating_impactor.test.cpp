@@ -46,7 +46,7 @@ TEST_CASE("floating impactor: a raft at its equilibrium draft stays, and columns
   CHECK(std::fabs(raft.body().position_of_com().z) < 1e-12);
   CHECK(std::fabs(value(simulation, "raft.water_force_z [N]")) < 1e-8);
   CHECK(value(simulation, "raft.displaced_mass [kg]") == fixtures::relative(512.5, 1e-12));
-  CHECK(raft.draft_() == fixtures::relative(0.25, 1e-12));
+  CHECK(raft.draft() == fixtures::relative(0.25, 1e-12));
   CHECK(*raft.placed_in_water()->rise == fixtures::absolute(0, 1e-12, "m"));
 }
 
@@ -99,11 +99,11 @@ TEST_CASE("floating impactor: a load at the rail of a raft causes sinkage by its
   raft.loads = {cargo};
   Simulation simulation(setup);
   fixtures::run(simulation);
-  const double lift = 1025 * 9.81, volume = 0.5 + force / lift, draft_ = 0.5 * volume;
+  const double lift = 1025 * 9.81, volume = 0.5 + force / lift, draft = 0.5 * volume;
   const fccda::Pose& pose = simulation.impactors()[0].body().pose();
-  CHECK(pose.position().z == fixtures::relative(0.25 - draft_, 0.01));  // -1 cm; a heeled box lies 0.02² × 0.1 m² / 2 higher
+  CHECK(pose.position().z == fixtures::relative(0.25 - draft, 0.01));  // -1 cm; a heeled box lies 0.02² × 0.1 m² / 2 higher
   // per radian: the waterplane's second moment B³ L/12 = 1/6 m⁴, less what buoyancy under and cargo over the centre of mass turn with it
-  const double stiffness = lift * (1.0 / 6 + volume * (0.5 * draft_ - 0.25)) - force * above;
+  const double stiffness = lift * (1.0 / 6 + volume * (0.5 * draft - 0.25)) - force * above;
   const double angle = std::asin(pose.rotation().row[2].y);
   CHECK(angle == fixtures::relative(-force * beside / stiffness, 2e-3));  // 0.02 rad, to its square
   // damping took what cargo and water gave, but for a rest that decays with 2/s: e^-24 of 2 J; rounding is more
