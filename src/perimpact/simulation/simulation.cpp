@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "fccda/respond/resolve_together.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
-#include "perimpact/diagnostics/diagnosis.hpp"
+#include "perimpact/diagnostics/setup_warnings.hpp"
 #include "perimpact/discretisation/particle_set.hpp"
-#include "perimpact/impactor/rigid_body_of.hpp"
 #include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/integrate/stiffest_mode.hpp"
 #include "perimpact/simulation/short_range_of.hpp"
@@ -106,75 +106,6 @@ OutputSetup output_of(const Setup& setup, double dt) {
   return output;
 }
 
-/// A bond reaches three particles: thinner bodies consist of surface only, beyond any correction.
-void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>& warnings) {
-  constexpr int enough = 4;
-  for (const Body& body : bodies) {
-    if (!body.particles.lattice() || body.bending) continue;  // calibrated in bending
-    const auto& cells = body.particles.lattice()->cells;
-    const int thinnest = *std::min_element(cells.begin(), cells.end() - (body.particles.is_plane() ? 1 : 0));
-    if (thinnest < enough)
-      warnings.push_back(
-          fmt::format("Body {} is only {} particles thick, which makes its stiffness inaccurate, especially in bending. Use a spacing that gives at least {} "
-                      "layers, preferably 6.",
-                      body.name, thinnest, enough));
-  }
-}
-
-/// The heaviest solid, osmium, has 22 590 kg/m3: a density in g/cm3 or t/mm3 without its unit is below 23, unlike one in kg/m3.
-void warn_of_density(std::string_view of, double density, std::vector<std::string>& warnings) {
-  constexpr double lightest = 23, heaviest = 23000;  // [kg/m3]
-  if (density >= lightest && density <= heaviest) return;
-  warnings.push_back(fmt::format(
-      "The density of {} is {:.4g} kg/m3, but solids have {:g} to {:g} kg/m3. If it is in another unit, append the unit, as in 7.8 g/cm3 or 7.8e-9 t/mm3.", of,
-      density, lightest, heaviest));
-}
-
-/// Staircase surfaces, and features thinner than the spacing.
-void warn_of_mass(const std::string& body, const std::optional<FilledMass>& mass, std::vector<std::string>& warnings) {
-  constexpr double much = 0.05;
-  if (!mass || std::fabs(mass->excess()) <= much) return;
-  warnings.push_back(fmt::format(
-      "The mass of the particles of body {} is {:.4g} kg, {:+.1f} % relative to its solid of {:.4g} kg: the lattice is too coarse. Use a smaller spacing.",
-      body, mass->particles, 100 * mass->excess(), mass->solid));
-}
-
-void warn_of_loose_particles(const Body& body, std::vector<std::string>& warnings) {
-  std::size_t loose = 0;
-  for (const std::uint32_t slot : body.particles.slot_of()) loose += body.family.initial_volume(slot) > 0 ? 0 : 1;
-  if (loose > 0)
-    warnings.push_back(
-        fmt::format("{} particles of body {} have no bonds, because the solid is too thin there or they are too far apart, and are unconstrained. Use a "
-                    "smaller spacing, or a larger horizon_ratio.",
-                    loose, body.name));
-}
-
-void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, std::vector<std::string>& warnings) {
-  for (std::size_t i = 0; i < impactors.size(); ++i) {
-    const fccda::Surface& surface = impactors[i].surface();
-    const std::size_t count = surface.report().may_overlap;
-    const bool is_moved_by_contact = !setup.impactors[i].free_dofs.empty();  // the mass of others has no effect
-    if (count > 0 && surface.is_closed() && is_moved_by_contact && is_weighed_by_volume(setup.impactors[i]))
-      warnings.push_back(
-          fmt::format("The surface of {} has {} components whose bounding boxes meet: overlaps count twice in mass, centre of mass and inertia. If they "
-                      "overlap, give mass, centre_of_mass and inertia.",
-                      impactors[i].name(), count));
-  }
-}
-
-void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt, std::vector<std::string>& warnings) {
-  for (const Impactor& impactor : impactors) {
-    for (const Diagnosis& of_surface : {inside_out(impactor), goes_through_itself(impactor), is_cut(impactor)})
-      if (of_surface) warnings.push_back(*of_surface);
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const double spacing = bodies[b].particles.spacing();
-      const Target target{bodies[b].name, spacing, setup.contact.impactors.radius_ratio * spacing, extent(bodies[b].particles), setup.bodies[b].velocity};
-      for (std::string& sentence : diagnose(impactor, target, dt)) warnings.push_back(std::move(sentence));
-      if (Diagnosis behind = starts_behind(impactor, target, bodies[b].particles)) warnings.push_back(std::move(*behind));
-    }
-  }
-}
-
 /// [s] Transit time of a wave through the slowest family, δ/√(E/ρ), the response time of particles. Under steady pressure a particle receives
 /// an impulse once in several steps, so that the pressure of a single step depends on the step; averaged over this time it does not.
 double response_time(const Setup& setup, std::span<const Body> bodies) {
@@ -216,19 +147,11 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
       impactors_(std::move(start.impactors)),
       load_steps_(std::clamp(std::lround(std::min(response_time(setup, bodies_) / clock_.dt, 1e9)), 1L, clock_.steps)),
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
-  for (const Body& body : bodies_) warn_of_density(body.name, body.particles.density(), warnings_);
-  for (const ImpactorSetup& impactor : setup_.impactors)
-    if (impactor.density) warn_of_density(impactor.name, *impactor.density, warnings_);
-  warn_of_thin_bodies(bodies_, warnings_);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    warn_of_mass(bodies_[b].name, filled_masses_[b], warnings_);
-    warn_of_loose_particles(bodies_[b], warnings_);
-    for (std::string& warning : warnings_of(bodies_[b].cracks, bodies_[b].name)) warnings_.push_back(std::move(warning));
-  }
-  warn_of_overlaps(setup, impactors_, warnings_);
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
-  for (std::string& warning : warnings_of(initial_penetrations_, setup_, bodies_)) warnings_.push_back(std::move(warning));
-  warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
+  const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
+  warn(warnings_about_bodies(setup_, bodies_, filled_masses_));
+  warn(warnings_of(initial_penetrations_, setup_, bodies_));
+  warn(warnings_about_impactors(setup_, bodies_, impactors_, clock_.dt));
   if (!relaxation_) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) boundary_conditions_[b].set_initial_state(bodies_[b].particles, 0, PrescribedDisplacement::Regime::moving);
     compute_bond_forces();

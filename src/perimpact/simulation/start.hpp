@@ -9,6 +9,7 @@
 
 #include "perimpact/body/body.hpp"
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/discretisation/filled_mass.hpp"
 #include "perimpact/impactor/impactor.hpp"
 #include "perimpact/particles/particles.hpp"
 
@@ -19,14 +20,6 @@ struct InitialPenetration {
   std::size_t impactor, body;      ///< index
   std::vector<std::size_t> slots;  ///< ascending
   double furthest = 0;             ///< [m] largest displacement by projection
-};
-
-/// Mass of the particles relative to their solid.
-struct FilledMass {
-  double solid;      ///< [kg]
-  double particles;  ///< [kg] before any were removed
-
-  double excess() const { return particles / solid - 1; }  ///< [-] relative excess of the particles
 };
 
 struct Start {
