@@ -1,8 +1,8 @@
-/// What each kind of region rejects and costs: one CSV row for each surface and region on standard output.
+/// Rejection rate and cost of each kind of contact bounds: one CSV row per surface and bounds on standard output.
 ///
-/// Points lie on a lattice in the surface's bounding box, and on one twice as large about it; each has a path of a thousandth of the size.
-/// A row says which share of those in the bounding box the region rejects, what a test costs in it and around it, what the lower bound of
-/// the distance costs, and what the look at the surface costs (the search for the closest point, 64 steps ahead) that it saves.
+/// Points lie on a lattice in the surface's bounding box, and on one twice as large around it; each has a path of a thousandth of the size.
+/// A row gives the share of points in the bounding box that the bounds reject, the cost of a test inside and around it, the cost of the lower
+/// bound of the distance, and the cost of the surface query that is saved (closest-point search, 64 steps ahead).
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ namespace {
 
 using namespace fccda;
 
-/// A hull: full amidships, fine at both ends, with a keel and bilges; 10 by 2 by 1.
+/// A ship hull: full amidships, fine at both ends, with keel and bilges; 10 by 2 by 1.
 Panels hull() {
   return fixtures::moved(make_sphere({.diameter = 1, .edge_length = 0.02}), [](const Vec3d& p) {
     const double x = 2 * p.x, fullness = std::pow(std::max(0.0, 1 - x * x), -0.3);
@@ -31,7 +31,7 @@ Panels hull() {
   });
 }
 
-/// Time of this process alone, the least of several rounds.
+/// Process time, the minimum of several rounds.
 template <class Ask>
 double nanoseconds_each(std::size_t count, const Ask& ask) {
   double least = 1e300;
@@ -43,7 +43,7 @@ double nanoseconds_each(std::size_t count, const Ask& ask) {
   return least / static_cast<double>(count);
 }
 
-/// On a lattice, x fastest, as particles lie.
+/// Paths on a lattice, x fastest, in the order of particles.
 std::vector<Path> paths_in(const Box& box, double length) {
   constexpr int count = 60;
   std::mt19937_64 random(7);

@@ -1,9 +1,9 @@
-/// From a file of panels to a surface that answers queries, stage by stage: CSV rows on standard output.
+/// Stages from a surface file to a surface ready for queries: CSV rows on standard output.
 ///
 ///   surface_stages hull.stl --rounds 5
 ///
-/// read: to panels in memory. fit: class Surface; and what it is mostly made of, once more, each alone: weld, triangulate, connect, wind. bvh: the tree of
-/// boxes, with which contact and closest points can be asked. check: every pair of panels whether they go through one another.
+/// read: file to panels in memory. fit: class Surface; its main parts are also timed separately: weld, triangulate, connect, wind. bvh: the
+/// bounding-volume hierarchy for contact and closest-point queries. check: intersection test of all pairs of panels.
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
   std::filesystem::path file;
   int rounds = 3;
   bool only_read = false;
-  CLI::App app("Times what becomes of a file of panels, stage by stage; prints CSV rows.");
+  CLI::App app("Times the stages from a surface file to a surface ready for queries; prints CSV rows.");
   app.add_option("file", file)->required()->check(CLI::ExistingFile);
   app.add_option("--rounds", rounds)->check(CLI::PositiveNumber);
   app.add_flag("--only-read", only_read);

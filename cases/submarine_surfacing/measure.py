@@ -57,7 +57,7 @@ def main():
     print(f"{folder.name}, last {LAST} s: displaces {displaced / 1e3:.1f} t; mass {mass / 1e3:.1f} t, the ice pushes like {pushed / 1e3:.1f} t, "
           f"{(displaced - mass - pushed) / 1e3:+.1f} t left over ({100 * (displaced - mass - pushed) / mass:+.2f} %); it rises at "
           f"{columns['submarine.velocity_z [m/s]'][last].mean() * 1e3:.0f} mm/s")
-    print(f"{folder.name}: draught at the end {floating['draught [m]']:.3f} m, of the submarine alone {floating['draught_at_rest [m]']:.3f} m")
+    print(f"{folder.name}: draft at the end {floating['draft [m]']:.3f} m, of the submarine alone {floating['draft_at_rest [m]']:.3f} m")
 
 
 if __name__ == "__main__":

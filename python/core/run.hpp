@@ -36,8 +36,8 @@ class Run : public std::enable_shared_from_this<Run> {
   /// Performs one step or increment. Other Python threads continue meanwhile, here and in run().
   void step();
 
-  /// Runs until the time [s] or the end of the run. The callback is called with `self` after every `every` steps; if it returns False, the function returns.
-  /// On a signal (Ctrl-C) a checkpoint is written if output is enabled, and Python's exception is thrown.
+  /// Runs until the time [s] or the end of the run. The callback is called with `self` after every `every` steps; if it returns False, the
+  /// function returns. On a signal (Ctrl-C) a checkpoint is written if output is enabled, and Python's exception is thrown.
   void run(std::optional<double> until, const py::object& after_steps, long every, const py::object& self);
 
   void write_results(const std::optional<std::string>& folder, bool resume);

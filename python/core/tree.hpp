@@ -1,5 +1,5 @@
-/// Conversion of a set-up of Python dicts, lists, numbers and strings to the tree from which a deck is read, so that both share keys, units, checks and
-/// messages. Messages for a set-up give the key in place of line and column.
+/// Conversion of a set-up of Python dicts, lists, numbers and strings to the tree from which a deck is read, so that both share keys, units,
+/// checks and messages. Messages for a set-up give the key in place of line and column.
 #pragma once
 
 #include <string>

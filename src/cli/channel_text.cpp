@@ -44,8 +44,7 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
   if (!(low < high)) throw fccda::InputError(fmt::format("--channel-from is {:.4g} m, but it must be below --channel-to, which is {:.4g} m.", low, high));
   if (!(wanted.sheet > 0 && wanted.sheet <= 1))
     throw fccda::InputError(
-        fmt::format("--sheet is {}, but it must be above 0 and at most 1: the share of a body's particles from which on a fragment counts as the "
-                    "sheet that remains.",
+        fmt::format("--sheet is {}, but it must be above 0 and at most 1: the share of a body's particles above which a fragment belongs to the intact sheet.",
                     wanted.sheet));
 
   const ChannelFrame frame = read_channel_frame(arguments.folder, body, latest);
@@ -62,14 +61,13 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
 
   std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, frame.time, frame.file.string());
   if (widths.length == 0) {
-    text +=
-        row("none", fmt::format("nowhere broken through there; fragments of {:.3g} % of the particles or more are the sheet that remains", 100 * wanted.sheet));
+    text += row("none", fmt::format("no column is broken through; fragments of {:.3g} % of the particles or more form the intact sheet", 100 * wanted.sheet));
   } else {
-    text += row("length", fmt::format("{:.5g} m of columns that are broken through", widths.length));
+    text += row("length", fmt::format("{:.5g} m of columns broken through", widths.length));
     text += row("width", fmt::format("mean {:.5g} m, standard deviation {:.3g} m", widths.mean, widths.deviation));
     text += row("narrowest", fmt::format("{:.5g} m at {} = {:.5g} m", widths.narrowest, along, widths.narrowest_at));
     text += row("widest", fmt::format("{:.5g} m at {} = {:.5g} m", widths.widest, along, widths.widest_at));
-    text += row("area", fmt::format("{:.5g} m2 of the channel, {:.5g} m2 of all that is broken through", widths.area, widths.all_broken));
+    text += row("area", fmt::format("{:.5g} m2 of the channel, {:.5g} m2 of all areas broken through", widths.area, widths.all_broken));
   }
   return text + row("in", file.string());
 }

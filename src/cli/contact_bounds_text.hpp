@@ -1,4 +1,4 @@
-/// An impactor's region in words, for `check`.
+/// Contact bounds of an impactor as text, for `check`.
 #pragma once
 
 #include <string>

@@ -27,7 +27,7 @@ deck::Deck open_deck(const DeckArguments& arguments) {
 
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup) {
   if (arguments.out && arguments.out->empty())
-    throw fccda::InputError("--out is empty, which names no folder; write --out . for this one, or leave it out for output.folder of the deck.");
+    throw fccda::InputError("--out is empty; use --out . for the current folder, or omit it to use output.folder of the deck.");
   return arguments.out.value_or(setup.output.folder);
 }
 
@@ -36,9 +36,9 @@ void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& fol
     throw;
   } catch (const DefectiveSurface& error) {
     output::prepare_folder(folder);
-    const std::filesystem::path picture = defect_file_of(folder, error.impactor());
-    write_defects(picture, error.panels(), {&error.defect(), 1});
-    throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), picture.string()));
+    const std::filesystem::path file = defect_file_of(folder, error.impactor());
+    write_defects(file, error.panels(), {&error.defect(), 1});
+    throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), file.string()));
   } catch (const SetupError& error) {
     throw fccda::InputError(deck.places.of(error.key()) + ": " + error.what());
   }
@@ -46,7 +46,7 @@ void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& fol
 
 void remove_defect_files(const Simulation& simulation, const std::filesystem::path& folder) {
   for (const Impactor& impactor : simulation.impactors()) {
-    std::error_code ignored;  // what cannot be removed does no harm
+    std::error_code ignored;  // a file that cannot be removed is harmless
     std::filesystem::remove(defect_file_of(folder, impactor.name()), ignored);
   }
 }

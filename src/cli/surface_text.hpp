@@ -1,4 +1,4 @@
-/// A surface in words, for `check` and `mesh`.
+/// Summary of a surface as text, for `check` and `mesh`.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-"""Bodies that are held, loaded and relaxed, from the deck to the results folder."""
+"""Boundary conditions and relaxation, from the deck to the results folder."""
 
 import signal
 import time
@@ -33,7 +33,7 @@ def bar(t, *changes):
     return "bar.yaml"
 
 
-@claim("boundary_conditions: a bar that is relaxed leaves a row an increment, and says how each ended")
+@claim("boundary conditions: relaxation of a bar writes one row per increment with its convergence")
 def _(t):
     out = t.expect_success("run", bar(t), "--out", "r").out
     t.assertRegex(out, r"\n\d+ threads, 4 increments of 0\.25 s; results go to r\n")
@@ -45,20 +45,20 @@ def _(t):
     # 34 of 40 mm are free and about as long is what strains: E A u/L, within the length of the clamps
     t.assertTrue(200e9 * 25e-6 * 0.04 / 40 < force[-1] < 200e9 * 25e-6 * 0.04 / 34, force)
     t.assertAlmostEqual(history["bar.clamp.force_x [N]"][-1] / force[-1], -1, 3)  # the residual adds up along the bar
-    t.assertAlmostEqual(history["middle.displacement_x [m]"][-1] / 2e-5, 1, 2)  # half of the way, but for that and the bar's contraction
-    t.assertEqual(report["bodies"]["bar"]["boundary_conditions"]["clamp"]["kind"], "fixed")
-    t.assertEqual(report["bodies"]["bar"]["boundary_conditions"]["pull"]["particles"], 75)
+    t.assertAlmostEqual(history["middle.displacement_x [m]"][-1] / 2e-5, 1, 2)  # half of the displacement, up to that and the bar's contraction
+    t.assertEqual(report["bodies"]["bar"]["boundaries"]["clamp"]["kind"], "fixed")
+    t.assertEqual(report["bodies"]["bar"]["boundaries"]["pull"]["particles"], 75)
     t.assertEqual(report["increment [s]"], 0.25)
 
 
-@claim("boundary_conditions: check tells what each acts on, and how many increments there are")
+@claim("boundary conditions: check reports the particles of each, and the number of increments")
 def _(t):
     out = t.expect_success("check", bar(t), "--out", "r").out
     t.assertIn("  bar.clamp         fixed, 75 particles\n  bar.pull          prescribed, 75 particles\n", out)
     t.assertIn("time\n  increments        4 of 0.25 s\n", out)
 
 
-@claim("boundary_conditions: a relaxed bar that is stopped between increments goes on and ends in the same state, with the same rows")
+@claim("boundary conditions: a relaxation interrupted between increments resumes to the same state and rows")
 def _(t):
     many = ("increments: 4", "increments: 40")
     t.expect_success("run", bar(t, many), "--out", "whole")
@@ -75,7 +75,7 @@ def _(t):
     t.assertEqual((t.folder / "stopped/history.csv").read_bytes(), (t.folder / "whole/history.csv").read_bytes())
 
 
-@claim("boundary_conditions: a relaxed bar that is stopped in the middle of increments goes on there and ends in the same state, with the same rows")
+@claim("boundary conditions: a relaxation interrupted within an increment resumes to the same state and rows")
 def _(t):
     slow = (("increments: 4", "increments: 2"), ("tolerance: 1e-5", "tolerance: 1e-7"), ("spacing: 1 mm", "spacing: 0.5 mm"))
     t.expect_success("run", bar(t, *slow), "--out", "whole")
@@ -97,13 +97,13 @@ def _(t):
     t.assertEqual((t.folder / "stopped/history.csv").read_bytes(), (t.folder / "whole/history.csv").read_bytes())
 
 
-@claim("boundary_conditions: a region that is not there is refused with its place in the deck")
+@claim("boundary conditions: an unknown particle set is refused with its position in the deck")
 def _(t):
     done = t.run_program("run", bar(t, ("clamp: {fixed: {particle_set: left}}", "clamp: {fixed: {particle_set: lef}}")))
-    t.expect_complaint(done, 2, "bar.yaml:12:", "body bar has no region lef; did you mean left?")
+    t.expect_complaint(done, 2, "bar.yaml:12:", "body bar has no particle set lef; did you mean left?")
 
 
-@claim("boundary_conditions: an absorbing layer is refused where the body goes on at the face it names, and taken at the body's end")
+@claim("boundary conditions: an absorbing layer is refused where the body continues beyond its face, and accepted at the end of the body")
 def _(t):
     def layer(at, face):
         regions = f"particle_sets: {{layer: {{shape: {{box: {{size: [20 mm, 60 mm, 20 mm]}}}}, position: [{at}, 0, 0]}}}}"
@@ -113,10 +113,10 @@ def _(t):
         t.expect_success("check", layer(at, face), "--out", "r")
     for at, face in (("40 mm", "-x"), ("-40 mm", "+x"), ("0 mm", "+x")):
         done = t.run_program("check", layer(at, face), "--out", "r")
-        t.expect_complaint(done, 2, "deck.yaml:8:", f"the layer ends where body plate goes on towards {face}, ", "Let region layer reach the end of the body")
+        t.expect_complaint(done, 2, "deck.yaml:8:", f"the layer ends where body plate continues towards {face}, ", "extend particle set layer to the end of the body")
 
 
-@claim("boundary_conditions: a run that finds no equilibrium ends with exit code 3, the increment and its residual")
+@claim("boundary conditions: a run without equilibrium ends with exit code 3, the increment and its residual")
 def _(t):
     loose = ("clamp: {fixed: {particle_set: left}}", "clamp: {body_force: {force_density: [0, 1 MN/m3, 0]}}")
     done = t.run_program("run", bar(t, loose, ("tolerance: 1e-5", "max_iterations: 50")), "--out", "r")

@@ -16,7 +16,7 @@ from typing import NamedTuple
 SKIPPED = 77
 CLAIMS = {}
 
-# 960 particles, struck after 7 microseconds by a meshed cylinder that hits a meshed face; runs in a few hundredths of a second
+# 960 particles, in contact with a meshed cylinder after 7 microseconds; runs in a few hundredths of a second
 DECK = """\
 title: Small plate
 time: {end: 20 us}
@@ -113,7 +113,7 @@ class Scene(unittest.TestCase):
         return done
 
     def expect_complaint(self, done, code, begins, *words):
-        """One line on stderr: error: <begins> … with each of the words, and a way out behind a full stop or a question mark."""
+        """One line on stderr: error: <begins> … with each of the words, ending in a full stop or a question mark."""
         self.assertEqual(done.code, code, done)
         lines = done.err.splitlines()
         self.assertEqual(len(lines), 1, done.err)

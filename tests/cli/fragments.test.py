@@ -1,4 +1,4 @@
-"""What a run tells of the fragments of bodies that break."""
+"""Fragment output of a run."""
 
 import signal
 import time
@@ -17,7 +17,7 @@ def arrays_of(path):
     return [part[: part.index('"')] for part in head.split('Name="')[1:] if part[: part.index('"')] != "TimeValue"]
 
 
-@claim("fragments: a body that breaks has a table against the pictures' times, one at the end, and an array beside the damage")
+@claim("fragments: a body with a failure criterion has a table over output frames, one at the end, and an array next to the damage")
 def _(t):
     t.expect_success("run", t.deck(BREAKS, FAST, LONGER), "--out", "r")
     curve, end, report = table(t.folder / "r/fragments/plate.csv"), table(t.folder / "r/fragments/plate_end.csv"), t.report("r")["bodies"]["plate"]
@@ -38,7 +38,7 @@ def _(t):
         t.assertEqual(arrays_of(t.folder / f"r/frames/plate_{frame:05}.vtp"), ["displacement", "velocity", "damage", "fragment"])
 
 
-@claim("fragments: of a body that never breaks nothing is told of them")
+@claim("fragments: a body without failure has no fragment output")
 def _(t):
     t.expect_success("run", t.deck(FAST), "--out", "r")
     t.assertEqual([name for name in t.files("r") if name.startswith("fragments")], [])
@@ -46,7 +46,7 @@ def _(t):
     t.assertEqual(arrays_of(t.folder / "r/frames/plate_00001.vtp"), ["displacement", "velocity", "damage"])
 
 
-@claim("fragments: without pictures there is the table of the end alone, also of a run that was interrupted")
+@claim("fragments: without output frames there is the final table only, also of an interrupted run")
 def _(t):
     t.expect_success("run", t.deck(BREAKS), "--out", "r", "--set", "output.frames=0")
     t.assertEqual([name for name in t.files("r") if name.startswith("fragments")], ["fragments/plate_end.csv"])
@@ -62,7 +62,7 @@ def _(t):
     t.assertEqual(sum(table(t.folder / "long/fragments/plate_end.csv")["particles [-]"]) + t.report("long")["bodies"]["plate"]["fragments"]["single_particles"], 960)
 
 
-@claim("fragments: a body that a crack has parted begins as two, each with its own size and speed")
+@claim("fragments: a body separated by a crack starts as two, each with its size and speed")
 def _(t):
     deck = t.deck(BREAKS, ("    spacing: 5 mm", "    spacing: 5 mm\n    velocity: [1, 2, 3]\n    cracks: {middle: {polygon: [[20 mm, -1, -1], [20 mm, 1, -1], [20 mm, 1, 1], [20 mm, -1, 1]]}}"),
                   ("position: [0, 50 mm, 0]", "position: [0, 150 mm, 0]"))

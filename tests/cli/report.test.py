@@ -22,7 +22,7 @@ def half_step(array, extra=0.0):
 
 
 def expect_frames(t, report, folder, name, kept=None):
-    """Every picture in the report equals its file within half a step of each quantity."""
+    """Every frame in the report equals its file within half a quantisation step of each quantity."""
     body, places, pictures = report.body(name)
     half = {array["name"]: half_step(array) for array in body["arrays"]}
     t.assertEqual(len(pictures), len(body["pictures"]))
@@ -36,7 +36,7 @@ def expect_frames(t, report, folder, name, kept=None):
             for axis in range(3):
                 t.assertLessEqual(abs(picture[f"displacement_{'xyz'[axis]}"][shown] - u[axis]), half[f"displacement_{'xyz'[axis]}"])
                 x = places[axis][shown] + picture[f"displacement_{'xyz'[axis]}"][shown]
-                # files hold places as floats, and the undeformed place is one less another
+                # files contain positions as floats, and the undeformed position is a difference
                 bound = half_step(body["undeformed"][axis], half[f"displacement_{'xyz'[axis]}"] + 2 * FLOAT * abs(arrays["points"][particle][axis]))
                 t.assertLessEqual(abs(x - arrays["points"][particle][axis]), bound)
             t.assertLessEqual(abs(picture["speed"][shown] - math.hypot(*v)), half["speed"])
@@ -58,7 +58,7 @@ def times_of(series):
     return [float(line.split('timestep="')[1].split('"')[0]) for line in series.read_text().splitlines() if "timestep" in line]
 
 
-@claim("report: every picture in it is the file's within half a step, for each particle and quantity")
+@claim("report: every frame equals that of the file within half a quantisation step, for each particle and quantity")
 def _(t):
     t.expect_success("run", t.deck(*TWO), "--out", "r", "--no-report")
     report = report_of(t, "r")
@@ -74,7 +74,7 @@ def _(t):
                 t.assertLessEqual(array["bytes"], 2)
 
 
-@claim("report: impactors are where their files say, to single precision, with the loads on their panels")
+@claim("report: impactors are at the positions of their files, to single precision, with the loads on their panels")
 def _(t):
     t.expect_success("run", t.deck(*TWO), "--out", "r", "--no-report")
     report = report_of(t, "r")
@@ -110,10 +110,10 @@ def _(t):
     t.assertEqual(report.text.count("A </script>"), 0)
 
 
-@claim("report: run writes it at its end and says where; without --no-report it is there, with it not, and a new run takes the old one away")
+@claim("report: run writes it at its end and prints the path, --no-report suppresses it, and a new run removes an old one")
 def _(t):
     out = t.expect_success("run", t.deck(), "--out", "r").out
-    t.assertRegex(out, r"\n  r/report\.html  all of it, for the browser \(0\.\d MB\)\n$")
+    t.assertRegex(out, r"\n  r/report\.html  report for the browser \(0\.\d MB\)\n$")
     written = (t.folder / "r/report.html").read_bytes()
     t.expect_success("report", "r")
     t.assertEqual((t.folder / "r/report.html").read_bytes(), written)  # the same folder gives the same file
@@ -121,16 +121,16 @@ def _(t):
     t.assertNotIn("report.html", t.files("r"))
 
 
-@claim("report: where there is no room for it the run is finished all the same, and warns")
+@claim("report: without disk space for it the run still finishes, with a warning")
 def _(t):
     room = 500_000  # for all other files of this run, but not for the page
     out = t.expect_success("run", t.deck(), "--out", "r", limits={resource.RLIMIT_FSIZE: room}).out
-    t.assertRegex(out, r"\nwarning: there is no report of this run: r/report\.html cannot be written: .*\n$")
+    t.assertRegex(out, r"\nwarning: the report of this run could not be written: r/report\.html cannot be written: .*\n$")
     t.assertEqual(t.report("r")["outcome"], "finished")
     t.assertEqual([name for name in t.files("r") if "report" in name], [])
 
 
-@claim("report: it asks for nothing from outside")
+@claim("report: it requests no external resources")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r")
     text = (t.folder / "r/report.html").read_text()
@@ -139,9 +139,9 @@ def _(t):
     t.assertNotRegex(text, r"<link[^>]*href")
 
 
-@claim("report: a larger run is thinned, pictures first and evenly, then particles, and stays below the size")
+@claim("report: a larger run is thinned, first frames evenly, then particles, and stays below the size")
 def _(t):
-    # 60 pictures of 6 400 particles, of which 2 296 lie on the surface: 40 x 20 x 8 cells of 2.5 mm
+    # 60 frames of 6 400 particles, of which 2 296 lie on the surface: 40 x 20 x 8 cells of 2.5 mm
     deck = t.deck(("spacing: 5 mm", "spacing: 2.5 mm"), ("frames: 4", "frames: 60"), ("size: [100 mm, 60 mm, 20 mm]", "size: [100 mm, 50 mm, 20 mm]"),
                   ("position: [0, 50 mm, 0]", "position: [0, 45 mm, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [0, -25 mm, 0], to: [0, 25 mm, 0]"), ("{end: 20 us}", "{end: 12 us, step: 0.2 us}"), ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.003}"))
     t.expect_success("run", deck, "--out", "r", "--no-report")
@@ -149,7 +149,7 @@ def _(t):
     t.assertEqual((whole.notes, len(whole.times)), ([], 61))
     size = sum(len(text) for name, text in whole.scripts.items() if name not in ("description", "run", "history"))
 
-    fewer = report_of(t, "r", "--size", f"{0.85e-6 * size:.3f}")  # pictures alone
+    fewer = report_of(t, "r", "--size", f"{0.85e-6 * size:.3f}")  # frames alone
     t.assertTrue(40 <= len(fewer.times) < 61, len(fewer.times))
     t.assertEqual((fewer.times[0], fewer.times[-1]), (whole.times[0], whole.times[-1]))
     gaps = [round((b - a) / 0.2e-6) for a, b in zip(fewer.times, fewer.times[1:])]
@@ -177,7 +177,7 @@ def _(t):
     expect_frames(t, thin, t.folder / "r", "plate", kept)
 
 
-@claim("report: long histories are joined, so that impulses stay what they were, and it says so")
+@claim("report: rows of long histories are merged, so that impulses are preserved, with a note")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r", "--no-report")
     path = t.folder / "r/history.csv"
@@ -194,7 +194,7 @@ def _(t):
     t.assertIn("history.csv has 50001 rows", " ".join(report.notes))
 
 
-@claim("report: what is missing or damaged is told in a sentence, and the rest is shown")
+@claim("report: missing or damaged files are reported in a sentence, and the rest is shown")
 def _(t):
     t.expect_success("run", t.deck(*TWO), "--out", "r", "--no-report")
 
@@ -260,11 +260,11 @@ def _(t):
     (t.folder / "empty").mkdir()
     for folder in ("empty", "nowhere"):
         t.expect_complaint(t.run_program("report", folder), 2, f"{folder} holds no results of a run", "perimpact run")
-    t.expect_complaint(t.run_program("report", "empty", "--size", "0"), 2, "--size: Value 0 not in range", "--help says more")
+    t.expect_complaint(t.run_program("report", "empty", "--size", "0"), 2, "--size: Value 0 not in range", "--help lists the options")
     t.assertEqual(t.files("empty"), [])
 
 
-@claim("report: a run that was stopped can be reported")
+@claim("report: an interrupted run can be reported")
 def _(t):
     deck = t.deck(("{end: 20 us}", "{end: 20 ms, step: 0.2 us}"), ("frames: 4", "frames: 4000"), ("history_interval: 2 us", "history_interval: 20 us"))
     process = t.start("run", deck, "--out", "r")

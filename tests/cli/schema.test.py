@@ -37,7 +37,7 @@ def _(t):
     t.assertTrue(t.expect_success("describe", "--schema").out == COMMITTED.read_text(), "docs/guide/deck.schema.json is of another state of the program")
 
 
-@claim("schema: every shipped deck is valid, and names the schema in its first line by a path that leads there")
+@claim("schema: every shipped deck is valid, and its first line is a valid path to the schema")
 def _(t):
     faults = validator()
     for deck in shipped_decks():
@@ -47,14 +47,14 @@ def _(t):
         t.assertEqual((deck.parent / first.removeprefix(MODELINE)).resolve(), COMMITTED, deck)
 
 
-@claim("schema: what the program notes of a run as its deck is valid too")
+@claim("schema: the deck recorded in run.json is valid too")
 def _(t):
     faults = validator()
     t.expect_success("run", t.deck(("end: 20 us", "end: 1 us")), "--out", "r")
     t.assertEqual(faults(json.dumps(t.report("r")["setup"])), [])
 
 
-@claim("schema: a mistake in a key, a kind, a word or a range, and what is missing, is no valid deck, and none that the program takes")
+@claim("schema: errors in keys, types, words or ranges, and missing keys, are invalid in the schema and refused by the program")
 def _(t):
     faults = validator()
     t.assertEqual(faults(DECK), [])
@@ -87,7 +87,7 @@ def _(t):
         t.assertEqual(t.run_program("check", t.deck(change)).code, 2, name)
 
 
-@claim("schema: numbers may be plain or text with any unit, in each way that the program reads them")
+@claim("schema: numbers may be plain or text with any unit, in each form that the program reads")
 def _(t):
     faults = validator()
     for spacing in ("5 mm", "5mm", "0.005", "5e-3", "5.e-3 m", ".5 cm", "'5 mm'", "+5 mm"):

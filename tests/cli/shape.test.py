@@ -34,12 +34,12 @@ def _(t):
     said = facts(t.expect_success("shape", "propeller", *PROPELLER, "--out", "screw.stl").out)
     t.assertEqual(said["closure"], "closed")
     t.assertEqual(said["components"], "5")
-    t.assertEqual(said["area ratio"], "expanded 0.6699 beyond r/R = 0.167, 0.5701 beyond this hub")
+    t.assertEqual(said["area ratio"], "expanded 0.6699 outside r/R = 0.167, 0.5701 outside this hub")
     t.assertEqual(said["at 0.7 R"], f"chord 1.477 m, thickness 0.06427 m, pitch angle {math.degrees(math.atan(0.76 / 0.7 / math.pi)):.4g} deg")
     t.assertRegex(t.expect_success("mesh", "screw.stl").out, r"blade_4: \d+ panels")
 
 
-@claim("shape: the list names every surface that needs no file, and each lists its options")
+@claim("shape: the list contains every generated surface, and each lists its options")
 def _(t):
     listed = t.expect_success("shape", "--list").out
     for name in ("cylinder", "sphere", "box", "hull", "propeller"):
@@ -49,7 +49,7 @@ def _(t):
     t.assertEqual(facts(t.expect_success("shape", "box", "--size", "[1, 2, 3]", "--panel", "0.5").out)["volume"], "6 m3")
 
 
-@claim("shape: what is missing, of another unit, out of range or makes no shape is one sentence")
+@claim("shape: missing, wrong-unit and out-of-range values and invalid shapes are one sentence")
 def _(t):
     def complaint(*arguments):
         return t.run_program("shape", *arguments)
@@ -68,7 +68,7 @@ def _(t):
         t.assertEqual(done.out, "")  # before the work
 
 
-@claim("shape: a deck has hull and propeller under the same keys, and says at its place what makes none")
+@claim("shape: a deck has hull and propeller under the same keys, and reports invalid shapes at their position")
 def _(t):
     hull = "surface: {hull: {length: 155 mm, breadth: 23 mm, draft: 9 mm, stem_angle: 24 deg, waterline_angle: 22 deg, edge_length: 5 mm}}"
     screw = "surface: {propeller: {diameter: 60 mm, pitch_ratio: 0.8, area_ratio: 0.6, edge_length: 5 mm}}"
@@ -81,7 +81,7 @@ def _(t):
     t.expect_complaint(t.run_program("check", deck), 2, "deck.yaml:", "hull: bilge_radius is 0.01 m")
 
 
-@claim("shape: without friction the force of ice on the bow of a generated ship is in the ratio cot φ, whatever the panels")
+@claim("shape: without friction the ice force on the bow of a generated ship has the ratio cot φ, for any panels")
 def _(t):
     (t.folder / "ship.yaml").write_text(
         """\

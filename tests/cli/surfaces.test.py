@@ -1,4 +1,4 @@
-"""Surfaces from files in decks: every key, what is refused, and that the way a surface is written changes nothing in the contact."""
+"""Surfaces from files in decks: every key, what is refused, and contact independent of the form of the file."""
 
 import gzip
 import math
@@ -27,7 +27,7 @@ def use(t, surface, place, *more, name="deck.yaml"):
 
 
 def run(t, folder, *arguments):
-    """History of a run in which something is struck."""
+    """History of a run with contact."""
     t.expect_success("run", *arguments, "--out", folder, "--threads", "1")
     history = t.history(folder)
     t.assertGreater(max(history["cylinder.contacts [-]"]), 0, folder)
@@ -51,7 +51,7 @@ def expect_close(t, one, other, flipped=()):
             t.assertAlmostEqual(a, sign * b, delta=1e-9 * size, msg=name)
 
 
-@claim("surfaces: half a hull that the deck completes strikes as the whole hull does")
+@claim("surfaces: half a hull with mirror_merge behaves as the whole hull")
 def _(t):
     (t.folder / "hull.obj").write_text(half_hull().obj())
     half = run(t, "half", use(t, HULL + ", mirror_merge: y", BOW, LONGER))
@@ -64,7 +64,7 @@ def _(t):
     t.assertAlmostEqual(surfaces[0]["volume [m3]"] / surfaces[1]["volume [m3]"], 1, delta=1e-12)  # rounding
 
 
-@claim("surfaces: a mirrored surface strikes as in a mirror")
+@claim("surfaces: a mirrored surface yields mirrored results")
 def _(t):
     wedge = prism([(0.0, 0.0), (10.0, 20.0), (-4.0, 20.0)], 30.0)  # steeper on one side, with its edge towards the plate
     (t.folder / "wedge.obj").write_text(wedge.moved(lambda p: (p[0], p[1], p[2] - 15)).obj())
@@ -74,7 +74,7 @@ def _(t):
     t.assertGreater(max(map(abs, port["cylinder.force_x [N]"])), 0.01 * max(port["cylinder.force_y [N]"]))  # so it is not its own image
 
 
-@claim("surfaces: scale, mirror, complete, rotate and translate act in this order, about the axes x, y and z in this order")
+@claim("surfaces: scale, mirror, mirror_merge, rotate and translate act in this order, about the axes x, y and z in this order")
 def _(t):
     try:
         from vtp_reader import read_vtp
@@ -102,13 +102,13 @@ def _(t):
     distance = lambda p, q: math.dist(p, q)
     for one, others in (found, expected), (expected, found):
         for p in one:
-            t.assertLess(min(distance(p, q) for q in others), 1e-7)  # pictures are in single precision
+            t.assertLess(min(distance(p, q) for q in others), 1e-7)  # frames are in single precision
     # the wall between both halves is gone
     unturned = use(t, keys.replace("20 deg, -30 deg, 40 deg", "0, 0, 0"), "position: [0, 0, 0]")
     t.assertRegex(t.expect_success("check", unturned, "--out", "r").out, r"0\.02 x 0\.06 x 0\.04 m\n(.*\n)*  components +1\n")
 
 
-@claim("surfaces: an angle without its unit is refused before it turns a ship by 90 radians")
+@claim("surfaces: an angle without its unit is refused before it rotates a ship by 90 radians")
 def _(t):
     (t.folder / "box.obj").write_text(grid_box(BOX, (1, 1, 1)).obj())
     deck = use(t, "file: box.obj, scale: 0.001, rotate: [0, 0, 90]", BOX_PLACE)
@@ -118,7 +118,7 @@ def _(t):
     t.expect_success("check", use(t, "file: box.obj, scale: 0.001, rotate: [0, -360 deg, 180 deg]", BOX_PLACE))
 
 
-@claim("surfaces: parts that the deck names are all that is felt")
+@claim("surfaces: contact occurs on the selected parts only")
 def _(t):
     tool, guard = grid_box(BOX, (4, 4, 4)), grid_box(BOX, (2, 2, 2)).moved(lambda p: (p[0] + 50, p[1] - 0.05, p[2]))
     (t.folder / "tool.obj").write_text(tool.obj())
@@ -132,7 +132,7 @@ def _(t):
     t.expect_complaint(t.run_program("check", deck), 2, f"deck.yaml:{at}: ", 'the surface has no part "guard"', "its parts are tool, side guard.")
 
 
-@claim("surfaces: a packed file runs with the same bits")
+@claim("surfaces: a compressed file yields bitwise identical results")
 def _(t):
     stl = grid_box(BOX, (6, 6, 6)).stl().encode()
     (t.folder / "box.stl").write_bytes(stl)
@@ -143,7 +143,7 @@ def _(t):
     t.assertEqual(t.report("plain")["state_hash"], t.report("packed")["state_hash"])
 
 
-@claim("surfaces: what is flat strikes alike, generated or from a file, with its panels as given, coarsened and refined")
+@claim("surfaces: flat surfaces yield the same contact, generated or from a file, with original, coarsened and refined panels")
 def _(t):
     (t.folder / "box.obj").write_text(grid_box(BOX, (11, 10, 6)).obj())
     given = run(t, "given", use(t, "file: box.obj, scale: 0.001", BOX_PLACE))
@@ -168,7 +168,7 @@ def _(t):
     t.assertTrue(12 < triangles["both"] < triangles["refined"], triangles)
 
 
-@claim("surfaces: STEP, Gmsh, Abaqus and LS-DYNA files of a box strike as the box does")
+@claim("surfaces: STEP, Gmsh, Abaqus and LS-DYNA files of a box behave as the box does")
 def _(t):
     if shutil.which("gmsh") is None:
         raise unittest.SkipTest("gmsh is not installed")
@@ -184,7 +184,7 @@ Mesh.MeshSizeMax = 10;
         expect_close(t, expected, run(t, name.replace(".", "_"), use(t, f"file: {name}, scale: {scale}", BOX_PLACE)))
 
 
-@claim("surfaces: one that cannot be used is refused at its place in the deck, with a picture of its panels")
+@claim("surfaces: an invalid surface is refused at its position in the deck, with a file of its defective panels")
 def _(t):
     cases = (("non-orientable", moebius(), "close a Möbius strip", ", orientation: normals"),
              ("inside out", folded_prism(), "the surface is inside out between them", ", orientation: normals"),
@@ -210,10 +210,10 @@ def _(t):
     deck = use(t, "file: surface.obj, scale: 0.001", BOX_PLACE)
     t.expect_success("check", deck, "--out", "r")
     t.expect_success("run", deck, "--out", "r")
-    t.assertEqual([name for name in t.files("r") if "defects" in name], [])  # the picture is gone with what it showed
+    t.assertEqual([name for name in t.files("r") if "defects" in name], [])  # the file of defects is removed
 
 
-@claim("surfaces: a body with an inner wall is struck where the deck gives it sides, and a warning tells of its cut edges")
+@claim("surfaces: a surface with an inner wall runs with a declared orientation, and a warning reports its cut edges")
 def _(t):
     rooms = two_rooms().moved(lambda p: (44 * (p[0] - 0.5), 40 * (p[1] - 0.5), 15 * (p[2] - 1)))
     (t.folder / "rooms.obj").write_text(rooms.obj())
@@ -221,7 +221,7 @@ def _(t):
     out = t.expect_success("run", use(t, "file: rooms.obj, scale: 0.001, orientation: normals", BOX_PLACE, inertia), "--out", "r", "--threads", "1").out
     said = [line for line in out.splitlines() if line.startswith("warning: ")]
     t.assertEqual(len(said), 1, out)
-    t.assertIn("is cut along 4 edges of more than two panels", said[0])
+    t.assertIn("is cut along 4 non-manifold edges", said[0])
     t.assertEqual(t.report("r")["impactors"]["cylinder"]["surface"]["cut_edges"], 4)
     rooms.parts[""].pop()  # without the wall it is a box
     (t.folder / "box.obj").write_text(rooms.obj())
@@ -229,7 +229,7 @@ def _(t):
     t.assertEqual(t.history("r")["cylinder.contacts [-]"], box["cylinder.contacts [-]"])
 
 
-@claim("surfaces: a body that goes through itself without a pocket runs with a warning")
+@claim("surfaces: a self-intersecting surface without an inverted region runs with a warning")
 def _(t):
     # a star drawn in one line encloses its middle twice, and nothing inside out
     star = prism([(20 * math.sin(4 * math.pi * k / 5), -20 * math.cos(4 * math.pi * k / 5)) for k in range(5)], 30.0)
@@ -239,7 +239,7 @@ def _(t):
     t.assertTrue(any("5 panels of impactor cylinder go through one another" in line for line in said), said)
 
 
-@claim("surfaces: the guide's hull, decks and reports are what the program takes and prints")
+@claim("surfaces: the hull, decks and reports of the guide are those of the program")
 def _(t):
     guide = (Path(__file__).resolve().parents[2] / "docs" / "guide" / "surface_meshes.md").read_text()
     (t.folder / "half_hull.obj").write_text(half_hull().obj())
@@ -250,7 +250,7 @@ def _(t):
     (t.folder / "finer.yaml").write_text(changed(deck, ("    mass: 8000 kg\n", "    mass: 8000 kg\n" + remesh)))
 
     checked = t.expect_success("check", "my_deck.yaml").out
-    for quoted in ("closure closed", "size 12 x 2.4 x 1.5 m", "touches floe at 0.1303 s"):
+    for quoted in ("closure closed", "size 12 x 2.4 x 1.5 m", "with floe at 0.1303 s"):
         t.assertIn(quoted, guide)
         t.assertIn(quoted, re.sub(" +", " ", checked))
     printed = t.expect_success("mesh", "half_hull.obj").out

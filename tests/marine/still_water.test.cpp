@@ -96,8 +96,8 @@ TEST_CASE("still water: a heeled box rights itself with the moment of the wall-s
   const Surface box = make_box_surface();
   for (const double angle : {0.02, 0.1, 0.3, -0.4}) {
     const RigidBody body = afloat_box(box, 0, roll, Quaternion::from_rotation({angle, 0, 0}));
-    const double draft_ = 0.5, tangent = std::tan(angle);
-    const double bm = size.y * size.y / (12 * draft_), bg = 0.25;  // [m] of the centre of mass, in the middle, over the one of buoyancy
+    const double draft = 0.5, tangent = std::tan(angle);
+    const double bm = size.y * size.y / (12 * draft), bg = 0.25;  // [m] of the centre of mass, in the middle, over the one of buoyancy
     const double arm = (bm - bg + 0.5 * bm * tangent * tangent) * std::sin(angle);
     const Hydrostatics now = hydrostatics(body, box, sea);
     CHECK(now.moment.x == fixtures::relative(-body.mass() * sea.gravity * arm, 1e-12));  // exact up to rounding

@@ -30,17 +30,17 @@ TEST_CASE("submerged: the first moments of a heeled box are those of the wall-si
   const double length = 3, breadth = 2, depth = 1.5;
   const Surface box(make_box({.size = {length, breadth, depth}, .edge_length = 0.3}));
   for (const double tangent : {0.0, 0.1, -0.4}) {
-    for (const double draft_ : {0.6, 0.75, 0.9}) {  // the waterline stays on the sides
+    for (const double draft : {0.6, 0.75, 0.9}) {  // the waterline stays on the sides
       const double cosine = 1 / std::sqrt(1 + tangent * tangent);
       // water up to z = draft - depth/2 + y tan φ
-      const Level level{.up = {0, -tangent * cosine, cosine}, .height = (draft_ - 0.5 * depth) * cosine};
+      const Level level{.up = {0, -tangent * cosine, cosine}, .height = (draft - 0.5 * depth) * cosine};
       const SubmergedVolume wet = submerged(box, level);
       // ∫ y dV = L ∫ y (T + y t) dy = L B³ t/12, and ∫ z dV likewise; a few hundred roundings
-      CHECK(wet.volume == fixtures::relative(length * breadth * draft_, 1e-13));
+      CHECK(wet.volume == fixtures::relative(length * breadth * draft, 1e-13));
       CHECK(std::fabs(wet.centre.x) < 1e-13);
-      CHECK(wet.centre.y == fixtures::absolute(breadth * breadth * tangent / (12 * draft_), 1e-12, "m"));
-      const double squares = draft_ * draft_ + breadth * breadth * tangent * tangent / 12;  // mean of (T + y t)²
-      CHECK(wet.centre.z == fixtures::relative(-0.5 * depth + 0.5 * squares / draft_, 1e-12));
+      CHECK(wet.centre.y == fixtures::absolute(breadth * breadth * tangent / (12 * draft), 1e-12, "m"));
+      const double squares = draft * draft + breadth * breadth * tangent * tangent / 12;  // mean of (T + y t)²
+      CHECK(wet.centre.z == fixtures::relative(-0.5 * depth + 0.5 * squares / draft, 1e-12));
       CHECK(wet.waterplane == fixtures::relative(length * breadth / cosine, 1e-13));
     }
   }

@@ -15,21 +15,21 @@ import perimpact
 @claim("a mistake in a deck is a ValueError with the message of the command line")
 def in_a_deck(test):
     deck = test.folder / test.deck(("poissons_ratio: 0.25", "poissons_ratio: 0.6"))
-    told = test.run_program("check", deck)
+    done = test.run_program("check", deck)
     with test.assertRaises(ValueError) as error:
         perimpact.Simulation.from_deck(deck)
     test.assertIsInstance(error.exception, perimpact.InputError)
-    test.assertEqual(f"error: {error.exception}\n", told.err)
-    test.assertEqual(told.code, 2)
+    test.assertEqual(f"error: {error.exception}\n", done.err)
+    test.assertEqual(done.code, 2)
 
 
 @claim("errors found only when the simulation is built give line and column too")
 def in_building(test):
     deck = test.folder / test.deck(("position: [0, 50 mm, 0]", "position: [0, 40 mm, 0]"))
-    told = test.run_program("run", deck)
+    done = test.run_program("run", deck)
     with test.assertRaises(perimpact.InputError) as error:
         perimpact.Simulation.from_deck(deck)
-    test.assertEqual(f"error: {error.exception}\n", told.err)
+    test.assertEqual(f"error: {error.exception}\n", done.err)
 
 
 @claim("--set and set are equivalent: the same changes, the same messages")
@@ -39,10 +39,10 @@ def changes(test):
     test.assertEqual(simulation.setup["time"]["end"], 10e-6)
     test.assertEqual(simulation.setup["bodies"]["plate"]["velocity"], [0, 1, 0])
     for key, value, text in (("time.ned", "1", "1"), ("bodies.plate.spacing", -1.0, "-1.0"), ("time..end", "1", "1"), ("title.more", "x", "x")):
-        told = test.run_program("check", deck, "--set", f"{key}={text}")
+        done = test.run_program("check", deck, "--set", f"{key}={text}")
         with test.assertRaises(perimpact.InputError) as error:
             perimpact.Simulation.from_deck(deck, set={key: value})
-        test.assertEqual(f"error: {error.exception}\n", told.err)
+        test.assertEqual(f"error: {error.exception}\n", done.err)
 
 
 @claim("a mistake in a dict is reported with its key instead of line and column")

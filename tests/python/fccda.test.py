@@ -24,13 +24,13 @@ def passing(test):
     x = x[outside]
     motion = fccda.Motion(fccda.Pose(), fccda.Pose([0, 0, 0.4]), dt=0.1)
     contacts = fccda.ContactDetector(fccda.Surface(fccda.Mesh.box(**UNIT_BOX))).detect(motion, x, x)
-    struck = (np.abs(x[:, :2]) < 0.5).all(axis=1) & (x[:, 2] > 0.5) & (x[:, 2] < 0.9)
-    test.assertEqual(contacts["point"].tolist(), np.flatnonzero(struck).tolist())
+    in_contact = (np.abs(x[:, :2]) < 0.5).all(axis=1) & (x[:, 2] > 0.5) & (x[:, 2] < 0.9)
+    test.assertEqual(contacts["point"].tolist(), np.flatnonzero(in_contact).tolist())
     test.assertGreater(len(contacts), 100)
-    np.testing.assert_allclose(contacts["time_fraction"], (x[struck, 2] - 0.5) / 0.4, rtol=0, atol=1e-12)  # numbers of order 1 divided by 0.4
+    np.testing.assert_allclose(contacts["time_fraction"], (x[in_contact, 2] - 0.5) / 0.4, rtol=0, atol=1e-12)  # numbers of order 1 divided by 0.4
     np.testing.assert_allclose(contacts["normal"], np.broadcast_to([0, 0, 1], (len(contacts), 3)), rtol=0, atol=1e-12)
     np.testing.assert_allclose(contacts["relocation"][:, 2], 0.9, rtol=0, atol=1e-12)
-    np.testing.assert_allclose(contacts["depth"], 0.9 - x[struck, 2], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(contacts["depth"], 0.9 - x[in_contact, 2], rtol=0, atol=1e-12)
 
 
 @claim("points that fall on a free ball transfer their momentum loss to it, and none penetrates")
@@ -42,7 +42,7 @@ def falling(test):
     x = rng.uniform([-1, -1, 1.1], [1, 1, 2.5], (4000, 3))
     velocity = np.tile([0.0, 0, -2], (4000, 1))
     mass = rng.uniform(1e-4, 1e-3, 4000)
-    dt, struck = 0.01, 0
+    dt, in_contact = 0.01, 0
     before = mass @ velocity + body.momentum
     for _ in range(150):
         x_t0 = x.copy()
@@ -53,8 +53,8 @@ def falling(test):
         tally = fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x, velocity=velocity, mass=mass, friction=0.3, detector=detector)
         np.testing.assert_allclose(tally.impulse, momentum - mass @ velocity, rtol=0, atol=1e-13)  # 4000 terms of 1e-3
         test.assertEqual(tally.contacts, len(contacts))
-        struck += len(contacts)
-    test.assertGreater(struck, 1000)
+        in_contact += len(contacts)
+    test.assertGreater(in_contact, 1000)
     np.testing.assert_allclose(mass @ velocity + body.momentum, before, rtol=0, atol=1e-12)
     test.assertEqual(detector.points_inside(body.pose, x).tolist(), [])
     test.assertLess(body.velocity[2], -0.1)
@@ -160,7 +160,7 @@ def singles(test):
     box = fccda.Surface(fccda.Mesh.box([1, 1, 1]))
     detector, body = fccda.ContactDetector(box), fccda.RigidBody(mass=1.0, position=[100.1, 0, 0], velocity=[0, 0, 1.0])
     x = (rng.uniform([-0.4, -0.4, 0.6], [0.4, 0.4, 1.2], (500, 3)) + [100.1, 0, 0]).astype(np.float32)
-    velocity, struck = np.zeros_like(x), 0
+    velocity, in_contact = np.zeros_like(x), 0
     for _ in range(60):
         x_t0 = x.copy()
         velocity[:, 2] -= np.float32(0.0981)
@@ -168,9 +168,9 @@ def singles(test):
         motion = body.advance(0.01)
         contacts = detector.detect(motion, x_t0, x)
         fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x, velocity=velocity, mass=np.ones(1000, np.float32)[::2])
-        struck += len(contacts)
+        in_contact += len(contacts)
         test.assertGreaterEqual((x[:, 2].astype(float) - body.pose.position[2]).min(), 0.5)
-    test.assertGreater(struck, 1000)
+    test.assertGreater(in_contact, 1000)
 
 
 @claim("each point may have a different radius, and detectors that share a surface find the same contacts as separate ones")

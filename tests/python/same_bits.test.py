@@ -17,18 +17,18 @@ def finished(simulation):
 @claim("a deck run from Python writes the same files as the command line, and reaches the same state")
 def same_files(test):
     deck = test.folder / test.deck()
-    test.expect_success("run", deck, "--out", "told", "--threads", 1)
+    test.expect_success("run", deck, "--out", "shell", "--threads", 1)
     simulation = perimpact.Simulation.from_deck(deck)
     simulation.write_results(str(test.folder / "asked"))
     simulation.run()
     test.assertTrue(simulation.is_finished)
-    test.assertEqual(simulation.state_hash, test.report("told")["state_hash"])
-    test.assertEqual(test.files("asked"), test.files("told"))
-    for name in test.files("told"):
+    test.assertEqual(simulation.state_hash, test.report("shell")["state_hash"])
+    test.assertEqual(test.files("asked"), test.files("shell"))
+    for name in test.files("shell"):
         if name in ("run.json", "checkpoint.h5", "report.html"):  # contain wall-clock times; run.json is compared by its hash
             continue
-        test.assertEqual((test.folder / "asked" / name).read_bytes(), (test.folder / "told" / name).read_bytes(), name)
-    test.assertEqual(test.report("asked")["outcome"], test.report("told")["outcome"])
+        test.assertEqual((test.folder / "asked" / name).read_bytes(), (test.folder / "shell" / name).read_bytes(), name)
+    test.assertEqual(test.report("asked")["outcome"], test.report("shell")["outcome"])
 
 
 @claim("a dict with the keys of a deck gives a simulation bitwise identical to the deck's, with numbers or with units")
@@ -156,8 +156,8 @@ def resumed_with_own(test):
 def relaxed(test):
     deck = test.folder / "relax.yaml"
     deck.write_text(RELAX)
-    test.expect_success("run", deck, "--out", "told", "--threads", 1)
-    test.assertEqual(finished(perimpact.Simulation.from_deck(deck)), test.report("told")["state_hash"])
+    test.expect_success("run", deck, "--out", "shell", "--threads", 1)
+    test.assertEqual(finished(perimpact.Simulation.from_deck(deck)), test.report("shell")["state_hash"])
 
 
 @claim("the history equals history.csv, and the set-up read back contains every value")

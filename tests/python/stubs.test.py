@@ -138,7 +138,7 @@ def reference(test):
     environment = {**test.environment, "PYTHONPATH": sys.path[0]}
     made = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True).stdout
     page = package.ROOT / "docs" / "guide" / "python_reference.md"
-    test.assertEqual(made, page.read_text(), "write it anew: PYTHONPATH=build/release/python /usr/bin/python3 python/reference.py > docs/guide/python_reference.md")
+    test.assertEqual(made, page.read_text(), "regenerate it: PYTHONPATH=build/release/python /usr/bin/python3 python/reference.py > docs/guide/python_reference.md")
 
 
 main()

@@ -12,7 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-EXCEPT = ("CHANGELOG.md", "src/io/deck/deprecated_keys.cpp", "tests/", "validation/results/", "docs/guide/deck.schema.json")
+EXCEPT = ("CHANGELOG.md", "report/licences.txt", "src/io/deck/deprecated_keys.cpp", "tests/", "validation/results/", "docs/guide/deck.schema.json")
 READ = (".md", ".hpp", ".cpp", ".py", ".yaml", ".sh", ".ts", ".in", ".pyi", ".1", ".cmake", ".txt")
 
 

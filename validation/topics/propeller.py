@@ -28,7 +28,7 @@ def measure(runner):
         "inside": float(found["inside [-]"]),
         "drift": freed["drift [-]"],
         "states": float(len(hashes)),
-        "printed": float(re.search(r"is (\S+) times the longest stable one", refused.stderr)[1]),
+        "printed": float(re.search(r"is (\S+) times the critical time step", refused.stderr)[1]),
     }
     graded = {name: runner.run("propeller", name, DECK, *WHOLE, f"{SURFACE}.panel={panel}", f"{SURFACE}.blade_edge_length={edge}") for name, panel, edge in (("coarse", 0.3, 0.3), ("graded", 0.15, 0.05), ("fine", 0.05, 0.05))}
     for name, folder in graded.items():

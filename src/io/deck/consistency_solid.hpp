@@ -1,4 +1,4 @@
-/// What the keys of a body's solids and clouds say together.
+/// Consistency of a body's solids and point clouds.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,7 @@
 
 namespace perimpact::deck {
 
-/// Fills in the full paths of the body's files and the particles of its points. Throws InputError at the place of what contradicts something
-/// else.
+/// Fills in the full paths of the body's files and the particles of its points. Throws InputError at the position of the contradicting value.
 void make_shape_consistent(BodySetup& body, const std::filesystem::path& folder, const Places& places);
 
 }  // namespace perimpact::deck

@@ -17,13 +17,13 @@ namespace {
 
 std::string content_of(const fs::path& file) {
   std::error_code ignored;
-  if (fs::is_directory(file, ignored)) refuse(file.string(), "this is a folder; name the deck in it, for example " + (file / "deck.yaml").string() + ".");
+  if (fs::is_directory(file, ignored)) refuse(file.string(), "this is a folder; give the deck in it, for example " + (file / "deck.yaml").string() + ".");
   if (!fs::exists(file, ignored)) refuse(file.string(), "there is no such file; check the path of the deck.");
   std::ifstream stream(file, std::ios::binary);
   try {
     if (stream) return {std::istreambuf_iterator<char>(stream), {}};
   } catch (const std::ios_base::failure&) {
-    // opening went well, reading did not: a bad disk, or no file at all but a device
+    // opened but not readable: a disk error, or a device instead of a file
   }
   refuse(file.string(), "this file cannot be read; check its permissions.");
 }

@@ -9,7 +9,7 @@ namespace perimpact::deck {
 
 namespace {
 
-/// A key in the map at `path`. In paths `*` stands for any key, so for a name that the deck chose.
+/// A key in the map at `path`. In paths `*` matches any key, and thus names chosen in the deck.
 struct RenamedKey {
   std::string_view path, old_name, name;
 };
@@ -19,7 +19,7 @@ struct RenamedWord {
   std::string_view path, old_word, word;
 };
 
-// Paths are in current names: a map is reached only after the keys above it have been renamed.
+// Paths use current names, because keys are renamed from the top down.
 constexpr RenamedKey renamed_keys[] = {
     {"time.relax", "most_iterations", "max_iterations"},
     {"bodies.*", "parts", "add"},

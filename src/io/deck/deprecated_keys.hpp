@@ -1,4 +1,4 @@
-/// Keys and words of decks that have another name since 0.1.0. They are understood, each with a warning that states the new name, until 0.2.0.
+/// Deprecated keys and words of decks, renamed since 0.1.0. They are accepted until 0.2.0, each with a warning that states the new name.
 #pragma once
 
 #include <string>

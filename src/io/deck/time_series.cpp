@@ -49,7 +49,7 @@ class TimeSeriesParser {
   }
 
   TimeSeries finish() {
-    if (series_.times.empty()) fail("there is no row of numbers below the first line; write the file again.");
+    if (series_.times.empty()) fail("there are no rows of numbers below the header line; add them.");
     return std::move(series_);
   }
 
@@ -79,7 +79,7 @@ class TimeSeriesParser {
     double value{};
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-      fail(fmt::format("\"{}\" is not two numbers with a comma between; mend the row.", trimmed_cell(line.substr(0, 60))));
+      fail(fmt::format("\"{}\" is not two comma-separated numbers; correct the row.", trimmed_cell(line.substr(0, 60))));
     return value;
   }
 

@@ -63,10 +63,10 @@ Json floating_report(const Impactor& impactor) {
   json["added_mass [kg]"] = impactor.body().properties().added_mass.z;
   json["displaced_at_start [kg]"] = density * placed.hydrostatics.volume;
   json["force_at_start [N]"] = placed.hydrostatics.force;
-  json["draught_at_start [m]"] = placed.draft_;
-  if (placed.rise) json["draught_at_rest [m]"] = placed.draft_ - *placed.rise;
+  json["draft_at_start [m]"] = placed.draft;
+  if (placed.rise) json["draft_at_rest [m]"] = placed.draft - *placed.rise;
   json["displaced [kg]"] = density * now.volume;
-  json["draught [m]"] = impactor.draft_();
+  json["draft [m]"] = impactor.draft();
   json["potential [J]"] = now.potential;
   json["work [J]"] = impactor.water_work();
   return json;

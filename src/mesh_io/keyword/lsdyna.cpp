@@ -183,14 +183,14 @@ class LsdynaFile {
   std::vector<std::string> names_of_parts() const {
     std::unordered_map<std::string, int> times;
     for (const auto& [id, heading] : headings_) ++times[heading];
-    const auto tells = [&](const std::string& heading) {
+    const auto is_unique = [&](const std::string& heading) {
       const bool is_number = heading.starts_with("part ") && fortran_integer(std::string_view(heading).substr(5));  // may be the default name of another part
       return !heading.empty() && !is_number && times[heading] == 1;
     };
     std::vector<std::string> names;
     for (const Id id : parts_) {
       const auto heading = headings_.find(id);
-      names.push_back(heading != headings_.end() && tells(heading->second) ? heading->second : "part " + std::to_string(id));
+      names.push_back(heading != headings_.end() && is_unique(heading->second) ? heading->second : "part " + std::to_string(id));
     }
     return names;
   }

@@ -1,13 +1,13 @@
-/// A layer at the edge of a body that swallows waves, so that they do not come back: the boundary `absorbing`.
+/// Absorbing layer at the end of a body, which damps outgoing waves: the boundary condition `absorbing`.
 ///
 ///   ρ a = F/V - ρ α v,      α = α_L (s/L)²,      α_L = 3 c ln(1/R)/L        [1/s]
 ///
-/// s is the distance from the layer's inner side, L its thickness, c the speed of the fastest wave, √((κ + 4µ/3)/ρ). A plane wave that goes
-/// straight into the layer falls by exp(-∫ α/(2c) ds) on its way, as long as α is small against its frequency; so after the way in, the
-/// free end and the way out the share R of its amplitude is left. The profile and how R sets it are those of Collino and Tsogka
-/// (Geophysics 66 (2001) 294), with α/2 in place of their damping, because only the velocity is damped here, not the strain as well.
+/// s is the distance from the layer's inner side, L its thickness, c the P-wave speed √((κ + 4µ/3)/ρ). A plane wave at normal incidence decays
+/// by exp(-∫ α/(2c) ds), if α is small compared with its frequency; after reflection at the free end, the share R of its amplitude remains.
+/// Profile and reflection coefficient R follow Collino and Tsogka (Geophysics 66 (2001) 294), with α/2 in place of their damping, because
+/// only the velocity is damped here, not the strain.
 ///
-/// The damping is implicit in the velocity (damped.hpp), so that it limits no time step.
+/// The damping is implicit in the velocity (damped.hpp), so that it does not limit the time step.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +32,10 @@ class Absorbing {
   std::span<const std::uint32_t> slots() const { return slots_; }
   std::span<const Vec3d> damping() const { return damping_; }  ///< [1/s] of each slot along x, y and z
 
-  /// A direction in which particles are held has no velocity to lose. `held` ascending.
+  /// Excludes constrained directions from damping. `held` ascending.
   void leave_out(std::span<const std::uint32_t> held, std::size_t axis);
 
-  /// Damps the force densities for the coming step of dt [s], after all other forces but those that hold. Notes force and work.
+  /// Damps the force densities for the next step of dt [s], after all other forces except constraints. Records force and work.
   void damp(Particles& particles, double dt);
 
   ReactionLedger account;

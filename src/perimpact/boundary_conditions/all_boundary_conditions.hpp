@@ -1,4 +1,4 @@
-/// The list of what a boundary condition can be, and one under its name in the deck.
+/// Variant of all boundary conditions, and a boundary condition with its name in the deck.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ using Boundary = std::variant<PrescribedDisplacement, Load, Floating, Absorbing,
 
 struct NamedBoundaryCondition {
   std::string name;       ///< "plate.grip"
-  std::string_view kind;  ///< "fixed", as in the deck; "own_force" where code gave it
+  std::string_view kind;  ///< "fixed", as in the deck; "own_force" for a user force
   Boundary boundary;
 
   std::size_t particles() const {

@@ -28,7 +28,7 @@ struct Face {
   }
 };
 
-/// Where a boundary stands in the deck, and what it acts on.
+/// Key of a boundary condition in the deck, and its particles.
 struct Place {
   const BoundedParticles& of;
   std::string key;  ///< "bodies.plate.boundary_conditions.grip.fixed"
@@ -53,12 +53,12 @@ struct Place {
   }
 };
 
-Boundary made(const FixedSetup& fixed, const Place& at) {
+Boundary made(const FixedSetup& fixed, const Place& place) {
   PrescribedDisplacement::Histories histories;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (fixed.directions.empty() || std::find(fixed.directions.begin(), fixed.directions.end(), axis_words[axis]) != fixed.directions.end())
       histories[axis] = DisplacementHistory::rest();
-  return PrescribedDisplacement(at.slots(fixed.particle_set), std::move(histories));
+  return PrescribedDisplacement(place.slots(fixed.particle_set), std::move(histories));
 }
 
 DisplacementHistory displacement_history_of(const DisplacementSetup& setup, const std::string& key) {
@@ -68,25 +68,25 @@ DisplacementHistory displacement_history_of(const DisplacementSetup& setup, cons
   return {DisplacementHistory::Of::displacement, Place::table(key, setup.times, setup.displacements)};
 }
 
-Boundary made(const PrescribedSetup& prescribed, const Place& at) {
+Boundary made(const PrescribedSetup& prescribed, const Place& place) {
   PrescribedDisplacement::Histories histories;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (const auto& course = prescribed.of(axis)) histories[axis] = displacement_history_of(*course, fmt::format("{}.{}", at.key, axis_words[axis]));
-  return PrescribedDisplacement(at.slots(prescribed.particle_set), std::move(histories));
+    if (const auto& course = prescribed.of(axis)) histories[axis] = displacement_history_of(*course, fmt::format("{}.{}", place.key, axis_words[axis]));
+  return PrescribedDisplacement(place.slots(prescribed.particle_set), std::move(histories));
 }
 
-Boundary made(const BodyForceSetup& load, const Place& at) {
-  std::vector<std::uint32_t> slots = at.slots(load.particle_set);
+Boundary made(const BodyForceSetup& load, const Place& place) {
+  std::vector<std::uint32_t> slots = place.slots(load.particle_set);
   std::vector<double> volumes;
-  for (const std::uint32_t slot : slots) volumes.push_back(at.of.particles.volume(slot));
-  return Load(std::move(slots), std::move(volumes), at.of.particles, load.force_density, at.factor(load.times, load.factors));
+  for (const std::uint32_t slot : slots) volumes.push_back(place.of.particles.volume(slot));
+  return Load(std::move(slots), std::move(volumes), place.of.particles, load.force_density, place.factor(load.times, load.factors));
 }
 
-/// The outermost particles of a lattice share the area evenly, those of a cloud by volume.
-Boundary made(const PressureSetup& load, const Place& at) {
+/// The outermost particles of a lattice share the area equally, those of a point cloud by volume.
+Boundary made(const PressureSetup& load, const Place& place) {
   const Face face(load.face.index);
-  const Particles& particles = at.of.particles;
-  std::vector<std::uint32_t> slots = at.slots(load.particle_set);
+  const Particles& particles = place.of.particles;
+  std::vector<std::uint32_t> slots = place.slots(load.particle_set);
   std::vector<double> areas;
   if (const Lattice* lattice = particles.lattice()) {
     slots = outermost(*lattice, slots, load.face.index);
@@ -94,18 +94,18 @@ Boundary made(const PressureSetup& load, const Place& at) {
     areas.assign(slots.size(), load.area ? *load.area / static_cast<double>(slots.size()) : cell);
   } else {
     if (!load.area)
-      throw SetupError(
-          at.key, fmt::format("body {} is a cloud of points, which have no faces; give the area [m2] that the particles of the set share.", at.of.body.name));
+      throw SetupError(place.key,
+                       fmt::format("body {} is a point cloud without faces; give the area [m2] that the particles of the set share.", place.of.body.name));
     double volume = 0;
     for (const std::uint32_t slot : slots) volume += particles.volume(slot);
     for (const std::uint32_t slot : slots) areas.push_back(*load.area * particles.volume(slot) / volume);
   }
-  return Load(std::move(slots), std::move(areas), particles, -load.value * face.normal(), at.factor(load.times, load.factors));
+  return Load(std::move(slots), std::move(areas), particles, -load.value * face.normal(), place.factor(load.times, load.factors));
 }
 
-Boundary made(const FloatingSetup& floating, const Place& at) {
-  const Particles& particles = at.of.particles;
-  std::vector<std::uint32_t> slots = at.slots(floating.particle_set);
+Boundary made(const FloatingSetup& floating, const Place& place) {
+  const Particles& particles = place.of.particles;
+  std::vector<std::uint32_t> slots = place.slots(floating.particle_set);
   Water water{.level = floating.level.value_or(0),
               .density = floating.density,
               .gravity = floating.gravity,
@@ -115,17 +115,17 @@ Boundary made(const FloatingSetup& floating, const Place& at) {
   const std::optional<double> floats_at = floating_level(particles, slots, water);
   if (!floating.level) {
     if (!floats_at)
-      throw SetupError(at.key, fmt::format("body {} of {} kg/m3 sinks in water of {} kg/m3, so there is no level at which it floats; give the level, or mend "
-                                           "a density.",
-                                           at.of.body.name, particles.density(), floating.density));
+      throw SetupError(place.key,
+                       fmt::format("body {} of {} kg/m3 sinks in water of {} kg/m3, so that it has no equilibrium level; give the level, or correct a density.",
+                                   place.of.body.name, particles.density(), floating.density));
     water.level = *floats_at;
   }
   return Floating(std::move(slots), water, floats_at.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
-/// The damping is strongest where the layer ends. Where the body goes on there, waves come from that side and are thrown back.
-void expect_end_of_body(const AbsorbingSetup& layer, const std::vector<std::uint32_t>& slots, const Place& at) {
-  const Lattice* lattice = at.of.particles.lattice();
+/// The damping is strongest at the end of the layer; if the body continued there, waves from that side would be reflected.
+void expect_end_of_body(const AbsorbingSetup& layer, const std::vector<std::uint32_t>& slots, const Place& place) {
+  const Lattice* lattice = place.of.particles.lattice();
   if (!lattice) return;
   const Face face(layer.face.index);
   const std::vector<std::uint32_t> ends = outermost(*lattice, slots, layer.face.index);
@@ -134,23 +134,23 @@ void expect_end_of_body(const AbsorbingSetup& layer, const std::vector<std::uint
     std::array<int, 3> cell = lattice->cell(slot);
     cell[face.axis] += face.sign > 0 ? 1 : -1;
     const bool is_inside = lattice->contains(cell[0], cell[1], cell[2]);
-    behind += is_inside && at.of.particles.is_occupied(lattice->slot(cell[0], cell[1], cell[2])) ? 1 : 0;
+    behind += is_inside && place.of.particles.is_occupied(lattice->slot(cell[0], cell[1], cell[2])) ? 1 : 0;
   }
   if (2 * behind <= ends.size()) return;
-  throw SetupError(at.key, fmt::format("the layer ends where body {} goes on towards {}, so waves would meet its strongest damping first and be thrown back. "
-                                       "Let region {} reach the end of the body there, or name the face that it reaches.",
-                                       at.of.body.name, layer.face.word(), layer.particle_set));
+  throw SetupError(place.key, fmt::format("the layer ends where body {} continues towards {}, so that waves from there are reflected at its "
+                                          "strongest damping; extend particle set {} to the end of the body, or name the face that it reaches.",
+                                          place.of.body.name, layer.face.word(), layer.particle_set));
 }
 
-Boundary made(const AbsorbingSetup& layer, const Place& at) {
+Boundary made(const AbsorbingSetup& layer, const Place& place) {
   const Face face(layer.face.index);
-  std::vector<std::uint32_t> slots = at.slots(layer.particle_set);
-  expect_end_of_body(layer, slots, at);
+  std::vector<std::uint32_t> slots = place.slots(layer.particle_set);
+  expect_end_of_body(layer, slots, place);
   std::vector<double> depths;  // [m] along the face's normal
-  for (const std::uint32_t slot : slots) depths.push_back(face.sign * at.of.particles.reference(slot)[face.axis]);
+  for (const std::uint32_t slot : slots) depths.push_back(face.sign * place.of.particles.reference(slot)[face.axis]);
   const auto [first, last] = std::minmax_element(depths.begin(), depths.end());
-  const double spacing = at.of.particles.spacing(), inner = *first - 0.5 * spacing, thickness = *last + 0.5 * spacing - inner;
-  const double speed = std::sqrt(at.of.elastic.p_wave_modulus() / at.of.particles.density());
+  const double spacing = place.of.particles.spacing(), inner = *first - 0.5 * spacing, thickness = *last + 0.5 * spacing - inner;
+  const double speed = std::sqrt(place.of.elastic.p_wave_modulus() / place.of.particles.density());
   std::vector<double> damping;
   for (const double depth : depths) damping.push_back(layer_damping(depth - inner, thickness, speed, layer.reflection));
   return Absorbing(std::move(slots), damping);
@@ -176,8 +176,8 @@ std::vector<std::uint32_t> outermost(const Lattice& lattice, std::span<const std
 NamedBoundaryCondition boundary_condition_of(const BoundaryConditionSetup& boundary, const BoundedParticles& of) {
   return std::visit(
       [&]<class Kind>(const Kind& kind) {
-        const Place at{of, fmt::format("bodies.{}.boundary_conditions.{}.{}", of.body.name, boundary.name, Kind::name)};
-        return NamedBoundaryCondition{fmt::format("{}.{}", of.body.name, boundary.name), Kind::name, made(kind, at)};
+        const Place place{of, fmt::format("bodies.{}.boundary_conditions.{}.{}", of.body.name, boundary.name, Kind::name)};
+        return NamedBoundaryCondition{fmt::format("{}.{}", of.body.name, boundary.name), Kind::name, made(kind, place)};
       },
       boundary.kind);
 }

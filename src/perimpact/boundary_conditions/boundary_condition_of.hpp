@@ -1,4 +1,4 @@
-/// From what a deck says about a boundary to the particles it acts on and how.
+/// Builds a boundary condition from its setup.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@
 
 namespace perimpact {
 
-/// Slots of a named region of the body, ascending. Throws SetupError, with that key, where there is none.
+/// Slots of a named particle set of the body, ascending. Throws SetupError with that key if it does not exist.
 using SlotsOfRegion = std::function<std::vector<std::size_t>(const std::string& region, const std::string& key)>;
 
-/// The particles that a body's boundaries act on.
+/// Body and particles on which boundary conditions act.
 struct BoundedParticles {
   const BodySetup& body;
   const IsotropicElastic& elastic;
@@ -23,12 +23,11 @@ struct BoundedParticles {
   const SlotsOfRegion& slots_of;
 };
 
-/// One of the body's boundaries. Throws SetupError: a region that is none, an area that a cloud of points lacks, a table that is
-/// none.
+/// Builds one boundary condition of the body. Throws SetupError for an unknown particle set, a missing area of a point cloud, or an invalid
+/// table.
 NamedBoundaryCondition boundary_condition_of(const BoundaryConditionSetup& boundary, const BoundedParticles& of);
 
-/// Those of the slots (ascending) whose particle is the last one of its row of the lattice towards that face (counted as in
-/// face_words), ascending.
+/// The slots, ascending, whose particle is the outermost of its lattice row towards the face (indexed as in face_words).
 std::vector<std::uint32_t> outermost(const Lattice& lattice, std::span<const std::uint32_t> slots, int face);
 
 }  // namespace perimpact

@@ -1,5 +1,5 @@
-/// All boundary conditions of one body, in the order in which they act: loads, then what damps, then what holds, because a holder's force
-/// makes up for all others (docs/theory/boundary_conditions.md).
+/// All boundary conditions of one body, in the order in which they act: loads, damping, constraints, because reactions balance all other
+/// forces (docs/theory/boundary_conditions.md).
 #pragma once
 
 #include <cstdint>
@@ -17,43 +17,43 @@ class BoundaryConditions {
  public:
   /// None.
   BoundaryConditions() = default;
-  /// Throws SetupError, also where two hold the same particles in the same direction.
+  /// Throws SetupError, also if two constrain the same direction of the same particles.
   BoundaryConditions(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of);
 
-  /// One more, that code gives. Throws SetupError where one has this name already.
+  /// Adds a user-defined boundary condition. Throws SetupError if the name is in use.
   void add(NamedBoundaryCondition boundary);
 
   bool is_empty() const { return all_.empty(); }
   std::span<const NamedBoundaryCondition> all() const { return all_; }
   std::span<NamedBoundaryCondition> all() { return all_; }
 
-  /// Puts held particles where they are at that time.
+  /// Sets positions and velocities of constrained particles at that time.
   void set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace);
 
-  /// Which bonds there are now: `broken_ends` as InternalForce counts them. Before add_forces().
+  /// Updates exposed particles after bond failure; `broken_ends` as in InternalForce. To be called before add_forces().
   void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
 
-  /// Forces at the beginning of the step that comes, added to those of the bonds.
+  /// Adds forces at the beginning of the next step to those of the bonds.
   void add_forces(Particles& particles, const fccda::Step& next);
 
-  /// After the particles were advanced: held ones go where they are led. `travel`: of advance().
+  /// Imposes prescribed displacements after the particles were advanced. `travel`: of advance().
   void impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel);
 
-  /// After contact: held ones go back. Slots that contact had displaced, in rising order of each boundary.
+  /// Reimposes prescribed displacements after contact. Returns the slots that contact had displaced, ascending per boundary condition.
   std::vector<std::uint32_t> reimpose_after_contact(Particles& particles, const fccda::Step& step);
 
-  /// In search of equilibrium: adds the loads of that time to the forces of the bonds, and takes the forces on held directions away.
-  /// Returns how large loads and holding forces are [N], the root of the sum of their squares.
+  /// For relaxation: adds the loads of that time to the forces of the bonds, and removes the forces on constrained directions. Returns the
+  /// 2-norm [N] of loads and reactions.
   double balance(Particles& particles, double time);
 
-  /// Once equilibrium is found after dt [s]: the forces of the latest balance() are those of the state.
+  /// Accepts the equilibrium after dt [s]: records the forces of the latest balance().
   void accept_equilibrium(const Particles& particles, double time, double dt);
 
-  /// [J] of all loads and own forces, as Load::half_kick() says.
+  /// [J] of all loads and user forces, see Load::half_kick().
   double half_kick(double time, double dt) const;
 
-  double work() const;                        ///< [J] of all, done on the body so far
-  double constraint_work_correction() const;  ///< [J] of all holders, as Held::undone() says
+  double work() const;                        ///< [J] cumulative, done on the body
+  double constraint_work_correction() const;  ///< [J] of all constraints
 
   template <class Visitor>
   void visit_record(Visitor&& visit) {

@@ -1,8 +1,8 @@
-/// Damping that is implicit in the velocity, and the work of forces that resist motion: for the boundaries `absorbing` and `floating`.
+/// Implicit velocity damping, and the work of resisting forces, for the boundary conditions `absorbing` and `floating`.
 ///
 ///   v_{n+1/2} (1 + α dt/2) = v_{n-1/2} (1 - α dt/2) + F dt/(ρ V)
 ///
-/// Whatever α is, the velocity that is left lies between plus and minus what there was, so that damping limits no time step.
+/// For any α the remaining velocity lies between plus and minus the previous one, so that damping does not limit the time step.
 #pragma once
 
 #include <span>
@@ -18,23 +18,23 @@ inline double damped(double force_density, double velocity, double density, doub
   return (force_density - density * damping * velocity) / (1 + 0.5 * damping * dt);
 }
 
-/// What forces on particles come to at an instant.
+/// Resultant of forces on particles at an instant, and their work.
 struct Resistance {
   fccda::Vec3d force{};  ///< [N] their sum
-  double work = 0;       ///< [J] done since the instant before
+  double work = 0;       ///< [J] since the previous instant
   Resistance& operator+=(const Resistance& other) {
     force += other.force, work += other.work;
     return *this;
   }
 };
 
-/// Forces on particles, kept from one instant to the next: what they do in between is the mean of the two times the way, whatever led there, contact as well
-/// (account.hpp). Before the first instant they were 0.
+/// Trapezoidal work of forces on particles: the mean of the forces at two instants times the displacement in between, including that by
+/// contact (reaction_ledger.hpp). Initially the forces are 0.
 class ForcesOnTheWay {
  public:
   explicit ForcesOnTheWay(std::size_t particles) : latest_(3 * particles, 0.0) {}
 
-  /// The force [N] on one of the particles at an instant, to which `way` [m] led.
+  /// Records the force [N] on a particle at an instant, reached by the displacement `way` [m].
   Resistance record_force(std::size_t particle, const fccda::Vec3d& force, const fccda::Vec3d& way) {
     double* latest = latest_.data() + 3 * particle;
     const Resistance noted{force, 0.5 * dot(fccda::Vec3d{latest[0], latest[1], latest[2]} + force, way)};

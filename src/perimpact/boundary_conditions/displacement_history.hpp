@@ -1,4 +1,4 @@
-/// How far a direction is displaced, against time: given as displacements, or as velocities that begin at t = 0.
+/// Displacement history of one direction, given as displacements or as velocities from t = 0 on.
 #pragma once
 
 #include <utility>
@@ -14,13 +14,13 @@ class DisplacementHistory {
   DisplacementHistory(Of what, fccda::TimeTable table) : what_(what), table_(std::move(table)) {}
   static DisplacementHistory rest() { return {Of::displacement, fccda::TimeTable(0)}; }
 
-  /// [m] from the undeformed place. A table of velocities gives its integral from t = 0.
+  /// [m] from the undeformed position; the integral from t = 0 for a table of velocities.
   double displacement(double time) const {
     if (what_ == Of::displacement) return table_.at(time);
     return time > 0 ? time * table_.mean(0, time) : 0;
   }
 
-  /// [m/s] mean over the time; where t1 = t0, at that time.
+  /// [m/s] mean over the interval; for t1 = t0, at that time.
   double velocity(double t0, double t1) const { return what_ == Of::velocity ? table_.mean(t0, t1) : table_.slope(t0, t1); }
 
  private:

@@ -61,10 +61,10 @@ ForceSum Floating::add_to(Particles& particles) {
     const double t = (water_.level - z) / height + 0.5;
     const double column = t <= 0 ? 0 : t < 1 ? 0.5 * t * t : t - 0.5;  // ∫ S dz/Δ from the particle upward
     Vec3d density = particles.force_density.at(slot);
-    const double own = lift * water_.submerged(z, height) - weight;
-    density.z += own;
+    const double net = lift * water_.submerged(z, height) - weight;
+    density.z += net;
     particles.force_density.set(slot, density);
-    const double force = volume * own;
+    const double force = volume * net;
     return Hydrostatics{{{0, 0, force}, force * force}, volume * (weight * z + lift * height * column)};
   });
   if (has_begun_) {
@@ -82,7 +82,7 @@ Vec3d Floating::resist(Particles& particles, double dt) {
     const std::size_t slot = slots_[k];
     const Vec3d velocity = particles.velocity.at(slot);
     const bool is_exposed = exposure_ && exposure_->is_exposed(slot);
-    if (!is_exposed && water_.damping == 0 && water_.added_mass == 0) return forces_.record_force(k, {}, dt * velocity);  // most of a thick body
+    if (!is_exposed && water_.damping == 0 && water_.added_mass == 0) return forces_.record_force(k, {}, dt * velocity);  // most particles of a thick body
     const Vec3d before = particles.force_density.at(slot);
     const double height = particles.size_of(slot), wet = water_.submerged(particles.position.at(slot).z, height);
     const bool drags = wet > 0 && is_exposed;

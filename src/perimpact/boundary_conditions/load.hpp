@@ -1,11 +1,11 @@
-/// A force of constant direction on particles, shared among them: the boundaries `body_force` and `pressure`.
+/// Dead load distributed over particles: the boundary conditions `body_force` and `pressure`.
 ///
 ///   F_i(t) = q f(t) w_i        [N]
 ///
 ///   body_force   q = force density [N/m³]                  w_i = volume [m³]
 ///   pressure     q = -p n, n the face's normal [Pa]        w_i = area of the face [m²]
 ///
-/// The load is dead: it keeps its direction and its areas whatever the body does.
+/// Direction and areas of the load do not follow the deformation.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +29,10 @@ class Load {
   std::span<const double> weights() const { return weights_; }
   Vec3d force(double time) const { return total_weight_ * factor_.at(time) * intensity_; }  ///< [N] the sum over the particles
 
-  /// Adds to the force densities what the load is at that time.
+  /// Adds the load at that time to the force densities.
   ForceSum add_to(Particles& particles, double time) const;
 
-  /// [J] kinetic energy that the load alone gives the particles in the half of a step before `time`, which no displacement has paid for yet:
-  /// Σ m (a dt/2)²/2.
+  /// [J] kinetic energy from the load alone in the half step before `time`, for which no work has been recorded yet: Σ m (a dt/2)²/2.
   double half_kick(double time, double dt) const;
 
   /// [m] Σ w u/Σ w

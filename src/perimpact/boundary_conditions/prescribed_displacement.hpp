@@ -1,11 +1,11 @@
-/// Particles of which one or more directions are held at rest or led along a course: the boundaries `fixed` and `prescribed`.
+/// Dirichlet condition: prescribed displacement of some directions of particles, the boundary conditions `fixed` and `prescribed`.
 ///
-///   x(t1) = X + d(t1),    v = (d(t1) - d(t0))/dt        at the end of every step, to the bit
+///   x(t1) = X + d(t1),    v = (d(t1) - d(t0))/dt        at the end of every step, bitwise exact
 ///
-/// What holds them is a force like any other: at t_n it makes up the sum of forces that leads to the next velocity,
+/// The reaction at t_n completes the sum of forces that yields the next velocity,
 ///   R = ρ V (v_{n+1/2} - v_{n-1/2})/dt - F            [N]
-/// where F are the other forces, so that momentum, work and the kinetic energy at t_n come out as for all particles. In a state of
-/// equilibrium R = -F. Contact does not move a held direction: what an impactor gives it is handed on to the holder (docs/theory/boundary_conditions.md).
+/// where F are the other forces, so that momentum, work and kinetic energy at t_n are those of any particle. In equilibrium R = -F. Contact
+/// does not move a constrained direction: its impulse is transferred to the reaction (docs/theory/boundary_conditions.md).
 #pragma once
 
 #include <array>
@@ -33,26 +33,26 @@ class PrescribedDisplacement {
   std::span<const std::uint32_t> slots() const { return slots_; }
   bool constrains(std::size_t axis) const { return histories_[axis].has_value(); }
 
-  /// Puts the particles where they are at that time, with the velocities of just then or, for a state of equilibrium, without any.
+  /// Sets positions at that time, with the velocities at that time or, if quasi-static, zero velocities.
   enum class Regime { moving, quasi_static };
   void set_initial_state(Particles& particles, double time, Regime pace) const;
 
-  /// After the particles were advanced. `travel`: what advance() wrote, raised where the course is longer.
+  /// Imposes the displacements after the particles were advanced. `travel`: of advance(), increased where necessary.
   void impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel) const;
 
-  /// After contact, in the same step. Adds the slots that it had displaced to `displaced`.
+  /// Reimposes the displacements after contact, in the same step. Appends the slots that contact had displaced to `displaced`.
   void reimpose_after_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t>& displaced);
 
-  /// Takes over the force density of the held directions for the step that comes: the last of all forces.
+  /// Replaces the force density of the constrained directions for the next step, after all other forces.
   ForceSum constrain(Particles& particles, const fccda::Step& next) const;
 
-  /// The same for a state of equilibrium: nothing is left for the held directions.
+  /// The same for equilibrium: zero force on the constrained directions.
   ForceSum constrain_statically(Particles& particles) const;
 
-  /// [m] of the held directions at that time.
+  /// [m] of the constrained directions at that time.
   Vec3d displacement(double time) const;
 
-  /// [J] what leading back did to particles beyond the work of the holder, so far: it undoes what contact is said to have done to them.
+  /// [J] cumulative work of reimposing displacements beyond the constraint work; it compensates the work that contact recorded on them.
   double constraint_work_correction() const { return constraint_work_correction_; }
 
   ReactionLedger account;

@@ -1,8 +1,8 @@
-/// What a boundary condition gave its body, kept from step to step: its columns of history.csv, and its share of the energy balance.
+/// Ledger of a boundary condition: force, impulse and work on its body, for history.csv and the energy balance.
 ///
-/// Between two instants at which forces are known the work is F̄·Δū, with F̄ the mean of the two forces and ū the displacement that the
-/// force does work on. Summed over steps this is what the kick and drift of symplectic Euler make of the force: they pair the force at
-/// t_n with half the ways before and after it. For a linear body it is exact from one state of equilibrium to the next, too.
+/// Between two instants the work is F̄·Δū, with F̄ the mean of the two forces and ū the work-conjugate displacement (trapezoidal rule). Summed
+/// over steps this is the work in symplectic Euler, which pairs the force at t_n with half the displacements before and after it. For a linear
+/// body it is also exact between equilibrium states.
 #pragma once
 
 #include <array>
@@ -17,21 +17,21 @@ using fccda::Vec3d;
 
 class ReactionLedger {
  public:
-  /// The forces at an instant: their sum [N], and the displacement [m] of the particles, weighted as the force is shared among them. Before the first instant
-  /// both were 0.
+  /// Records the resultant force [N] at an instant, and the displacement [m] of the particles weighted by their share of the force. Both are
+  /// initially 0.
   void record_force(const Vec3d& force, const Vec3d& displacement) {
     work_ += dot(0.5 * (force_ + force), displacement - displacement_);
     force_ = force, displacement_ = displacement;
   }
 
-  /// The force acts for dt [s].
+  /// Adds the impulse of the force over dt [s].
   void accumulate_impulse(double dt) { impulse_ += dt * force_; }
-  /// Beside that force: an impulse [N s] and its work [J].
+  /// Adds a further impulse [N s] and its work [J].
   void add(const Vec3d& impulse, double work) { impulse_ += impulse, work_ += work; }
 
   const Vec3d& force() const { return force_; }      ///< [N] on the body, at the latest positions
-  double work() const { return work_; }              ///< [J] done on the body so far
-  const Vec3d& impulse() const { return impulse_; }  ///< [N s] on the body so far
+  double work() const { return work_; }              ///< [J] cumulative, done on the body
+  const Vec3d& impulse() const { return impulse_; }  ///< [N s] cumulative, on the body
 
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
@@ -43,7 +43,7 @@ class ReactionLedger {
  private:
   Vec3d force_{};         // [N]
   Vec3d displacement_{};  // [m]
-  Vec3d impulse_{};       // [N s] so far
+  Vec3d impulse_{};       // [N s] cumulative
   double work_ = 0;       // [J]
 };
 

@@ -1,4 +1,4 @@
-/// Sums over the slots of a boundary, by threads, in an order that does not depend on how many there are.
+/// Parallel sums over the slots of a boundary condition in a fixed order, bitwise reproducible across thread counts.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace perimpact {
 
 inline constexpr std::size_t sum_block = 256;
 
-/// Calls f(begin, end, b) for the blocks b of 0 … count - 1, by threads where they are many.
+/// Calls f(begin, end, b) for the blocks b of 0 … count - 1, in parallel for many blocks.
 template <class F>
 void for_each_block(std::size_t count, const F& f) {
   fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>((count + sum_block - 1) / sum_block), [&](std::ptrdiff_t b) {
@@ -21,7 +21,7 @@ void for_each_block(std::size_t count, const F& f) {
   });
 }
 
-/// f(0) + f(1) + …, `count` of them: blocks in order, each summed in order. `f` may write what belongs to its number.
+/// f(0) + f(1) + …, `count` of them: blocks in order, each summed in order. `f` may write data of its index.
 template <class Value, class F>
 Value sum_in_blocks(std::size_t count, const F& f) {
   std::vector<Value> parts((count + sum_block - 1) / sum_block);
@@ -35,7 +35,7 @@ Value sum_in_blocks(std::size_t count, const F& f) {
   return sum;
 }
 
-/// Forces on particles: what they add up to, and how large they are.
+/// Resultant and 2-norm of forces on particles.
 struct ForceSum {
   fccda::Vec3d force{};  ///< [N]
   double squared = 0;    ///< [N²] Σ |F_i|²

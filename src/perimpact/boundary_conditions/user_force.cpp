@@ -35,7 +35,7 @@ void UserForce::add_to(Particles& particles, const fccda::Step& next) {
   std::swap(density_, before_);
   density_ = VectorArray(particles.slots(), 0);
   function_(next.t0, density_);
-  const double dt = next.t0 > 0 ? next.dt : 0;  // [s] that led here
+  const double dt = next.t0 > 0 ? next.dt : 0;  // [s] of the step before
   const UserForceSums sums = sum_in_blocks<UserForceSums>(slots_.size(), [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d f = density_.at(slot);
@@ -45,11 +45,11 @@ void UserForce::add_to(Particles& particles, const fccda::Step& next) {
                          std::size_t{!is_finite(f)}, std::size_t{particles.is_plane() && f.z != 0}};
   });
   if (sums.not_finite > 0)
-    throw fccda::RunError(fmt::format("At {:.6g} s the own force {} is not a finite number on {} particles; look at the function that computes it.", next.t0,
-                                      name_, sums.not_finite));
+    throw fccda::RunError(
+        fmt::format("At {:.6g} s the user force {} is not finite on {} particles; check the function that computes it.", next.t0, name_, sums.not_finite));
   if (sums.out_of_plane > 0)
     throw fccda::InputError(
-        fmt::format("the own force {} acts along z on {} particles, but the body is plane and nothing may; let its z be 0.", name_, sums.out_of_plane));
+        fmt::format("the user force {} acts along z on {} particles, but the body is 2-D; set its z component to 0.", name_, sums.out_of_plane));
   squared_force_per_density_ = sums.squared;
   account.record_force(sums.force, {});
   account.add({}, sums.work);

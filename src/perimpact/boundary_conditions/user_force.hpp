@@ -1,9 +1,8 @@
-/// A force that code of the caller's own computes anew in every step, from where the particles are: from Python, or from a program that uses
-/// the library.
+/// User force: a force density computed by user code in every step from the particle positions, in Python or with the library.
 ///
 ///   F_i(t_n) = V_i f_i(t_n, x_n)        [N]
 ///
-/// Its work is Σ ½ (F_n + F_{n+1})·v_{n+1/2} dt, which is what symplectic Euler makes of a force (account.hpp).
+/// Its work is Σ ½ (F_n + F_{n+1})·v_{n+1/2} dt, the work in symplectic Euler (reaction_ledger.hpp).
 #pragma once
 
 #include <cstdint>
@@ -20,7 +19,7 @@ namespace perimpact {
 
 class UserForce {
  public:
-  /// Writes the force density [N/m³] at that time [s] into the slots of particles; all are 0 when it is called.
+  /// Writes the force density [N/m³] at that time [s] into the slots of particles; initially all are 0.
   using Function = std::function<void(double time, VectorArray& density)>;
 
   /// `name`: for messages.
@@ -28,11 +27,11 @@ class UserForce {
 
   std::span<const std::uint32_t> slots() const { return slots_; }
 
-  /// Adds to the force densities at the beginning of the step that comes. Throws RunError where a force is no finite number, InputError
-  /// where it leaves the plane of a plane body.
+  /// Adds the user force to the force densities at the beginning of the next step. Throws RunError if it is not finite, InputError if it has
+  /// a z component in a plane body.
   void add_to(Particles& particles, const fccda::Step& next);
 
-  /// [J] as Load::half_kick() says.
+  /// [J] see Load::half_kick().
   double half_kick(double dt) const;
 
   ReactionLedger account;
@@ -48,7 +47,7 @@ class UserForce {
   std::string name_;
   std::vector<std::uint32_t> slots_;
   Function function_;
-  VectorArray density_, before_;          // [N/m³] now, and at the beginning of the step before
+  VectorArray density_, before_;          // [N/m³] current, and at the beginning of the previous step
   double squared_force_per_density_ = 0;  // [N m] Σ V f²/ρ
 };
 

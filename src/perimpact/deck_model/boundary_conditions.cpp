@@ -7,10 +7,10 @@ using enum Presence;
 
 namespace {
 
-constexpr std::string_view particle_set_sentence = "Name of one of the body's regions. Where absent, the whole body.";
+constexpr std::string_view particle_set_sentence = "Name of a particle set of the body. Where absent, the whole body.";
 constexpr std::string_view load_times_sentence = "Times of the factors, increasing.";
 constexpr std::string_view load_factors_sentence =
-    "What the load is multiplied by at each time, on straight lines between; the first holds before, the last after. Where absent, 1.";
+    "Factor on the load at each time, interpolated linearly; constant before the first time and after the last. Where absent, 1.";
 
 }  // namespace
 
@@ -18,29 +18,27 @@ std::span<const Field<FixedSetup>> FixedSetup::fields() {
   using S = FixedSetup;
   static const Field<S> all[] = {
       {"particle_set", &S::particle_set, "", {}, optional, particle_set_sentence},
-      {"directions", &S::directions, "", {}, optional, "Directions in which the particles keep their undeformed place, of x, y, z. Where absent, all."}};
+      {"directions", &S::directions, "", {}, optional, "Directions with zero displacement (homogeneous Dirichlet condition), of x, y, z. Where absent, all."}};
   return all;
 }
 
 std::span<const Field<DisplacementSetup>> DisplacementSetup::fields() {
   using S = DisplacementSetup;
   static const Field<S> all[] = {
-      {"velocity", &S::velocity, "m/s", any_number(), optional, "The same velocity at all times, from t = 0 on."},
-      {"displacement", &S::displacement, "m", any_number(), optional, "The same displacement at all times, from t = 0 on."},
-      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing. Values between them follow a straight line."},
+      {"velocity", &S::velocity, "m/s", any_number(), optional, "Constant velocity from t = 0 on."},
+      {"displacement", &S::displacement, "m", any_number(), optional, "Constant displacement from t = 0 on."},
+      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing; values between them are interpolated linearly."},
       {"velocities", &S::velocities, "m/s", any_number(), optional,
-       "Velocity at each time; at t = 0 the particles are at their undeformed place. Before the first time the first one holds, after the last time the last "
-       "one."},
+       "Velocity at each time; the displacement is zero at t = 0. Constant before the first time and after the last."},
       {"displacements", &S::displacements, "m", any_number(), optional,
-       "In place of velocities: displacement from the undeformed place at each time. Before the first time the first one holds, after the last time the last "
-       "one."},
+       "In place of velocities: displacement from the undeformed position at each time. Constant before the first time and after the last."},
       {"file",
        &S::file,
        "",
        {},
        optional,
-       "In place of the lists: a CSV file with two columns and a first line that names them with units, \"time [s], velocity [m/s]\" or \"time [s], "
-       "displacement [m]\"; a relative path starts at the deck's folder."}};
+       "In place of the lists: a CSV file with two columns and a header line with units, \"time [s], velocity [m/s]\" or \"time [s], displacement [m]\"; a "
+       "relative path starts at the deck's folder."}};
   return all;
 }
 
@@ -53,7 +51,7 @@ std::span<const Field<BodyForceSetup>> BodyForceSetup::fields() {
   using S = BodyForceSetup;
   static const Field<S> all[] = {{"particle_set", &S::particle_set, "", {}, optional, particle_set_sentence},
                                  {"force_density", &S::force_density, "N/m3", any_number(), required,
-                                  "Force on each cubic metre along the axes of the world; weight is density times -9.81 m/s2."},
+                                  "Force per unit volume (body force density) in global axes; for weight, density times -9.81 m/s2 in z."},
                                  {"times", &S::times, "s", any_number(), optional, load_times_sentence},
                                  {"factors", &S::factors, "1", any_number(), optional, load_factors_sentence}};
   return all;
@@ -63,10 +61,16 @@ std::span<const Field<PressureSetup>> PressureSetup::fields() {
   using S = PressureSetup;
   static const Field<S> all[] = {
       {"particle_set", &S::particle_set, "", {}, optional, particle_set_sentence},
-      {"face", &S::face, "", {}, required, "Which way the face looks: +x, -x, +y, -y, +z or -z. Pressed are the outermost particles that way in each row."},
-      {"value", &S::value, "Pa", any_number(), required, "Pressure, which pushes against that direction; a negative one pulls. It keeps its direction."},
+      {"face",
+       &S::face,
+       "",
+       {},
+       required,
+       "Outward normal of the loaded face: +x, -x, +y, -y, +z or -z. The pressure acts on the outermost particle of each row in that direction."},
+      {"value", &S::value, "Pa", any_number(), required,
+       "Pressure, acting against the outward normal; a negative value pulls. Its direction is fixed and does not follow the deformation."},
       {"area", &S::area, "m2", positive(), optional,
-       "Area of the face: the resultant is pressure times this. Where absent, that of the cells of a lattice; a cloud of points needs it."},
+       "Area of the face: the resultant is pressure times area. Where absent, the area of the lattice cells on the face; required for a point cloud."},
       {"times", &S::times, "s", any_number(), optional, load_times_sentence},
       {"factors", &S::factors, "1", any_number(), optional, load_factors_sentence}};
   return all;
@@ -77,30 +81,35 @@ std::span<const Field<FloatingSetup>> FloatingSetup::fields() {
   static const Field<S> all[] = {
       {"particle_set", &S::particle_set, "", {}, optional, particle_set_sentence},
       {"level", &S::level, "m", any_number(), optional,
-       "Height z of the water's surface. Where absent, the one at which the particles float as they are placed; run.json says it."},
+       "Height z of the free water surface. Where absent, the level at which the particles float in their initial position, reported in run.json."},
       {"density", &S::density, "kg/m3", positive(), optional, "Density of the water."},
-      {"gravity", &S::gravity, "m/s2", positive(), optional, "Gravity, along -z. It gives the particles their weight, too."},
+      {"gravity", &S::gravity, "m/s2", positive(), optional, "Acceleration of gravity, along -z; it also gives the particles their weight."},
       {"drag", &S::drag, "1", at_least(0), optional,
-       "Drag coefficient C_d of particles under water at the body's surface, on the area of one face of a cube of their volume."},
+       "Drag coefficient C_d of submerged particles at the body's surface, referred to one face of a cube of the particle's volume."},
       {"added_mass", &S::added_mass, "1", at_least(0), optional,
-       "Mass of the water that comes along with a particle's vertical motion, in masses of the water that it displaces."},
-      {"damping", &S::damping, "1/s", at_least(0), optional, "Damping of all velocities v: the force -ρ damping v, in air as in water."}};
+       "Added-mass coefficient for vertical motion: entrained mass over the mass of water that the particle displaces."},
+      {"damping", &S::damping, "1/s", at_least(0), optional, "Mass-proportional damping of all velocities v: force density -ρ damping v, in air as in water."}};
   return all;
 }
 
 std::span<const Field<AbsorbingSetup>> AbsorbingSetup::fields() {
   using S = AbsorbingSetup;
-  static const Field<S> all[] = {
-      {"particle_set", &S::particle_set, "", {}, required, "Name of one of the body's regions: the layer, from its inner side to where the body ends."},
-      {"face",
-       &S::face,
-       "",
-       {},
-       required,
-       "Where the body ends: +x, -x, +y, -y, +z or -z. The damping rises from 0 at the inner side as the square of the depth."},
-      {"reflection", &S::reflection, "1", strictly_between(0, 1), optional,
-       "Share of the amplitude of a wave, straight in and out again, that is left. A thick layer can have a small one; see "
-       "docs/theory/boundary_conditions.md."}};
+  static const Field<S> all[] = {{"particle_set",
+                                  &S::particle_set,
+                                  "",
+                                  {},
+                                  required,
+                                  "Name of a particle set of the body: the absorbing layer, from its inner side to the end of the body."},
+                                 {"face",
+                                  &S::face,
+                                  "",
+                                  {},
+                                  required,
+                                  "Outward normal of the end of the body: +x, -x, +y, -y, +z or -z. The damping increases with the square of the depth in the "
+                                  "layer, from 0 at its inner side."},
+                                 {"reflection", &S::reflection, "1", strictly_between(0, 1), optional,
+                                  "Reflection coefficient: amplitude left of a wave at normal incidence after it has crossed the layer inward and outward. A "
+                                  "thicker layer permits a smaller value; see docs/theory/boundary_conditions.md."}};
   return all;
 }
 

@@ -1,4 +1,4 @@
-/// What a deck says about the boundaries of a body (docs/theory/boundary_conditions.md).
+/// Boundary conditions of a body in the deck model (docs/theory/boundary_conditions.md).
 #pragma once
 
 #include <optional>
@@ -19,10 +19,10 @@ using fccda::Choice;
 using fccda::Field;
 using fccda::Vec3d;
 
-/// Outward normals of faces along the axes: 2 · axis for the positive one, 2 · axis + 1 for the negative.
+/// Outward normals of axis-aligned faces, indexed by 2 · axis for the positive and 2 · axis + 1 for the negative direction.
 inline constexpr std::string_view face_words[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
 
-/// Particles that keep their place in some directions.
+/// Homogeneous Dirichlet condition: zero displacement in some directions.
 struct FixedSetup {
   static constexpr std::string_view name = "fixed";
   std::string particle_set;             ///< the whole body where empty
@@ -30,14 +30,14 @@ struct FixedSetup {
   static std::span<const Field<FixedSetup>> fields();
 };
 
-/// How far one direction is displaced: constant, or against time.
+/// Prescribed displacement or velocity of one direction, constant or tabulated against time.
 struct DisplacementSetup : MotionTable {
   std::optional<double> velocity;      ///< [m/s] at all times
   std::optional<double> displacement;  ///< [m] at all times
   static std::span<const Field<DisplacementSetup>> fields();
 };
 
-/// Particles that follow a course in some directions.
+/// Dirichlet condition: prescribed displacement history in some directions.
 struct PrescribedSetup {
   static constexpr std::string_view name = "prescribed";
   std::string particle_set;  ///< the whole body where empty
@@ -48,7 +48,7 @@ struct PrescribedSetup {
   const std::optional<DisplacementSetup>& of(std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
-/// A force on each cubic metre: weight, inertia of an accelerated frame, traction spread over a layer.
+/// Body force density: weight, inertia of an accelerated frame, or traction spread over a layer.
 struct BodyForceSetup {
   static constexpr std::string_view name = "body_force";
   std::string particle_set;   ///< the whole body where empty
@@ -58,41 +58,41 @@ struct BodyForceSetup {
   static std::span<const Field<BodyForceSetup>> fields();
 };
 
-/// A pressure on the outermost particles.
+/// Pressure on the outermost particles of a face.
 struct PressureSetup {
   static constexpr std::string_view name = "pressure";
   std::string particle_set;  ///< the whole body where empty
   Choice face{face_words};
-  double value{};              ///< [Pa] pushes into the body
-  std::optional<double> area;  ///< [m²]; the faces of the outermost particles of a lattice where absent
+  double value{};              ///< [Pa] positive into the body
+  std::optional<double> area;  ///< [m²]; from the cells of the lattice where absent
   std::vector<double> times;   ///< [s] of `factors`; constant where empty
   std::vector<double> factors;
   static std::span<const Field<PressureSetup>> fields();
 };
 
-/// Weight, and still water that a body floats in (docs/theory/floating_bodies.md).
+/// Weight, buoyancy, drag and added mass in still water (docs/theory/floating_bodies.md).
 struct FloatingSetup {
   static constexpr std::string_view name = "floating";
   std::string particle_set;     ///< the whole body where empty
-  std::optional<double> level;  ///< [m] z of the water's surface; that at which the body floats as it is placed where absent
+  std::optional<double> level;  ///< [m] z of the free surface; the equilibrium level of the initial position where absent
   double density = 1025;        ///< [kg/m³] of the water
   double gravity = 9.81;        ///< [m/s²]
-  double drag = 1;              ///< [-] of particles at the body's surface, on the area of one of their faces
-  double added_mass = 0;        ///< [-] of the water that a particle displaces, for its vertical motion
-  double damping = 0;           ///< [1/s] of all velocities
+  double drag = 1;              ///< [-] C_d of particles at the body's surface, referred to one of their faces
+  double added_mass = 0;        ///< [-] of the displaced water, for vertical motion
+  double damping = 0;           ///< [1/s] mass-proportional
   static std::span<const Field<FloatingSetup>> fields();
 };
 
-/// A layer that swallows waves on their way out.
+/// Absorbing layer: damping that increases with depth, against reflection of outgoing waves.
 struct AbsorbingSetup {
   static constexpr std::string_view name = "absorbing";
   std::string particle_set;
-  Choice face{face_words};   ///< of the layer, where the body ends
-  double reflection = 1e-3;  ///< [-] share of a wave's amplitude that comes back
+  Choice face{face_words};   ///< outward normal of the end of the body
+  double reflection = 1e-3;  ///< [-] reflection coefficient of the amplitude
   static std::span<const Field<AbsorbingSetup>> fields();
 };
 
-/// `boundaries: {grip: {fixed: {region: left}}}`
+/// `boundary_conditions: {grip: {fixed: {particle_set: left}}}`
 struct BoundaryConditionSetup {
   std::string name;
   std::variant<FixedSetup, PrescribedSetup, BodyForceSetup, PressureSetup, FloatingSetup, AbsorbingSetup> kind;

@@ -1,4 +1,4 @@
-/// A surface in a file, and how it is brought to where it is wanted.
+/// Surface mesh from a file, with its scale and placement.
 #pragma once
 
 #include <optional>
@@ -26,13 +26,13 @@ struct FileSurface {
   static constexpr std::string_view name = "file";
   std::string file;                     ///< path; a relative one starts at the deck's folder
   std::vector<std::string> file_parts;  ///< of the file; all where empty
-  double scale = 1;                     ///< multiplies the file's coordinates, so that they become metres
+  double scale = 1;                     ///< converts the file's coordinates to metres
   Choice mirror{mirror_plane_words};
   Choice mirror_merge{mirror_plane_words};  ///< adds the mirror image
   Vec3d rotate{};                           ///< [rad] about x, then y, then z
   Vec3d translate{};                        ///< [m]
-  std::optional<double> weld;               ///< [m] vertices nearer than this become one; 1e-9 of the size where absent
-  Choice orientation{open_side_words};      ///< which side of an open surface is outside
+  std::optional<double> weld;               ///< [m] welding tolerance; 1e-9 of the size where absent
+  Choice orientation{open_side_words};      ///< outer side of an open surface
   static std::span<const Field<FileSurface>> fields();
 };
 

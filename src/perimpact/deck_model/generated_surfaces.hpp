@@ -1,4 +1,4 @@
-/// Surfaces of ships and propellers, made from their main dimensions (docs/guide/shapes.md).
+/// Hull and propeller surfaces generated from main dimensions (docs/guide/shapes.md).
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace perimpact {
 
-/// Axes: x aft from where the stem meets the waterline, y to starboard, z up from the waterline.
+/// Ship hull. Axes: x aft from the intersection of stem and waterline, y to starboard, z up from the waterline.
 struct HullSurface {
   static constexpr std::string_view name = "hull";
   double length{}, breadth{}, draft{};            ///< [m]
   double stem_angle{}, waterline_angle{};         ///< [rad]
-  double fullness = 2;                            ///< of the waterlines of the bow
+  double fullness = 2;                            ///< exponent of the bow's waterlines
   std::optional<double> bilge_radius, freeboard;  ///< [m]
   std::optional<double> stern_angle;              ///< [rad]
   std::optional<double> stern_waterline_angle;    ///< [rad]
@@ -26,7 +26,7 @@ struct HullSurface {
   static std::span<const Field<HullSurface>> fields();
 };
 
-/// Over the radius, in place of the Wageningen series.
+/// Blade sections against radius, in place of the Wageningen series.
 struct PropellerSectionsSetup {
   std::vector<double> radius, chord, thickness, pitch;  ///< r/R, c/D, t/D, P/D
   std::vector<double> rake, skew, camber;               ///< over D, [rad], over the chord
@@ -35,7 +35,7 @@ struct PropellerSectionsSetup {
 
 inline constexpr std::string_view hand_words[] = {"right", "left"};  // as fccda::Hand
 
-/// The shaft along an axis whose positive direction is ahead, the middle of the hub in the origin.
+/// Propeller. The positive direction of the shaft axis is ahead; the centre of the hub is the origin.
 struct PropellerSurface {
   static constexpr std::string_view name = "propeller";
   double diameter{};  ///< [m]

@@ -1,4 +1,4 @@
-/// Motion against time as a deck gives it.
+/// Motion tabulated against time in the deck model.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace perimpact {
 
-/// Motion against time: `times` with either `velocities` or `displacements`. A deck may name a file instead, whose numbers are put here
-/// when it is read.
+/// Motion against time: `times` with either `velocities` or `displacements`. If the deck names a file instead, the lists are filled from it
+/// when the deck is read.
 struct MotionTable {
   std::vector<double> times;                      ///< [s]
   std::vector<double> velocities, displacements;  ///< [m/s] and [m], or [rad/s] and [rad]

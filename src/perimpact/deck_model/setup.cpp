@@ -12,17 +12,20 @@ std::span<const Field<RelaxSetup>> RelaxSetup::fields() {
   using S = RelaxSetup;
   static const Field<S> all[] = {
       {"increments", &S::increments, "1", between(1, 1e6), optional,
-       "Number of states of equilibrium, evenly spread to the end of the run. At each, courses and loads are as at its time."},
+       "Number of increments, each an equilibrium state, equally spaced in time up to the end of the run. Boundary conditions and loads are those of its "
+       "time."},
       {"tolerance", &S::tolerance, "1", strictly_between(0, 1), optional,
-       "An increment is done when the forces that are out of balance are less than this share of the applied ones and those that hold."},
-      {"max_iterations", &S::max_iterations, "1", between(1, 1e9), optional, "An increment that takes more iterations ends the run."}};
+       "Convergence tolerance: an increment has converged when the residual forces are below this share of applied forces and reactions."},
+      {"max_iterations", &S::max_iterations, "1", between(1, 1e9), optional,
+       "Maximum number of iterations of an increment; beyond it the run ends with an error."}};
   return all;
 }
 
 std::span<const Field<TimeSetup>> TimeSetup::fields() {
   static const Field<TimeSetup> all[] = {
       {"end", &TimeSetup::end, "s", positive(), required, "Time at which the run ends."},
-      {"step", &TimeSetup::step, "s", positive(), optional, "Time step. Where absent, 0.9 times the stable estimate of Silling and Askari over all bodies."}};
+      {"step", &TimeSetup::step, "s", positive(), optional,
+       "Time step. Where absent, 0.9 times the stable time step estimated after Silling and Askari, the smallest over all bodies."}};
   return all;
 }
 
@@ -30,10 +33,10 @@ namespace {
 
 enum class WithPoissonsRatio { no, yes };
 
-/// The fields of what all materials have.
+/// The fields common to all materials.
 template <class S>
 std::vector<Field<S>> elastic_fields(WithPoissonsRatio poisson, std::vector<Field<S>> own = {}) {
-  std::vector<Field<S>> all{{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), optional, "Young's modulus E. Needed, unless ice gives it."}};
+  std::vector<Field<S>> all{{"youngs_modulus", &S::youngs_modulus, "Pa", positive(), optional, "Young's modulus E. Required, unless ice gives it."}};
   if (poisson == WithPoissonsRatio::yes)
     all.push_back({"poissons_ratio", &S::poissons_ratio, "1", strictly_between(-1, 0.5), optional,
                    std::is_same_v<S, CorrespondenceSetup>
@@ -41,15 +44,14 @@ std::vector<Field<S>> elastic_fields(WithPoissonsRatio poisson, std::vector<Fiel
                        : "Poisson's ratio ν: an isotropic solid needs -1 < ν < 0.5. Ice is usually 0.25 to 0.35. 0.25 is the fastest."});
   all.push_back({"density", &S::density, "kg/m3", positive(), required, "Mass density ρ."});
   all.push_back({"critical_stretch", &S::critical_stretch, "1", positive(), optional,
-                 "A bond longer than (1 + this) times its first length breaks for ever. Where this, fracture_energy and flexural_strength are absent, bonds "
+                 "A bond whose stretch exceeds this fails irreversibly. Where critical_stretch, fracture_energy and flexural_strength are all absent, bonds "
                  "never break."});
   all.push_back({"fracture_energy", &S::fracture_energy, "J/m2", positive(), optional,
-                 "In place of critical_stretch: the energy G₀ that it takes to part the body, for each area of crack."});
+                 "In place of critical_stretch: fracture energy G₀ per unit area of crack (critical energy release rate)."});
   all.push_back({"flexural_strength", &S::flexural_strength, "Pa", positive(), optional,
-                 "In place of critical_stretch: the stress at the surface of a bent plate at which it breaks; critical stretch (1 - 1/n) σ/E with n layers of "
-                 "particles."});
+                 "In place of critical_stretch: surface stress at which a plate fails in bending; critical stretch (1 - 1/n) σ/E with n layers of particles."});
   all.push_back({"layers", &S::layers, "1", between(2, 1000), optional,
-                 "Layers of particles through the thickness that bends, for flexural_strength. Where absent, those of the thinnest direction."});
+                 "Layers of particles through the thickness in bending, for flexural_strength. Where absent, those across the thinnest direction."});
   all.insert(all.end(), own.begin(), own.end());
   return all;
 }
@@ -61,7 +63,7 @@ Field<S> influence_field() {
           "",
           {},
           optional,
-          "How much a bond counts by its length, r = |ξ|/δ: one, inverse (1/r), inverse-square, parabolic (1 up to 1/2, then 4 r (1 - r)) or gaussian "
+          "Influence function of the bond length r = |ξ|/δ: constant, inverse (1/r), inverse-square, parabolic (1 up to 1/2, then 4 r (1 - r)) or gaussian "
           "(exp(-(r/0.4)²))."};
 }
 
@@ -70,12 +72,12 @@ Field<S> influence_field() {
 std::span<const Field<IceSetup>> IceSetup::fields() {
   using S = IceSetup;
   static const Field<S> all[] = {
-      {"temperature", &S::temperature, "degC", between(-22.9, -0.5), optional, "Temperature of the ice, the mean over its thickness."},
-      {"salinity", &S::salinity, "g/kg", between(0, 35), optional, "Salinity of the ice; 0 is fresh-water ice."},
+      {"temperature", &S::temperature, "degC", between(-22.9, -0.5), optional, "Temperature of the ice, averaged over its thickness."},
+      {"salinity", &S::salinity, "g/kg", between(0, 35), optional, "Salinity of the ice; 0 is freshwater ice."},
       {"brine_volume", &S::brine_volume, "1", between(0, 0.25), optional,
-       "In place of temperature and salinity: share of the ice's volume that is brine, 0.05 for 50 parts in a thousand."},
+       "In place of temperature and salinity: brine volume fraction, 0.05 for 50 parts per thousand."},
       {"thickness", &S::thickness, "m", positive(), optional,
-       "Thickness of the ice that bends, in place of layers. Where both are absent, the body's thinnest direction."}};
+       "Thickness of the ice in bending, in place of layers. Where both are absent, the body's thinnest direction."}};
   return all;
 }
 
@@ -117,47 +119,45 @@ std::span<const Field<BondBasedSetup>> BondBasedSetup::fields() {
 std::span<const Field<CorrespondenceSetup>> CorrespondenceSetup::fields() {
   using S = CorrespondenceSetup;
   static const auto all = elastic_fields<S>(
-      WithPoissonsRatio::yes,
-      {{"law",
-        &S::law,
-        "",
-        {},
-        optional,
-        "Stress of a finite strain: hencky (linear in the logarithmic strain) or st-venant-kirchhoff (linear in Green's strain, which grows soft where the "
-        "material is squeezed to 0.58 of its length)."},
-       {"stabilisation",
-        &S::stabilisation,
-        "",
-        {},
-        optional,
-        "What resists zero-energy modes, displacements that deformation gradients do not see: bond-level (bonds are compared with the mean gradient of "
-        "their ends, so that bending and torsion are not resisted), or, for half the cost, wan or silling (with the gradient of each end: for strains that "
-        "are uniform within a horizon; thin bodies bend several times too stiffly)."},
-       {"stabilisation_factor", &S::stabilisation_factor, "1", positive(), optional, "Multiplies the stiffness of the stabilisation."},
-       influence_field<S>()});
+      WithPoissonsRatio::yes, {{"law",
+                                &S::law,
+                                "",
+                                {},
+                                optional,
+                                "Stress-strain law at finite strain: hencky (linear in the logarithmic strain) or st-venant-kirchhoff (linear in the "
+                                "Green-Lagrange strain; it softens in compression to 0.58 of the length)."},
+                               {"stabilisation",
+                                &S::stabilisation,
+                                "",
+                                {},
+                                optional,
+                                "Control of zero-energy modes, to which deformation gradients are blind: bond-level (bonds are compared with the mean gradient "
+                                "of their ends, so that bending and torsion are not resisted) or, at half the cost, wan or silling (gradient of each end: for "
+                                "strains that are uniform within a horizon; thin bodies bend several times too stiffly)."},
+                               {"stabilisation_factor", &S::stabilisation_factor, "1", positive(), optional, "Factor on the stiffness of the stabilisation."},
+                               influence_field<S>()});
   return all;
 }
 
 std::span<const Field<FailureSetup>> FailureSetup::fields() {
   using S = FailureSetup;
-  static const Field<S> all[] = {
-      {"compression",
-       &S::compression,
-       "",
-       {},
-       optional,
-       "Whether bonds break in compression: none, symmetric (at the critical stretch too) or limit (at critical_compression)."},
-      {"critical_compression", &S::critical_compression, "1", strictly_between(0, 1), optional,
-       "A bond shorter than (1 - this) times its first length breaks, with compression: limit."},
-      {"compression_hardening", &S::compression_hardening, "1", between(0, 1), optional,
-       "α: the critical stretch grows by this times the largest compression of a bond of the two particles (their mean). Squeezed along one axis, "
-       "a body of ν = 0.25 is then 1/(0.37 - α) times as strong as pulled: 0.17 for 5, 0.27 for 10, as ice has. It costs a third to a half of an evaluation of "
-       "forces."},
-      {"weibull_modulus", &S::weibull_modulus, "1", between(1, 1000), optional,
-       "Scatter: the critical stretch of each particle is multiplied by a random factor of Weibull's distribution with this modulus and mean 1; a bond takes "
-       "the mean of its two. Where absent, no scatter."},
-      {"seed", &S::seed, "1", between(0, 2147483647), optional, "Chooses the random factors; the same seed gives the same body."},
-      {"no_fail", &S::no_fail, "", {}, optional, "Names of regions of the body whose particles never lose a bond."}};
+  static const Field<S> all[] = {{"compression",
+                                  &S::compression,
+                                  "",
+                                  {},
+                                  optional,
+                                  "Bond failure in compression: none, symmetric (at minus the critical stretch) or limit (at critical_compression)."},
+                                 {"critical_compression", &S::critical_compression, "1", strictly_between(0, 1), optional,
+                                  "With compression: limit, a bond whose compressive stretch exceeds this fails."},
+                                 {"compression_hardening", &S::compression_hardening, "1", between(0, 1), optional,
+                                  "Confinement-dependent critical stretch: it grows by α times the largest compression of a bond of the two particles (their "
+                                  "mean). In uniaxial compression a body of ν = 0.25 is then 1/(0.37 - α) times as strong as in tension: 0.17 for 5, 0.27 for "
+                                  "10, as for ice. It adds a third to a half to the cost of a force evaluation."},
+                                 {"weibull_modulus", &S::weibull_modulus, "1", between(1, 1000), optional,
+                                  "Scatter: the critical stretch of each particle is multiplied by a Weibull-distributed random factor with this modulus and "
+                                  "mean 1; a bond takes the mean of its two particles. Where absent, no scatter."},
+                                 {"seed", &S::seed, "1", between(0, 2147483647), optional, "Seed of the random factors; the same seed gives the same body."},
+                                 {"no_fail", &S::no_fail, "", {}, optional, "Names of particle sets of the body whose particles never lose a bond."}};
   return all;
 }
 
@@ -165,53 +165,55 @@ std::span<const Field<BodySetup>> BodySetup::fields() {
   using S = BodySetup;
   static const Field<S> all[] = {
       {"spacing", &S::spacing, "m", positive(), optional,
-       "Distance between neighbouring particles of the lattice. Shapes of points and cells have none, all others need it."},
-      {"horizon_ratio", &S::horizon_ratio, "1", between(2, 6), optional, "Horizon δ in spacings."},
+       "Particle spacing Δ of the lattice. Required, except for the shapes points and cells, which have none."},
+      {"horizon_ratio", &S::horizon_ratio, "1", between(2, 6), optional, "Horizon δ over the particle spacing, m = δ/Δ."},
       {"position", &S::position, "m", any_number(), optional,
-       "Where the centre of the shape is at t = 0, or the origin of its file. Parts, holes, cracks and regions are placed from here."},
+       "Position at t = 0 of the centre of the shape, or of the origin of its file. Added solids, holes, cracks and particle sets are relative to it."},
       {"rotate", &S::rotate, "rad", between(-6.2832, 6.2832), optional,
-       "Turns the shape, with parts, holes, cracks and regions, about the axes x, y and z through the position, in this order. The lattice stays along the "
-       "axes."},
-      {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of all particles at t = 0."},
+       "Rotates the shape with its added solids, holes, cracks and particle sets about the axes x, y and z through the position, in this order. The lattice "
+       "stays aligned with the axes."},
+      {"velocity", &S::velocity, "m/s", any_number(), optional, "Initial velocity of all particles."},
       {"family",
        &S::family,
        "",
        {},
        optional,
-       "Which particles are bonded and with which part of their volume: hu-ha-bobaru (|ξ| < δ + Δ/2) or madenci-oterkus (|ξ| <= δ)."},
+       "Family of a particle and the partial volumes of its neighbours: hu-ha-bobaru (|ξ| < δ + Δ/2) or madenci-oterkus (|ξ| <= δ)."},
       {"normalisation",
        &S::normalisation,
        "",
        {},
        optional,
-       "lattice: the bond constants are scaled so that the interior lattice has exactly the given moduli; continuum: used as in the integral."},
+       "lattice: bond constants are scaled so that the interior lattice has exactly the given moduli; continuum: those of the continuum integral "
+       "(micromodulus)."},
       {"surface_correction",
        &S::surface_correction,
        "",
        {},
        optional,
-       "What makes up for the missing bonds near a surface: energy (Madenci and Oterkus, interpolated), volume (Le and Bobaru) or none. automatic: energy; "
-       "none for the models linear-peridynamic-solid and correspondence, which normalise each particle by its own family."},
+       "Surface effect correction, for the missing bonds near a surface: energy (Madenci and Oterkus, interpolated), volume (Le and Bobaru) or none. "
+       "automatic: energy; none for the models linear-peridynamic-solid and correspondence, which normalise each particle by its own family."},
       {"bending_calibration",
        &S::bending_calibration,
        "",
        {},
        optional,
-       "x, y or z: the axis across a thin plate. All bonds are made stiffer by one factor, so that the bending stiffness of its few layers is that of a "
-       "plate; stretched in its plane it is too stiff by the same factor. For three to six layers. none: no factor."},
+       "x, y or z: the axis across a thin plate. All bonds are stiffened by one factor so that its few layers have the bending stiffness of a plate; in-plane, "
+       "the plate is too stiff by the same factor. For three to six layers. none: no factor."},
       {"plane",
        &S::plane,
        "",
        {},
        optional,
-       "stress or strain: a body of two dimensions, one layer of particles in z as thick as the solid; all motion lies in x and y. none: three dimensions."},
+       "stress or strain: a 2-D body in plane stress or plane strain, one layer of particles in z as thick as the solid; all motion lies in x and y. none: "
+       "3-D."},
       {"published",
        &S::published,
        "",
        {},
        optional,
-       "true: the discretisation of the seed paper, that is family madenci-oterkus, normalisation continuum, surface_correction none; the three may then not "
-       "be given."}};
+       "true: the discretisation of Zhang et al. (the FCCDA paper), that is family madenci-oterkus, normalisation continuum, surface_correction none; these "
+       "keys must then be absent."}};
   return all;
 }
 
@@ -221,7 +223,7 @@ std::span<const Field<CylinderSurface>> CylinderSurface::fields() {
                                  {"height", &S::height, "m", positive(), required, "Length along the axis, centred on the origin."},
                                  {"axis", &S::axis, "", {}, optional, "Direction of the axis: x, y or z."},
                                  {"edge_length", &S::edge_length, "m", positive(), required,
-                                  "Largest edge of the panels around, along and between the rings of the caps. Diagonals of triangles reach 1.41 times it."},
+                                  "Longest panel edge around, along and between the rings of the caps; diagonals of triangles reach 1.41 times it."},
                                  {"panel_shape", &S::panel_shape, "", {}, optional, "triangles or quads."}};
   return all;
 }
@@ -229,7 +231,7 @@ std::span<const Field<CylinderSurface>> CylinderSurface::fields() {
 std::span<const Field<SphereSurface>> SphereSurface::fields() {
   using S = SphereSurface;
   static const Field<S> all[] = {{"diameter", &S::diameter, "m", positive(), required, "Diameter."},
-                                 {"edge_length", &S::edge_length, "m", positive(), required, "Largest edge of the panels."}};
+                                 {"edge_length", &S::edge_length, "m", positive(), required, "Longest panel edge."}};
   return all;
 }
 
@@ -237,104 +239,106 @@ std::span<const Field<BoxSurface>> BoxSurface::fields() {
   using S = BoxSurface;
   static const Field<S> all[] = {
       {"size", &S::size, "m", positive(), required, "Edge lengths in x, y and z, centred on the origin."},
-      {"edge_length", &S::edge_length, "m", positive(), required, "Largest edge of the panels along x, y and z. Diagonals of triangles reach 1.41 times it."},
+      {"edge_length", &S::edge_length, "m", positive(), required, "Longest panel edge along x, y and z; diagonals of triangles reach 1.41 times it."},
       {"panel_shape", &S::panel_shape, "", {}, optional, "triangles or quads."}};
   return all;
 }
 
 std::span<const Field<FileSurface>> FileSurface::fields() {
   using S = FileSurface;
-  constexpr double full_turn = 6.2832;  // [rad] somewhat more, for rounding; 90 without its unit is beyond
+  constexpr double full_turn = 6.2832;  // [rad] plus a margin for rounding; rejects 90 without its unit
   static const Field<S> all[] = {
       {"file",
        &S::file,
        "",
        {},
        required,
-       "A mesh: STL, OBJ, PLY, OFF, VTK, VTP, VTU, MSH (Gmsh), INP (Abaqus), K, KEY or DYN (LS-DYNA), each also packed as .gz; STEP and IGES if gmsh is "
+       "Mesh file: STL, OBJ, PLY, OFF, VTK, VTP, VTU, MSH (Gmsh), INP (Abaqus), K, KEY or DYN (LS-DYNA), each also compressed as .gz; STEP and IGES if gmsh is "
        "installed. A relative path starts at the deck's folder."},
-      {"file_parts", &S::file_parts, "", {}, optional, "Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists them."},
-      {"scale", &S::scale, "1", positive(), optional, "Multiplies the coordinates, so that they become metres: 0.001 for a file in millimetres."},
-      {"mirror", &S::mirror, "", {}, optional, "Mirrors the surface at the plane x = 0, y = 0 or z = 0: turns left into right."},
+      {"file_parts", &S::file_parts, "", {}, optional, "Names of the parts of the file to read; all where absent. `perimpact mesh` lists them."},
+      {"scale", &S::scale, "1", positive(), optional, "Factor that converts the coordinates to metres: 0.001 for a file in millimetres."},
+      {"mirror", &S::mirror, "", {}, optional, "Mirrors the surface in the plane x = 0, y = 0 or z = 0; left becomes right."},
       {"mirror_merge",
        &S::mirror_merge,
        "",
        {},
        optional,
-       "Adds the mirror image at the plane x = 0, y = 0 or z = 0: for a file that holds half of a ship, y. Panels in that plane go."},
+       "Adds the mirror image in the plane x = 0, y = 0 or z = 0: y for a file that contains half of a ship. Panels in that plane are removed."},
       {"rotate", &S::rotate, "rad", between(-full_turn, full_turn), optional,
-       "Turns the surface about the axes x, y and z through the origin, in this order: [90 deg, 0, 0]."},
-      {"translate", &S::translate, "m", any_number(), optional, "Moves the surface. Scale, mirror, complete, rotate and translate act in this order."},
+       "Rotates the surface about the axes x, y and z through the origin, in this order: [90 deg, 0, 0]."},
+      {"translate", &S::translate, "m", any_number(), optional,
+       "Translates the surface. Scale, mirror, mirror_merge, rotate and translate apply in this order."},
       {"weld", &S::weld, "m", positive(), optional,
-       "Vertices nearer than this become one: closes gaps that rounding left between panels. Where absent, 1e-9 of the surface's size. `perimpact mesh` says "
-       "what would close a surface."},
+       "Welding tolerance: vertices closer than this are merged, which closes rounding gaps between panels. Where absent, 1e-9 of the surface's size. "
+       "`perimpact mesh` reports the tolerance that would close a surface."},
       {"orientation",
        &S::orientation,
        "",
        {},
        optional,
-       "Which side of an open surface is outside: normals (the side the panels' normals point to) or reversed. Closed surfaces find it themselves."}};
+       "Outer side of an open surface: normals (the side to which the panel normals point) or reversed. Closed surfaces are oriented automatically."}};
   return all;
 }
 
 std::span<const Field<BoxRegionSetup>> BoxRegionSetup::fields() {
   using S = BoxRegionSetup;
-  static const Field<S> all[] = {{"size", &S::size, "m", positive(), required, "Edge lengths along the surface's own axes."},
-                                 {"centre", &S::centre, "m", any_number(), optional, "Centre, from the surface's origin."}};
+  static const Field<S> all[] = {{"size", &S::size, "m", positive(), required, "Edge lengths along the surface's axes."},
+                                 {"centre", &S::centre, "m", any_number(), optional, "Centre, relative to the surface's origin."}};
   return all;
 }
 
 std::span<const Field<BoundsBoxSetup>> BoundsBoxSetup::fields() {
   using S = BoundsBoxSetup;
-  static const Field<S> all[] = {{"size", &S::size, "m", positive(), required, "Edge lengths along the surface's own axes."},
-                                 {"centre", &S::centre, "m", any_number(), optional, "Centre, from the surface's origin."}};
+  static const Field<S> all[] = {{"size", &S::size, "m", positive(), required, "Edge lengths along the surface's axes."},
+                                 {"centre", &S::centre, "m", any_number(), optional, "Centre, relative to the surface's origin."}};
   return all;
 }
 
 std::span<const Field<BoxUnionBoundsSetup>> BoxUnionBoundsSetup::fields() {
   using S = BoxUnionBoundsSetup;
-  static const Field<S> all[] = {{"count", &S::count, "1", between(1, 1000), optional, "Fits at most so many boxes to the surface. Where absent, 32 at most."},
-                                 {"gain", &S::gain, "1", between(0, 1), optional,
-                                  "Fits boxes to the surface as long as a further one saves at least this share of the bounding box. Where absent, 0.003."}};
+  static const Field<S> all[] = {
+      {"count", &S::count, "1", between(1, 1000), optional, "Maximum number of boxes fitted to the surface. Where absent, 32."},
+      {"gain", &S::gain, "1", between(0, 1), optional,
+       "Boxes are fitted to the surface as long as a further one saves at least this share of the bounding box. Where absent, 0.003."}};
   return all;
 }
 
 std::span<const Field<CylinderSectorsBoundsSetup>> CylinderSectorsBoundsSetup::fields() {
   using S = CylinderSectorsBoundsSetup;
   static const Field<S> all[] = {
-      {"axis", &S::axis, "1", any_number(), optional, "Direction of the axis in the surface's own axes. Fitted where absent, as everything here."},
-      {"point", &S::point, "m", any_number(), optional, "Middle of the cylinder, from the surface's origin."},
+      {"axis", &S::axis, "1", any_number(), optional, "Direction of the axis in the surface's axes. Where absent, fitted, as are all keys here."},
+      {"point", &S::point, "m", any_number(), optional, "Centre of the cylinder, relative to the surface's origin."},
       {"radius", &S::radius, "m", positive(), optional, "Radius of the cylinder."},
       {"length", &S::length, "m", positive(), optional, "Length of the cylinder."},
-      {"hub_radius", &S::hub_radius, "m", at_least(0), optional, "Within this radius there are no gaps."},
-      {"blades", &S::blades, "1", between(1, 1000), optional, "Number of sectors, at equal angles."},
-      {"sector_angle", &S::sector_angle, "rad", between(0, 2 * std::numbers::pi), optional, "Width of each sector. Half a turn and more: no gaps."},
+      {"hub_radius", &S::hub_radius, "m", at_least(0), optional, "Radius within which there are no gaps between sectors."},
+      {"blades", &S::blades, "1", between(1, 1000), optional, "Number of equally spaced sectors."},
+      {"sector_angle", &S::sector_angle, "rad", between(0, 2 * std::numbers::pi), optional, "Width of each sector. Half a turn or more: no gaps."},
       {"start_angle", &S::start_angle, "rad", any_number(), optional,
-       "Where the first sector begins: about the axis z from x towards y, about x from y towards z, about y from z towards x. Needs sector_angle."}};
+       "Start of the first sector: about the axis z from x towards y, about x from y towards z, about y from z towards x. Requires sector_angle."}};
   return all;
 }
 
 std::span<const Field<AutoBoundsSetup>> AutoBoundsSetup::fields() { return {}; }
 
 std::span<const Field<ContactBoundsSetup>> ContactBoundsSetup::fields() {
-  static const Field<ContactBoundsSetup> all[] = {{"on_exceed",
-                                                   &ContactBoundsSetup::on_exceed,
-                                                   "",
-                                                   {},
-                                                   optional,
-                                                   "What a panel outside the region means: error, or clip (there is no contact beyond the region)."}};
+  static const Field<ContactBoundsSetup> all[] = {
+      {"on_exceed",
+       &ContactBoundsSetup::on_exceed,
+       "",
+       {},
+       optional,
+       "Action if a panel lies outside the contact bounds: error, or clip (contact is ignored outside the bounds)."}};
   return all;
 }
 
 std::span<const Field<RefinementSetup>> RefinementSetup::fields() {
   using S = RefinementSetup;
   static const Field<S> all[] = {
-      {"edge_length", &S::edge_length, "m", positive(), required, "Longest edge that panels shall have there. Panels are halved until none is longer."},
-      {"surface_part", &S::surface_part, "", {}, optional, "Only panels of this part of the surface. Where absent, of all parts."},
+      {"edge_length", &S::edge_length, "m", positive(), required, "Longest panel edge after refinement. Panels are bisected until none is longer."},
+      {"surface_part", &S::surface_part, "", {}, optional, "Restricts refinement to this part of the surface. Where absent, all parts."},
       {"angle", &S::angle, "rad", strictly_between(0, std::numbers::pi), optional,
-       "An angle such as 10 deg: only where the surface curves, panels become so small that they turn by it at most, but not smaller than edge_length; at "
-       "creases "
-       "they are that small. Where absent, curved or not."}};
+       "Restricts refinement to curved areas: panels are refined until they turn by at most this angle, for example 10 deg, but not below edge_length; creases "
+       "are refined to edge_length. Where absent, flat areas are refined too."}};
   return all;
 }
 
@@ -342,57 +346,55 @@ std::span<const Field<CoarseningSetup>> CoarseningSetup::fields() {
   using S = CoarseningSetup;
   static const Field<S> all[] = {
       {"max_deviation", &S::max_deviation, "m", positive(), required,
-       "No point of the surface moves by more than this. Exactly flat places need next to nothing."},
-      {"max_edge_length", &S::max_edge_length, "m", positive(), optional, "No edge is made longer than this. Where absent, any length will do."}};
+       "Maximum deviation of the surface from its original shape. Exactly flat areas need next to nothing."},
+      {"max_edge_length", &S::max_edge_length, "m", positive(), optional, "Longest edge that coarsening may create. Where absent, no limit."}};
   return all;
 }
 
 std::span<const Field<GaugeSetup>> GaugeSetup::fields() {
   using S = GaugeSetup;
   static const Field<S> all[] = {
-      {"surface_parts", &S::surface_parts, "", {}, optional, "Names of parts of the surface (perimpact mesh lists them). Where absent, the whole surface."},
+      {"surface_parts", &S::surface_parts, "", {}, optional, "Names of parts of the surface (`perimpact mesh` lists them). Where absent, the whole surface."},
       {"point", &S::point, "m", any_number(), optional,
-       "Point of the moments, from the surface's origin and along its axes; it moves with the impactor. Where absent, the centre of mass."},
+       "Reference point of the moments, relative to the surface's origin and in its axes; it moves with the impactor. Where absent, the centre of mass."},
       {"axis", &S::axis, "1", any_number(), optional,
-       "Direction, along the surface's axes and turning with them, about which the torque is told too. Its length does not matter."}};
+       "Direction in the surface's axes, rotating with them, about which the torque is also reported. Its length is irrelevant."}};
   return all;
 }
 
 std::span<const Field<TranslationTable>> TranslationTable::fields() {
   using S = TranslationTable;
   static const Field<S> all[] = {
-      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing. Values between them follow a straight line."},
-      {"velocities", &S::velocities, "m/s", any_number(), optional,
-       "Velocity at each time. Before the first time the first one holds, after the last time the last one."},
+      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing; values between them are interpolated linearly."},
+      {"velocities", &S::velocities, "m/s", any_number(), optional, "Velocity at each time; constant before the first time and after the last."},
       {"displacements", &S::displacements, "m", any_number(), optional,
-       "In place of velocities: displacement at each time. Only differences matter: at t = 0 the impactor is at its position. It rests before the first "
-       "time and after the last one."},
+       "In place of velocities: displacement at each time. Only differences matter: at t = 0 the impactor is at its position. It is at rest before the first "
+       "time and after the last."},
       {"file",
        &S::file,
        "",
        {},
        optional,
-       "In place of the lists: a CSV file with two columns and a first line that names them with units, \"time [s], velocity [m/s]\" or \"time [s], "
-       "displacement [m]\"; a relative path starts at the deck's folder."}};
+       "In place of the lists: a CSV file with two columns and a header line with units, \"time [s], velocity [m/s]\" or \"time [s], displacement [m]\"; a "
+       "relative path starts at the deck's folder."}};
   return all;
 }
 
 std::span<const Field<RotationTable>> RotationTable::fields() {
   using S = RotationTable;
   static const Field<S> all[] = {
-      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing. Values between them follow a straight line."},
-      {"velocities", &S::velocities, "rad/s", any_number(), optional,
-       "Angular velocity at each time. Before the first time the first one holds, after the last time the last one."},
+      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing; values between them are interpolated linearly."},
+      {"velocities", &S::velocities, "rad/s", any_number(), optional, "Angular velocity at each time; constant before the first time and after the last."},
       {"displacements", &S::displacements, "rad", any_number(), optional,
-       "In place of velocities: angle at each time, for the only axis that the impactor turns about. Only differences matter. It rests before the first time "
-       "and after the last one."},
+       "In place of velocities: angle at each time, for the only axis about which the impactor rotates. Only differences matter. It is at rest before the "
+       "first time and after the last."},
       {"file",
        &S::file,
        "",
        {},
        optional,
-       "In place of the lists: a CSV file with two columns and a first line that names them with units, \"time [s], velocity [rad/s]\" or \"time [s], "
-       "displacement [rad]\"; a relative path starts at the deck's folder."}};
+       "In place of the lists: a CSV file with two columns and a header line with units, \"time [s], velocity [rad/s]\" or \"time [s], displacement [rad]\"; a "
+       "relative path starts at the deck's folder."}};
   return all;
 }
 
@@ -407,74 +409,79 @@ MotionTable* MotionSetup::of(std::size_t degree) { return const_cast<MotionTable
 std::span<const Field<LoadSetup>> LoadSetup::fields() {
   using S = LoadSetup;
   static const Field<S> all[] = {
-      {"force", &S::force, "N", any_number(), optional, "Force along the axes of the world."},
-      {"moment", &S::moment, "N m", any_number(), optional, "Moment about the axes of the world, beside that of the force."},
+      {"force", &S::force, "N", any_number(), optional, "Force in global axes."},
+      {"moment", &S::moment, "N m", any_number(), optional, "Moment in global axes, in addition to that of the force."},
       {"point", &S::point, "m", any_number(), optional,
-       "Where the force acts, from the surface's origin and along its axes; it moves with the impactor. Where absent, the centre of mass."},
+       "Point of application of the force, relative to the surface's origin and in its axes; it moves with the impactor. Where absent, the centre of mass."},
       {"times", &S::times, "s", any_number(), optional, "Times of the factors, increasing."},
       {"factors", &S::factors, "1", any_number(), optional,
-       "What force and moment are multiplied by at each time, on straight lines between; the first holds before, the last after. Where absent, 1."}};
+       "Factor on force and moment at each time, interpolated linearly; constant before the first time and after the last. Where absent, 1."}};
   return all;
 }
 
 std::span<const Field<FloatingImpactorSetup>> FloatingImpactorSetup::fields() {
   using S = FloatingImpactorSetup;
   static const Field<S> all[] = {
-      {"level", &S::level, "m", any_number(), optional, "Height z of the water's surface."},
+      {"level", &S::level, "m", any_number(), optional, "Height z of the free water surface."},
       {"density", &S::density, "kg/m3", positive(), optional, "Density of the water."},
       {"gravity", &S::gravity, "m/s2", positive(), optional, "Acceleration of gravity, along -z."},
       {"added_mass", &S::added_mass, "1", at_least(0), optional,
-       "Water that comes along with vertical motion, as a share of the water that the impactor displaces at rest: of its mass, or of all that its surface "
-       "holds where it is heavier."},
-      {"damping", &S::damping, "1/s", at_least(0), optional, "While in the water, v_z, ω_x and ω_y lose this share of themselves per second."}};
+       "Added mass for vertical motion, as a share of the mass of water that the impactor displaces at rest; for an impactor heavier than water, of all that "
+       "its surface encloses."},
+      {"damping", &S::damping, "1/s", at_least(0), optional, "Decay rate of v_z, ω_x and ω_y (heave, roll and pitch) while in the water."}};
   return all;
 }
 
 std::span<const Field<ImpactorSetup>> ImpactorSetup::fields() {
   using S = ImpactorSetup;
   static const Field<S> all[] = {
-      {"mass", &S::mass, "kg", positive(), optional, "Mass; or give the density."},
+      {"mass", &S::mass, "kg", positive(), optional, "Mass; alternatively, give the density."},
       {"density", &S::density, "kg/m3", positive(), optional,
-       "In place of the mass: density of a body that fills the closed surface evenly. Overlapping parts of a surface count twice."},
+       "In place of the mass: density of a body that fills the closed surface uniformly. Overlapping parts of a surface count twice."},
       {"centre_of_mass", &S::centre_of_mass, "m", any_number(), optional,
-       "Centre of mass, from the surface's origin and along its axes. Where absent, that of the closed surface filled evenly, of an open one that of its "
-       "area."},
+       "Centre of mass, relative to the surface's origin and in its axes. Where absent, that of the uniformly filled closed surface, or of the area of an open "
+       "one."},
       {"inertia", &S::inertia, "kg m2", positive(), optional,
-       "Moments of inertia about the centre of mass, along the surface's axes. Where absent, those of the closed surface filled evenly."},
-      {"position", &S::position, "m", any_number(), optional, "Where the surface's origin is at t = 0."},
-      {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of the centre of mass at t = 0; degrees of freedom that are not free keep it."},
-      {"angular_velocity", &S::angular_velocity, "rad/s", any_number(), optional, "Angular velocity at t = 0; degrees of freedom that are not free keep it."},
+       "Moments of inertia about the centre of mass, along the surface's axes. Where absent, those of the uniformly filled closed surface."},
+      {"position", &S::position, "m", any_number(), optional, "Position of the surface's origin at t = 0."},
+      {"velocity", &S::velocity, "m/s", any_number(), optional, "Velocity of the centre of mass at t = 0; constrained degrees of freedom keep it."},
+      {"angular_velocity", &S::angular_velocity, "rad/s", any_number(), optional, "Angular velocity at t = 0; constrained degrees of freedom keep it."},
       {"free_dofs",
        &S::free_dofs,
        "",
        {},
        optional,
-       "Degrees of freedom that contact and loads may change, of x, y, z, rx, ry, rz. The others keep their given velocity, or follow motion."}};
+       "Free degrees of freedom, which contact and loads may change, of x, y, z, rx, ry, rz. The others keep their given velocity or follow motion."}};
   return all;
 }
 
 std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
   using S = ImpactorContactSetup;
-  static const Field<S> all[] = {
-      {"detector",
-       &S::detector,
-       "",
-       {},
-       optional,
-       "swept (never misses), published (the seed paper's panel test) or analytic (distance to the centre; sphere and cylinder only)."},
-      {"variant", &S::variant, "", {}, optional, "How the published detector reads the paper: repaired, or letter (as printed). The others do not use it."},
-      {"friction", &S::friction, "1", at_least(0), optional,
-       "Coulomb's coefficient of friction between particles and impactors. The published detector takes 0 only."},
-      {"radius_ratio", &S::radius_ratio, "1", between(0, 1), optional,
-       "Contact radius in spacings: a particle touches at this distance from the surface. 0.5 puts the surface at the material's edge, 0 at the particles' "
-       "centres as in the paper. The published detector takes 0 only, and has it where this is absent."},
-      {"initial_overlap",
-       &S::initial_overlap,
-       "",
-       {},
-       optional,
-       "What becomes of particles that are inside an impactor at t = 0, or nearer to it than the contact radius: error; remove (they do not exist, "
-       "the body has a hole there); project (they are put on the surface, and bonds start strained)."}};
+  static const Field<S> all[] = {{"detector",
+                                  &S::detector,
+                                  "",
+                                  {},
+                                  optional,
+                                  "swept (continuous collision detection; never misses), published (panel test of Zhang et al.) or analytic (distance to the "
+                                  "centre; sphere and cylinder only)."},
+                                 {"variant",
+                                  &S::variant,
+                                  "",
+                                  {},
+                                  optional,
+                                  "Variant of the published detector: corrected, or literal (as printed in the paper). The other detectors do not use it."},
+                                 {"friction", &S::friction, "1", at_least(0), optional,
+                                  "Coulomb friction coefficient between particles and impactors. The published detector requires 0."},
+                                 {"radius_ratio", &S::radius_ratio, "1", between(0, 1), optional,
+                                  "Contact radius over the particle spacing: a particle is in contact at this distance from the surface. 0.5 places contact at "
+                                  "the edge of the material, 0 at the particle centres as in the FCCDA paper. The published detector requires 0, its default."},
+                                 {"initial_overlap",
+                                  &S::initial_overlap,
+                                  "",
+                                  {},
+                                  optional,
+                                  "Treatment of particles that are inside an impactor at t = 0, or nearer to it than the contact radius: error; remove (they "
+                                  "are left out and the body has a hole there); project (they are moved onto the surface and their bonds start strained)."}};
   return all;
 }
 
@@ -486,15 +493,17 @@ std::span<const Field<FragmentContactSetup>> FragmentContactSetup::fields() {
        "",
        {},
        optional,
-       "Force between particles that no intact bond joins, of one body or of two: none (they pass through one another), or repulsive."},
+       "Short-range force between particles without an intact bond, of one body or of two: none (they pass through one another) or repulsive."},
       {"distance_ratio", &S::distance_ratio, "1", positive(), optional,
-       "Distance at which faces of particles without a bond touch, of one body or of two, in spacings, the mean of the two. 1: half a spacing each, as "
-       "impactors have it, so that the material's edges meet."},
+       "Distance at which faces of particles without a bond are in contact, of one body or of two, over the mean spacing of the two. 1: half a spacing each, "
+       "as for impactors, so that the edges of the material meet."},
       {"stiffness_factor", &S::stiffness_factor, "1", positive(), optional,
-       "How stiff contact is: two faces as if each pair of particles opposite one another had this many times the bond's spring. The 15 of EMU."},
-      {"friction", &S::friction, "1", at_least(0), optional, "Coulomb's coefficient of friction between touching particles. Ice on ice has 0.1 to 0.3."},
+       "Penalty stiffness of contact: two faces act as if each pair of opposite particles had this many times the spring stiffness of a bond. The value 15 is "
+       "that of EMU."},
+      {"friction", &S::friction, "1", at_least(0), optional, "Coulomb friction coefficient between particles in contact. Ice on ice has 0.1 to 0.3."},
       {"restitution", &S::restitution, "1", between(0.1, 1), optional,
-       "Speed at which two free particles part, over that of their approach: 1 without loss. Less takes shorter time steps."}};
+       "Coefficient of restitution of two free particles, separation speed over approach speed: 1 is without loss. Smaller values require shorter time "
+       "steps."}};
   return all;
 }
 
@@ -502,33 +511,33 @@ std::span<const Field<ProbeSetup>> ProbeSetup::fields() {
   static const Field<ProbeSetup> all[] = {
       {"body", &ProbeSetup::body, "", {}, required, "Name of the body."},
       {"at", &ProbeSetup::at, "m", any_number(), required,
-       "Point of the undeformed body. Displacements are the mean of the particles nearest to it (up to eight, equally near)."}};
+       "Point in the reference (undeformed) configuration. Displacements are the mean of the particles nearest to it (up to eight, equally near)."}};
   return all;
 }
 
 std::span<const Field<LineSetup>> LineSetup::fields() {
   using S = LineSetup;
   static const Field<S> all[] = {{"body", &S::body, "", {}, required, "Name of the body."},
-                                 {"from", &S::from, "m", any_number(), required, "One end, in the undeformed body."},
+                                 {"from", &S::from, "m", any_number(), required, "One end, in the reference (undeformed) configuration."},
                                  {"to", &S::to, "m", any_number(), required, "The other end."},
-                                 {"times", &S::times, "s", at_least(0), optional, "When to write the line. Where absent, at the end."}};
+                                 {"times", &S::times, "s", at_least(0), optional, "Output times. Where absent, the end of the run."}};
   return all;
 }
 
 std::span<const Field<OutputSetup>> OutputSetup::fields() {
   using S = OutputSetup;
   static const Field<S> all[] = {
-      {"folder", &S::folder, "", {}, optional, "Folder of the results, from the working folder; --out overrides it."},
-      {"frames", &S::frames, "1", between(0, 100000), optional, "Number of pictures after the one at t = 0. 0: none."},
+      {"folder", &S::folder, "", {}, optional, "Folder of the results, relative to the working directory; --out overrides it."},
+      {"frames", &S::frames, "1", between(0, 100000), optional, "Number of output frames after the one at t = 0. 0: none."},
       {"history_interval", &S::history_interval, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."},
       {"checkpoint_interval", &S::checkpoint_interval, "s", at_least(0), optional,
-       "Time on the clock on the wall, not in the simulation, between checkpoints: from the last one a run that was stopped goes on (perimpact run DECK "
-       "--resume). There is always one at the end and when the run is interrupted; 0: no others."}};
+       "Wall-clock time between checkpoints, from which a stopped run can be restarted (perimpact run DECK --resume). One is always written at the end and "
+       "when the run is interrupted; 0: no others."}};
   return all;
 }
 
 std::span<const Field<Setup>> Setup::fields() {
-  static const Field<Setup> all[] = {{"title", &Setup::title, "", {}, optional, "One line that says what is simulated."}};
+  static const Field<Setup> all[] = {{"title", &Setup::title, "", {}, optional, "One line that describes the simulation."}};
   return all;
 }
 

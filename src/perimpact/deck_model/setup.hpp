@@ -1,5 +1,5 @@
-/// Setup: what a deck says, as plain structs, with every default. `io/deck` fills it from YAML; the bindings fill the same structs.
-/// Each struct lists its simple fields in setup.cpp (base/parameter.hpp); what nests is read by name. SI units throughout.
+/// Setup: the contents of a deck as plain structs with all defaults. `io/deck` fills it from YAML; the bindings fill the same structs.
+/// Each struct lists its simple fields in setup.cpp (base/parameter.hpp); io/deck/schema.hpp lists the nested ones. SI units throughout.
 #pragma once
 
 #include <optional>
@@ -66,29 +66,29 @@ enum class FragmentLaw { none, repulsive };
 
 // ---- time ----
 
-/// From one state of equilibrium to the next, instead of dynamics (docs/theory/relaxation.md).
+/// Adaptive dynamic relaxation: quasi-static increments instead of dynamics (docs/theory/relaxation.md).
 struct RelaxSetup {
   int increments = 1;           ///< from t = 0 to the end
-  double tolerance = 1e-6;      ///< [-] unbalanced force over applied force
-  int max_iterations = 100000;  ///< of an increment
+  double tolerance = 1e-6;      ///< [-] residual force over applied force
+  int max_iterations = 100000;  ///< per increment
   static std::span<const Field<RelaxSetup>> fields();
 };
 
 struct TimeSetup {
   double end{};                ///< [s]
-  std::optional<double> step;  ///< [s]; the stable estimate where absent
+  std::optional<double> step;  ///< [s]; from the estimated stable time step where absent
   std::optional<RelaxSetup> relax;
   static std::span<const Field<TimeSetup>> fields();
 };
 
 // ---- bodies ----
 
-/// Ice as engineers state it, in place of modulus and strength (docs/theory/ice.md).
+/// Ice by temperature and salinity, in place of modulus and strength (docs/theory/ice.md).
 struct IceSetup {
   std::optional<double> temperature;   ///< [°C] mean over the thickness
   std::optional<double> salinity;      ///< [g/kg]
-  std::optional<double> brine_volume;  ///< [-] share of the volume; in place of the other two
-  std::optional<double> thickness;     ///< [m] that bends; gives the layers
+  std::optional<double> brine_volume;  ///< [-] brine volume fraction; in place of the other two
+  std::optional<double> thickness;     ///< [m] in bending; determines the number of layers
   static std::span<const Field<IceSetup>> fields();
 };
 
@@ -104,40 +104,40 @@ struct PlasticitySetup {
   static std::span<const Field<PlasticitySetup>> fields();
 };
 
-/// What all materials have.
+/// Parameters common to all materials.
 struct ElasticSetup {
-  std::optional<double> youngs_modulus;  ///< [Pa] needed
+  std::optional<double> youngs_modulus;  ///< [Pa] required
   double poissons_ratio = 0.25;
   double density{};  ///< [kg/m³]
-  // at most one of these three says when bonds break; never where all are absent
+  // failure criterion: at most one of these three; bonds never break where all are absent
   std::optional<double> critical_stretch;   ///< [-]
   std::optional<double> fracture_energy;    ///< [J/m²]
   std::optional<double> flexural_strength;  ///< [Pa]
-  std::optional<int> layers;                ///< particles through the thickness that bends
-  std::optional<IceSetup> ice;              ///< has set what was not given
+  std::optional<int> layers;                ///< of particles through the thickness in bending
+  std::optional<IceSetup> ice;              ///< source of the values that the deck does not give
   std::optional<PlasticitySetup> plasticity;
 };
 
-/// Ordinary state-based, linear, isotropic, after Madenci and Oterkus (docs/theory/ordinary_state.md).
+/// Ordinary state-based material, linear and isotropic, after Madenci and Oterkus (docs/theory/ordinary_state.md).
 struct OrdinaryStateSetup : ElasticSetup {
   static constexpr std::string_view name = "ordinary-state";
   static std::span<const Field<OrdinaryStateSetup>> fields();
 };
 
-/// The same after Silling et al.: one influence function, each particle normalised by its own family.
+/// Linear peridynamic solid after Silling et al.: ordinary state-based, normalised by each particle's own weighted volume.
 struct LinearSolidSetup : ElasticSetup {
   static constexpr std::string_view name = "linear-peridynamic-solid";
   Choice influence{influence_words, 1};
   static std::span<const Field<LinearSolidSetup>> fields();
 };
 
-/// Bonds that know nothing of one another; ν is 1/4, in plane stress 1/3.
+/// Bond-based material: independent bonds (micromodulus c); ν is 1/4, in plane stress 1/3.
 struct BondBasedSetup : ElasticSetup {
   static constexpr std::string_view name = "bond-based";
   static std::span<const Field<BondBasedSetup>> fields();
 };
 
-/// A classical law of stress, through the deformation gradients of the particles (docs/theory/correspondence.md).
+/// Correspondence (non-ordinary state-based) material: a classical stress law on the deformation gradient (docs/theory/correspondence.md).
 struct CorrespondenceSetup : ElasticSetup {
   static constexpr std::string_view name = "correspondence";
   Choice law{stress_law_words};
@@ -149,36 +149,36 @@ struct CorrespondenceSetup : ElasticSetup {
 
 using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBasedSetup, CorrespondenceSetup>;  // chosen by the key `model`
 
-/// Which bonds break, beside the critical stretch of the material.
+/// Bond failure in addition to the material's critical stretch.
 struct FailureSetup {
   Choice compression{compression_words};
-  std::optional<double> critical_compression;  ///< [-] positive, where compression is `limit`
-  double compression_hardening = 0;            ///< [-] α: pressed together, particles stand more pull across
-  std::optional<double> weibull_modulus;       ///< [-] scatter of the strength of particles; none where absent
+  std::optional<double> critical_compression;  ///< [-] positive; where compression is `limit`
+  double compression_hardening = 0;            ///< [-] α of the confinement-dependent critical stretch
+  std::optional<double> weibull_modulus;       ///< [-] scatter of the critical stretch; none where absent
   std::optional<int> seed;                     ///< of the scatter; 1 where absent
-  std::vector<std::string> no_fail;            ///< names of regions
+  std::vector<std::string> no_fail;            ///< names of particle sets
   static std::span<const Field<FailureSetup>> fields();
 };
 
 struct BodySetup {
   std::string name;
   BodyShape shape;
-  std::optional<double> spacing;  ///< [m] of the lattice that fills the shape; a cloud has none
+  std::optional<double> spacing;  ///< [m] of the lattice that fills the shape; absent for a point cloud
   double horizon_ratio = 3.015;
   Vec3d position{};  ///< [m] of the shape's origin: of a box, cylinder or sphere its centre
-  Vec3d rotate{};    ///< [rad] of all that has a place in the body about x, then y, then z, through its position
+  Vec3d rotate{};    ///< [rad] of the body about x, then y, then z, through its position
   Vec3d velocity{};  ///< [m/s]
   Choice family{family_words};
   Choice normalisation{normalisation_words};
   Choice surface_correction{surface_correction_words};
-  Choice bending_calibration{thin_axis_words};  ///< the axis across a thin plate whose bending stiffness is made right
-  bool published = false;                       ///< the seed paper's discretisation: madenci-oterkus, continuum, none
-  Choice plane{plane_words};                    ///< of a body of two dimensions, a single layer in z
+  Choice bending_calibration{thin_axis_words};  ///< axis across a thin plate whose bending stiffness is calibrated
+  bool published = false;                       ///< discretisation of the FCCDA paper: madenci-oterkus, continuum, none
+  Choice plane{plane_words};                    ///< of a 2-D body, a single layer in z
   MaterialSetup material;
   std::optional<FailureSetup> failure;
-  std::vector<SolidSetup> add;            ///< united with the shape
-  std::vector<SolidSetup> holes;          ///< taken out of it
-  std::vector<SolidSetup> particle_sets;  ///< names for what is in them
+  std::vector<SolidSetup> add;            ///< Boolean union with the shape
+  std::vector<SolidSetup> holes;          ///< subtracted from it
+  std::vector<SolidSetup> particle_sets;  ///< named sets of the particles in a solid
   std::vector<CrackSetup> cracks;
   std::vector<BoundaryConditionSetup> boundary_conditions;
   static std::span<const Field<BodySetup>> fields();
@@ -218,7 +218,7 @@ struct BoxSurface {
 
 using SurfaceSetup = std::variant<CylinderSurface, SphereSurface, BoxSurface, HullSurface, PropellerSurface, FileSurface>;
 
-/// One box fixed to the impactor: contact is looked for nowhere else (seed paper, section 3.1, example 1).
+/// One box fixed to the impactor, outside which contact is not searched (Zhang et al., section 3.1, example 1).
 struct BoxRegionSetup {
   static constexpr std::string_view name = "box";
   Vec3d size{};    ///< [m]
@@ -226,7 +226,7 @@ struct BoxRegionSetup {
   static std::span<const Field<BoxRegionSetup>> fields();
 };
 
-/// One of several boxes.
+/// One box of a union.
 struct BoundsBoxSetup {
   std::string name;
   Vec3d size{};    ///< [m]
@@ -234,16 +234,16 @@ struct BoundsBoxSetup {
   static std::span<const Field<BoundsBoxSetup>> fields();
 };
 
-/// Several boxes together (example 2): given by name, or fitted to the surface.
+/// Union of boxes (example 2), given by name or fitted to the surface.
 struct BoxUnionBoundsSetup {
   static constexpr std::string_view name = "box_union";
-  std::optional<int> count;    ///< fit at most so many
-  std::optional<double> gain;  ///< [-] fit; a further box must save this share of the bounding box
+  std::optional<int> count;    ///< maximum number of fitted boxes
+  std::optional<double> gain;  ///< [-] share of the bounding box that a further fitted box must save
   std::vector<BoundsBoxSetup> boxes;
   static std::span<const Field<BoxUnionBoundsSetup>> fields();
 };
 
-/// A cylinder and a fan of sectors in it, which turn with the impactor (example 3). What is absent is fitted to the surface.
+/// Cylinder with a fan of sectors that rotates with the impactor (example 3). Absent values are fitted to the surface.
 struct CylinderSectorsBoundsSetup {
   static constexpr std::string_view name = "cylinder_sectors";
   std::optional<Vec3d> axis;
@@ -254,46 +254,46 @@ struct CylinderSectorsBoundsSetup {
   static std::span<const Field<CylinderSectorsBoundsSetup>> fields();
 };
 
-/// Whichever suits the surface best.
+/// Contact bounds chosen automatically for the surface.
 struct AutoBoundsSetup {
   static constexpr std::string_view name = "auto";
   static std::span<const Field<AutoBoundsSetup>> fields();
 };
 
 struct ContactBoundsSetup {
-  /// none: wherever the surface is
+  /// monostate: no bounds, the whole surface
   std::variant<std::monostate, BoxRegionSetup, BoxUnionBoundsSetup, CylinderSectorsBoundsSetup, AutoBoundsSetup> shape;
   Choice on_exceed{on_exceed_words};
   static std::span<const Field<ContactBoundsSetup>> fields();
 };
 
-/// Smaller panels in some place of the surface. Box, part and angle narrow one another (docs/theory/remeshing.md).
+/// Local refinement of panels. Box, part and angle restrict it jointly (docs/theory/remeshing.md).
 struct RefinementSetup {
   std::string name;
   double edge_length{};               ///< [m] longest edge
-  std::optional<BoxRegionSetup> box;  ///< everywhere where absent
+  std::optional<BoxRegionSetup> box;  ///< no restriction where absent
   std::string surface_part;           ///< of the surface; all where empty
-  std::optional<double> angle;        ///< [rad] that panels turn by at most where the surface curves; everywhere where absent
+  std::optional<double> angle;        ///< [rad] largest turn between panels of curved areas; no restriction where absent
   static std::span<const Field<RefinementSetup>> fields();
 };
 
-/// Larger panels where the surface is cut finer than its shape needs.
+/// Coarsening of panels that are finer than the shape requires.
 struct CoarseningSetup {
-  double max_deviation{};                 ///< [m] that the surface moves by at most
-  std::optional<double> max_edge_length;  ///< [m] no edge is made longer; any length where absent
+  double max_deviation{};                 ///< [m] of the surface from its original shape
+  std::optional<double> max_edge_length;  ///< [m] no limit where absent
   static std::span<const Field<CoarseningSetup>> fields();
 };
 
-/// Sums contact on some parts of the surface, as a load cell would.
+/// Gauge: resultant contact force and moment on parts of the surface, like a load cell.
 struct GaugeSetup {
   std::string name;
   std::vector<std::string> surface_parts;  ///< of the surface; all where empty
-  std::optional<Vec3d> point;              ///< [m] of the moments, from the surface's origin, moving along; the centre of mass where absent
-  std::optional<Vec3d> axis;               ///< direction of the torque, along the surface's axes, turning along
+  std::optional<Vec3d> point;              ///< [m] reference point of moments, fixed to the surface; the centre of mass where absent
+  std::optional<Vec3d> axis;               ///< direction of the torque, in the surface's axes
   static std::span<const Field<GaugeSetup>> fields();
 };
 
-/// Motion of one degree of freedom.
+/// Prescribed motion of one degree of freedom.
 struct TranslationTable : MotionTable {
   static std::span<const Field<TranslationTable>> fields();
 };
@@ -307,28 +307,28 @@ struct MotionSetup {
   std::optional<TranslationTable> x, y, z;
   std::optional<RotationTable> rx, ry, rz;
 
-  /// The table of a degree of freedom, counted as in degree_words; null where it has none.
+  /// The table of a degree of freedom, indexed as in degree_words; null where there is none.
   const MotionTable* of(std::size_t degree) const;
   MotionTable* of(std::size_t degree);
 };
 
-/// A force and a moment on the impactor, along the world's axes.
+/// Applied force and moment on the impactor, in global axes.
 struct LoadSetup {
   std::string name;
   Vec3d force{};               ///< [N]
   Vec3d moment{};              ///< [N m]
-  std::optional<Vec3d> point;  ///< [m] where the force acts, from the surface's origin, moving along; the centre of mass where absent
+  std::optional<Vec3d> point;  ///< [m] of application, fixed to the surface; the centre of mass where absent
   std::vector<double> times;   ///< [s] of `factors`; constant where empty
   std::vector<double> factors;
   static std::span<const Field<LoadSetup>> fields();
 };
 
-/// Weight, and still water that the impactor floats in (docs/theory/floating_bodies.md).
+/// Weight, buoyancy and added mass of an impactor in still water (docs/theory/floating_bodies.md).
 struct FloatingImpactorSetup {
-  double level = 0;       ///< [m] z of the water's surface
+  double level = 0;       ///< [m] z of the free surface
   double density = 1025;  ///< [kg/m³] of the water
   double gravity = 9.81;  ///< [m/s²]
-  double added_mass = 0;  ///< [-] of the water displaced at rest, for vertical motion
+  double added_mass = 0;  ///< [-] share of the water displaced at rest, for vertical motion
   double damping = 0;     ///< [1/s] of heave, roll and pitch
   static std::span<const Field<FloatingImpactorSetup>> fields();
 };
@@ -337,13 +337,13 @@ struct ImpactorSetup {
   std::string name;
   SurfaceSetup surface;
   std::optional<double> mass;           ///< [kg]; this or the density
-  std::optional<double> density;        ///< [kg/m³] of what fills the closed surface
-  std::optional<Vec3d> centre_of_mass;  ///< [m] from the surface's origin; that of the evenly filled surface where absent
+  std::optional<double> density;        ///< [kg/m³] of a uniformly filled closed surface
+  std::optional<Vec3d> centre_of_mass;  ///< [m] from the surface's origin; that of the uniformly filled surface where absent
   std::optional<Vec3d> inertia;         ///< [kg m²] about the centre of mass, along the surface's axes; from the closed surface where absent
   Vec3d position{};                     ///< [m] of the surface's origin at t = 0
   Vec3d velocity{};                     ///< [m/s]
   Vec3d angular_velocity{};             ///< [rad/s]
-  std::vector<std::string> free_dofs;   ///< degrees of freedom that contact may change: x y z rx ry rz; the others keep their velocity
+  std::vector<std::string> free_dofs;   ///< of x y z rx ry rz; the others are prescribed or keep their velocity
   std::optional<CoarseningSetup> coarsen;
   std::vector<RefinementSetup> refine;
   ContactBoundsSetup contact_bounds;
@@ -381,7 +381,7 @@ struct ContactSetup {
 
 // ---- output ----
 
-/// Follows the particle nearest to a reference point.
+/// Displacement probe: mean over the particles nearest to a reference point.
 struct ProbeSetup {
   std::string name;
   std::string body;
@@ -389,7 +389,7 @@ struct ProbeSetup {
   static std::span<const Field<ProbeSetup>> fields();
 };
 
-/// Displacements along a line of particles at chosen times, one CSV a time.
+/// Displacements along a line of particles at chosen times, one CSV file per time.
 struct LineSetup {
   std::string name;
   std::string body;
@@ -400,9 +400,9 @@ struct LineSetup {
 
 struct OutputSetup {
   std::string folder = "results";
-  int frames = 40;                         ///< number of pictures after the one at t = 0; 0: none at all
-  std::optional<double> history_interval;  ///< [s] between rows; a hundredth of the run where absent
-  double checkpoint_interval = 300;        ///< [s] of the clock on the wall; 0: none but the last
+  int frames = 40;                         ///< number of output frames after the one at t = 0; 0: none
+  std::optional<double> history_interval;  ///< [s] between rows of history.csv; a hundredth of the run where absent
+  double checkpoint_interval = 300;        ///< [s] wall-clock time; 0: only the final one
   std::vector<ProbeSetup> probes;
   std::vector<LineSetup> lines;
   static std::span<const Field<OutputSetup>> fields();

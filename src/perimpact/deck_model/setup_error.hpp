@@ -1,4 +1,4 @@
-/// A value of the Setup that cannot be used, found out only when the simulation is built.
+/// Invalid value of a Setup, detected when the simulation is built.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace perimpact {
 
-/// What the contact library advises, as a deck says it.
-constexpr fccda::AdviceWords deck_words{.declare_orientation = "with `outside: normals` (the one that the normals point to) or `outside: reversed`",
-                                        .cut_open = "with `outside: normals` (the side that the normals point to)",
-                                        .clip = "say `outside: clip`"};
+/// Remedies of the contact library in terms of deck keys.
+constexpr fccda::AdviceWords deck_words{.declare_orientation = "with `orientation: normals` (the side to which the normals point) or `orientation: reversed`",
+                                        .cut_open = "with `orientation: normals` (the side to which the normals point)",
+                                        .clip = "set `on_exceed: clip`"};
 
-/// `key`: where in the Setup ("impactors.cylinder.region"), so that the deck reader can name file, line and column.
+/// `key`: path in the Setup ("impactors.cylinder.contact_bounds"), from which the deck reader determines file, line and column.
 class SetupError : public fccda::InputError {
  public:
   SetupError(std::string key, const std::string& sentence) : InputError(sentence), key_(std::move(key)) {}

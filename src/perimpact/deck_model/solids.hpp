@@ -1,6 +1,6 @@
-/// What a body is made of before it is cut into particles: solids, what is united with them and taken out, cracks, clouds of points.
+/// Geometry of a body before discretisation: solids and their Boolean combination, cracks, point clouds.
 ///
-/// All places in a body are from its position, along its axes: a body that is moved or turned takes its holes, cracks and regions along.
+/// Positions are relative to the body's position and in its axes, so that holes, cracks and particle sets move and rotate with the body.
 #pragma once
 
 #include <variant>
@@ -34,14 +34,14 @@ struct SphereSolid {
   static std::span<const Field<SphereSolid>> fields();
 };
 
-/// What a closed surface in a file encloses; the file's origin is its position. `outside` of the base is of open surfaces and not used.
+/// Interior of a closed surface in a file; the file's origin is its position. `orientation` of the base applies to open surfaces and is not used.
 struct FileSolid : FileSurface {
   static std::span<const Field<FileSolid>> fields();
 };
 
 using SolidShape = std::variant<BoxSolid, CylinderSolid, SphereSolid, FileSolid>;
 
-/// A solid with a place in a body.
+/// Solid positioned in a body.
 struct SolidSetup {
   std::string name;
   SolidShape shape;
@@ -50,15 +50,15 @@ struct SolidSetup {
   static std::span<const Field<SolidSetup>> fields();
 };
 
-/// Bonds that cross a plane polygon are cut before the first step.
+/// Initial crack: bonds that cross a plane polygon are cut before the first step.
 struct CrackSetup {
   std::string name;
   std::vector<Vec3d> polygon;  ///< [m] from the body's position; in a plane body the two ends of a line
   static std::span<const Field<CrackSetup>> fields();
 };
 
-/// Particles as a file lists them, each with its volume. The numbers of a CSV file are put here when the deck is read, those of a VTK file
-/// (.vtk, .vtp, .vtu, with .gz behind it or not) are read when the body is filled.
+/// Point cloud from a file, each particle with its volume. A CSV file is read with the deck; a VTK file (.vtk, .vtp, .vtu, also as .gz)
+/// is read when the body is discretised.
 struct PointsShape {
   static constexpr std::string_view name = "points";
   std::string file;
@@ -69,12 +69,12 @@ struct PointsShape {
   static std::span<const Field<PointsShape>> fields();
 };
 
-/// Particles in the middle of the cells of a mesh.
+/// One particle per cell of an unstructured mesh, at the cell's centroid.
 struct CellsShape {
   static constexpr std::string_view name = "cells";
   std::string file;
   std::vector<std::string> file_parts;  ///< of the file; all where empty
-  double scale = 1;                     ///< multiplies the file's coordinates, so that they become metres
+  double scale = 1;                     ///< converts the file's coordinates to metres
   std::optional<double> thickness;      ///< [m] of a plane body
   static std::span<const Field<CellsShape>> fields();
 };

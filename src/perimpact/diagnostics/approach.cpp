@@ -17,13 +17,13 @@ Approach approach(const Impactor& impactor, const Particles& particles, double c
   const double tolerance = 1e-9 * norm(impactor.surface().report().bounds.size());
 
   Approach result{std::numeric_limits<double>::infinity(), std::nullopt};
-  double latest = end;  // nothing later matters
+  double latest = end;  // later contacts are irrelevant
   for (const std::uint32_t slot : particles.slot_of()) {
     const Vec3d x = particles.position.at(slot), v = particles.velocity.at(slot);
     const double speed = norm(v - start.velocity()) + turning;
     RigidBody moving = start;
     for (double time = 0, step = 0;;) {
-      // beyond this distance the particle touches too late to matter and is not the nearest at t = 0 either
+      // beyond this distance the particle is in contact too late and is not the nearest at t = 0 either
       const double reach = speed * (latest - time) + contact_radius;
       const double cap = time == 0 ? std::max(reach, result.gap + contact_radius) : reach;
       const auto closest = bvh.closest(moving.pose().to_body(x + time * v), cap);

@@ -1,4 +1,4 @@
-/// When an impactor will first touch a body, if both keep their velocities: what `check` tells before a run.
+/// Time of first contact of an impactor with a body at constant velocities, for `check`.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@ namespace perimpact {
 
 struct Approach {
   double gap;                   ///< [m] between the surface and the nearest particle's contact sphere at t = 0
-  std::optional<double> touch;  ///< [s]; absent where nothing touches until `end`
+  std::optional<double> touch;  ///< [s]; empty without contact until `end`
 };
 
-/// `contact_radius` [m]; `end` [s]. Exact for the straight and turning motion of the impactor and the straight one of the particles, to
-/// 1e-9 of the surface's size, by conservative advancement on the distance; the region of the impactor is not looked at.
+/// `contact_radius` [m]; `end` [s]. Conservative advancement on the distance, exact to 1e-9 of the surface's size for translation and rotation
+/// of the impactor and translation of the particles. Contact bounds are ignored.
 Approach approach(const Impactor& impactor, const Particles& particles, double contact_radius, double end);
 
 }  // namespace perimpact

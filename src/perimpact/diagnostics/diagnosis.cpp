@@ -19,7 +19,7 @@ namespace {
 
 std::string at(const Vec3d& place) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", place.x, place.y, place.z); }
 
-/// Speed of the particles relative to a place of the surface (in its own frame) [m/s].
+/// Speed of the particles relative to a point of the surface (in its local frame) [m/s].
 double relative_speed(const Impactor& impactor, const Vec3d& place, const Target& target) {
   const Vec3d arm = impactor.body().pose().to_world(place) - impactor.body().position_of_com();
   return norm(impactor.fastest_velocity() + cross(impactor.fastest_angular_velocity(), arm) - target.velocity);
@@ -28,30 +28,29 @@ double relative_speed(const Impactor& impactor, const Vec3d& place, const Target
 }  // namespace
 
 Diagnosis inside_out(const Impactor& impactor) {
-  const SurfaceReport& report = impactor.report_as_given();  // changed panels are turned outward already
+  const SurfaceReport& report = impactor.report_as_given();  // remeshed panels are already oriented outward
   const std::size_t flipped = report.flipped;
   if (flipped == 0) return std::nullopt;
   return fmt::format(
-      "The panels of impactor {} point inward in {} of its {} components; these were turned over, so that the outside is struck. If the program that "
-      "made the surface should know, turn its normals there.",
+      "The normals of impactor {} point inward in {} of its {} components and were reversed, so that contact is on the outside; to avoid this warning, reverse "
+      "them in the source of the surface.",
       impactor.name(), flipped, report.components);
 }
 
 Diagnosis goes_through_itself(const Impactor& impactor) {
   if (impactor.crossing_panels() == 0) return std::nullopt;
-  return fmt::format("{} panels of impactor {} go through one another within one body. {}; `perimpact mesh` writes a picture of them.",
-                     impactor.crossing_panels(), impactor.name(),
-                     impactor.surface().is_closed()
-                         ? "Contact from outside is found all the same, but what is enclosed twice counts double in the volume"
-                         : "Where the surface is open it is not known whether its front is outside between them; mend the fold if anything strikes there");
+  return fmt::format(
+      "{} panels of impactor {} intersect within one body. {}; `perimpact mesh` writes them to a VTP file.", impactor.crossing_panels(), impactor.name(),
+      impactor.surface().is_closed() ? "Contact from outside is detected nevertheless, but doubly enclosed parts count twice in the volume"
+                                     : "Where the surface is open, the outer side between them is undefined; repair the fold if contact occurs there");
 }
 
 Diagnosis is_cut(const Impactor& impactor) {
   const SurfaceReport& report = impactor.report_as_given();
   if (report.cut_edges == 0) return std::nullopt;
   return fmt::format(
-      "The surface of impactor {} is cut along {} edges of more than two panels, because it could not be told which panels hang together there. Near these "
-      "edges a particle is struck when its centre crosses a panel, not at the contact radius; delete inner walls if that matters.",
+      "The surface of impactor {} is cut along {} non-manifold edges (more than two panels), because the connected panels are ambiguous there. Near these "
+      "edges a particle is in contact when its centre crosses a panel, not at the contact radius; delete inner walls if this matters.",
       impactor.name(), report.cut_edges);
 }
 
@@ -59,9 +58,9 @@ Diagnosis panels_too_fine(const Impactor& impactor, const Target& target) {
   const double size = median_panel_size(impactor.surface(), impactor.record().panels().faces());
   if (!(size < target.spacing / 4)) return std::nullopt;
   return fmt::format(
-      "Half of the panels of impactor {} are smaller than {:.3g} m, less than a quarter of the spacing of body {} ({:.3g} m): that costs time and memory and "
-      "resolves nothing, because pressure is spread over the face of a particle. Panels of about one spacing are enough where the surface is not curved more "
-      "tightly.",
+      "Half of the panels of impactor {} are smaller than {:.3g} m, less than a quarter of the spacing of body {} ({:.3g} m): this costs time and memory "
+      "without more resolution, because pressure is distributed over the face of a particle. Panels of about one spacing suffice unless the surface is more "
+      "strongly curved.",
       impactor.name(), size, target.name, target.spacing);
 }
 
@@ -69,8 +68,8 @@ Diagnosis panels_too_coarse(const Impactor& impactor, const Target& target) {
   const Facet facet = coarsest_facet(impactor.surface());
   if (!(facet.sagitta > target.spacing / 2)) return std::nullopt;
   return fmt::format(
-      "The panels of impactor {} are coarse: at panel {}, at {} of the surface, they bend by {:.0f} degrees and lie about {:.2g} m off the curve they "
-      "stand for, more than half of the spacing of body {} ({:.3g} m). Take smaller panels there, if it is meant to be round.",
+      "The panels of impactor {} are coarse: at panel {}, at {} of the surface, they bend by {:.0f} degrees and deviate by about {:.2g} m from a smooth curve, "
+      "more than half of the spacing of body {} ({:.3g} m). Use smaller panels there if the surface is meant to be curved.",
       impactor.name(), facet.panel, at(facet.place), facet.angle * 180 / std::numbers::pi, facet.sagitta, target.name, target.spacing);
 }
 
@@ -91,8 +90,8 @@ Diagnosis falls_between(const Impactor& impactor, const Target& target) {
   const double enough = 2 * target.spacing + target.contact_radius;
   if (!(extents[1] < enough)) return std::nullopt;
   return fmt::format(
-      "Impactor {} is only {:.3g} m by {:.3g} m across, and the spacing of body {} is {:.3g} m: it meets few particles at a time, or falls between them. "
-      "Take a spacing of at most {:.2g} m, or check the units of the surface.",
+      "Impactor {} is only {:.3g} m by {:.3g} m across, and the spacing of body {} is {:.3g} m: it is in contact with few particles at a time, or passes "
+      "between them. Use a spacing of at most {:.2g} m, or check the units of the surface.",
       impactor.name(), extents[0], extents[1], target.name, target.spacing, extents[1] / (2 + target.contact_radius / target.spacing));
 }
 
@@ -101,24 +100,24 @@ Diagnosis step_through(const Impactor& impactor, const Target& target, double dt
   const Surface& surface = impactor.surface();
   double fastest = 0;
   for (const Vec3d& vertex : surface.vertices()) fastest = std::max(fastest, relative_speed(impactor, vertex, target));
-  const double way = fastest * dt;
-  if (!(way > 0)) return std::nullopt;
+  const double motion = fastest * dt;
+  if (!(motion > 0)) return std::nullopt;
 
   Thickness thinnest{};
-  double excess = 1;  // how many times the way is as long as the part is thick
+  double excess = 1;  // ratio of motion per step to thickness
   for (const Thickness& part : thicknesses(surface, Bvh(surface), most_rays))
     if (const double times = relative_speed(impactor, part.place, target) * dt / part.thickness; times > excess) excess = times, thinnest = part;
   if (excess > 1)
     return fmt::format(
-        "In one step of {:.3g} s impactor {} and body {} move {:.2g} m against each other at panel {}, at {} of the surface, where it is only {:.2g} m thick: "
-        "particles pass right through it within a step. Take a time step of at most {:.2g} s.",
+        "The relative motion per step of {:.3g} s between impactor {} and body {} is {:.2g} m at panel {}, at {} of the surface, where the thickness is only "
+        "{:.2g} m: particles pass through it within a step. Use a time step of at most {:.2g} s.",
         dt, impactor.name(), target.name, excess * thinnest.thickness, thinnest.panel, at(thinnest.place), thinnest.thickness,
-        std::min(dt / excess, dt * target.spacing / way));
-  if (way > target.spacing)
+        std::min(dt / excess, dt * target.spacing / motion));
+  if (motion > target.spacing)
     return fmt::format(
-        "In one step of {:.3g} s impactor {} and body {} move {:.2g} m against each other, more than a spacing ({:.3g} m): particles are thrown over their "
-        "neighbours. Take a time step of at most {:.2g} s.",
-        dt, impactor.name(), target.name, way, target.spacing, dt * target.spacing / way);
+        "The relative motion per step of {:.3g} s between impactor {} and body {} is {:.2g} m, more than a spacing ({:.3g} m): particles are displaced past "
+        "their neighbours. Use a time step of at most {:.2g} s.",
+        dt, impactor.name(), target.name, motion, target.spacing, dt * target.spacing / motion);
   return std::nullopt;
 }
 
@@ -150,8 +149,8 @@ Diagnosis starts_behind(const Impactor& impactor, const Target& target, const Pa
   const std::size_t behind = particles_behind(impactor, particles);
   if (behind == 0) return std::nullopt;
   return fmt::format(
-      "{} of the {} particles of body {} start behind the open surface of impactor {}, on the side that its normals point away from, and do not feel it. "
-      "Where they should be outside, turn the surface with outside: normals or reversed; where it stands for a solid, close it, so that its inside is known.",
+      "{} of the {} particles of body {} start behind the open surface of impactor {}, on the side opposite to its normals, and have no contact with it. If "
+      "they should be outside, set orientation: normals or reversed; if the surface represents a solid, close it.",
       behind, particles.size(), target.name, impactor.name());
 }
 

@@ -1,5 +1,5 @@
-/// What looks wrong with an impactor before a run, a sentence each; none where all is well. Listed with remedies in
-/// docs/guide/diagnoses.md.
+/// Warnings about an impactor before a run, one sentence each; empty if there is nothing to report. docs/guide/diagnoses.md lists them
+/// with remedies.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace perimpact {
 
-/// The body an impactor is to strike, at t = 0.
+/// Body to be impacted, at t = 0.
 struct Target {
   std::string name;
   double spacing;         ///< [m]
@@ -22,19 +22,19 @@ struct Target {
 using Diagnosis = std::optional<std::string>;
 
 Diagnosis inside_out(const Impactor& impactor);                                     ///< the file's normals pointed inward
-Diagnosis goes_through_itself(const Impactor& impactor);                            ///< panels of one body of the file cross
-Diagnosis is_cut(const Impactor& impactor);                                         ///< at edges of more than two panels
+Diagnosis goes_through_itself(const Impactor& impactor);                            ///< self-intersection within one body of the file
+Diagnosis is_cut(const Impactor& impactor);                                         ///< at non-manifold edges
 Diagnosis panels_too_fine(const Impactor& impactor, const Target& target);          ///< median below a quarter of the spacing
 Diagnosis panels_too_coarse(const Impactor& impactor, const Target& target);        ///< facets more than half a spacing off their curve
 Diagnosis panels_of_another_unit(const Impactor& impactor, const Target& target);   ///< an edge longer than a hundred bodies
 Diagnosis falls_between(const Impactor& impactor, const Target& target);            ///< thinner than two spacings in two directions
-Diagnosis step_through(const Impactor& impactor, const Target& target, double dt);  ///< a step's way exceeds thickness or spacing
+Diagnosis step_through(const Impactor& impactor, const Target& target, double dt);  ///< motion per step exceeds thickness or spacing
 
-/// So many particles lie behind an open surface: nearest to its panels rather than its rim, on the side that the normals point away from.
+/// Number of particles behind an open surface: nearest to its panels rather than its boundary edges, on the side opposite to the normals.
 std::size_t particles_behind(const Impactor& impactor, const Particles& particles);
 Diagnosis starts_behind(const Impactor& impactor, const Target& target, const Particles& particles);  ///< such particles at t = 0
 
-/// All that concern a target, but for its particles.
+/// All warnings about a target, except those about its particles.
 std::vector<std::string> diagnose(const Impactor& impactor, const Target& target, double dt);
 
 }  // namespace perimpact

@@ -11,7 +11,7 @@ namespace perimpact {
 
 namespace {
 
-/// The least distance of the particles' centres from the surface, where it is less than `cap` [m]; else `cap`.
+/// Smallest distance of particle centres from the surface, at most `cap` [m].
 double nearest_distance(const fccda::Bvh& tree, const fccda::Pose& pose, const Particles& particles, double cap) {
   constexpr std::size_t block = 4096;
   const auto slots = particles.slot_of();
@@ -47,7 +47,7 @@ void ProximityMonitor::sample(std::span<const Body> bodies, std::span<const Impa
       if (!trees_[i]) trees_[i] = std::make_unique<fccda::Bvh>(impactor.surface());
       const double radius = contact_ratio * bodies[b].particles.spacing();
       const double distance = nearest_distance(*trees_[i], impactor.body().pose(), bodies[b].particles, proximity.nearest + radius) - radius;
-      // of distances that are equal but for rounding the first is told
+      // of distances equal up to rounding, the first is kept
       if (std::isinf(proximity.nearest) || distance < proximity.nearest - 1e-9 * std::fabs(proximity.nearest))
         proximity.nearest = distance, proximity.nearest_time = time;
     }
@@ -62,27 +62,25 @@ std::vector<std::string> ProximityMonitor::warnings(std::span<const Body> bodies
       const Proximity& proximity = of_impactor_[i][b];
       const std::string &impactor = impactors[i].name(), &body = bodies[b].name;
       if (!impactors[i].record().touched(b))
-        warnings.push_back(fmt::format(
-            "Impactor {} never touched body {} until t = {:.4g} s: the nearest it came was {:.3g} m, at t = {:.4g} s. Check position, velocity, units "
-            "and region{}, or run longer.",
-            impactor, body, time_, std::max(proximity.nearest, 0.0), proximity.nearest_time,
-            impactors[i].surface().is_closed() ? "" : ", and which side of its open surface is outside (outside: normals or reversed)"));
+        warnings.push_back(
+            fmt::format("Impactor {} had no contact with body {} until t = {:.4g} s: the smallest distance was {:.3g} m, at t = {:.4g} s. Check position, "
+                        "velocity, units and contact bounds{}, or run longer.",
+                        impactor, body, time_, std::max(proximity.nearest, 0.0), proximity.nearest_time,
+                        impactors[i].surface().is_closed() ? "" : "; also check the outer side of its open surface (orientation: normals or reversed)"));
       if (proximity.entered_by)
         warnings.push_back(
-            fmt::format("{} particles of body {} came to be inside impactor {} where it is not felt, the first by t = {:.4g} s, and were not struck. {}",
+            fmt::format("{} particles of body {} penetrated impactor {} outside the contact bounds, the first by t = {:.4g} s, and had no contact. {}",
                         impactors[i].entered_inside(b), body, impactor, *proximity.entered_by,
                         impactors[i].surface().is_closed() ? fmt::format("Enlarge impactors.{}.contact_bounds.", impactor)
-                                                           : fmt::format("They came round the rim of its open surface, or past impactors.{}.contact_bounds; "
-                                                                         "let it reach further, or, if its normals point to the wrong "
-                                                                         "side, turn it with outside.",
+                                                           : fmt::format("They passed the boundary edge of its open surface, or impactors.{}.contact_bounds; "
+                                                                         "extend them, or, if its normals point to the wrong side, set orientation.",
                                                                          impactor)));
       if (const UnresolvedPenetration& unresolved = impactors[i].unresolved(b); unresolved.count > 0)
-        warnings.push_back(fmt::format(
-            "Particles of body {} were pinched between impactor {} and others, first at t = {:.4g} s: summed over steps, {} were left inside it, since "
-            "no place outside of all was found. Forces on the impactors are not to be trusted where they close in on a body by more than it can give way; "
-            "check their "
-            "courses, or leave them apart by two spacings at least.",
-            body, impactor, unresolved.first, unresolved.count));
+        warnings.push_back(
+            fmt::format("Particles of body {} were pinched between impactor {} and others, first at t = {:.4g} s: summed over steps, {} penetrations remained, "
+                        "because no position outside all impactors was found. Forces on impactors are unreliable where they close in on a body by more than it "
+                        "can deform; check their motions, or keep them at least two spacings apart.",
+                        body, impactor, unresolved.first, unresolved.count));
     }
   return warnings;
 }

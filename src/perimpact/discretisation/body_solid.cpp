@@ -18,7 +18,7 @@ Solid solid_at(const SolidShape& shape, const Frame& frame, const std::string& k
   }
 }
 
-/// Where a body's shape is no solid, there is nothing to be united and taken out.
+/// The shape of a body if it is a solid, else empty.
 std::optional<SolidShape> solid_shape(const BodyShape& shape) {
   return std::visit(
       []<class Shape>(const Shape& given) -> std::optional<SolidShape> {
@@ -41,7 +41,7 @@ BodySolid::BodySolid(const BodySetup& body) {
   const std::optional<SolidShape> shape = solid_shape(body.shape);
   EXPECTS(shape.has_value());
   united_.push_back(solid_at(*shape, frame_of(body), key));
-  for (const SolidSetup& part : body.add) united_.push_back(solid_of(part, body, key + ".parts." + part.name));
+  for (const SolidSetup& part : body.add) united_.push_back(solid_of(part, body, key + ".add." + part.name));
   for (const SolidSetup& hole : body.holes) holes_.push_back(solid_of(hole, body, key + ".holes." + hole.name));
 }
 

@@ -1,4 +1,4 @@
-/// The solid of a body: its shape and parts united, without the holes.
+/// Solid geometry of a body: Boolean union of shape and added solids, minus the holes.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,28 @@
 
 namespace perimpact {
 
-/// How far outside a solid a particle may be and still counts as on its surface, and so inside, in spacings: particles on a face are not left
-/// to rounding. The same everywhere: a hole takes out, and a region names, the particles on its surface too.
+/// Tolerance of the inside test, in spacings: particles this close to the surface of a solid count as inside, independent of rounding. Holes
+/// and particle sets likewise include the particles on their surface.
 inline constexpr double surface_share = 1e-6;
 
-/// The axes of the body in the world.
+/// Local frame of the body.
 Frame frame_of(const BodySetup& body);
 
-/// The solid of a part, hole or region. `key`: of the setup, "bodies.plate.holes.drain", for the SetupError where it cannot be made.
+/// The solid of an added solid, hole or particle set. `key`: of the setup, "bodies.plate.holes.drain", for the SetupError if it is invalid.
 Solid solid_of(const SolidSetup& solid, const BodySetup& body, const std::string& key);
 
 class BodySolid {
  public:
-  /// Of a body whose shape is a solid. Throws SetupError where a file cannot be used.
+  /// `body`: its shape must be a solid. Throws SetupError for an invalid file.
   explicit BodySolid(const BodySetup& body);
 
   bool contains(const Vec3d& point, double margin = 0) const;
-  /// Sets `inside` to 1 for those points of the row that are in the body, to 0 for the others.
+  /// Sets `inside` to 1 for points of the row inside the body, else to 0.
   void mark(const Row& row, double margin, std::span<std::uint8_t> inside) const;
 
-  fccda::Box bounds() const;                                              ///< [m] of shape and parts
+  fccda::Box bounds() const;                                              ///< [m] of shape and added solids
   double thickness() const { return united_.front().bounds().size().z; }  ///< [m] of the shape along z: of a plane body
-  std::optional<double> volume() const;                                   ///< [m³] where it is known: of one solid without parts and holes
+  std::optional<double> volume() const;                                   ///< [m³] if known: of one solid without added solids and holes
 
  private:
   std::vector<Solid> united_;

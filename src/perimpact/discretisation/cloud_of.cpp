@@ -26,25 +26,23 @@ namespace {
 Cloud listed(const PointsShape& shape) {
   if (!shape.is_vtk()) return {.points = shape.points, .volumes = shape.volumes, .thickness = shape.thickness};
   fccda::PointValues read = fccda::read_point_values(shape.file, "volume");
-  if (read.points.empty()) throw InputError(fmt::format("{}: the file has no points; write it again.", shape.file));
+  if (read.points.empty()) throw InputError(fmt::format("{}: the file has no points; export it again.", shape.file));
   for (std::size_t k = 0; k < read.values.size(); ++k)
     if (!(read.values[k] > 0))
-      throw InputError(
-          fmt::format("{}: the volume of point {}, counted from 0, is {} m3, but a particle needs one above 0; mend the array, or leave the "
-                      "point out.",
-                      shape.file, k, read.values[k]));
+      throw InputError(fmt::format("{}: the volume of point {}, counted from 0, is {} m3, but it must be above 0; correct the array, or remove the point.",
+                                   shape.file, k, read.values[k]));
   return {.points = std::move(read.points), .volumes = std::move(read.values), .thickness = shape.thickness};
 }
 
-/// Points as their file has them, from the body's position. Throws InputError.
+/// Points of the file, relative to the body's position. Throws InputError.
 Cloud given(const PointsShape& shape) {
   Cloud cloud = listed(shape);
   if (!shape.thickness) return cloud;
   for (std::size_t k = 0; k < cloud.points.size(); ++k)
     if (cloud.points[k].z != cloud.points[0].z)
       throw InputError(
-          fmt::format("{}: row {} has another z than the first, {} m and {} m, but the particles of a plane body share one; write the same z in all "
-                      "rows, or leave thickness out.",
+          fmt::format("{}: row {} has another z than the first, {} m and {} m, but all particles of a plane body share one z; use the same z in all rows, or "
+                      "omit thickness.",
                       shape.file, k + 1, cloud.points[k].z, cloud.points[0].z));
   return cloud;
 }
@@ -57,10 +55,9 @@ Cloud given(const CellsShape& shape) {
   for (std::size_t e = 0; e < mesh.size(); ++e) {
     if (fccda::is_solid(mesh.kinds[e]) == is_plane) {
       if (!is_plane) continue;
-      throw InputError(
-          fmt::format("{}: element {} in the order of the file is a solid, but a plane body is made of triangles and quads; take another mesh, or leave "
-                      "thickness out.",
-                      shape.file, e + 1));
+      throw InputError(fmt::format(
+          "{}: element {} in the order of the file is a solid, but a plane body consists of triangles and quads; use another mesh, or omit thickness.",
+          shape.file, e + 1));
     }
     const auto nodes = mesh.nodes_of_element(e);
     corners.clear();
@@ -68,17 +65,16 @@ Cloud given(const CellsShape& shape) {
       corners.push_back(shape.scale * mesh.vertices[static_cast<std::size_t>(node)]);
     const auto cell = fccda::cell_of(mesh.kinds[e], corners);
     if (!cell)
-      throw InputError(
-          fmt::format("{}: element {} in the order of the file, about ({:.4g}, {:.4g}, {:.4g}) m, has no volume or is turned in on itself; mend the mesh.",
-                      shape.file, e + 1, corners[0].x, corners[0].y, corners[0].z));
+      throw InputError(fmt::format("{}: element {} in the order of the file, about ({:.4g}, {:.4g}, {:.4g}) m, has no volume or is inverted; repair the mesh.",
+                                   shape.file, e + 1, corners[0].x, corners[0].y, corners[0].z));
     if (is_plane) {
-      const double flat = 1e-6 * std::sqrt(cell->measure);  // a millionth of the cell: what single precision leaves
+      const double flat = 1e-6 * std::sqrt(cell->measure);  // a millionth of the cell size: single precision
       const double z = cloud.points.empty() ? cell->centroid.z : cloud.points[0].z;
       for (const Vec3d& corner : corners)
         if (std::fabs(corner.z - z) > flat)
           throw InputError(
-              fmt::format("{}: element {} in the order of the file reaches from z = {} m to {} m, but the mesh of a plane body has one z; turn it into "
-                          "the plane of x and y, or leave thickness out.",
+              fmt::format("{}: element {} in the order of the file extends from z = {} m to {} m, but the mesh of a plane body has a single z; rotate it into "
+                          "the x-y plane, or omit thickness.",
                           shape.file, e + 1, z, corner.z));
       cloud.points.push_back({cell->centroid.x, cell->centroid.y, z});
     } else {
@@ -88,20 +84,20 @@ Cloud given(const CellsShape& shape) {
   }
   if (cloud.points.empty())
     throw InputError(
-        is_plane ? fmt::format("{}: the file has no triangles or quads that a plane body could be made of; check what was exported.", shape.file)
+        is_plane ? fmt::format("{}: the file has no triangles or quads for a plane body; check the export.", shape.file)
                  : fmt::format("{}: the file has no solid cells, only a surface; mesh the volume, or fill the surface with shape: {{file: …}}, or give a "
                                "thickness for a plane body.",
                                shape.file));
   return cloud;
 }
 
-/// [m] edge of a mean particle.
+/// [m] edge length of a particle of mean volume.
 double spacing_of(const Cloud& cloud) {
   const double mean = std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(cloud.volumes.size());
   return cloud.thickness ? std::sqrt(mean / *cloud.thickness) : std::cbrt(mean);
 }
 
-/// Bonds have a length: no two points may be one.
+/// Bonds have non-zero length: no two points may coincide.
 void expect_apart(const Cloud& cloud, double distance, const std::string& file) {
   const auto rounded = [&](std::uint32_t k) {
     const Vec3d& p = cloud.points[k];
@@ -113,8 +109,8 @@ void expect_apart(const Cloud& cloud, double distance, const std::string& file) 
   for (std::size_t k = 1; k < order.size(); ++k) {
     if (rounded(order[k - 1]) != rounded(order[k])) continue;
     const Vec3d& p = cloud.points[order[k]];
-    throw InputError(fmt::format("{}: particles {} and {} in the order of the file are in one place, ({:.6g}, {:.6g}, {:.6g}) m; leave one out.", file,
-                                 order[k - 1] + 1, order[k] + 1, p.x, p.y, p.z));
+    throw InputError(fmt::format("{}: particles {} and {} in the order of the file coincide at ({:.6g}, {:.6g}, {:.6g}) m; remove one.", file, order[k - 1] + 1,
+                                 order[k] + 1, p.x, p.y, p.z));
   }
 }
 
@@ -124,7 +120,7 @@ std::vector<Solid> holes_of(const BodySetup& body) {
   return holes;
 }
 
-/// Into the world, along the curve, without what is in holes.
+/// In global coordinates, along the space-filling curve, without points in holes.
 Cloud arranged(const Cloud& file, const BodySetup& body) {
   const Frame frame = frame_of(body);
   const std::vector<Solid> holes = holes_of(body);
@@ -139,7 +135,7 @@ Cloud arranged(const Cloud& file, const BodySetup& body) {
   }
   if (out.numbers.empty())
     throw SetupError("bodies." + body.name + ".holes",
-                     fmt::format("the holes of body {} leave no particle of it; make them smaller, or move them.", body.name));
+                     fmt::format("the holes of body {} remove all of its particles; make them smaller, or move them.", body.name));
   return out;
 }
 
@@ -151,7 +147,7 @@ Cloud cloud_of(const Shape& shape, const BodySetup& body) {
     cloud = given(shape);
     constexpr auto most = static_cast<std::size_t>(std::numeric_limits<std::uint32_t>::max() - 8);
     if (cloud.points.size() > most)
-      throw InputError(fmt::format("{}: {} particles are more than the {} that can be numbered.", shape.file, cloud.points.size(), most));
+      throw InputError(fmt::format("{}: {} particles exceed the maximum of {}; use fewer.", shape.file, cloud.points.size(), most));
     expect_apart(cloud, surface_share * spacing_of(cloud), shape.file);
   } catch (const InputError& error) {
     throw SetupError(key + ".file", error.what());

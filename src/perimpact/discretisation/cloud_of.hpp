@@ -1,4 +1,4 @@
-/// The cloud of a body whose particles a file gives: points with volumes, or the cells of a mesh.
+/// Point cloud of a body from a file: points with volumes, or the cells of an unstructured mesh.
 #pragma once
 
 #include "perimpact/deck_model/setup.hpp"
@@ -6,12 +6,12 @@
 
 namespace perimpact {
 
-/// True where the shape of the body is a file of particles and not a solid.
+/// True if the shape of the body is a file of particles rather than a solid.
 bool is_cloud(const BodySetup& body);
 
-/// In the world, along a space-filling curve; numbered by rows of the file, or by cells among those that became particles, from 0. Throws SetupError: a mesh
-/// that cannot be read or has no cells of the kind that the body needs, cells without volume, two particles in one place, nothing left by the holes. Points and
-/// cells in holes are left out.
+/// In global coordinates, ordered along a space-filling curve; numbered from 0 by rows of the file or by the cells used. Points and cells in
+/// holes are left out. Throws SetupError for an unreadable mesh, one without suitable cells, cells without volume, coincident particles, or
+/// if no particle remains.
 Cloud cloud_of(const BodySetup& body);
 
 }  // namespace perimpact

@@ -1,11 +1,9 @@
-/// A crack that is there from the start: a plane polygon. Bonds whose straight line between the particles' reference positions goes through it
-/// are cut.
+/// Initial crack: a plane polygon. Bonds whose reference line segment intersects it are cut.
 ///
-/// What is decided at the edges (docs/guide/solids.md):
-///  - a bond that touches the polygon's edge or a corner is cut;
-///  - a particle in the crack's plane counts as on the side that the polygon's normal points to (the corners run anticlockwise seen from there), so
-///    a bond within the plane is never cut, and the crack still parts one side from the other.
-/// On the edge, and in the plane, means up to `tolerance`.
+/// Limit cases (docs/guide/solids.md), each within `tolerance`:
+///  - a bond that meets an edge or corner of the polygon is cut;
+///  - a particle in the crack plane counts as on the side of the polygon's normal (corners anticlockwise seen from there), so that a bond
+///    within the plane is never cut, and the crack still separates the two sides.
 #pragma once
 
 #include <array>
@@ -20,19 +18,19 @@ using fccda::Vec3d;
 
 class Crack {
  public:
-  /// `polygon` [m], at least three corners. Throws InputError, one sentence, where they are fewer, not in one plane within a thousandth of the
-  /// polygon's size, without area, or where sides cross or touch one another.
+  /// `polygon` [m], at least three corners. Throws InputError, one sentence, if there are fewer, if they are not coplanar within a thousandth
+  /// of the polygon's size, or if the polygon has no area or intersects itself.
   Crack(const std::vector<Vec3d>& polygon, double tolerance);
 
-  /// A crack of a plane body, from `a` to `b`, through all of its thickness. Throws InputError where these are one point.
+  /// Through-thickness crack of a plane body from `a` to `b`. Throws InputError if these coincide.
   static Crack through_thickness(const Vec3d& a, const Vec3d& b, double tolerance);
 
   bool cuts(const Vec3d& one, const Vec3d& other) const;
 
-  /// False where no bond of length `reach` [m] from here can be cut.
+  /// False if no bond of length `reach` [m] from this point can be cut.
   bool may_reach(const Vec3d& point, double reach) const { return std::fabs(height(point)) <= reach + tolerance_; }
 
-  /// A particle in the polygon, or on its edge.
+  /// True for a point in the polygon or on its edge.
   bool holds(const Vec3d& point) const { return std::fabs(height(point)) <= tolerance_ && is_in_polygon(point); }
 
  private:

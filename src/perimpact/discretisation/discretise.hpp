@@ -1,4 +1,4 @@
-/// What a body is cut into, before any particle is made.
+/// Discretisation of a body before its particles are created.
 #pragma once
 
 #include <variant>
@@ -9,16 +9,16 @@
 
 namespace perimpact {
 
-/// A solid that a lattice will fill, or a cloud.
+/// A solid to be filled with a lattice, or a point cloud.
 using Discretisation = std::variant<BodySolid, Cloud>;
 
-/// Throws SetupError where a file cannot be used.
+/// Throws SetupError for an invalid file.
 inline Discretisation discretise(const BodySetup& body) {
   if (is_cloud(body)) return cloud_of(body);
   return BodySolid(body);
 }
 
-/// Length of the arrays of its particles. A double, for there may be too many to count.
+/// Number of particle slots; a double, since it may exceed the integer range.
 inline double slots_of(const BodySetup& body, const Discretisation& discretisation) {
   if (const auto* cloud = std::get_if<Cloud>(&discretisation)) return static_cast<double>(cloud->points.size());
   return slots_of(body, std::get<BodySolid>(discretisation));

@@ -17,7 +17,7 @@ bool is_plain_box(const BodySetup& body) { return std::holds_alternative<BoxSoli
 namespace {
 
 Vec3d size_of(const BodySetup& body, const BodySolid& solid) {
-  return is_plain_box(body) ? std::get<BoxSolid>(body.shape).size : solid.bounds().size();  // the bounds of a box far away are rounded
+  return is_plain_box(body) ? std::get<BoxSolid>(body.shape).size : solid.bounds().size();  // the bounds of a distant box are rounded
 }
 
 double cells_along(std::size_t axis, const BodySetup& body, const BodySolid& solid) {
@@ -36,9 +36,9 @@ Lattice lattice_that_fills(const BodySetup& body, const BodySolid& solid) {
   const double spacing = body.spacing.value(), slots = slots_of(body, solid);
   constexpr double most = std::numeric_limits<std::uint32_t>::max();
   if (!(slots < most))
-    throw SetupError("bodies." + body.name + ".spacing",
-                     fmt::format("a spacing of {} m takes {:.3g} cells to fill body {}, more than the {:.2g} that can be numbered; make it larger.", spacing,
-                                 slots, body.name, most));
+    throw SetupError(
+        "bodies." + body.name + ".spacing",
+        fmt::format("a spacing of {} m requires {:.3g} cells to fill body {}, more than the maximum of {:.2g}; increase it.", spacing, slots, body.name, most));
   if (is_plain_box(body)) return lattice_of_box(std::get<BoxSolid>(body.shape).size, body.position, spacing, body.is_plane());
   Lattice lattice{.spacing = spacing};
   Vec3d centre = solid.bounds().centre();

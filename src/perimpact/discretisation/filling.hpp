@@ -1,4 +1,4 @@
-/// The lattice that fills the solid of a body, and which of its cells hold a particle.
+/// Lattice that fills the solid of a body, and its occupied cells.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace perimpact {
 
-/// True where the body is one box along the axes of the world, perhaps with holes: whole multiples of the spacing then fit it exactly.
+/// True if the body is one axis-aligned box, possibly with holes, so that a whole number of spacings fits exactly.
 bool is_plain_box(const BodySetup& body);
 
-/// How many slots the lattice over the solid has: its cells, rows rounded up. A double, for there may be too many to count.
+/// Number of slots of the lattice: its cells with padded rows; a double, since it may exceed the integer range.
 double slots_of(const BodySetup& body, const BodySolid& solid);
 
-/// A lattice over the bounding box of the solid, centred on it: as many cells along each axis as come nearest to its size, at least one; in a plane body one
-/// layer through the position, as thick as the shape. Throws SetupError where there are more than can be numbered.
+/// Lattice over the bounding box of the solid, centred on it, with the nearest number of cells along each axis, at least one. In a plane body
+/// one layer through the position, as thick as the shape. Throws SetupError if there are too many cells for 32-bit numbers.
 Lattice lattice_that_fills(const BodySetup& body, const BodySolid& solid);
 
-/// For each slot of the lattice 1 where the centre of the cell is inside the solid (surface_share), else 0.
+/// For each slot of the lattice, 1 if the centre of the cell is inside the solid (surface_share), else 0.
 std::vector<std::uint8_t> cells_inside(const Lattice& lattice, const BodySolid& solid);
 
 }  // namespace perimpact

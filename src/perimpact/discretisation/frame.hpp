@@ -1,4 +1,4 @@
-/// Where something is in the world, and how it is turned.
+/// Local coordinate frame: origin and rotation.
 #pragma once
 
 #include "base/quaternion.hpp"
@@ -8,7 +8,7 @@ namespace perimpact {
 
 using fccda::Vec3d;
 
-/// Own axes in the world. Without a turn, coordinates keep their last bit.
+/// Local axes in global coordinates. Without rotation the transformation is bitwise exact.
 struct Frame {
   fccda::Mat3 turn = fccda::Mat3::identity();
   Vec3d origin{};  ///< [m]
@@ -17,7 +17,7 @@ struct Frame {
   Vec3d to_local(const Vec3d& world) const { return fccda::transpose(turn) * (world - origin); }
 };
 
-/// `rotate` [rad] turns about the axes x, y and z of the frame around it, in this order, as FileSurface::rotate does.
+/// `rotate` [rad]: about the axes x, y and z of the outer frame, in this order, as FileSurface::rotate.
 inline Frame frame_of(const Vec3d& position, const Vec3d& rotate) {
   if (rotate == Vec3d{}) return {.origin = position};
   using fccda::Quaternion;
@@ -25,7 +25,7 @@ inline Frame frame_of(const Vec3d& position, const Vec3d& rotate) {
           position};
 }
 
-/// The frame `inner`, given in the frame `outer`, in the world.
+/// The frame `inner`, given in the frame `outer`, in global coordinates.
 inline Frame operator*(const Frame& outer, const Frame& inner) { return {outer.turn * inner.turn, outer.to_world(inner.origin)}; }
 
 }  // namespace perimpact

@@ -1,4 +1,4 @@
-/// The panels of a surface file, where the Setup wants them.
+/// Panels of a surface file, scaled and placed as in the Setup.
 #pragma once
 
 #include "mesh/panels.hpp"
@@ -6,7 +6,7 @@
 
 namespace perimpact {
 
-/// Throws InputError, one sentence that names the file, where it cannot be read.
+/// Throws InputError with the file name if it cannot be read.
 fccda::Panels panels_of_file(const FileSurface& setup);
 
 }  // namespace perimpact

@@ -19,10 +19,10 @@ namespace {
   std::vector<std::string> names;
   for (const SolidSetup& one : body.particle_sets) names.push_back(one.name);
   const std::string_view meant = fccda::nearest_word(region, names);
-  const std::string way_out = names.empty()   ? fmt::format("it has none; add one under bodies.{}.particle_sets.", body.name)
-                              : meant.empty() ? fmt::format("its particle sets are {}.", fmt::join(names, ", "))
-                                              : fmt::format("did you mean {}?", meant);
-  throw SetupError(key, fmt::format("body {} has no particle set {}; {}", body.name, region, way_out));
+  const std::string remedy = names.empty()   ? fmt::format("it has none; add one under bodies.{}.particle_sets.", body.name)
+                             : meant.empty() ? fmt::format("its particle sets are {}.", fmt::join(names, ", "))
+                                             : fmt::format("did you mean {}?", meant);
+  throw SetupError(key, fmt::format("body {} has no particle set {}; {}", body.name, region, remedy));
 }
 
 }  // namespace
@@ -43,10 +43,9 @@ std::vector<std::size_t> slots_in(std::string_view region, const BodySetup& body
   for (std::size_t k = 0; k < slots.size(); ++k)
     if (inside[k] != 0) in.push_back(slots[k]);
   if (in.empty())
-    throw SetupError(key_of_region,
-                     fmt::format("particle set {} of body {} contains no particle; its position is from the body's position, in metres: move it, or make it "
-                                 "larger than a spacing of {:.3g} m.",
-                                 region, body.name, particles.spacing()));
+    throw SetupError(key_of_region, fmt::format("particle set {} of body {} contains no particle; its position is relative to the body's position, in metres: "
+                                                "move it, or make it larger than a spacing of {:.3g} m.",
+                                                region, body.name, particles.spacing()));
   return in;
 }
 

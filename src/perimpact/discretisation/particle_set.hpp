@@ -1,4 +1,4 @@
-/// Regions: names for some of the particles of a body, which boundaries and failure refer to.
+/// Particle sets: named subsets of a body's particles, for boundary conditions and failure.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,8 @@
 
 namespace perimpact {
 
-/// The slots, ascending, of the particles whose reference position is in the region of that name; those on its surface are in it (surface_share).
-/// Throws SetupError: with `key`, of what names the region, where the body has none of that name; with the region's where it holds no
-/// particle, or its file cannot be used.
+/// Slots, ascending, of the particles whose reference position is in the named set, surface included (surface_share). Throws SetupError: with
+/// `key`, of the reference to the set, if the body has no such set; with the key of the set if it is empty or its file is invalid.
 std::vector<std::size_t> slots_in(std::string_view region, const BodySetup& body, const Particles& particles, const std::string& key);
 
 }  // namespace perimpact

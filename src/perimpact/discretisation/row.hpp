@@ -1,4 +1,4 @@
-/// Points at equal distances along x: a row of a lattice, which a solid answers for at once.
+/// Equally spaced points along x: a row of a lattice, tested by a solid at once.
 #pragma once
 
 #include "base/vec3.hpp"

@@ -25,7 +25,7 @@ bool holds(const CylinderSolid& cylinder, const Vec3d& p, double margin) {
 
 bool holds(const SphereSolid& sphere, const Vec3d& p, double margin) { return norm(p) <= 0.5 * sphere.diameter + margin; }
 
-/// Half the size of the box around the turned shape, along the axes of the world.
+/// Half the size of the global bounding box of the rotated shape.
 Vec3d half_extent(const BoxSolid& box, const fccda::Mat3& turn) {
   Vec3d half{};
   for (std::size_t axis = 0; axis < 3; ++axis)

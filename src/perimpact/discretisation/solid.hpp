@@ -1,4 +1,4 @@
-/// A solid somewhere in the world: what is filled with particles, taken out, or named.
+/// Solid in global coordinates, with an inside test: shape, added solid, hole or particle set of a body.
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,25 @@
 namespace perimpact {
 
 /// Promises (tests/perimpact/discretisation/solid.test.cpp, over all shapes):
-///  1. what is on its surface is inside, and so is what is outside by no more than the margin that is asked for;
-///  2. a row is answered as its points are one by one;
-///  3. nothing changes after construction, so any number of threads may ask at once.
+///  1. points on the surface are inside, as are points outside by at most the margin;
+///  2. the result for a row equals that for its points;
+///  3. objects are immutable, so that queries are thread-safe.
 class Solid {
  public:
-  /// Throws InputError, one sentence, where a file cannot be used.
+  /// Throws InputError for an invalid file.
   Solid(const SolidShape& shape, const Frame& frame);
 
   bool contains(const Vec3d& point, double margin = 0) const;
 
-  /// Sets those of `inside`, one for each point of the row, that contains() holds to `mark`.
+  /// Sets `inside` to `mark` for the points of the row for which contains() is true.
   void mark(const Row& row, double margin, std::span<std::uint8_t> inside, std::uint8_t mark) const;
 
-  const fccda::Box& bounds() const { return bounds_; }             ///< [m] along the axes of the world
-  const std::optional<double>& volume() const { return volume_; }  ///< [m³] where it is known
+  const fccda::Box& bounds() const { return bounds_; }             ///< [m] in global axes
+  const std::optional<double>& volume() const { return volume_; }  ///< [m³] if known
 
  private:
   Frame frame_;
-  std::variant<BoxSolid, CylinderSolid, SphereSolid, SurfaceSolid> shape_;  // the surface in the world, the others along their own axes
+  std::variant<BoxSolid, CylinderSolid, SphereSolid, SurfaceSolid> shape_;  // the surface in global coordinates, the others in local axes
   fccda::Box bounds_;
   std::optional<double> volume_;
 };

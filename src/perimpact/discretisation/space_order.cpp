@@ -7,9 +7,9 @@ namespace perimpact {
 
 namespace {
 
-constexpr int bits = 21;  // an axis: three of them fill a word
+constexpr int bits = 21;  // per axis: three of them fit a 64-bit word
 
-/// The bits of a number, two noughts between each.
+/// The bits of a number, each followed by two zeros.
 std::uint64_t spread(std::uint64_t number) {
   std::uint64_t out = 0;
   for (int b = 0; b < bits; ++b) out |= (number >> b & 1u) << (3 * b);

@@ -1,5 +1,5 @@
-/// The order of points along a space-filling curve, so that neighbours in space are near in memory (Morton, A computer oriented geodetic data base
-/// and a new technique in file sequencing, IBM 1966).
+/// Morton order of points along a space-filling curve, for memory locality (Morton, A computer oriented geodetic data base and a new
+/// technique in file sequencing, IBM 1966).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace perimpact {
 
 using fccda::Vec3d;
 
-/// Numbers of the points in the order of the curve; points in one of its 2^63 cells in rising order of their numbers.
+/// Point numbers in the order of the curve; points in the same of its 2^63 cells are in ascending order.
 std::vector<std::uint32_t> space_order(std::span<const Vec3d> points);
 
 }  // namespace perimpact

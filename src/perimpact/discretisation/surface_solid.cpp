@@ -19,7 +19,7 @@ using namespace fccda;
 
 namespace {
 
-/// Where the line enters (1) or leaves (-1) a solid.
+/// Crossing at which the line enters (1) or leaves (-1) a solid.
 struct LineCrossing {
   double x;  ///< [m]
   int change;
@@ -28,7 +28,7 @@ struct LineCrossing {
 
 Corners corners_of(const Surface& surface, std::size_t t) { return {surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)}; }
 
-/// Where the triangle's plane has this y and z; within the triangle, whatever rounding makes of one that is nearly parallel to x.
+/// x of the triangle's plane at this y and z, clamped to the triangle, since rounding is large for one nearly parallel to x.
 double crossing_x(const Corners& t, double y, double z) {
   const Vec3d normal = cross(t.b - t.a, t.c - t.a);
   const double x = t.a.x + ((t.a.y - y) * normal.y + (t.a.z - z) * normal.z) / normal.x;
@@ -41,12 +41,12 @@ Panels placed(Panels panels, const Frame& frame) {
 }
 
 std::shared_ptr<const Surface> closed_surface(const Panels& panels, double weld, const std::string& name) {
-  // `outside` declared, so that an open surface comes back and is told here, where one is needed that encloses something
+  // the orientation is declared, so that an open surface is reported here instead of in Surface
   auto surface = std::make_shared<const Surface>(panels, Surface::Options{.weld_distance = weld, .orientation = Orientation::normals, .name = name});
   if (!surface->is_closed())
     throw InputError(
-        fmt::format("{}: the surface is open, {} of its edges have a panel on one side only, so it has no inside that could be filled; "
-                    "`perimpact mesh` shows where they are and which weld would close them.",
+        fmt::format("{}: the surface is open: {} of its edges have a panel on one side only, so that no interior is defined; `perimpact mesh` shows these "
+                    "edges and the welding tolerance that would close them.",
                     name, surface->report().boundary_edges));
   return surface;
 }
@@ -71,7 +71,7 @@ void SurfaceSolid::mark(const Row& row, double margin, std::span<std::uint8_t> i
   if (y < bounds.low.y - margin || y > bounds.high.y + margin || z < bounds.low.z - margin || z > bounds.high.z + margin) return;
   if (row.first.x > bounds.high.x + margin || row.x(row.count - 1) < bounds.low.x - margin) return;
 
-  const auto number_at = [&](double x) {  // of the first point that is not before x
+  const auto number_at = [&](double x) {  // number of the first point not before x
     const double number = row.count > 1 ? std::ceil((x - row.first.x) / row.spacing) : (x > row.first.x ? 1 : 0);
     return static_cast<int>(std::clamp(number, 0.0, static_cast<double>(row.count)));
   };
@@ -79,7 +79,7 @@ void SurfaceSolid::mark(const Row& row, double margin, std::span<std::uint8_t> i
   const Vec3d before{bounds.low.x - 1 - bounds.size().x, y, z};
   std::vector<LineCrossing> crossings;
   int balance = 0;
-  const auto look_at = [&](int triangle) {
+  const auto add_triangle = [&](int triangle) {
     const auto t = static_cast<std::size_t>(triangle);
     const Corners corners = corners_of(*surface_, t);
     if (const int out = crosses(before, t); out != 0) {
@@ -91,9 +91,9 @@ void SurfaceSolid::mark(const Row& row, double margin, std::span<std::uint8_t> i
       if (squared_norm(row.point(i) - closest_on_triangle(row.point(i), corners).point) <= margin * margin) inside[static_cast<std::size_t>(i)] = mark;
   };
   const Vec3d around{margin, margin, margin};
-  tree_->visit_box({Vec3d{bounds.low.x, y, z} - around, Vec3d{bounds.high.x, y, z} + around}, look_at);
+  tree_->visit_box({Vec3d{bounds.low.x, y, z} - around, Vec3d{bounds.high.x, y, z} + around}, add_triangle);
 
-  if (balance != 0) {  // rounding had the line slip past a sliver that it nearly lies in
+  if (balance != 0) {  // rounding: the line missed a nearly coplanar sliver
     for (int i = 0; i < row.count; ++i)
       if (winding(row.point(i)) > 0.5) inside[static_cast<std::size_t>(i)] = mark;
     return;

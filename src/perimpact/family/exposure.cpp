@@ -24,15 +24,15 @@ bool is_at_surface(const Particles& particles, std::size_t slot) {
   if (!lattice) return true;
   const auto [i, j, k] = lattice->cell(slot);
   const auto is_filled = [&](int ni, int nj, int nk) { return lattice->contains(ni, nj, nk) && particles.is_occupied(lattice->slot(ni, nj, nk)); };
-  const bool walled_in = is_filled(i - 1, j, k) && is_filled(i + 1, j, k) && is_filled(i, j - 1, k) && is_filled(i, j + 1, k);
-  return !walled_in || !(particles.is_plane() || (is_filled(i, j, k - 1) && is_filled(i, j, k + 1)));
+  const bool is_enclosed = is_filled(i - 1, j, k) && is_filled(i + 1, j, k) && is_filled(i, j - 1, k) && is_filled(i, j + 1, k);
+  return !is_enclosed || !(particles.is_plane() || (is_filled(i, j, k - 1) && is_filled(i, j, k + 1)));
 }
 
 }  // namespace
 
 std::array<std::uint16_t, byte_lanes> count_bonds(const Family& family, std::size_t eight) {
   std::array<std::uint16_t, byte_lanes> counts{};
-  constexpr std::size_t most = 255;  // that a byte counts
+  constexpr std::size_t most = 255;  // maximum count in a byte
   const std::uint8_t* bytes = family.bytes(eight);
   const std::size_t rows = family.begin(eight + 1) - family.begin(eight);
   for (std::size_t begin = 0; begin < rows; begin += most) {

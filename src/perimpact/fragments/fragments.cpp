@@ -13,13 +13,13 @@ namespace {
 
 using fccda::byte_lanes;
 
-/// Sets of slots. The root of each is its smallest slot, so that nothing depends on the order of unions.
+/// Disjoint sets of slots (union-find). The root is the smallest slot, so that the result is independent of the order of unions.
 class Sets {
  public:
   explicit Sets(std::size_t slots) : parent_(slots) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
   std::uint32_t root(std::uint32_t slot) {
-    while (parent_[slot] != slot) slot = parent_[slot] = parent_[parent_[slot]];  // the way becomes half as long
+    while (parent_[slot] != slot) slot = parent_[slot] = parent_[parent_[slot]];  // path halving
     return slot;
   }
 
@@ -35,7 +35,7 @@ class Sets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Calls visit(i, j) for each intact bond once or twice. A bond of the stencil is seen from the end with the smaller slot only.
+/// Calls visit(i, j) for each intact bond once or twice; bonds of the stencil from the smaller slot only.
 template <class Visit>
 void for_each_intact_bond(const Family& family, std::size_t slots, const Visit& visit) {
   const std::span<const std::ptrdiff_t> offsets = family.offsets();

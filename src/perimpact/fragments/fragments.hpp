@@ -1,5 +1,4 @@
-/// The fragments that a body has fallen into: particles that hang together by intact bonds, directly or through others (the connected components
-/// of the graph of bonds). A particle that has lost all bonds is a fragment of its own.
+/// Fragments of a body: connected components of the graph of intact bonds. A particle without bonds is a single-particle fragment.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +13,26 @@ namespace perimpact {
 struct Fragment {
   std::size_t particles;
   double mass;               ///< [kg]
-  std::uint32_t first_slot;  ///< the smallest of its particles
+  std::uint32_t first_slot;  ///< smallest slot of its particles
 };
 
-/// What one row of a table says of them. A fragment here has two particles or more, but where masses are compared, single particles take part.
+/// Row of the fragment table. Fragments have at least two particles here, but masses include single particles.
 struct FragmentCount {
-  std::size_t fragments = 0;          ///< of two and more particles
-  std::size_t single_particles = 0;   ///< that have no bond
+  std::size_t fragments = 0;          ///< of at least two particles
+  std::size_t single_particles = 0;   ///< without bonds
   double largest = 0;                 ///< [kg]
-  double second_largest = 0;          ///< [kg] 0 where there is one
+  double second_largest = 0;          ///< [kg] 0 if there is only one
   std::size_t above_one_percent = 0;  ///< fragments heavier than 1 % of the body
   double outside_largest = 0;         ///< [kg] of all but the largest
 };
 
 class Fragments {
  public:
-  /// Union of the ends of all intact bonds (Tarjan, J. ACM 22 (1975) 215), on one thread. Measured with 300 000 particles and 25 million bonds: 0.16 s
-  /// where all are intact, 0.04 to 0.09 s where more than nine of ten are broken.
+  /// Union-find over all intact bonds (Tarjan, J. ACM 22 (1975) 215), serial. Measured with 300 000 particles and 25 million bonds: 0.16 s if
+  /// all are intact, 0.04 to 0.09 s if more than nine of ten are broken.
   Fragments(const Particles& particles, const Family& family);
 
-  /// The heaviest first; of equally heavy ones that with the smallest slot.
+  /// In descending order of mass; ties in order of the smallest slot.
   std::span<const Fragment> all() const { return fragments_; }
   /// Number in all() of the fragment of each particle, in the order of Particles::slot_of().
   std::span<const std::int32_t> of_particles() const { return of_particles_; }
@@ -45,14 +44,14 @@ class Fragments {
   std::vector<std::int32_t> of_particles_;
 };
 
-/// Where a fragment is, how large and how fast.
+/// Position, size and velocity of a fragment.
 struct FragmentState {
-  Vec3d centre{};    ///< [m] of mass
-  Vec3d extent{};    ///< [m] edges of the box around its particles, each with its own size (in a plane body, in z, with the thickness)
+  Vec3d centre{};    ///< [m] centre of mass
+  Vec3d extent{};    ///< [m] bounding box of its particles, each with its size (in a plane body, in z, with the thickness)
   Vec3d velocity{};  ///< [m/s] of the centre of mass
 };
 
-/// Of the first `count` fragments.
+/// States of the first `count` fragments.
 std::vector<FragmentState> states_of(const Fragments& fragments, const Particles& particles, std::size_t count);
 
 }  // namespace perimpact

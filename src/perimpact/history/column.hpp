@@ -1,5 +1,5 @@
-/// What a column of history.csv is: its name and unit, and what its rows are. Programs that read the table take this from history.json,
-/// which a run writes beside it, and never from names.
+/// Column of history.csv: name, unit and kind of values. Programs read these from history.json, which a run writes with the table, and do
+/// not infer them from names.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace perimpact {
 
 enum class ColumnKind {
   instantaneous,  ///< the value at the time of the row
-  interval_mean,  ///< the mean since the row before: its sum times the intervals is exact
+  interval_mean,  ///< mean since the previous row; the sum of mean times interval is exact
   cumulative,     ///< the sum since the start, at the time of the row
 };
 
@@ -29,8 +29,8 @@ struct Column {
   std::string name;  ///< "cylinder.force_y"
   std::string unit;  ///< "N"
   ColumnKind kind;
-  std::string meaning;   ///< a sentence without its full stop
-  bool is_load = false;  ///< forces on impactors, forces and torques of their gauges: what statistics reads where nothing else is asked for
+  std::string meaning;   ///< a description without full stop
+  bool is_load = false;  ///< forces on impactors, forces and torques of their gauges: the default columns of statistics
 
   std::string heading() const { return name + " [" + unit + "]"; }  ///< in history.csv
 };

@@ -13,7 +13,7 @@ namespace perimpact {
 
 namespace {
 
-/// What rounding can put into bodies at rest [J]: velocities that move particles by a hundred units in the last place a step.
+/// Energy from rounding in bodies at rest [J]: velocities of a hundred units in the last place of positions per step.
 double energy_of_rounding(std::span<const Body> bodies, double dt) {
   double energy = 0;
   for (const Body& body : bodies) {
@@ -25,19 +25,19 @@ double energy_of_rounding(std::span<const Body> bodies, double dt) {
   return energy;
 }
 
-/// [J] with the velocities that led here, half a step old.
+/// [J] with the mid-step velocities.
 double kinetic_energy_amid_step(const Particles& particles) {
   double energy = 0;
   for (const std::uint32_t slot : particles.slot_of()) energy += 0.5 * particles.mass(slot) * squared_norm(particles.velocity.at(slot));
   return energy;
 }
 
-/// Bounds how much of a long run that has gone wrong is computed and written before it is found out.
+/// Limits the work of a long run after it has become invalid.
 constexpr long most_steps_unchecked = 200;
 
 constexpr ColumnKind instantaneous = ColumnKind::instantaneous, interval_mean = ColumnKind::interval_mean, cumulative = ColumnKind::cumulative;
-/// [J] that contact adds to the kinetic energy of a body at the end of the step, where forces at hand know nothing of it: half of a push that is
-/// taken to go on as it was in the step.
+/// [J] contribution of contact to the kinetic energy of a body at the end of the step, not included in its forces: half of the impulse,
+/// assumed constant.
 double contact_share(std::size_t body, const Particles& particles, std::span<const Impactor> impactors, double dt) {
   struct Push {
     std::size_t slot;
@@ -70,7 +70,7 @@ Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const
   for (const ProbeSetup& probe : setup.probes) {
     const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const Body& candidate) { return candidate.name == probe.body; });
     const std::string key = "output.probes." + probe.name;
-    if (body == bodies.end()) throw SetupError(key + ".body", fmt::format("probe {} asks for body {}, which does not exist.", probe.name, probe.body));
+    if (body == bodies.end()) throw SetupError(key + ".body", fmt::format("probe {} refers to body {}, which does not exist.", probe.name, probe.body));
     probes_.push_back({probe.name, static_cast<std::size_t>(body - bodies.begin()), Sample(*body, probe.at)});
     const double away = probes_.back().sample.distance(*body), spacing = body->particles.spacing();
     if (away > spacing)
@@ -114,7 +114,7 @@ void Monitors::watch(const Scene& scene) {
   if (is_first_) first_energy_ = balance.energy - balance.work, first_balance_ = balance.sum();
   if (is_checked(scene.clock) || scene.relaxed) {
     check_numbers(scene, balance.energy);
-    // Where an impactor presses, the forces at hand lack its share, and the half kick gives energy that is not there; an unstable step blows up both.
+    // The forces lack the contribution of an impactor, so that the half kick adds spurious energy; an unstable step increases both.
     if (!scene.relaxed) check_energy(scene, balance.energy - std::max(0.0, balance.since_amid), balance.work, balance.unpaid, balance.contact);
     sound_until_ = scene.clock.step;
   }
@@ -157,25 +157,26 @@ void Monitors::make_row(const Scene& scene, const Balance& balance) {
   row_.clear();
   next_sum_ = 0;
   const double time = scene.clock.time(), interval = time - row_time_;
-  per_second_ = interval > 0 ? 1 / interval : 0;  // nothing has acted before the first row
+  per_second_ = interval > 0 ? 1 / interval : 0;  // no action before the first row
   row_time_ = time;
   add("", {"time", "s", instantaneous, "end of the step"}, time);
   for (const Impactor& impactor : scene.impactors) add_impactor(impactor);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(scene, b);
   if (scene.fragments) {
-    add("total", {"contact_energy", "J", instantaneous, "of the springs between touching particles"}, scene.fragments->energy());
-    add("total", {"friction_dissipation", "J", cumulative, "taken by friction between touching particles"}, scene.fragments->friction_dissipation());
-    add("total", {"dashpot_dissipation", "J", cumulative, "taken by dashpots between touching particles"}, scene.fragments->dashpot_dissipation());
+    add("total", {"contact_energy", "J", instantaneous, "of the penalty springs between particles in contact"}, scene.fragments->energy());
+    add("total", {"friction_dissipation", "J", cumulative, "dissipated by friction between particles in contact"}, scene.fragments->friction_dissipation());
+    add("total", {"dashpot_dissipation", "J", cumulative, "dissipated by dashpots between particles in contact"}, scene.fragments->dashpot_dissipation());
   }
   add("total", {"momentum", "kg m/s", instantaneous, "of all bodies and impactors"}, balance.momentum);
-  add("total", {"energy", "J", instantaneous, "kinetic, elastic and of contact between fragments"}, balance.energy);
-  if (!scene.impactors.empty()) add("total", {"contact_dissipation", "J", cumulative, "what contact took from impactors and bodies together"}, balance.contact);
+  add("total", {"energy", "J", instantaneous, "kinetic and elastic energy, and contact energy between fragments"}, balance.energy);
+  if (!scene.impactors.empty())
+    add("total", {"contact_dissipation", "J", cumulative, "dissipated by contact with impactors, of impactors and bodies together"}, balance.contact);
   if (!scene.relaxed)
-    add("total", {"energy_balance_error", "J", instantaneous, "energy now and all that was taken, less energy at first and all that was put in"},
+    add("total", {"energy_balance_error", "J", instantaneous, "current energy plus dissipation, minus initial energy and external work"},
         balance.sum() - first_balance_);
   if (scene.relaxed) {
-    add("total", {"residual", "-", instantaneous, "with which the increment ended"}, scene.relaxed->residual);
-    add("total", {"iterations", "-", instantaneous, "that the increment took"}, static_cast<double>(scene.relaxed->iterations));
+    add("total", {"residual", "-", instantaneous, "residual at the end of the increment"}, scene.relaxed->residual);
+    add("total", {"iterations", "-", instantaneous, "iterations of the increment"}, static_cast<double>(scene.relaxed->iterations));
   }
   for (const Probe& probe : probes_)
     add(probe.name, {"displacement", "m", instantaneous, "mean of the particles nearest to the point"}, probe.sample.displacement(scene.bodies[probe.body]));
@@ -187,7 +188,7 @@ void Monitors::add_impactor(const Impactor& impactor) {
   const std::string& name = impactor.name();
   add(name, {"position", "m", instantaneous, "of its centre of mass"}, body.position_of_com());
   add(name, {"velocity", "m/s", instantaneous, "of its centre of mass"}, body.velocity());
-  add(name, {"angular_velocity", "rad/s", instantaneous, "about the axes of the world"}, body.angular_velocity());
+  add(name, {"angular_velocity", "rad/s", instantaneous, "in global axes"}, body.angular_velocity());
   add_mean(name, {"force", "N", interval_mean, "of contact on it", true}, account.impulse);
   add_mean(name, {"moment", "N m", interval_mean, "of contact on it about its centre of mass"}, account.angular_impulse);
   add(name, {"contacts", "-", instantaneous, "particles in contact in the last step"}, static_cast<double>(account.contacts));
@@ -211,8 +212,8 @@ void Monitors::add_body(const Scene& scene, std::size_t b) {
   add(body.name, {"kinetic_energy", "J", instantaneous, "of its particles"}, kinetic_[b]);
   add(body.name, {"elastic_energy", "J", instantaneous, "of its bonds"}, elastic_[b]);
   add(body.name, {"broken_bonds", "-", cumulative, "each counted once"}, static_cast<double>(body.internal.broken_bonds()));
-  add(body.name, {"fracture_energy", "J", cumulative, "what bonds held as they broke"}, body.internal.fracture_energy());
-  if (body.internal.plastic()) add(body.name, {"plastic_dissipation", "J", cumulative, "what plastic flow took"}, body.internal.plastic_dissipation());
+  add(body.name, {"fracture_energy", "J", cumulative, "energy of the broken bonds at failure"}, body.internal.fracture_energy());
+  if (body.internal.plastic()) add(body.name, {"plastic_dissipation", "J", cumulative, "dissipated by plastic flow"}, body.internal.plastic_dissipation());
   for (const NamedBoundaryCondition& named : scene.boundary_conditions[b].all()) {
     const ReactionLedger& account = named.account();
     if (scene.relaxed)
@@ -234,29 +235,27 @@ void Monitors::check_numbers(const Scene& scene, double energy) const {
     for (std::size_t i = 0; i < body.particles.size(); ++i) {
       const std::uint32_t slot = body.particles.slot_of()[i];
       if (!is_finite(body.particles.position.at(slot)) || !is_finite(body.particles.force_density.at(slot)))
-        throw fccda::RunError(
-            fmt::format("At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. What was written up to step {} is "
-                        "sound; try a smaller time step.",
-                        clock.step, clock.time(), i, body.name, sound_until_));
+        throw fccda::RunError(fmt::format(
+            "At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. Output up to step {} is valid; use a smaller time step.",
+            clock.step, clock.time(), i, body.name, sound_until_));
     }
-  throw fccda::RunError(fmt::format("At step {} ({:.6g} s) the energy is not a number. What was written up to step {} is sound; try a smaller time step.",
-                                    clock.step, clock.time(), sound_until_));
+  throw fccda::RunError(fmt::format("At step {} ({:.6g} s) the energy is not a number. Output up to step {} is valid; use a smaller time step.", clock.step,
+                                    clock.time(), sound_until_));
 }
 
 void Monitors::check_energy(const Scene& scene, double energy, double work, double unpaid, double contact_dissipation) const {
   const Clock& clock = scene.clock;
-  // Contact and breaking only take energy. Interpolated velocities leave a ripple of (ω dt)² on the energy of the shortest waves, which hold little of it.
+  // Contact and fracture only dissipate. Interpolated velocities cause a ripple of (ω dt)² on the energy of the shortest waves, which is small.
   const double available = first_energy_ + std::fabs(work) + energy_of_rounding(scene.bodies, clock.dt) + unpaid;
   const double excess = energy - work - first_energy_ - unpaid;
   if (!(excess > 0.05 * available)) return;
   std::string sentence = fmt::format(
-      "At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the {:.4g} J there were plus the {:.4g} J put in from outside: the time step of {:.3g} "
-      "s "
-      "is not stable for this run; make it smaller.",
+      "At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the initial {:.4g} J plus {:.4g} J of external work: the time step of {:.3g} s is "
+      "unstable for this run; reduce it.",
       clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_, work, clock.dt);
   if (-contact_dissipation > 0.5 * excess)
     sentence += fmt::format(
-        " Contact with impactors put in {:.3g} J: particles slide over an edge or a tip that is sharper than their spacing, and go too far in a step. Take a "
+        " Contact with impactors added {:.3g} J: particles slide over an edge or tip that is sharper than their spacing, and move too far per step. Use a "
         "time.step of {:.2g} s, and smaller ones until total.contact_dissipation stays above 0.",
         -contact_dissipation, clock.dt / 4);
   throw fccda::RunError(sentence);

@@ -1,5 +1,5 @@
-/// What is watched while a run goes on: one row of history.csv at a time, and the checks that end a run that has gone wrong. Both look at ledgers that
-/// sum from the start, and take differences; neither changes what it looks at, and neither depends on the other.
+/// Monitors of a run: rows of history.csv, and checks of finite values and energy balance that end an invalid run. Both take differences of
+/// cumulative ledgers, do not modify the state, and are independent of each other.
 #pragma once
 
 #include <optional>
@@ -21,38 +21,38 @@ namespace perimpact {
 
 class Monitors {
  public:
-  /// Throws SetupError where a probe lies outside its body.
+  /// Throws SetupError if a probe lies outside its body.
   Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock);
 
-  /// True where a row ends with this step.
+  /// True if a row ends with this step.
   bool is_due(const Clock& clock) const { return clock.step % interval_ == 0 || clock.is_finished(); }
-  /// True where this step is checked. No setting of the output changes when.
+  /// True if this step is checked, independent of output settings.
   bool is_checked(const Clock& clock) const { return clock.step % check_interval_ == 0 || clock.is_finished(); }
-  /// True where one of both is so, and the elastic energy is needed.
+  /// True if either applies, so that the elastic energy is needed.
   bool samples_step(const Clock& clock) const { return is_due(clock) || is_checked(clock); }
 
-  /// Elastic energy [J] of each body, for a step that is watched.
+  /// Elastic energy [J] of each body, for a sampled step.
   std::vector<double>& elastic_energy() { return elastic_; }
 
-  /// What is watched.
+  /// Objects to be sampled.
   struct Scene {
     std::span<const Body> bodies;
     std::span<const BoundaryConditions> boundary_conditions;  // of each body
     std::span<const Impactor> impactors;
     const Clock& clock;
-    const std::optional<ShortRange>& fragments;  // where they touch
-    const Relaxed* relaxed;                      // how the increment ended, where bodies are relaxed
+    const std::optional<ShortRange>& fragments;  // if contact of fragments is enabled
+    const Relaxed* relaxed;                      // convergence of the increment, with time.relax
   };
 
-  /// Checks a step that is watched, where it is its turn, and makes its row, where one is due. Throws RunError where numbers are not finite or
-  /// energy appeared from nowhere.
+  /// Samples a step: checks it and creates a row if these are due. Throws RunError if values are not finite or energy increases without a
+  /// source.
   void watch(const Scene& scene);
 
   const std::vector<Column>& columns() const { return columns_; }
   std::span<const double> row() const { return row_; }  ///< the latest
-  double row_time() const { return row_time_; }         ///< [s] of it
+  double row_time() const { return row_time_; }         ///< [s] of the latest row
 
-  /// As base/state.hpp says. The first row has been made.
+  /// See base/state.hpp. Requires the first row.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit("row_time", row_time_);
@@ -67,15 +67,15 @@ class Monitors {
   /// Energy and momentum at the latest step.
   struct Balance {
     Vec3d momentum{};
-    double energy = 0, work = 0;    // [J] there is, put in from outside
-    double taken = 0, contact = 0;  // [J] by breaking and by friction of fragments, by contact with impactors
-    double unpaid = 0;              // [J] Boundaries::half_kick()
+    double energy = 0, work = 0;    // [J] current, and external work
+    double taken = 0, contact = 0;  // [J] dissipated by fracture and friction of fragments, and by contact with impactors
+    double unpaid = 0;              // [J] BoundaryConditions::half_kick()
     double ripple = 0;              // [J] of interpolated velocities
-    double since_amid = 0;          // [J] that the half kick to this instant gave
+    double since_amid = 0;          // [J] of the half kick to this instant
 
-    double sum() const { return energy - ripple + taken + contact - work; }  // constant but for the order of the scheme
+    double sum() const { return energy - ripple + taken + contact - work; }  // constant up to the order of the scheme
   };
-  /// What a column says beside its value.
+  /// Description of a column.
   struct Of {
     std::string_view name, unit;
     ColumnKind kind;
@@ -95,9 +95,9 @@ class Monitors {
 
   long interval_, check_interval_;  // steps between rows, and between checks
   double row_time_ = 0;
-  double per_second_ = 0;     // one over the interval of the row that is made
-  std::vector<double> sums_;  // of the means, at the row before
-  std::size_t next_sum_ = 0;  // in the row that is made
+  double per_second_ = 0;     // one over the interval of the current row
+  std::vector<double> sums_;  // of interval means, at the previous row
+  std::size_t next_sum_ = 0;  // in the current row
   long sound_until_ = 0;      // step of the latest check
   struct Probe {
     std::string name;
@@ -105,7 +105,7 @@ class Monitors {
     Sample sample;
   };
   std::vector<Probe> probes_;
-  std::vector<double> elastic_, kinetic_;  // [J] of each body, at the step that is watched
+  std::vector<double> elastic_, kinetic_;  // [J] of each body, at the sampled step
   std::vector<Column> columns_;
   std::vector<double> row_;
   bool is_first_ = true;

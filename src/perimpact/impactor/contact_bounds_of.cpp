@@ -55,7 +55,7 @@ ImpactorBounds made(const CylinderSectorsBoundsSetup& setup, const Surface& surf
   const CylinderSectors region(fit_sectors(surface, known), surface, beyond);
   if (fitted.empty()) return {region, ""};
   std::string words = fmt::format("{} fitted to the surface", fmt::join(fitted, ", "));
-  if (!region.shape().has_gaps()) words += "; between its blades there is no gap in angle worth having, so the fan is the whole cylinder";
+  if (!region.shape().has_gaps()) words += "; the angular gaps between its blades are negligible, so that the fan is the whole cylinder";
   return {region, words};
 }
 

@@ -1,4 +1,4 @@
-/// The region that a Setup asks for.
+/// Builds the contact bounds of a Setup.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace perimpact {
 
 struct ImpactorBounds {
   fccda::ContactBounds region;
-  std::string fitted;  ///< what was fitted to the surface, in words; empty where the region was given
+  std::string fitted;  ///< description of fitted values; empty if the bounds were given
 };
 
-/// `impactor`: its name. Throws SetupError with the key of the region where the surface sticks out of it, or none of it is inside.
+/// `impactor`: its name. Throws SetupError with the key of the bounds if the surface exceeds them, or is entirely outside.
 ImpactorBounds contact_bounds_of(const ContactBoundsSetup& setup, const fccda::Surface& surface, const std::string& impactor);
 
 }  // namespace perimpact

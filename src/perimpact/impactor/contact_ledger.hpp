@@ -1,9 +1,9 @@
-/// What contact did to one impactor, kept beyond the step: loads of its panels, the process pressure-area curve, and which bodies it has
-/// touched. There are two kinds of intervals: the process curve has those between two rows of the history; pressures of panels and their peak have
-/// intervals of their own (Simulation), so that no setting of the output changes them.
+/// Contact record of one impactor: panel loads, process pressure-area curve, and the bodies it has been in contact with. The process curve
+/// uses the intervals between rows of the history; panel pressures and their peak use separate load intervals (Simulation), so that output
+/// settings do not change them.
 ///
 /// The process curve is the mean pressure over the whole contact while that grows (C. Daley, PERD/CHC Report 7-108, 2004, section 2):
-///   p = F_n/A,   F_n = Σ J_n/T,   A = Σ Δ² over the particles that touched in the interval, each counted once
+///   p = F_n/A,   F_n = Σ J_n/T,   A = Σ Δ² over the particles in contact in the interval, each counted once
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ class ContactRecord {
  public:
   struct Interval {
     double time = 0;               ///< [s] its end
-    double contact_area = 0;       ///< [m²] faces of the particles that touched in it
+    double contact_area = 0;       ///< [m²] faces of the particles in contact in it
     double mean_contact_area = 0;  ///< [m²] faces of the contacts of one step, mean over the steps
     double normal_force = 0;       ///< [N] into the surface, mean
     double mean_pressure() const { return contact_area > 0 ? normal_force / contact_area : 0; }  ///< [Pa]
@@ -38,20 +38,20 @@ class ContactRecord {
 
   void begin_step() { ++steps_; }
   void add(std::size_t body, const fccda::Contact& contact, const fccda::Vec3d& impulse);
-  /// So many particles were struck that had not yet been in this step: several passes may strike one again.
+  /// Adds particles newly in contact in this step; further passes may resolve a particle again.
   void count_in_contact(std::size_t body, std::size_t particles) { in_contact_[body].contacts += particles; }
   /// Closes the interval of the process curve that began `duration` [s] before `time` [s].
   void end_interval(double time, double duration);
-  /// Likewise the interval of the panels' pressures.
+  /// Closes the load interval of panel pressures.
   void end_load_interval(double time, double duration);
 
   const fccda::PanelLoads& panels() const { return panels_; }
-  const Interval& interval() const { return interval_; }                   ///< that ended last
-  const Peak& peak() const { return peak_; }                               ///< without pressures where no normal force was positive
+  const Interval& interval() const { return interval_; }                   ///< the latest completed one
+  const Peak& peak() const { return peak_; }                               ///< without pressures if no normal force was positive
   bool touched(std::size_t body) const { return in_contact_[body].ever; }  ///< ever
   bool touched() const;                                                    ///< ever, any body
 
-  /// As base/state.hpp says.
+  /// See base/state.hpp.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     panels_.visit_state(fccda::under("panels", visit));
@@ -76,15 +76,15 @@ class ContactRecord {
     double face;     // Δ² of a particle [m²]
     bool ever = false;
     std::size_t contacts = 0, particles = 0;  // in the open interval; each particle counted once
-    std::vector<std::uint32_t> last = {};     // the interval that each particle touched in last
+    std::vector<std::uint32_t> last = {};     // last interval with contact of each particle
   };
 
   fccda::PanelLoads panels_;
   std::vector<Resolved> in_contact_;  // of each body
   std::uint32_t number_ = 1;          // of the open interval
-  long steps_ = 0;                    // that it has so far
-  double normal_impulse_ = 0;         // [N s] that it has so far
-  double load_impulse_ = 0;           // [N s] of the open load interval so far
+  long steps_ = 0;                    // steps in it
+  double normal_impulse_ = 0;         // [N s] in it
+  double load_impulse_ = 0;           // [N s] of the open load interval
   Interval interval_;
   Peak peak_;
 };

@@ -14,7 +14,7 @@ std::vector<NamedGauge> gauges_of(const ImpactorSetup& setup, const Surface& sur
     const std::string key = fmt::format("impactors.{}.gauges.{}", setup.name, gauge.name);
     Gauge::Mounting mounting{.parts = gauge.surface_parts, .point = gauge.point.value_or(body.properties().centre_of_mass)};
     if (gauge.axis) {
-      if (*gauge.axis == Vec3d{}) throw SetupError(key + ".axis", "axis has no length, so it has no direction; give one, such as [0, 0, 1].");
+      if (*gauge.axis == Vec3d{}) throw SetupError(key + ".axis", "axis is zero and has no direction; give one, such as [0, 0, 1].");
       mounting.axis = normalised(*gauge.axis);
     }
     try {

@@ -1,4 +1,4 @@
-/// The gauges that a Setup asks for.
+/// Builds the gauges of a Setup.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 namespace perimpact {
 
 struct NamedGauge {
-  std::string name;  ///< "propeller.blade_1", as its columns begin
+  std::string name;  ///< "propeller.blade_1", prefix of its columns
   fccda::Gauge gauge;
 };
 
-/// Throws SetupError where a gauge names a part that the surface has not, or an axis without a direction.
+/// Throws SetupError if a gauge names an unknown part of the surface, or a zero axis.
 std::vector<NamedGauge> gauges_of(const ImpactorSetup& setup, const fccda::Surface& surface, const fccda::RigidBody& body);
 
 }  // namespace perimpact

@@ -22,9 +22,11 @@ fccda::HullShape shape_of(const HullSurface& s) {
 }
 
 fccda::PropellerShape shape_of(const PropellerSurface& s) {
-  if (!s.sections && !s.pitch_ratio) throw fccda::InputError("propeller: pitch_ratio is missing; give it, such as pitch_ratio: 0.76, or sections of your own.");
-  if (!s.sections && !s.area_ratio) throw fccda::InputError("propeller: area_ratio is missing; give it, such as area_ratio: 0.669, or sections of your own.");
-  if (s.sections && s.pitch_ratio) throw fccda::InputError("propeller: pitch_ratio is given, but sections.pitch says it for each radius; remove pitch_ratio.");
+  if (!s.sections && !s.pitch_ratio)
+    throw fccda::InputError("propeller: pitch_ratio is missing; give it, such as pitch_ratio: 0.76, or user-defined sections.");
+  if (!s.sections && !s.area_ratio) throw fccda::InputError("propeller: area_ratio is missing; give it, such as area_ratio: 0.669, or user-defined sections.");
+  if (s.sections && s.pitch_ratio)
+    throw fccda::InputError("propeller: pitch_ratio is given, but sections.pitch defines it for each radius; remove pitch_ratio.");
   if (s.sections && s.area_ratio) throw fccda::InputError("propeller: area_ratio is given, but follows from sections.chord; remove area_ratio.");
   fccda::PropellerShape shape{.blades = s.blades,
                               .diameter = s.diameter,

@@ -1,4 +1,4 @@
-/// Hulls and propellers of a Setup as the shapes of the contact library, with what was left out filled in.
+/// Hull and propeller shapes of a Setup, with defaults filled in.
 #pragma once
 
 #include "marine/hull.hpp"
@@ -9,7 +9,7 @@ namespace perimpact {
 
 fccda::HullShape shape_of(const HullSurface& setup);
 
-/// Throws InputError where ratios are missing beside the Wageningen series, or given beside sections.
+/// Throws InputError if ratios are missing for the Wageningen series, or given together with sections.
 fccda::PropellerShape shape_of(const PropellerSurface& setup);
 
 }  // namespace perimpact

@@ -19,13 +19,13 @@ AnalyticShape shape_of(const ImpactorSetup& setup) {
   const auto* cylinder = std::get_if<CylinderSurface>(&setup.surface);
   if (!cylinder)
     throw SetupError("impactors." + setup.name + ".surface",
-                     "the analytic detector knows cylinders and spheres only; take the detector swept for any other surface.");
+                     "the analytic detector supports cylinders and spheres only; use detector: swept for any other surface.");
   Vec3d axis{};
   axis[static_cast<std::size_t>(cylinder->axis.index)] = 1;
   return InfiniteCylinder{.radius = cylinder->diameter / 2, .axis = axis};
 }
 
-/// `shared`: what detectors of this impactor search on, made by the first that needs it.
+/// `shared`: search structure of this impactor's detectors, built by the first that needs it.
 Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, const std::shared_ptr<const Surface>& surface, SharedSurface& shared,
                        const ContactBounds& region, double spacing) {
   const double radius = contact.radius_ratio * spacing;
@@ -41,13 +41,13 @@ Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& c
   return Swept(shared, region, radius);
 }
 
-/// While a simulation runs, an impulse or a turn out of range is no mistake of the deck.
+/// During a run, an impulse or rotation out of range is a RunError, not an error of the deck.
 template <class Act>
 auto in_run(const std::string& impactor, const Act& act) {
   try {
     return act();
   } catch (const InputError& error) {
-    throw RunError(fmt::format("impactors.{}: {} The run has become unstable; take a smaller time.step.", impactor, error.what()));
+    throw RunError(fmt::format("impactors.{}: {} The run has become unstable; use a smaller time.step.", impactor, error.what()));
   }
 }
 
@@ -119,7 +119,7 @@ fccda::Effort Impactor::effort(std::size_t body) const {
 
 void Impactor::advance(const Step& step) {
   prescribed_.impose(body_, step);
-  if (water_) float_in_water(step);  // before the loads: damping would take a share of what they give, and move the place at rest by c Δt
+  if (water_) float_in_water(step);  // before the loads: otherwise damping would reduce their impulse, and shift the equilibrium by c Δt
   load_work_ += apply(loads_, body_, step);
   coupling_ = Coupling(body_);
   motion_ = in_run(name_, [&] { return coupling_.advance(body_, step.dt); });
@@ -206,7 +206,7 @@ void Impactor::finish_step() {
   account_.angular_impulse += last_step_.angular_impulse;
 }
 
-// Counts particles, not blows: several impactors may push one back and forth within a step.
+// Counts particles, not impulses: several impactors may act on one within a step.
 void Impactor::count_in_contact() {
   std::vector<std::size_t> points;
   for (auto contact_impulse = pending_.begin(); contact_impulse != pending_.end();) {

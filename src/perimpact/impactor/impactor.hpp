@@ -1,4 +1,4 @@
-/// A rigid body and what it takes to find out which particles it strikes.
+/// Rigid impactor: rigid body, surface, contact detectors and ledgers.
 #pragma once
 
 #include <cstdint>
@@ -26,129 +26,129 @@
 
 namespace perimpact {
 
-/// What contact and water did to an impactor so far. Who wants means over an interval takes differences.
+/// Cumulative ledger of contact and water; means over intervals are differences.
 struct Account {
   Vec3d impulse{};           ///< [N s]
   Vec3d angular_impulse{};   ///< [N m s] about the centre of mass
-  std::size_t contacts = 0;  ///< particles struck in the last step
+  std::size_t contacts = 0;  ///< particles in contact in the last step
 
   double water_impulse = 0;       ///< [N s] of weight, buoyancy and damping, upward
   Vec3d water_angular_impulse{};  ///< [N m s] of these about the centre of mass
 };
 
-/// A particle that an impactor struck, and what the impactor got for it.
+/// Contact impulse of a particle on an impactor.
 struct ContactImpulse {
   std::size_t body;  ///< index; the contact's point is a slot of it
   fccda::Contact contact;
   Vec3d impulse;  ///< [N s] on the impactor
 };
 
-/// What contact did to an impactor in the last step that was made.
+/// Contact on an impactor in the last step.
 struct LastStep {
   Vec3d impulse{};                               ///< [N s]
   Vec3d angular_impulse{};                       ///< [N m s] about the centre of mass
-  std::vector<ContactImpulse> contact_impulses;  ///< body by body; a particle that other impactors pushed back may be there again
+  std::vector<ContactImpulse> contact_impulses;  ///< by body; a particle pushed back by other impactors may occur more than once
 };
 
-/// How an impactor lay in the water at t = 0.
+/// Hydrostatics of an impactor at t = 0.
 struct PlacedInWater {
   fccda::Hydrostatics hydrostatics;
-  double draft_;               ///< [m] of its lowest place; negative where that is above water
-  std::optional<double> rise;  ///< [m] to where it would be at rest as it is turned; nothing where it sinks
+  double draft;               ///< [m] draft of its lowest point; negative above water
+  std::optional<double> rise;  ///< [m] to equilibrium in this attitude; empty if it sinks
 };
 
-/// Particles of a body that found no place outside of all impactors.
+/// Particles of a body for which no position outside all impactors was found.
 struct UnresolvedPenetration {
   std::uint64_t count = 0;  ///< summed over steps
-  double first = 0;         ///< [s] time when one was first, where any was
+  double first = 0;         ///< [s] time of the first, if any
 };
 
 class Impactor {
  public:
-  /// One detector for each of the bodies, in order. Throws SetupError.
+  /// Creates one detector per body, in order. Throws SetupError.
   Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies);
 
-  /// Takes up what motion tables and loads say for the step, and moves the impactor as without contact.
+  /// Applies motion tables and loads for the step, and moves the impactor as without contact.
   void advance(const fccda::Step& step);
 
-  /// Detects, relocates, and changes the velocities of particles (contact.md, "Per step"; seed paper, eqs. 8–10). The impulse of it is collected;
-  /// the impactor gets it from finish_step(). Returns what it found, until the next call.
+  /// Detects, relocates, and changes the velocities of particles (contact.md, "Per step"; Zhang et al., eqs. 8–10). Impulses are collected
+  /// and applied to the impactor by finish_step(). Returns the contacts, valid until the next call.
   std::span<const fccda::Contact> resolve_contact(std::size_t body, ContactParticles& particles);
 
-  /// The same for particles, in rising order, that other impactors displaced after `strike` in this step.
+  /// The same for particles, ascending, that other impactors displaced after resolve_contact() in this step.
   std::span<const fccda::Contact> resolve_contact_again(std::size_t body, ContactParticles& particles, std::span<const std::size_t> which);
 
-  /// Those of the particles that are inside the surface at the end of the step, or nearer to it than the contact radius.
+  /// Those particles that are inside the surface at the end of the step, or nearer to it than the contact radius.
   std::vector<std::size_t> still_inside(std::size_t body, const ContactParticles& particles, std::span<const std::size_t> which);
 
-  /// Whether the impactor moved as the impulses of this pass say, or well enough. Held impactors do, and those of the detector `published`, which
-  /// get their impulse after the step as in the seed paper.
+  /// True if the impactor's motion is consistent with the impulses of this pass within tolerance. Always true for constrained impactors, and
+  /// for the detector `published`, which applies the impulse after the step as in the FCCDA paper.
   bool moved_with_contact() const;
 
-  /// Begins another pass over all bodies, from where the particles were before the first: the impactor moves with the impulses of the last one.
-  /// `last`: it is the last pass; where the others led nowhere, the impactor moves as without contact again.
+  /// Begins another pass over all bodies from the initial particle positions; the impactor moves with the impulses of the previous pass.
+  /// `last`: of the last pass; if the passes have not converged, the impactor again moves as without contact.
   void repeat_step(bool last);
 
-  /// After the last pass: gives the impactor its impulse, and takes contact into the accounts.
+  /// After the last pass: applies the impulse to the impactor and updates the ledgers.
   void finish_step();
 
-  /// So many particles of that body were left inside at `time` [s], between this impactor and others.
+  /// Records particles of the body that remain inside at `time` [s], between this impactor and others.
   void record_unresolved(std::size_t body, std::size_t particles, double time);
 
-  /// Another impactor displaced that particle of a body.
+  /// Notifies that another impactor displaced this particle.
   void moved(std::size_t body, std::size_t particle);
 
-  /// After finish_step(): that particle was put back on a prescribed course.
+  /// After finish_step(): the particle was relocated to its prescribed position.
   void put_back(std::size_t body, std::size_t particle);
 
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return body_; }
   const fccda::Surface& surface() const { return *surface_; }
-  std::size_t crossing_panels() const { return crossing_panels_; }  ///< of the surface as given, that go through one another within one body
-  const fccda::SurfaceReport& report_as_given() const { return remeshing_ ? remeshing_->given : surface_->report(); }  ///< before panels were changed
-  const std::optional<Remeshing>& remeshing() const { return remeshing_; }  ///< of the surface, where the deck asks for any
+  std::size_t crossing_panels() const { return crossing_panels_; }  ///< intersecting panels within one body of the given surface
+  const fccda::SurfaceReport& report_as_given() const { return remeshing_ ? remeshing_->given : surface_->report(); }  ///< before remeshing
+  const std::optional<Remeshing>& remeshing() const { return remeshing_; }                                             ///< of the surface, if any
   const ImpactorBounds& region() const { return region_; }
   const fccda::Published* published(std::size_t body) const { return std::get_if<fccda::Published>(&detectors_[body]); }
-  /// False where contacts name no panel: with the analytic detector.
+  /// False if contacts have no panels, with the analytic detector.
   bool names_panels() const { return detectors_.empty() || !std::holds_alternative<fccda::Analytic>(detectors_.front()); }
-  fccda::Effort effort(std::size_t body) const;  ///< of detection against that body so far
+  fccda::Effort effort(std::size_t body) const;  ///< cumulative, of detection against that body
 
-  /// Slots of that body whose particles are inside the surface, or nearer to it than the contact radius. Touching is not inside.
+  /// Slots of that body whose particles are inside the surface, or nearer to it than the contact radius (exclusive).
   std::vector<std::size_t> initial_overlap(std::size_t body, const ContactParticles& particles) const;
 
-  /// Where particles of that body at such places belong; nothing where no place is clear of the surface.
+  /// Nearest positions outside the surface for particles of that body; empty if there is none.
   std::vector<std::optional<Vec3d>> nearest_outside(std::size_t body, std::span<const Vec3d> places) const;
 
-  std::size_t buried_triangles() const;  ///< of the surface, that may lie in another of its closed parts; 0 where the detector does not ask
+  std::size_t buried_triangles() const;  ///< triangles that may lie inside another closed part of the surface; 0 if the detector does not need them
   const UnresolvedPenetration& unresolved(std::size_t body) const { return unresolved_[body]; }
 
-  /// How many particles came to be inside where the region clips the surface; they were not struck.
+  /// Number of particles that penetrated where the contact bounds clip the surface, without contact.
   std::uint64_t entered_inside(std::size_t body) const;
 
   const Account& account() const { return account_; }
-  const LastStep& last_step() const { return last_step_; }  ///< empty before the first, and where a run was resumed
-  /// Those of the last step's blows whose particles were not put back on a prescribed course after it; none where the impactor gets its
-  /// impulse after the step.
+  const LastStep& last_step() const { return last_step_; }  ///< empty before the first step, and after a restart
+  /// Contact impulses of the last step, without particles relocated to a prescribed position; empty if the impulse is applied after the
+  /// step.
   std::vector<ContactImpulse> contact_impulses_now() const;
-  /// [J] at the end of the last step, contact going on as in it: its velocity is that of the middle of the step.
+  /// [J] at the end of the last step, assuming constant contact forces, since the velocity is that of mid-step.
   double kinetic_energy() const;
-  std::span<const NamedGauge> gauges() const { return gauges_; }  ///< what they summed so far
+  std::span<const NamedGauge> gauges() const { return gauges_; }  ///< with cumulative sums
 
-  /// The fastest that it is sure to become: of each degree of freedom, what it has now or the most that its table ever says.
+  /// Largest known velocity: per degree of freedom the current one or the maximum of its table.
   Vec3d fastest_velocity() const;          ///< [m/s] of the centre of mass
   Vec3d fastest_angular_velocity() const;  ///< [rad/s]
 
-  /// False where a table, a load or water changes the velocity without any contact.
+  /// False if a table, a load or water changes the velocity without contact.
   bool coasts() const { return prescribed_.is_empty() && loads_.empty() && !water_; }
-  double constraint_work() const { return body_.constraint_work(); }  ///< [J] done so far by what holds and drives the degrees of freedom that are not free
-  double load_work() const { return load_work_; }                     ///< [J] done so far by the applied loads
-  double contact_work() const { return contact_work_; }               ///< [J] done on it so far by contact
-  double work_on_particles() const { return work_on_particles_; }     ///< [J] done so far on the particles that it struck (docs/theory/energy.md)
-  double water_work() const { return water_work_; }                   ///< [J] done so far by weight, buoyancy and their damping
+  double constraint_work() const { return body_.constraint_work(); }  ///< [J] cumulative, of constraints and prescribed motion
+  double load_work() const { return load_work_; }                     ///< [J] cumulative, of applied loads
+  double contact_work() const { return contact_work_; }               ///< [J] cumulative, on the impactor by contact
+  double work_on_particles() const { return work_on_particles_; }     ///< [J] cumulative, on particles in contact (docs/theory/energy.md)
+  double water_work() const { return water_work_; }                   ///< [J] cumulative, of weight, buoyancy and their damping
 
   const std::optional<fccda::StillWater>& water() const { return water_; }
-  fccda::Hydrostatics hydrostatics() const { return fccda::hydrostatics(body_, *surface_, *water_); }  ///< now, where there is water
-  double draft_() const { return water_->level - keel(body_, *surface_); }                             ///< [m] now, likewise; negative above water
+  fccda::Hydrostatics hydrostatics() const { return fccda::hydrostatics(body_, *surface_, *water_); }  ///< current; requires water
+  double draft() const { return water_->level - keel(body_, *surface_); }                             ///< [m] current; requires water; negative above water
   const std::optional<PlacedInWater>& placed_in_water() const { return placed_in_water_; }
 
   const ContactRecord& record() const { return record_; }
@@ -157,7 +157,7 @@ class Impactor {
   /// Closes the interval over which loads of panels are averaged.
   void end_load_interval(double time, double duration) { record_.end_load_interval(time, duration); }
 
-  /// As base/state.hpp says.
+  /// See base/state.hpp.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     auto its = fccda::under(name_, visit);
@@ -172,7 +172,7 @@ class Impactor {
     }
   }
 
-  /// The same of what was only noted, and changes no step.
+  /// Record, which does not affect steps.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
     auto its = fccda::under(name_, visit);
@@ -198,7 +198,7 @@ class Impactor {
   Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, std::size_t crossing_panels, Remeshed remeshed);
 
   void float_in_water(const fccda::Step& step);
-  /// A blow of this pass, which another pass may replace.
+  /// Contact impulse of this pass, which a further pass may replace.
   struct Pending {
     ContactImpulse contact_impulse;
     Vec3d place;              // [m] where it acts
@@ -217,7 +217,7 @@ class Impactor {
   fccda::RigidBody body_;
   double radius_;  // [m] of all vertices about the centre of mass
   double friction_;
-  std::vector<fccda::Detector> detectors_;  // one a body
+  std::vector<fccda::Detector> detectors_;  // one per body
   fccda::Motion motion_;
   std::vector<fccda::Contact> contacts_;           // of the latest detection
   std::vector<UnresolvedPenetration> unresolved_;  // by body

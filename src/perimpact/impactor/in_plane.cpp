@@ -12,7 +12,7 @@ namespace perimpact {
 
 namespace {
 
-/// The first degree of freedom, of those that leave the plane, in which it may move.
+/// The first out-of-plane degree of freedom in which it may move.
 std::optional<std::string_view> way_out_of_plane(const ImpactorSetup& setup, const Impactor& impactor) {
   const Vec3d velocity = impactor.fastest_velocity(), spin = impactor.fastest_angular_velocity();
   const bool moves[] = {false, false, velocity.z != 0, spin.x != 0, spin.y != 0, false};
@@ -27,11 +27,11 @@ std::optional<std::string_view> way_out_of_plane(const ImpactorSetup& setup, con
 void expect_in_plane(const ImpactorSetup& setup, const Impactor& impactor, const Particles& particles, double reach) {
   const std::string key = "impactors." + setup.name;
   if (const auto degree = way_out_of_plane(setup, impactor))
-    throw SetupError(key, fmt::format("{} moves or is free in {}, but a body that it may strike is plane: it must stay in the plane; let it move along x and y "
-                                      "and turn about z alone.",
-                                      setup.name, *degree));
+    throw SetupError(
+        key, fmt::format("{} moves or is free in {}, but a body that it may contact is plane: restrict it to motion along x and y and rotation about z.",
+                         setup.name, *degree));
   if (particles.size() == 0) return;
-  constexpr double upright = 1e-6;  // of a unit normal along z: what vertices rounded to single precision leave
+  constexpr double upright = 1e-6;  // of a unit normal along z: vertices rounded to single precision
   const double plane = particles.position.at(particles.slot_of().front()).z;
   const fccda::Surface& surface = impactor.surface();
   const fccda::Pose& pose = impactor.body().pose();
@@ -43,21 +43,18 @@ void expect_in_plane(const ImpactorSetup& setup, const Impactor& impactor, const
       const Vec3d &a = corners[e], &b = corners[(e + 1) % 3];
       const bool is_near = std::min(a.z, b.z) < plane + reach && std::max(a.z, b.z) > plane - reach;
       if (!is_near || surface.neighbour(t, e) >= 0 || std::fabs(b.z - a.z) >= (1 - upright) * norm(b - a)) continue;
-      throw SetupError(
-          key + ".surface",
-          fmt::format("a body that {} may strike is plane, at z = {:.6g} m, but the surface ends near there: at ({:.4g}, {:.4g}, {:.4g}) m. A plane "
-                      "body stands for one that goes on along z; let the surface reach from {:.3g} m below the plane to as much above it.",
-                      setup.name, plane, a.x, a.y, a.z, reach));
+      throw SetupError(key + ".surface",
+                       fmt::format("a body that {} may contact is plane, at z = {:.6g} m, but the surface ends near there: at ({:.4g}, {:.4g}, {:.4g}) m. A "
+                                   "plane body extends along z; let the surface reach from {:.3g} m below the plane to as much above it.",
+                                   setup.name, plane, a.x, a.y, a.z, reach));
     }
     const double lean = std::fabs(pose.turn_to_world(surface.normal(t)).z);
     if (lean <= upright) continue;
     const Vec3d at = (corners[0] + corners[1] + corners[2]) / 3;
-    throw SetupError(
-        key + ".surface",
-        fmt::format("a body that {} may strike is plane, at z = {:.6g} m, but the surface does not run along z where it meets it: a panel at ({:.4g}, "
-                    "{:.4g}, {:.4g}) m leans by {:.3g} degrees. A plane body stands for one that goes on along z, so take a surface that does, as a "
-                    "cylinder with axis z, from {:.3g} m below the plane to as much above it.",
-                    setup.name, plane, at.x, at.y, at.z, std::asin(std::min(lean, 1.0)) * 180 / std::numbers::pi, reach));
+    throw SetupError(key + ".surface", fmt::format("a body that {} may contact is plane, at z = {:.6g} m, but the surface does not run along z where it meets "
+                                                   "it: a panel at ({:.4g}, {:.4g}, {:.4g}) m is inclined by {:.3g} degrees. A plane body extends along z; use "
+                                                   "a prismatic surface, such as a cylinder with axis z, from {:.3g} m below the plane to as much above it.",
+                                                   setup.name, plane, at.x, at.y, at.z, std::asin(std::min(lean, 1.0)) * 180 / std::numbers::pi, reach));
   }
 }
 

@@ -22,7 +22,7 @@ fccda::Refinement refinement_of(const RefinementSetup& setup) {
   return refinement;
 }
 
-/// Changed panels are wound outward already, whatever the given ones were.
+/// Remeshed panels are already oriented outward.
 Surface surface_of(const fccda::Panels& panels, const std::string& name) { return Surface(panels, {.orientation = fccda::Orientation::normals, .name = name}); }
 
 }  // namespace
@@ -30,10 +30,9 @@ Surface surface_of(const fccda::Panels& panels, const std::string& name) { retur
 Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
   if (!setup.coarsen && setup.refine.empty()) return {std::move(given), std::nullopt};
   if (given.report().cut_edges > 0) {
-    throw SetupError(
-        "impactors." + setup.name,
-        "the surface is cut along edges of more than two panels, and its panels would no longer meet there once some are halved or merged; delete the "
-        "inner walls, or leave refine and coarsen out.");
+    throw SetupError("impactors." + setup.name,
+                     "the surface is cut along non-manifold edges (more than two panels), where panels would no longer meet after bisection or merging; delete "
+                     "the inner walls, or omit refine and coarsen.");
   }
   Remeshing remeshing{.given = given.report()};
   Surface surface = std::move(given);
@@ -46,7 +45,7 @@ Remeshed remeshed(Surface given, const ImpactorSetup& setup) {
       surface = surface_of(coarse.panels, setup.name);
       fccda::expect_no_pockets(self_intersections(surface, fccda::Bvh(surface)), setup.name);
     } catch (const fccda::InputError& error) {
-      throw SetupError("impactors." + setup.name + ".coarsen", error.in_words_of(deck_words) + " Coarsening made it so: take a smaller max_deviation.");
+      throw SetupError("impactors." + setup.name + ".coarsen", error.in_words_of(deck_words) + " This results from coarsening; use a smaller max_deviation.");
     }
   }
   if (!setup.refine.empty()) {

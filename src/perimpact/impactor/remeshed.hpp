@@ -1,4 +1,4 @@
-/// The surface of an impactor with its panels changed as the deck asks: coarsened first, then refined.
+/// Remeshed surface of an impactor: coarsened first, then refined.
 #pragma once
 
 #include <optional>
@@ -9,24 +9,24 @@
 namespace perimpact {
 
 struct CoarseningReport {
-  std::size_t panels = 0;    ///< left
-  double distance = 0;       ///< [m] proven bound of how far the surface moved
-  double volume_change = 0;  ///< [m³] of what it encloses
+  std::size_t panels = 0;    ///< after coarsening
+  double distance = 0;       ///< [m] proven bound of the deviation
+  double volume_change = 0;  ///< [m³] of the enclosed volume
 };
 
-/// What was done to the panels.
+/// Report of the remeshing.
 struct Remeshing {
-  fccda::SurfaceReport given;  ///< the surface as file or shape have it
+  fccda::SurfaceReport given;  ///< of the original surface
   std::optional<CoarseningReport> coarsened;
   bool is_refined = false;
 };
 
 struct Remeshed {
   fccda::Surface surface;
-  std::optional<Remeshing> remeshing;  ///< nothing where the deck asks for none
+  std::optional<Remeshing> remeshing;  ///< empty without remeshing
 };
 
-/// Throws SetupError with the key of what cannot be done.
+/// Throws SetupError with the key of the failing operation.
 Remeshed remeshed(fccda::Surface given, const ImpactorSetup& setup);
 
 }  // namespace perimpact

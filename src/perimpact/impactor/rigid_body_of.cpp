@@ -18,22 +18,22 @@ std::string key_of(const ImpactorSetup& setup) { return "impactors." + setup.nam
 
 double mass_of(const ImpactorSetup& setup, const Surface& surface) {
   if (setup.mass.has_value() == setup.density.has_value())
-    throw SetupError(key_of(setup), fmt::format("impactor {} needs a mass or a density, and not both.", setup.name));
+    throw SetupError(key_of(setup), fmt::format("impactor {} needs either a mass or a density.", setup.name));
   if (setup.mass) return *setup.mass;
   if (!surface.is_closed())
-    throw SetupError(key_of(setup) + ".density", fmt::format("the surface of {} is open, so it holds no volume for a density to fill; give the mass, and the "
-                                                             "inertia where a rotation is free, or close the surface.",
-                                                             setup.name));
+    throw SetupError(
+        key_of(setup) + ".density",
+        fmt::format("the surface of {} is open, so that a density defines no mass; give the mass, and the inertia if a rotation is free, or close the surface.",
+                    setup.name));
   return *setup.density * surface.report().volume;
 }
 
-/// [kg] of the water that comes along with heave: a share of what the body displaces at rest, all that it holds where it sinks.
+/// [kg] Added mass in heave: a share of the water displaced at rest, or of the enclosed volume if it sinks.
 double added_mass_of(const ImpactorSetup& setup, const Surface& surface, double mass) {
   if (!surface.is_closed())
-    throw SetupError(key_of(setup) + ".floating",
-                     fmt::format("the surface of {} is open, so nothing says what it displaces; close the surface (`perimpact mesh` says where it is open), or "
-                                 "remove floating and give the force as a load.",
-                                 setup.name));
+    throw SetupError(key_of(setup) + ".floating", fmt::format("the surface of {} is open, so that its displacement is undefined; close the surface (`perimpact "
+                                                              "mesh` shows where it is open), or remove floating and give the force as a load.",
+                                                              setup.name));
   return setup.floating->added_mass * std::min(mass, setup.floating->density * surface.report().volume);
 }
 
@@ -55,7 +55,7 @@ FreeDegrees degrees_of(const ImpactorSetup& setup) {
   return degrees;
 }
 
-/// Calls make() with the errors of what it makes placed at the key.
+/// Calls make() and attaches the key to its errors.
 template <class Make>
 auto placed(const std::string& key, const Make& make) {
   try {
@@ -75,9 +75,11 @@ RigidBody rigid_body_of(const ImpactorSetup& setup, const Surface& surface, cons
     spin[axis] = motion.velocity_at(3 + axis, 0, spin[axis]);
   }
   if (const FreeDegrees degrees = degrees_of(setup); degrees.any_rotation() && !setup.inertia && !surface.is_closed())
-    throw SetupError(key_of(setup) + ".free_dofs", fmt::format("a rotation of {} is free, but its surface is open, so it has no inertia of its own; give the "
-                                                               "inertia, close the surface, or hold the rotations.",
-                                                               setup.name));
+    throw SetupError(
+        key_of(setup) + ".free_dofs",
+        fmt::format(
+            "a rotation of {} is free, but its surface is open and defines no inertia; give the inertia, close the surface, or constrain the rotations.",
+            setup.name));
   try {
     return RigidBody(properties, Pose(setup.position), velocity, spin, degrees_of(setup));
   } catch (const InputError& error) {
@@ -92,7 +94,8 @@ PrescribedMotion motion_of(const ImpactorSetup& setup) {
     if (!table) continue;
     const std::string key = fmt::format("{}.motion.{}", key_of(setup), degree_words[degree]);
     if (std::find(setup.free_dofs.begin(), setup.free_dofs.end(), degree_words[degree]) != setup.free_dofs.end())
-      throw SetupError(key, fmt::format("{} of {} is free, so no table can move it; hold it, or remove its motion.", degree_words[degree], setup.name));
+      throw SetupError(key, fmt::format("{} of {} is free, so that its motion cannot be prescribed; remove it from free_dofs, or remove its motion.",
+                                        degree_words[degree], setup.name));
     const bool is_velocity = table->displacements.empty();
     motion.prescribe(degree, is_velocity ? PrescribedMotion::Of::velocity : PrescribedMotion::Of::displacement,
                      placed(key, [&] { return TimeTable(table->times, is_velocity ? table->velocities : table->displacements); }));

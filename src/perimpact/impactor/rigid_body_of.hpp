@@ -1,4 +1,4 @@
-/// The rigid body that a Setup asks for, and what moves it besides contact.
+/// Builds the rigid body of a Setup, with its motion, loads and water.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@
 
 namespace perimpact {
 
-/// Throws SetupError where mass and inertia cannot be had or do not suffice. Where a motion is prescribed, the body starts with its velocity.
+/// Throws SetupError if mass or inertia is undefined or insufficient. With prescribed motion, the body starts at its velocity.
 fccda::RigidBody rigid_body_of(const ImpactorSetup& setup, const fccda::Surface& surface, const fccda::PrescribedMotion& motion);
 
-/// Throw SetupError where a table cannot be used.
+/// Throw SetupError for an invalid table.
 fccda::PrescribedMotion motion_of(const ImpactorSetup& setup);
 std::vector<fccda::AppliedLoad> loads_of(const ImpactorSetup& setup);
 
-/// The water that it floats in, where it does.
+/// The water, if the impactor floats.
 std::optional<fccda::StillWater> water_of(const ImpactorSetup& setup);
 
-/// True where the mass, the centre of mass, or the inertia that a free rotation needs, comes from the volume inside the surface.
+/// True if the mass, the centre of mass, or the inertia of a free rotation follows from the enclosed volume.
 bool is_weighed_by_volume(const ImpactorSetup& setup);
 
 }  // namespace perimpact

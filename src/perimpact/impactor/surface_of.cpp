@@ -22,7 +22,7 @@ fccda::Panels panels_of(const HullSurface& s) { return fccda::make_hull(shape_of
 fccda::Panels panels_of(const PropellerSurface& s) { return fccda::make_propeller(shape_of(s)); }
 fccda::Panels panels_of(const FileSurface& s) { return panels_of_file(s); }
 
-/// Surfaces that we make ourselves are closed; a file says.
+/// Generated surfaces are closed; for a file the deck declares the orientation.
 fccda::Orientation orientation(const SurfaceSetup& setup) {
   const auto* file = std::get_if<FileSurface>(&setup);
   return file ? file->orientation.as<fccda::Orientation>() : fccda::Orientation::undeclared;

@@ -1,4 +1,4 @@
-/// The surface that a Setup asks for.
+/// Builds the surface of a Setup.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace perimpact {
 
-/// A surface that cannot be used because of some of its panels, with these, so that a picture of them can be written.
+/// Error of an invalid surface with its defective panels, so that they can be written to a file.
 class DefectiveSurface : public SetupError {
  public:
   DefectiveSurface(std::string key, std::string impactor, fccda::Panels panels, const fccda::SurfaceError& error)
@@ -32,11 +32,11 @@ class DefectiveSurface : public SetupError {
 
 struct GivenSurface {
   fccda::Surface surface;
-  std::size_t crossing_panels = 0;  ///< that go through one another; looked for in files only
+  std::size_t crossing_panels = 0;  ///< intersecting panels; checked for files only
 };
 
-/// Makes or reads the panels and builds the surface. `name`: of the impactor, for messages. Throws SetupError with the key of the
-/// surface, saying what is wrong with it; DefectiveSurface where panels can be named.
+/// Generates or reads the panels and builds the surface. `name`: of the impactor, for messages. Throws SetupError with the key of the
+/// surface; DefectiveSurface if the defective panels are known.
 GivenSurface surface_of(const SurfaceSetup& setup, const std::string& name);
 
 }  // namespace perimpact

@@ -1,4 +1,4 @@
-/// Time of a run, counted in whole steps so that it never drifts.
+/// Simulation time, counted in whole steps to avoid drift.
 #pragma once
 
 #include "fccda/rigid_body/step.hpp"
@@ -8,12 +8,12 @@ namespace perimpact {
 struct Clock {
   double dt;      ///< [s]
   long steps;     ///< of the whole run
-  long step = 0;  ///< done
+  long step = 0;  ///< completed
 
   double time() const { return static_cast<double>(step) * dt; }  ///< [s]
-  /// The step that led to now; there must have been one.
+  /// The previous step; requires step > 0.
   fccda::Step latest() const { return {static_cast<double>(step - 1) * dt, time(), dt}; }
-  /// The step that comes.
+  /// The next step.
   fccda::Step next() const { return {time(), static_cast<double>(step + 1) * dt, dt}; }
   bool is_finished() const { return step >= steps; }
 };

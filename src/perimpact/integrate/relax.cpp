@@ -15,8 +15,8 @@ namespace perimpact {
 
 namespace {
 
-/// Σ_j C_ij v V |n_p| (|n_x| + |n_y| + |n_z|), twice, for the direction p in which it is largest [N/m⁴]: the magnitudes of a row of the
-/// stiffness, the particle's own entry included. C_ij [N/m⁷] is the stiffness of a bond.
+/// Σ_j C_ij v V |n_p| (|n_x| + |n_y| + |n_z|), twice, for the direction p in which it is largest [N/m⁴]: absolute row sum of the
+/// stiffness, including the diagonal. C_ij [N/m⁷] is the stiffness of a bond.
 double largest_row(const Body& body, std::size_t slot) {
   Vec3d rows{};
   body.family.for_each_bond(slot, [&](const FamilyBond& bond) {
@@ -28,7 +28,7 @@ double largest_row(const Body& body, std::size_t slot) {
 
 Vec3d vector_at(const std::vector<double>& numbers, std::size_t k) { return {numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]}; }
 
-/// A sum over particles of two things.
+/// Sum of two quantities over particles.
 struct Quotient {
   double over = 0, under = 0;
   Quotient& operator+=(const Quotient& other) {
@@ -48,8 +48,8 @@ std::vector<double> fictitious_density(const Body& body, double dt, double safet
   });
   const double stiffest = *std::max_element(density.begin(), density.end());
   for (const std::uint32_t slot : slots)
-    if (density[slot] == 0) density[slot] = stiffest > 0 ? stiffest : body.particles.density();  // no bond pulls it
-  const double ratio = 0.25 * dt * dt * stiffest_mode(body, density);                            // just stable at 1
+    if (density[slot] == 0) density[slot] = stiffest > 0 ? stiffest : body.particles.density();  // without bonds
+  const double ratio = 0.25 * dt * dt * stiffest_mode(body, density);                            // stability limit at 1
   if (ratio > 0)
     for (const std::uint32_t slot : slots) density[slot] *= safety * ratio;
   return density;
@@ -62,7 +62,7 @@ Relaxation::Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, do
     const Particles& particles = body.particles;
     double furthest = 0;  // [m]
     for (const std::uint32_t slot : particles.slot_of()) furthest = std::max(furthest, largest_magnitude(particles.reference(slot)));
-    const double slack = 4 * std::numeric_limits<double>::epsilon() * furthest;  // [m] of a position
+    const double slack = 4 * std::numeric_limits<double>::epsilon() * furthest;  // [m] rounding of a position
     search.rounding = std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) {
       const std::size_t slot = particles.slot_of()[k];
       const double force = particles.volume(slot) * 4 * search.density[slot] / (dt * dt) * slack;
@@ -98,14 +98,13 @@ std::optional<std::vector<double>> Relaxation::relax(std::span<Body> bodies, std
     }
     if (!std::isfinite(latest_.residual))
       throw fccda::RunError(
-          fmt::format("In increment {} (t = {:.6g} s) forces are not numbers after {} iterations: the body cannot follow so large an increment; take "
-                      "smaller ones.",
-                      increment, time, latest_.iterations));
+          fmt::format("In increment {} (t = {:.6g} s) forces are not finite after {} iterations: the increment is too large; use smaller ones.", increment,
+                      time, latest_.iterations));
     if (!(latest_.iterations < setup_.max_iterations))
-      throw fccda::RunError(fmt::format(
-          "Increment {} (t = {:.6g} s) is not in equilibrium after {} iterations: the residual is {:.3g}, but the tolerance {:.3g}. Perhaps there is "
-          "no equilibrium, because something is not held, or has broken off; else allow more iterations, or take smaller increments.",
-          increment, time, latest_.iterations, latest_.residual, setup_.tolerance));
+      throw fccda::RunError(
+          fmt::format("Increment {} (t = {:.6g} s) is not in equilibrium after {} iterations: the residual is {:.3g}, but the tolerance is {:.3g}. If a part "
+                      "is unconstrained or has broken off, there is no equilibrium; otherwise increase max_iterations, or use smaller increments.",
+                      increment, time, latest_.iterations, latest_.residual, setup_.tolerance));
     if (measures_anew_) start(bodies);
     measures_anew_ = false;
     for (std::size_t b = 0; b < bodies.size(); ++b) move(bodies[b], searches_[b]);
@@ -130,7 +129,7 @@ double Relaxation::residual(std::span<Body> bodies, std::span<BoundaryConditions
       return squared_norm(particles.volume(slot) * particles.force_density.at(slot));
     }));
     const double share = unbalanced / (applied + searches_[b].rounding / setup_.tolerance);
-    if (!(share <= largest)) largest = share;  // also where it is not a number
+    if (!(share <= largest)) largest = share;  // also for NaN
   }
   return largest;
 }

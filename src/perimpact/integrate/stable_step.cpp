@@ -12,7 +12,7 @@ namespace perimpact {
 
 namespace {
 
-/// At which a damped oscillation of ω² [1/s²] and damping [1/s] begins to grow [s].
+/// Critical time step [s] of a damped oscillation with ω² [1/s²] and damping [1/s].
 double longest_step(double squared, double damping) { return (std::sqrt(damping * damping + 4 * squared) - damping) / squared; }
 
 /// Largest eigenvalue of a symmetric 3×3 matrix (Smith, Commun. ACM 4 (1961) 168).
@@ -51,7 +51,7 @@ double stiffest_springs(const Body& body) {
   return *std::max_element(stiffness.begin(), stiffness.end());
 }
 
-/// The larger of that and half of ρ ω² as safe_stable_step() has it [N/m⁴], of a material whose dilatation stores energy.
+/// The larger of that and half of ρ ω² of safe_stable_step() [N/m⁴] for a material whose dilatation stores energy.
 template <class Force>
 double stiffest_with_dilatation(const Body& body, const Force& force) {
   const std::size_t slots = body.particles.slots();
@@ -84,7 +84,7 @@ double stiffest_with_dilatation(const Body& body, const Force& force) {
   return *std::max_element(springs.begin(), springs.end());
 }
 
-/// Of Σ_j C_ij V_j [N/m⁴] as large as this, and contacts.
+/// Stable step for this Σ_j C_ij V_j [N/m⁴] and contacts.
 double step_of(double springs, const Body& body, const ShortRange::Bound& contact) {
   const double stiffest = springs + contact.stiffness, density = body.particles.density();
   if (!(stiffest > 0)) return std::numeric_limits<double>::infinity();
@@ -98,7 +98,7 @@ double silling_askari_step(const Body& body, const ShortRange::Bound& contact) {
 
 double safe_stable_step(const Body& body, const ShortRange::Bound& contact) {
   const auto stiffest = [&](const auto* force) {
-    // where a < 0 the dilatation takes from the energy of the bonds, and they alone are a bound
+    // for a < 0 the dilatation reduces the energy of the bonds, which alone are a bound
     return force && force->law().a() > 0 ? stiffest_with_dilatation(body, *force) : stiffest_springs(body);
   };
   const PlasticForce* plastic = body.internal.plastic();
@@ -110,7 +110,7 @@ double exact_stable_step(double stiffest_mode) { return stiffest_mode > 0 ? 2 / 
 
 double own_stable_step(const Body& body, const ShortRange::Bound& contact) { return own_stable_step(stiffest_mode(body), body.particles.density(), contact); }
 double own_stable_step(double stiffest_mode, double density, const ShortRange::Bound& contact) {
-  constexpr double margin = 1.02;  // what Lanczos' method finds is up to 0.7 % below
+  constexpr double margin = 1.02;  // Lanczos' method is up to 0.7 % below
   // the highest frequency of two springs together is at most that of both in their stiffest modes (Weyl's inequality)
   const double squared = margin * stiffest_mode + 2 * contact.stiffness / density;
   if (!(squared > 0)) return std::numeric_limits<double>::infinity();

@@ -27,7 +27,7 @@ class Stiffness {
   Displacements times(const Displacements& u) {
     double largest = 0;
     for (const Vec3d& one : u) largest = std::max(largest, fccda::largest_magnitude(one));
-    // strains of 1e-6: the force is linear to as much, and rounding of positions takes 1e-9 of it
+    // strains of 1e-6: linear to the same accuracy, with relative rounding of 1e-9
     const double scale = 1e-6 * body_.particles.spacing() / largest;
     Particles& particles = body_.particles;
     for (std::size_t n = 0; n < size(); ++n) particles.position.set(slot(n), particles.reference(slot(n)) + scale * u[n]);
@@ -39,7 +39,7 @@ class Stiffness {
 
   Displacements random() const {
     std::mt19937_64 bits(1);
-    const auto number = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53 - 0.5; };  // the same everywhere, which distributions are not
+    const auto number = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53 - 0.5; };  // portable, unlike std distributions
     Displacements start(size());
     for (Vec3d& one : start) one = {number(), number(), body_.particles.is_plane() ? 0 : number()};
     return start;
@@ -52,7 +52,7 @@ class Stiffness {
   std::vector<double> densities_;  // [kg/m³] of each slot
 };
 
-/// Largest eigenvalue of the symmetric tridiagonal matrix with this diagonal and these elements beside it, by bisection: below it the pivots of
+/// Largest eigenvalue of the symmetric tridiagonal matrix with this diagonal and off-diagonal, by bisection: below it the pivots of
 /// (matrix - value) are not all negative (Golub and Van Loan, 8.4).
 double largest_eigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   double low = 0, high = 0;
@@ -85,7 +85,7 @@ double stiffest_mode(const Body& body, std::vector<double> densities, int produc
     for (std::size_t n = 0; n < next.size(); ++n) next[n] -= own * current[n] + last * previous[n];
     diagonal.push_back(own);
     length = std::sqrt(stiffness.inner(next, next));
-    // nothing but rounding is left where the body has no more modes
+    // only rounding remains if the body has no more modes
     if (!(length > 1e-8 * std::max(own, last))) break;
     beside.push_back(length);
     previous = std::move(current);

@@ -15,21 +15,22 @@ ShortRangeLaw law_of(const FragmentContactSetup& setup) {
           .damping_ratio = damping_ratio_of(setup.restitution)};
 }
 
-/// Contact acts along the line from particle to particle, which must not lead out of a plane body.
+/// Contact acts along the line between particles, which must stay in the plane of a plane body.
 void expect_one_plane(std::span<const Body> bodies) {
   constexpr const char* key = "contact.fragments.law";
   const auto height = [](const Body& body) { return body.particles.reference(body.particles.slot_of().front()).z; };
   for (const Body& body : bodies) {
     const Body& first = bodies.front();
     if (body.particles.is_plane() != first.particles.is_plane())
-      throw SetupError(key,
-                       fmt::format("body {} is plane and body {} is not, but only bodies of the same dimension can touch; write law: none, or give both the "
-                                   "same plane.",
-                                   body.particles.is_plane() ? body.name : first.name, body.particles.is_plane() ? first.name : body.name));
+      throw SetupError(key, fmt::format("body {} is plane and body {} is not, but contact is supported between bodies of the same dimension only; set law: "
+                                        "none, or give both the same plane.",
+                                        body.particles.is_plane() ? body.name : first.name, body.particles.is_plane() ? first.name : body.name));
     if (body.particles.is_plane() && height(body) != height(first))
-      throw SetupError(key, fmt::format("the plane bodies {} and {} lie at z = {} m and {} m, but only bodies in one plane can touch; give them the same z, or "
-                                        "write law: none.",
-                                        first.name, body.name, height(first), height(body)));
+      throw SetupError(
+          key,
+          fmt::format(
+              "the plane bodies {} and {} lie at z = {} m and {} m, but contact is supported within one plane only; give them the same z, or set law: none.",
+              first.name, body.name, height(first), height(body)));
   }
 }
 
@@ -54,8 +55,8 @@ std::optional<ShortRange> short_range_of(const Setup& setup, std::span<Body> bod
 
 std::string warning_of_overlap(const ShortRange& fragments) {
   return fmt::format(
-      "{} pairs of particles start nearer to one another than their contact distance, and the {:.3g} J of their springs will push them apart. Move the "
-      "bodies apart, or take a smaller contact.fragments.distance_ratio.",
+      "{} pairs of particles are initially closer than their contact distance, and {:.3g} J of their springs will push them apart. Increase the distance of "
+      "the bodies, or use a smaller contact.fragments.distance_ratio.",
       fragments.touching(), fragments.energy());
 }
 

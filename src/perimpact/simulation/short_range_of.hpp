@@ -1,4 +1,4 @@
-/// The short-range force that a deck asks for, between the bodies that it makes.
+/// Builds the short-range force of a deck between its bodies.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@
 
 namespace perimpact {
 
-/// `bodies`: made of setup.bodies, in that order.
+/// `bodies`: built from setup.bodies, in the same order.
 std::vector<ContactingBody> contacting_bodies(const Setup& setup, std::span<Body> bodies);
 
-/// Nothing where contact.fragments.law is none. Throws SetupError where bodies of two dimensions do not lie in one plane, or not all are.
+/// Empty if contact.fragments.law is none. Throws SetupError if 2-D bodies do not lie in one plane or are mixed with 3-D ones.
 std::optional<ShortRange> short_range_of(const Setup& setup, std::span<Body> bodies);
 
-/// That particles touch before anything has moved: a sentence.
+/// Warning about initial overlap of contact distances.
 std::string warning_of_overlap(const ShortRange& fragments);
 
 }  // namespace perimpact

@@ -48,7 +48,7 @@ std::vector<Impactor> place(const Setup& setup, std::span<Particles> particles) 
   return impactors;
 }
 
-/// Slots of that body inside that impactor where they are now: nothing moves in a step of no duration.
+/// Slots of the body currently inside the impactor, by a step of zero duration.
 std::vector<std::size_t> inside_now(const Impactor& impactor, std::size_t body, Particles& particles) {
   return impactor.initial_overlap(body, ContactParticles(particles, {}, 0));
 }
@@ -65,8 +65,7 @@ void refuse(Start& start, const Setup& setup) {
     const std::string& impactor = setup.impactors[i].name;
     throw SetupError("impactors." + impactor + ".position",
                      fmt::format("impactor {} starts inside body {}: {} particles are inside its surface, or nearer to it than the contact radius. Move it "
-                                 "away, or check the units of its surface; or say what becomes of them with contact.impactors.initial_overlap: remove or "
-                                 "project.",
+                                 "away, check the units of its surface, or set contact.impactors.initial_overlap: remove or project.",
                                  impactor, setup.bodies[b].name, slots.size()));
   });
 }
@@ -75,7 +74,7 @@ void remove(Start& start, const Setup& setup) {
   for_each_inside(start, [&](std::size_t i, std::size_t b, std::vector<std::size_t> slots) {
     if (slots.size() == start.particles[b].size())
       throw SetupError("impactors." + setup.impactors[i].name + ".position",
-                       fmt::format("every particle that body {} has left is inside impactor {}, so initial_overlap: remove leaves nothing of it. Move the "
+                       fmt::format("all remaining particles of body {} are inside impactor {}, so that initial_overlap: remove leaves nothing of it. Move the "
                                    "impactor away, or check the units of its surface.",
                                    setup.bodies[b].name, setup.impactors[i].name));
     start.particles[b].remove(slots);
@@ -83,7 +82,7 @@ void remove(Start& start, const Setup& setup) {
   });
 }
 
-/// Out of one impactor a particle may be in another, so it takes rounds. A particle is counted for every impactor it was put on.
+/// A particle projected out of one impactor may be in another, hence the rounds. It is counted for every impactor.
 void project(Start& start, const Setup& setup) {
   constexpr int most_rounds = 4;
   for (int round = 0; round < most_rounds; ++round)
@@ -107,11 +106,10 @@ void project(Start& start, const Setup& setup) {
   for (InitialPenetration& entry : start.inside)
     for (const std::size_t slot : entry.slots) entry.furthest = std::max(entry.furthest, norm(start.particles[entry.body].displacement(slot)));
   for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
-    throw SetupError(
-        "impactors." + setup.impactors[i].name + ".position",
-        fmt::format("{} particles of body {} that start inside impactor {} cannot be put on its surface: no place near them is clear of all impactors. "
-                    "Write initial_overlap: remove, or move the impactor away.",
-                    slots.size(), setup.bodies[b].name, setup.impactors[i].name));
+    throw SetupError("impactors." + setup.impactors[i].name + ".position",
+                     fmt::format("{} particles of body {} that start inside impactor {} cannot be projected onto its surface, because no position near them is "
+                                 "outside all impactors. Set initial_overlap: remove, or move the impactor away.",
+                                 slots.size(), setup.bodies[b].name, setup.impactors[i].name));
   });
 }
 
@@ -151,12 +149,12 @@ std::vector<std::string> warnings_of(std::span<const InitialPenetration> inside,
         fmt::format("Impactor {} starts inside body {}: {} particles that were inside its surface, or nearer to it than the contact radius,",
                     setup.impactors[entry.impactor].name, bodies[entry.body].name, entry.slots.size());
     if (setup.contact.impactors.initial_overlap.as<InitialOverlap>() == InitialOverlap::remove)
-      warnings.push_back(fmt::format("{} were removed. The body has a hole there.", where));
+      warnings.push_back(fmt::format("{} were removed; the body has a hole there.", where));
     else
-      warnings.push_back(fmt::format(
-          "{} were put on it, the furthest moved by {:.3g} m. Bonds start with stretches up to {:.2g}, so the body is not at rest. Move the impactor "
-          "away if that is too much.",
-          where, entry.furthest, largest_stretch(bodies[entry.body], entry.slots)));
+      warnings.push_back(
+          fmt::format("{} were projected onto it, by at most {:.3g} m. Bonds start with stretches up to {:.2g}, so that the body is not at rest. Move the "
+                      "impactor away if this is too much.",
+                      where, entry.furthest, largest_stretch(bodies[entry.body], entry.slots)));
   }
   return warnings;
 }

@@ -59,13 +59,13 @@ def shape(scene):
     scene.assertTrue(0.99 < surface["volume [m3]"] / (hull + sail) < 1, surface["volume [m3]"])
 
 
-@claim("submarine_surfacing: without ice it comes to rest at its draught, and displaces its mass")
+@claim("submarine_surfacing: without ice it comes to rest at its draft, and displaces its mass")
 def open_water(scene):
     (scene.folder / "open_water.yaml").write_text(OPEN_WATER.format(file=CASE / "submarine.obj"))
     scene.expect_success("run", "open_water.yaml", "--out", "out")
     floating, columns = scene.report("out")["impactors"]["submarine"]["floating"], scene.history("out")
     # what is left of 6 m decays with half the damping, e^-0.6 a second over the 9 s since it came out of the water: 0.5 %
-    scene.assertAlmostEqual(floating["draught [m]"], floating["draught_at_rest [m]"], delta=0.03)
+    scene.assertAlmostEqual(floating["draft [m]"], floating["draft_at_rest [m]"], delta=0.03)
     scene.assertAlmostEqual(floating["displaced [kg]"] / 2000e3, 1, delta=0.01)
     # deep, lift and damping come to a balance: (ρ V - m) g = c (m + a) v, within e^-1.2 a second of the 3.5 s that it is under water
     lift = (floating["displaced_at_start [kg]"] - 2000e3) * 9.81

@@ -84,26 +84,27 @@ contact: {impactors: {detector: published, reading: letter, starting_inside: rem
 output: {history: 1 us, checkpoint_every: 10 s}
 )";
 
+/// With the surface part.stl in the deck's folder.
 deck::Deck read(const std::string& text, const std::vector<std::string>& overrides = {}) {
   static const fixtures::TemporaryFolder folder;
-  std::ofstream(folder.path() / "part.stl") << "solid\n";
+  fixtures::put(folder.path() / "part.stl", "solid\n");
   return deck::read_deck_text(text, "deck.yaml", folder.path(), overrides);
 }
 
 std::string complaint(const std::string& text) {
   try {
     read(text);
+    return "";
   } catch (const fccda::InputError& error) {
     return error.what();
   }
-  return "";
 }
 
 std::vector<std::string> warnings_of(const std::string& deck, std::vector<std::string> overrides = {}) { return read(deck, overrides).warnings; }
 
 }  // namespace
 
-TEST_CASE("deprecated keys: a deck of former names is read as the same deck of current names, with a warning for each at its line and column") {
+TEST_CASE("deprecated keys: a deck with former names equals that with current names, with one warning per name and position") {
   CHECK(warnings_of(current).empty());
   const deck::Deck deck = read(former);
   CHECK(deck::setup_to_text(deck.setup) == deck::setup_to_text(read(current).setup));
@@ -112,7 +113,7 @@ TEST_CASE("deprecated keys: a deck of former names is read as the same deck of c
   CHECK(deck.places.of("bodies.sheet.add") == "deck.yaml:8:5");
 }
 
-TEST_CASE("deprecated keys: a former name in --set changes the value of a deck in current names, wholly or inside") {
+TEST_CASE("deprecated keys: a former name in --set changes the value of a deck in current names, as a whole or in part") {
   const Setup changed = read(current, {"bodies.sheet.boundaries.rim.fixed.region=none", "output.history=2 us", "impactors.ship.region={}"}).setup;
   CHECK(std::get<FixedSetup>(changed.bodies[0].boundary_conditions[0].kind).particle_set == "none");
   CHECK(changed.bodies[0].boundary_conditions.size() == 2);
@@ -120,7 +121,7 @@ TEST_CASE("deprecated keys: a former name in --set changes the value of a deck i
   CHECK(std::holds_alternative<std::monostate>(changed.impactors[0].contact_bounds.shape));
 }
 
-TEST_CASE("deprecated keys: a current name in --set changes the value of a deck in former names, wholly or inside") {
+TEST_CASE("deprecated keys: a current name in --set changes the value of a deck in former names, as a whole or in part") {
   const Setup changed =
       read(former, {"bodies.sheet.boundary_conditions.rim.fixed.particle_set=none", "output.history_interval=2 us", "impactors.ship.contact_bounds={}"}).setup;
   CHECK(std::get<FixedSetup>(changed.bodies[0].boundary_conditions[0].kind).particle_set == "none");
@@ -140,7 +141,7 @@ TEST_CASE("deprecated keys: a deck that gives one value under both names is refu
   CHECK(read(sets).setup.bodies[0].particle_sets.size() == 2);
 }
 
-TEST_CASE("deprecated keys: a name that a user chose is left alone, whatever it is") {
+TEST_CASE("deprecated keys: user-chosen names are never renamed") {
   std::string text = current;
   for (std::size_t at = text.find("rim"); at != std::string::npos; at = text.find("rim", at + 1)) text.replace(at, 3, "regions");
   CHECK(warnings_of(text).empty());

@@ -1,4 +1,4 @@
-// What a deck may say about a surface from a file.
+// Keys of a surface from a file.
 #include <fstream>
 #include <numbers>
 
@@ -39,7 +39,7 @@ void check_refused(const std::string& keys, std::string_view at, const std::stri
 
 }  // namespace
 
-TEST_CASE("file surface: nothing is changed where the deck says nothing") {
+TEST_CASE("file surface: without keys the surface is unchanged") {
   const FileSurface surface = surface_of("");
   CHECK(surface.file == (folder() / "hull.stl").string());
   CHECK(surface.file_parts.empty());
@@ -48,7 +48,7 @@ TEST_CASE("file surface: nothing is changed where the deck says nothing") {
   CHECK((surface.rotate == Vec3d{} && surface.translate == Vec3d{}));
 }
 
-TEST_CASE("file surface: parts, planes, angles and lengths are read, with their units") {
+TEST_CASE("file surface: parts, planes, angles and lengths are read with units") {
   const FileSurface surface = surface_of(
       "file_parts: [stem, \"shell 1\"], scale: 0.001, mirror: x, mirror_merge: z, rotate: [90 deg, 0, -0.5], translate: [1 mm, 2, 3 cm], orientation: "
       "reversed");
@@ -60,26 +60,25 @@ TEST_CASE("file surface: parts, planes, angles and lengths are read, with their 
   CHECK((surface.translate.x == 1e-3 && surface.translate.y == 2 && surface.translate.z == 0.03));
 }
 
-TEST_CASE("file surface: other planes, units and angles are refused at their place") {
+TEST_CASE("file surface: invalid planes, units and angles are refused at their position") {
   check_refused("mirror_merge: w", "w}", "mirror_merge is w, but it must be one of none, x, y, z; did you mean x?");
   check_refused("mirror: port", "port}", "mirror is port, but it must be one of none, x, y, z.");
   check_refused(
       "file_parts: stem", "stem}",
-      "file_parts is stem, but a list is needed, such as [a, b]. Names of the parts of the file that are wanted; all where absent. `perimpact mesh` lists "
-      "them.");
+      "file_parts is stem, but a list is needed, such as [a, b]. Names of the parts of the file to read; all where absent. `perimpact mesh` lists them.");
   check_refused("translate: [1 kg, 0, 0]", "1 kg", "x of translate is \"1 kg\", but that is a mass; write a length, for example 9 mm.");
   check_refused("rotate: [0, 0, 90]", "90]",
-                "z of rotate is 90, but it must be from -6.2832 to 6.2832. Turns the surface about the axes x, y and z through the origin, in this order: "
+                "z of rotate is 90, but it must be from -6.2832 to 6.2832. Rotates the surface about the axes x, y and z through the origin, in this order: "
                 "[90 deg, 0, 0].");
 }
 
-TEST_CASE("file surface: whole turns either way are angles") {
+TEST_CASE("file surface: full turns in both directions are valid angles") {
   const FileSurface surface = surface_of("rotate: [360 deg, -360 deg, 180 deg]");
   CHECK(surface.rotate.x == fixtures::relative(2 * std::numbers::pi, 1e-15));
   CHECK(surface.rotate.y == -surface.rotate.x);
 }
 
-TEST_CASE("file surface: keys of files do not go with generated shapes, and shapes not with files") {
+TEST_CASE("file surface: keys of files are refused for generated shapes and vice versa") {
   const std::string text = fixtures::plate_with("axis: z, edge_length: 0.001}}", "axis: z, edge_length: 0.001}, mirror_merge: y}");
   CHECK(fixtures::complaint(text).starts_with(place_of(text, "mirror_merge") + ": mirror_merge "));
 }

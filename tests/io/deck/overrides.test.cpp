@@ -21,7 +21,7 @@ TEST_CASE("overrides: values replace those of the deck, in order, with units and
   CHECK(setup.title == "a = b");
 }
 
-TEST_CASE("overrides: what the deck does not have is made, a whole map is replaced") {
+TEST_CASE("overrides: absent keys are created, a whole map is replaced") {
   const Setup setup = read(plate, {"bodies.plate.position=[1, 0, 0]", "output.probes.edge.body=plate", "output.probes.edge.at=[0, 0.05, 0]",
                                    "impactors.cylinder.surface={sphere: {diameter: 1 m, edge_length: 1 cm}}"})
                           .setup;
@@ -31,26 +31,26 @@ TEST_CASE("overrides: what the deck does not have is made, a whole map is replac
   CHECK(std::get<SphereSurface>(setup.impactors[0].surface).diameter == 1);
 }
 
-TEST_CASE("overrides: mistakes are told at the --set that made them") {
+TEST_CASE("overrides: errors are reported at their --set") {
   CHECK(complaint(plate, {"bodies.plate.materail.density=3"}) ==
         "--set bodies.plate.materail.density: materail is not a key of bodies.plate; did you mean material?");
   CHECK(complaint(plate, {"output.frame=3"}) == "--set output.frame: frame is not a key of output; did you mean frames?");
   CHECK(complaint(plate, {"bodies.plat.spacing=1"}) == "--set bodies.plat.spacing: the deck has no bodies.plat; did you mean plate?");
   CHECK(complaint(plate, {"time.step=3 m"}) == "--set time.step: step is \"3 m\", but that is a length; write a time, for example 0.1 us.");
   CHECK(complaint(plate, {"time.step="}) ==
-        "--set time.step: step has no value; write one, or leave the key out. Time step. Where absent, 0.9 times the stable estimate of Silling and Askari "
-        "over all bodies.");
-  CHECK(complaint(plate, {"time.step.x=3"}) == "--set time.step.x: time.step is \"0.1 us\", not a map, so nothing in it can be set; set time.step itself.");
-  CHECK(complaint(plate, {"time"}) == "--set time: a key path, = and a value are needed, for example --set output.frames=0.");
-  CHECK(complaint(plate, {"=3"}) == "--set =3: a key path, = and a value are needed, for example --set output.frames=0.");
-  CHECK(complaint(plate, {"time..end=3"}) == "--set time..end=3: a key path, = and a value are needed, for example --set output.frames=0.");
+        "--set time.step: step has no value; write one, or leave the key out. Time step. Where absent, 0.9 times the stable time step estimated after Silling "
+        "and Askari, the smallest over all bodies.");
+  CHECK(complaint(plate, {"time.step.x=3"}) == "--set time.step.x: time.step is \"0.1 us\", not a map, and has no keys to set; set time.step itself.");
+  CHECK(complaint(plate, {"time"}) == "--set time: expected key.path=value, for example --set output.frames=0.");
+  CHECK(complaint(plate, {"=3"}) == "--set =3: expected key.path=value, for example --set output.frames=0.");
+  CHECK(complaint(plate, {"time..end=3"}) == "--set time..end=3: expected key.path=value, for example --set output.frames=0.");
   CHECK(complaint(plate, {"time={end: 1"}) ==
-        "--set time: a list or map stands where a key is expected; keys are single words, and every bracket must be closed.");
-  CHECK(complaint(plate, {"title='a"}) == "--set title: a quote that was opened before is not closed up to here; close it.");
+        "--set time: a list or map is given where a key is expected; keys are single words, and every bracket must be closed.");
+  CHECK(complaint(plate, {"title='a"}) == "--set title: an opening quote before this position is not closed; close it.");
   CHECK(complaint(plate, {"time={end: 1, end: 2}"}) == "--set time: end is given twice in the same map, first at --set time; keep one of the two.");
 }
 
-TEST_CASE("overrides: places name the --set, and only for what it set") {
+TEST_CASE("overrides: positions name the --set for the values it sets only") {
   const deck::Places places = read(plate, {"time.step=1 us"}).places;
   CHECK(places.of("time.step") == "--set time.step");
   CHECK(places.of("time.end") == fixtures::place_of(plate, "200 us"));

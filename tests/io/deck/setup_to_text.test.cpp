@@ -174,7 +174,7 @@ void add_boundaries(Random& random, BodySetup& body, bool relaxes) {
 }
 
 void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
-  // of y and ry, which are held here
+  // of y and ry, which are constrained here
   TranslationTable& heave = impactor.motion.y.emplace();
   fill_table(random, heave.times, random() % 2 ? heave.velocities : heave.displacements);
   RotationTable& turn = impactor.motion.ry.emplace();
@@ -279,7 +279,7 @@ void fill_shapes(Random& random, BodySetup& body) {
   }
 }
 
-/// Any model, with one of the keys that say when bonds break, or none of them.
+/// Any model, with at most one failure criterion.
 void fill_material(Random& random, BodySetup& body) {
   const MaterialSetup models[] = {OrdinaryStateSetup{}, LinearSolidSetup{}, BondBasedSetup{}, CorrespondenceSetup{}};
   body.material = models[random() % std::size(models)];
@@ -375,7 +375,7 @@ TEST_CASE("setup to text: the plate reads back from its own run.json") {
   check_same(setup, read(deck::setup_to_text(setup)).setup);
 }
 
-TEST_CASE("setup to text: any setup reads back to the same bits") {
+TEST_CASE("setup to text: any setup reads back bitwise identical") {
   Random random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const Setup setup = some_setup(random);
@@ -385,7 +385,7 @@ TEST_CASE("setup to text: any setup reads back to the same bits") {
   }
 }
 
-TEST_CASE("setup to text: text is escaped as JSON demands, and absent values are left out") {
+TEST_CASE("setup to text: text is escaped as JSON requires, and absent values are omitted") {
   Setup setup = read(fixtures::plate).setup;
   setup.title = "a \"b\" \\ \n é";
   setup.time.step.reset();

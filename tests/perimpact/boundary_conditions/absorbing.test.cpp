@@ -24,7 +24,7 @@ struct Echo {
   double absorbed;  ///< [-] what the layer says it took, of the same
 };
 
-/// A pulse that runs along a bar in uniaxial strain (its sides are held) into the layer and back.
+/// A pulse along a bar in uniaxial strain (constrained sides) into the layer and back.
 Echo echo(std::optional<double> reflection) {
   BodySetup setup = fixtures::body_setup({.size = {length, 0.004, 0.004}});
   setup.boundary_conditions = {{"sides", FixedSetup{.directions = {"y", "z"}}}};
@@ -47,7 +47,7 @@ Echo echo(std::optional<double> reflection) {
 
 }  // namespace
 
-TEST_CASE("absorbing: of a wave's amplitude the wanted share comes back, and the layer accounts for the energy that does not") {
+TEST_CASE("absorbing: the reflection coefficient is the requested one, and the layer accounts for the missing energy") {
   for (const double reflection : {0.5, 0.2}) {
     const Echo result = echo(reflection);
     CAPTURE(reflection);
@@ -59,16 +59,16 @@ TEST_CASE("absorbing: of a wave's amplitude the wanted share comes back, and the
   CHECK(echo({}).energy == fixtures::relative(1, 1e-3));
 }
 
-TEST_CASE("absorbing: damping rises as the square of the depth to 3 c ln(1/R)/L, and its integral is that of the formula") {
+TEST_CASE("absorbing: damping increases with the square of the depth to 3 c ln(1/R)/L, with the integral of the formula") {
   CHECK(layer_damping(0, 2, 5000, 0.01) == 0);
   CHECK(layer_damping(2, 2, 5000, 0.01) == fixtures::relative(3 * 5000 * std::log(100) / 2, 1e-14));
-  double integral = 0;  // of α/(2c), on the way in and out, by the middle rule
+  double integral = 0;  // of α/(2c), inward and outward, by the midpoint rule
   constexpr int pieces = 1000;
   for (int k = 0; k < pieces; ++k) integral += 2 * layer_damping((k + 0.5) / pieces * 2, 2, 5000, 0.01) / (2 * 5000) * 2 / pieces;
   CHECK(std::exp(-integral) == fixtures::relative(0.01, 1e-5));  // the rule's error is 1/pieces²
 }
 
-TEST_CASE("absorbing: velocities fall by (1 - α dt/2)/(1 + α dt/2) a step, whatever the damping, so that it limits no time step") {
+TEST_CASE("absorbing: velocities decay by (1 - α dt/2)/(1 + α dt/2) per step for any damping, so that it does not limit the time step") {
   Body body = make_body(fixtures::body_setup({.size = {0.004, 0.004, 0.004}}));
   for (const std::uint32_t slot : body.particles.slot_of()) body.particles.velocity.set(slot, {3, 0, 0});
   const std::vector<std::uint32_t> slots(body.particles.slot_of().begin(), body.particles.slot_of().end());
@@ -86,7 +86,7 @@ TEST_CASE("absorbing: velocities fall by (1 - α dt/2)/(1 + α dt/2) a step, wha
   CHECK(std::fabs(body.kinetic_energy_of_scheme(dt) - before - (layer.account.work() - work_before)) < 1e-12 * kinetic);
 }
 
-TEST_CASE("absorbing: a direction in which particles are held loses nothing to the layer") {
+TEST_CASE("absorbing: constrained directions are not damped") {
   BodySetup setup = fixtures::body_setup({.size = {0.01, 0.004, 0.004}});
   setup.boundary_conditions = {{"sink", AbsorbingSetup{.particle_set = "right", .face = Choice{face_words, 0}}},
                                {"end", FixedSetup{.particle_set = "last", .directions = {"x"}}}};
@@ -98,6 +98,6 @@ TEST_CASE("absorbing: a direction in which particles are held loses nothing to t
   const auto free = [&](std::size_t axis) {
     return std::count_if(layer.damping().begin(), layer.damping().end(), [&](const Vec3d& each) { return each[axis] > 0; });
   };
-  CHECK(free(0) == 4 * 4 * 4);  // of five layers the last is held
+  CHECK(free(0) == 4 * 4 * 4);  // of five layers the last is constrained
   CHECK(free(1) == 5 * 4 * 4);
 }

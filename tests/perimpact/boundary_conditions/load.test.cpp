@@ -24,7 +24,7 @@ Choice face(int index) { return Choice{face_words, index}; }
 
 }  // namespace
 
-TEST_CASE("load: under its weight a free body falls by g t, and the work of the weight is its kinetic energy") {
+TEST_CASE("load: a free body falls by g t under its weight, whose work is its kinetic energy") {
   BodySetup setup = fixtures::body_setup({.size = {0.006, 0.006, 0.006}});
   setup.boundary_conditions = {{"weight", BodyForceSetup{.force_density = {0, 0, -9.81 * fixtures::density}}}};
   BoundedBody scene(setup, {}, dt);
@@ -52,7 +52,7 @@ TEST_CASE("load: a pressure on each face of a box adds up to pressure times area
   }
 }
 
-TEST_CASE("load: on a body of any shape the last particle of each row is pressed, and nothing else") {
+TEST_CASE("load: on a body of any shape pressure acts on the last particle of each row only") {
   Lattice lattice{.cells = {9, 9, 9}, .spacing = 0.001, .origin = {-0.004, -0.004, -0.004}};
   const Particles ball(lattice, 3, 1000, [](const Vec3d& X) { return norm(X) < 0.0042; });
   const std::vector<std::uint32_t> pressed = outermost(lattice, ball.slot_of(), 1);  // -x
@@ -69,7 +69,7 @@ TEST_CASE("load: on a body of any shape the last particle of each row is pressed
   CHECK(last == rows);
 }
 
-TEST_CASE("load: a given area replaces that of the cells, and factors are followed between their times") {
+TEST_CASE("load: a given area replaces that of the cells, and factors are interpolated") {
   BodySetup setup = fixtures::body_setup({.size = {0.01, 0.006, 0.004}});
   setup.boundary_conditions = {{"pull", PressureSetup{.face = face(0), .value = -2e6, .area = 1e-5, .times = {0, 4 * dt}, .factors = {0, 2}}}};
   Body body = make_body(setup);

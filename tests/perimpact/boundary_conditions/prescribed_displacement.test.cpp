@@ -34,7 +34,7 @@ DisplacementSetup at_velocity(double velocity) {
 
 }  // namespace
 
-TEST_CASE("held: at the end of every step led particles are where the table says, to the bit, and their velocity is its slope") {
+TEST_CASE("prescribed displacement: at the end of every step positions equal the table bitwise, and velocities its slope") {
   BodySetup setup = bar_setup();
   // kinks between steps and at one, and times after the last point
   setup.boundary_conditions = {{"pull", PrescribedSetup{.particle_set = "right", .x = displaced({0, 3.3e-6, 6e-6}, {0, 2e-6, -1e-6}), .y = at_velocity(0.5)}},
@@ -56,7 +56,7 @@ TEST_CASE("held: at the end of every step led particles are where the table says
   CHECK(moved_freely > 0);  // y of the grip is free
 }
 
-TEST_CASE("held: what the particles gain in momentum is the impulse of the holders, and what they gain in energy is their work") {
+TEST_CASE("prescribed displacement: particles gain the impulse of the reactions in momentum and their work in energy") {
   BodySetup setup = bar_setup();
   setup.velocity = {3, -1, 2};
   setup.boundary_conditions = {{"pull", PrescribedSetup{.particle_set = "right", .x = displaced({0, 4e-6, 8e-6}, {0, 4e-6, 0})}},
@@ -79,7 +79,7 @@ TEST_CASE("held: what the particles gain in momentum is the impulse of the holde
   CHECK(std::fabs(scene.energy() - energy_before - scene.boundary_conditions.work()) <= 0.03 * largest_work);
 }
 
-TEST_CASE("held: work of a slow pull is the elastic energy, force times way over two") {
+TEST_CASE("prescribed displacement: the work of slow tension is the elastic energy, half of force times displacement") {
   BodySetup setup = bar_setup();
   setup.boundary_conditions = {{"grip", FixedSetup{.particle_set = "left", .directions = {"x"}}},
                                {"pull", PrescribedSetup{.particle_set = "right", .x = displaced({0, 300e-6}, {0, 1e-6})}}};
@@ -92,7 +92,7 @@ TEST_CASE("held: work of a slow pull is the elastic energy, force times way over
   CHECK(work == fixtures::relative(0.5 * scene.boundary_conditions.all()[1].account().force().x * 1e-6, 0.05));
 }
 
-TEST_CASE("held: a direction that two hold is refused, other directions of the same particles are not") {
+TEST_CASE("prescribed displacement: constraining a direction twice is refused, other directions are not") {
   BodySetup setup = bar_setup();
   setup.boundary_conditions = {{"grip", FixedSetup{.particle_set = "left", .directions = {"x", "y"}}},
                                {"guide", PrescribedSetup{.particle_set = "left", .z = at_velocity(1)}}};
@@ -106,5 +106,6 @@ TEST_CASE("held: a direction that two hold is refused, other directions of the s
   }
   CHECK(key == "bodies.body.boundary_conditions.all");
   CHECK(sentence ==
-        "all holds particles of body body in direction y that grip holds too; let their particle sets not overlap, or take the direction out of one.");
+        "all constrains particles of body body in direction y that grip constrains too; separate their particle sets, or remove the direction from one of the "
+        "two.");
 }

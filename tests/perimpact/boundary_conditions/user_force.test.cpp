@@ -39,7 +39,7 @@ Simulation made(const Setup& setup, std::function<void(double, const Body&, Vect
 
 }  // namespace
 
-TEST_CASE("own force: it is asked at t = 0 and once a step, at the positions of then, for particles alone") {
+TEST_CASE("user force: it is evaluated at t = 0 and once per step, at current positions, for particles only") {
   std::vector<double> times;
   std::size_t changed_before = 0;
   Simulation simulation = made(block(), [&](double time, const Body& body, VectorArray& density) {
@@ -53,7 +53,7 @@ TEST_CASE("own force: it is asked at t = 0 and once a step, at the positions of 
   CHECK(changed_before == 0);
 }
 
-TEST_CASE("own force: its work is the kinetic energy that it takes from a body it brakes") {
+TEST_CASE("user force: its work is the kinetic energy that it removes from a body it brakes") {
   Simulation simulation = made(block(), [](double, const Body& body, VectorArray& density) {
     for (const std::uint32_t slot : body.particles.slot_of()) density.set(slot, {-5e5, 0, 0});  // half of the velocity in the run
   });
@@ -67,17 +67,17 @@ TEST_CASE("own force: its work is the kinetic energy that it takes from a body i
   CHECK(std::fabs(fixtures::value(simulation, "total.energy_balance_error [J]")) < 1e-10 * 0.5 * mass);
 }
 
-TEST_CASE("own force: what is no number, leaves the plane, or has the name of another is told") {
+TEST_CASE("user force: values that are not finite, out-of-plane components and duplicate names are refused") {
   const auto constant = [](const Vec3d& f) {
     return [f](double, const Body& body, VectorArray& density) {
       for (const std::uint32_t slot : body.particles.slot_of()) density.set(slot, f);
     };
   };
   CHECK_THROWS_WITH_AS(made(block(), constant({std::nan(""), 0, 0})),
-                       "At 0 s the own force block.own is not a finite number on 160 particles; look at the function that computes it.", fccda::RunError);
+                       "At 0 s the user force block.own is not finite on 160 particles; check the function that computes it.", fccda::RunError);
   CHECK_THROWS_WITH_AS(made(block(true), constant({0, 0, 1})),
-                       "the own force block.own acts along z on 40 particles, but the body is plane and nothing may; let its z be 0.", fccda::InputError);
+                       "the user force block.own acts along z on 40 particles, but the body is 2-D; set its z component to 0.", fccda::InputError);
   const Setup setup = block();
   CHECK_THROWS_WITH_AS(Simulation(setup, Start(setup), {given(constant({})), given(constant({}))}),
-                       "block.own is the name of a boundary condition already, and would name the columns of both in history.csv; choose another.", SetupError);
+                       "block.own is already the name of a boundary condition, whose columns in history.csv it would share; choose another.", SetupError);
 }

@@ -11,7 +11,7 @@ using namespace perimpact;
 
 namespace {
 
-/// The cylinder of the plate benchmark, and what it strikes.
+/// The cylinder of the plate benchmark, and its target.
 ImpactorSetup cylinder() {
   ImpactorSetup setup;
   setup.name = "cylinder";
@@ -32,13 +32,13 @@ bool holds(const Diagnosis& diagnosis, const std::string& words) { return diagno
 
 }  // namespace
 
-TEST_CASE("diagnosis: the plate benchmark is sound") {
+TEST_CASE("diagnosis: the plate benchmark yields no warnings") {
   const Impactor impactor = made(cylinder());
   CHECK_FALSE(inside_out(impactor).has_value());
   CHECK(diagnose(impactor, plate(), dt).empty());
 }
 
-TEST_CASE("diagnosis: panels below a quarter of the spacing, and not those just above") {
+TEST_CASE("diagnosis: panels below a quarter of the spacing, but not just above") {
   const Impactor impactor = made(cylinder());
   Target target = plate();
   target.spacing = 0.0039;  // the median panel of a cylinder of 1 mm panels is a little less than 1 mm
@@ -47,7 +47,7 @@ TEST_CASE("diagnosis: panels below a quarter of the spacing, and not those just 
   CHECK(holds(panels_too_fine(impactor, target), "less than a quarter of the spacing of body plate (0.0042 m)"));
 }
 
-TEST_CASE("diagnosis: facets more than half a spacing off the cylinder, and not flat panels of any size") {
+TEST_CASE("diagnosis: facets more than half a spacing off the cylinder, but no flat panels of any size") {
   ImpactorSetup setup = cylinder();
   setup.surface = CylinderSurface{.diameter = 0.05, .height = 0.025, .edge_length = 0.009};  // 0.009²/(8 · 0.025) = 0.41 mm
   CHECK_FALSE(panels_too_coarse(made(setup), plate()).has_value());
@@ -57,34 +57,34 @@ TEST_CASE("diagnosis: facets more than half a spacing off the cylinder, and not 
   CHECK(diagnose(made(setup), plate(), dt).empty());
 }
 
-TEST_CASE("diagnosis: a surface in millimetres is a hundred bodies large") {
+TEST_CASE("diagnosis: a surface in millimetres exceeds a hundred bodies in size") {
   ImpactorSetup setup = cylinder();
   setup.surface = BoxSurface{.size = {50, 25, 25}, .edge_length = 50};
   CHECK(holds(panels_of_another_unit(made(setup), plate()), "scale: 0.001"));
 }
 
-TEST_CASE("diagnosis: a needle and a grain fall between particles, a thin blade does not") {
+TEST_CASE("diagnosis: a needle and a grain pass between particles, a thin blade does not") {
   ImpactorSetup setup = cylinder();
   setup.surface = BoxSurface{.size = {0.1, 0.002, 0.002}, .edge_length = 0.002};
-  CHECK(holds(falls_between(made(setup), plate()), "falls between them"));
+  CHECK(holds(falls_between(made(setup), plate()), "passes between them"));
   setup.surface = SphereSurface{.diameter = 0.001, .edge_length = 0.0003};
   CHECK(falls_between(made(setup), plate()).has_value());
   setup.surface = BoxSurface{.size = {0.1, 0.05, 0.001}, .edge_length = 0.005};
   CHECK_FALSE(falls_between(made(setup), plate()).has_value());
 }
 
-TEST_CASE("diagnosis: a step that goes through a thin plate names panel and place, and the step that does not") {
+TEST_CASE("diagnosis: a step with motion through a thin plate names panel, position and a suitable step") {
   ImpactorSetup setup = cylinder();
   setup.surface = BoxSurface{.size = {0.1, 0.0004, 0.1}, .edge_length = 0.02};
   const Impactor thin = made(setup);
   CHECK_FALSE(step_through(thin, plate(), 1.2e-5).has_value());   // 32 m/s · 12 µs = 0.38 mm
   const Diagnosis through = step_through(thin, plate(), 1.5e-5);  // 0.48 mm
-  CHECK(holds(through, "move 0.00048 m against each other at panel "));
-  CHECK(holds(through, "where it is only 0.0004 m thick"));
+  CHECK(holds(through, "is 0.00048 m at panel "));
+  CHECK(holds(through, "where the thickness is only 0.0004 m"));
   CHECK(holds(through, "at most 1.2e-05 s"));  // 0.4 mm at 32 m/s, to two digits
 }
 
-TEST_CASE("diagnosis: the way of a step is judged by the most that a table ever says, and the advice keeps it below a spacing too") {
+TEST_CASE("diagnosis: the motion per step follows from the maximum of a table, and the suggested step keeps it below a spacing") {
   ImpactorSetup setup = cylinder();
   setup.velocity = {};
   TranslationTable& table = setup.motion.y.emplace();
@@ -98,7 +98,7 @@ TEST_CASE("diagnosis: the way of a step is judged by the most that a table ever 
   CHECK(holds(step_through(made(setup), plate(), 1e-4), "at most 3.1e-05 s"));
 }
 
-TEST_CASE("diagnosis: particles behind an open surface are counted, those in front of it and beyond its rim are not") {
+TEST_CASE("diagnosis: particles behind an open surface are counted, but not those in front of it or beyond its boundary edge") {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "perimpact_open_square.obj";
   std::ofstream(file) << "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 1 2 3 4\n";  // normal -y
   ImpactorSetup setup = cylinder();
@@ -114,14 +114,14 @@ TEST_CASE("diagnosis: particles behind an open surface are counted, those in fro
   const Impactor wall = made(setup);
   CHECK(particles_behind(wall, particles) == 8);
   CHECK(holds(starts_behind(wall, plate(), particles), "8 of the 16 particles of body plate start behind the open surface of impactor cylinder"));
-  setup.position = {1.5, 0, 0};  // its rim is at x = 0.5: half of the particles lie beyond it
+  setup.position = {1.5, 0, 0};  // its edge is at x = 0.5: half of the particles lie beyond it
   CHECK(particles_behind(made(setup), particles) == 2);
   setup.surface = BoxSurface{.size = {3, 3, 3}, .edge_length = 1};
-  CHECK(particles_behind(made(setup), particles) == 0);  // closed: that is starting_inside's business
+  CHECK(particles_behind(made(setup), particles) == 0);  // closed: handled by initial_overlap
   std::filesystem::remove(file);
 }
 
-TEST_CASE("diagnosis: the particles' velocity and the surface's turning count in the way of a step; both at the same speed make none") {
+TEST_CASE("diagnosis: the motion per step includes particle velocity and rotation of the surface; equal velocities give none") {
   ImpactorSetup setup = cylinder();
   Target target = plate();
   target.velocity = {0, -32, 0};

@@ -39,34 +39,34 @@ std::vector<std::string> closing(const Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("encounters: an impactor that flies past is named with its nearest distance and the time of that") {
+TEST_CASE("proximity: an impactor without contact is reported with its smallest distance and the time of it") {
   const std::vector<std::string> warnings = closing(flyby());
   REQUIRE(warnings.size() == 1);
-  // over the block it is 3 mm away from contact; it gets there at x = -21 mm, after 6 µs, and is looked at a hundred times in the 40 µs
-  const std::string sentence = "Impactor cube never touched body block until t = 4e-05 s: the nearest it came was 0.003 m, at t = ";
+  // over the block it is 3 mm away from contact; it gets there at x = -21 mm, after 6 µs, and is sampled a hundred times in the 40 µs
+  const std::string sentence = "Impactor cube had no contact with body block until t = 4e-05 s: the smallest distance was 0.003 m, at t = ";
   CHECK(warnings[0].starts_with(sentence));
   const double time = std::stod(warnings[0].substr(sentence.size()));
   CHECK(time > 6e-6);
   CHECK(time < 7e-6);
 }
 
-TEST_CASE("encounters: one that leaves at once was nearest at the start, at the distance that its corner then had") {
+TEST_CASE("proximity: an impactor that moves away was nearest at the start, at the distance of its corner") {
   Setup setup = flyby();
   setup.impactors[0].velocity = {-1500, 0, 0};
   const std::vector<std::string> warnings = closing(setup);
   REQUIRE(warnings.size() == 1);
   const double gap = std::hypot(0.010, 0.004) - 0.001;  // corner at (-25, 13) mm, particle at (-15, 9) mm, contact radius 1 mm
-  CHECK(warnings[0].find(fmt::format("nearest it came was {:.3g} m, at t = 0 s.", gap)) != std::string::npos);
+  CHECK(warnings[0].find(fmt::format("smallest distance was {:.3g} m, at t = 0 s.", gap)) != std::string::npos);
 }
 
-TEST_CASE("encounters: what was touched is not warned of") {
+TEST_CASE("proximity: contact yields no warning") {
   Setup setup = flyby();
   setup.impactors[0].position = {0, 0.016, 0};
   setup.impactors[0].velocity = {0, -100, 0};
   CHECK(closing(setup).empty());
 }
 
-TEST_CASE("encounters: particles that get inside where the region clips are counted, with the time they were first seen") {
+TEST_CASE("proximity: particles that penetrate where contact bounds clip are counted, with the time of the first") {
   Setup setup = flyby();
   setup.impactors[0].position = {0, 0.016, 0};
   setup.impactors[0].velocity = {0, -200, 0};
@@ -75,10 +75,10 @@ TEST_CASE("encounters: particles that get inside where the region clips are coun
   const std::vector<std::string> warnings = closing(setup);
   REQUIRE(!warnings.empty());
   const std::string& last = warnings.back();
-  CHECK(last.find(" particles of body block came to be inside impactor cube where it is not felt, the first by t = ") != std::string::npos);
+  CHECK(last.find(" particles of body block penetrated impactor cube outside the contact bounds, the first by t = ") != std::string::npos);
   CHECK(last.find("Enlarge impactors.cube.contact_bounds.") != std::string::npos);
   const double first = std::stod(last.substr(last.find("t = ") + 4));
-  // The region begins 2 mm before the cube's middle, and is looked at from a contact radius of 1 mm before that. The middle is 7 mm from the
+  // The contact bounds begin 2 mm before the cube's centre, and contact is searched from a contact radius of 1 mm before. The centre is 7 mm from the
   // first particles at the start, which nothing stops before: 20 to 25 µs at 200 m/s, and up to 1 µs to the next row.
   CHECK(first >= 19.9e-6);
   CHECK(first <= 26e-6);

@@ -1,4 +1,4 @@
-// Clouds: the cells of meshes in the formats that hold them, and points of a list.
+// Point clouds: cells of meshes in all formats with cells, and points of a list.
 #include "perimpact/discretisation/cloud_of.hpp"
 
 #include <doctest/doctest.h>
@@ -65,7 +65,7 @@ PointsShape grid() {
 
 }  // namespace
 
-TEST_CASE("cloud: each solid cell of a mesh becomes a particle in its middle, of its volume, in Gmsh, Abaqus and LS-DYNA files alike") {
+TEST_CASE("cloud: each solid cell of a mesh becomes a particle at its centroid with its volume, in Gmsh, Abaqus and LS-DYNA files alike") {
   const fixtures::TemporaryFolder folder;
   for (const ElementKind kind : {ElementKind::hexahedron, ElementKind::wedge, ElementKind::tetrahedron}) {
     const int n = 3, cuts = kind == ElementKind::hexahedron ? 1 : kind == ElementKind::wedge ? 2 : 6;
@@ -90,7 +90,7 @@ TEST_CASE("cloud: each solid cell of a mesh becomes a particle in its middle, of
   }
 }
 
-TEST_CASE("cloud: parts of a mesh may be chosen, and holes take cells out") {
+TEST_CASE("cloud: parts of a mesh can be selected, and holes remove cells") {
   const fixtures::TemporaryFolder folder;
   fixtures::put(folder / "block.inp", fixtures::abaqus_text(fixtures::block_of(ElementKind::hexahedron, 3)));
   CellsShape shape = cells(folder / "block.inp");
@@ -105,7 +105,7 @@ TEST_CASE("cloud: parts of a mesh may be chosen, and holes take cells out") {
   for (const Vec3d& point : with_hole.points) CHECK(point.z == fixtures::relative(7.5, 1e-12));
   std::string key;
   body.holes[0].shape = SphereSolid{100};
-  CHECK(complaint(body, &key) == "the holes of body ice leave no particle of it; make them smaller, or move them.");
+  CHECK(complaint(body, &key) == "the holes of body ice remove all of its particles; make them smaller, or move them.");
   CHECK(key == "bodies.ice.holes");
 }
 
@@ -128,11 +128,11 @@ TEST_CASE("cloud: triangles and quads of a plane mesh, with a thickness") {
   mesh.vertices[4].z = 0.6;
   fixtures::put(folder / "plate.msh", fixtures::gmsh_file(mesh));
   CHECK(complaint(body_of(shape)) == shape.file +
-                                         ": element 2 in the order of the file reaches from z = 0.5 m to 0.6 m, but the mesh of a plane body has one z; "
-                                         "turn it into the plane of x and y, or leave thickness out.");
+                                         ": element 2 in the order of the file extends from z = 0.5 m to 0.6 m, but the mesh of a plane body has a single z; "
+                                         "rotate it into the x-y plane, or omit thickness.");
 }
 
-TEST_CASE("cloud: points keep their volumes and numbers, in an order that keeps neighbours together, where the body puts them") {
+TEST_CASE("cloud: points keep volumes and numbers, in a space-filling order, in the body's position") {
   BodySetup body = body_of(grid());
   body.position = {10, 0, 0}, body.rotate = {0, 0, std::acos(-1.0) / 2};
   const Cloud found = cloud_of(body);
@@ -146,11 +146,11 @@ TEST_CASE("cloud: points keep their volumes and numbers, in an order that keeps 
   for (std::size_t k = 0; k < 8; ++k) CHECK(fccda::largest_magnitude(grid().points[found.numbers[k]]) <= 0.5);
 }
 
-TEST_CASE("cloud: two particles in one place are refused, with their numbers") {
+TEST_CASE("cloud: coincident particles are refused, with their numbers") {
   PointsShape shape = grid();
   shape.points[40] = shape.points[7];
   std::string key;
-  CHECK(complaint(body_of(shape), &key) == "grid.csv: particles 8 and 41 in the order of the file are in one place, (1.5, 0.5, 0) m; leave one out.");
+  CHECK(complaint(body_of(shape), &key) == "grid.csv: particles 8 and 41 in the order of the file coincide at (1.5, 0.5, 0) m; remove one.");
   CHECK(key == "bodies.ice.shape.points.file");
 }
 
@@ -158,8 +158,8 @@ TEST_CASE("cloud: points of a plane body share one z") {
   PointsShape shape = grid();
   shape.thickness = 0.1;
   CHECK(complaint(body_of(shape)) ==
-        "grid.csv: row 17 has another z than the first, 0.5 m and 0 m, but the particles of a plane body share one; write the same z in "
-        "all rows, or leave thickness out.");
+        "grid.csv: row 17 has another z than the first, 0.5 m and 0 m, but all particles of a plane body share one z; use the same z in all rows, or omit "
+        "thickness.");
 }
 
 TEST_CASE("cloud: meshes without solid cells, broken cells and files without cells are refused with the file and the element") {
@@ -172,15 +172,16 @@ TEST_CASE("cloud: meshes without solid cells, broken cells and files without cel
   std::swap(mesh.elements[3].nodes[2], mesh.elements[3].nodes[3]);
   fixtures::put(folder / "tangled.msh", fixtures::gmsh_file(mesh));
   CHECK(complaint(body_of(cells(folder / "tangled.msh"))) ==
-        (folder / "tangled.msh").string() + ": element 4 in the order of the file, about (0, 1, 0) m, has no volume or is turned in on itself; mend the mesh.");
+        (folder / "tangled.msh").string() + ": element 4 in the order of the file, about (0, 1, 0) m, has no volume or is inverted; repair the mesh.");
   CellsShape plane = cells(folder / "tangled.msh");
   plane.thickness = 1;
-  CHECK(complaint(body_of(plane)).find("element 2 in the order of the file is a solid, but a plane body is made of triangles and quads;") != std::string::npos);
+  CHECK(complaint(body_of(plane)).find("element 2 in the order of the file is a solid, but a plane body consists of triangles and quads;") !=
+        std::string::npos);
   CHECK(complaint(body_of(cells(folder / "cube.stl"))) ==
         (folder / "cube.stl").string() + ": this format has no cells; the mesh formats are .vtk, .vtp, .vtu, .msh, .inp, .k, .key, .dyn.");
 }
 
-TEST_CASE("cloud: the order in space is one of all points, and the same for points that share one place") {
+TEST_CASE("cloud: the space-filling order contains all points, and is stable for coincident points") {
   const std::vector<Vec3d> points{{1, 1, 1}, {0, 0, 0}, {1, 1, 1}, {0, 0, 0.1}, {0.9, 0, 0}};
   CHECK(space_order(points) == std::vector<std::uint32_t>{1, 3, 4, 0, 2});
   CHECK(space_order(std::vector<Vec3d>{{3, 3, 3}}) == std::vector<std::uint32_t>{0});

@@ -41,7 +41,7 @@ std::string complaint(const std::vector<Vec3d>& polygon) {
 
 }  // namespace
 
-TEST_CASE("crack: exactly the segments that go through the polygon are cut, however it is turned and whichever end is first") {
+TEST_CASE("crack: exactly the segments through the polygon are cut, in any orientation and order of ends") {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> place(-1, 3), height(-1, 1);
   for (const Frame& frame : {Frame{}, frame_of({0.3, 0.2, -5}, {0.4, -2.1, 1.3})}) {
@@ -58,7 +58,7 @@ TEST_CASE("crack: exactly the segments that go through the polygon are cut, howe
   }
 }
 
-TEST_CASE("crack: a bond that touches the edge or a corner is cut, one that passes beside it is not") {
+TEST_CASE("crack: a bond through an edge or corner is cut, one that passes outside is not") {
   const Crack crack(corner, tolerance);
   const auto cuts_at = [&](double x, double y) { return crack.cuts({x, y, 0.5}, {x, y, -0.5}); };
   CHECK(cuts_at(2, 0.5));
@@ -69,7 +69,7 @@ TEST_CASE("crack: a bond that touches the edge or a corner is cut, one that pass
   CHECK(!cuts_at(1.5, 1.5));
 }
 
-TEST_CASE("crack: a particle in its plane counts as on the side of the normal, so that layer stays whole and is parted from the one below") {
+TEST_CASE("crack: a particle in its plane counts as on the side of the normal, so that its layer stays intact and separates from the one below") {
   const Crack crack(corner, tolerance);  // anticlockwise seen from above: the normal points up
   const auto x = [](double z) { return Vec3d{0.5, 0.5, z}; };
   CHECK(crack.cuts(x(0), x(-1)));
@@ -90,16 +90,16 @@ TEST_CASE("crack: in a plane body a line of two points cuts what crosses it with
   CHECK(crack.cuts({0.4, 0.6, 0.2}, {0.6, 0.4, 0.2}));
   CHECK(!crack.cuts({1.4, 1.6, 0.2}, {1.6, 1.4, 0.2}));
   CHECK(!crack.cuts({0.4, 0.6, 0.2}, {0.2, 0.9, 0.2}));
-  CHECK_THROWS_WITH_AS(Crack::through_thickness({1, 1, 0}, {1, 1, 0}, tolerance), "both ends of the crack are one point; move one of them.", fccda::InputError);
+  CHECK_THROWS_WITH_AS(Crack::through_thickness({1, 1, 0}, {1, 1, 0}, tolerance), "both ends of the crack coincide; move one of them.", fccda::InputError);
 }
 
-TEST_CASE("crack: polygons that are none are refused in one sentence") {
+TEST_CASE("crack: invalid polygons are refused in one sentence") {
   CHECK(complaint({{0, 0, 0}, {1, 0, 0}}) ==
-        "the crack has 2 corners, but a polygon needs three or more (a line of two is enough in plane bodies only); give them in order around it.");
-  CHECK(complaint({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}) == "the crack's corners lie on one line, so it has no area; move one of them off it.");
+        "the crack has 2 corners, but a polygon needs at least three (a line of two is for plane bodies only); give them in order around it.");
+  CHECK(complaint({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}) == "the crack's corners are collinear, so it has no area; move one of them.");
   CHECK(complaint({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}}) ==
-        "corner 1 of the crack lies 0.118 m off the plane of the others, but a crack is plane; move it, or make two cracks of it.");
+        "corner 1 of the crack lies 0.118 m off the plane of the others, but a crack is plane; move it, or use two cracks.");
   CHECK(complaint({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 1, 0}}) ==
-        "the side behind corner 1 of the crack meets the one behind corner 3; give the corners in order around it.");
-  CHECK(complaint({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == "corners 2 and 3 of the crack are one point; leave one out.");
+        "the side after corner 1 of the crack intersects the one after corner 3; give the corners in order around it.");
+  CHECK(complaint({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == "corners 2 and 3 of the crack coincide; remove one.");
 }

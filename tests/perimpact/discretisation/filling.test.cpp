@@ -34,7 +34,7 @@ double filled_volume(const BodySetup& body) {
 
 }  // namespace
 
-TEST_CASE("filling: the volume of particles goes to that of the shape as the spacing falls") {
+TEST_CASE("filling: the volume of particles converges to that of the shape with the spacing") {
   constexpr double pi = std::numbers::pi;
   BodySetup turned_box = body_of(BoxSolid{{1, 0.6, 0.8}}, 0);
   turned_box.rotate = {0.3, 0.2, 0.1};
@@ -57,7 +57,7 @@ TEST_CASE("filling: the volume of particles goes to that of the shape as the spa
   }
 }
 
-TEST_CASE("filling: a single box gets exactly the lattice of whole spacings, with holes too") {
+TEST_CASE("filling: a single box gets exactly the lattice of whole spacings, also with holes") {
   BodySetup box = body_of(BoxSolid{{0.2, 0.1, 0.009}}, 0.001);
   for (const bool has_hole : {false, true}) {
     if (has_hole) box.holes = {named(BoxSolid{{0.01, 0.01, 1}})};
@@ -69,7 +69,7 @@ TEST_CASE("filling: a single box gets exactly the lattice of whole spacings, wit
   }
 }
 
-TEST_CASE("filling: particles on the face of a hole or part belong to it, whatever rounding says") {
+TEST_CASE("filling: particles on the face of a hole or added solid belong to it, independent of rounding") {
   BodySetup box = body_of(BoxSolid{{0.7, 0.7, 0.7}}, 0.1);  // seven particles along each axis, the fourth in the middle
   box.holes = {named(BoxSolid{{0.2, 0.2, 0.2}})};           // faces through the particles beside that
   CHECK(filled_volume(box) == fixtures::relative(0.001 * (343 - 27), 1e-12));
@@ -77,13 +77,13 @@ TEST_CASE("filling: particles on the face of a hole or part belong to it, whatev
   CHECK(filled_volume(box) == fixtures::relative(0.001 * (343 - 9), 1e-12));
 }
 
-TEST_CASE("filling: a part that fits the lattice of the shape continues it") {
+TEST_CASE("filling: an added solid that fits the lattice of the shape continues it") {
   BodySetup beam = body_of(BoxSolid{{1, 0.2, 0.2}}, 0.05);
   beam.add = {named(BoxSolid{{0.2, 0.2, 0.6}}, {0.4, 0, 0.4})};  // a T's web on its end
   CHECK(filled_volume(beam) == fixtures::relative(0.04 + 0.2 * 0.2 * 0.6, 1e-12));
 }
 
-TEST_CASE("filling: a body that is moved takes its parts and holes along, one that is turned too") {
+TEST_CASE("filling: translation and rotation of a body apply to its added solids and holes") {
   BodySetup one = body_of(SphereSolid{1}, 0.06), other = one;
   one.holes = {named(BoxSolid{{0.5, 0.2, 0.3}}, {0.3, 0.1, 0})};
   other = one;
@@ -97,10 +97,10 @@ TEST_CASE("filling: a body that is moved takes its parts and holes along, one th
 TEST_CASE("filling: more cells than can be numbered are refused") {
   const BodySetup ball = body_of(SphereSolid{1000}, 0.1);
   CHECK_THROWS_WITH_AS(lattice_that_fills(ball, BodySolid(ball)),
-                       "a spacing of 0.1 m takes 1e+12 cells to fill body ice, more than the 4.3e+09 that can be numbered; make it larger.", SetupError);
+                       "a spacing of 0.1 m requires 1e+12 cells to fill body ice, more than the maximum of 4.3e+09; increase it.", SetupError);
 }
 
-TEST_CASE("filling: the volume is known of one solid, and nobody's guess with holes or parts") {
+TEST_CASE("filling: the volume is known of one solid, and undefined with holes or added solids") {
   BodySetup ball = body_of(SphereSolid{2}, 0.1);
   CHECK(BodySolid(ball).volume().value() == fixtures::relative(4 * std::numbers::pi / 3, 1e-14));
   ball.holes = {named(SphereSolid{1})};

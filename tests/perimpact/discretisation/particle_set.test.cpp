@@ -1,4 +1,4 @@
-// Regions: which particles a name stands for.
+// Particle sets: the particles of a name.
 #include "perimpact/discretisation/particle_set.hpp"
 
 #include <doctest/doctest.h>
@@ -33,7 +33,7 @@ std::string complaint(std::string_view region, const BodySetup& body, std::strin
 
 }  // namespace
 
-TEST_CASE("region: its slots are those of the particles in the solid, in rising order, with those on its faces") {
+TEST_CASE("particle set: its slots are those of the particles in the solid and on its faces, ascending") {
   const BodySetup setup = block();
   const Particles particles = make_particles(setup);
   const std::vector<std::size_t> left = slots_in("left", setup, particles, "key"), rod = slots_in("rod", setup, particles, "key");
@@ -47,7 +47,7 @@ TEST_CASE("region: its slots are those of the particles in the solid, in rising 
   CHECK(slots_in("left", wider, particles, "key").size() == 2 * 10 * 5);
 }
 
-TEST_CASE("region: a removed particle is in none") {
+TEST_CASE("particle set: it excludes removed particles") {
   const BodySetup setup = block();
   Particles particles = make_particles(setup);
   const std::vector<std::size_t> left = slots_in("left", setup, particles, "key");
@@ -55,14 +55,14 @@ TEST_CASE("region: a removed particle is in none") {
   CHECK(slots_in("left", setup, particles, "key").size() == left.size() - 7);
 }
 
-TEST_CASE("region: a name that is none and a region without particles are told with their keys") {
+TEST_CASE("particle set: an unknown name and an empty set are reported with their keys") {
   std::string key;
   CHECK(complaint("lft", block(), key) == "body body has no particle set lft; did you mean left?");
   CHECK(key == "bodies.body.boundary_conditions.pull.region");
   CHECK(complaint("everything", block(), key) == "body body has no particle set everything; its particle sets are left, rod, far.");
   CHECK(complaint("far", block(), key) ==
-        "particle set far of body body contains no particle; its position is from the body's position, in metres: move it, or make it larger than a spacing of "
-        "1 m.");
+        "particle set far of body body contains no particle; its position is relative to the body's position, in metres: move it, or make it larger than a "
+        "spacing of 1 m.");
   CHECK(key == "bodies.body.particle_sets.far");
   BodySetup bare = block();
   bare.particle_sets.clear();

@@ -68,7 +68,7 @@ fccda::Panels turned(fccda::Panels panels, const Frame& frame) {
 
 }  // namespace
 
-TEST_CASE("solid: a point is inside a shape, wherever that is and however turned, as its formula says") {
+TEST_CASE("solid: a point is inside a shape, in any position and orientation, according to its formula") {
   constexpr double margin = 0.01, rounding = 1e-12;  // of places of a few metres
   for (const Form& form : forms()) {
     for (const Frame& frame : frames()) {
@@ -95,7 +95,7 @@ TEST_CASE("solid: a point on the surface is inside") {
   CHECK(!cylinder.contains({0, 1, 1.0001}));
 }
 
-TEST_CASE("solid: bounds hold the shape and touch it on all sides") {
+TEST_CASE("solid: bounds contain the shape and are tight on all sides") {
   for (const Form& form : forms()) {
     for (const Frame& frame : frames()) {
       const Solid solid(form.shape, frame);
@@ -113,7 +113,7 @@ TEST_CASE("solid: bounds hold the shape and touch it on all sides") {
   }
 }
 
-TEST_CASE("solid: the inside of turned panels of a box, cylinder and sphere is that of the shape they stand for") {
+TEST_CASE("solid: the interior of rotated panels of a box, cylinder and sphere is that of the exact shape") {
   // A ball of inscribed panels is smaller than the sphere by the sagitta of a panel, panel²/(8 radius), here with a factor of two for triangles.
   constexpr double panel = 0.05;
   constexpr double sagitta = 2 * panel * panel / (8 * cylinder_diameter / 2);
@@ -135,7 +135,7 @@ TEST_CASE("solid: the inside of turned panels of a box, cylinder and sphere is t
   }
 }
 
-TEST_CASE("solid: a row through a surface is answered as its points are one by one, and as the solid angle says") {
+TEST_CASE("solid: the result for a row equals that of its points, and that of the solid angle") {
   for (const Frame& frame : frames()) {
     const SurfaceSolid solid = surface(turned(fixtures::torus(1, 0.3, 24, 12), frame));
     const fccda::Box bounds = solid.bounds();
@@ -155,7 +155,7 @@ TEST_CASE("solid: a row through a surface is answered as its points are one by o
   }
 }
 
-TEST_CASE("solid: rows that run along faces, edges and corners of a surface take what lies on it, and nothing beyond") {
+TEST_CASE("solid: rows along faces, edges and corners of a surface contain the points on it, and none beyond") {
   const SurfaceSolid cube = surface(fixtures::unit_cube());
   constexpr double margin = 1e-9;
   for (const double y : {-0.5, 0.0, 0.25, 0.5, 1.0, 1.5}) {
@@ -171,9 +171,9 @@ TEST_CASE("solid: rows that run along faces, edges and corners of a surface take
   }
 }
 
-TEST_CASE("solid: rows within faces that are parallel to them but for rounding end outside of the solid") {
+TEST_CASE("solid: rows within faces parallel to them up to rounding end outside the solid") {
   // one such row in two hundred slips past a sliver of the face in its plane, and seems to enter more often than to leave; were that not seen to,
-  // the address sanitizer would tell
+  // checked by the address sanitizer
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> share(0, 1);
   for (int n = 0; n < 200; ++n) {
@@ -200,7 +200,7 @@ TEST_CASE("solid: rows within faces that are parallel to them but for rounding e
   }
 }
 
-TEST_CASE("solid: a hollow is outside, and overlapping parts are united") {
+TEST_CASE("solid: a cavity is outside, and overlapping parts are united") {
   const auto ball = [](double diameter, const Vec3d& centre) {
     return fixtures::moved(fccda::make_sphere({diameter, 0.1}), [&](const Vec3d& v) { return v + centre; });
   };
@@ -212,10 +212,10 @@ TEST_CASE("solid: a hollow is outside, and overlapping parts are united") {
   const SurfaceSolid pair = surface(fixtures::joined(ball(1, {}), ball(1, {0.4, 0.05, 0.02})));
   for (const Vec3d& point : {Vec3d{-0.3, 0, 0}, Vec3d{0.2, 0.02, 0}, Vec3d{0.7, 0, 0}}) CHECK(holds(pair, point));
   CHECK(!holds(pair, {0.2, -0.48, 0}));
-  CHECK(!pair.volume().has_value());  // they overlap, so that nobody knows
+  CHECK(!pair.volume().has_value());  // they overlap, so that the volume is unknown
 }
 
-TEST_CASE("solid: a file is scaled, turned and moved before the body's own frame moves it") {
+TEST_CASE("solid: a file is scaled, rotated and translated before the frame of the body applies") {
   const fixtures::TemporaryFolder folder;
   fixtures::put(folder / "cube.stl", fixtures::stl_text(fixtures::unit_cube()));
   FileSolid file;
@@ -229,17 +229,16 @@ TEST_CASE("solid: a file is scaled, turned and moved before the body's own frame
   CHECK(solid.volume().value() == fixtures::relative(8, 1e-12));  // rounding
 }
 
-TEST_CASE("solid: a surface that is not closed has no inside, and says so") {
+TEST_CASE("solid: a surface that is not closed has no interior and is refused") {
   fixtures::Panels open = fixtures::unit_cube();
   open.panels.pop_back();
-  CHECK_THROWS_WITH_AS(
-      surface(open),
-      "test: the surface is open, 4 of its edges have a panel on one side only, so it has no inside that could be filled; `perimpact mesh` shows "
-      "where they are and which weld would close them.",
-      fccda::InputError);
+  CHECK_THROWS_WITH_AS(surface(open),
+                       "test: the surface is open: 4 of its edges have a panel on one side only, so that no interior is defined; `perimpact mesh` shows these "
+                       "edges and the welding tolerance that would close them.",
+                       fccda::InputError);
 }
 
-TEST_CASE("solid: the inside of a real hull is what the solid angle of all its panels says") {
+TEST_CASE("solid: the interior of a real hull is that of the solid angle of all its panels") {
   const std::filesystem::path file = "/usr/share/doc/openfoam-examples/examples/resources/geometry/DTC-scaled.stl.gz";
   if (!std::filesystem::exists(file)) return;  // the package openfoam-examples is not installed
   const fccda::Panels panels = fccda::read_panels(file);

@@ -47,7 +47,7 @@ void cut_across(Body& body, double at) {
 
 }  // namespace
 
-TEST_CASE("fragments: they are what a search along bonds finds, on lattices and lists, in space and in the plane") {
+TEST_CASE("fragments: they equal the result of a search along bonds, on lattices and lists, in 3-D and 2-D") {
   for (const fixtures::BodyOptions& options : kinds_of_bodies())
     for (const double share : {0.0, 0.8, 0.93, 0.97, 0.99}) {
       Body body = fixtures::body(options);
@@ -69,7 +69,7 @@ TEST_CASE("fragments: they are what a search along bonds finds, on lattices and 
     }
 }
 
-TEST_CASE("fragments: the heaviest is number 0, and of equally heavy ones the one with the smallest slot comes first") {
+TEST_CASE("fragments: they are in descending order of mass, ties in order of the smallest slot") {
   for (const fixtures::BodyOptions& options : kinds_of_bodies()) {
     Body body = fixtures::body(options);
     cut_at_random(body, 0.97);
@@ -85,7 +85,7 @@ TEST_CASE("fragments: the heaviest is number 0, and of equally heavy ones the on
   }
 }
 
-TEST_CASE("fragments: a body that is cut twice has three, with the masses, places, extents and velocities of the slabs") {
+TEST_CASE("fragments: a body cut twice has three, with masses, positions, extents and velocities of the slabs") {
   Body body = fixtures::body({.size = {0.020, 0.008, 0.006}});  // x from -10 to 10 mm
   cut_across(body, -0.006);
   cut_across(body, 0.002);

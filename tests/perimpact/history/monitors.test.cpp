@@ -17,7 +17,7 @@ using fixtures::value;
 
 namespace {
 
-/// A block of 4 × 4 × 4 cm struck by a face wider than itself, for 600 steps.
+/// A block of 4 × 4 × 4 cm in contact with a face wider than itself, for 600 steps.
 Setup struck_block(std::optional<double> history) {
   Setup setup;
   setup.time = {.end = 600 * 4e-7, .step = 4e-7};
@@ -47,7 +47,7 @@ void give_energy(Simulation& simulation) {
 
 }  // namespace
 
-TEST_CASE("monitors: energy from nowhere is found at the same step, with the same sentence, whatever output.history_interval is") {
+TEST_CASE("monitors: energy without a source is detected at the same step, with the same message, for any output.history_interval") {
   std::vector<std::string> sentences;
   for (const std::optional<double> history : {std::optional<double>(), std::optional(4e-7), std::optional(28e-7), std::optional(1.0)}) {
     Simulation simulation(struck_block(history));
@@ -58,7 +58,7 @@ TEST_CASE("monitors: energy from nowhere is found at the same step, with the sam
     } catch (const fccda::RunError& error) {
       sentences.emplace_back(error.what());
     }
-    CHECK(simulation.clock().step == 306);  // every hundredth of the run is looked at, which here is every sixth step
+    CHECK(simulation.clock().step == 306);  // every hundredth of the run is checked, here every sixth step
   }
   REQUIRE(sentences.size() == 4);
   for (const std::string& one : sentences) CHECK(one == sentences.front());
@@ -81,7 +81,7 @@ TEST_CASE("monitors: output.history_interval changes neither the state nor the l
   }
 }
 
-TEST_CASE("monitors: making a row changes nothing that it tells of, and interval means add up to the ledgers") {
+TEST_CASE("monitors: creating a row does not change the state, and interval means add up to the ledgers") {
   Simulation often(struck_block(4e-7)), seldom(struck_block(1.0));
   double impulse = 0;
   while (!often.clock().is_finished()) {

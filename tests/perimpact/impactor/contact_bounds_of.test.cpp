@@ -29,7 +29,7 @@ std::string complaint(const ContactBoundsSetup& setup, const Surface& surface) {
 
 }  // namespace
 
-TEST_CASE("region of: every kind of region that a Setup names is made, and says what was fitted") {
+TEST_CASE("contact bounds of: every kind of bounds in a Setup is built, and reports fitted values") {
   const Surface surface = block();
   const auto made = [&](auto shape) { return contact_bounds_of({.shape = shape}, surface, "ram"); };
   CHECK(std::holds_alternative<fccda::Unbounded>(made(std::monostate{}).region));
@@ -50,14 +50,14 @@ TEST_CASE("region of: every kind of region that a Setup names is made, and says 
       made(CylinderSectorsBoundsSetup{.axis = Vec3d{1, 0, 0}, .point = Vec3d{}, .radius = 0.8, .length = 2.0, .hub_radius = 0.8, .blades = 1});
   CHECK(std::get<CylinderSectors>(sectors.region).volume() == fixtures::relative(std::numbers::pi * 0.8 * 0.8 * 2, 1e-12));
   CHECK(sectors.fitted ==
-        "sector_angle, start_angle fitted to the surface; between its blades there is no gap in angle worth having, so the fan is the whole cylinder");
+        "sector_angle, start_angle fitted to the surface; the angular gaps between its blades are negligible, so that the fan is the whole cylinder");
 
   const ImpactorBounds chosen = made(AutoBoundsSetup{});
   CHECK(std::holds_alternative<BoxUnion>(chosen.region));
   CHECK(chosen.fitted.ends_with("chosen: the bounding box"));
 }
 
-TEST_CASE("region of: count and gain bound the fitted boxes") {
+TEST_CASE("contact bounds of: count and gain limit the fitted boxes") {
   const Surface surface(fixtures::propeller({.edge_length = 0.06}));
   const auto boxes = [&](const BoxUnionBoundsSetup& shape) {
     return std::get<BoxUnion>(contact_bounds_of({.shape = shape}, surface, "ram").region).boxes().size();
@@ -68,7 +68,7 @@ TEST_CASE("region of: count and gain bound the fitted boxes") {
   CHECK(boxes({.count = 40, .gain = 0.0}) == 40);
 }
 
-TEST_CASE("region of: a surface that sticks out is refused at the region's key, unless clipping is meant") {
+TEST_CASE("contact bounds of: a surface that exceeds them is refused at their key, unless clipped") {
   const Surface surface = block();
   const ContactBoundsSetup small{.shape = BoxUnionBoundsSetup{.boxes = {{"bow", {0.5, 1, 1}, {0.75, 0, 0}}}}};
   CHECK(complaint(small, surface).starts_with("impactors.ram.contact_bounds: contact bounds: 18 of 20 panels extend beyond the box by up to 1.5 m"));

@@ -61,7 +61,7 @@ TEST_CASE("contact record: the peak keeps time and pressures of the load interva
   CHECK(record.peak().panel_pressure[7] == 0);
 }
 
-TEST_CASE("contact record: says which bodies were ever touched") {
+TEST_CASE("contact record: it records which bodies were ever in contact") {
   ContactRecord record(cube(), std::vector<double>{0.1, 0.1, 0.1});
   CHECK_FALSE(record.touched());
   push(record, 1, 0, 0, 1);

@@ -17,7 +17,7 @@ using fixtures::value;
 
 namespace {
 
-/// A small plate and a cylinder that touches its edge at t = 0, at rest.
+/// A small plate and a cylinder in contact with its edge at t = 0, at rest.
 Setup plate_and_cylinder() {
   Setup setup;
   setup.time = {.end = 40e-6, .step = 2e-7};
@@ -34,7 +34,7 @@ Setup plate_and_cylinder() {
   return setup;
 }
 
-/// What is left of the energy when the works of holder and loads are taken off [J].
+/// Energy minus constraint work and work of loads [J].
 double own_energy(const Simulation& simulation) {
   const Impactor& impactor = simulation.impactors()[0];
   return value(simulation, "total.energy [J]") - impactor.constraint_work() - impactor.load_work();
@@ -42,7 +42,7 @@ double own_energy(const Simulation& simulation) {
 
 }  // namespace
 
-TEST_CASE("driven impactor: a table of displacements is met while it strikes, and the works balance the energy") {
+TEST_CASE("driven impactor: a table of displacements is followed during impact, and works balance the energy") {
   Setup setup = plate_and_cylinder();
   setup.impactors[0].motion.y.emplace().times = {0, 20e-6, 30e-6};
   setup.impactors[0].motion.y->displacements = {0, -0.5e-3, -0.4e-3};
@@ -63,7 +63,7 @@ TEST_CASE("driven impactor: a table of displacements is met while it strikes, an
   CHECK(own_energy(simulation) > -0.2 * simulation.impactors()[0].constraint_work());
 }
 
-TEST_CASE("driven impactor: a load that presses a free one into the plate does the work that energy gains") {
+TEST_CASE("driven impactor: a load that presses a free impactor into the plate does the work gained in energy") {
   Setup setup = plate_and_cylinder();
   setup.impactors[0].free_dofs = {"y"};
   LoadSetup push;
@@ -111,7 +111,7 @@ TEST_CASE("driven impactor: gauges of all parts add up to its force and moment, 
   CHECK_NOTHROW(value(simulation, "cylinder.spin.torque [N m]"));
 }
 
-TEST_CASE("driven impactor: a density makes the mass and inertia that the mass would") {
+TEST_CASE("driven impactor: a density yields the same mass and inertia as the mass") {
   Setup by_mass = plate_and_cylinder(), by_density = plate_and_cylinder();
   const Simulation one(by_mass);
   const double volume = one.impactors()[0].surface().report().volume;
@@ -124,17 +124,17 @@ TEST_CASE("driven impactor: a density makes the mass and inertia that the mass w
   CHECK(a.properties().inertia.row[2].z == fixtures::relative(0.5 * 0.1 * 0.01 * 0.01, 0.01));  // of the round cylinder; panels lie within
 }
 
-TEST_CASE("driven impactor: what cannot be is refused with its key") {
+TEST_CASE("driven impactor: invalid set-ups are refused with their key") {
   std::string key;
   Setup both = plate_and_cylinder();
   both.impactors[0].density = 8000;
-  CHECK(complaint(both, key) == "impactor cylinder needs a mass or a density, and not both.");
+  CHECK(complaint(both, key) == "impactor cylinder needs either a mass or a density.");
   CHECK(key == "impactors.cylinder");
   Setup free = plate_and_cylinder();
   free.impactors[0].free_dofs = {"y"};
   free.impactors[0].motion.y.emplace().times = {0};
   free.impactors[0].motion.y->velocities = {1};
-  CHECK(complaint(free, key) == "y of cylinder is free, so no table can move it; hold it, or remove its motion.");
+  CHECK(complaint(free, key) == "y of cylinder is free, so that its motion cannot be prescribed; remove it from free_dofs, or remove its motion.");
   CHECK(key == "impactors.cylinder.motion.y");
   Setup part = plate_and_cylinder();
   GaugeSetup gauge;

@@ -38,7 +38,7 @@ Setup block_and_raft() {
 
 }  // namespace
 
-TEST_CASE("floating impactor: a raft placed at its draught stays, and columns of history say what holds it up") {
+TEST_CASE("floating impactor: a raft at its equilibrium draft stays, and columns of history give the hydrostatic force") {
   Simulation simulation(block_and_raft());
   fixtures::run(simulation);
   const Impactor& raft = simulation.impactors()[0];
@@ -46,11 +46,11 @@ TEST_CASE("floating impactor: a raft placed at its draught stays, and columns of
   CHECK(std::fabs(raft.body().position_of_com().z) < 1e-12);
   CHECK(std::fabs(value(simulation, "raft.water_force_z [N]")) < 1e-8);
   CHECK(value(simulation, "raft.displaced_mass [kg]") == fixtures::relative(512.5, 1e-12));
-  CHECK(raft.draft_() == fixtures::relative(0.25, 1e-12));
+  CHECK(raft.draft() == fixtures::relative(0.25, 1e-12));
   CHECK(*raft.placed_in_water()->rise == fixtures::absolute(0, 1e-12, "m"));
 }
 
-TEST_CASE("floating impactor: a raft let go above its place bobs with ρ g A and its added mass, and the work of water balances energy and momentum") {
+TEST_CASE("floating impactor: a raft released above equilibrium oscillates with ρ g A and its added mass, and the work of water balances energy and momentum") {
   Setup setup = block_and_raft();
   setup.impactors[0].position = {0, 0, 0.1};
   setup.impactors[0].floating->added_mass = 0.5;
@@ -76,7 +76,7 @@ TEST_CASE("floating impactor: a raft let go above its place bobs with ρ g A and
   CHECK(raft.body().properties().added_mass.z == fixtures::relative(0.5 * mass, 1e-12));
 }
 
-TEST_CASE("floating impactor: what is heavier than its water has the added mass of all that it displaces") {
+TEST_CASE("floating impactor: a body heavier than water has the added mass of its whole displacement") {
   Setup setup = block_and_raft();
   setup.impactors[0].density = 3000;
   setup.impactors[0].floating->added_mass = 0.5;
@@ -87,7 +87,7 @@ TEST_CASE("floating impactor: what is heavier than its water has the added mass 
   CHECK(raft.placed_in_water()->hydrostatics.force == fixtures::relative((0.5 * 1025 - 3000) * 9.81, 1e-12));
 }
 
-TEST_CASE("floating impactor: a load at the rail of a raft sinks it by its weight and heels it against its stiffness") {
+TEST_CASE("floating impactor: a load at the rail of a raft causes sinkage by its weight and heel by its hydrostatic stiffness") {
   Setup setup = block_and_raft();
   setup.time.end = 12;
   ImpactorSetup& raft = setup.impactors[0];
@@ -99,11 +99,11 @@ TEST_CASE("floating impactor: a load at the rail of a raft sinks it by its weigh
   raft.loads = {cargo};
   Simulation simulation(setup);
   fixtures::run(simulation);
-  const double lift = 1025 * 9.81, volume = 0.5 + force / lift, draft_ = 0.5 * volume;
+  const double lift = 1025 * 9.81, volume = 0.5 + force / lift, draft = 0.5 * volume;
   const fccda::Pose& pose = simulation.impactors()[0].body().pose();
-  CHECK(pose.position().z == fixtures::relative(0.25 - draft_, 0.01));  // -1 cm; a heeled box lies 0.02² × 0.1 m² / 2 higher
+  CHECK(pose.position().z == fixtures::relative(0.25 - draft, 0.01));  // -1 cm; a heeled box lies 0.02² × 0.1 m² / 2 higher
   // per radian: the waterplane's second moment B³ L/12 = 1/6 m⁴, less what buoyancy under and cargo over the centre of mass turn with it
-  const double stiffness = lift * (1.0 / 6 + volume * (0.5 * draft_ - 0.25)) - force * above;
+  const double stiffness = lift * (1.0 / 6 + volume * (0.5 * draft - 0.25)) - force * above;
   const double angle = std::asin(pose.rotation().row[2].y);
   CHECK(angle == fixtures::relative(-force * beside / stiffness, 2e-3));  // 0.02 rad, to its square
   // damping took what cargo and water gave, but for a rest that decays with 2/s: e^-24 of 2 J; rounding is more
@@ -119,9 +119,8 @@ TEST_CASE("floating impactor: an open surface is refused with its key") {
   raft.density.reset();
   raft.mass = 10;
   std::string key;
-  CHECK(
-      complaint(setup, key) ==
-      "the surface of raft is open, so nothing says what it displaces; close the surface (`perimpact mesh` says where it is open), or remove floating and give "
-      "the force as a load.");
+  CHECK(complaint(setup, key) ==
+        "the surface of raft is open, so that its displacement is undefined; close the surface (`perimpact mesh` shows where it is open), or remove floating "
+        "and give the force as a load.");
   CHECK(key == "impactors.raft.floating");
 }

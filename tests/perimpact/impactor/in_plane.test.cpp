@@ -16,7 +16,7 @@ namespace {
 
 constexpr double spacing = 0.002, height = 0.03;  // [m]; `height`: of the plane z
 
-/// A plane plate off the origin's height, and a cylinder through its plane that strikes an edge off the middle.
+/// A plane plate off the origin's height, and a cylinder through its plane in off-centre contact with an edge.
 Setup struck_plate() {
   Setup setup;
   setup.time = {.end = 30e-6, .step = 1e-7};
@@ -41,7 +41,7 @@ bool holds(const std::string& text, const std::string& words) { return text.find
 
 }  // namespace
 
-TEST_CASE("in plane: a struck plane body stays in its plane to the last bit, and what it gains in the plane the impactor loses") {
+TEST_CASE("in plane: a plane body in contact stays bitwise in its plane, and momentum in the plane is conserved") {
   Simulation simulation(struck_plate());
   const Particles& particles = simulation.bodies()[0].particles;
   const Vec3d start = 0.05 * Vec3d{2, -30, 0};
@@ -53,15 +53,15 @@ TEST_CASE("in plane: a struck plane body stays in its plane to the last bit, and
     momentum += particles.mass(slot) * particles.velocity.at(slot);
   }
   const Impactor& cylinder = simulation.impactors()[0];
-  REQUIRE(norm(cylinder.account().impulse) + norm(momentum) > 0.1);  // [kg m/s]; it did strike
+  REQUIRE(norm(cylinder.account().impulse) + norm(momentum) > 0.1);  // [kg m/s]; contact occurred
   CHECK(cylinder.body().velocity().z == 0);
   CHECK(cylinder.body().pose().position().z == height);
   const Vec3d after = 0.05 * cylinder.body().velocity() + momentum;
   CHECK(norm(after - start) <= 1e-12 * norm(start));  // rounding of 300 steps
 }
 
-TEST_CASE("in plane: an impactor that leaves the plane, or may, is refused") {
-  const char* sentence = "body that it may strike is plane: it must stay in the plane";
+TEST_CASE("in plane: an impactor that can leave the plane is refused") {
+  const char* sentence = "body that it may contact is plane: restrict it to motion along x and y";
   CHECK(complaint(struck_plate()).empty());
   Setup setup = struck_plate();
   setup.impactors[0].velocity.z = 0.1;
@@ -76,7 +76,7 @@ TEST_CASE("in plane: an impactor that leaves the plane, or may, is refused") {
   CHECK(holds(complaint(setup), "is free in rx"));
 }
 
-TEST_CASE("in plane: an open surface must go on through the plane") {
+TEST_CASE("in plane: an open surface must extend through the plane") {
   const ::fixtures::TemporaryFolder folder;
   Setup setup = struck_plate();
   const auto wall = [&](double low) {
@@ -93,7 +93,7 @@ TEST_CASE("in plane: an open surface must go on through the plane") {
   CHECK(holds(wall(0.0303), "but the surface ends near there: at ("));
 }
 
-TEST_CASE("in plane: a surface must stand upright wherever contact spheres can meet it, and nowhere else") {
+TEST_CASE("in plane: a surface must be prismatic where contact spheres can meet it, and only there") {
   const char* sentence = "the surface does not run along z where it meets it: a panel at";
   Setup setup = struck_plate();
   setup.impactors[0].position.z = height + 0.0019;  // the lower end 3.1 mm under the plane, a spacing and a contact radius being 3 mm

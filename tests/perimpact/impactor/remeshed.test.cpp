@@ -22,13 +22,13 @@ fccda::Panels plate() {
 
 }  // namespace
 
-TEST_CASE("remeshed: nothing is done where nothing is asked for") {
+TEST_CASE("remeshed: without keys the surface is unchanged") {
   const Remeshed same = remeshed(Surface(fixtures::unit_cube()), ImpactorSetup{.name = "ship"});
   CHECK(!same.remeshing);
   CHECK(same.surface.report().panels == 6);
 }
 
-TEST_CASE("remeshed: panels are merged first and halved then, and the report on the given surface is kept") {
+TEST_CASE("remeshed: panels are merged first and bisected then, and the report on the given surface is kept") {
   const Surface given(plate(), {.orientation = fccda::Orientation::normals});
   ImpactorSetup setup{.name = "ship", .coarsen = CoarseningSetup{.max_deviation = 1e-6}};
   CHECK(remeshed(given, setup).surface.triangles().size() == 2);
@@ -41,7 +41,7 @@ TEST_CASE("remeshed: panels are merged first and halved then, and the report on 
   CHECK(both.surface.triangles().size() < 100);
 }
 
-TEST_CASE("remeshed: an open surface keeps its outside, whichever way its panels were wound") {
+TEST_CASE("remeshed: an open surface keeps its outer side, for any orientation of its panels") {
   for (const auto outside : {fccda::Orientation::normals, fccda::Orientation::reversed}) {
     const double up = outside == fccda::Orientation::normals ? 1 : -1;
     const Remeshed both =

@@ -63,7 +63,7 @@ std::vector<double> solve(std::vector<std::vector<double>> K, std::vector<double
   return b;
 }
 
-/// Displacements under a body force with the particles of the first layer in x held, of the stiffness found by differences of the forces.
+/// Displacements under a body force with the first layer of particles in x constrained, from the stiffness by differences of the forces.
 std::vector<Vec3d> direct_solution(Body body, const Vec3d& force_density) {
   const double step = 1e-6 * body.particles.spacing();
   double first = body.particles.reference(body.particles.slot_of()[0]).x;
@@ -106,7 +106,7 @@ double largest(const Particles& particles, const std::function<Vec3d(std::size_t
   return most;
 }
 
-/// A bar along x of 12 layers of 1 mm, its ends held in x, the right one led to `displacement`.
+/// A bar along x of 12 layers of 1 mm, its ends constrained in x, the right one displaced by `displacement`.
 BodySetup pulled_bar(double displacement, std::optional<double> critical_stretch = {}) {
   BodySetup setup = fixtures::body_setup({.size = {0.012, 0.003, 0.003}, .critical_stretch = critical_stretch});
   DisplacementSetup course;
@@ -143,7 +143,7 @@ TEST_CASE("relax: in a block under tension strain and contraction are those of t
   CHECK(block.account(1).force().x == fixtures::relative(traction * 0.01, 1e-12));
 }
 
-TEST_CASE("relax: the state found is that of the stiffness matrix, whatever the material, the points and the dimension") {
+TEST_CASE("relax: the equilibrium is that of the stiffness matrix, for any material, points and dimension") {
   fccda::use_threads(1);
   using fixtures::Model;
   using fixtures::Points;
@@ -173,7 +173,7 @@ TEST_CASE("relax: the state found is that of the stiffness matrix, whatever the 
   }
 }
 
-TEST_CASE("relax: the state depends neither on the densities nor on the length of the increment, the iterations on the densities only") {
+TEST_CASE("relax: the equilibrium depends neither on the densities nor on the length of the increment, the iterations on the densities only") {
   fccda::use_threads(1);
   const auto relaxed = [](double dt, double safety, long& iterations) {
     BodySetup setup = pulled_bar(1e-6);
@@ -191,7 +191,7 @@ TEST_CASE("relax: the state depends neither on the densities nor on the length o
   CHECK(slow.second == fixtures::relative(state.second, 1e-7));
 }
 
-TEST_CASE("relax: the work of what leads the particles is the elastic energy, over several increments too") {
+TEST_CASE("relax: the work of prescribed displacements is the elastic energy, also over several increments") {
   fccda::use_threads(1);
   BodySetup setup = pulled_bar(1e-6);
   RelaxedBody bar(setup, make_body(setup), ends);
@@ -202,7 +202,7 @@ TEST_CASE("relax: the work of what leads the particles is the elastic energy, ov
   }
 }
 
-TEST_CASE("relax: bonds break in equilibrium only, not by the waves on the way there") {
+TEST_CASE("relax: bonds break in equilibrium only, not by transient waves") {
   fccda::use_threads(1);
   constexpr double critical = 1e-3;
   const double all = 0.011 * critical;  // [m] of the longer bonds between the ends, evenly stretched
@@ -218,7 +218,7 @@ TEST_CASE("relax: bonds break in equilibrium only, not by the waves on the way t
   CHECK(std::fabs(torn.account(1).force().x) < 1e-3 * std::fabs(whole.account(1).force().x));  // its halves hang on their grips
 }
 
-TEST_CASE("relax: a body that nothing holds finds no equilibrium, and the error says where and by how much") {
+TEST_CASE("relax: an unconstrained body has no equilibrium, and the error gives the increment and the residual") {
   fccda::use_threads(1);
   BodySetup setup = fixtures::body_setup({.size = {0.004, 0.003, 0.003}});
   setup.boundary_conditions = {{"weight", BodyForceSetup{.force_density = {0, 0, -8e4}}}};
@@ -231,11 +231,11 @@ TEST_CASE("relax: a body that nothing holds finds no equilibrium, and the error 
   }
   CHECK(sentence.starts_with("Increment 1 (t = 0.5 s) is not in equilibrium after 20 iterations: the residual is "));
   CHECK(
-      sentence.ends_with(", but the tolerance 0.0001. Perhaps there is no equilibrium, because something is not held, or has broken off; else allow more "
-                         "iterations, or take smaller increments."));
+      sentence.ends_with(", but the tolerance is 0.0001. If a part is unconstrained or has broken off, there is no equilibrium; otherwise increase "
+                         "max_iterations, or use smaller increments."));
 }
 
-TEST_CASE("relax: one and two threads find the same state to the last bit, with bonds that break on the way") {
+TEST_CASE("relax: one and two threads yield the bitwise identical state, with bond failure on the way") {
   const auto positions = [](int threads) {
     fccda::use_threads(threads);
     BodySetup setup = pulled_bar(2.5e-5, 1e-3);

@@ -21,7 +21,7 @@ Body continuum_body(FamilyRule family, double nu) {
 }
 }  // namespace
 
-TEST_CASE("stable step: the limit of the infinite lattice is that of the Bloch table, and that of a body without corrections is near") {
+TEST_CASE("stable step: the limit of the infinite lattice is that of the Bloch analysis, and that of a body without corrections is close") {
   struct Row {
     FamilyRule family;
     double nu, exact;
@@ -34,18 +34,18 @@ TEST_CASE("stable step: the limit of the infinite lattice is that of the Bloch t
     const Body body = continuum_body(row.family, row.nu);
     const double waves = fixtures::plane_wave_limit(body);
     CHECK(in_spacings(waves) == fixtures::relative(row.exact, 0.005));
-    // without a correction surfaces are softer than the inside: the body stands what the lattice does, and little more since waves must fit into it
+    // without a correction surfaces are softer than the interior: the limit is that of the lattice, and little more since waves must fit into the body
     CHECK(exact_stable_step(body) > 0.999 * waves);
     CHECK(exact_stable_step(body) < 1.1 * waves);
   }
 }
 
-TEST_CASE("stable step: the estimate of Silling and Askari is that of the table, for an interior particle") {
+TEST_CASE("stable step: the estimate of Silling and Askari is that of the reference table, for an interior particle") {
   CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::madenci_oterkus, 0.25))) == fixtures::relative(0.924, 0.001));  // three digits
   CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::hu_ha_bobaru, 0.25))) == fixtures::relative(0.888, 0.001));
 }
 
-TEST_CASE("stable step: what a body surely stands is longer than the estimate and no longer than its own stiffest mode allows") {
+TEST_CASE("stable step: the lower bound for a body is longer than the estimate and no longer than its stiffest mode permits") {
   const Body solid = fixtures::body({.size = {0.012, 0.012, 0.012}});
   const double own = own_stable_step(solid, {}), estimate = silling_askari_step(solid);
   CHECK(own > 1.1 * estimate);
@@ -58,7 +58,7 @@ TEST_CASE("stable step: what a body surely stands is longer than the estimate an
   CHECK(own_stable_step(solid, contact) == fixtures::relative(2 / std::sqrt(squared), 1e-12));
 }
 
-TEST_CASE("stable step: below the exact limit a shaken block keeps its energy, above it the energy grows") {
+TEST_CASE("stable step: below the exact limit a perturbed block conserves its energy, above it the energy grows") {
   for (const double nu : {0.25, 0.3}) {
     const auto energy_after = [&](double share) {
       Body solid = fixtures::body({.size = {0.012, 0.012, 0.012}, .poissons_ratio = nu});

@@ -47,7 +47,7 @@ std::vector<fixtures::NamedOptions> some_bodies() {
 
 }  // namespace
 
-TEST_CASE("stiffest mode: two particles and their bond swing as a spring with two masses") {
+TEST_CASE("stiffest mode: two particles and their bond oscillate as two masses with a spring") {
   const double h = 0.001;
   BodySetup setup = fixtures::body_setup({.correction = SurfaceCorrection::none, .model = Model::bond_based});
   Body pair = make_body(setup, Particles(Cloud{{{0, 0, 0}, {h, 0, 0}}, {h * h * h, 2 * h * h * h}, {}}, fixtures::density));
@@ -58,7 +58,7 @@ TEST_CASE("stiffest mode: two particles and their bond swing as a spring with tw
   CHECK(stiffest_mode(pair) == fixtures::relative(row, 1e-6));  // ω² = k (1/m₁ + 1/m₂); the force is linear to 1e-6
 }
 
-TEST_CASE("stiffest mode: forty products come from below and within one per cent of two hundred") {
+TEST_CASE("stiffest mode: forty products converge from below and within one per cent of two hundred") {
   for (const fixtures::NamedOptions& one : some_bodies()) {
     const BodyOptions& options = one.options;
     CAPTURE(one.name);
@@ -69,7 +69,7 @@ TEST_CASE("stiffest mode: forty products come from below and within one per cent
   }
 }
 
-TEST_CASE("stiffest mode: the result does not depend on the positions and leaves the body alone") {
+TEST_CASE("stiffest mode: the result does not depend on the positions and leaves the body unchanged") {
   Body solid = fixtures::body({.poissons_ratio = 0.3, .critical_stretch = 1e-9, .model = Model::correspondence});
   const double before = stiffest_mode(solid);
   fixtures::shake(solid, 1e-5);
@@ -77,7 +77,7 @@ TEST_CASE("stiffest mode: the result does not depend on the positions and leaves
   CHECK(solid.internal.broken_bonds() == 0);
 }
 
-TEST_CASE("exact stable step: just below it a body keeps its energy, just above it blows up") {
+TEST_CASE("exact stable step: just below it a body conserves its energy, just above it becomes unstable") {
   for (const auto& options : {BodyOptions{.size = {0.010, 0.007, 0.006}, .poissons_ratio = 0.3, .model = Model::correspondence},
                               BodyOptions{.size = {0.010, 0.007, 0.006},
                               .poissons_ratio = 0.3,
@@ -102,7 +102,7 @@ TEST_CASE("stable step: the estimate is below the exact limit of every body, and
   }
 }
 
-TEST_CASE("stable step: at 0.9 of the estimate a shaken block of correspondence keeps its energy") {
+TEST_CASE("stable step: at 0.9 of the estimate a perturbed block of correspondence conserves its energy") {
   for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff})
     for (const Stabilisation stabilisation : {Stabilisation::bond_level, Stabilisation::wan, Stabilisation::silling}) {
       const BodyOptions options{
@@ -112,7 +112,7 @@ TEST_CASE("stable step: at 0.9 of the estimate a shaken block of correspondence 
     }
 }
 
-TEST_CASE("stable step: whatever breaks in a body of correspondence, the estimate made before stays below the exact limit") {
+TEST_CASE("stable step: for any bond failure in a body of correspondence, the initial estimate stays below the exact limit") {
   for (const PlaneState plane : {PlaneState::none, PlaneState::stress})
     for (const Stabilisation stabilisation : {Stabilisation::bond_level, Stabilisation::wan, Stabilisation::silling}) {
       const Body whole = fixtures::body({.size = plane == PlaneState::none ? Vec3d{0.008, 0.007, 0.006} : Vec3d{0.016, 0.016, 0.001},

@@ -1,4 +1,4 @@
-// Boundaries in whole simulations: regions of the deck, columns, contact on held particles, threads.
+// Boundary conditions in whole simulations: particle sets, columns, contact on constrained particles, threads.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ Setup clamped_plate() {
   return setup;
 }
 
-/// A sphere that strikes the plate from above at x.
+/// A sphere that impacts the plate from above at x.
 ImpactorSetup sphere(double x) {
   ImpactorSetup impactor;
   impactor.name = "sphere";
@@ -48,7 +48,7 @@ ImpactorSetup sphere(double x) {
 
 }  // namespace
 
-TEST_CASE("boundary_conditions: force and work of each are columns of the history, and with the impactor's they balance the momentum") {
+TEST_CASE("boundary conditions: force and work of each are columns of the history, and balance the momentum with those of the impactor") {
   Setup setup = clamped_plate();
   setup.impactors = {sphere(0)};
   Simulation simulation(setup);
@@ -61,14 +61,14 @@ TEST_CASE("boundary_conditions: force and work of each are columns of the histor
     impulse += value(simulation, "plate.clamp.force_z [N]") * 1e-6;
     CHECK(row < value(simulation, "time [s]"));
   }
-  CHECK(value(simulation, "sphere.velocity_z [m/s]") > -19.9);  // it did strike
+  CHECK(value(simulation, "sphere.velocity_z [m/s]") > -19.9);  // contact occurred
   CHECK(impulse > 0);                                           // and the clamp felt it
-  // exact but for rounding: all momentum that leaves goes through the clamp
+  // exact up to rounding: all momentum leaves through the clamp
   CHECK(value(simulation, "total.momentum_z [kg m/s]") - before == fixtures::relative(impulse, 1e-9));
   CHECK(value(simulation, "plate.clamp.work [J]") == 0);
 }
 
-TEST_CASE("boundary_conditions: an impactor does not move particles that are held, and bounces off them as if the clamp were stiff") {
+TEST_CASE("boundary conditions: an impactor does not move constrained particles, and rebounds as from a stiff clamp") {
   Setup setup = clamped_plate();
   setup.impactors = {sphere(-0.009)};  // above the clamped layers, whose contact is the whole of it
   setup.impactors[0].surface = SphereSurface{.diameter = 0.001, .edge_length = 0.0002};
@@ -91,7 +91,7 @@ TEST_CASE("boundary_conditions: an impactor does not move particles that are hel
   CHECK(value(simulation, "total.momentum_z [kg m/s]") - before == fixtures::relative(impulse, 1e-9));
 }
 
-TEST_CASE("boundary_conditions: one, two and four threads end in the same state to the last bit, with one of each kind") {
+TEST_CASE("boundary conditions: one, two and four threads end in the bitwise identical state, with one of each kind") {
   const auto hash = [](int threads) {
     fccda::use_threads(threads);
     Setup setup = clamped_plate();
@@ -112,7 +112,7 @@ TEST_CASE("boundary_conditions: one, two and four threads end in the same state 
   CHECK(hash(4) == one);
 }
 
-TEST_CASE("boundary_conditions: a region that the body does not have is refused with its key") {
+TEST_CASE("boundary conditions: an unknown particle set is refused with its key") {
   Setup setup = clamped_plate();
   setup.bodies[0].boundary_conditions[0].kind = FixedSetup{.particle_set = "lefft"};
   std::string key;
@@ -154,11 +154,11 @@ TEST_CASE("relax: impactors are refused") {
   setup.impactors = {sphere(0)};
   std::string key;
   CHECK(complaint(setup, key) ==
-        "impactor sphere cannot take part where bodies are relaxed; lead the particles it would touch with a boundary, or remove time.relax.");
+        "impactor sphere is not supported with time.relax; prescribe the displacement of the particles in contact instead, or remove time.relax.");
   CHECK(key == "impactors.sphere");
 }
 
-TEST_CASE("boundary_conditions: a load that begins at nothing is not taken for an unstable step") {
+TEST_CASE("boundary conditions: a load that starts from zero is not mistaken for an unstable step") {
   Setup setup = clamped_plate();
   setup.bodies[0].boundary_conditions = {
       {"push", PressureSetup{.particle_set = "right", .face = Choice{face_words, 0}, .value = 2e5, .times = {0, 80e-6}, .factors = {0, 1}}}};

@@ -1,4 +1,4 @@
-// The balance of energy in history: what was taken is told, and it closes (docs/theory/energy.md).
+// The energy balance in history: dissipation is reported, and it closes (docs/theory/energy.md).
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using fixtures::value;
 
 namespace {
 
-/// A sheet of metal that floats on something heavy, held along two edges; a block is driven into it and through, and rubs.
+/// A sheet of metal that floats on a heavy liquid, constrained along two edges; a block is driven through it with friction.
 Setup pierced(Model model, double poissons_ratio = 0.25) {
   Setup setup;
   setup.time = {.end = 30e-6, .step = 1e-7};
@@ -73,7 +73,7 @@ TEST_CASE("energy balance: it closes for every material while a driven block bre
   }
 }
 
-TEST_CASE("energy balance: contact's work on a driven impactor is its force times its way, and on a free one what it gains") {
+TEST_CASE("energy balance: the work of contact on a driven impactor is its force times displacement, and on a free one its gain") {
   for (const bool is_free : {false, true}) {
     Setup setup = pierced(Model::ordinary_state);
     if (is_free) setup.impactors[0].free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
@@ -90,28 +90,28 @@ TEST_CASE("energy balance: contact's work on a driven impactor is its force time
     }
     const double told = value(simulation, "block.contact_work [J]");
     CHECK(told < -1);
-    CHECK(told == fixtures::relative(is_free ? block.kinetic_energy() - first : work, 1e-9));  // rounding of some thousand pushes
+    CHECK(told == fixtures::relative(is_free ? block.kinetic_energy() - first : work, 1e-9));  // rounding of some thousand impulses
   }
 }
 
-TEST_CASE("energy balance: a first blow takes what two bodies lose that go on together") {
+TEST_CASE("energy balance: the first impact dissipates the loss of a perfectly inelastic collision") {
   Setup setup = pierced(Model::ordinary_state);
   setup.bodies[0].boundary_conditions.clear();
   setup.contact.impactors.friction = 0;
-  setup.impactors[0].position.z = 0.005;  // touches
+  setup.impactors[0].position.z = 0.005;  // in contact
   setup.output.history_interval = setup.time.step;
   Simulation simulation(setup);
   simulation.step();
   const std::size_t resolved = simulation.contacts();
   const double mass = fixtures::density * 1e-9;  // [kg] of a particle
   REQUIRE(resolved >= 36);
-  // each got the block's velocity at once: m V² of work, half of which it has; the lattice touches but for the offset at which contact leaves it,
-  // 1e-12 of the block, against a way of 4 µm
+  // each got the block's velocity at once: m V² of work, half of which it has; the lattice is in contact up to the offset at which contact relocates it,
+  // 1e-12 of the block, against a displacement of 4 µm
   CHECK(value(simulation, "block.contact_work [J]") == fixtures::relative(-static_cast<double>(resolved) * mass * 1600, 1e-8));
   CHECK(value(simulation, "total.contact_dissipation [J]") == fixtures::relative(0.5 * static_cast<double>(resolved) * mass * 1600, 1e-9));
 }
 
-TEST_CASE("energy balance: a run that is left off after every step goes on with it to the last bit, for materials that keep what bonds determine") {
+TEST_CASE("energy balance: a restart after every step is bitwise exact, for materials with state determined by bonds") {
   for (const Model model : {Model::ordinary_state, Model::correspondence}) {
     Setup setup = pierced(model, 0.3);
     setup.time.end = 8e-6;

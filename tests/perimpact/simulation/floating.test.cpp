@@ -46,7 +46,7 @@ double middle(const Simulation& simulation) {
   return sum / static_cast<double>(particles.size());
 }
 
-/// [s] between the first and the last time that the middle goes up through z, over the number of bobs between.
+/// [s] between the first and the last upward crossing of z by the centre, over the number of oscillations between.
 double period(Simulation& simulation, double z) {
   std::vector<double> times;
   double before = middle(simulation);
@@ -62,7 +62,7 @@ double period(Simulation& simulation, double z) {
 
 }  // namespace
 
-TEST_CASE("floating: as long as the level is inside a sheet, its columns are Winkler springs of the modulus ρ g, whatever the number of layers") {
+TEST_CASE("floating: while the level is inside a sheet, its columns are Winkler springs of the modulus ρ g, for any number of layers") {
   for (const double layer : {2.0, 1.0, 0.5, 0.25}) {
     const Body body = fixtures::body({.size = {2, 2, 2}, .spacing = layer});
     const std::vector<std::uint32_t> slots(body.particles.slot_of().begin(), body.particles.slot_of().end());
@@ -76,7 +76,7 @@ TEST_CASE("floating: as long as the level is inside a sheet, its columns are Win
   }
 }
 
-TEST_CASE("floating: the level at which bodies float is that of Archimedes, exactly for a box, to the lattice for a sphere, and none for iron") {
+TEST_CASE("floating: the equilibrium level is that of Archimedes, exact for a box, to the lattice for a sphere, and none for iron") {
   Simulation box(block(0.4, {.density = sea, .gravity = gravity}, 0.1));
   const auto& water = std::get<Floating>(box.boundary_conditions()[0].all()[0].boundary);
   CHECK(water.water().level == fixtures::relative(0.4 - hydrostatics, 1e-12));
@@ -94,7 +94,7 @@ TEST_CASE("floating: the level at which bodies float is that of Archimedes, exac
   CHECK(sentence.find("body ice of 7800 kg/m3 sinks in water of 1025 kg/m3") != std::string::npos);
 }
 
-TEST_CASE("floating: a block put where it floats stays there, and one let go beside it bobs with the period of its hydrostatic stiffness") {
+TEST_CASE("floating: a block in equilibrium stays there, and one released from another position oscillates with the period of its hydrostatic stiffness") {
   Simulation still(block(hydrostatics, calm(), 0.5));
   while (!still.clock().is_finished()) still.step();
   // layers settle on one another by ρ g H²/(2 E) = 9 mm of 2 m at this modulus; of the middle a quarter of that, both ways
@@ -106,7 +106,7 @@ TEST_CASE("floating: a block put where it floats stays there, and one let go bes
   CHECK(period(bobs, hydrostatics) == fixtures::relative(expected, 0.01));
 }
 
-TEST_CASE("floating: added mass makes the bob slower by the root of one and its coefficient") {
+TEST_CASE("floating: added mass reduces the frequency by the root of one plus its coefficient") {
   FloatingSetup water = calm();
   water.added_mass = 0.8;
   Simulation bobs(block(hydrostatics + 0.05, water, 10));
@@ -114,7 +114,7 @@ TEST_CASE("floating: added mass makes the bob slower by the root of one and its 
   CHECK(period(bobs, hydrostatics) == fixtures::relative(expected, 0.01));  // as above
 }
 
-TEST_CASE("floating: a heavy block sinks at the speed at which drag on the particles of its surface carries the rest of its weight") {
+TEST_CASE("floating: a heavy block sinks at the speed at which drag on its surface particles balances its submerged weight") {
   constexpr double heavy = 2000;
   FloatingSetup water = calm();
   water.drag = 1.2;
@@ -130,7 +130,7 @@ TEST_CASE("floating: a heavy block sinks at the speed at which drag on the parti
   CHECK(speed == fixtures::relative(expected, 0.005));
 }
 
-TEST_CASE("floating: what weight, buoyancy, drag, damping and added mass do to a body is its boundary's work, and its impulse the change of momentum") {
+TEST_CASE("floating: the work of weight, buoyancy, drag, damping and added mass is that of the boundary condition, and their impulse the change of momentum") {
   FloatingSetup water = calm();
   water.drag = 1, water.damping = 0.3, water.added_mass = 0.5;
   Simulation splash(block(1.5, water, 3));
@@ -151,7 +151,7 @@ TEST_CASE("floating: what weight, buoyancy, drag, damping and added mass do to a
   CHECK(value(splash, "total.momentum_z [kg m/s]") == fixtures::relative(impulse, 1e-9));  // it began at rest
 }
 
-TEST_CASE("floating: in search of equilibrium a block comes to float where Archimedes says, from above and from below") {
+TEST_CASE("floating: relaxation of a block converges to the level of Archimedes, from above and from below") {
   for (const double away : {0.15, -0.1}) {
     Setup setup = block(hydrostatics + away, calm(), 1);
     setup.time.relax = RelaxSetup{.increments = 1, .tolerance = 1e-6};
@@ -162,16 +162,16 @@ TEST_CASE("floating: in search of equilibrium a block comes to float where Archi
   }
 }
 
-TEST_CASE("floating: weight and water that would count twice are refused") {
+TEST_CASE("floating: two floating boundary conditions on the same particles are refused") {
   Setup setup = block(0, calm(), 0.1);
   setup.bodies[0].boundary_conditions.push_back({"lake", calm()});
   std::string key;
   const std::string sentence = complaint(setup, key);
   CHECK(key == "bodies.ice.boundary_conditions.lake");
-  CHECK(sentence.starts_with("lake gives particles of body ice weight and water that another floating boundary condition gives them already"));
+  CHECK(sentence.starts_with("lake applies weight and buoyancy to particles of body ice that another floating boundary condition includes"));
 }
 
-TEST_CASE("floating: held particles neither drag nor sink, and their holder carries them") {
+TEST_CASE("floating: constrained particles neither drag nor sink, and their reaction supports them") {
   Setup setup = block(hydrostatics + 0.3, calm(), 0.2);
   FloatingSetup& water = std::get<FloatingSetup>(setup.bodies[0].boundary_conditions[0].kind);
   water.damping = 2, water.drag = 1;

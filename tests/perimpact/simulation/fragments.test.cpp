@@ -81,7 +81,7 @@ double nearest(const Body& body) {
 
 }  // namespace
 
-TEST_CASE("fragments: two equal bars that meet head on exchange their velocities, keep momentum and the energy to one per cent, in space and in the plane") {
+TEST_CASE("fragments: two equal bars in head-on impact exchange their velocities, conserve momentum and the energy to one per cent, in 3-D and 2-D") {
   for (const PlaneState plane : {PlaneState::none, PlaneState::stress}) {
     CAPTURE(static_cast<int>(plane));
     Setup setup = two_bars(plane, 10, 30e-6);  // the wave needs 10 µs to the far end and back
@@ -93,7 +93,7 @@ TEST_CASE("fragments: two equal bars that meet head on exchange their velocities
       simulation.step();
       most = std::max(most, simulation.fragments()->energy());
     }
-    CHECK(most > 0.01 * energy);                                // they did touch
+    CHECK(most > 0.01 * energy);                                // contact occurred
     CHECK(value(simulation, "total.contact_energy [J]") == 0);  // and have parted
     CHECK(value(simulation, "total.energy [J]") == fixtures::relative(energy, 0.01));
     CHECK(std::fabs(value(simulation, "total.momentum_x [kg m/s]")) <= 1e-12 * mass * 10);
@@ -137,8 +137,8 @@ TEST_CASE(
   for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
 }
 
-TEST_CASE("fragments: what friction and dashpots take is what rubble loses when it collides") {
-  // no bonds: the springs alone hold energy, and the works are those of the scheme, so only its ripple of (ω dt)² is left
+TEST_CASE("fragments: the dissipation by friction and dashpots is the energy loss of colliding rubble") {
+  // no bonds: only the springs store energy, and the works are those of the scheme, so only its ripple of (ω dt)² is left
   Setup setup = with_contact(
       {block("left", {0.006, 0.006, 0.006}, {-0.0035, 0.0004, 0}, {40, 3, 0}), block("right", {0.006, 0.006, 0.006}, {0.0035, 0, 0.0003}, {-40, 0, 5})}, 3e-5);
   setup.contact.fragments.friction = 0.3;
@@ -159,8 +159,8 @@ TEST_CASE("fragments: what friction and dashpots take is what rubble loses when 
   CHECK(simulation.fragments()->dashpot_dissipation() > 0.05 * first);
 }
 
-TEST_CASE("fragments: a pressed slider is braked by µ times the pressure, and stays where it stops") {
-  // particles right above one another, and a way so short that they stay so; the slab below is held
+TEST_CASE("fragments: a slider under pressure is braked by µ times the pressure, and comes to rest") {
+  // particles right above one another, and a displacement so short that they stay so; the slab below is constrained
   const double spacing = 0.001, acceleration = 3e4, friction = 0.3, speed = 0.3;
   Setup setup = with_contact({block("slab", {0.004, 0.004, 0.003}, {0, 0, -0.0015}, {}), block("slider", {0.004, 0.004, 0.002}, {0, 0, 0.001}, {})}, 1);
   setup.contact.fragments.friction = friction;
@@ -244,7 +244,7 @@ Rebound rebound(double speed, double along_y, double along_z, double angle) {
 
 }  // namespace
 
-TEST_CASE("fragments: blocks that meet face to face do not feel the phase of their lattices, nor how they are turned") {
+TEST_CASE("fragments: face-to-face contact of blocks depends neither on the phase nor on the rotation of their lattices") {
   for (const double speed : {1.0, 5.0}) {
     const Rebound plain = rebound(speed, 0, 0, 0);
     CAPTURE(speed);
@@ -259,7 +259,7 @@ TEST_CASE("fragments: blocks that meet face to face do not feel the phase of the
   }
 }
 
-TEST_CASE("fragments: a block that slides on another without friction keeps its speed, whatever its lattice's angle") {
+TEST_CASE("fragments: a block that slides on another without friction keeps its speed, for any angle of its lattice") {
   for (const double angle : {0.0, 0.35}) {
     CAPTURE(angle);
     const Vec3d start{-0.4, 0.01, 0.1};
@@ -284,8 +284,8 @@ TEST_CASE("fragments: a block that slides on another without friction keeps its 
   }
 }
 
-TEST_CASE("fragments: friction and dashpots take in every step of confined crushing, and the balance closes") {
-  // a heavy sphere into a block in a rigid mould: rubble is pressed and rubs against what boundaries hold
+TEST_CASE("fragments: friction and dashpots dissipate in every step of confined crushing, and the energy balance closes") {
+  // a heavy sphere into a block in a rigid mould: rubble is compressed and slides against constrained particles
   fixtures::BodyOptions ice{.spacing = 0.1, .model = fixtures::Model::bond_based};
   BodySetup body = block("ice", {1.2, 1.2, 0.6}, {0, 0, -0.3}, {}, ice);
   BondBasedSetup material;
@@ -325,7 +325,7 @@ TEST_CASE("fragments: friction and dashpots take in every step of confined crush
   CHECK(std::fabs(value(simulation, "total.energy_balance_error [J]")) <= 0.005 * work);  // what is asked of contact
 }
 
-TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart, and all together keep their momentum") {
+TEST_CASE("fragments: the fragments of a block under impact separate, and conserve their total momentum") {
   fixtures::BodyOptions brittle{.critical_stretch = 1e-3};
   Setup setup = with_contact({block("block", {0.010, 0.008, 0.005}, {}, {}, brittle)}, 2e-5);
   ImpactorSetup ball;
@@ -347,10 +347,10 @@ TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart,
     apart[touches] = nearest(simulation.bodies()[0]);
   }
   CHECK(apart[0] < 0.5 * apart[1]);
-  CHECK(apart[1] > 0.4);  // of a spacing; contact begins at 0.9 and gives way
+  CHECK(apart[1] > 0.4);  // of a spacing; contact begins at 0.9 and is compliant
 }
 
-TEST_CASE("fragments: a run left off and taken up by a simulation made anew goes on with the same bits and works") {
+TEST_CASE("fragments: a restart is bitwise exact, also in the works") {
   const Setup setup = shattering();
   Simulation whole(setup);
   std::optional<Simulation> resumed(std::in_place, setup);
@@ -367,28 +367,29 @@ TEST_CASE("fragments: a run left off and taken up by a simulation made anew goes
   CHECK(whole.fragments()->friction_dissipation() > 0);
 }
 
-TEST_CASE("fragments: bodies of two dimensions touch others in their plane, and nothing else") {
+TEST_CASE("fragments: 2-D bodies have contact within their plane only") {
   std::string key;
   Setup mixed = two_bars(PlaneState::none, 10, 1e-6);
   mixed.bodies[1].plane.index = static_cast<int>(PlaneState::stress);
   CHECK(fixtures::complaint(mixed, key) ==
-        "body right is plane and body left is not, but only bodies of the same dimension can touch; write law: none, or give both the same plane.");
+        "body right is plane and body left is not, but contact is supported between bodies of the same dimension only; set law: none, or give both the same "
+        "plane.");
   CHECK(key == "contact.fragments.law");
   Setup apart = two_bars(PlaneState::stress, 10, 1e-6);
   apart.bodies[1].position.z = 0.001;
   CHECK(fixtures::complaint(apart, key) ==
-        "the plane bodies left and right lie at z = 0 m and 0.001 m, but only bodies in one plane can touch; give them the same z, or write law: none.");
+        "the plane bodies left and right lie at z = 0 m and 0.001 m, but contact is supported within one plane only; give them the same z, or set law: none.");
 }
 
-TEST_CASE("fragments: bodies that start nearer than they may are told of in a warning") {
+TEST_CASE("fragments: bodies initially closer than the contact distance yield a warning") {
   Setup setup = two_bars(PlaneState::none, 0, 1e-6);
   setup.bodies[1].position.x = 0.0116;
   const std::vector<std::string> warnings = Simulation(setup).warnings();
   REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].find(" pairs of particles start nearer to one another than their contact distance, and the ") != std::string::npos);
+  CHECK(warnings[0].find(" pairs of particles are initially closer than their contact distance, and ") != std::string::npos);
 }
 
-TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap of rubble is quiet at it") {
+TEST_CASE("stable step: contact shortens it, and dashpots more so; a pile of rubble is stable at it") {
   Setup setup = two_bars(PlaneState::none, 10, 30e-6);
   const auto step = [&] { return Simulation(setup).stability().estimate; };
   const double with = step();

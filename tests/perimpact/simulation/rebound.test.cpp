@@ -96,20 +96,20 @@ Bounce bounce(const Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("rebound: a free ball and the elastic block that it strikes never have more energy than at first, heavy or light, slow or fast") {
+TEST_CASE("rebound: a free ball and the elastic block that it impacts never gain energy, for any mass and speed") {
   for (const double mass : {4.32e-3, 43.2e-3})
     for (const double speed : {2.0, 8.0, 20.0}) {
       CAPTURE(mass);
       CAPTURE(speed);
       const Bounce found = bounce(ball_and_block(mass, speed));
-      CHECK(found.highest <= 1.0005 * found.start);        // the explicit coupling of the seed paper gains 0.5 to 5 %
-      CHECK(found.loss > 0);                               // first touches
+      CHECK(found.highest <= 1.0005 * found.start);        // the explicit coupling of the FCCDA paper gains 0.5 to 5 %
+      CHECK(found.loss > 0);                               // first contacts
       CHECK(found.closing < 1e-3 * found.start);           // (ω Δt)² of the balance
       CHECK(found.momentum < 1e-12 * mass * speed * 100);  // rounding of 300 steps
     }
 }
 
-TEST_CASE("rebound: the energy that no term tells falls with the square of the step") {
+TEST_CASE("rebound: the unaccounted energy decreases with the square of the step") {
   Setup setup = ball_and_block(4.32e-3, 20);
   setup.time.step = 0.7e-6;
   const double coarse = bounce(setup).closing;

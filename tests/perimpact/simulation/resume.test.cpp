@@ -14,7 +14,7 @@ namespace perimpact {
 namespace {
 
 /// Two bodies among three impactors: one that spins and rubs and has a gauge and a region that clips it, one driven by a table and pushed by
-/// a load, and an open sheet. The first floats. Bonds break, panels share pushes, and the row of history that is open at most steps holds pushes.
+/// a load, and an open sheet. The first floats. Bonds break, panels share impulses, and the open row of history contains impulses at most steps.
 Setup lively(const ::fixtures::TemporaryFolder& folder) {
   Setup setup;
   setup.time = {.end = 4.4e-6, .step = 2e-7};
@@ -62,7 +62,7 @@ Setup lively(const ::fixtures::TemporaryFolder& folder) {
 
 }  // namespace
 
-TEST_CASE("resume: a run left off after every step and taken up by a simulation made anew is the same to the last bit") {
+TEST_CASE("restart: a restart after every step is bitwise exact") {
   const ::fixtures::TemporaryFolder folder;
   const Setup setup = lively(folder);
   Simulation simulation(setup);
@@ -77,7 +77,7 @@ TEST_CASE("resume: a run left off after every step and taken up by a simulation 
   fixtures::expect_same_when_resumed_at_every_step(setup);
 }
 
-TEST_CASE("resume: likewise with the published and the analytic detector") {
+TEST_CASE("restart: likewise with the published and the analytic detector") {
   const ::fixtures::TemporaryFolder folder;
   for (const DetectorKind kind : {DetectorKind::published, DetectorKind::analytic}) {
     Setup setup = lively(folder);
@@ -89,7 +89,7 @@ TEST_CASE("resume: likewise with the published and the analytic detector") {
   }
 }
 
-TEST_CASE("resume: counts of the work of detection go on") {
+TEST_CASE("restart: counts of detection work continue") {
   const ::fixtures::TemporaryFolder folder;
   Setup setup = lively(folder);
   setup.impactors.pop_back();
@@ -105,7 +105,7 @@ TEST_CASE("resume: counts of the work of detection go on") {
   CHECK(second.impactors()[1].effort(1).points_in_bounds == whole.impactors()[1].effort(1).points_in_bounds);
 }
 
-TEST_CASE("resume: a body left off in the middle of the search for equilibrium goes on to the same state, to the last bit") {
+TEST_CASE("restart: a relaxation interrupted within an increment resumes to the bitwise identical state") {
   Setup setup;
   setup.time = {.end = 1, .relax = RelaxSetup{.increments = 2, .tolerance = 1e-8}};
   BodySetup bar = fixtures::body_setup({.size = {0.02, 0.004, 0.004}});

@@ -41,7 +41,7 @@ Setup block_between(std::size_t plates, double speed) {
 
 }  // namespace
 
-TEST_CASE("several impactors: a block struck from three sides is outside of all plates, nothing is pinched, and momentum is kept") {
+TEST_CASE("several impactors: a block in contact on three sides is outside all plates, without unresolved penetration, and momentum is conserved") {
   const Setup setup = block_between(3, 5);
   Simulation simulation(setup);
   const double before = value(simulation, "total.momentum_y [kg m/s]");
@@ -62,7 +62,7 @@ TEST_CASE("several impactors: a block struck from three sides is outside of all 
   CHECK(simulation.closing_warnings().empty());
 }
 
-TEST_CASE("several impactors: what two plates crush beyond the width of a particle is pinched, counted and told at the end") {
+TEST_CASE("several impactors: penetration that two plates cannot resolve is counted and reported at the end") {
   Setup setup = block_between(2, 0);
   setup.bodies[0] = fixtures::body_setup({.size = {0.002, 0.01, 0.008}, .spacing = 0.002, .poissons_ratio = 0.25});
   setup.bodies[0].name = "sheet";
@@ -73,15 +73,15 @@ TEST_CASE("several impactors: what two plates crush beyond the width of a partic
   const Impactor& first = simulation.impactors()[0];
   CHECK(first.unresolved(0).count > 0);
   CHECK(first.unresolved(0).first == fixtures::relative(2e-7, 1e-12));  // 1e-6 of play each, 1e-6 a step
-  CHECK(simulation.contacts() == 2 * 5 * 4);                            // each particle by both plates, however often they looked
+  CHECK(simulation.contacts() == 2 * 5 * 4);                            // each particle by both plates, independent of the number of passes
   CHECK(simulation.impactors()[1].unresolved(0).count == 0);            // the last to act puts them out of itself
   const std::vector<std::string> warnings = simulation.closing_warnings();
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("Particles of body sheet were pinched between impactor plate_0 and others, first at t = 2e-07 s: summed over steps, " +
-                         std::to_string(first.unresolved(0).count) + " were left inside it") == 0);
+                         std::to_string(first.unresolved(0).count) + " penetrations remained") == 0);
 }
 
-TEST_CASE("several impactors: any number of threads ends in the same state to the last bit") {
+TEST_CASE("several impactors: any number of threads ends in the bitwise identical state") {
   const int before = fccda::thread_count();
   Setup setup = block_between(4, 8);
   setup.impactors[0].angular_velocity = {0, 0, 300};

@@ -37,7 +37,7 @@ Setup sunk_ball(InitialOverlap choice) {
   return setup;
 }
 
-/// Particles that a ball of that radius about the ball's centre holds, from the coordinates alone.
+/// Particles within that radius of the ball's centre, from the coordinates alone.
 std::size_t particles_within(double radius) {
   std::size_t count = 0;
   for (double x = -0.015; x < 0.016; x += 0.002)
@@ -53,13 +53,13 @@ bool warns_of(const Simulation& simulation, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("start: particles inside are an error by default, which names the two ways out") {
+TEST_CASE("start: initial penetration is an error by default, which names the two remedies") {
   const std::string sentence = complaint(sunk_ball(InitialOverlap::error));
   CHECK(sentence.find("impactors.ball.position: impactor ball starts inside body block: ") == 0);
   CHECK(sentence.find("contact.impactors.initial_overlap: remove or project.") != std::string::npos);
 }
 
-TEST_CASE("start: removed particles do not exist, so the body is at rest with a hole, its bonds, mass and corrections those of what is left") {
+TEST_CASE("start: with removed particles the body is at rest with a hole; bonds, mass and corrections are those of the rest") {
   Simulation simulation(sunk_ball(InitialOverlap::remove));
   REQUIRE(simulation.initial_penetrations().size() == 1);
   const std::size_t removed = simulation.initial_penetrations()[0].slots.size();
@@ -86,7 +86,7 @@ TEST_CASE("start: removed particles do not exist, so the body is at rest with a 
   CHECK(value(simulation, "total.energy [J]") < 1e-12);  // rounding of coordinates, far below a nanometre of strain
 }
 
-TEST_CASE("start: projected particles begin on the surface with their velocity, no force counted, and the strain of their bonds is warned of") {
+TEST_CASE("start: projected particles start on the surface with their velocity and without contact force, and a warning gives the strain of their bonds") {
   Setup setup = sunk_ball(InitialOverlap::project);
   setup.bodies[0].velocity = {0, 1, 0};
   Simulation simulation(setup);
@@ -109,7 +109,7 @@ TEST_CASE("start: projected particles begin on the surface with their velocity, 
   CHECK(value(simulation, "total.momentum_y [kg m/s]") == fixtures::relative(block.particles.mass(0) * 1600, 1e-12));
   CHECK(value(simulation, "block.elastic_energy [J]") > 0);
   CHECK(simulation.contacts() == 0);
-  CHECK(warns_of(simulation, "were put on it, the furthest moved by "));
+  CHECK(warns_of(simulation, "were projected onto it, by at most "));
 
   double stretch = 0;  // over all pairs, from positions alone
   const auto& slots = block.particles.slot_of();
@@ -122,7 +122,7 @@ TEST_CASE("start: projected particles begin on the surface with their velocity, 
   CHECK(largest_stretch(block, inside.slots) == fixtures::relative(stretch, 1e-12));
 }
 
-TEST_CASE("start: projected out of two balls that overlap, no particle is inside either") {
+TEST_CASE("start: after projection out of two overlapping balls, no particle is inside either") {
   Setup setup = sunk_ball(InitialOverlap::project);
   setup.impactors.push_back(setup.impactors[0]);
   setup.impactors[1].name = "second";
@@ -134,7 +134,7 @@ TEST_CASE("start: projected out of two balls that overlap, no particle is inside
   for (const Impactor& impactor : again.impactors) CHECK(impactor.initial_overlap(0, ContactParticles(again.particles[0], {}, 0)).empty());
 }
 
-TEST_CASE("start: an impactor that holds the whole body leaves nothing to remove, and particles between two faces have no place") {
+TEST_CASE("start: an impactor that contains the whole body leaves no particles to keep, and particles between two faces cannot be projected") {
   Setup setup = sunk_ball(InitialOverlap::remove);
   setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.1, 0.1}, .edge_length = 0.1};
   CHECK(complaint(setup).find("leaves nothing of it") != std::string::npos);
@@ -145,10 +145,10 @@ TEST_CASE("start: an impactor that holds the whole body leaves nothing to remove
   setup.impactors.push_back(setup.impactors[0]);
   setup.impactors[1].name = "second";
   setup.impactors[1].position = {0, -0.0099, 0};  // lower half, half a millimetre further in than there is room
-  CHECK(complaint(setup).find("no place near them is clear of all impactors") != std::string::npos);
+  CHECK(complaint(setup).find("no position near them is outside all impactors") != std::string::npos);
 }
 
-TEST_CASE("start: a moving body is looked at where it is at t = 0, not a step before") {
+TEST_CASE("start: a moving body is evaluated at its position at t = 0, not a step before") {
   Setup setup = sunk_ball(InitialOverlap::error);
   setup.impactors[0].position = {0.001, 0.0161, 0};  // 0.1 mm clear of contact
   setup.bodies[0].velocity = {0, -2000, 0};          // 0.4 mm a step
