@@ -30,8 +30,8 @@ done
 # Position of the sphere around the shaft, panel size, no fragment contact
 variant turned_30 bodies.ice.position="[0.80, 0.721, -1.24881]"
 variant turned_60 bodies.ice.position="[0.80, 1.24881, -0.721]"
-variant panels_coarse $surface.panel=0.3 $surface.blade_edge_length=0.1
-variant panels_fine $surface.panel=0.075 $surface.blade_edge_length=0.025
+variant panels_coarse $surface.edge_length=0.3 $surface.blade_edge_length=0.1
+variant panels_fine $surface.edge_length=0.075 $surface.blade_edge_length=0.025
 variant no_fragments contact.fragments="{law: none}"
 
 # Propeller free in all degrees of freedom

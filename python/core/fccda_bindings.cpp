@@ -36,8 +36,8 @@ using fccda::RigidBody;
 using fccda::Surface;
 
 /// The advice in messages of the library, in Python terms.
-constexpr fccda::AdviceWords python_words{.declare_orientation = "with outside=\"normals\" (the one that the normals point to) or outside=\"reversed\"",
-                                          .cut_open = "with outside=\"normals\" (the side that the normals point to)",
+constexpr fccda::AdviceWords python_words{.declare_orientation = "with orientation=\"normals\" (the one that the normals point to) or orientation=\"reversed\"",
+                                          .cut_open = "with orientation=\"normals\" (the side that the normals point to)",
                                           .clip = "pass clip=True"};
 using Boxes = std::vector<std::pair<Vec3d, Vec3d>>;
 
@@ -66,7 +66,7 @@ GivenSurface surface_of(const Mesh& mesh, double weld, const std::string& outsid
   else if (outside == "reversed")
     side = fccda::Orientation::reversed;
   else if (outside != "undeclared")
-    throw InputError(fmt::format("outside is \"{}\", but it must be one of undeclared, normals, reversed.", outside));
+    throw InputError(fmt::format("orientation is \"{}\", but it must be one of undeclared, normals, reversed.", outside));
   try {
     return GivenSurface(Surface(mesh.panels(), {.weld_distance = weld, .orientation = side, .name = name}));
   } catch (const InputError& error) {
@@ -89,9 +89,9 @@ void bind_surface(py::module_& module) {
                            R"(A rigid contact surface: vertices welded, triangles oriented consistently outward. Immutable.
 
 Detectors of one Surface share it and its search structures, so that each stores only data of its points.)")
-      .def(py::init(&surface_of), "mesh"_a, "weld"_a = 0.0, "outside"_a = "undeclared", "name"_a = "surface",
+      .def(py::init(&surface_of), "mesh"_a, "weld"_a = 0.0, "orientation"_a = "undeclared", "name"_a = "surface",
            R"(weld: vertices closer than this are merged [m]; 0: 1e-9 of the size.
-outside: orientation of an open surface: outside is the side that the normals point to ("normals") or the opposite ("reversed"). A closed surface needs none.
+orientation: of an open surface: outside is the side that the normals point to ("normals") or the opposite ("reversed"). A closed surface needs none.
 name: name in messages.
 
 Raises InputError where the surface cannot be used.)")
@@ -208,10 +208,10 @@ void bind_bodies(py::module_& module) {
                               {position, velocity, angular_velocity, attitude, free});
            }),
            "mass"_a, py::kw_only(), "centre_of_mass"_a = Vec3d{}, "inertia"_a = py::none(), "position"_a = Vec3d{}, "attitude"_a = unturned,
-           "velocity"_a = Vec3d{}, "angular_velocity"_a = Vec3d{}, "free"_a = std::vector<std::string>(),
+           "velocity"_a = Vec3d{}, "angular_velocity"_a = Vec3d{}, "free_dofs"_a = std::vector<std::string>(),
            R"(mass [kg]. centre_of_mass: (3,) in the body frame [m]. inertia: (3,) or (3, 3) about it, in the axes of the body frame [kg m2]; required where a
 rotation is free. position: (3,) of the origin of the body frame [m]. attitude: unit quaternion w, x, y, z. velocity: (3,) of the centre of mass [m/s].
-angular_velocity: (3,) [rad/s], world axes. free: the free degrees of freedom, of "x", "y", "z", "rx", "ry", "rz"; the velocities of the others are
+angular_velocity: (3,) [rad/s], world axes. free_dofs: the free degrees of freedom, of "x", "y", "z", "rx", "ry", "rz"; the velocities of the others are
 prescribed.)")
       .def_static(
           "filling",
@@ -222,7 +222,7 @@ prescribed.)")
             return body_from(fccda::solid_of_mass(surface.report(), density * surface.report().volume), {position, velocity, angular_velocity, attitude, free});
           },
           "surface"_a, "density"_a, py::kw_only(), "position"_a = Vec3d{}, "attitude"_a = unturned, "velocity"_a = Vec3d{}, "angular_velocity"_a = Vec3d{},
-          "free"_a = std::vector<std::string>(),
+          "free_dofs"_a = std::vector<std::string>(),
           "A homogeneous solid bounded by a closed surface, which determines mass, centre of mass and inertia. density [kg/m3].")
       .def("advance", &RigidBody::advance, "dt"_a, "Advances the body by dt [s] with its velocities; returns the Motion.")
       .def("add_impulse", &RigidBody::add_impulse, "linear"_a, "angular"_a,
@@ -368,7 +368,7 @@ relocation) [m], hit (point of first contact on the surface) [m], normal (outwar
       .def("points_changed", &fccda::ContactDetector::points_changed,
            "Declares that points were renumbered, or many displaced: discards the cached distances.");
 
-  py::class_<fccda::ContactSum>(module, "Tally", "Sum of the contacts of a step, acting on the body.")
+  py::class_<fccda::ContactSum>(module, "ContactSum", "Sum of the contacts of a step, acting on the body.")
       .def_readonly("impulse", &fccda::ContactSum::impulse, "(3,) impulse [N s]; divided by dt, the mean force.")
       .def_readonly("angular_impulse", &fccda::ContactSum::angular_impulse_about_com, "(3,) angular impulse about the centre of mass [N m s].")
       .def_readonly("contacts", &fccda::ContactSum::contacts, "Number of contacts.");

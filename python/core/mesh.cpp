@@ -83,7 +83,7 @@ void expect_positive(double value, const char* what) {
 
 double panel_of(const std::optional<double>& panel) {
   if (!panel) return 0;  // the default of the shape
-  expect_positive(*panel, "panel");
+  expect_positive(*panel, "edge_length");
   return *panel;
 }
 
@@ -110,7 +110,7 @@ parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
             for (const double edge : {size.x, size.y, size.z}) expect_positive(edge, "size");
             return Mesh(fccda::make_box({.size = size, .edge_length = panel_of(panel)}));
           },
-          "size"_a, "panel"_a = py::none(),
+          "size"_a, "edge_length"_a = py::none(),
           "A box of edge lengths size [m] centred on the origin, with panels of edge length at most panel [m] along the axes; by default two triangles per "
           "side.")
       .def_static(
@@ -119,7 +119,7 @@ parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
             expect_positive(diameter, "diameter"), expect_positive(height, "height");
             return Mesh(fccda::make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis), .edge_length = panel_of(panel)}));
           },
-          "diameter"_a, "height"_a, "panel"_a = py::none(), "axis"_a = "z",
+          "diameter"_a, "height"_a, "edge_length"_a = py::none(), "axis"_a = "z",
           "A cylinder centred on the origin [m], about the axis x, y or z, with panels of edge length at most panel [m]; by default a twentieth of the "
           "diameter.")
       .def_static(
@@ -128,7 +128,7 @@ parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
             expect_positive(diameter, "diameter");
             return Mesh(fccda::make_sphere({.diameter = diameter, .edge_length = panel_of(panel)}));
           },
-          "diameter"_a, "panel"_a = py::none(),
+          "diameter"_a, "edge_length"_a = py::none(),
           "A sphere centred on the origin [m], with panels of edge length at most panel [m]; by default a twentieth of the diameter.")
       .def_property_readonly(
           "vertices", [](const Mesh& mesh) { return array_of(mesh.panels().vertices); }, "(n, 3) coordinates [m], a copy.")

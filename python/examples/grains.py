@@ -11,12 +11,12 @@ import numpy as np
 
 from perimpact import fccda
 
-box = fccda.Mesh.box(size=[0.05, 1.0, 1.6], panel=0.2)
+box = fccda.Mesh.box(size=[0.05, 1.0, 1.6], edge_length=0.2)
 quarter = np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]])  # rotation by 90 degrees about y
 vertices = np.vstack([box.vertices, box.vertices @ quarter.T])
 faces = np.vstack([box.faces[:, :3], box.faces[:, :3] + len(box.vertices)])
 paddles = fccda.Surface(fccda.Mesh(vertices, faces), name="paddles")
-wheel = fccda.RigidBody(40.0, inertia=[12, 10, 12], free=["ry"])  # fixed in position, free to rotate about y
+wheel = fccda.RigidBody(40.0, inertia=[12, 10, 12], free_dofs=["ry"])  # fixed in position, free to rotate about y
 detector = fccda.ContactDetector(paddles, radius=0.01)
 
 # %% The grains: a stream of balls that fall on one side of the wheel

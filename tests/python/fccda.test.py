@@ -6,7 +6,7 @@ from claims import claim, main
 import numpy as np
 from perimpact import InputError, fccda
 
-UNIT_BOX = dict(size=[1, 1, 1], panel=0.25)
+UNIT_BOX = dict(size=[1, 1, 1], edge_length=0.25)
 
 
 def grid(n=21, low=-1.0, high=1.0):
@@ -36,8 +36,8 @@ def passing(test):
 @claim("points that fall on a free ball transfer their momentum loss to it, and none penetrates")
 def falling(test):
     rng = np.random.default_rng(1)
-    ball = fccda.Surface(fccda.Mesh.sphere(diameter=2, panel=0.2))
-    body = fccda.RigidBody.filling(ball, density=3.0, free=["x", "y", "z", "rx", "ry", "rz"])
+    ball = fccda.Surface(fccda.Mesh.sphere(diameter=2, edge_length=0.2))
+    body = fccda.RigidBody.filling(ball, density=3.0, free_dofs=["x", "y", "z", "rx", "ry", "rz"])
     detector = fccda.ContactDetector(ball, radius=0.02)
     x = rng.uniform([-1, -1, 1.1], [1, 1, 2.5], (4000, 3))
     velocity = np.tile([0.0, 0, -2], (4000, 1))
@@ -64,7 +64,7 @@ def falling(test):
 def layouts(test):
     def once(make):
         box = fccda.Surface(fccda.Mesh.box(**UNIT_BOX))
-        detector, body = fccda.ContactDetector(box), fccda.RigidBody(mass=1.0, velocity=[0, 0, 4], free=["z"])
+        detector, body = fccda.ContactDetector(box), fccda.RigidBody(mass=1.0, velocity=[0, 0, 4], free_dofs=["z"])
         x0 = grid(11, -0.9, 0.9)
         x0 = x0[(np.abs(x0) > 0.5).any(axis=1)]
         x1, v = make(x0), make(np.zeros_like(x0))
@@ -128,11 +128,11 @@ def formulas(test):
     np.testing.assert_allclose(turned.to_body([[1, 3, 3]]), [[1, 0, 0]], rtol=0, atol=1e-15)
     np.testing.assert_allclose(turned.rotation, [[0, -1, 0], [1, 0, 0], [0, 0, 1]], rtol=0, atol=1e-15)
 
-    box = fccda.Surface(fccda.Mesh.box(size=[1, 2, 3], panel=1))
+    box = fccda.Surface(fccda.Mesh.box(size=[1, 2, 3], edge_length=1))
     test.assertTrue(box.is_closed)
     np.testing.assert_allclose([box.area, box.volume], [22, 6], rtol=1e-14)
     np.testing.assert_allclose(box.bounds, [[-0.5, -1, -1.5], [0.5, 1, 1.5]], rtol=0, atol=1e-15)
-    body = fccda.RigidBody.filling(box, density=2, angular_velocity=[0, 0, 3], free=["rz", "x"])
+    body = fccda.RigidBody.filling(box, density=2, angular_velocity=[0, 0, 3], free_dofs=["rz", "x"])
     np.testing.assert_allclose(body.inertia, np.diag([13, 10, 5]), rtol=0, atol=1e-12)  # m/12 (b² + c²) with m = 12
     np.testing.assert_allclose(body.kinetic_energy, 0.5 * 5 * 9, rtol=1e-14)
     body.add_impulse([6, 6, 0], [0, 0, 5])
@@ -145,13 +145,13 @@ def formulas(test):
 
     quads = fccda.Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0]], [[0, 1, 2, 3], [1, 4, 2, -1]], parts=["floor", "ramp"])
     test.assertEqual((len(quads), quads.parts, quads.faces.tolist()), (2, ["floor", "ramp"], [[0, 1, 2, 3], [1, 4, 2, -1]]))
-    test.assertEqual(fccda.Surface(quads, outside="normals").area, 1.5)
+    test.assertEqual(fccda.Surface(quads, orientation="normals").area, 1.5)
     with test.assertRaises(InputError):
         fccda.Surface(quads)  # open, and no side is declared outside
     with test.assertRaisesRegex(InputError, "quaternion"):
         fccda.Pose([0, 0, 0], [1, 1, 0, 0])
     with test.assertRaisesRegex(InputError, "not a degree of freedom"):
-        fccda.RigidBody(1, free=["u"])
+        fccda.RigidBody(1, free_dofs=["u"])
 
 
 @claim("arrays of float32 are read and modified in place, and their rounding does not move a point into the surface")
@@ -194,7 +194,7 @@ def radii(test):
 @claim("with apply=False the body is unchanged, and the summed impulses have the effect of a single call")
 def summed(test):
     def strike(parts):
-        detector, body = fccda.ContactDetector(fccda.Surface(fccda.Mesh.box([1, 1, 1]))), fccda.RigidBody(mass=4.0, inertia=[1, 1, 1], free=["z", "rx", "ry"])
+        detector, body = fccda.ContactDetector(fccda.Surface(fccda.Mesh.box([1, 1, 1]))), fccda.RigidBody(mass=4.0, inertia=[1, 1, 1], free_dofs=["z", "rx", "ry"])
         x0, v = np.array([[0.1, 0.2, 0.6], [-0.3, 0, 0.6]]), np.array([[0, 0, -2.0], [0, 0, -3.0]])
         x1, motion = x0 + 0.1 * v, body.advance(0.1)
         contacts = detector.detect(motion, x0, x1)
@@ -221,13 +221,13 @@ def refusals(test):
         lambda: body.advance(nan),
         lambda: body.advance(1),
         lambda: body.add_impulse([nan, 0, 0], [0, 0, 0]),
-        lambda: fccda.RigidBody(1, free=["x"]).drive("x", 1.0),
+        lambda: fccda.RigidBody(1, free_dofs=["x"]).drive("x", 1.0),
         lambda: fccda.respond(detector.detect(still, x, x), still, body, x_t0=x, x_t1=x.copy(), velocity=x.copy(), mass=1.0, friction=-1.0, detector=detector),
         lambda: detector.detect(still, x, x, [nan]),
     ):
         test.assertRaises(InputError, act)
     lid = fccda.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
-    with test.assertRaisesRegex(InputError, 'which side is outside with outside="normals"'):
+    with test.assertRaisesRegex(InputError, 'which side is outside with orientation="normals"'):
         fccda.Surface(lid)
     with test.assertRaisesRegex(InputError, "or pass clip=True if this is intended"):
         fccda.ContactDetector(box, boxes=[([1, 2, 2], [0.5, 0, 0])])

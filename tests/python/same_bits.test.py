@@ -48,7 +48,7 @@ def same_dict(test):
 
 @claim("a mesh from arrays gives bitwise the results of the same mesh from a file, and is refused as a file is")
 def same_mesh(test):
-    mesh = perimpact.Mesh.cylinder(diameter=0.04, height=0.04, panel=0.004)
+    mesh = perimpact.Mesh.cylinder(diameter=0.04, height=0.04, edge_length=0.004)
     vertices, faces = mesh.vertices, mesh.faces[:, :3]
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()] + [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     (test.folder / "cylinder.obj").write_text("\n".join(lines) + "\n")
@@ -73,7 +73,7 @@ def same_mesh(test):
 def body_of_mesh(test):
     setup = copy.deepcopy(package.SETUP)
     plate = setup["bodies"]["plate"]
-    plate["shape"] = {"file": perimpact.Mesh.box(size=[0.1, 0.06, 0.02], panel=0.05)}
+    plate["shape"] = {"file": perimpact.Mesh.box(size=[0.1, 0.06, 0.02], edge_length=0.05)}
     body = perimpact.Simulation(setup).bodies["plate"]
     test.assertEqual(len(body), 20 * 12 * 4)
 
@@ -128,9 +128,9 @@ def resumed(test):
 
 @claim("a run with a user force and a mesh from arrays is resumed bitwise, and refused with another mesh or without the force")
 def resumed_with_own(test):
-    def made(panel=0.004, force=True):
+    def made(edge_length=0.004, force=True):
         setup = copy.deepcopy(package.SETUP)
-        setup["impactors"]["cylinder"]["surface"] = {"file": perimpact.Mesh.cylinder(diameter=0.04, height=0.04, panel=panel)}
+        setup["impactors"]["cylinder"]["surface"] = {"file": perimpact.Mesh.cylinder(diameter=0.04, height=0.04, edge_length=panel)}
         forces = {"plate": {"drag": lambda time, body: -1e7 * body.velocities}} if force else None
         return perimpact.Simulation(setup, forces=forces)
 
@@ -142,7 +142,7 @@ def resumed_with_own(test):
     left.write_results(str(test.folder / "left"))
     left.run(until=12e-6)
     left.close_results()
-    for other in (made(panel=0.005), made(force=False)):
+    for other in (made(edge_length=0.005), made(force=False)):
         with test.assertRaises(perimpact.InputError):
             other.write_results(str(test.folder / "left"), resume=True)
     resumed = made()

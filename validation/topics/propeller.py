@@ -30,7 +30,7 @@ def measure(runner):
         "states": float(len(hashes)),
         "printed": float(re.search(r"is (\S+) times the critical time step", refused.stderr)[1]),
     }
-    graded = {name: runner.run("propeller", name, DECK, *WHOLE, f"{SURFACE}.panel={panel}", f"{SURFACE}.blade_edge_length={edge}") for name, panel, edge in (("coarse", 0.3, 0.3), ("graded", 0.15, 0.05), ("fine", 0.05, 0.05))}
+    graded = {name: runner.run("propeller", name, DECK, *WHOLE, f"{SURFACE}.edge_length={panel}", f"{SURFACE}.blade_edge_length={edge}") for name, panel, edge in (("coarse", 0.3, 0.3), ("graded", 0.15, 0.05), ("fine", 0.05, 0.05))}
     for name, folder in graded.items():
         forces = script.forces(script.history(folder))
         numbers |= {f"{name} panels": float(report(folder)["impactors"]["propeller"]["surface"]["triangles"]), f"{name} peak": forces["thrust: peak [N]"], f"{name} impulse": forces["thrust: impulse [N s]"]}

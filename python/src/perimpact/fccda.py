@@ -11,6 +11,6 @@
 """
 
 from ._core import Mesh
-from ._core.fccda import ContactDetector, Motion, Pose, RigidBody, Surface, Tally, respond
+from ._core.fccda import ContactDetector, Motion, Pose, RigidBody, Surface, ContactSum, respond
 
-__all__ = ["ContactDetector", "Mesh", "Motion", "Pose", "RigidBody", "Surface", "Tally", "respond"]
+__all__ = ["ContactDetector", "Mesh", "Motion", "Pose", "RigidBody", "Surface", "ContactSum", "respond"]
