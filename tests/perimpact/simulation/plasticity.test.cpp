@@ -32,8 +32,8 @@ Setup prism(double strain, double time, bool is_plastic) {
   const double height = 0.5 * along * spacing, travel = 0.5 * strain * (along - 1) * spacing;
   for (const bool top : {false, true}) {
     const std::string name = top ? "top" : "bottom";
-    ice.regions.push_back({.name = name, .shape = BoxSolid{{1, 1, spacing}}, .position = {0, 0, (top ? 1 : -1) * (height - 0.5 * spacing)}});
-    PrescribedSetup ends{.region = name};
+    ice.particle_sets.push_back({.name = name, .shape = BoxSolid{{1, 1, spacing}}, .position = {0, 0, (top ? 1 : -1) * (height - 0.5 * spacing)}});
+    PrescribedSetup ends{.particle_set = name};
     const double speed = (top ? 1 : -1) * travel / (0.9 * time);
     ends.z.emplace();
     ends.z->times = {0, 0.2 * time};
@@ -41,7 +41,7 @@ Setup prism(double strain, double time, bool is_plastic) {
     ice.boundary_conditions.push_back({name, ends});
   }
   setup.bodies = {ice};
-  setup.output.history = time / 200;
+  setup.output.history_interval = time / 200;
   return setup;
 }
 
@@ -78,18 +78,18 @@ Setup indented(double end) {
   ElasticSetup elastic{modulus, 0.25, 900, critical};
   elastic.plasticity = PlasticitySetup{.compressive_strength = compressive};
   ice.material = BondBasedSetup{elastic};
-  ice.regions = {{.name = "bottom", .shape = BoxSolid{{2, 2, 0.1}}, .position = {0, 0, -0.2}}};
-  ice.boundary_conditions = {{"clamp", FixedSetup{.region = "bottom"}}};
+  ice.particle_sets = {{.name = "bottom", .shape = BoxSolid{{2, 2, 0.1}}, .position = {0, 0, -0.2}}};
+  ice.boundary_conditions = {{"clamp", FixedSetup{.particle_set = "bottom"}}};
   setup.bodies = {ice};
   ImpactorSetup ball;
   ball.name = "ball";
-  ball.surface = SphereSurface{.diameter = 0.6, .panel = 0.05};
+  ball.surface = SphereSurface{.diameter = 0.6, .edge_length = 0.05};
   ball.mass = 100;
   ball.position = {0.013, 0.007, 0.25 + 0.3 + 0.001};
   ball.velocity = {0, 0, -5};
   setup.impactors = {ball};
   setup.contact.fragments.law.index = static_cast<int>(FragmentLaw::repulsive);
-  setup.output.history = end / 50;
+  setup.output.history_interval = end / 50;
   return setup;
 }
 

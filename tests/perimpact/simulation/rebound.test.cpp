@@ -68,9 +68,9 @@ Setup cone_and_glass(const std::string& file) {
   impactor.inertia = Vec3d{2e-6, 2e-6, 2e-6};
   impactor.position = {0.6e-3, 0.1e-3, 1e-5};
   impactor.velocity = {0, 0, -60};
-  impactor.free = {"x", "y", "z", "rx", "ry", "rz"};
+  impactor.free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
   setup.impactors = {impactor};
-  setup.output.history = 1e-9;
+  setup.output.history_interval = 1e-9;
   return setup;
 }
 
