@@ -115,7 +115,7 @@ def compared(run):
 def broken(run):
     """The load [N/m] at which the first bond breaks; of the first frame with a through-crack, its load and the distance of the crack from the edge [m].
 
-    The lowest quarter of the layers is not asked: pressed together, it hangs on for a while as a hinge.
+    The lowest quarter of the layers is ignored: under compression, it stays intact for a while as a hinge.
     """
     history = run.history()
     bonds = history["ice.broken_bonds [-]"]

@@ -1,15 +1,15 @@
 #!/usr/bin/python3
-"""What the specimens of this case carried:
+"""Strengths and energy balance of the specimens of this case:
 
     cases/ice_specimens/measure.py results/ice_specimens      prints the rows of expected.csv, and more
 
-The folder holds those of the decks that were run: compression, bending, indentation, punch. What is missing is left out.
+The folder contains the results of any of the decks compression, bending, indentation, punch; missing ones are skipped.
 
 compressive strength   largest mean force on both platens over the first cross-section
 flexural strength      largest load of both lines before the first bond breaks, as the stress at the surface of a beam: 3 F a/(b h²), a from support to load
 punch                  mean pressure under the punch over the compressive strength, at the end
 indentation            contact force over the area of the sphere's cap below the first surface, mean over the rows in which that is 0.3 to 0.8 m²
-energy error           largest total.closing_error over the work put in from outside
+energy error           largest total.energy_balance_error over the external work
 """
 
 import csv
@@ -33,7 +33,7 @@ def history(folder):
 
 def energy_error(rows, *works):
     work = max(abs(sum(row[name] for name in works)) for row in rows)
-    return max(abs(row["total.closing_error"]) for row in rows) / work
+    return max(abs(row["total.energy_balance_error"]) for row in rows) / work
 
 
 def compression(folder):

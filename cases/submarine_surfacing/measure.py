@@ -46,7 +46,7 @@ def main():
     print(f"{folder.name}: {100 * (1 - ice['intact_bonds'] / ice['bonds']):.1f} % of the bonds broken; {fragments['above_1_percent']} fragments above 1 %, "
           f"{fragments['fragments']} of two and more particles, {100 * fragments['single_particles'] / ice['particles']:.1f} % of the particles single")
     error, share = energy_balance_error(columns)
-    print(f"{folder.name}: closing error {error:.3g} J at most, {share:.1e} of what changed hands; {report['steps']} steps in {timers:.0f} s "
+    print(f"{folder.name}: energy balance error {error:.3g} J at most, {share:.1e} of the energy exchanged; {report['steps']} steps in {timers:.0f} s "
           f"on {report['threads']} thread")
     if columns["submarine.velocity_z [m/s]"].ptp() == 0:
         return

@@ -87,9 +87,9 @@ def draw_spectrum(results, file, speed_per_spacing):
 
 def draw_channel(results, file):
     frames = sorted((results / "frames").glob("ice_*.vtp"))
-    places, piece = read_vtp(frames[0]).points, read_vtp(frames[-1]).point["piece"].ravel()
-    remains = np.bincount(piece)[piece] >= 0.1 * len(piece)
-    columns = np.genfromtxt(results / "pieces/ice_channel_x.csv", delimiter=",", skip_header=1)
+    places, fragment = read_vtp(frames[0]).points, read_vtp(frames[-1]).point["fragment"].ravel()
+    remains = np.bincount(fragment)[fragment] >= 0.1 * len(fragment)
+    columns = np.genfromtxt(results / "fragments/ice_channel_x.csv", delimiter=",", skip_header=1)
     figure, axes = plt.subplots(figsize=(10, 6.2), constrained_layout=True)
     for chosen, colour, label in ((remains, REMAINS, "the sheet that remains"), (~remains, BROKEN, "broken out: floes and single particles")):
         axes.scatter(places[chosen, 0], places[chosen, 1], s=27, marker="s", linewidths=0, color=colour, label=label)

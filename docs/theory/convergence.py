@@ -2,7 +2,7 @@
 """Measures how results of the whole program approach exact solutions, for convergence.md:
 
     docs/theory/convergence.py BINARY [OUTDIR]    runs the decks, writes convergence.csv, the figures and the tables of the page
-    docs/theory/convergence.py                    figures and tables anew from convergence.csv
+    docs/theory/convergence.py                    recreates figures and tables from convergence.csv
 
 Two runs at a time, each with one thread. Runs are kept in OUTDIR, and one whose deck is unchanged is not made again.
 Decks, exact solutions and what is compared are those of tests/cases/convergence/problems.py.

@@ -107,7 +107,7 @@ export function showRun(home: HTMLElement, run: Members | undefined): void {
 }
 
 /** Defect counts of a surface report, 0 for a sound surface, with their descriptions. */
-const mended: [string, string][] = [
+const repairs: [string, string][] = [
   ["degenerate", "degenerate panels, removed"],
   ["duplicate", "duplicate panels, removed"],
   ["back_to_back", "panels back to back"],
@@ -143,7 +143,7 @@ export function showChecks(home: HTMLElement, run: Members | undefined): void {
     const impactor = members(each);
     const surface = members(impactor.surface);
     home.append(element("h2", { textContent: `Surface of ${name}` }));
-    const faults = mended.filter(([key]) => typeof surface[key] === "number" && (surface[key] as number) > 0);
+    const faults = repairs.filter(([key]) => typeof surface[key] === "number" && (surface[key] as number) > 0);
     const isClosed = surface.closure === "closed";
     home.append(verdict(isClosed && faults.length === 0, "closed, no repairs needed", isClosed ? "closed after repairs" : "open: it has boundary edges"));
     if (faults.length > 0) home.append(rows(faults.map(([key, what]) => [what, inWords(surface[key], "")])));

@@ -16,7 +16,7 @@ With `--late` nodes are moved to the cylinder at the position given by its veloc
 the paper (eqs. 8 to 10). This isolates the effect of the delay.
 
 One row per microsecond: time, the cylinder, the mean force since the previous row, the plate's centre; then energies of the whole: of the cylinder, kinetic
-and strain energy of the plate, contact dissipation, and `closing error`, their sum less the initial energy of the cylinder.
+and strain energy of the plate, contact dissipation, and `energy balance error`, their sum less the initial energy of the cylinder.
 """
 
 import argparse
@@ -40,7 +40,7 @@ END, ROW = 200e-6, 1e-6  # [s]
 STEP_OVER_SIZE = 1e-4  # [s/m], at most: 0.54 of the time that a dilatational wave, at 5 353 m/s, takes across an element
 QUARTER = 4  # a quarter of the model is computed
 COLUMNS = ["time [s]", "cylinder.position_y [m]", "cylinder.velocity_y [m/s]", "cylinder.force_y [N]", "centre.displacement_y [m]", "cylinder energy [J]",
-           "plate.kinetic_energy [J]", "plate.elastic_energy [J]", "contact loss [J]", "closing error [J]"]  # fmt: skip
+           "plate.kinetic_energy [J]", "plate.elastic_energy [J]", "contact dissipation [J]", "energy balance error [J]"]  # fmt: skip
 
 
 class Plate:

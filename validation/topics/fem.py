@@ -23,8 +23,8 @@ def gathered():
         "centre, halved": numbers[f"{fine} centre"] / numbers[f"{coarse} centre"] - 1,
         "cylinder, halved": numbers[f"{fine} cylinder"] / numbers[f"{coarse} cylinder"] - 1,
         "velocity, halved": numbers[f"{fine} v200"] - numbers[f"{coarse} v200"],
-        "closing": max(abs(error) for error in found[fine]["closing error [J]"]) / FIRST,
-        "loss": found[fine]["contact loss [J]"][-1] / FIRST,
+        "closing": max(abs(error) for error in found[fine]["energy balance error [J]"]) / FIRST,
+        "loss": found[fine]["contact dissipation [J]"][-1] / FIRST,
         "centre, plane": numbers[f"{fine} centre"] / at(plane, CENTRE, 200e-6) - 1,
         "velocity, plane": numbers[f"{fine} v200"] - at(plane, V, 200e-6),
     }

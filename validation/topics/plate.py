@@ -63,7 +63,7 @@ def reference():
     numbers = {}
     for name in (f"fem_{FINE}mm", f"fem_{COARSE}mm", "fem_2mm", "fem_2mm_gap", "fem_2mm_late"):
         numbers |= {f"{name} {quantity}": value for quantity, value in values(read_columns(FEM / f"{name}.csv")).items()}
-    lost = {name: read_columns(FEM / f"{name}.csv")["contact loss [J]"][-1] for name in ("fem_2mm", "fem_2mm_late")}
+    lost = {name: read_columns(FEM / f"{name}.csv")["contact dissipation [J]"][-1] for name in ("fem_2mm", "fem_2mm_late")}
     return numbers | {"lost": lost["fem_2mm"], "late gain": lost["fem_2mm"] - lost["fem_2mm_late"]}
 
 
@@ -83,7 +83,7 @@ def measure(runner):
         "line x": line_apart(folders["panel_1mm"], "x", read_columns(FEM / f"fem_{FINE}mm_line_x.csv")) / abs(fem[CENTRE][-1]),
         "line y": line_apart(folders["panel_1mm"], "y", read_columns(FEM / f"fem_{FINE}mm_line_y.csv")) / abs(fem[CENTRE][-1]),
         "momentum": max(abs(p / momentum[0] - 1) for p in momentum),
-        "contact loss": meshed["total.contact_dissipation [J]"][-1],
+        "contact dissipation": meshed["total.contact_dissipation [J]"][-1],
         "from analytic": max(apart(meshed, histories["analytic"], column) for column in (CENTRE, Y)),
         "original centre": at(original, CENTRE, 200e-6),
         "original cylinder": at(original, Y, 200e-6) - original[Y][0],
@@ -108,7 +108,7 @@ a particle enters. Sources of the differences:
 - **Contact radius.** Without it the cylinder must first travel half a spacing, 0.5 mm or 15.6 µs at 32 m/s, which delays everything. At 200 µs the displacement of the centre
   is {1e3 * n["original centre"]:.2f} mm instead of {1e3 * n["centre"]:.2f} mm. Finite elements with a gap of 0.5 mm give {1e3 * n["fem_2mm_gap centre"]:.2f} mm: the gap alone explains the difference.
 - **Panels.** With panels of 1 mm the difference from the method without panels is {1e6 * n["from analytic"]:.1f} µm at most over all times; they lie up to 5 µm below the cylinder.
-- **Response.** Impactor and particles in contact have one velocity at the end of a step ([response](theory/contact_response.md#one-velocity)). Contact dissipates {n["contact loss"]:.2f} J of 803.84 J, the
+- **Response.** Impactor and particles in contact have one velocity at the end of a step ([response](theory/contact_response.md#one-velocity)). Contact dissipates {n["contact dissipation"]:.2f} J of 803.84 J, the
   kinetic energy of approach of the particles in contact. Finite elements of 2 mm, whose edge nodes have the mass of a layer of particles, lose {n["lost"]:.2f} J. In the paper the reaction acts on the impactor
   one step later, which adds energy, of first order in the step. Finite elements with that delay gain {n["late gain"]:.2f} J at twice the
   step, and end with {n["fem_2mm_late v200"]:.2f} m/s instead of {n["fem_2mm v200"]:.2f} m/s, the centre {1e3 * (n["fem_2mm_late centre"] - n["fem_2mm centre"]):+.3f} mm further.
@@ -131,7 +131,7 @@ def rows():
         Row("central line along x at 200 µs", fem, "line x", "%", AtMost(0.01), "as for the centre"),
         Row("central line along y at 200 µs", fem, "line y", "%", AtMost(0.01), "as for the centre"),
         Row("momentum, at all times", "1.57 kg · 32 m/s", "momentum", "small", AtMost(1e-10), "rounding of 180 000 particles over 2000 steps"),
-        Row("contact dissipation", "finite elements, dolfinx, 2 mm: half an element at the edge has the mass of a layer of particles", "contact loss", "J", Within(n["lost"], 0.25, True),
+        Row("contact dissipation", "finite elements, dolfinx, 2 mm: half an element at the edge has the mass of a layer of particles", "contact dissipation", "J", Within(n["lost"], 0.25, True),
             "particles, like nodes, come into contact a few at a time: the number at approach velocity depends on the mesh"),
         Row("FCCDA against the original method, largest difference of any displacement", "`analytic`", "from analytic", "µm", AtMost(3 * SAGITTA), "three times the depth Δ_m²/(8R) of a panel below the cylinder"),
         Row("original method as published: centre", gap, "original centre", "mm", Within(n["fem_2mm_gap centre"], 0.02, True), "as above; a delay of a row is 1 % here"),

@@ -14,7 +14,7 @@ import sys
 HERE = pathlib.Path(__file__).parent
 TABLE = HERE / "crushing.csv"
 STEP = 3.68e-5  # [s] the automatic one, rounded down
-COLUMNS = ["friction", "steps of the automatic one", "run", "work [MJ]", "friction work [MJ]", "closing error [MJ]"]
+COLUMNS = ["friction", "steps of the automatic one", "run", "work [MJ]", "friction work [MJ]", "energy balance error [MJ]"]
 
 
 def measured(program, folder, friction, divisor, run):
@@ -52,7 +52,7 @@ def print_means():
         for column in ("work [MJ]", "friction work [MJ]"):
             values = [float(row[column]) for row in those]
             mean.append(f"{statistics.mean(values):.3f} ± {statistics.stdev(values) / len(values) ** 0.5:.3f}")
-        closing = max(float(row["closing error [MJ]"]) / float(row["work [MJ]"]) for row in those)
+        closing = max(float(row["energy balance error [MJ]"]) / float(row["work [MJ]"]) for row in those)
         print(f"| {friction} | 1/{divisor} | {len(those)} | {mean[0]} | {mean[1]} | {100 * closing:.3f} % |")
 
 

@@ -123,7 +123,7 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   };
   if (!entered && starts_near && came_round()) {
     answer.enters = entered = true;
-    answer.anew = comes || !question.renumbered;
+    answer.is_first_entry = comes || !question.renumbered;
   }
   if (entered && surface_->is_closed()) {
     answer.clearance = 0;

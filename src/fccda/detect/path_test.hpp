@@ -56,11 +56,11 @@ struct PathQuestion {
 
 struct PathAnswer {
   std::optional<Touch> touch{};
-  double clearance = 0;  ///< [m] lower bound of the distance beyond the contact radius, at the end of the path
-  bool enters = false;   ///< entered where contact is ignored: no contact before it is outside again
-  bool leaves = false;   ///< was such a point, and is outside again
-  bool anew = true;      ///< enters for the first time, as far as is known
-  bool held = false;     ///< in contact as a whole ball, not with its centre only
+  double clearance = 0;        ///< [m] lower bound of the distance beyond the contact radius, at the end of the path
+  bool enters = false;         ///< entered where contact is ignored: no contact before it is outside again
+  bool leaves = false;         ///< was such a point, and is outside again
+  bool is_first_entry = true;  ///< enters for the first time, as far as is known
+  bool held = false;           ///< in contact as a whole ball, not with its centre only
 };
 
 class PathTest {

@@ -98,7 +98,7 @@ void Swept::look_at(std::size_t block, std::size_t point, double radius, const V
                                       guess_[point], found.effort);
   cache_.postpone(block, point, answer.clearance);
   if (answer.leaves) found.leaving.push_back(point);
-  if (answer.enters && (!entered || answer.leaves)) found.entering.push_back(point), found.entered_before += !answer.anew;
+  if (answer.enters && (!entered || answer.leaves)) found.entering.push_back(point), found.entered_before += !answer.is_first_entry;
   if (answer.held && !test_.surface().is_closed()) found.touched.push_back(point);
   if (!answer.touch) return;
   const Motion& motion = view.motion();

@@ -1,7 +1,7 @@
 /// Short-range force between particles without an intact bond: fragments of a body, and different bodies (law: self_contact/short_range_law.hpp;
 /// method: docs/theory/short_range.md).
 ///
-/// Each particle sums its own pairs in the order of body and slot and writes only its own force, so that results are bitwise reproducible across
+/// Each particle sums its pairs in the order of body and slot and writes only to itself, so that results are bitwise reproducible across
 /// thread counts. Forces of a pair are equal and opposite, so that linear momentum is conserved to rounding; without friction angular momentum
 /// is too, since the force is central.
 #pragma once

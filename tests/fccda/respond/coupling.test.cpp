@@ -136,7 +136,7 @@ TEST_CASE("coupling: detection repeated with another motion is bitwise identical
 }
 
 TEST_CASE("coupling: a body moves with its velocity after contact, no point remains inside, and momentum is conserved to rounding") {
-  for (const double mass : {0.05, 5.0})  // as heavy as the points that it touches, and much heavier
+  for (const double mass : {0.05, 5.0})  // as heavy as the points in contact, and much heavier
     for (const Scene& scene : scenes()) {
       CAPTURE(scene.name);
       CAPTURE(mass);

@@ -87,7 +87,7 @@ TEST_CASE("gauge: a force through the axis has no torque about it, any other for
   const Pose start({1, 2, 3}, Quaternion::from_rotation({0.3, -1.1, 0.4}));
   RigidBody body({.mass = 1, .centre_of_mass = {}, .inertia = Mat3::identity()}, start, {3, 0, 1}, {2, 9, -4}, {});
   const Motion motion = body.advance(0.1);
-  const auto torque = [&](const Vec3d& place, const Vec3d& direction) {  // of the body frame, as it is at the end of the step
+  const auto torque = [&](const Vec3d& place, const Vec3d& direction) {  // place and direction in the body frame at the end of the step
     Gauge gauge({.parts = {}, .point = point, .axis = axis}, cylinder);
     gauge.add({.panel = 0}, motion.t1.to_world(place), motion.t1.turn_to_world(direction), motion);
     return gauge.reading().about_axis;

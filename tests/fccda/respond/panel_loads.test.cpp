@@ -146,7 +146,7 @@ TEST_CASE("nested areas: around a known peak the mean pressure falls as the area
     force += 0.01 * pressure[p], area += 0.01;
   }
   const std::vector<NestedArea> nested = nested_areas(faces, pressure, 20);
-  REQUIRE(nested.size() >= 10);  // fewer than asked for: small areas are whole panels
+  REQUIRE(nested.size() >= 10);  // fewer than requested: small areas are whole panels
   CHECK(nested.size() <= 20);
   CHECK(nested.front().area == fixtures::relative(0.01, 1e-12));
   CHECK(nested.front().mean_pressure == fixtures::relative(1e6, 1e-12));

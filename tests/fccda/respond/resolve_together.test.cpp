@@ -134,11 +134,11 @@ TEST_CASE("together: a point that one impactor moves into another is detected th
     for (Striking& resolver : walls) resolver.advance(1);
     points.v = {{}};
     const UnresolvedPenetration unresolved = resolve_together(std::span(walls), points);
-    CHECK(std::fabs(points.x1[0].x - 0.5) < 1e-10);  // between the two, which touch now
+    CHECK(std::fabs(points.x1[0].x - 0.5) < 1e-10);  // between the two, which are now in contact
     CHECK(count(unresolved) == 0);
     points.x0 = points.x1;
     for (Striking& resolver : walls) resolver.motion = {resolver.motion.t1, resolver.motion.t1, 1};
-    points.x1[0].x += 0.1;  // and on into the wall that stands
+    points.x1[0].x += 0.1;  // further into the wall at rest
     points.travel = 0.1;
     resolve_together(std::span(walls), points);
     CHECK(std::fabs(points.x1[0].x - 0.5) < 1e-10);
@@ -150,7 +150,7 @@ TEST_CASE("together: a wedge of two closing walls expels points along its bisect
   for (const double opening : {60.0, 75.0, 90.0, 120.0}) {
     CAPTURE(opening);
     const double half = 0.5 * opening * std::numbers::pi / 180;
-    const Vec3d n{std::sin(half), std::cos(half), 0}, m{std::sin(half), -std::cos(half), 0};  // both look to +x
+    const Vec3d n{std::sin(half), std::cos(half), 0}, m{std::sin(half), -std::cos(half), 0};  // both face +x
     std::vector<Striking> walls;
     for (const Vec3d& normal : {n, m}) walls.emplace_back(wall(normal, 0), 0.0, 0.01 * normal);
     fixtures::TestPoints points = points_at({{0.001, 0, 0}, {0.004, 0.0002, 0.1}, {0.02, 0, 0.2}});
@@ -162,8 +162,9 @@ TEST_CASE("together: a wedge of two closing walls expels points along its bisect
       const double depth = 0.01 - std::min(dot(points.x1[i], n), dot(points.x1[i], m));
       CHECK(depth < left);
       CHECK(points.x1[i].x >= 0.01 / std::sin(half) - 2 * left / std::sin(half));  // the edge of the wedge has come so far
-      const bool is_pinched = std::any_of(unresolved.begin(), unresolved.end(), [&](const auto& list) { return std::count(list.begin(), list.end(), i) > 0; });
-      CHECK(is_pinched == (depth > 4e-9));  // 1e-9 of the walls' size is taken as touching
+      const bool is_unresolved =
+          std::any_of(unresolved.begin(), unresolved.end(), [&](const auto& list) { return std::count(list.begin(), list.end(), i) > 0; });
+      CHECK(is_unresolved == (depth > 4e-9));  // 1e-9 of the walls' size counts as contact
     }
   }
 }
@@ -178,14 +179,14 @@ TEST_CASE("together: a point in a closing vice is an unresolved penetration, is 
   for (int i = 0; i < 200; ++i) places.push_back(fixtures::random_in_box(random, {-0.019, -0.5, -0.5}, {0.019, 0.5, 0.5}));
   fixtures::TestPoints points = points_at(places);
   const Vec3d before = momentum(jaws, points);
-  for (int k = 0; k < 2; ++k) {  // to a gap of 0.06, which is 2 r, all but rounding: nothing is pinched
+  for (int k = 0; k < 2; ++k) {  // to a gap of 0.06, which is 2 r to rounding: no unresolved penetration
     for (Vec3d& v : points.v) v = {};
     CHECK(count(step(jaws, points, 0.999)) == 0);
   }
   for (Vec3d& v : points.v) v = {};
   const UnresolvedPenetration unresolved = step(jaws, points, 1);  // 0.04 between the jaws
   CHECK(count(unresolved) == places.size());
-  for (const Vec3d& x : points.x1) CHECK(std::fabs(x.x) < 0.02 + 1e-9);  // not thrown out of the far side of a jaw
+  for (const Vec3d& x : points.x1) CHECK(std::fabs(x.x) < 0.02 + 1e-9);  // not relocated to the far side of a jaw
   for (Vec3d& v : points.v) v = {};
   for (Striking& jaw : jaws) jaw.body = RigidBody(jaw.body.properties(), jaw.body.pose(), -1.0 * jaw.body.velocity(), {}, {});
   CHECK(count(step(jaws, points, 3)) == 0);  // apart again: 0.1
@@ -224,13 +225,13 @@ TEST_CASE("together: an open plate keeps contact with points against a jaw that 
       CAPTURE(k);
       for (Vec3d& v : points.v) v = {};
       const UnresolvedPenetration unresolved = step(jaws, points, 1);
-      CHECK(count(unresolved) == (k > 5 ? places.size() : 0));  // a gap of 0.06 after five steps is 2 r, and the offset more is touching
+      CHECK(count(unresolved) == (k > 5 ? places.size() : 0));  // the gap of 0.06 after five steps is 2 r; penetration by the offset counts as contact
       if (k > 5) CHECK(plate.contacts.size() == places.size());
     }
     CHECK(plate.detector.entered_inside() == 0);
     jaws[plate_first ? 1 : 0].body = RigidBody(jaws[0].body.properties(), jaws[plate_first ? 1 : 0].body.pose(), {0.05, 0, 0}, {}, {});
     for (Vec3d& v : points.v) v = {};
-    CHECK(count(step(jaws, points, 1)) == 0);  // apart again: the plate puts them all before it
+    CHECK(count(step(jaws, points, 1)) == 0);  // apart again: the plate relocates all points to its front
     for (const Vec3d& x : points.x1) CHECK(x.x > -0.035 + r - 1e-9);
   }
 }
@@ -241,7 +242,7 @@ struct Closing {
   std::vector<Vec3d> places;
   std::size_t unresolved = 0, contacts = 0;
   double momentum_error = 0;  // over all that was exchanged
-  bool all_outside = true, pinched_are_inside = true;
+  bool all_outside = true, unresolved_are_inside = true;
 };
 
 /// Three free, rotating spheres that move into a point cloud from three sides.
@@ -284,7 +285,7 @@ Closing closing_spheres(bool forget) {
         const bool inside = soups[s].distance(place) < r - 1e-8 || soups[s].inside(place);
         const bool is_named = std::count(unresolved[s].begin(), unresolved[s].end(), i) > 0;
         inside_of += inside, named += is_named;
-        if (is_named && !inside && soups[s].distance(place) > r) result.pinched_are_inside = false;
+        if (is_named && !inside && soups[s].distance(place) > r) result.unresolved_are_inside = false;
       }
       if (inside_of > named) result.all_outside = false;
     }
@@ -300,7 +301,7 @@ TEST_CASE("together: after three spheres close in on a cloud each point is outsi
   const Closing closing = closing_spheres(false);
   CHECK(closing.contacts > 100);
   CHECK(closing.all_outside);
-  CHECK(closing.pinched_are_inside);
+  CHECK(closing.unresolved_are_inside);
   CHECK(closing.momentum_error < 1e-13);  // rounding of some thousand impulses
 }
 
@@ -332,7 +333,7 @@ TEST_CASE("together: the published and the analytic detector support repeated pa
     CHECK(detector.still_inside(points, motion, which) == std::vector<std::size_t>{1});
     std::vector<Contact> contacts;
     detector.detect_again(points, motion, 0, which, contacts);
-    REQUIRE(contacts.size() == 1);  // the fourth is not asked for
+    REQUIRE(contacts.size() == 1);  // the fourth is not requested
     CHECK(contacts[0].point == 1);
     CHECK(std::fabs(norm(contacts[0].relocation) - 0.5) < 2e-3);  // the panels are 0.05²/8/0.5 inside the sphere
   };

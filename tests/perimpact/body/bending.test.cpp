@@ -91,7 +91,7 @@ TEST_CASE("bending: the factor does not depend on the modulus or the spacing of 
 TEST_CASE("bending: a beam of four layers has the deflection of beam theory with the calibration, and a sixth more without") {
   constexpr int layers = 4, width = 6, length = 51;
   constexpr double force = 1e3;
-  const double h = layers * spacing, b = width * spacing, L = (length - 3.5) * spacing;  // from the held columns' edge to the middle of the load
+  const double h = layers * spacing, b = width * spacing, L = (length - 3.5) * spacing;  // from the edge of the clamped columns to the middle of the load
   const double I = b * h * h * h / 12, G = E / (2 * (1 + nu));
   const double theory = force * L * L * L / (3 * E * I) + force * L / (5.0 / 6 * G * b * h);  // Timoshenko's beam
   const auto sag = [&](const char* calibration) {

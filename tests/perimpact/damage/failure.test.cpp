@@ -244,7 +244,7 @@ TEST_CASE("failure: with compression hardening each bond breaks by the minimum s
       const auto stretch_of = [&](std::size_t slot, const FamilyBond& bond) {
         return norm(particles.position.at(bond.j) - particles.position.at(slot)) / bond.length - 1;
       };
-      for (unsigned pass = 1; pass <= 6; ++pass) {  // some calm, so that what was pressed is let go
+      for (unsigned pass = 1; pass <= 6; ++pass) {  // some almost undeformed, so that compression is released
         fixtures::deform(solid, [](const Vec3d& X) { return X; });
         fixtures::shake(solid, pass % 3 == 0 ? 1e-9 : 6e-7 * pass, pass);
         std::vector<double> pressed(particles.slots(), 0.0);
@@ -262,7 +262,7 @@ TEST_CASE("failure: with compression hardening each bond breaks by the minimum s
         solid.internal.evaluate(solid.particles, solid.family);
         for (const std::uint32_t slot : particles.slot_of()) solid.family.for_each_bond(slot, [&](const FamilyBond& bond) { left.emplace_back(slot, bond.j); });
         CHECK(left == expected);
-        CHECK((hardened > 50) == (pass % 3 != 0));  // there is something to tell apart
+        CHECK((hardened > 50) == (pass % 3 != 0));  // the test discriminates
       }
       CHECK(solid.internal.broken_bonds() > 100);
     }

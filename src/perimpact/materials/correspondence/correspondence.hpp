@@ -3,7 +3,7 @@
 ///
 ///   shape tensor      K = Σ ω ξ⊗ξ v V                                                 [m⁵]
 ///   gradient          F = [Σ ω y⊗ξ v V] K⁻¹,   y = x_j - x_i                          [-]
-///   stress            P = F S(F)                           material/stress_law.hpp    [Pa]
+///   stress            P = F S(F)                           stress_law.hpp             [Pa]
 ///   residual          z = y - F ξ                                                     [m]
 ///   after damage      W_i χ_i, P_i χ_i, c_i χ_i,   χ = min(1, 2 k₀/k)     k: spring_bound(), k₀ initially
 ///
