@@ -53,7 +53,7 @@ struct LastStep {
 /// Hydrostatics of an impactor at t = 0.
 struct PlacedInWater {
   fccda::Hydrostatics hydrostatics;
-  double draft;               ///< [m] draft of its lowest point; negative above water
+  double draft;                ///< [m] draft of its lowest point; negative above water
   std::optional<double> rise;  ///< [m] to equilibrium in this attitude; empty if it sinks
 };
 
@@ -148,7 +148,7 @@ class Impactor {
 
   const std::optional<fccda::StillWater>& water() const { return water_; }
   fccda::Hydrostatics hydrostatics() const { return fccda::hydrostatics(body_, *surface_, *water_); }  ///< current; requires water
-  double draft() const { return water_->level - keel(body_, *surface_); }                             ///< [m] current; requires water; negative above water
+  double draft() const { return water_->level - keel(body_, *surface_); }                              ///< [m] current; requires water; negative above water
   const std::optional<PlacedInWater>& placed_in_water() const { return placed_in_water_; }
 
   const ContactRecord& record() const { return record_; }

@@ -82,7 +82,7 @@ class Strains {
       for (std::size_t c = 0; c < 6; ++c) own_[c] = load<Pack>(body.strain[c] + slot);
   }
 
-  /// s_e; the same to the last bit at both ends, and with and without `is_plastic` where no strain is plastic.
+  /// s_e; bitwise equal at both ends, and with and without `is_plastic` where no strain is plastic.
   template <class Neighbour>
   Pack of(std::size_t index, Pack squared_length, const Neighbour& neighbour) const {
     const Pack total = fused_multiply_add(squared_length, Pack(body_.constants.template constants<Pack>(index).half_inverse), Pack(-0.5));

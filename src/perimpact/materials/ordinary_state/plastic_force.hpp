@@ -1,5 +1,5 @@
-/// Forces of a bond-based or ordinary state-based material that yields under pressure: one plastic strain tensor a particle (material/plasticity.hpp,
-/// docs/theory/ice_plasticity.md).
+/// Forces of a bond-based or ordinary state-based material that yields under pressure: one plastic strain tensor a particle
+/// (materials/plasticity/plasticity.hpp, docs/theory/ice_plasticity.md).
 ///
 ///   bond strain   s_e = (|y|² - |ξ|²)/(2 |ξ|²) - ½ n·(ε^p_i + ε^p_j)·n,  n = ξ/|ξ|                                      [-]
 ///   energy        W_i = a θ_i² + b Σ ω_e |ξ|² s_e² v V,  θ_i = (D/m_θ) Σ ω_θ |ξ|² s_e v V                               [J/m³]
@@ -96,7 +96,7 @@ class PlasticForce {
     visit(name + ".pending_dissipation_of_row", std::span<double>(pending_));
   }
 
-  /// The constants of a bond, or of a pack of bonds of a list (force/plastic_kernels.hpp).
+  /// The constants of a bond, or of a pack of bonds of a list (perimpact/force/plastic_kernels.hpp).
   template <class Number>
   struct Constants {
     Number spring;        ///< 4 b ω_e v V            [N/m⁴]
