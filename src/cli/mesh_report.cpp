@@ -108,7 +108,7 @@ std::string spacing_text(const Surface& surface, const Bvh& bvh, double spacing)
   const std::vector<Thickness> all = thicknesses(surface, bvh, most_rays);
   const auto thinnest = std::min_element(all.begin(), all.end(), [](const Thickness& a, const Thickness& b) { return a.thickness < b.thickness; });
   if (thinnest != all.end())
-    text += row("  least thickness", fmt::format("{:.3g} m, {:.2g} spacings, at panel {}, {}; the motion per step must be smaller", thinnest->thickness,
+    text += row("  wall thickness", fmt::format("{:.3g} m, {:.2g} spacings, at panel {}, {}; the motion per step must be smaller", thinnest->thickness,
                                                  thinnest->thickness / spacing, thinnest->panel, place_in_metres(thinnest->place)));
   return text;
 }

@@ -46,8 +46,8 @@ def _(t):
     t.assertTrue(200e9 * 25e-6 * 0.04 / 40 < force[-1] < 200e9 * 25e-6 * 0.04 / 34, force)
     t.assertAlmostEqual(history["bar.clamp.force_x [N]"][-1] / force[-1], -1, 3)  # the residual adds up along the bar
     t.assertAlmostEqual(history["middle.displacement_x [m]"][-1] / 2e-5, 1, 2)  # half of the displacement, up to that and the bar's contraction
-    t.assertEqual(report["bodies"]["bar"]["boundaries"]["clamp"]["kind"], "fixed")
-    t.assertEqual(report["bodies"]["bar"]["boundaries"]["pull"]["particles"], 75)
+    t.assertEqual(report["bodies"]["bar"]["boundary_conditions"]["clamp"]["kind"], "fixed")
+    t.assertEqual(report["bodies"]["bar"]["boundary_conditions"]["pull"]["particles"], 75)
     t.assertEqual(report["increment [s]"], 0.25)
 
 

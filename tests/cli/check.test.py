@@ -113,7 +113,7 @@ def _(t):
         (cylinder, "cylinder_sectors", 3.14159 * 21 * 21 / 1600, None),
         ("{cylinder_sectors: {}}", "cylinder_sectors", 3.14159 / 4, "axis, point, radius, length, hub_radius, blades, sector_angle, start_angle fitted to the surface; "
          "the angular gaps between its blades are negligible, so that the fan is the whole cylinder"),
-        ("{auto: {}}", "cylinder_sectors", 3.14159 / 4, "taken: the cylinder with sectors"),
+        ("{auto: {}}", "cylinder_sectors", 3.14159 / 4, "chosen: the cylinder with sectors"),
     ]:
         deck = t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    contact_bounds: {region}")) if region else t.deck()
         out = t.expect_success("check", deck, "--out", "r").out

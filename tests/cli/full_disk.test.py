@@ -80,7 +80,7 @@ def _(t):
     if shell.returncode not in (0, 2, 3):
         raise unittest.SkipTest(f"no mount for ordinary users here: {shell.stderr}")
     t.assertEqual(shell.returncode, 3, shell.stderr)
-    t.assertRegex(shell.stderr, r"^error: small/r/\S+ cannot be written: No space left on device\. Make room and run again; everything written before is intact\.\n$")
+    t.assertRegex(shell.stderr, r"^error: small/r/\S+ cannot be written: No space left on device\. Free disk space and run again; everything written before is intact\.\n$")
     t.assertIn("frames/plate_00001.vtp", t.files("r"))
     expect_intact(t, "r", "whole")
 

@@ -62,7 +62,7 @@ def _(t):
 
 @claim("memory: check estimates the peak of a body that fills a surface within 20 %")
 def _(t):
-    t.expect_success("shape", "sphere", "--diameter", "0.5", "--panel", "0.02", "--out", "ball.stl")
+    t.expect_success("shape", "sphere", "--diameter", "0.5", "--edge-length", "0.02", "--out", "ball.stl")
     expect_near(t, deck(t, "shape: {file: ball.stl}, spacing: 0.01", "brittle"))
 
 

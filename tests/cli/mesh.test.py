@@ -47,7 +47,7 @@ def _(t):
     said = rows(t, box, "--spacing", "500 mm")
     t.assertEqual(said, rows(t, box, "--spacing", "0.5"))
     t.assertEqual(said["median panel"], "0.5 m, 1 spacings: adequate")
-    t.assertRegex(said["least thickness"], r"^0\.5 m, 1 spacings, at panel \d+, ")
+    t.assertRegex(said["wall thickness"], r"^0\.5 m, 1 spacings, at panel \d+, ")
     t.assertIn("finer than useful", rows(t, box, "--spacing", "2.01 m")["median panel"])
     t.assertIn("adequate", rows(t, box, "--spacing", "1.99 m")["median panel"])
     t.assertIn("sufficient on flat areas", rows(t, box, "--spacing", "0.249")["median panel"])
@@ -132,7 +132,7 @@ def _(t):
 
     said = rows(t, write(t, "rooms.obj", two_rooms()))
     t.assertTrue(said["non-manifold"].startswith("4 edges with more than two panels; on 4 of them a panel could not be paired"), said)
-    t.assertEqual(defects(t.folder / "rooms_defects.vtp"), {"rim": [10]})
+    t.assertEqual(defects(t.folder / "rooms_defects.vtp"), {"boundary edge": [10]})
 
     write(t, "band.obj", moebius())
     done = t.run_program("mesh", "band.obj")

@@ -36,7 +36,7 @@ def _(t):
     refused(t, ("end: 20 us", "end: 20 us, step: 3 us"), "3 us", "times the critical time step", "omit time.step")
     refused(t, ("0, 50 mm, 0", "0, 40 mm, 0"), "[0, 40 mm, 0]", "cylinder starts inside body plate", "56 particles")
     region = "free_dofs: [y]\n    contact_bounds: {box: {size: [50 mm, 50 mm, 10 mm]%s}}"
-    refused(t, ("free_dofs: [y]", region % ""), "contact_bounds:", "stick out of the box by up to 0.015 m", "on_exceed: clip")
+    refused(t, ("free_dofs: [y]", region % ""), "contact_bounds:", "extend beyond the box by up to 0.015 m", "on_exceed: clip")
     refused(t, ("free_dofs: [y]", region % ", centre: [1, 0, 0]"), "contact_bounds:", "no panel of the surface reaches into the box")
     refused(t, ("at: [0, 0, 0]", "at: [0, 1 m, 0]"), "[0, 1 m, 0]", "probe centre lies 0.973 m from the nearest particle")
     refused(t, ("to: [0, 30 mm, 0]", "to: [0, 300 mm, 0]"), "along_y:", "runs outside body plate", "move its ends")

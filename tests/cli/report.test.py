@@ -221,7 +221,7 @@ def _(t):
 
     report = after(cut("run.json"))
     t.assertIsNone(report.run)
-    t.assertRegex(report.notes[0], r"^d/run\.json:.*Deck, checks and timers are missing here\.$")
+    t.assertRegex(report.notes[0], r"^d/run\.json:.*Deck, checks and timers are missing from this report\.$")
 
     report = after(without("history.csv"))
     t.assertNotIn("history", report.description)
@@ -259,7 +259,7 @@ def _(t):
 def _(t):
     (t.folder / "empty").mkdir()
     for folder in ("empty", "nowhere"):
-        t.expect_complaint(t.run_program("report", folder), 2, f"{folder} holds no results of a run", "perimpact run")
+        t.expect_complaint(t.run_program("report", folder), 2, f"{folder} contains no results of a run", "perimpact run")
     t.expect_complaint(t.run_program("report", "empty", "--size", "0"), 2, "--size: Value 0 not in range", "--help lists the options")
     t.assertEqual(t.files("empty"), [])
 

@@ -6,8 +6,8 @@ import re
 
 from claims import claim, main
 
-HULL = "--length 155 --breadth 23 --draft 9 --stem-angle 24deg --waterline-angle 22deg --panel 5 --bow-panel 2".split()
-PROPELLER = "--diameter 4.12 --pitch-ratio 0.76 --area-ratio 0.669 --hub-ratio 0.301 --panel 0.3 --edge-panel 0.15".split()
+HULL = "--length 155 --breadth 23 --draft 9 --stem-angle 24deg --waterline-angle 22deg --edge-length 5 --bow-edge-length 2".split()
+PROPELLER = "--diameter 4.12 --pitch-ratio 0.76 --area-ratio 0.669 --hub-ratio 0.301 --edge-length 0.3 --blade-edge-length 0.15".split()
 
 
 def facts(text):
@@ -44,9 +44,9 @@ def _(t):
     listed = t.expect_success("shape", "--list").out
     for name in ("cylinder", "sphere", "box", "hull", "propeller"):
         t.assertRegex(listed, rf"(?m)^{name} +\S.*\.$")
-        t.assertIn("--panel", t.expect_success("shape", name, "--help").out)
+        t.assertIn("--edge-length", t.expect_success("shape", name, "--help").out)
     t.assertIn("--sections-radius", t.expect_success("shape", "propeller", "--help").out)
-    t.assertEqual(facts(t.expect_success("shape", "box", "--size", "[1, 2, 3]", "--panel", "0.5").out)["volume"], "6 m3")
+    t.assertEqual(facts(t.expect_success("shape", "box", "--size", "[1, 2, 3]", "--edge-length", "0.5").out)["volume"], "6 m3")
 
 
 @claim("shape: missing, wrong-unit and out-of-range values and invalid shapes are one sentence")
@@ -58,7 +58,7 @@ def _(t):
     t.expect_complaint(complaint("hull", "--length", "5 kg"), 2, "--length: length is \"5 kg\", but that is a mass")
     t.expect_complaint(complaint("hull", *HULL, "--fullness", "9"), 2, "--fullness: fullness is 9, but it must be from 1 to 4")
     t.expect_complaint(complaint("hull", *HULL, "--bilge-radius", "10"), 2, "hull: bilge_radius is 10 m")
-    t.expect_complaint(complaint("propeller", "--diameter", "4", "--panel", "0.2"), 2, "propeller: pitch_ratio is missing")
+    t.expect_complaint(complaint("propeller", "--diameter", "4", "--edge-length", "0.2"), 2, "propeller: pitch_ratio is missing")
     t.expect_complaint(complaint("hull", *HULL, "-o", "hull.ply"), 2, "hull.ply: surfaces are written as .stl or .obj")
     for out, why in (("far/hull.stl", "there is no folder far. Make it first"), ("full.txt/hull.stl", "full.txt is no folder."), ("hull.obj", "it is a folder.")):
         (t.folder / "full.txt").touch()

@@ -111,7 +111,7 @@ def _(t):
     (t.folder / "open.stl").write_text(Shape({"": cube.parts[""][1:]}).stl())
     change = (SHAPE, "shape: {file: open.stl, scale: 0.001}\n    spacing: 5 mm")
     place = place_of(changed(DECK, change), "shape: {file")
-    t.expect_complaint(t.run_program("check", t.deck(change)), 2, f"deck.yaml:{place}: ", "the surface is open, 4 of its edges have a panel on one side only")
+    t.expect_complaint(t.run_program("check", t.deck(change)), 2, f"deck.yaml:{place}: ", "the surface is open: 4 of its edges have a panel on one side only")
     (t.folder / "cloud.csv").write_text("x [m], y [m], z [m], volume [m3]\n0, 0, 0, 1\n0, 0, 1, zero\n")
     done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.csv}}")))
     t.expect_complaint(done, 2, str(t.folder.resolve() / "cloud.csv") + ":3: ", '"0, 0, 1, zero" is not four comma-separated numbers')

@@ -187,7 +187,7 @@ def radii(test):
         alone = fccda.ContactDetector(box, radius=size).detect(motion, x0, x1)
         test.assertEqual(kind in alone["point"], kind > 0)
     test.assertEqual(fccda.ContactDetector(box).points_inside(fccda.Pose(), x1, np.array(radius, np.float32)).tolist(), [1, 2])
-    with test.assertRaisesRegex(InputError, "not one radius for each"):
+    with test.assertRaisesRegex(InputError, "the number of radii differs from the"):
         fccda.ContactDetector(box).detect(motion, x0, x1, [0.1, 0.2])
 
 

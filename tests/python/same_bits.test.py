@@ -130,7 +130,7 @@ def resumed(test):
 def resumed_with_own(test):
     def made(edge_length=0.004, force=True):
         setup = copy.deepcopy(package.SETUP)
-        setup["impactors"]["cylinder"]["surface"] = {"file": perimpact.Mesh.cylinder(diameter=0.04, height=0.04, edge_length=panel)}
+        setup["impactors"]["cylinder"]["surface"] = {"file": perimpact.Mesh.cylinder(diameter=0.04, height=0.04, edge_length=edge_length)}
         forces = {"plate": {"drag": lambda time, body: -1e7 * body.velocities}} if force else None
         return perimpact.Simulation(setup, forces=forces)
 

@@ -132,8 +132,12 @@ std::vector<std::size_t> columns_named(const Table& table, const std::vector<std
   std::vector<bool> is_chosen(table.names.size(), false);
   for (const std::string& word : words) {
     bool is_found = false;
+    // a whole name is that column alone: total.energy, not total.energy_balance_error
     for (std::size_t c = 1; c < table.names.size(); ++c)
-      if (word == table.names[c] || (!word.empty() && begins_at_a_joint(quantity_of(table.names[c]), word))) is_chosen[c] = is_found = true;
+      if (word == table.names[c] || word == quantity_of(table.names[c])) is_chosen[c] = is_found = true;
+    if (is_found) continue;
+    for (std::size_t c = 1; c < table.names.size(); ++c)
+      if (!word.empty() && begins_at_a_joint(quantity_of(table.names[c]), word)) is_chosen[c] = is_found = true;
     if (is_found) continue;
     std::vector<std::string> known;
     for (std::size_t c = 1; c < table.names.size(); ++c) known.emplace_back(quantity_of(table.names[c]));

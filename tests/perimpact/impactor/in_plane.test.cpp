@@ -100,7 +100,7 @@ TEST_CASE("in plane: a surface must be prismatic where contact spheres can meet 
   CHECK(complaint(setup).empty());
   setup.impactors[0].position.z = height + 0.0021;
   CHECK(holds(complaint(setup), sentence));
-  CHECK(holds(complaint(setup), "leans by 90 degrees"));
+  CHECK(holds(complaint(setup), "is inclined by 90 degrees"));
   setup.impactors[0].surface = SphereSurface{.diameter = 0.02, .edge_length = 0.002};
   setup.impactors[0].position.z = height;
   CHECK(holds(complaint(setup), sentence));

@@ -60,7 +60,7 @@ Loaded load(const Setup& setup, double sign) {
     if (!simulation.monitors().is_due(simulation.clock())) continue;
     const double pull = 0.5 * (value(simulation, "ice.top.force_z [N]") - value(simulation, "ice.bottom.force_z [N]"));
     result.strongest = std::max(result.strongest, sign * pull / area);
-    result.closing_error = std::max(result.closing_error, std::fabs(value(simulation, "total.closing_error [J]")));
+    result.closing_error = std::max(result.closing_error, std::fabs(value(simulation, "total.energy_balance_error [J]")));
   }
   result.work = value(simulation, "ice.top.work [J]") + value(simulation, "ice.bottom.work [J]");
   if (simulation.bodies()[0].internal.plastic()) result.flow = value(simulation, "ice.plastic_dissipation [J]");
@@ -134,7 +134,7 @@ TEST_CASE("plasticity: the energy of an indentation closes, debris and plastic f
   double largest = 0;
   while (!simulation.clock().is_finished()) {
     simulation.step();
-    if (simulation.monitors().is_due(simulation.clock())) largest = std::max(largest, std::fabs(value(simulation, "total.closing_error [J]")));
+    if (simulation.monitors().is_due(simulation.clock())) largest = std::max(largest, std::fabs(value(simulation, "total.energy_balance_error [J]")));
   }
   const double work = -value(simulation, "ball.contact_work [J]");
   CHECK(value(simulation, "ice.plastic_dissipation [J]") > 0.2 * work);
