@@ -101,7 +101,7 @@ std::string spacing_text(const Surface& surface, const Bvh& bvh, double spacing)
   text += row("  median panel", fmt::format("{:.4g} m, {:.3g} spacings: {}", median, median / spacing, verdict));
   const Facet facet = coarsest_facet(surface);
   if (facet.panel >= 0)
-    text += row("  curve deviation",
+    text += row("  chord error",
                 fmt::format("at most {:.3g} m, {:.2g} spacings, at panel {}, {}: {}", facet.sagitta, facet.sagitta / spacing, facet.panel,
                             place_in_metres(facet.place), facet.sagitta > spacing / 2 ? "too coarse there if the surface is curved" : "sufficient"));
   constexpr std::size_t most_rays = 3000;
@@ -109,7 +109,7 @@ std::string spacing_text(const Surface& surface, const Bvh& bvh, double spacing)
   const auto thinnest = std::min_element(all.begin(), all.end(), [](const Thickness& a, const Thickness& b) { return a.thickness < b.thickness; });
   if (thinnest != all.end())
     text += row("  wall thickness", fmt::format("{:.3g} m, {:.2g} spacings, at panel {}, {}; the motion per step must be smaller", thinnest->thickness,
-                                                 thinnest->thickness / spacing, thinnest->panel, place_in_metres(thinnest->place)));
+                                                thinnest->thickness / spacing, thinnest->panel, place_in_metres(thinnest->place)));
   return text;
 }
 

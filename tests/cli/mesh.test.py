@@ -56,7 +56,7 @@ def _(t):
     tube = write(t, "tube.obj", prism([(math.cos(math.pi * k / 6), math.sin(math.pi * k / 6)) for k in range(12)], 4.0))
     sagitta = 2 * math.sin(math.pi / 12) * (math.pi / 6) / 8
     for ratio, verdict in ((0.49, "sufficient"), (0.51, "too coarse there")):
-        said = rows(t, tube, "--spacing", sagitta / ratio)["curve deviation"]
+        said = rows(t, tube, "--spacing", sagitta / ratio)["chord error"]
         t.assertTrue(said.startswith(f"at most {sagitta:.3g} m, {ratio:.2g} spacings, at panel "), said)
         t.assertIn(f": {verdict}", said)
 

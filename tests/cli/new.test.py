@@ -43,7 +43,7 @@ def _(t):
     t.expect_complaint(t.run_program("new", "plat"), 2, "there is no starter deck plat; did you mean plate?")
     t.expect_complaint(t.run_program("new", "tank"), 2, "there is no starter deck tank; known here: plate, propeller, ship.")
     t.expect_complaint(t.run_program("new", "ship", "far/away.yaml"), 2, "far/away.yaml cannot be written: there is no folder far. Create it first")
-    t.expect_complaint(t.run_program("new", "ship", "."), 2, ". is there already")
+    t.expect_complaint(t.run_program("new", "ship", "."), 2, ". already exists")
     t.assertEqual(t.files("."), [])
 
 

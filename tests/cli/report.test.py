@@ -228,7 +228,7 @@ def _(t):
     t.assertRegex(report.notes[0], r"^d/history\.csv does not exist")
     report = after(without("history.json"))
     t.assertIn("history", report.description)
-    t.assertRegex(report.notes[0], r"^d/history\.json does not exist.*Where rows were joined here, the last of them stands\.$")
+    t.assertRegex(report.notes[0], r"^d/history\.json does not exist.*Where rows are merged in this report, the last value is shown\.$")
     report = after(cut("history.csv", 0.99))
     t.assertNotIn("history", report.description)
     t.assertRegex(report.notes[0], r"^d/history\.csv:\d+: this row ")

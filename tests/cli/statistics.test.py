@@ -189,7 +189,7 @@ def _(t):
         (["r", "--segment", "1 s"], ["--segment is 1 s, but it must cover from 16 rows to all 10"]),
         (["r", "--channel", "plate"], ["--channel is plate, but it must be a body and the axis", "ice:x"]),
         (["r", "--channel", "plate:z"], ["--channel is plate:z"]),
-        (["r", "--channel", "ice:x"], ["--channel: r has no body ice; there is plate"]),
+        (["r", "--channel", "ice:x"], ["--channel: r has no body ice; its bodies: plate"]),
         (["unbroken", "--channel", "plate:x"], ["--channel: body plate never breaks"]),
         (["r", "--channel", "plate:x", "--sheet", "2"], ["--sheet is 2, but it must be above 0 and at most 1"]),
         (["r", "--channel", "plate:x", "--channel-from", "2", "--channel-to", "1"], ["--channel-from is 2 m, but it must be below --channel-to, which is 1 m"]),
