@@ -249,7 +249,7 @@ def _(t):
     report = after(lambda folder: (folder / "frames/stone.pvd").write_text("nothing"))
     t.assertRegex(report.notes[0], r"^d/frames/stone\.pvd lists no frames")
     report = after(lambda folder: shutil.copy(folder / "frames/stone_00001.vtp", folder / "frames/plate_00002.vtp"))
-    t.assertRegex(report.notes[0], r"^d/frames/plate_00002\.vtp has 64 particles, but the earlier frames have 960; take the files of one run\.$")
+    t.assertRegex(report.notes[0], r"^d/frames/plate_00002\.vtp has 64 particles, but the earlier frames have 960; use the files of one run\.$")
     report = after(lambda folder: shutil.rmtree(folder / "frames"))
     t.assertEqual((report.description["bodies"], report.times), ([], []))
     t.assertRegex(report.notes[0], r"^d/frames contains no frame series")

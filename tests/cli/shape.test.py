@@ -60,7 +60,7 @@ def _(t):
     t.expect_complaint(complaint("hull", *HULL, "--bilge-radius", "10"), 2, "hull: bilge_radius is 10 m")
     t.expect_complaint(complaint("propeller", "--diameter", "4", "--edge-length", "0.2"), 2, "propeller: pitch_ratio is missing")
     t.expect_complaint(complaint("hull", *HULL, "-o", "hull.ply"), 2, "hull.ply: surfaces are written as .stl or .obj")
-    for out, why in (("far/hull.stl", "there is no folder far. Create it first"), ("full.txt/hull.stl", "full.txt is no folder."), ("hull.obj", "it is a folder.")):
+    for out, why in (("far/hull.stl", "there is no folder far. Create it first"), ("full.txt/hull.stl", "full.txt is not a folder."), ("hull.obj", "it is a folder.")):
         (t.folder / "full.txt").touch()
         (t.folder / "hull.obj").mkdir(exist_ok=True)
         done = complaint("hull", *HULL, "-o", out)

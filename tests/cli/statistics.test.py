@@ -190,7 +190,7 @@ def _(t):
         (["r", "--channel", "plate"], ["--channel is plate, but it must be a body and the axis", "ice:x"]),
         (["r", "--channel", "plate:z"], ["--channel is plate:z"]),
         (["r", "--channel", "ice:x"], ["--channel: r has no body ice; its bodies: plate"]),
-        (["unbroken", "--channel", "plate:x"], ["--channel: body plate never breaks"]),
+        (["unbroken", "--channel", "plate:x"], ["--channel: body plate has no failure criterion"]),
         (["r", "--channel", "plate:x", "--sheet", "2"], ["--sheet is 2, but it must be above 0 and at most 1"]),
         (["r", "--channel", "plate:x", "--channel-from", "2", "--channel-to", "1"], ["--channel-from is 2 m, but it must be below --channel-to, which is 1 m"]),
         (["r", "--channel", "plate:x", "--channel-from", "2 s"], ["--channel-from is 2 s: that is a time; write a length"]),

@@ -221,7 +221,7 @@ class Coarsener {
 }  // namespace
 
 Coarsened coarsen(const Surface& surface, const Coarsening& wanted) {
-  EXPECTS(wanted.distance > 0 && wanted.panel > 0);
+  EXPECTS(wanted.max_deviation > 0 && wanted.max_edge_length > 0);
   Coarsener coarsener(surface, wanted);
   coarsener.run();
   return coarsener.result();
