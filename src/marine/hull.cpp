@@ -200,7 +200,7 @@ HullForm::HullForm(const HullShape& shape)
       tan_flare_(std::tan(shape.flare)),
       bow_length_(shape.fullness * 0.5 * shape.breadth / std::tan(shape.waterline_angle)),
       stern_length_(shape.breadth / std::tan(shape.stern_waterline_angle)) {
-  EXPECTS(shape.length > 0 && shape.breadth > 0 && shape.draft > 0 && shape.freeboard > 0 && shape.panel > 0);
+  EXPECTS(shape.length > 0 && shape.breadth > 0 && shape.draft > 0 && shape.freeboard > 0 && shape.edge_length > 0);
   EXPECTS(shape.stem_angle > 0 && shape.waterline_angle > 0 && shape.stern_angle > 0 && shape.stern_waterline_angle > 0);
   EXPECTS(shape.fullness >= 1 && shape.bilge_radius >= 0 && shape.bow_edge_length >= 0);
   if (shape.bilge_radius > shape.draft)

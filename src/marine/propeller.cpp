@@ -214,7 +214,7 @@ std::vector<MonotoneCubic> curve(const std::vector<double>& radius, const std::v
 
 BladeForm::BladeForm(const PropellerShape& shape) : shape_(shape), root_(root_in_hub * 0.5 * shape.hub_ratio * shape.diameter) {
   EXPECTS(shape.blades >= 1 && shape.diameter > 0 && shape.hub_ratio > 0 && shape.hub_ratio < 1 && shape.hub_length > 0);
-  EXPECTS(shape.thickness_factor > 0 && shape.edge_thickness > 0 && shape.edge_thickness < 1 && shape.panel > 0 && shape.blade_edge_length >= 0);
+  EXPECTS(shape.thickness_factor > 0 && shape.edge_thickness > 0 && shape.edge_thickness < 1 && shape.edge_length > 0 && shape.blade_edge_length >= 0);
   if (shape.blade_edge_length > shape.edge_length)
     refuse("blade_edge_length is ", shape.blade_edge_length, " m, but edges are made finer, not coarser, than edge_length, ", shape.edge_length, " m.");
   if (!shape.sections) {

@@ -43,7 +43,7 @@ void expect_affordable(std::span<const Refinement> refinements, const TargetSize
 }  // namespace
 
 Panels refine(const Surface& surface, std::span<const Refinement> refinements, double most) {
-  for ([[maybe_unused]] const Refinement& refinement : refinements) EXPECTS(refinement.panel > 0 && refinement.angle.value_or(1) > 0);
+  for ([[maybe_unused]] const Refinement& refinement : refinements) EXPECTS(refinement.edge_length > 0 && refinement.angle.value_or(1) > 0);
   const Curvature curved = curvature(surface);
   const TargetSize wanted(surface, curved, refinements);
   expect_affordable(refinements, wanted, most);
