@@ -276,8 +276,9 @@ TEST_CASE("plastic force: uniform strain under pressure leads to the yield surfa
                                                            {"pressed and sheared in a plane of the lattice", {-0.2, -0.2, -0.2, 0.5, 0, 0}},
                                                            {"sheared across the planes", {-0.5, 0.2, -0.1, 0.2, 0.3, -0.1}}};
   for (const double nu : {0.25, 0.33})
-    for (const auto& [name, direction] : paths) {
-      CAPTURE(name);
+    for (const auto& path : paths) {
+      const SymmetricTensor& direction = path.second;
+      CAPTURE(path.first);
       CAPTURE(nu);
       Body body = ice({.size = {1.3, 1.3, 1.3}, .poissons_ratio = nu, .correction = SurfaceCorrection::none});
       const PlasticForce& force = *body.internal.plastic();
