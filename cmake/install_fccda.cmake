@@ -25,8 +25,12 @@ target_include_directories(fccda_library INTERFACE $<BUILD_INTERFACE:${CMAKE_CUR
 target_link_libraries(fccda_library PUBLIC OpenMP::OpenMP_CXX PRIVATE ZLIB::ZLIB)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/fccda)
-install(TARGETS fccda_library EXPORT fccda_targets COMPONENT fccda INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fccda COMPONENT fccda FILES_MATCHING PATTERN "*.hpp")
+# below include/fccda, so that names as general as mesh/ and base/ do not stand in everybody's include folder
+set(include_folder ${CMAKE_INSTALL_INCLUDEDIR}/fccda)
+install(TARGETS fccda_library EXPORT fccda_targets COMPONENT fccda INCLUDES DESTINATION ${include_folder})
+foreach(folder base mesh mesh_io marine fccda)
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/../${folder} DESTINATION ${include_folder} COMPONENT fccda FILES_MATCHING PATTERN "*.hpp")
+endforeach()
 install(EXPORT fccda_targets NAMESPACE fccda:: FILE fccdaTargets.cmake DESTINATION ${package_folder} COMPONENT fccda)
 
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/fccdaConfig.cmake @ONLY CONTENT [=[

@@ -25,7 +25,7 @@ target_compile_definitions(build_flags INTERFACE
   $<$<BOOL:${PERIMPACT_SCALAR_PACK}>:FCCDA_SCALAR_PACK> $<$<BOOL:${PERIMPACT_CONTRACTS}>:FCCDA_CONTRACTS>)
 target_link_libraries(build_flags INTERFACE OpenMP::OpenMP_CXX)
 
-# add_module(fccda/surface DEPENDS fccda/core): the sources of src/fccda/surface (not of its sub-folders) as target fccda_surface.
+# add_module(mesh DEPENDS base): the sources of src/mesh (not of its sub-folders) as target mesh.
 # With PERIMPACT_GROUPED, GROUPED modules are compiled eight sources at a time: those that take long, have no kernels (what is inlined where
 # depends on what is compiled with it) and name their helpers apart.
 function(add_module path)

@@ -57,12 +57,16 @@ function(group_tests name sources_variable)
   set(${sources_variable} ${files} PARENT_SCOPE)
 endfunction()
 
-# add_tests(fccda LINK fccda): one program of all tests/fccda/**/*.test.cpp; with PERIMPACT_TESTS_ABOUT, of those files alone that have it, a
+# add_tests(fccda FOLDERS mesh fccda LINK fccda): one program of all *.test.cpp below these folders of tests/; FOLDERS where absent the name; with PERIMPACT_TESTS_ABOUT, of those files alone that have it, a
 # regular expression, in their path or in a title, where the whole program would take long to build (sanitizers).
 function(add_tests name)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "FOLDERS;LINK" ${ARGN})
+  if(NOT ARG_FOLDERS)
+    set(ARG_FOLDERS ${name})
+  endif()
   get_filename_component(root "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/.." ABSOLUTE)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/tests/${name}/*.test.cpp)
+  list(TRANSFORM ARG_FOLDERS REPLACE "(.+)" "${root}/tests/\\1/*.test.cpp" OUTPUT_VARIABLE patterns)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
   if(PERIMPACT_TESTS_ABOUT)
     set(all ${sources})
     set(sources)

@@ -1,6 +1,6 @@
-// Two dimensions, discs of different sizes, two bodies, and points that are shared out among processes: discs fall past a toothed wheel, which turns under
-// them, onto a floor. One process, or several that stand for those of an MPI program: each has some of the points with detectors of its own, the surfaces
-// are shared, and the wheel gets the sum of what all of them found. Prints what 1 and 4 of them make of it.
+// Two dimensions, discs of different radii, two bodies, and points distributed over processes: discs fall past a toothed wheel, which turns under
+// them, onto a floor. One process, or several that emulate the ranks of an MPI program: each has a part of the points with separate detectors, the
+// surfaces are shared, and the wheel receives the sum of all impulses. Compares the results of 1 and 4 processes.
 #include <cmath>
 #include <cstdio>
 #include <fccda/fccda.hpp>
@@ -12,12 +12,12 @@ using namespace fccda;
 
 constexpr std::size_t count = 400;  // of discs
 
-// What each process has: some of the points, and a detector for each body.
+// Data of one process: a part of the points, and a detector for each body.
 struct Rank {
   std::vector<Vec3d> x_t0, x_t1, velocity;
   std::vector<double> radius, mass;
   ContactDetector wheel, floor;
-  Tally tally{};  // of this step, on the wheel
+  ContactSum tally{};  // sum of this step, on the wheel
 };
 
 std::vector<Rank> shared_out(std::size_t ranks, const SharedSurface& wheel, const SharedSurface& floor) {
@@ -29,8 +29,8 @@ std::vector<Rank> shared_out(std::size_t ranks, const SharedSurface& wheel, cons
     Rank& rank = out[i % ranks];
     const double size = 0.002 + 0.01 * even(random), x = 1.2 * even(random) - 0.2, y = 0.6 + 2 * even(random);
     rank.radius.push_back(size);
-    rank.mass.push_back(1000 * std::numbers::pi * size * size);  // [kg] of a disc a metre thick
-    rank.x_t1.push_back({x, y, 0});                              // in the plane z = 0, where all stays
+    rank.mass.push_back(1000 * std::numbers::pi * size * size);  // [kg] of a disc of unit thickness
+    rank.x_t1.push_back({x, y, 0});                              // in the plane z = 0, where all motion remains
     rank.velocity.push_back({});
   }
   return out;
@@ -57,7 +57,7 @@ Outcome run(std::size_t ranks) {
   const double dt = 1e-3;
   for (int step = 0; step < 1000; ++step) {
     const Motion wheel_motion = wheel.advance(dt), floor_motion = floor.advance(dt);
-    for (Rank& rank : parts) {  // each in its own process
+    for (Rank& rank : parts) {  // each in a separate process
       rank.x_t0 = rank.x_t1;
       for (std::size_t i = 0; i < rank.x_t1.size(); ++i) {
         rank.velocity[i].y -= 9.81 * dt;
@@ -68,10 +68,10 @@ Outcome run(std::size_t ranks) {
       rank.tally = respond_without_body(on_wheel, wheel_motion, wheel, points, 0.3);
       const std::vector<Contact> on_floor = rank.floor.detect(floor_motion, rank.x_t0, rank.x_t1, rank.radius);
       respond(on_floor, floor_motion, floor, points, 0.3);
-      for (const Contact& contact : on_wheel) rank.floor.moved(contact.point);  // each body tells the other's detector whom it displaced
+      for (const Contact& contact : on_wheel) rank.floor.moved(contact.point);  // report points displaced by one body to the detector of the other
       for (const Contact& contact : on_floor) rank.wheel.moved(contact.point);
     }
-    Tally sum;  // MPI_Allreduce of seven numbers; the body then moves alike in all processes
+    ContactSum sum;  // MPI_Allreduce of seven numbers; the body then moves identically in all processes
     for (const Rank& rank : parts) sum += rank.tally;
     wheel.add_impulse(sum.impulse, sum.angular_impulse_about_com);
     outcome.angle += dt * wheel.angular_velocity().z;
@@ -89,7 +89,7 @@ int main() {
   const Outcome one = run(1), four = run(4);
   double apart = 0;
   for (std::size_t i = 0; i < one.places.size(); ++i) apart = std::fmax(apart, norm(one.places[i] - four.places[i]));
-  std::printf("%zu contacts with the wheel, which turned by %.4f rad; %zu of %zu discs inside, none further than %g m off the plane\n", one.contacts, one.angle,
+  std::printf("%zu contacts with the wheel, which turned by %.4f rad; %zu of %zu discs inside, at most %g m off the plane\n", one.contacts, one.angle,
               one.inside, count, one.off_plane);
-  std::printf("shared out among 4: turned by %.4f rad, discs at most %g m from where one had them\n", four.angle, apart);
+  std::printf("distributed over 4: turned by %.4f rad, discs at most %g m from those of one\n", four.angle, apart);
 }

@@ -1,5 +1,5 @@
-// Points fall on a mesh, slide, stick, or drop past it:  falling_points [surface.stl | surface.obj]
-// Where they are at the end is written to falling_points.csv. With all comments taken away, the least that a program needs.
+// Points fall on a mesh, slide, stick, or fall past it:  falling_points [surface.stl | surface.obj]
+// Writes the final positions to falling_points.csv. A minimal program.
 #include <cstdio>
 #include <exception>
 #include <fccda/fccda.hpp>
@@ -9,16 +9,16 @@
 using namespace fccda;
 
 int main(int argc, char** argv) try {
-  const Surface surface(argc > 1 ? read_panels(argv[1]) : make_sphere({.diameter = 2, .panel = 0.1}));
+  const Surface surface(argc > 1 ? read_panels(argv[1]) : make_sphere({.diameter = 2, .edge_length = 0.1}));
   ContactDetector detector(surface, {.radius = 0.02});  // the points are balls [m]
-  RigidBody body({.mass = 1}, Pose(), {}, {}, {});      // at rest, and nothing is free to move
+  RigidBody body({.mass = 1}, Pose(), {}, {}, {});      // at rest, all degrees of freedom fixed
 
-  // A sheet of 41 × 41 points above the mesh, a fifth wider than it.
+  // A sheet of 41 × 41 points above the mesh, a fifth wider than the mesh.
   const Vec3d centre = surface.report().bounds.centre(), size = surface.report().bounds.size();
   std::vector<Vec3d> x_t0, x_t1, velocity(41 * 41);
   for (int i = 0; i < 41 * 41; ++i) x_t1.push_back(centre + Vec3d{0.6 * size.x * (i % 41 - 20) / 20.0, 0.6 * size.y * (i / 41 - 20) / 20.0, size.z});
 
-  const double dt = 0.01;  // [s] a point falls up to 0.2 m in it, ten of its radii
+  const double dt = 0.01;  // [s] a point falls up to 0.2 m per step, ten radii
   std::set<std::size_t> landed;
   for (int step = 0; step < 200; ++step) {
     x_t0 = x_t1;
@@ -38,7 +38,7 @@ int main(int argc, char** argv) try {
     std::fclose(file);
   }
   return 0;
-} catch (const std::exception& error) {  // InputError says what is wrong with the mesh
+} catch (const std::exception& error) {  // InputError describes a faulty mesh
   std::fprintf(stderr, "error: %s\n", error.what());
   return 2;
 }

@@ -1,12 +1,12 @@
-// An elastic bar strikes a rigid wall, then a rigid wedge:  fem_bar [cells along the bar: 30, 50, 70, ...]
+// An elastic bar hits a rigid wall, then a rigid wedge:  fem_bar [cells along the bar: 30, 50, 70, ...]
 //
 // Explicit finite elements: cubes of trilinear shape functions with eight Gauss points, lumped masses, large deformation, symplectic
-// Euler. Nodes are the points that fccda is asked about; faces between nodes are not looked at, so a body sharper than the cells can
-// cut into them between two nodes. Pictures for ParaView: bar_on_wall_0.vtk and so on; the force on the wall: bar_on_wall.csv.
+// Euler. Contact is detected at the nodes, not on the faces between them, so a body sharper than the cells can penetrate between two
+// nodes. Output for ParaView: bar_on_wall_0.vtk and so on; the force on the wall: bar_on_wall.csv.
 //
 // Material: neo-Hooke with ν = 0, first Piola-Kirchhoff stress P = µ (F - F⁻ᵀ), Young's modulus E = 2µ, so that slow bars follow the
-// one-dimensional wave equation exactly. A bar of length L and speed v that meets a wall: the stress there is ρ c v, contact lasts 2L/c,
-// and the bar leaves with -v (Graff, Wave Motion in Elastic Solids (1975), section 2.3); c = √(E/ρ).
+// one-dimensional wave equation exactly. For a bar of length L and speed v that hits a wall, the stress at the wall is ρ c v, the contact
+// duration 2L/c, and the rebound velocity -v (Graff, Wave Motion in Elastic Solids (1975), section 2.3); c = √(E/ρ).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ constexpr double start_gap = 1e-4;            // [m]
 
 Mat3 operator-(const Mat3& a, const Mat3& b) { return {{a.row[0] - b.row[0], a.row[1] - b.row[1], a.row[2] - b.row[2]}}; }
 
-/// The transposed inverse by cofactors, and the determinant.
+/// Inverse transpose from cofactors, and determinant.
 struct Inverse {
   Mat3 transposed;
   double determinant;
@@ -45,9 +45,9 @@ struct Inverse {
 struct Bar {
   double cell;                       // [m]
   std::vector<Vec3d> x, v, force;    // of the nodes [m], [m/s], [N]
-  std::vector<double> mass, stress;  // [kg], [Pa] axial, mean of the cells about a node
+  std::vector<double> mass, stress;  // [kg], [Pa] axial stress, mean of the adjacent cells
   std::vector<std::array<std::size_t, 8>> cells;
-  std::array<std::array<Vec3d, 8>, 8> slope;  // ∂N_a/∂X at Gauss point g [1/m]: the same in all cells
+  std::array<std::array<Vec3d, 8>, 8> slope;  // ∂N_a/∂X at Gauss point g [1/m]: equal in all cells
   double elastic_energy = 0;                  // [J]
 
   Bar(int along, double speed) : cell(length / along) {
@@ -95,15 +95,15 @@ struct Bar {
     std::ranges::fill(force, Vec3d{});
     std::ranges::fill(stress, 0.0);
     elastic_energy = 0;
-    const double weight = cell * cell * cell / 8;  // of a Gauss point [m³]
+    const double weight = cell * cell * cell / 8;  // weight of a Gauss point [m³]
     for (const auto& each : cells)
       for (const auto& gradients : slope) {
         Mat3 f;  // deformation gradient
         for (std::size_t a = 0; a < 8; ++a)
           for (std::size_t axis = 0; axis < 3; ++axis) f.row[axis] += x[each[a]][axis] * gradients[a];
         const Inverse inverse(f);
-        if (!(inverse.determinant > 0)) throw RunError("fem_bar: a cell is turned inside out; take more cells.");
-        const Mat3 p = f - inverse.transposed;  // stress by µ
+        if (!(inverse.determinant > 0)) throw RunError("fem_bar: a cell is inverted; use more cells.");
+        const Mat3 p = f - inverse.transposed;  // stress divided by µ
         double squares = -3;
         for (const Vec3d& row : f.row) squares += squared_norm(row);
         elastic_energy += weight * shear * (0.5 * squares - std::log(inverse.determinant));
@@ -118,16 +118,16 @@ struct Bar {
 struct Outcome {
   double first_touch = -1, last_touch = 0;  // [s]
   double impulse = 0;                       // [N s] on the body, downwards
-  double lost = 0;                          // [J] by nodes that stop where they touch
+  double lost = 0;                          // [J] dissipated by nodes that stop on contact
   std::vector<double> time, force;          // [s], [N] of each step
 };
 
-/// Lets the bar and the body go their way for `time` seconds. Five pictures are written: name_0.vtk to name_4.vtk, and
-/// name_body_0.vtk to name_body_4.vtk of the body.
-Outcome strike(Bar& bar, RigidBody& body, const Panels& panels, double speed, double time, const std::string& name) {
+/// Simulates the bar and the body for `time` seconds. Writes five frames: name_0.vtk to name_4.vtk, and name_body_0.vtk to
+/// name_body_4.vtk of the body.
+Outcome resolve_contact(Bar& bar, RigidBody& body, const Panels& panels, double speed, double time, const std::string& name) {
   ContactDetector detector{Surface(panels)};  // nodes have no extent
   const double sound = std::sqrt(youngs / rho);
-  const int quarter = static_cast<int>(std::ceil(time * (sound + 4 * speed) / (0.4 * bar.cell) / 4));  // Courant number 0.4; pressed cells are stiffer
+  const int quarter = static_cast<int>(std::ceil(time * (sound + 4 * speed) / (0.4 * bar.cell) / 4));  // Courant number 0.4, since compressed cells are stiffer
   const double dt = time / (4 * quarter);
   const auto picture = [&](int frame) {
     Panels moved = panels;
@@ -149,10 +149,10 @@ Outcome strike(Bar& bar, RigidBody& body, const Panels& panels, double speed, do
 
     const Motion motion = body.advance(dt);
     const std::vector<Contact> contacts = detector.detect(motion, x_t0, bar.x);
-    const Tally tally = respond(contacts, motion, body, {.x_t0 = x_t0, .x_t1 = bar.x, .velocity = bar.v, .mass = bar.mass});
+    const ContactSum tally = respond(contacts, motion, body, {.x_t0 = x_t0, .x_t1 = bar.x, .velocity = bar.v, .mass = bar.mass});
 
-    // The work of an impulse J is J·(v before + v after)/2, before and after the whole step: a node that rests on the wall, pushed there by
-    // its cell and back by the wall, gains and loses nothing.
+    // The work of an impulse J is J·(v before + v after)/2, with the velocities before and after the entire step, so that a node at rest on
+    // the wall, loaded by its cell and by the wall, has no net work.
     outcome.lost += energy_of_body - body.kinetic_energy();
     for (const Contact& contact : contacts) {
       const std::size_t i = contact.point;
@@ -174,12 +174,12 @@ Outcome strike(Bar& bar, RigidBody& body, const Panels& panels, double speed, do
 double percent(double value, double of) { return 100 * (value / of - 1); }
 
 void strike_wall(int cells) {
-  const double speed = 0.1, sound = std::sqrt(youngs / rho);  // a thousandth of the sound's: linear
+  const double speed = 0.1, sound = std::sqrt(youngs / rho);  // a thousandth of the speed of sound: linear
   Bar bar(cells, speed);
-  RigidBody wall({.mass = 1}, Pose({0, 0, -0.01}), {}, {}, {});  // held, its upper face at z = 0
+  RigidBody wall({.mass = 1}, Pose({0, 0, -0.01}), {}, {}, {});  // fixed, upper face at z = 0
   const double arrival = start_gap / speed, contact = 2 * length / sound;
   const double before = bar.momentum(), energy = bar.kinetic_energy();
-  const Outcome outcome = strike(bar, wall, make_box({.size = {0.1, 0.1, 0.02}, .panel = 0.05}), speed, arrival + 1.5 * contact, "bar_on_wall");
+  const Outcome outcome = resolve_contact(bar, wall, make_box({.size = {0.1, 0.1, 0.02}, .edge_length = 0.05}), speed, arrival + 1.5 * contact, "bar_on_wall");
 
   double sum = 0;
   int count = 0;
@@ -205,7 +205,7 @@ void strike_wall(int cells) {
   }
 }
 
-/// Its edge along y at the origin, pointing up; as wide as it is deep on both sides.
+/// Wedge with its edge along y at the origin, pointing upward, with sides at 45°.
 Panels wedge_panels() {
   Panels wedge;
   const double w = 0.03, d = 0.03;
@@ -218,9 +218,9 @@ Panels wedge_panels() {
 void strike_wedge(int cells) {
   const double speed = 4, sound = std::sqrt(youngs / rho);
   Bar bar(cells, speed);
-  RigidBody wedge({.mass = rho * length * bar.section()}, Pose(), {}, {}, {{false, false, true, false, false, false}});  // as heavy as the bar, free along z
+  RigidBody wedge({.mass = rho * length * bar.section()}, Pose(), {}, {}, {{false, false, true, false, false, false}});  // mass of the bar, free along z
   const double before = bar.momentum(), energy = bar.kinetic_energy();
-  const Outcome outcome = strike(bar, wedge, wedge_panels(), speed, start_gap / speed + 3 * length / sound, "bar_on_wedge");
+  const Outcome outcome = resolve_contact(bar, wedge, wedge_panels(), speed, start_gap / speed + 3 * length / sound, "bar_on_wedge");
   const double left = bar.kinetic_energy() + bar.elastic_energy + wedge.kinetic_energy();
   std::size_t inside = 0;
   for (const Vec3d& x : bar.x) inside += x.z < wedge.pose().position().z - std::fabs(x.x) && std::fabs(x.x) < 0.03;
@@ -236,8 +236,8 @@ void strike_wedge(int cells) {
 
 int main(int argc, char** argv) try {
   const int cells = argc > 1 ? std::atoi(argv[1]) : 50;
-  if (cells < 30 || cells % 20 != 10)  // cubes, and an odd number of them across: a node over the edge of the wedge would have to choose a side
-    throw InputError("fem_bar: the number of cells along the bar is 30, 50, 70 and so on; give one of these.");
+  if (cells < 30 || cells % 20 != 10)  // cubes, and an odd number across, so that no node is exactly above the edge of the wedge
+    throw InputError("fem_bar: the number of cells along the bar must be 30, 50, 70 and so on.");
   strike_wall(cells);
   strike_wedge(cells);
   return 0;

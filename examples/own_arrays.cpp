@@ -1,6 +1,6 @@
-// A solver's own arrays, read and written in place through the Points interface: no copies, and the solver's own blocks and bounds.
-// The solver here is a cloud of grains without forces, in three arrays a vector, sorted into blocks of 100. It runs beside the plain
-// call, and both must find the same.
+// Arrays of a solver, accessed in place through the Points interface: no copies, and with the blocks and bounds of the solver.
+// The solver is a set of grains without forces, with three arrays per vector, sorted into blocks of 100. The result is compared with
+// that of the plain call.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,12 +12,12 @@
 
 using namespace fccda;
 
-/// What a solver has.
+/// Data of the solver.
 struct Grains {
   using Array = std::vector<double>;
   std::array<Array, 3> x, v;    // [m], [m/s]
   Array mass;                   // [kg]
-  std::vector<double> fastest;  // [m/s] in each block: the solver computes it where it moves the grains
+  std::vector<double> fastest;  // [m/s] largest speed per block, computed when the grains move
   static constexpr std::size_t block = 100;
 
   void add(const Vec3d& position, const Vec3d& velocity, double m) {
@@ -34,13 +34,13 @@ struct Grains {
   }
 };
 
-/// How fccda sees them: Points (detect/points.hpp) and StruckPoints (respond/respond.hpp).
+/// Access for fccda: Points (detect/points.hpp) and StruckPoints (respond/respond.hpp).
 struct GrainPoints {
   Grains& grains;
   double dt;
 
   std::size_t size() const { return grains.mass.size(); }
-  bool occupied(std::size_t i) const { return grains.mass[i] > 0; }  // grains of no mass have been taken out
+  bool occupied(std::size_t i) const { return grains.mass[i] > 0; }  // grains without mass have been removed
   Vec3d velocity(std::size_t i) const { return {grains.v[0][i], grains.v[1][i], grains.v[2][i]}; }
   Vec3d position_t1(std::size_t i) const { return {grains.x[0][i], grains.x[1][i], grains.x[2][i]}; }
   Vec3d position_t0(std::size_t i) const { return position_t1(i) - dt * velocity(i); }
@@ -58,14 +58,14 @@ struct GrainPoints {
 
 int main() try {
   Grains grains;
-  for (int i = 0; i < 20'000; ++i) {  // on a spiral over a sphere, all flying inwards
+  for (int i = 0; i < 20'000; ++i) {  // on a spiral over a sphere, all moving inward
     const double z = 1 - (2 * i + 1) / 20'000.0, around = 2.399963 * i, r = std::sqrt(1 - z * z);
     const Vec3d out{r * std::cos(around), r * std::sin(around), z};
     grains.add((1 + 0.5 * (i % 7)) * out, -(1 + 0.1 * (i % 3)) * out, 1e-3);
   }
 
-  // A slab that turns among them, free in all six degrees.
-  const auto surface = std::make_shared<const Surface>(make_box({.size = {1.2, 0.8, 0.2}, .panel = 0.1}));
+  // A rotating slab among them, free in all six degrees of freedom.
+  const auto surface = std::make_shared<const Surface>(make_box({.size = {1.2, 0.8, 0.2}, .edge_length = 0.1}));
   const RigidBodyProperties properties{.mass = 5, .inertia = Mat3::diagonal({0.28, 0.62, 0.87})};
   RigidBody slab(properties, Pose(), {}, {0, 0, 0.3}, {{true, true, true, true, true, true}});
   const double reach = surface->radius_about(properties.centre_of_mass);

@@ -1,13 +1,13 @@
 // A block of water falls on a hull and splashes:  sph_splash [spacing of the particles in metres] [frames]
 //
 // Weakly compressible SPH (Monaghan, Simulating free surface flows with SPH, J. Comput. Phys. 110 (1994) 399): cubic spline kernel, Tait's
-// equation of state, artificial viscosity, symplectic Euler. The hull is felt through fccda only: there are no particles in the wall.
+// equation of state, artificial viscosity, symplectic Euler. The hull acts through fccda only: there are no wall particles.
 // Frames for ParaView: splash_000.vtk and so on, and splash_hull.vtk.
 //
 //   dρ_i/dt = Σ m (v_i - v_j)·∇W_ij
 //   dv_i/dt = -Σ m (p_i/ρ_i² + p_j/ρ_j² + Π_ij) ∇W_ij + g
-//   p = (ρ₀ c²/7) ((ρ/ρ₀)⁷ - 1), at least 0: drops do not pull at one another
-//   Π_ij = -α c μ/ρ̄,  μ = h (v_i - v_j)·r/(r² + 0.01 h²) where they approach
+//   p = (ρ₀ c²/7) ((ρ/ρ₀)⁷ - 1), at least 0: no tension between drops
+//   Π_ij = -α c μ/ρ̄,  μ = h (v_i - v_j)·r/(r² + 0.01 h²) for approaching particles
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,10 +24,10 @@ using namespace fccda;
 namespace {
 
 constexpr double rho_0 = 1000, alpha = 0.1;           // [kg/m³], [-]
-constexpr double gravity = 9.81, fall_speed = 3;      // [m/s²], [m/s] at the beginning
-constexpr double sound = 45;                          // [m/s] ten times the greatest speed of the water
+constexpr double gravity = 9.81, fall_speed = 3;      // [m/s²], [m/s] initially
+constexpr double sound = 45;                          // [m/s] ten times the largest speed of the water
 constexpr double end_time = 0.25;                     // [s]
-constexpr double half_length = 0.6, parallel = 0.25;  // [m] of the hull and of its middle body, from the middle
+constexpr double half_length = 0.6, parallel = 0.25;  // [m] half-lengths of the hull and of its parallel middle body
 constexpr double half_beam = 0.25, depth = 0.25;      // [m]
 
 /// Keel up (0 0 depth), deck down at z = 0, pointed at both ends.
@@ -41,7 +41,7 @@ Panels hull_panels() {
   return hull;
 }
 
-/// Inside by the planes of the hull, which is convex: no part of fccda.
+/// Inside test by the face planes of the convex hull, independent of fccda.
 bool is_in_hull(const Vec3d& x) {
   const double side = std::fabs(x.y) / half_beam + x.z / depth;
   return x.z > 0 && side < 1 && std::fabs(x.x) / half_length + (1 - parallel / half_length) * side < 1;
@@ -83,7 +83,7 @@ struct Water {
     Vec3d low;
     double size;
     int nx, ny, nz;
-    std::vector<int> first, next;  // of each cell, of each particle; -1 ends a chain
+    std::vector<int> first, next;  // per cell, per particle; -1 ends a list
     int along(double x, double low_x) const { return static_cast<int>((x - low_x) / size); }
     int number(int i, int j, int k) const { return (k * ny + j) * nx + i; }
   };
@@ -148,7 +148,7 @@ int main(int argc, char** argv) try {
 
   Water water(spacing);
   ContactDetector detector{Surface(hull_panels()), {.radius = spacing / 2}};
-  RigidBody hull({.mass = 1}, Pose(), {}, {}, {});  // held
+  RigidBody hull({.mass = 1}, Pose(), {}, {}, {});  // fixed
   write_vtk("splash_hull.vtk", hull_panels());
 
   const int per_frame = static_cast<int>(std::ceil(end_time * (sound + 5) / (0.3 * water.h) / frames));  // Courant number 0.3
@@ -169,7 +169,7 @@ int main(int argc, char** argv) try {
     }
     const Motion motion = hull.advance(dt);
     const std::vector<Contact> contacts = detector.detect(motion, before, water.x);
-    const Tally tally = respond(contacts, motion, hull, {.x_t0 = before, .x_t1 = water.x, .velocity = water.v, .mass = water.mass});
+    const ContactSum tally = respond(contacts, motion, hull, {.x_t0 = before, .x_t1 = water.x, .velocity = water.v, .mass = water.mass});
 
     contacts_found += contacts.size();
     impulse += tally.impulse.z;
@@ -179,7 +179,7 @@ int main(int argc, char** argv) try {
   }
   write_frame(water, frames);
 
-  std::printf("%zu particles, %d steps, %zu contacts; asked of the hull: %.1f particles a step\n", water.x.size(), steps, contacts_found,
+  std::printf("%zu particles, %d steps, %zu contacts; queries of the hull: %.1f particles per step\n", water.x.size(), steps, contacts_found,
               double(detector.swept().effort().points_asked) / steps);
   std::printf("particles ever inside the hull: %zu\n", ever_inside);
   std::printf("vertical impulse on the hull: %.4f N s; largest force %.0f N, the water weighs %.0f N\n", impulse, largest_force, weight);

@@ -1,4 +1,4 @@
-// Pictures for ParaView: legacy VTK files, as text.
+// Output for ParaView: legacy VTK files, text.
 #pragma once
 
 #include <cstdio>
@@ -9,12 +9,12 @@
 
 struct VtkArray {
   const char* name;
-  std::span<const double> values;  // one a point
+  std::span<const double> values;  // one per point
 };
 
 inline std::FILE* open_vtk(const std::string& path, std::span<const fccda::Vec3d> points) {
   std::FILE* file = std::fopen(path.c_str(), "w");
-  if (!file) throw fccda::RunError(path + " cannot be written; is there room, and may you write here?");
+  if (!file) throw fccda::RunError(path + " cannot be written; check the disk space and the write permission.");
   std::fprintf(file, "# vtk DataFile Version 3.0\nfccda\nASCII\nDATASET POLYDATA\nPOINTS %zu double\n", points.size());
   for (const fccda::Vec3d& x : points) std::fprintf(file, "%.9g %.9g %.9g\n", x.x, x.y, x.z);
   return file;

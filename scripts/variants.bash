@@ -1,7 +1,7 @@
 # For a case's variants.sh, which sources this: variant NAME [key=value ...] runs the deck with these settings, results in $results/NAME, and measures it.
 #   variants.sh [RESULTS [PERIMPACT]]
 # Another deck than the case's own: deck=FILE variant NAME …
-# RESULTS: folder of the results (default: results/<case>); variants that are finished there are not run again.
+# RESULTS: folder of the results (default: results/<case>); finished variants there are reused.
 # PERIMPACT: the program (default: build/release/perimpact, as run.sh builds it).
 case=$(cd "$(dirname "$0")" && pwd)
 results=${1:-results/$(basename "$case")}

@@ -9,19 +9,19 @@ from topics.paper import conclusions
 
 TOPICS = ("plate", "fem", "panels", "detection", "convergence", "fracture", "floating_strip", "ice_sphere", "ship", "propeller", "energy", "stopping", "coupling")
 KEPT = ROOT / "validation/measured"
-HEAD = """# Validation: what is claimed, what we found
+HEAD = """# Validation: claims and results
 
 <!-- written by validation/run.sh --update from validation/measured and the tables it names; do not edit -->
 
-    validation/run.sh                        measures the topics that take minutes, and writes this page anew under build/validation
+    validation/run.sh                        measures the topics that take minutes, and writes this page to build/validation
     validation/run.sh plate ice_sphere       these topics only
     validation/run.sh --long                 all of them; those marked *long* take more
-    validation/run.sh --update               the same, and puts numbers, page and figures into the tree
-    validation/run.sh --long --update        everything anew, with the tables of other pages that topics read: hours
+    validation/run.sh --update               also writes numbers, page and figures into the tree
+    validation/run.sh --long --update        everything, with the tables of other pages that topics read: hours
 
-Each row has a claim, the source of what is wanted, our number, how far it may be off and why, and whether it is. A row
-that cannot fail is no row: a test moves every number out of its tolerance and sees the row fail. How the program is tested
-otherwise: [testing](developer/testing.md). Where the paper contradicts itself or leaves things open: [readings](theory/fccda_variants.md).
+Each row has a claim, the source of the expected value, our result, the expected value with its tolerance, the reason of the tolerance, and the verdict. Every row
+can fail: a test moves each number out of its tolerance and verifies that the row fails. "The paper" is that of Zhang et al., which introduced the FCCDA; where
+it contradicts itself or is ambiguous see [variants](theory/fccda_variants.md). Other tests of the program: [testing](developer/testing.md).
 """
 
 
@@ -30,7 +30,7 @@ def module(topic):
 
 
 def all_numbers(folders=(KEPT,)):
-    """"topic.quantity" → value: what the topics gather from the tables of other pages, and what was measured (the last folder that has it counts)."""
+    """"topic.quantity" → value: from the tables of other pages, and as measured (the last folder that has a number takes precedence)."""
     numbers = {}
     for topic in TOPICS:
         found = module(topic).gathered() if hasattr(module(topic), "gathered") else {}
@@ -45,17 +45,17 @@ def of_topic(topic, numbers):
 
 
 def verdicts(numbers):
-    """(conclusion, verdict): what a conclusion stands on may have failed."""
+    """(conclusion, verdict): a row behind a conclusion may have failed."""
     failed = {f"{topic}.{row.number}" for topic in TOPICS for row in module(topic).rows() if not row.passes(of_topic(topic, numbers))}
     return [(one, "**FAIL**" if failed & set(one.stands_on) else one.verdict) for one in conclusions(numbers)]
 
 
 def summary(numbers):
-    lines = ["| | rows | passed | takes |", "|---|---|---|---|"]
+    lines = ["| topic | rows | passed | time |", "|---|---|---|---|"]
     for topic in TOPICS:
         own, rows = of_topic(topic, numbers), module(topic).rows()
         passed = sum(row.passes(own) for row in rows)
-        untimed = "minutes" if hasattr(module(topic), "measure") else "from the tables of another page"
+        untimed = "minutes" if hasattr(module(topic), "measure") else "from tables of another page"
         takes = untimed if "takes" not in own else f"{own['takes'] / 60:.1f} min of one processor" if own["takes"] > 60 else f"{own['takes']:.0f} s of one processor"
         title = module(topic).TITLE
         lines.append(f"| [{title}](#{anchor(title)}) | {len(rows)} | {passed} | {takes}{', *long*' if module(topic).LONG else ''} |")
@@ -72,12 +72,12 @@ def section(topic, numbers):
     command = f"validation/run.sh {options}{topic}"
     text = re.sub(r"(?<=[\s|(])-(?=\d)", "−", of.text(own))
     lines = ["", f"## {of.TITLE}", "", f"    {command}", "", *text.splitlines(), ""]
-    lines += ["| claim | source | ours | wanted | reason of the tolerance | |", "|---|---|---|---|---|---|"]
+    lines += ["| claim | source | result | expected | reason of the tolerance | |", "|---|---|---|---|---|---|"]
     return lines + [row.line(own) for row in of.rows()]
 
 
 def page(numbers):
-    lines = [HEAD, *summary(numbers), "", "## The paper's conclusions", "", "| the paper says | verdict | what we found |", "|---|---|---|"]
+    lines = [HEAD, *summary(numbers), "", "## The paper's conclusions", "", "| the paper | verdict | our finding |", "|---|---|---|"]
     lines += [f"| {one.claim} | {verdict} | {one.found} |" for one, verdict in verdicts(numbers)]
     for topic in TOPICS:
         lines += section(topic, numbers)

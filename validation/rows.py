@@ -1,4 +1,4 @@
-"""A row of the validation page: what is claimed, by whom, what we found, how far off it may be and why. It passes, or it fails."""
+"""A row of the validation page: claim, source, result, tolerance and its reason. It passes, or it fails."""
 
 import csv
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ UNITS = {
 
 
 def shown(value, unit):
-    """As the page has it: 4.805 mm."""
+    """As on the page: 4.805 mm."""
     size, digits = UNITS[unit]
     if unit == "count":
         return f"{value:,.0f}".replace(",", " ")
@@ -36,7 +36,7 @@ class Within:
         return abs(value - self.wanted) <= self.allowed
 
     def outside(self):
-        """Numbers just outside, for the test that says a row can fail."""
+        """Numbers just outside, for the test that each row can fail."""
         return [self.wanted - 1.001 * self.allowed, self.wanted + 1.001 * self.allowed]
 
     def text(self, unit):
@@ -105,11 +105,11 @@ class Exactly:
 @dataclass(frozen=True)
 class Row:
     claim: str
-    source: str  # of what is wanted
+    source: str  # of the expected value
     number: str  # its name among the numbers
     unit: str
     bound: Within | AtMost | AtLeast | Between | Exactly
-    reason: str  # why this far and no further
+    reason: str  # of the tolerance
 
     def passes(self, numbers):
         return self.bound.holds(numbers[self.number])
@@ -121,7 +121,7 @@ class Row:
 
 
 def expected_rows(path, prefix, source_of=None, units=None, claims=None):
-    """Rows of a case's expected.csv, the one home of what it must give; numbers are named prefix + quantity."""
+    """Rows of a case's expected.csv, the single source of the values it must reproduce; numbers are named prefix + quantity."""
     rows = []
     for row in read_records(path):
         kind = row["relative_or_absolute"] == "relative"
@@ -144,7 +144,7 @@ def read_columns(path):
 
 
 def read_numbers(path):
-    """What a topic measured: name → value."""
+    """Numbers measured by a topic: name → value."""
     return {row["quantity"]: float(row["value"]) for row in read_records(path)} if Path(path).exists() else {}
 
 

@@ -1,4 +1,4 @@
-"""Measures the topics that are named and writes the page: see run.sh."""
+"""Measures the named topics and writes the page: see run.sh."""
 
 import argparse
 import shutil
@@ -21,7 +21,7 @@ def fail(sentence):
 
 
 def measured(topic, runner):
-    """Numbers of the topic; what runs take is told where this call made them all."""
+    """Numbers of the topic; their processor time is recorded if this call made all runs."""
     fresh, begin = not (runner.results / topic).exists(), processor_seconds()
     numbers = module(topic).measure(runner)
     kept = runner.results / f"{topic}.csv"
@@ -33,7 +33,7 @@ def measured(topic, runner):
 
 
 def make_tables(topic, runner):
-    """Tables of other pages that the topic reads: their own programs write them, into the tree."""
+    """Tables of other pages that the topic reads: their programs write them into the tree."""
     for command in getattr(module(topic), "TABLES", ()):
         command = command.format(perimpact=runner.program, results=runner.results)
         print(f"  {command}", flush=True)
@@ -45,9 +45,9 @@ def main():
     arguments = argparse.ArgumentParser(prog="validation/run.sh", description="Measures topics of docs/validation.md and writes the page.")
     arguments.add_argument("topics", nargs="*", metavar="TOPIC", help=f"of {', '.join(TOPICS)}; all but the long ones if none is named")
     arguments.add_argument("--long", action="store_true", help="long topics too")
-    arguments.add_argument("--results", type=Path, default=ROOT / "build/validation", help="folder of the results (build/validation); what is finished there is not run again")
+    arguments.add_argument("--results", type=Path, default=ROOT / "build/validation", help="folder of the results (build/validation); finished runs there are reused")
     arguments.add_argument("--perimpact", type=Path, default=ROOT / "build/release/perimpact", help="the program")
-    arguments.add_argument("--update", action="store_true", help="put numbers, page and figures into the tree")
+    arguments.add_argument("--update", action="store_true", help="write numbers, page and figures into the tree")
     given = arguments.parse_args()
     for topic in given.topics:
         if topic not in TOPICS:
@@ -68,7 +68,7 @@ def main():
         if topic in able:
             measured(topic, runner)
         elif not (given.long and given.update):
-            print("  its numbers stand in the table of another page, which --long --update makes anew")
+            print("  its numbers are in the table of another page, which --long --update repeats")
 
     if given.update:
         for kept in runner.results.glob("*.csv"):

@@ -1,4 +1,4 @@
-"""Runs decks for the topics: each result in a folder of its own, and none twice."""
+"""Runs decks for the topics: one folder per result, none run twice."""
 
 import importlib.util
 import json
@@ -19,7 +19,7 @@ class Runner:
         return self.results / topic / name
 
     def run(self, topic, name, deck, *settings):
-        """Folder of the results of the deck with these settings ("time.end=1 s"); one that is finished there is not run again."""
+        """Folder of the results of the deck with these settings ("time.end=1 s"); a finished run is reused."""
         folder, wanted = self.folder(topic, name), json.dumps([str(deck), *settings])
         noted = folder / "settings.json"
         if noted.exists() and noted.read_text() == wanted and '"outcome": "finished"' in (folder / "run.json").read_text():
@@ -35,7 +35,7 @@ class Runner:
         return folder
 
     def call(self, *arguments):
-        """The program, and what it said."""
+        """Calls the program; returns its exit code and output."""
         environment = {**os.environ, "OMP_WAIT_POLICY": "passive"}
         return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, env=environment)
 
@@ -52,7 +52,7 @@ def processor_seconds():
 
 
 def script_of(path):
-    """A case's own script as a module: scripts of different cases have the same name."""
+    """A script of a case as a module: scripts of different cases have the same name."""
     path = ROOT / path
     sys.path.insert(0, str(path.parent))
     try:

@@ -1,14 +1,14 @@
-/// What detection costs a particle and step, by method: CSV rows on standard output.
+/// Cost of contact detection per particle and step, by method: CSV rows on standard output.
 ///
 ///   contact_cost --particles 1e6 --panels 2e5
 ///
-///   all panels            every particle against every panel: the seed paper's search without its bounding box
-///   box then all panels   the paper's own: the particles in the box against every panel
-///   box then bvh          the particles in the box by their distance from the surface, in every step
-///   swept                 only those that may have come near
+///   all panels            every particle against every panel: the search of Zhang et al. without its bounding box
+///   box then all panels   the search of Zhang et al.: the particles in the box against every panel
+///   box then bvh          the distance of the particles in the box from the surface, in every step
+///   swept                 only particles that may have come near
 ///
-/// One thread; only detection is timed. The first two would take hours: of the particles in the box 10 000 are timed (each several times,
-/// where there are fewer), and their cost is counted for all. What the box test itself costs is left out there.
+/// One thread; only detection is timed. The first two would take hours: 10 000 of the particles in the box are timed (each several times
+/// where there are fewer), and their cost is extrapolated to all. The cost of the box test itself is not included there.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include <map>
 #include <string>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fccda/detect/published.hpp"
 #include "fccda/detect/swept.hpp"
 #include "scene.hpp"
@@ -31,25 +31,25 @@ struct Arguments {
   std::string scene = "paper";
   bool swept_alone = false;
   double particles = 1e6, panels = 2e5;
-  int warm_up = 100;  // steps: contact is under way
+  int warm_up = 100;  // steps until contact is established
   int steps = 200;
 };
 
-/// What was measured, for all particles of the sheet.
+/// Measured cost, for all particles of the sheet.
 struct Cost {
   double seconds_per_step = 0;
   double asked = 0, contacts = 0;  ///< per step
-  std::size_t timed = 0;           ///< particles that were really dealt with
+  std::size_t timed = 0;           ///< particles actually timed
 };
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-Region bounding_box(const Surface& surface) {
+ContactBounds bounding_box(const Surface& surface) {
   const Box& bounds = surface.report().bounds;
   return BoxUnion({bounds.size(), bounds.centre()}, surface, Beyond::error);
 }
 
-/// Runs the scene with the swept detector from its beginning, so that contact is under way; times the last `steps`.
+/// Runs the scene with the swept detector from the start, so that contact is established; times the last `steps`.
 Cost swept(Sheet& sheet, const std::shared_ptr<const Surface>& surface, long warm_up, long steps) {
   Swept detector(surface, bounding_box(*surface), 0.5 * sheet.spacing());
   std::vector<Contact> contacts;
@@ -71,7 +71,7 @@ Cost swept(Sheet& sheet, const std::shared_ptr<const Surface>& surface, long war
   return cost;
 }
 
-/// Every particle in every step, by the distance from the surface.
+/// Distance of every particle from the surface in every step.
 Cost box_then_bvh(Sheet& sheet, const std::shared_ptr<const Surface>& surface, long first) {
   const PathTest test(surface, bounding_box(*surface), 0.5 * sheet.spacing());
   constexpr long steps = 3;
@@ -86,7 +86,7 @@ Cost box_then_bvh(Sheet& sheet, const std::shared_ptr<const Surface>& surface, l
     const double begin = seconds();
     const BodyView view(motion, test.size());
     for (std::size_t i = 0; i < sheet.size(); ++i) {
-      const BentPath path = view.path(sheet.position_t0(i), sheet.position_t1(i));
+      const CurvedPath path = view.path(sheet.position_t0(i), sheet.position_t1(i));
       const PathAnswer answer = test.ask({.path = path, .radius = test.radius(), .offset = 1e-12}, guess[i], effort);
       if (answer.touch) contacts.push_back({.point = i, .relocation = motion.t1.to_world(answer.touch->relocation)});
     }
@@ -98,11 +98,11 @@ Cost box_then_bvh(Sheet& sheet, const std::shared_ptr<const Surface>& surface, l
   return cost;
 }
 
-/// What a particle in the box costs in the seed paper's loop over all panels.
+/// Cost of a particle in the box in the loop over all panels (Zhang et al.).
 struct Sample {
-  double seconds = 0;                 ///< a particle
-  double contacts = 0;                ///< a step, counted for all
-  std::size_t inside = 0, timed = 0;  ///< particles in the box, and those of them that were timed
+  double seconds = 0;                 ///< per particle
+  double contacts = 0;                ///< per step, extrapolated to all
+  std::size_t inside = 0, timed = 0;  ///< particles in the box, and number of these that were timed
 };
 
 Sample all_panels(Sheet& sheet, const std::shared_ptr<const Surface>& surface, long first) {
@@ -120,10 +120,10 @@ Sample all_panels(Sheet& sheet, const std::shared_ptr<const Surface>& surface, l
   std::size_t seen = 0;
   sheet.thin([&](std::size_t i) { return in_box(i) && seen++ % every == 0; });
   const std::size_t chosen = sheet.size();
-  sheet.repeat(wanted);  // where fewer are in the box, each is timed several times
+  sheet.repeat(wanted);  // with fewer particles in the box, each is timed several times
   sample.timed = sheet.size();
 
-  Published detector(surface, Unbounded(), Published::Reading::repaired);
+  Published detector(surface, Unbounded(), Published::Variant::corrected);
   std::vector<Contact> contacts;
   const double begin = seconds();
   detector.detect(sheet, motion, 0, contacts);
@@ -135,12 +135,12 @@ Sample all_panels(Sheet& sheet, const std::shared_ptr<const Surface>& surface, l
 Arguments parse(int argc, char** argv) {
   Arguments arguments;
   CLI::App app("Times contact detection; prints one CSV row.");
-  app.add_option("--scene", arguments.scene, "paper, or debris: with 1 % of fast particles")->check(CLI::IsMember({"paper", "debris"}));
+  app.add_option("--scene", arguments.scene, "paper, or debris with 1 % of fast particles")->check(CLI::IsMember({"paper", "debris"}));
   app.add_option("--particles", arguments.particles)->check(CLI::PositiveNumber);
   app.add_option("--panels", arguments.panels)->check(CLI::PositiveNumber);
-  app.add_flag("--swept-alone", arguments.swept_alone, "leaves the other methods out");
-  app.add_option("--warm-up", arguments.warm_up, "steps before the clock starts")->check(CLI::NonNegativeNumber);
-  app.add_option("--steps", arguments.steps, "steps of swept that are timed")->check(CLI::PositiveNumber);
+  app.add_flag("--swept-alone", arguments.swept_alone, "times the swept method only");
+  app.add_option("--warm-up", arguments.warm_up, "untimed steps at the start")->check(CLI::NonNegativeNumber);
+  app.add_option("--steps", arguments.steps, "timed steps of the swept method")->check(CLI::PositiveNumber);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

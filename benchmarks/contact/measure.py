@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Times contact detection by method, its queries beside CGAL and Embree, and its share of a run beside an impactor made of particles.
+"""Times contact detection by method, its queries against CGAL and Embree, and its share of a run against an impactor of particles.
 
     benchmarks/contact/measure.py               about twenty minutes; nothing else may run meanwhile
     benchmarks/contact/measure.py --only cost   one of cost, queries, share
-    benchmarks/contact/measure.py --tables      measures nothing, writes tables and picture again
+    benchmarks/contact/measure.py --tables      no measurement: rewrites tables and figure
 
 Writes results/contact_{cost,queries,share}_<machine>.csv, the tables of README.md and docs/theory/figures/contact_cost.png. Exit code 1:
 a claim is not met. 2: something is missing.
@@ -29,12 +29,12 @@ QUERY_PANELS = ["1e3", "1e4", "1e5", "1e6"]
 
 
 def rows_of(build, program, *arguments):
-    """What a program prints, as dicts, run on one core alone."""
+    """The CSV output of a program, run on one core, as dicts."""
     path = build / program
     if not path.exists():
-        print(f"error: {path} is not there; README.md says how to build it.", file=sys.stderr)
+        print(f"error: {path} does not exist; README.md describes how to build it.", file=sys.stderr)
         sys.exit(2)
-    core = max(os.sched_getaffinity(0))  # the first core is the one that interrupts go to
+    core = max(os.sched_getaffinity(0))  # not the first core, which handles interrupts
     done = subprocess.run(
         [path, *map(str, arguments)], capture_output=True, text=True, check=True, preexec_fn=lambda: os.sched_setaffinity(0, {core})
     )
@@ -53,7 +53,7 @@ def cost(build):
         for particles in PARTICLES:
             run("--particles", particles, "--panels", panels)
     for scene in ("paper", "debris"):
-        run("--particles", "1.112e6", "--panels", "2e5", "--scene", scene, "--swept-alone")  # a million, less what the hull takes away
+        run("--particles", "1.112e6", "--panels", "2e5", "--scene", scene, "--swept-alone")  # a million after removal of the points inside the hull
     return rows
 
 
@@ -76,7 +76,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=ROOT / "build/release", help="build folder (default: build/release)")
     parser.add_argument("--only", choices=KINDS, help="one of the three")
-    parser.add_argument("--tables", action="store_true", help="write tables and picture from the CSV files, measure nothing")
+    parser.add_argument("--tables", action="store_true", help="write tables and figure from the CSV files without measuring")
     arguments = parser.parse_args()
     if not arguments.tables:
         for kind in [arguments.only] if arguments.only else KINDS:

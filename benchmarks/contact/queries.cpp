@@ -1,11 +1,11 @@
-/// Closest points and first hits of segments, beside CGAL's AABB tree and Embree: CSV rows on standard output.
+/// Closest-point and segment queries compared with CGAL's AABB tree and Embree: CSV rows on standard output.
 ///
 ///   contact_queries --panels 1e5
 ///
-/// Query points lie within two edges of the hull's surface, as contact asks for them; segments begin at those outside and are half an edge
-/// long: whether they meet the surface. Times are medians of rounds in which all take turns, on one thread. `differs`: the largest
-/// difference from our distance [m], the share of segments with another answer. perimpact and CGAL compute in double, Embree walks its
-/// tree in single precision. CGAL is under the GPL: nothing but this program is built with it.
+/// Query points lie within two edge lengths of the hull's surface, as in contact detection. Segments of half an edge length begin at the points
+/// outside; the query is whether they intersect the surface. Times are medians over rounds in which all libraries alternate, on one thread.
+/// `differs`: the largest difference from our distance [m], or the share of segments with a different result. perimpact and CGAL compute in double
+/// precision, Embree traverses its tree in single precision. CGAL is under the GPL: only this program is built with it.
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "fccda/detect/path_test.hpp"
-#include "fccda/search/bvh.hpp"
+#include "mesh/search/bvh.hpp"
 #include "scene.hpp"
 
 namespace {
@@ -95,7 +95,7 @@ class Cgal {
   Tree tree_;
 };
 
-/// Embree walks its tree; the distance from a triangle it leaves to the caller, who gets the function that ours is tested with.
+/// Embree traverses its tree and leaves the triangle distance to a callback, here the reference function of our tests.
 class Embree {
  public:
   static constexpr const char* name = "Embree";
@@ -168,11 +168,11 @@ class Embree {
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// One library's answers to all queries, and the times of its rounds.
+/// Results of one library for all queries, and the times of its rounds.
 struct Answers {
   std::vector<double> distance;
   std::vector<bool> meets;
-  std::vector<double> distance_times, meets_times;  // [s] a query
+  std::vector<double> distance_times, meets_times;  // [s] per query
 };
 
 template <class Library>
@@ -210,7 +210,7 @@ int main(int argc, char** argv) {
   double panels = 1e5;
   std::size_t count = 50000;
   int rounds = 5;
-  CLI::App app("Times closest-point and segment queries beside CGAL and Embree; prints CSV rows.");
+  CLI::App app("Times closest-point and segment queries against CGAL and Embree; prints CSV rows.");
   app.add_option("--panels", panels)->check(CLI::PositiveNumber);
   app.add_option("--queries", count)->check(CLI::PositiveNumber);
   app.add_option("--rounds", rounds)->check(CLI::PositiveNumber);

@@ -1,4 +1,4 @@
-"""Results of the contact benchmarks: CSV files, tables of benchmarks/README.md, the picture of the docs."""
+"""Results of the contact benchmarks: CSV files, tables of benchmarks/README.md, the figure of the docs."""
 
 import csv
 import math
@@ -32,12 +32,12 @@ def nanoseconds(row):
 
 
 def is_counted(row):
-    """Timed on a sample of the particles in the box."""
+    """Whether the row was timed on a sample of the particles in the box."""
     return row["method"] in ("all panels", "box then all panels")
 
 
 def claims():
-    """(what, wanted, measured, met) of each claim, of the slowest machine."""
+    """(claim, required, measured, met) for the slowest machine."""
     table = []
     for scene, limit in (("paper", 2), ("debris", 10)):
         values = [nanoseconds(row) for row in read("cost") if row["method"] == "swept" and row["scene"] == scene and row["panels"] == "200000"]

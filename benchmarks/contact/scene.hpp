@@ -1,10 +1,10 @@
-/// The scene of the contact benchmarks: a bumpy hull has cut its way into a sheet of points and goes on.
+/// Scene of the contact benchmarks: an undulated hull that moves through a sheet of points.
 ///
-/// The hull is 1 m long, 0.5 m wide and 0.4 m high; the sheet is 2 m × 1 m × 0.1 m, and the hull's bow lies half a metre deep in it.
-/// Points nearer than the contact radius of half a spacing are not there, so contact begins at once along the whole bow. As on the seed
-/// paper's plate (32 m/s, 0.1 µs, 1 mm) the surface moves 0.0032 spacings a step. Points that are struck stay where they are put; the
-/// others are at rest, but the detector is told that they may have moved by a tenth of the surface's way, as in a body that waves run
-/// through. With debris, one point in a hundred, at random, flies at ten times the surface's speed.
+/// The hull is 1 m long, 0.5 m wide and 0.4 m high; the sheet is 2 m × 1 m × 0.1 m, and the bow is half a metre inside it. Points
+/// closer than the contact radius of half a spacing are removed, so contact begins at once along the entire bow. As for the plate of
+/// Zhang et al. (32 m/s, 0.1 µs, 1 mm) the surface moves 0.0032 spacings per step. Points in contact remain at their relocated position; the
+/// others are at rest, but their bound on the distance travelled is a tenth of the surface's motion, as in a body with stress waves.
+/// With debris, one random point in a hundred moves at ten times the speed of the surface.
 #pragma once
 
 #include <algorithm>
@@ -14,22 +14,22 @@
 #include <random>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
 #include "fccda/detect/contact.hpp"
-#include "fccda/shapes/sphere.hpp"
-#include "fccda/surface/surface.hpp"
+#include "fccda/rigid_body/pose.hpp"
+#include "mesh/shapes/sphere.hpp"
+#include "mesh/surface.hpp"
 
 namespace benchmark {
 
 using fccda::Vec3d;
 
-/// The hull, with the multiple 20 f² of triangles that is nearest to `panels`.
+/// The hull, with the number of triangles 20 f² nearest to `panels`.
 inline std::shared_ptr<const fccda::Surface> hull(double panels) {
-  const auto sphere = [](double panel) { return fccda::make_sphere({.diameter = 1, .panel = panel}); };
+  const auto sphere = [](double panel) { return fccda::make_sphere({.diameter = 1, .edge_length = panel}); };
   const double wanted = std::max(2.0, std::round(std::sqrt(panels / 20)));
   constexpr double trial = 0.2;
   const double of_trial = std::sqrt(static_cast<double>(sphere(trial).panels.size()) / 20);
-  // f is the smallest whole number above c/panel, and that of the trial is known, so half below the wanted one is safe
+  // f is the smallest integer above c/panel; it is known for the trial, so half below the wanted value is safe
   double panel = trial * of_trial / wanted;
   fccda::Panels shape = sphere(panel);
   for (int k = 0; k < 60 && std::lround(std::sqrt(static_cast<double>(shape.panels.size()) / 20)) != std::lround(wanted); ++k) {
@@ -43,11 +43,11 @@ inline std::shared_ptr<const fccda::Surface> hull(double panels) {
   return std::make_shared<const fccda::Surface>(shape);
 }
 
-/// The sheet's points, as detection asks for them, and what a solver does with them between two detections.
+/// The points of the sheet for detection, and the operations of a solver between two detections.
 class Sheet {
  public:
   static constexpr std::size_t block = 64;
-  static constexpr double paper_speed = 0.0032;  // of the surface, in spacings a step
+  static constexpr double paper_speed = 0.0032;  // of the surface, in spacings per step
 
   explicit Sheet(double points) : spacing_(std::cbrt(extent.x * extent.y * extent.z / points)) {
     const auto count = [&](double length) { return std::max(1L, std::lround(length / spacing_)); };
@@ -60,9 +60,9 @@ class Sheet {
   }
 
   double spacing() const { return spacing_; }
-  double step_length() const { return paper_speed * spacing_; }  ///< [m] way of the surface in a step
+  double step_length() const { return paper_speed * spacing_; }  ///< [m] distance travelled by the surface per step
 
-  /// Leaves only the points for which keep(i) holds.
+  /// Keeps only the points for which keep(i) is true.
   template <class Keep>
   void thin(const Keep& keep) {
     std::size_t kept = 0;
@@ -72,7 +72,7 @@ class Sheet {
     begin();
   }
 
-  /// Repeats the points until there are at least so many.
+  /// Repeats the points until there are at least `count`.
   void repeat(std::size_t count) {
     const std::vector<Vec3d> once = x1_;
     while (!once.empty() && x1_.size() < count) x1_.insert(x1_.end(), once.begin(), once.end());
@@ -89,7 +89,7 @@ class Sheet {
     }
   }
 
-  /// One step of the solver.
+  /// Performs one step of the solver.
   void advance() {
     for (const std::size_t i : moved_) x0_[i] = x1_[i], travel_[i / block] = waves();
     moved_.clear();
@@ -100,7 +100,7 @@ class Sheet {
     }
   }
 
-  /// The response to contact.
+  /// Contact response: relocates the points.
   void relocate(const std::vector<fccda::Contact>& contacts) {
     for (const fccda::Contact& contact : contacts) {
       const std::size_t i = contact.point;
@@ -121,11 +121,11 @@ class Sheet {
 
  private:
   static constexpr Vec3d extent{2, 1, 0.1};  // [m]
-  static constexpr double bow = 0.5;         // [m] how deep it lies in the sheet
+  static constexpr double bow = 0.5;         // [m] depth of the bow in the sheet
 
   struct Fast {
     std::size_t point;
-    Vec3d way;  // [m] a step
+    Vec3d way;  // [m] per step
   };
 
   double waves() const { return 0.1 * step_length(); }
@@ -136,12 +136,12 @@ class Sheet {
 
   double spacing_;
   std::vector<Vec3d> x0_, x1_;  // [m]
-  std::vector<double> travel_;  // [m] of each block
+  std::vector<double> travel_;  // [m] per block
   std::vector<std::size_t> moved_;
   std::vector<Fast> fast_;
 };
 
-/// The hull's motion in step k: straight ahead.
+/// Motion of the hull in step k: translation.
 inline fccda::Motion motion(const Sheet& sheet, long k) {
   const auto pose = [&](long step) { return fccda::Pose({static_cast<double>(step) * sheet.step_length(), 0, 0}); };
   return {pose(k), pose(k + 1), 1};

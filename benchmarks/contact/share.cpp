@@ -1,14 +1,14 @@
-/// The share of contact in a whole run, beside an impactor made of particles, the usual way in peridynamics: CSV rows on standard output.
+/// Share of contact in a run, compared with an impactor of particles as usual in peridynamics: CSV rows on standard output.
 ///
 ///   contact_share cases/plate_impact/deck.yaml
 ///
-/// The run is the deck's, with the swept detector on the impactor's mesh. At its end, with the same positions, the same contact is looked
-/// for with the impactor's volume filled with particles at the body's spacing: a short-range force acts between particles nearer than one
-/// spacing (Macek and Silling, Finite Elem. Anal. Des. 43 (2007) 1169). The pairs are found
-///   all pairs        by comparing every particle of the body with every one of the impactor (10 000 of the body timed, counted for all);
-///   one cell list    by sorting the particles of both into cells of one spacing in each step, as codes do that know particles only;
-///   impactor's cells by sorting the impactor's alone, and asking for the body's particles in the box around them.
-/// Shares are of what a step would then take: prediction, forces and monitors as measured in the run, and that contact. One thread.
+/// The run is that of the deck, with the swept detector on the impactor's mesh. At its end, with the same positions, contact is also evaluated with
+/// the impactor's volume filled with particles at the spacing of the body: a short-range force acts between particles closer than one spacing
+/// (Macek and Silling, Finite Elem. Anal. Des. 43 (2007) 1169). The pairs are found
+///   all pairs        by comparing every particle of the body with every one of the impactor (10 000 of the body timed, extrapolated to all);
+///   one cell list    by sorting the particles of both into cells of one spacing in each step, as pure particle codes do;
+///   impactor's cells by sorting those of the impactor only, and querying the particles of the body in the box around them.
+/// Shares refer to the resulting duration of a step: prediction, forces and monitors as measured in the run, plus this contact. One thread.
 
 #include <fmt/format.h>
 
@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "io/deck/deck.hpp"
 #include "perimpact/simulation/simulation.hpp"
@@ -29,7 +29,7 @@ using namespace perimpact;
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Particles at the given spacing inside the impactor, where it is now.
+/// Particles at the given spacing inside the impactor at its current position.
 std::vector<Vec3d> filled(const Impactor& impactor, double spacing) {
   const auto surface = std::shared_ptr<const fccda::Surface>(std::shared_ptr<void>(), &impactor.surface());
   const fccda::PathTest test(surface, fccda::Unbounded(), 0);
@@ -53,7 +53,7 @@ void push(const Vec3d& a, const Vec3d& b, double reach, Vec3d& force, std::size_
 }
 
 struct Found {
-  double seconds = 0;  // a step
+  double seconds = 0;  // per step
   std::size_t pairs = 0;
 };
 
@@ -70,7 +70,7 @@ Found all_pairs(const std::vector<Vec3d>& body, const std::vector<Vec3d>& impact
   return found;
 }
 
-/// Particles in order of their cell: counting sort over the box of all.
+/// Particles sorted by cell: counting sort over their bounding box.
 class CellList {
  public:
   struct Item {
@@ -169,7 +169,7 @@ struct Arguments {
 
 int main(int argc, char** argv) {
   Arguments arguments;
-  CLI::App app("The share of contact in a run, beside an impactor made of particles; prints CSV rows.");
+  CLI::App app("Share of contact in a run, compared with an impactor of particles; prints CSV rows.");
   app.add_option("deck", arguments.deck)->required()->check(CLI::ExistingFile);
   app.add_option("--set", arguments.set, "key.path=value: changes the deck")->allow_extra_args(false);
   app.add_option("--warm-up", arguments.warm_up)->check(CLI::NonNegativeNumber);
@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
     const fccda::Timers before = simulation.timers();
     for (int step = 0; step < arguments.steps; ++step) simulation.step();
     const auto a_step = [&](std::string_view timer) { return (simulation.timers().seconds(timer) - before.seconds(timer)) / arguments.steps; };
-    const double contact = a_step("contact"), rest = a_step("predict") + a_step("forces") + a_step("boundaries") + a_step("monitors");
+    const double contact = a_step("contact"), rest = a_step("predict") + a_step("forces") + a_step("boundary_conditions") + a_step("monitors");
 
     const Body& body = simulation.bodies().front();
     const double spacing = body.particles.spacing();
@@ -203,7 +203,7 @@ int main(int argc, char** argv) {
     row("particles", "one cell list", impactor.size(), one_list.pairs, one_list.seconds);
     const Found pairs = all_pairs(particles, impactor, spacing, force);
     row("particles", "all pairs", impactor.size(), pairs.pairs, pairs.seconds);
-    double sum = 0;  // the forces are needed, so that computing them is not left out
+    double sum = 0;  // use the forces, so that the compiler does not remove their computation
     for (const Vec3d& f : force) sum += norm(f);
     if (!std::isfinite(sum)) fmt::print(stderr, "the forces are not finite\n");
   } catch (const std::exception& error) {

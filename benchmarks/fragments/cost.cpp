@@ -1,9 +1,9 @@
-/// What contact between fragments costs beside the bonds, by how much of a body is loose: CSV rows on standard output.
+/// Cost of contact between fragments relative to the bonds, by the fragmented share of a body: CSV rows on standard output.
 ///
 ///   fragments_cost --threads 1
 ///
-/// A plate of 100 × 60 × 12 particles; 0, 5, 25 and 100 % of it, from one end on, have no bonds any more and fly about at a hundredth of the speed of
-/// sound, to and fro and into one another and the rest. The steps are those of Simulation::step(), and the times those of its timers.
+/// A plate of 100 × 60 × 12 particles; in 0, 5, 25 and 100 % of it, from one end, all bonds are broken and the particles move randomly at a
+/// hundredth of the speed of sound and collide. The steps are those of Simulation::step(), and the times those of its timers.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include <string>
 #include <type_traits>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
 namespace {
@@ -42,11 +42,11 @@ Setup plate(bool touches) {
   setup.bodies = {body};
   setup.contact.fragments.law.index = static_cast<int>(touches ? FragmentLaw::repulsive : FragmentLaw::none);
   setup.contact.fragments.friction = 0.1;
-  setup.output.history = 0.5;
+  setup.output.history_interval = 0.5;
   return setup;
 }
 
-/// Calls f(values) with that array of the state.
+/// Calls f(values) with the named array of the state.
 template <class T, class F>
 void with_state(Simulation& simulation, const std::string& wanted, const F& f) {
   simulation.visit_state([&](const std::string& name, auto&& values) {
@@ -55,7 +55,7 @@ void with_state(Simulation& simulation, const std::string& wanted, const F& f) {
   });
 }
 
-/// Cuts that share of the plate loose, from low x on, and has it fly about.
+/// Breaks all bonds in that share of the plate, from low x, and sets random velocities.
 void loosen(Simulation& simulation, double share) {
   const Body& body = simulation.bodies().front();
   const Particles& particles = body.particles;
@@ -82,8 +82,8 @@ void loosen(Simulation& simulation, double share) {
 }
 
 struct Times {
-  double forces, fragments;  // [s] of one step
-  double lists, touching;    // a step
+  double forces, fragments;  // [s] per step
+  double lists, touching;    // per step
 };
 
 Times measured_once(double share, bool touches, const Arguments& arguments) {
@@ -103,7 +103,7 @@ Times measured_once(double share, bool touches, const Arguments& arguments) {
   return {of_step("forces"), of_step("fragments"), (made() - first) / arguments.steps, touching / arguments.steps};
 }
 
-/// The least of the rounds: what else runs on the machine only adds.
+/// The minimum of the rounds, since other load on the machine only adds time.
 Times measure(double share, bool touches, const Arguments& arguments) {
   Times least = measured_once(share, touches, arguments);
   for (int round = 1; round < arguments.rounds; ++round) {
@@ -118,11 +118,11 @@ Times measure(double share, bool touches, const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   Arguments arguments;
-  CLI::App app("Times contact between fragments beside the bonds; prints CSV.");
+  CLI::App app("Times contact between fragments relative to the bonds; prints CSV.");
   app.add_option("--threads", arguments.threads, "number of threads")->check(CLI::PositiveNumber);
-  app.add_option("--warm-up", arguments.warm_up, "steps before the clock starts")->check(CLI::NonNegativeNumber);
-  app.add_option("--steps", arguments.steps, "steps that are timed")->check(CLI::PositiveNumber);
-  app.add_option("--rounds", arguments.rounds, "how often all is done; the least time counts")->check(CLI::PositiveNumber);
+  app.add_option("--warm-up", arguments.warm_up, "untimed steps at the start")->check(CLI::NonNegativeNumber);
+  app.add_option("--steps", arguments.steps, "timed steps")->check(CLI::PositiveNumber);
+  app.add_option("--rounds", arguments.rounds, "number of rounds, of which the minimum counts")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   fccda::use_threads(arguments.threads);
   const double whole = measure(0, false, arguments).forces;

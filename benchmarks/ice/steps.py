@@ -2,9 +2,9 @@
 """Times the beginning of the ice cases on one core, writes results/ice_<machine>.csv and prints it as a table.
 
     benchmarks/ice/steps.py                          on an idle machine
-    benchmarks/ice/steps.py --before PROGRAM         another build in turn with this one, four minutes: the ratios are of one run
+    benchmarks/ice/steps.py --before PROGRAM         alternates with another build, four minutes: ratios within one run
 
-Numbers are of the fastest round, by the timers of run.json; the states at the end of both programs must be the same.
+Results are those of the fastest round, from the timers of run.json; the final states of both programs must be identical.
 """
 
 import argparse
@@ -19,12 +19,12 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks/plate"))
 from programs import machine, results_file  # noqa: E402
 
-CASES = {  # deck, and how much of it
+CASES = {  # deck, and simulated time
     "ship": ("ship_ice/deck.yaml", "time.end=0.5 s"),
     "propeller": ("propeller_ice/deck.yaml", "time.end=40 ms"),
     "submarine": ("submarine_surfacing/deck.yaml", "time.end=0.2 s"),
 }
-TIMERS = ("contact", "forces", "fragments", "boundaries")
+TIMERS = ("contact", "forces", "fragments", "boundary_conditions")
 
 
 def run(program, case):
@@ -63,7 +63,7 @@ def main():
             if given.before:
                 others.append(run(given.before, case))
         if len({report["state_hash"] for report in own + others}) != 1:
-            sys.exit(f"{case}: the programs end in different states, so that their times cannot be compared.")
+            sys.exit(f"{case}: the programs end in different states, so their times are not comparable.")
         if given.before:
             rows.append(row(case, "before", others))
         rows.append(row(case, "perimpact", own, others))

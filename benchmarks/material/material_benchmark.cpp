@@ -1,6 +1,5 @@
-/// What each material costs: nanoseconds for each directed bond of Simulation::step(), on a plate that is a lattice and on the same plate as a
-/// cloud of uneven points. CSV on standard output. It is the processor's time that is counted, of all threads together, so that a neighbour on the
-/// machine disturbs little.
+/// Cost of each material: nanoseconds per directed bond of Simulation::step(), on a plate as a lattice and as an irregular point cloud. CSV on
+/// standard output. Times are processor times of all threads, which other load on the machine affects little.
 ///
 ///   material_benchmark --cells 160 160 6 --threads 1 --steps 20
 
@@ -12,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
@@ -45,13 +44,13 @@ std::vector<Case> cases() {
 void measure(const Arguments& arguments, const Case& which, PlaneState plane, bool as_lattice) {
   BodyOptions options = which.options;
   options.plane = plane;
-  options.critical_stretch = 0.5;  // is asked for at every bond, and never met
+  options.critical_stretch = 0.5;  // checked at every bond, never exceeded
   const auto length = [&](int axis) { return options.spacing * arguments.cells[static_cast<std::size_t>(axis)]; };
   options.size = {length(0), plane == PlaneState::none ? length(1) : length(1) * arguments.cells[2], plane == PlaneState::none ? length(2) : options.spacing};
   Setup setup;
   setup.bodies.push_back(fixtures::body_setup(options));
   setup.time.end = 1;
-  setup.time.step = 1e-12;  // nothing moves, so that what is timed does not depend on what happens
+  setup.time.step = 1e-12;  // particles hardly move, so the timing does not depend on the motion
   Start start(setup);
   if (!as_lattice) start.particles[0] = fixtures::as_cloud(start.particles[0], 0.2);
   Simulation simulation(setup, std::move(start));
@@ -71,11 +70,11 @@ void measure(const Arguments& arguments, const Case& which, PlaneState plane, bo
 
 int main(int argc, char** argv) {
   Arguments arguments;
-  CLI::App app("Times Simulation::step() for each material on a lattice and on a cloud; prints CSV.");
-  app.add_option("--cells", arguments.cells, "cells of the plate in x, y and z; in the plane, y times z in y")->expected(3);
+  CLI::App app("Times Simulation::step() for each material on a lattice and on a point cloud; prints CSV.");
+  app.add_option("--cells", arguments.cells, "cells of the plate in x, y and z; in two dimensions, y times z in y")->expected(3);
   app.add_option("--threads", arguments.threads, "number of threads")->check(CLI::PositiveNumber);
-  app.add_option("--steps", arguments.steps, "steps of a round")->check(CLI::PositiveNumber);
-  app.add_option("--rounds", arguments.rounds, "of which the fastest counts")->check(CLI::PositiveNumber);
+  app.add_option("--steps", arguments.steps, "steps per round")->check(CLI::PositiveNumber);
+  app.add_option("--rounds", arguments.rounds, "number of rounds, of which the fastest counts")->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   fccda::use_threads(arguments.threads);
   fmt::print("material,dimensions,points,threads,particles,directed_bonds,ns/directed_bond,bytes\n");

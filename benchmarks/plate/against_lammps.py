@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Times the plate with perimpact and with LAMMPS PERI, in turn, and writes results/plate_<machine>.csv and the tables of README.md.
+"""Times the plate with perimpact and with LAMMPS PERI alternately; writes results/plate_<machine>.csv and the tables of README.md.
 
     benchmarks/plate/against_lammps.py                        about five minutes on an idle machine
-    benchmarks/plate/against_lammps.py --also build/avx2      with a build for another instruction set beside it
-    benchmarks/plate/against_lammps.py --tables               measures nothing, writes the tables of README.md again
+    benchmarks/plate/against_lammps.py --also build/avx2      also times a build for another instruction set
+    benchmarks/plate/against_lammps.py --tables               no measurement: rewrites the tables of README.md
 
-Each round runs every variant once, ours and the peer's one after the other on the same core. Ratios are taken within a round; what is
-written are medians over the rounds, with the least and the largest. Exit code 1: a claim is not met. 2: something is missing.
+Each round runs every variant once, perimpact and LAMMPS successively on the same core. Ratios are taken within a round; results are
+medians over the rounds, with minimum and maximum. Exit code 1: a claim is not met. 2: something is missing.
 """
 
 import argparse
@@ -25,7 +25,7 @@ NUMBERS = ["steps/s", "directed_bonds/s", "root_and_division/s", "share_of_core"
 
 
 def variants(build, others, cores):
-    """All that is measured in a round, in this order; a style is a run of the peer."""
+    """All variants of a round, in order; a style denotes a run of LAMMPS."""
     order = []
     for nu, style in PEER.items():
         order += [Variant(122, nu, "energy", 1, build), style]
@@ -44,7 +44,7 @@ def measure(what, steps, cores):
 
 
 def base_of(what):
-    """What a variant is compared with: one thread for two, LAMMPS for the family that it has too."""
+    """The baseline of a variant: one thread for two, LAMMPS for the family that both have."""
     if isinstance(what, str):
         return None
     if what.threads > 1:
@@ -81,7 +81,7 @@ def summary(machine, what, rounds):
 
 
 def check_same_problem(rounds):
-    """The peer has the same particles and, with the smaller family, the same bonds."""
+    """Checks that LAMMPS has the same particles and, with the smaller family, the same bonds."""
     for measured in rounds:
         same = {(one["particles"], one["directed_bonds/step"]) for what, one in measured.items() if isinstance(what, str) or what.family == 122}
         if len(same) != 1:
@@ -92,10 +92,10 @@ def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=ROOT / "build/release", help="build folder (default: build/release)")
     parser.add_argument("--also", type=Path, action="append", default=[], help="a further build folder, for another instruction set")
-    parser.add_argument("--rounds", type=int, default=3, help="how often each is run (default 3)")
-    parser.add_argument("--steps", type=int, default=50, help="steps timed of ours, after as many to warm up (default 50)")
-    parser.add_argument("--lammps-steps", type=int, default=12, help="steps timed of LAMMPS (default 12)")
-    parser.add_argument("--tables", action="store_true", help="write the tables of README.md from the CSV files, measure nothing")
+    parser.add_argument("--rounds", type=int, default=3, help="number of rounds (default 3)")
+    parser.add_argument("--steps", type=int, default=50, help="timed steps of perimpact, after as many warm-up steps (default 50)")
+    parser.add_argument("--lammps-steps", type=int, default=12, help="timed steps of LAMMPS (default 12)")
+    parser.add_argument("--tables", action="store_true", help="write the tables of README.md from the CSV files without measuring")
     return parser.parse_args()
 
 
@@ -104,7 +104,7 @@ def main():
     if arguments.tables:
         report.update_readme()
         return 0
-    cores = sorted(os.sched_getaffinity(0), reverse=True)[:2]  # the first core is the one that interrupts go to
+    cores = sorted(os.sched_getaffinity(0), reverse=True)[:2]  # not the first core, which handles interrupts
     steps = {"perimpact": arguments.steps, "lammps": arguments.lammps_steps}
     order = variants(arguments.build.resolve(), [build.resolve() for build in arguments.also], cores)
     machine = programs.machine()

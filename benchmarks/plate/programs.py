@@ -1,4 +1,4 @@
-"""One timed run of the plate by one program: what it printed, as a dict of numbers."""
+"""One timed run of the plate by one program; its output as a dict of numbers."""
 
 import csv
 import os
@@ -14,12 +14,12 @@ INPUT = FOLDER / "lammps_plate.in"
 
 
 class CannotRun(Exception):
-    """Says what is missing or went wrong, and what to do."""
+    """A missing or failed program, with a remedy."""
 
 
 @dataclass(frozen=True)
 class Variant:
-    """The plate as perimpact is asked to compute it."""
+    """A variant of the plate for perimpact."""
 
     family: int  # bonds of an interior particle: 122 or 178
     nu: float
@@ -34,13 +34,13 @@ class Variant:
             "family": rule,
             "surface_correction": self.correction,
             "material.poissons_ratio": self.nu,
-            "material.critical_stretch": 0.5,  # armed, never reached
+            "material.critical_stretch": 0.5,  # enabled, never reached
         }
         return [word for key, value in plate.items() for word in ("--set", f"bodies.plate.{key}={value}")]
 
 
 def run(command, cores, environment=None):
-    """Standard output of a command on the given cores alone."""
+    """Standard output of a command, restricted to the given cores."""
     try:
         with tempfile.TemporaryDirectory() as folder:
             done = subprocess.run(
@@ -57,11 +57,11 @@ def run(command, cores, environment=None):
 def perimpact(variant, steps, cores):
     program = variant.build / "step_benchmark"
     if not program.exists():
-        raise CannotRun(f"{program} is not there; README.md says how to build it.")
+        raise CannotRun(f"{program} does not exist; README.md describes how to build it.")
     command = [program, DECK, *variant.overrides, "--threads", str(variant.threads), "--warm-up", str(steps), "--steps", str(steps)]
     (row,) = csv.DictReader(run(command, cores).splitlines())
     if float(row["contacts/step"]) == 0 or float(row["broken_bonds"]) != 0:
-        raise CannotRun(f"The plate is not as it should be (contacts {row['contacts/step']}, broken bonds {row['broken_bonds']}): {variant}")
+        raise CannotRun(f"The run of the plate is invalid (contacts {row['contacts/step']}, broken bonds {row['broken_bonds']}): {variant}")
     return row
 
 
@@ -94,7 +94,7 @@ def lammps(style, steps, core):
 
 
 def machine():
-    """The processor, without the name of the host."""
+    """The processor model, without the host name."""
     text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
     field = {key: re.search(rf"^{key}\s*: (.*)$", text, re.MULTILINE) for key in ("model name", "cpu family", "model")}
     if not all(field.values()):
@@ -103,5 +103,5 @@ def machine():
 
 
 def results_file(kind):
-    """Where results of this kind that were taken on this machine are kept."""
+    """The file for results of this kind on this machine."""
     return FOLDER.parent / "results" / f"{kind}_{re.sub('[^a-z0-9]+', '_', machine().lower()).strip('_')}.csv"

@@ -1,4 +1,4 @@
-"""The results as CSV, the claims they must meet, and the tables of benchmarks/README.md made from them."""
+"""The results as CSV, the claims they must meet, and the tables of benchmarks/README.md."""
 
 import csv
 from pathlib import Path
@@ -26,7 +26,7 @@ def read(path):
 
 
 def claims(rows):
-    """(what, wanted, measured, met) of each claim; where rows of several builds fit, the first counts."""
+    """(claim, required, measured, met); where rows of several builds match, the first counts."""
 
     def the(column, **wanted):
         for row in rows:

@@ -1,14 +1,14 @@
-/// What one core can do at best where every bond costs a square root and a division: the yardstick of the bond pass.
+/// Peak rate of square roots with a division on one core: the reference for the bond loop.
 ///
-/// Vector root and division share one slow unit, which takes a new operand only every few cycles, so their rate bounds any kernel that
-/// uses them. The AVX-512 kernel does not: it makes 1/√ from an estimate and multiply-adds (fccda/core/pack.hpp), and may be faster.
+/// Vector square root and division share one slow unit with a throughput of one operand per several cycles, which bounds any kernel that uses
+/// them. The AVX-512 kernel computes 1/√ from an estimate and multiply-adds instead (base/pack.hpp), and may be faster.
 #pragma once
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "fccda/core/pack.hpp"
+#include "base/pack.hpp"
 
 namespace benchmark {
 
@@ -23,10 +23,10 @@ inline fccda::Pack4 hardware_root(fccda::Pack4 a) { return _mm256_sqrt_pd(a.v); 
 inline constexpr const char* instruction_set = "scalar";
 #endif
 
-/// Roots with a division each, per second, on this core: the best of several attempts, as a disturbed attempt says nothing of the core.
+/// Square roots with a division each, per second, on this core: the maximum of several attempts, since other load only reduces the rate.
 inline double root_and_division_rate() {
   using Pack = fccda::NativePack;
-  // x <- c/√x goes to c^(2/3), digits that no early end of a division can use. Eight chains hide the latency of one: twelve are no faster.
+  // x <- c/√x converges to c^(2/3), whose digits prevent early termination of the division. Eight chains hide the latency; twelve are no faster.
   constexpr int chains = 8, rounds = 200'000, attempts = 10;
   double best = 0;
   for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -39,7 +39,7 @@ inline double root_and_division_rate() {
       for (int k = 0; k < chains; ++k) x[k] = c / hardware_root(x[k]);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     for (const Pack& value : x) {
-      volatile double sink[fccda::lanes<Pack>];  // the results are wanted
+      volatile double sink[fccda::lanes<Pack>];  // keeps the results
       double lanes[fccda::lanes<Pack>];
       fccda::store(lanes, value);
       std::copy(std::begin(lanes), std::end(lanes), std::begin(sink));

@@ -1,8 +1,8 @@
-/// How many steps a second Simulation::step() makes on a deck, and where they spend their time: one CSV row on standard output.
+/// Steps per second of Simulation::step() on a deck, and the time by phase: one CSV row on standard output.
 ///
 ///   step_benchmark cases/plate_impact/deck.yaml --set bodies.plate.family=madenci-oterkus --threads 1 --steps 100
 ///
-/// Nothing is written on the way, so what is timed is the solver: prediction, contact, bond pass, monitors.
+/// Nothing is written during the run, so only the solver is timed: prediction, contact, bond loop, monitors.
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "io/deck/deck.hpp"
 #include "perimpact/simulation/simulation.hpp"
 #include "root_and_division.hpp"
@@ -26,8 +26,8 @@ struct Arguments {
   std::string deck;
   std::vector<std::string> set;
   int threads = 1;
-  int warm_up = 100;  // the plate: 10 µs, contact is on and the wave well inside
-  int steps = 100;    // the plate: ten rows of history
+  int warm_up = 100;  // for the plate: 10 µs, with contact established and the wave well inside
+  int steps = 100;    // for the plate: ten rows of history
 };
 
 Arguments parse(int argc, char** argv) {
@@ -36,8 +36,8 @@ Arguments parse(int argc, char** argv) {
   app.add_option("deck", arguments.deck, "the deck")->required()->check(CLI::ExistingFile);
   app.add_option("--set", arguments.set, "key.path=value: changes the deck")->allow_extra_args(false);
   app.add_option("--threads", arguments.threads, "number of threads")->check(CLI::PositiveNumber);
-  app.add_option("--warm-up", arguments.warm_up, "steps before the clock starts")->check(CLI::NonNegativeNumber);
-  app.add_option("--steps", arguments.steps, "steps that are timed; whole rows of history, or their share is wrong")->check(CLI::PositiveNumber);
+  app.add_option("--warm-up", arguments.warm_up, "untimed steps at the start")->check(CLI::NonNegativeNumber);
+  app.add_option("--steps", arguments.steps, "timed steps; a multiple of the history interval, or the share of monitors is wrong")->check(CLI::PositiveNumber);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,8 +1,8 @@
-/// What each kind of region rejects and costs: one CSV row for each surface and region on standard output.
+/// Rejection rate and cost of each kind of contact bounds: one CSV row per surface and bounds on standard output.
 ///
-/// Points lie on a lattice in the surface's bounding box, and on one twice as large about it; each has a path of a thousandth of the size.
-/// A row says which share of those in the bounding box the region rejects, what a test costs in it and around it, what the lower bound of
-/// the distance costs, and what the look at the surface costs (the search for the closest point, 64 steps ahead) that it saves.
+/// Points lie on a lattice in the surface's bounding box, and on one twice as large around it; each has a path of a thousandth of the size.
+/// A row gives the share of points in the bounding box that the bounds reject, the cost of a test inside and around it, the cost of the lower
+/// bound of the distance, and the cost of the surface query that is saved (closest-point search, 64 steps ahead).
 
 #include <fmt/format.h>
 
@@ -11,27 +11,27 @@
 #include <string>
 #include <vector>
 
-#include "fccda/region/boxes.hpp"
-#include "fccda/region/fit_boxes.hpp"
-#include "fccda/region/fit_region.hpp"
-#include "fccda/region/fit_sectors.hpp"
-#include "fccda/search/bvh.hpp"
+#include "fccda/contact_bounds/boxes.hpp"
+#include "fccda/contact_bounds/fit_boxes.hpp"
+#include "fccda/contact_bounds/fit_contact_bounds.hpp"
+#include "fccda/contact_bounds/fit_sectors.hpp"
 #include "fixtures/propeller.hpp"
 #include "fixtures/surfaces.hpp"
+#include "mesh/search/bvh.hpp"
 
 namespace {
 
 using namespace fccda;
 
-/// A hull: full amidships, fine at both ends, with a keel and bilges; 10 by 2 by 1.
+/// A ship hull: full amidships, fine at both ends, with keel and bilges; 10 by 2 by 1.
 Panels hull() {
-  return fixtures::moved(make_sphere({.diameter = 1, .panel = 0.02}), [](const Vec3d& p) {
+  return fixtures::moved(make_sphere({.diameter = 1, .edge_length = 0.02}), [](const Vec3d& p) {
     const double x = 2 * p.x, fullness = std::pow(std::max(0.0, 1 - x * x), -0.3);
     return Vec3d{10 * p.x, 2 * fullness * p.y, (p.z < 0 ? 1.6 : 0.4) * p.z};
   });
 }
 
-/// Time of this process alone, the least of several rounds.
+/// Process time, the minimum of several rounds.
 template <class Ask>
 double nanoseconds_each(std::size_t count, const Ask& ask) {
   double least = 1e300;
@@ -43,7 +43,7 @@ double nanoseconds_each(std::size_t count, const Ask& ask) {
   return least / static_cast<double>(count);
 }
 
-/// On a lattice, x fastest, as particles lie.
+/// Paths on a lattice, x fastest, in the order of particles.
 std::vector<Path> paths_in(const Box& box, double length) {
   constexpr int count = 60;
   std::mt19937_64 random(7);
@@ -72,13 +72,13 @@ void measure(const std::string& name, const Panels& panels) {
   });
   sink += asked;
 
-  std::vector<std::pair<std::string, Region>> regions;
+  std::vector<std::pair<std::string, ContactBounds>> regions;
   for (const int most : {1, 4, 8, 16, 32}) {
     const std::vector<Box> boxes = fit_boxes(surface, {.most = most, .gain = 0});
     regions.emplace_back(fmt::format("{} boxes", boxes.size()), BoxUnion(boxes));
   }
   regions.emplace_back("sectors", CylinderSectors(fit_sectors(surface, {}), surface, Beyond::error));
-  const FittedRegion chosen = fit_region(surface);
+  const FittedBounds chosen = fit_contact_bounds(surface);
   regions.emplace_back("auto", chosen.region);
   fmt::print(stderr, "{}: {}\n", name, chosen.choice);
   for (const auto& [kind, region] : regions) {
@@ -104,6 +104,6 @@ int main() {
       "surface,triangles,region,share of the bounding box,rejected in it,may_touch in it [ns],may_touch around it [ns],distance [ns],look at the surface "
       "[ns]\n");
   measure("hull", hull());
-  measure("propeller", fixtures::propeller({.panel = 0.01}));
-  measure("skewed propeller", fixtures::propeller({.skew = 0.7, .panel = 0.01}));
+  measure("propeller", fixtures::propeller({.edge_length = 0.01}));
+  measure("skewed propeller", fixtures::propeller({.skew = 0.7, .edge_length = 0.01}));
 }

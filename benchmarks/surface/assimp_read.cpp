@@ -1,4 +1,4 @@
-/// The same file read by assimp: CSV rows on standard output. read: no post-processing; read and join: and vertices in the same place made one.
+/// The same file read by assimp: CSV rows on standard output. read: no post-processing; read and join: with identical vertices merged.
 
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   std::string file;
   int rounds = 3;
   bool join = false;
-  CLI::App app("Times how assimp reads a file of panels; prints CSV rows.");
+  CLI::App app("Times reading of a surface file by assimp; prints CSV rows.");
   app.add_option("file", file)->required()->check(CLI::ExistingFile);
   app.add_option("--rounds", rounds)->check(CLI::PositiveNumber);
   app.add_flag("--join", join);

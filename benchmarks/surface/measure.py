@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Times what becomes of a file of panels, from reading to queries, and reading beside assimp and meshio; all on one core.
+"""Times the stages from a surface file to queries, and reading against assimp and meshio, on one core.
 
     benchmarks/surface/measure.py             some minutes; nothing else may run meanwhile
-    benchmarks/surface/measure.py --tables    measures nothing, writes the tables again
+    benchmarks/surface/measure.py --tables    no measurement: rewrites the tables
 
 Writes results/surface_<machine>.csv and the tables of README.md. Exit code 1: a claim is not met. 2: something is missing.
 """
@@ -35,8 +35,8 @@ def missing(what):
 
 
 def stages_of(*command):
-    """The rows a program prints, run on one core alone."""
-    core = max(os.sched_getaffinity(0))  # the first core is the one that interrupts go to
+    """The CSV output of a program, run on one core."""
+    core = max(os.sched_getaffinity(0))  # not the first core, which handles interrupts
     done = subprocess.run(
         [*map(str, command)], capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"}, preexec_fn=lambda: os.sched_setaffinity(0, {core})
     )  # fmt: skip
@@ -46,7 +46,7 @@ def stages_of(*command):
 
 
 def runs(build, files):
-    """(program, file, format, command) of all that is timed."""
+    """(program, file, format, command) of all timed runs."""
     stages, assimp = build / "surface_stages", build / "assimp_read"
     for program in (stages, assimp):
         if not program.exists():
@@ -64,7 +64,7 @@ def runs(build, files):
 
 
 def measure(build, rounds):
-    """Rows of medians; in each round all take turns."""
+    """Rows of medians; in each round all programs alternate."""
     try:
         import million
     except ImportError as error:
@@ -92,7 +92,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=ROOT / "build/release", help="build folder (default: build/release)")
     parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--tables", action="store_true", help="write the tables from the CSV files, measure nothing")
+    parser.add_argument("--tables", action="store_true", help="write the tables from the CSV files without measuring")
     arguments = parser.parse_args()
     if not arguments.tables:
         report.write(measure(arguments.build.resolve(), arguments.rounds), results_file("surface"))

@@ -1,4 +1,4 @@
-"""The same file read by meshio: CSV rows as of stages.cpp, with the memory of Python and numpy in it."""
+"""The same file read by meshio: CSV rows as of stages.cpp, including the memory of Python and numpy."""
 
 import re
 import sys

@@ -1,4 +1,4 @@
-"""A bumpy sphere of a million triangles, in every format that perimpact reads and one of the peers too."""
+"""An undulated sphere of a million triangles, in every format that perimpact and a reference program read."""
 
 import meshio
 import numpy as np
@@ -7,7 +7,7 @@ FORMATS = ["stl", "ascii.stl", "obj", "ply", "off", "vtk", "vtp", "msh", "inp", 
 
 
 def sphere(n):
-    """12 n² triangles, wound outward, and their shared vertices: a cube's six faces, pushed out."""
+    """12 n² triangles, oriented outward, with shared vertices: the six faces of a cube, projected."""
     u, v = (grid.ravel() for grid in np.meshgrid(np.arange(n + 1), np.arange(n + 1), indexing="ij"))
     faces, points = [], []
     corner = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
@@ -15,19 +15,19 @@ def sphere(n):
     for axis in range(3):
         for side in (0, n):
             grid = np.insert(np.column_stack([u, v]), axis, side, axis=1)
-            outward = (side > 0) == (axis != 1)  # u × v points along the axis, but for y
+            outward = (side > 0) == (axis != 1)  # u × v points along the axis, except for y
             rows = np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
             faces.append((rows if outward else rows[:, ::-1]) + len(points) * (n + 1) ** 2)
             points.append(grid)
     places, number = np.unique(np.vstack(points), axis=0, return_inverse=True)
-    x = np.tan((places / n - 0.5) * np.pi / 2)  # about equally large panels
+    x = np.tan((places / n - 0.5) * np.pi / 2)  # panels of nearly equal size
     x /= np.linalg.norm(x, axis=1, keepdims=True)
     bump = 1 + 0.05 * np.sin(9 * x[:, :1]) * np.cos(7 * x[:, 1:2] + 1) * np.cos(8 * x[:, 2:])
     return x * bump, number.ravel()[np.vstack(faces)]
 
 
 def write(folder, triangles=1e6):
-    """The files by format, as the formats' own programs write them: floats in STL, doubles or 17 digits elsewhere."""
+    """The files by format, as their native programs write them: floats in STL, doubles or 17 digits elsewhere."""
     points, faces = sphere(round((triangles / 12) ** 0.5))
     mesh = meshio.Mesh(points, [("triangle", faces)])
     files = {kind: folder / f"sphere.{kind}" for kind in FORMATS}
@@ -61,13 +61,13 @@ def write(folder, triangles=1e6):
 
 
 def write_vtp(path, points, faces):
-    """As ParaView does it by default but for packing: appended and raw."""
+    """As ParaView's default, but uncompressed: appended and raw."""
     arrays = [points.astype("<f8"), faces.astype("<i8"), np.arange(3, 3 * len(faces) + 1, 3, dtype="<i8")]
     offsets = np.cumsum([0] + [8 + array.nbytes for array in arrays])
     with open(path, "wb") as file:
         file.write(f"""<?xml version="1.0"?>
 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
-<PolyData><Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(faces)}">
+<PolyData><Fragment NumberOfPoints="{len(points)}" NumberOfPolys="{len(faces)}">
 <Points><DataArray type="Float64" NumberOfComponents="3" format="appended" offset="{offsets[0]}"/></Points>
 <Polys><DataArray type="Int64" Name="connectivity" format="appended" offset="{offsets[1]}"/>
 <DataArray type="Int64" Name="offsets" format="appended" offset="{offsets[2]}"/></Polys>

@@ -7,7 +7,7 @@ BENCHMARKS = Path(__file__).resolve().parents[1]
 README = BENCHMARKS / "README.md"
 RESULTS = BENCHMARKS / "results"
 BEGIN, END = "<!-- surface: written by surface/measure.py -->\n", "<!-- end of surface -->\n"
-READY = ["read", "fit", "bvh", "check"]  # what lies between a file and a checked surface that answers queries
+READY = ["read", "fit", "bvh", "check"]  # stages from a file to a checked surface ready for queries
 INSIDE_FIT = ["weld", "triangulate", "connect", "wind"]
 
 
@@ -40,7 +40,7 @@ def ready(cells, file, kind):
 
 
 def claims():
-    """(what, wanted, measured, met) of each claim, of the slowest machine."""
+    """(claim, required, measured, met) for the slowest machine."""
     rows = read()
     machines = [cells_of(row for row in rows if row["machine"] == machine) for machine in dict.fromkeys(row["machine"] for row in rows)]
     if not machines:

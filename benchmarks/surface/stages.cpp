@@ -1,30 +1,30 @@
-/// From a file of panels to a surface that answers queries, stage by stage: CSV rows on standard output.
+/// Stages from a surface file to a surface ready for queries: CSV rows on standard output.
 ///
 ///   surface_stages hull.stl --rounds 5
 ///
-/// read: to panels in memory. fit: class Surface; and what it is mostly made of, once more, each alone: weld, triangulate, connect, wind. bvh: the tree of
-/// boxes, with which contact and closest points can be asked. check: every pair of panels whether they go through one another.
+/// read: file to panels in memory. fit: class Surface; its main parts are also timed separately: weld, triangulate, connect, wind. bvh: the
+/// bounding-volume hierarchy for contact and closest-point queries. check: intersection test of all pairs of panels.
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
-#include "fccda/inspect/self_intersections.hpp"
-#include "fccda/search/bvh.hpp"
-#include "fccda/surface/connect.hpp"
-#include "fccda/surface/read/read_panels.hpp"
-#include "fccda/surface/surface.hpp"
-#include "fccda/surface/triangulate.hpp"
-#include "fccda/surface/weld.hpp"
-#include "fccda/surface/winding.hpp"
+#include "mesh/connect.hpp"
+#include "mesh/inspect/self_intersections.hpp"
+#include "mesh/search/bvh.hpp"
+#include "mesh/surface.hpp"
+#include "mesh/triangulate.hpp"
+#include "mesh/weld.hpp"
+#include "mesh/winding.hpp"
+#include "mesh_io/read_panels.hpp"
 #include "timed_rounds.hpp"
 
 int main(int argc, char** argv) {
   std::filesystem::path file;
   int rounds = 3;
   bool only_read = false;
-  CLI::App app("Times what becomes of a file of panels, stage by stage; prints CSV rows.");
+  CLI::App app("Times the stages from a surface file to a surface ready for queries; prints CSV rows.");
   app.add_option("file", file)->required()->check(CLI::ExistingFile);
   app.add_option("--rounds", rounds)->check(CLI::PositiveNumber);
   app.add_flag("--only-read", only_read);
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
     if (only_read) continue;
     {
       const auto surface =
-          timed("fit", [&] { return std::make_unique<const fccda::Surface>(panels, fccda::Surface::Options{.outside = fccda::OutsideIs::normals}); });
+          timed("fit", [&] { return std::make_unique<const fccda::Surface>(panels, fccda::Surface::Options{.orientation = fccda::Orientation::normals}); });
       const auto bvh = timed("bvh", [&] { return std::make_unique<const fccda::Bvh>(*surface); });
       timed("check", [&] { return fccda::self_intersections(*surface, *bvh); });
     }
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     fccda::Triangulation triangulation = timed("triangulate", [&] { return triangulate(welded.panels, tolerance); });
     fccda::LinkedTriangles linked{std::move(welded.panels.vertices), std::move(triangulation.triangles), {}};
     timed("connect", [&] { return connect(linked); });
-    timed("wind", [&] { return wind_consistently(linked, "surface"); });
+    timed("wind", [&] { return orient_consistently(linked, "surface"); });
   }
   timed.print();
   return 0;

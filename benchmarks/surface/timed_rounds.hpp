@@ -1,4 +1,4 @@
-/// Processor time and memory of the stages of a program that runs on one thread.
+/// Processor time and memory of the stages of a single-threaded program.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace benchmark {
 
-/// The most memory that this program ever had [MiB]; what getrusage tells includes that of the process which started it.
+/// Peak memory of this program [MiB]. getrusage would include the memory of the parent process.
 inline double peak_memory() {
   std::ifstream status("/proc/self/status");
   std::string word;
@@ -22,7 +22,7 @@ inline double peak_memory() {
   return kibibytes / 1024;
 }
 
-/// Call each stage once a round, in the same order.
+/// Timer of stages; call each stage once per round, in the same order.
 class TimedRounds {
  public:
   template <class Work>
@@ -38,7 +38,7 @@ class TimedRounds {
     return result;
   }
 
-  /// A row each: the name, the median of the rounds [s], the memory needed up to the end of the stage in the first round [MiB].
+  /// Prints a row per stage: name, median of the rounds [s], peak memory up to the end of the stage in the first round [MiB].
   void print() {
     fmt::print("stage,seconds,memory_mib\n");
     for (Stage& stage : stages_) {

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the picture of this case from a results folder:
+"""Draws the figure of this case from a results folder:
 
     cases/crack_branching/figures.py results/crack_branching      writes figures/crack_branching.png beside this script
 """
@@ -17,7 +17,7 @@ CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
 from damage_map import draw  # noqa: E402
 
-INSTANTS = 15e-6, 25e-6, 35e-6, 50e-6  # [s] before the crack branches, twice while it runs, and after it has left the plate
+INSTANTS = 15e-6, 25e-6, 35e-6, 50e-6  # [s] before branching, twice during propagation, and after the crack has left the plate
 
 
 def main():

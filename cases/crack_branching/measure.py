@@ -1,18 +1,18 @@
 #!/usr/bin/python3
-"""Where and when the crack of a run of this case went:
+"""Times and positions of the crack in a run of this case:
 
     cases/crack_branching/measure.py results/crack_branching [more folders]      prints the rows of expected.csv, and more
 
 Particles with a damage above 0.35 are the wake of the crack: a plane through a full family cuts 0.40 of the bonds of the particles beside it,
-the zone in front of the crack has lost fewer.
+the zone ahead of the crack has fewer broken bonds.
 
-starts        the front, the damaged particle furthest along x, is 1 mm past the end of the notch (times are interpolated between pictures)
-branches at   smallest x from which on, at the end, each column of particles has damaged ones above and below with three or more undamaged
-              ones between them; in time, when the front was there
-far edge      the front is 1 mm from the edge, where the crack leaves the plate
-exit          mean distance from the middle of the damaged particles that are at most 1 mm from the far edge; "up minus down" is the difference
+starts        the tip, the damaged particle furthest along x, is 1 mm past the end of the notch (times are interpolated between frames)
+branches at   smallest x beyond which, in the last frame, each column of particles has damaged ones above and below with three or more undamaged
+              ones between them; its time is when the tip was there
+far edge      the tip is 1 mm from the edge, where the crack leaves the plate
+exit          mean distance from the centre line of the damaged particles that are at most 1 mm from the far edge; "up minus down" is the difference
               between the upper and the lower branch
-speeds        of the front, straight lines: before, from 2 mm past the notch to 2 mm before the branching, after, from 4 mm behind it to 5 mm before the edge
+speeds        of the tip, fitted straight lines: before, from 2 mm past the notch to 2 mm before the branching, after, from 4 mm behind it to 5 mm before the edge
 """
 
 import sys
@@ -29,18 +29,18 @@ NOTCH, EDGE = 0.0, 0.05  # [m] x of the notch's end, of the far edge
 
 
 def frames(folder):
-    """(time [s], places [m] in the undeformed plate, damage) of each picture."""
+    """(time [s], reference positions [m], damage) of each frame."""
     for time, body in pictures(folder, "glass"):
         yield time, body.points - body.point["displacement"], body.point["damage"]
 
 
 def branching(cut, spacing):
-    """x [m] at which the crack is two from there on; None where it is not."""
+    """x [m] beyond which the crack has two branches; None without branching."""
     columns = np.round(cut[:, 0] / spacing, 3)
     found = None
     for column in np.unique(columns)[::-1]:
         y = np.sort(cut[columns == column, 1])
-        is_tip = column * spacing > cut[:, 0].max() - 0.002  # where one of two branches may be ahead
+        is_tip = column * spacing > cut[:, 0].max() - 0.002  # here one of two branches may be ahead
         if np.diff(y).max(initial=0) > 3.5 * spacing:
             found = column * spacing
         elif not is_tip:
@@ -54,7 +54,7 @@ def speed(times, fronts, low, high):
 
 
 def measure(pictures):
-    """Name with unit, and value (None: it did not happen), from what `frames` gives."""
+    """Name with unit, and value (None: it did not occur), from the output of `frames`."""
     times, fronts = [], []
     for time, points, damage in pictures:
         cut = points[(damage > DAMAGED) & (points[:, 0] > NOTCH)]
@@ -63,7 +63,7 @@ def measure(pictures):
     times, fronts = np.array(times), np.array(fronts)
 
     def when(x):
-        """Time at which the front was at x [m]; None before."""
+        """Time at which the tip reached x [m]; None if it did not."""
         return np.interp(x, fronts, times) if fronts[-1] >= x else None
 
     spacing = np.diff(np.unique(np.round(points[:, 0], 7))).min()

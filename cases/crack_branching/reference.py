@@ -1,15 +1,15 @@
 #!/usr/bin/python3
-"""The same crack by a program of one page that shares nothing with perimpact:
+"""The same crack by an independent program of one page:
 
     cases/crack_branching/reference.py                        the deck's discretisation: two minutes
     cases/crack_branching/reference.py --spacing 0.5 --ratio 3 --family madenci-oterkus --constants continuum
 
 Bond-based peridynamics in plane stress on whole arrays: all bonds of one offset (i, j) on the lattice at once. Symplectic Euler at a fixed
-fraction of the stable step; stretch s, force density c s along the deformed bond; a bond breaks for ever beyond s_0; pressure on the outermost
-row; no surface correction. What it prints is measured by measure.py.
+fraction of the stable step; stretch s, force density c s along the deformed bond; a bond breaks irreversibly beyond s_0; pressure on the outermost
+row; no surface correction. The printed quantities are measured by measure.py.
 
-    family      hu-ha-bobaru: |xi| < delta + dx/2, volumes less than whole within dx/2 of delta; madenci-oterkus: |xi| <= delta, likewise
-    constants   lattice: c so that the energy of equal stretch in all directions is exact, s_0 so that a plane between two rows takes exactly G_0;
+    family      hu-ha-bobaru: |xi| < delta + dx/2, partial volumes within dx/2 of delta; madenci-oterkus: |xi| <= delta, likewise
+    constants   lattice: c such that the energy at equal stretch in all directions is exact, s_0 such that a plane between two rows takes exactly G_0;
                 continuum: c = 9 E/(pi h delta^3), s_0 = sqrt(4 pi G_0/(9 E delta))
 """
 
@@ -23,7 +23,7 @@ LENGTH, WIDTH, END, PICTURE = 0.1, 0.04, 50e-6, 0.5e-6  # [m] [m] [s] [s]; the t
 
 
 def offsets(spacing, horizon, family):
-    """(i, j, length [m], part of the volume) of half of the bonds of a particle inside."""
+    """(i, j, length [m], share of the volume) of half of the bonds of an interior particle."""
     reach = horizon + (spacing / 2 if family == "hu-ha-bobaru" else 1e-9 * spacing)
     most = int(reach / spacing) + 1
     for i in range(most + 1):
@@ -34,13 +34,13 @@ def offsets(spacing, horizon, family):
 
 
 def simulate(spacing, horizon, family, constants, safety=0.7):
-    """Yields (time [s], places [m], damage), as measure.frames does."""
+    """Yields (time [s], positions [m], damage), as measure.frames does."""
     nx, ny, volume = round(LENGTH / spacing), round(WIDTH / spacing), spacing**2
     x, y = np.meshgrid((np.arange(nx) + 0.5) * spacing - LENGTH / 2, (np.arange(ny) + 0.5) * spacing - WIDTH / 2, indexing="ij")
     places = np.column_stack([x.ravel(), y.ravel()])
     half = list(offsets(spacing, horizon, family))
 
-    if constants == "lattice":  # equal stretch s: 1/4 sum c s^2 |xi| v V = E s^2/(1 - nu), nu = 1/3; parting: sum over bonds through a plane of c s_0^2 |xi|/2
+    if constants == "lattice":  # equal stretch s: 1/4 sum c s^2 |xi| v V = E s^2/(1 - nu), nu = 1/3; fracture: sum over bonds through a plane of c s_0^2 |xi|/2
         c = 6 * E / sum(2 * length * part * volume for _, _, length, part in half)
         energy = sum(0.5 * c * length * part * volume * abs(j) * spacing for _, j, length, part in half)
         critical = np.sqrt(G0 / energy)
@@ -49,11 +49,11 @@ def simulate(spacing, horizon, family, constants, safety=0.7):
     step = safety * np.sqrt(2 * RHO / sum(2 * c * part * volume / length for _, _, length, part in half))
 
     bonds, whole = [], np.zeros((nx, ny))
-    never = np.abs(y) > WIDTH / 2 - horizon  # along the pulled edges no bond breaks
+    never = np.abs(y) > WIDTH / 2 - horizon  # no bond breaks along the loaded edges
     for i, j, length, part in half:
         a = slice(0, nx - i), slice(max(0, -j), ny - max(0, j))
         b = slice(i, nx), slice(max(0, j), ny - max(0, -j))
-        share = y[a] / (y[a] - y[b]) if j else np.full(y[a].shape, np.nan)  # where on the bond y is 0
+        share = y[a] / (y[a] - y[b]) if j else np.full(y[a].shape, np.nan)  # position on the bond where y is 0
         notched = (share > 0) & (share < 1) & (x[a] + share * (x[b] - x[a]) <= 1e-9 * spacing)
         intact = np.where(notched, 0.0, 1.0)
         bonds.append((a, b, i * spacing, j * spacing, length, part, intact, never[a] | never[b]))

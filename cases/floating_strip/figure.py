@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the picture of this case from a results folder:
+"""Draws the figure of this case from a results folder:
 
     cases/floating_strip/figure.py results/floating_strip        writes figures/floating_strip.png beside this script
 """
@@ -17,7 +17,7 @@ from measure import Run, broken, read_vtp  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
 SHADES = LinearSegmentedColormap.from_list("ice", ["0.62", "C1", "C3", "k"])
-SHOWN, RAISED = 45.0, 3.5  # of the strip, and one picture over the next [m]
+SHOWN, RAISED = 45.0, 3.5  # length of strip shown, and offset between frames [m]
 
 
 def main():
@@ -26,7 +26,7 @@ def main():
     pictures = [read_vtp(path) for path in run.pictures]
     loads = np.array([run.load(picture.time) for picture in pictures])
     edge = np.array([-run.mean(picture.point["displacement"][:, 2])[0] for picture in pictures])
-    level = run.report["bodies"]["ice"]["boundaries"]["sea"]["level [m]"]
+    level = run.report["bodies"]["ice"]["boundary_conditions"]["sea"]["level [m]"]
 
     plt.rcParams.update({"font.size": 12})
     figure, (side, curve) = plt.subplots(2, 1, figsize=(10, 8.2), height_ratios=(1.25, 1), layout="constrained")

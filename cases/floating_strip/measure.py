@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""What a run of a floating strip gives: deflections, moments, stiffness, the load at which it breaks, and where.
+"""Results of a floating strip: deflections, moments, stiffness, failure load, and distance of the crack.
 
     cases/floating_strip/measure.py results/floating_strip       prints the numbers of README.md
 
-The deck has a body `ice` along x, its free edge at the lower end and loaded in its last column of particles by the boundary `load`.
+The deck has a body `ice` along x, its free edge at the lower end and loaded in its last column of particles by the boundary condition `load`.
 """
 
 import json
@@ -16,11 +16,11 @@ from theory import Elements, Strip
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/pictures"))
 from vtp_reader import read_vtp  # noqa: E402
 
-CUT = 0.3  # damage of a particle at a crack: a plane through the lattice takes 0.4 of the bonds of those beside it
+CUT = 0.3  # damage of a particle at a crack: a plane through the lattice cuts 0.4 of the bonds of adjacent particles
 
 
 class Run:
-    """Lattice and pictures of a run. Sections are the columns of particles across the strip, from the free edge on."""
+    """Lattice and frames of a run. Sections are the columns of particles across the strip, starting at the free edge."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -32,7 +32,7 @@ class Run:
         self.section, self.row, self.layer = (np.rint((places[:, p] - places[:, p].min()) / self.spacing).astype(int) for p in range(3))
         self.layers = int(self.layer.max()) + 1
         self.x = self.spacing * (np.arange(self.section.max() + 1) + 0.5)
-        material, boundaries = body["material"], body["boundaries"]
+        material, boundaries = body["material"], body["boundary_conditions"]
         self.strip = Strip(
             height=self.layers * self.spacing,
             young=material["youngs_modulus"],
@@ -72,18 +72,18 @@ def bent(run, number=-1):
     strip, x, load = run.strip, run.x, run.load(picture.time)
     u = run.by_layer(picture.point["displacement"][:, 0].astype(float))
     w = -run.mean(picture.point["displacement"][:, 2].astype(float))
-    # by statics, whatever the ice is like: load and water up to a section
+    # by statics, independent of the ice: load and water up to a section
     water = strip.foundation * run.spacing * w
     moment = load * np.maximum(x - run.at, 0) - np.array([(water[:i] * (at - x[:i])).sum() for i, at in enumerate(x)])
-    # sections turn as w falls, but for shear, which would be in the second derivative of w
+    # rotation of the sections, without shear, which the second derivative of w would include
     z = (np.arange(run.layers) - 0.5 * (run.layers - 1)) * run.spacing
     turn = z @ u / (z @ z)
     window = max(1, round(0.5 * strip.height / run.spacing))
     curvature = np.zeros_like(x)
     curvature[window:-window] = (turn[2 * window :] - turn[: -2 * window]) / (2 * window * run.spacing)
     inside = (x > 2 * strip.height) & (x < 1.5 / strip.rate)
-    beside_edge = (x > strip.height / 2) & (x < 1.5 * strip.height)  # the loaded column itself is pushed into the ice
-    # of bonds along x in the outermost layers, with the rotation, which is small but makes 3 % of so small a stretch
+    beside_edge = (x > strip.height / 2) & (x < 1.5 * strip.height)  # the loaded column itself is indented
+    # of bonds along x in the outermost layers, including the rotation, which contributes 3 % of the small stretch
     between = np.diff([run.by_layer(moved)[[0, -1]] for moved in picture.point["displacement"].T.astype(float)], axis=2) / run.spacing
     stretch = np.sqrt((1 + between[0]) ** 2 + between[1] ** 2 + between[2] ** 2) - 1
     return {
@@ -97,7 +97,7 @@ def bent(run, number=-1):
 
 
 def compared(run):
-    """An unbroken state over elementary theory with the load where it is: of 1, and in metres."""
+    """An unbroken state relative to elementary theory with the load at its actual position: ratios, and metres."""
     state, strip = bent(run), run.strip
     theory = run.theory()
     w, moment = theory.solve(state["load"], run.at)
@@ -113,9 +113,9 @@ def compared(run):
 
 
 def broken(run):
-    """The load [N/m] at which the first bond breaks; of the first picture with a crack through the ice, its load and distance from the edge [m].
+    """The load [N/m] at which the first bond breaks; of the first frame with a through-crack, its load and the distance of the crack from the edge [m].
 
-    The lowest quarter of the layers is not asked: pressed together, it hangs on for a while as a hinge.
+    The lowest quarter of the layers is ignored: under compression, it stays intact for a while as a hinge.
     """
     history = run.history()
     bonds = history["ice.broken_bonds [-]"]

@@ -1,10 +1,10 @@
 """A semi-infinite strip of ice on water with a line load on its free edge, by elementary theory.
 
-A beam or plate of the bending stiffness D on Winkler's foundation k = ρ_w g (M. Hetenyi, Beams on Elastic Foundation, 1946):
+A beam or plate of the bending stiffness D on a Winkler foundation k = ρ_w g (M. Hetenyi, Beams on Elastic Foundation, 1946):
 
     w = (2 P λ/k) exp(−λx) cos λx,     M = (P/λ) exp(−λx) sin λx,     λ = (k/4D)^¼
 
-All numbers are for each metre of width; x counts from the free edge, w down. M pulls the upper side where P presses down.
+All numbers are per metre of width; x is measured from the free edge, w downward. M puts the upper side in tension if P acts downward.
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ LARGEST_MOMENT = exp(-pi / 4) * sin(pi / 4)  # M λ/P, at λx = π/4: 0.3224
 
 @dataclass(frozen=True)
 class Strip:
-    """Ice and water. plate: nothing moves across, as in a wide sheet; otherwise the sides are free, as of a beam."""
+    """Ice and water. plate: no lateral motion, as in a wide sheet; otherwise the sides are free, as of a beam."""
 
     height: float = 2.0  # [m]
     young: float = 1.8e9  # [Pa]
@@ -35,7 +35,7 @@ class Strip:
 
     @property
     def stiffness(self):
-        """D, or EI for each metre of width [N m]."""
+        """D, or EI per metre of width [N m]."""
         return self.modulus * self.height**3 / 12
 
     @property
@@ -70,7 +70,7 @@ class Strip:
 
 
 class Elements:
-    """The same by Hermite's cubic elements: loaded at any x, finite with the far end clamped, and flooded.
+    """The same by cubic Hermite elements: loaded at any x, finite with the far end clamped, and flooded.
 
     flooded: water that gets onto the ice carries no more of it. The push of the water grows up to w = freeboard only.
     """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the picture of this case from a results folder:
+"""Draws the figure of this case from a results folder:
 
     ./run.sh ice_paddle --out results/ice_paddle
     cases/ice_paddle/figure.py results/ice_paddle      writes figures/ice_paddle.png beside this script
@@ -22,7 +22,7 @@ sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
 from render import Scene  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
-INSTANTS = 0.026, 0.029, 0.036  # [s] just before the blade strikes, while it cuts, and after
+INSTANTS = 0.026, 0.029, 0.036  # [s] just before the impact of the blade, during cutting, and after
 COLOURS = LinearSegmentedColormap.from_list("damage", ["#dbe9f4", "#8fb8d8", "#e8a15a", "#b3312c"])
 
 

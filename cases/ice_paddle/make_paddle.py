@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes paddle.obj: a wheel of four flat blades sunk in a hub, about the z axis, each part a group of its own.
+"""Writes paddle.obj: a wheel of four flat blades sunk in a hub, about the z axis, each part in a separate group.
 
     cases/ice_paddle/make_paddle.py > cases/ice_paddle/paddle.obj
 
-The parts overlap as parts from CAD often do: what of a blade lies inside the hub is no surface.
+The parts overlap as parts from CAD often do: blade panels inside the hub do not count as surface.
 """
 
 import math

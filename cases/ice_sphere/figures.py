@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Draws the pictures of this case from the folder that variants.sh fills:
+"""Draws the figures of this case from the folder that variants.sh fills:
 
     cases/ice_sphere/figures.py results/ice_sphere      writes figures/*.png beside this script
 
-hertz     force against time of a sphere that does not break, at three spacings, along an axis of the lattice and askew, beside Hertz
-impulse   impulse over m v against the critical stretch, beside the measured range
+hertz     force against time of a sphere that does not break, at three spacings, normal to a lattice axis and oblique, with Hertz
+impulse   impulse over m v against the critical stretch, with the measured range
 """
 
 import sys
@@ -18,7 +18,7 @@ import numpy as np  # noqa: E402
 from measure import blow, hertz, measure  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
-MEASURED = 0.8, 1.12  # README.md says by whom
+MEASURED = 0.8, 1.12  # source: README.md
 STRETCHES = "0.032", "0.01", "0.002", "3.2e-4"
 
 

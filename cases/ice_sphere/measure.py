@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Impulse, peak force and duration of the blow:
+"""Impulse, peak force and duration of the impact:
 
     cases/ice_sphere/measure.py results/ice_sphere [more folders]
 
-impulse       of the plate, along its normal, over (mass of the particles) × (speed at the start): 1 where nothing comes back, 2 where everything does
-peak, at      the largest mean over a row of history.csv (0.1 or 0.05 ms), and the middle of that row, from the first touch on
-duration      from the first row with a force to the end of the last one, where the sphere stays whole
-over Hertz    peak and duration over those of a half space of the same ice pressed by a rigid plane: an elastic sphere of radius R, mass m and speed v
+impulse       of the plate, along its normal, over (mass of the particles) × (initial speed): 1 without rebound, 2 for full rebound
+peak, at      the largest mean over a row of history.csv (0.1 or 0.05 ms), and the middle of that row, from first contact
+duration      from the first row with a force to the end of the last one, if the sphere stays intact
+over Hertz    peak and duration over those of Hertz contact of the same ice with a rigid plane: an elastic sphere of radius R, mass m and speed v
               has F = 5/4 m v²/d, t = 2.943 d/v with d = (15 m v²/(16 E* √R))^(2/5), E* = E/(1 - ν²) (H. Hertz; K. L. Johnson, Contact
               Mechanics, 1985, section 11.4). m is the mass of the particles.
 """
@@ -29,7 +29,7 @@ def hertz(mass, speed):
 
 
 def blow(folder):
-    """Ends of the rows [s], their lengths [s], mean normal force on the plate in each [N], mass [kg] and speed [m/s] of the ice at the start."""
+    """Ends of the rows [s], their lengths [s], mean normal force on the plate in each [N], mass [kg] and speed [m/s] of the ice at t = 0."""
     with open(Path(folder) / "history.csv", newline="") as file:
         names, *rows = csv.reader(file)
     column = dict(zip(names, np.array(rows, float).T))

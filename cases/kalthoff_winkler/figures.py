@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Draws the pictures of this case from results folders:
+"""Draws the figures of this case from results folders:
 
     cases/kalthoff_winkler/figures.py results/kalthoff_winkler                             writes figures/kalthoff_winkler.png
     cases/kalthoff_winkler/figures.py --variants "0.0057=FOLDER" "0.015=FOLDER" …          writes figures/critical_stretch.png
 
-beside this script. Drawn is the layer of particles in the middle of the thickness, where it was at first.
+beside this script. The figures show the layer of particles in the middle of the thickness in the reference configuration.
 """
 
 import sys
@@ -25,7 +25,7 @@ INSTANTS = 27e-6, 36e-6, 54e-6, 90e-6  # [s]
 
 
 def layer(points, damage):
-    """One layer where there are two in the middle."""
+    """One layer if there are two in the middle."""
     _, one = np.unique(np.round(points, 7), axis=0, return_index=True)
     return points[one], damage[one]
 
@@ -53,7 +53,7 @@ def notches(axis):
 
 
 def course(folder, path):
-    """The cracks at four instants, and the angle where it is measured."""
+    """The cracks at four instants, and the angle in the frame in which it is measured."""
     pictures = list(frames(folder))
     measured = next(plate for _, *plate in pictures if length(crack(*plate, RIGHT)) > FAR)
     figure, axes = plt.subplots(2, 2, figsize=(10, 5.4), sharex=True, sharey=True, layout="constrained")
@@ -72,7 +72,7 @@ def course(folder, path):
 
 
 def variants(folders, path):
-    """The cracks for several critical stretches, each when it is measured: 50 mm long."""
+    """The cracks for several critical stretches, each at a length of 50 mm, when the angle is measured."""
     figure, axes = plt.subplots(len(folders) // 2, 2, figsize=(10, 2.7 * (len(folders) // 2)), sharex=True, sharey=True, layout="constrained")
     for axis, (name, folder) in zip(axes.flat, folders):
         for time, points, damage in frames(Path(folder)):

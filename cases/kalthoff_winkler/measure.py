@@ -1,20 +1,20 @@
 #!/usr/bin/python3
-"""Where and when the cracks of a run of this case went:
+"""Angle, time, speed and length of the cracks in a run of this case:
 
     cases/kalthoff_winkler/measure.py results/kalthoff_winkler [more folders]      prints the rows of expected.csv, and more
 
-A crack is the particles in the middle of the thickness (one layer, or the two on either side of z = 0) on the outer side of a notch whose damage
-has grown by more than 0.35, and that hang together, from the tip of the notch (|x| = 25 mm, y = 0) on, without gaps wider than 2.5 spacings. A
-plane through a full family cuts 0.37 (horizon 3 spacings) to 0.41 (4) of the bonds of the particles beside it: the wake of a crack has lost more
-than 0.35, the zone in front of it less.
+A crack consists of the particles in the middle of the thickness (one layer, or the two on either side of z = 0) on the outer side of a notch whose damage
+has grown by more than 0.35, and that are connected to the tip of the notch (|x| = 25 mm, y = 0) without gaps wider than 2.5 spacings. A
+plane through a full family cuts 0.37 (horizon 3 spacings) to 0.41 (4) of the bonds of the particles beside it: the wake of a crack has more than
+0.35, the zone ahead of it less.
 
-angle     Between the notch line and the straight line with the least squares of distances through the particles of the crack that are 5 mm to 50 mm
-          away from the tip, in the first picture in which the crack is 50 mm long (else the last, if it is 25 mm long); mean of left and right.
-secant    In the same picture, from the tip of the notch straight to the crack's front (the mean of what is within 2.5 mm of it).
+angle     Between the notch line and the straight line fitted by orthogonal least squares to the particles of the crack that are 5 mm to 50 mm
+          away from the tip, in the first frame in which the crack is 50 mm long (otherwise the last, if it is 25 mm long); mean of left and right.
+secant    In the same frame, from the tip of the notch straight to the crack tip (the mean of the particles within 2.5 mm of it).
 starts    The first row of history.csv in which more bonds are broken than at t = 0. At a small critical stretch or spacing those are
           under the projectile.
-speed     Of the front, a straight line through the pictures in which it is 10 mm to 60 mm away from the tip.
-length    Straight from the tip to the front, at the end.
+speed     Of the crack tip, a straight line through the frames in which it is 10 mm to 60 mm away from the tip.
+length    Straight from the notch tip to the crack tip, at the end.
 """
 
 import csv
@@ -34,7 +34,7 @@ LEFT, RIGHT = -1, 1
 
 
 def frames(folder):
-    """(time [s], places x, y [m] in the undeformed plate, growth of damage) in the middle of the thickness, of each picture."""
+    """(time [s], reference positions x, y [m], growth of damage) in the middle of the thickness, of each frame."""
     notched = None
     for time, body in pictures(folder, "plate"):
         points = body.points - body.point["displacement"]
@@ -46,11 +46,11 @@ def frames(folder):
 
 
 def crack(points, damage, side):
-    """The particles of a crack, seen from the tip of its notch: x outwards, y along the notch line away from the struck edge [m]."""
+    """The particles of a crack, seen from the tip of its notch: x outwards, y along the notch line away from the impacted edge [m]."""
     seen = np.column_stack([side * points[:, 0] - TIP, -points[:, 1]])
     gap = 2.5 * np.diff(np.unique(np.round(points[:, 0], 7))).min()
     rest = seen[(damage > DAMAGED) & (seen[:, 0] > 0)]
-    together = [np.zeros((1, 2))]  # the tip, and then ring by ring what is near
+    together = [np.zeros((1, 2))]  # the tip, then its neighbours ring by ring
     while len(rest) and len(together[-1]):
         near = (np.hypot(*(rest[:, None] - together[-1]).transpose(2, 0, 1)) < gap).any(axis=1)
         together.append(rest[near])
@@ -63,7 +63,7 @@ def length(cut):
 
 
 def degrees(direction):
-    """From the notch line, of a direction that leads outwards."""
+    """From the notch line, of a direction pointing outwards."""
     return np.degrees(np.arctan2(abs(direction[0]), np.sign(direction[0]) * direction[1]))
 
 
@@ -84,7 +84,7 @@ def of_both(values):
 
 
 def measure(folder):
-    """Name with unit, and value (None: it did not happen)."""
+    """Name with unit, and value (None: it did not occur)."""
     with open(folder / "history.csv", newline="") as file:
         names, *rows = csv.reader(file)
     history = dict(zip(names, np.array(rows, float).T))

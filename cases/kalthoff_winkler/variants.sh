@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the variants of README.md's table, one after the other, and measures them: cases/kalthoff_winkler/variants.sh [RESULTS [PERIMPACT]], as
-# scripts/variants.bash says. About a minute each on two cores, spacing_0.75 three.
+# Runs and measures all variants in the table of README.md: cases/kalthoff_winkler/variants.sh [RESULTS [PERIMPACT]], as
+# scripts/variants.bash describes. About a minute each on two cores, spacing_0.75 three.
 set -euo pipefail
 source "$(dirname "$0")/../../scripts/variants.bash"
 
@@ -11,14 +11,14 @@ longer=(time.end="120 us" output.frames=40)
 
 variant deck
 
-# How tough the steel is
+# Fracture energy
 variant stretch_0.0057 $stretch=0.0057
 variant stretch_0.0075 $stretch=0.0075
 variant fracture_energy_42408 "$plate.material={model: ordinary-state, $steel, fracture_energy: 42408 J/m2}"
 variant stretch_0.0125 $stretch=0.0125 "${longer[@]}"
 variant stretch_0.015 $stretch=0.015 "${longer[@]}"
 
-# Spacing; the size of the plate is in whole spacings, and the projectile just above it; with the critical stretch, and with the fracture energy of the deck
+# Spacing, at the critical stretch and at the fracture energy of the deck; the plate is a multiple of the spacing, with the projectile just above it
 coarse=("$plate.spacing=1.5 mm" "$plate.shape.box.size=[198 mm, 99 mm, 9 mm]" "impactors.projectile.position=[0, 99.5001 mm, 0]" "time.step=0.135 us")
 fine=("$plate.spacing=0.75 mm" "$plate.shape.box.size=[201 mm, 100.5 mm, 9 mm]" "impactors.projectile.position=[0, 100.2501 mm, 0]" "time.step=0.0675 us")
 variant spacing_1.5 "${coarse[@]}"
@@ -37,7 +37,7 @@ variant published $plate.published=true
 variant breaks_in_compression $plate.failure.compression=symmetric
 variant step_45ns "time.step=0.045 us"
 
-# The notch: what its faces do, and its width
+# Notch: contact of its faces, and its width
 touch=contact.fragments.law=repulsive
 slot() { echo "{shape: {box: {size: [2 mm, 60 mm, 12 mm]}}, position: [$1 mm, 30 mm, 0]}"; }
 slots=("$plate.cracks={}" "$plate.holes={left: $(slot -25), right: $(slot 25)}")

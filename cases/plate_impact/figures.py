@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Draws the figures of the seed paper's section 5 from results folders, beside the finite-element reference.
+"""Draws the figures of section 5 of Zhang et al. from results folders, with the finite-element reference.
 
     /usr/bin/python3 figures.py RESULTS [RESULTS ...] [--out figures] [--only fig16 ...]
 
 Folders named panel_<size>mm are labelled with their panel size, `analytic` as the original method (results.py).
-What a folder lacks is said, and its figures are left out. Needs numpy and matplotlib.
+Missing data are reported, and the figures that need them are skipped. Needs numpy and matplotlib.
 """
 
 import argparse
@@ -55,9 +55,9 @@ def draw_box(axis, region, axes):
 
 
 def fig13(runs, path):
-    """Model set-up: plate, cylinder and bounding region, from the front and from the side."""
+    """Model set-up: plate, cylinder and contact bounds, from the front and from the side."""
     run = next(run for run in runs if run.panel is None or run.panel >= 0.5)
-    plate, cylinder, region = (run.checked(name) for name in ("plate", "cylinder_surface", "cylinder_region"))
+    plate, cylinder, region = (run.checked(name) for name in ("plate", "cylinder_surface", "cylinder_contact_bounds"))
     figure, (front, side) = plt.subplots(1, 2, figsize=(9, 5.2), width_ratios=[220, 60], sharey=True)
     for axis, axes in ((front, [0, 1]), (side, [2, 1])):
         draw_particles(axis, plate, axes, s=1.5, color="#4b7ba6")
@@ -77,7 +77,7 @@ def fig13(runs, path):
 
 
 def fig14(runs, path):
-    """The panel meshes over the particles, without the finest as in the paper; below, the place where they touch."""
+    """The panel meshes over the particles, without the finest as in the paper; below, the contact zone."""
     runs = sorted((run for run in runs if (run.panel or 0) >= 0.5), key=lambda run: -run.panel)
     figure, axes = plt.subplots(2, len(runs), figsize=(2.2 * len(runs), 4.9), squeeze=False)
     for run, (whole, near) in zip(runs, axes.T):
@@ -98,14 +98,14 @@ def fig14(runs, path):
 # ---- the plate ----
 
 def fig15(runs, path):
-    """Displacement fields of the plate's middle layer at the end, one row a run."""
+    """Displacement fields of the plate's middle layer at the end, one row per run."""
     layers = [middle_layer(run.frame("plate", END)) for run in runs]
     figure, axes = plt.subplots(len(runs), 2, figsize=(8.2, 2.2 * len(runs) + 0.5), sharex=True, sharey=True, squeeze=False)
     for component, (column, name, colours) in enumerate(zip(axes.T, ("u_x", "u_y"), ("RdBu_r", "viridis"))):
         values = [1e3 * u[..., component] for _, u in layers]
         low, high = min(v.min() for v in values), max(v.max() for v in values)
         if component == 0:
-            low, high = -max(-low, high), max(-low, high)  # white where nothing moves sideways
+            low, high = -max(-low, high), max(-low, high)  # white at zero displacement
         for axis, run, (x, _), value in zip(column, runs, layers, values):
             image = axis.pcolormesh(1e3 * x[..., 0], 1e3 * x[..., 1], value, shading="gouraud", cmap=colours, vmin=low, vmax=high, rasterized=True)
             axis.set_aspect("equal")
@@ -133,7 +133,7 @@ def draw_reference(axis, x, y, every):
 
 
 def draw_share(axis, percent):
-    """A bar that long as a share of the values, where the axis shows only a narrow range of them."""
+    """A scale bar as a share of the values, for an axis that shows only a narrow range of them."""
     bottom = axis.get_ylim()[0] + 0.05 * np.ptp(axis.get_ylim())
     height = np.abs(np.mean(axis.get_ylim())) * percent / 100
     ends = {"arrowstyle": "|-|,widthA=0.3,widthB=0.3", "color": QUIET, "shrinkA": 0, "shrinkB": 0}

@@ -1,4 +1,4 @@
-"""The picture of this case: the struck plate, its particles coloured by their speed, while the waves cross it."""
+"""The title figure of this case: the plate after impact, particles coloured by speed, as waves cross it."""
 
 import sys
 from pathlib import Path
@@ -11,13 +11,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/pictures")
 from render import Scene  # noqa: E402
 
 INSTANTS = 10e-6, 20e-6, 30e-6, 60e-6  # [s]: the wave spreads, reaches the far edge, is reflected, and the plate begins to fly off
-FASTEST = 32.0  # [m/s] of the colour bar: the speed of the cylinder at first
+FASTEST = 32.0  # [m/s] of the colour bar: the initial speed of the cylinder
 COLOURS = LinearSegmentedColormap.from_list("struck", ["#262f47", "#3f3570", "#83307c", "#c93f68", "#f37651", "#fdbb6c", "#fff3c9"])
 
 
 def draw_hero(runs, path):
-    """The struck plate at four instants, coloured by the speed of its particles."""
-    run = max(runs, key=lambda run: run.panel or 0)  # large panels can be seen
+    """The plate at four instants after impact, coloured by particle speed."""
+    run = max(runs, key=lambda run: run.panel or 0)  # large panels are visible
     scale = Normalize(0, FASTEST)
     figure, axes = plt.subplots(2, 2, figsize=(11, 7.6))
     for axis, time in zip(axes.flat, INSTANTS):
@@ -27,7 +27,7 @@ def draw_hero(runs, path):
     bar = figure.colorbar(plt.cm.ScalarMappable(scale, COLOURS), ax=axes, orientation="horizontal", shrink=0.4, aspect=50, pad=0.015)
     bar.set_label("speed of the particles [m/s]", fontsize=10)
     bar.outline.set_visible(False)
-    figure.savefig(path, dpi=132)  # a pixel of the pictures is one of the file, so that the grid of particles makes no pattern
+    figure.savefig(path, dpi=132)  # a pixel of the images is one of the file, which avoids moiré
 
 
 def picture(plate, cylinder, scale, fold=4):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Computes the reference of this case by other means: linear finite elements, two-dimensional plane stress.
+"""Computes the reference of this case independently: linear finite elements, two-dimensional plane stress.
 
-Four-node elements of 1 mm with 2×2 Gauss points, lumped mass, central differences. A node inside the cylinder is put back on
-its surface, and what it gains in momentum the cylinder loses. Writes reference_fem.csv (histories) and reference_fem_line_x.csv,
-reference_fem_line_y.csv (displacements along the central lines at the end) into the folder given.
+Four-node elements of 1 mm with 2×2 Gauss points, lumped mass, central differences. A node inside the cylinder is moved to
+its surface, and the cylinder loses the momentum that the node gains. Writes reference_fem.csv (histories) and reference_fem_line_x.csv,
+reference_fem_line_y.csv (displacements along the central lines at the end) into the given folder.
 
     /usr/bin/python3 reference_fem.py .      # ten seconds
 """
@@ -26,7 +26,7 @@ def element_stiffness():
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     stiffness = np.zeros((8, 8))
     for gauss in corners / np.sqrt(3):
-        slopes = corners * (1 + corners[:, ::-1] * gauss[::-1]) / 4 * (2 / SIZE)  # of the four shape functions, along x and y
+        slopes = corners * (1 + corners[:, ::-1] * gauss[::-1]) / 4 * (2 / SIZE)  # slopes of the four shape functions along x and y
         strain = np.zeros((3, 8))
         strain[0, 0::2] = strain[2, 1::2] = slopes[:, 0]
         strain[1, 1::2] = strain[2, 0::2] = slopes[:, 1]
@@ -55,7 +55,7 @@ class Plate:
 
 
 def run():
-    """Histories as rows (time, cylinder position, velocity, mean force since the row before, centre displacement), and the plate at the end."""
+    """Histories as rows (time, cylinder position, velocity, mean force since the previous row, centre displacement), and the plate at the end."""
     plate, centre = Plate(), np.array([0.0, WIDTH / 2 + RADIUS])
     velocity = SPEED
     middle = tuple(n // 2 for n in plate.X.shape[:2])

@@ -1,4 +1,4 @@
-"""What a run left behind: reads a results folder with numpy alone."""
+"""Reads a results folder with numpy alone."""
 
 import csv
 import re
@@ -20,7 +20,7 @@ def read_table(path):
 
 
 class Results:
-    """A results folder. Panel sizes stand in the folder's name: panel_0.5mm; analytic is the original method without panels."""
+    """A results folder. Panel sizes are part of the folder's name: panel_0.5mm; analytic is the original method without panels."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -45,7 +45,7 @@ class Results:
         return picture_at(self.folder, name, time)[1]
 
     def checked(self, name):
-        """A picture of the set-up, written by `perimpact check`."""
+        """A frame of the set-up, written by `perimpact check`."""
         return read_vtp(self.folder / "check" / f"{name}.vtp")
 
 

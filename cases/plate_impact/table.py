@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the tables of README.md from the results of variants.sh, so that text and results agree.
+"""Writes the tables of README.md from the results of variants.sh.
 
     /usr/bin/python3 table.py [RESULTS]          default: results/plate_impact
 
@@ -18,7 +18,7 @@ from results import read_table
 HERE = Path(__file__).parent
 RADIUS = 25e-3  # [m] of the cylinder
 
-# folder of the results: what the README calls it
+# folder of the results: its name in the README
 PANELS = {f"panel_{size}mm": f"panels of {size} mm" for size in ("2", "1.5", "1", "0.5", "0.1")}
 VARIANTS = PANELS | {
     "analytic": "`analytic`: no panels",
@@ -28,7 +28,7 @@ VARIANTS = PANELS | {
     "correction_none": "`surface_correction: none`",
     "published_lattice": "`published: true`",
     "published_repaired": "`detector: published`",
-    "published_letter": "`detector: published`, `reading: letter`",
+    "published_letter": "`detector: published`, `variant: literal`",
 }
 DETECTION = {"panel_2mm": "`swept`, triangles of 2 mm", "analytic": "`analytic`", "published_repaired": "`published`, quads of 2 mm",
              "published_letter": "`published`, `letter`, quads of 2 mm"}  # fmt: skip
@@ -48,7 +48,7 @@ def drift(history):
     return float(momentum[np.argmax(np.abs(momentum - momentum[0]))])
 
 
-# quantity of expected.csv: (heading, its unit in the table, how a history gives it)
+# quantity of expected.csv: (heading, its unit in the table, how to compute it from a history)
 QUANTITIES = {
     "centre.displacement_y at 200 us": ("centre [mm]", 1e-3, lambda h: at(h, "centre.displacement_y [m]", 200e-6)),
     "cylinder.displacement_y at 200 us": ("cylinder [mm]", 1e-3, lambda h: at(h, "cylinder.position_y [m]", 200e-6) - h["cylinder.position_y [m]"][0]),
@@ -127,7 +127,7 @@ def detection_table(results):
     lines = ["| detector | particles in the region | particles asked | pairs of particle and panel |", "|---|---|---|---|"]
     for name, called in DETECTION.items():
         effort = json.loads((results / name / "run.json").read_text())["impactors"]["cylinder"]["detection"]["plate"]
-        counts = [effort[key] for key in ("points_in_region", "points_asked", "panels_asked")]
+        counts = [effort[key] for key in ("points_in_bounds", "points_asked", "panels_asked")]
         lines.append(f"| {called} | " + " | ".join(f"{count:,}".replace(",", " ") for count in counts) + " |")
     return lines
 

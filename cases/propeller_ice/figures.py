@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Draws the pictures of this case from the folder that variants.sh fills:
+"""Draws the figures of this case from the folder that variants.sh fills:
 
     cases/propeller_ice/figures.py results/propeller_ice      two minutes; writes figures/*.png beside this script
 
-fig21      panels of the propeller, and the region where contact is looked for (figure 21 of the paper)
+fig21      panels of the propeller, and the contact bounds (figure 21 of the paper)
 fig22      the sphere at four times, from ahead and from the side (figure 22)
 forces     thrust, torque and spindle torques against time, means over a millisecond
-fragments  the pieces at the end for four critical stretches
+fragments  the fragments at the end for four critical stretches
 """
 
 import sys
@@ -56,7 +56,7 @@ def save(figure, name):
 
 def fig21(folder):
     _, screw = at(folder, "propeller", 0)
-    region = report(folder)["impactors"]["propeller"]["region"]
+    region = report(folder)["impactors"]["propeller"]["contact_bounds"]
     figure, axes = plt.subplots(1, 2, figsize=(10.4, 5.2))
     view = {"direction": (0.75, -0.5, 0.35), "up": (0, 0, 1)}
     for axis, title in zip(axes, ("11 704 panels, finer along edges and tips", "region: cylinder with four sectors, fitted")):
@@ -135,16 +135,16 @@ def fragments(results):
         folder = results / ("deck" if stretch == "0.003" else f"stretch_{stretch}")
         time, ice = at(folder, "ice", 1)
         _, screw = at(folder, "propeller", 1)
-        piece = ice.point["piece"]
-        size = np.bincount(piece)
-        largest = [number for number in np.argsort(-size) if size[number] > 0.01 * len(piece)]
-        colours = np.tile([0.62, 0.62, 0.62], (len(piece), 1))
+        fragment = ice.point["fragment"]
+        size = np.bincount(fragment)
+        largest = [number for number in np.argsort(-size) if size[number] > 0.01 * len(fragment)]
+        colours = np.tile([0.62, 0.62, 0.62], (len(fragment), 1))
         for number, colour in zip(largest, PIECES * 10):
-            colours[piece == number] = to_rgb(colour)
+            colours[fragment == number] = to_rgb(colour)
         picture = scene(AHEAD, 270, 290, 88, (0.3, 0, -0.85))
         picture.add_shells(shells(screw), SAND)
         picture.add_balls(ice.points, BALL, colours)
-        found = f"{len(largest)} piece{'s' if len(largest) != 1 else ''} above 1 %"
+        found = f"{len(largest)} fragment{'s' if len(largest) != 1 else ''} above 1 %"
         show(axis, picture.picture(2), f"critical stretch {stretch}\n{found}")
     figure.subplots_adjust(left=0.005, right=0.995, top=0.86, bottom=0.005, wspace=0.02)
     save(figure, "fragments")

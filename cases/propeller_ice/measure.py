@@ -1,16 +1,16 @@
 #!/usr/bin/python3
-"""What a run of this case gives: forces, fragments, whether anything is inside a blade, momentum, cost of contact.
+"""Results of a run of this case: forces, fragments, particles inside a blade, momentum, cost of contact.
 
     cases/propeller_ice/measure.py results/propeller_ice [more folders]      prints a block for each
 
-thrust, torque   of the whole propeller, along and about +x. The peak is the mean over the millisecond in which its amount is largest, the mean that
-                 over the time in which the thrust's impulse goes from 5 % to 95 %. Spindle torque: about a blade's own radial axis.
-pieces           particles that hang together by intact bonds at the end, as run.json and pieces/ice_end.csv have them
-inside           of all particles in all pictures, those around which the panels wind: each is looked at along a ray in +x, and the panels that
-                 the ray leaves through, less those that it enters through, say how many of the overlapping parts hold it. The nearest is the
-                 smallest distance of any particle from any triangle. Nothing of the program is used for it: the places of particles and of
-                 panels are those of the pictures.
-drift            largest change of the total linear momentum over the momentum of the ice at the start (of a propeller that nothing holds)
+thrust, torque   of the whole propeller, along and about +x. The peak is the mean over the millisecond in which its magnitude is largest, the mean that
+                 over the time in which the thrust's impulse grows from 5 % to 95 %. Spindle torque: about a blade's own radial axis.
+fragments           connected components of intact bonds at the end, as in run.json and fragments/ice_end.csv
+inside           particles inside, over all frames, by winding number: along a ray in +x from each particle, the panels through which the ray
+                 leaves, less those through which it enters, give the number of overlapping parts that contain it. The nearest is the
+                 smallest distance of any particle from any triangle. Independent of the program: only the positions of particles and
+                 panels are read from the frames.
+drift            largest change of the total linear momentum over the initial momentum of the ice (for a free propeller)
 """
 
 import csv
@@ -72,19 +72,19 @@ def forces(column):
     return found
 
 
-# ---- pieces
+# ---- fragments
 
 
 def fragments(folder, run):
     body = run["bodies"]["ice"]
-    whole, pieces = body["mass [kg]"], body["pieces"]
-    with open(Path(folder) / "pieces/ice_end.csv", newline="") as file:
+    whole, fragments = body["mass [kg]"], body["fragments"]
+    with open(Path(folder) / "fragments/ice_end.csv", newline="") as file:
         masses = [float(row["mass [kg]"]) / whole for row in csv.DictReader(file)]
     return {
-        "pieces above 1 % of the mass [-]": pieces["above_1_percent"],
-        "largest piece [-]": pieces["largest [kg]"] / whole,
-        "second [-]": pieces["second_largest [kg]"] / whole,
-        "in pieces below 1 % [-]": 1 - sum(mass for mass in masses if mass > 0.01),
+        "fragments above 1 % of the mass [-]": fragments["above_1_percent"],
+        "largest fragment [-]": fragments["largest [kg]"] / whole,
+        "second [-]": fragments["second_largest [kg]"] / whole,
+        "in fragments below 1 % [-]": 1 - sum(mass for mass in masses if mass > 0.01),
         "broken bonds [-]": 1 - body["intact_bonds"] / body["bonds"],
     }
 
@@ -119,7 +119,7 @@ def distances(points, corner, e1, e2):
 
 
 def windings(folder, reach=0.03):
-    """How often the panels wind around each particle of each picture that is near them, and the smallest distance to a triangle below `reach` [m]."""
+    """The winding number of the panels around each particle near them in each frame, and the smallest distance to a triangle below `reach` [m]."""
     origin, near = None, []
     for (_, ice), (_, screw) in zip(pictures(folder, "ice"), pictures(folder, "propeller")):
         vertices = screw.points.astype(float)
@@ -165,8 +165,8 @@ def momentum(column):
 def cost(run):
     detection = run["impactors"]["propeller"]["detection"]["ice"]
     return {
-        "region": run["impactors"]["propeller"]["region"]["kind"],
-        "points in region [-]": detection["points_in_region"],
+        "region": run["impactors"]["propeller"]["contact_bounds"]["kind"],
+        "points in region [-]": detection["points_in_bounds"],
         "points asked [-]": detection["points_asked"],
         "panels asked [-]": detection["panels_asked"],
         "contact [s]": run["timers [s]"]["contact"],

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Runs of variants.sh beside formulas of resistance: compare.py RESULTS [RUN ...]
+"""Runs of variants.sh against resistance formulas: compare.py RESULTS [RUN ...]
 
 RESULTS: folder that variants.sh filled; RUN: folders of other runs, for the table alone. Prints a table, and draws figures/sweeps.png: mean resistance over all the travel against speed, thickness and
-strength of the ice, with what resistance.py gives without friction; and the runs among Lindqvist's h-v curves. Strength and thickness are those of run.json.
+strength of the ice, with the results of resistance.py without friction; and the runs among Lindqvist's h-v curves. Strength and thickness are those of run.json.
 """
 
 import json
@@ -33,7 +33,7 @@ FORMULAS = (
 
 
 def ship_of(folder):
-    """The ship and the ice of a run, as the formulas want them."""
+    """The ship and the ice of a run, as input of the formulas."""
     report = json.loads((Path(folder) / "run.json").read_text())
     setup = report["setup"]
     return ShipInIce(
@@ -71,7 +71,7 @@ def draw_sweep(axis, folder, field, unit, names):
 
 
 def draw_h_v(axis, folder, names):
-    """Thickness in which a net thrust keeps a speed, by Lindqvist's breaking terms; a run is a point with its own mean."""
+    """Thickness in which a net thrust sustains a speed, by Lindqvist's breaking terms; a run is a point labelled with its mean."""
     base = ship_of(folder / "deck")
     speeds, heights = np.linspace(0.3, 3.6, 40), np.linspace(1, 3.4, 40)
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Draws the pictures of README.md: figures.py [RESULTS] [--of DECK] [--check FOLDER]
+"""Draws the figures of README.md: figures.py [RESULTS] [--of DECK] [--check FOLDER]
 
 RESULTS: folder of a finished run (default: results/ship_ice). --of: its deck, deck (default), paper, at the paper's four instants, wide or six_layers.
---check: folder that `perimpact check` wrote surfaces and regions into; then only the bow and its region are drawn.
+--check: folder with the surfaces and contact bounds written by `perimpact check`; then only the bow and its contact bounds are drawn.
 """
 
 import argparse
@@ -37,7 +37,7 @@ def corners_of(ship):
 
 
 def near(corners, sheet):
-    """Triangles of the hull beside the sheet and a little behind it."""
+    """Triangles of the hull near the sheet and a little behind it."""
     return corners[corners[:, :, 0].min(axis=1) < sheet.points[:, 0].max() + 25]
 
 
@@ -46,7 +46,7 @@ def is_long(sheet):
 
 
 def scene_of(sheet, fold):
-    """From ahead and above, with room for the sheet and the bow over it; a long sheet is seen more from its side."""
+    """View from ahead and above, with space for the sheet and the bow above it; more from the side for a long sheet."""
     reference = sheet.points - sheet.point["displacement"]
     low, high = reference.min(axis=0), reference.max(axis=0) + [8, 0, 5]
     direction, width = ((-0.35, -0.8, 0.6), 1100) if is_long(sheet) else ((-0.75, -0.62, 0.62), 620)
@@ -86,7 +86,7 @@ def draw_scenes(folder, times, file):
 
 
 def draw_damage(folder, times, file):
-    """Damage of the uppermost layer, on the undeformed sheet; pictures of a wide sheet stand side by side."""
+    """Damage of the top layer in the reference configuration; frames of a wide sheet side by side."""
     shots = [picture_at(folder, "sheet", time) for time in times]
     long, wide = (np.ptp(shots[0][1].points[:, axis]) for axis in (0, 1))
     is_wide = wide > long
@@ -129,12 +129,12 @@ def draw_forces(folder, file):
 
 
 def draw_bow(folder, file):
-    """The bow's panels, and the boxes of its region, from the side and from above."""
+    """The bow's panels, and the boxes of its contact bounds, from the side and from above."""
     corners = corners_of(read_vtp(folder / "ship_surface.vtp"))
-    region = read_vtp(folder / "ship_region.vtp")
+    region = read_vtp(folder / "ship_contact_bounds.vtp")
     figure, axes = plt.subplots(2, 1, figsize=(11, 3.9), gridspec_kw={"height_ratios": (0.65, 1)})
     for axis, up, word in zip(axes, (2, 1), ("z [m]", "y [m]")):
-        seen = corners[:, :, 2].max(axis=1) <= 0.5 if up == 1 else corners[:, :, 1].mean(axis=1) <= 0  # from above the wet part, from the side port
+        seen = corners[:, :, 2].max(axis=1) <= 0.5 if up == 1 else corners[:, :, 1].mean(axis=1) <= 0  # from above the submerged part, from the side port
         outline = np.concatenate([corners[seen], corners[seen][:, :1]], axis=1)
         axis.plot(*np.concatenate([np.swapaxes(outline[:, :, [0, up]], 1, 2), np.full((seen.sum(), 2, 1), np.nan)], axis=2).transpose(1, 0, 2).reshape(2, -1),
                   color="#5a6b78", linewidth=0.35)

@@ -1,15 +1,15 @@
 #!/usr/bin/python3
-"""What the ship met: measure.py RESULTS ...
+"""Loads and fragments of ship runs: measure.py RESULTS ...
 
-A line for each results folder. Loads are of contact on the part `bow`: the largest row of F_x within the first metres (SETTLED), in which the sheet
-answers the first blow; the mean over all the travel, which is the work over its length; mean and largest mean over a second after these metres;
-F_z/F_x; how often the load came, and the time between. Then the travel in the ice; broken bonds; through-cracks (below); pieces of 1 % of the sheet's mass and more beside the one that remains;
-work of the ship, and the closing error of the energy over it.
+A line for each results folder. Loads are of contact on the part `bow`: the largest row of F_x within the first metres (SETTLED), the response
+to the first impact; the mean over all the travel, which is the work over its length; mean and largest mean over a second after these metres;
+F_z/F_x; the number of load peaks, and the time between them. Then the travel in the ice; broken bonds; through-cracks (below); fragments of at least 1 % of the sheet's mass besides the remaining sheet;
+work of the ship, and the energy balance error over it.
 
 Through-cracks: along lines in the direction of travel, one for each row of particles within the breadth of the ship, the cracked stretches of the sheet
-are counted at the end. A place is cracked where the damage of every layer is above CRACKED. The number is the median over the lines.
+are counted at the end. A position is cracked where the damage of every layer is above CRACKED. The number is the median over the lines.
 
-A load comes where the mean of F_x over a second rises above the mean of all, after it had been below half of that; the period is the mean time from
+A load peak begins where the mean of F_x over a second exceeds the overall mean, after it had been below half of that; the period is the mean time from
 one to the next.
 """
 
@@ -25,7 +25,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent / "../../scripts/pictures
 from vtp_reader import read_vtp, series  # noqa: E402
 
 SETTLED = 4.6  # [m] of travel after the first contact
-CRACKED = 0.35  # [-] damage; beside a plane crack it is 0.4 to 0.5
+CRACKED = 0.35  # [-] damage; adjacent to a plane crack it is 0.4 to 0.5
 
 
 def history(folder):
@@ -42,7 +42,7 @@ def window_means(time, force, width):
 
 
 def times_of_loads(time, force):
-    """[s] when loads come: the middle of the second whose mean is the first above the mean of all, each time after one below half of it."""
+    """[s] times of load peaks: the middle of the first second whose mean exceeds the overall mean, each time after one below half of it."""
     smooth, mean = window_means(time, force, 1.0), force.mean()
     times, is_loaded = [], False
     for at, now in zip(time + 0.5, smooth):
@@ -54,7 +54,7 @@ def times_of_loads(time, force):
 
 def through_cracks(reference, damage, breadth):
     """The cracked stretches that lines along the sheet cross, their median over the lines within the breadth [m] of the ship. Of all particles: `reference`
-    places [m], `damage`."""
+    positions [m], `damage`."""
     heights = np.unique(np.round(reference[:, 2], 3))
     spacing = heights[1] - heights[0]
     column = np.round((reference - reference.min(axis=0)) / spacing).astype(int)[:, :2]
@@ -65,7 +65,7 @@ def through_cracks(reference, damage, breadth):
     return int(np.median((np.diff(cracked, axis=0) == 1).sum(axis=0)))
 
 
-@functools.cache  # tables and pictures ask for the same runs
+@functools.cache  # tables and figures use the same runs
 def measure(folder):
     rows = history(folder)
     report = json.loads((Path(folder) / "run.json").read_text())
@@ -78,8 +78,8 @@ def measure(folder):
     loads = times_of_loads(time[time >= first], along[time >= first])
     sheet = read_vtp(series(folder, "sheet")[-1][1])
     breadth = report["setup"]["impactors"]["ship"]["surface"]["hull"]["breadth"]
-    with open(Path(folder) / "pieces/sheet.csv", newline="") as lines:
-        pieces = list(csv.DictReader(lines))[-1]
+    with open(Path(folder) / "fragments/sheet.csv", newline="") as lines:
+        fragments = list(csv.DictReader(lines))[-1]
     return {
         "travel": travel,
         "first peak": along[~late].max(),
@@ -91,14 +91,14 @@ def measure(folder):
         "ratio": up.sum() / along.sum(),
         "broken": rows["sheet.broken_bonds [-]"][-1] / report["bodies"]["sheet"]["bonds"],
         "cracks": through_cracks(sheet.points - sheet.point["displacement"], sheet.point["damage"], breadth),
-        "large pieces": int(pieces["above_1_percent [-]"]) - 1,
+        "large fragments": int(fragments["above_1_percent [-]"]) - 1,
         "work": work,
-        "closing": np.abs(rows["total.closing_error [J]"]).max() / work,
+        "closing": np.abs(rows["total.energy_balance_error [J]"]).max() / work,
     }
 
 
 def loads_of(m):
-    """How many, and how often where there is more than one."""
+    """Their number, and the mean period if there is more than one."""
     return f"{m['loads']:d}" + (f", every {m['period']:.1f} s" if m["loads"] > 1 else "")
 
 
@@ -107,7 +107,7 @@ def show(folder):
     print(
         f"{Path(folder).name:24s} {m['travel']:5.1f} m  peak {m['first peak'] / 1e6:5.2f} MN  mean {m['mean of all'] / 1e3:5.0f} kN, late {m['mean'] / 1e3:5.0f} kN  1 s {m['largest 1 s'] / 1e3:5.0f} kN"
         f"  loads {loads_of(m)}"
-        f"  F_z/F_x {m['ratio']:.4f}  broken {100 * m['broken']:4.1f} %  cracks {m['cracks']:d}  pieces {m['large pieces']:d}  work {m['work'] / 1e6:.2f} MJ  closing {m['closing']:.0e}"
+        f"  F_z/F_x {m['ratio']:.4f}  broken {100 * m['broken']:4.1f} %  cracks {m['cracks']:d}  fragments {m['large fragments']:d}  work {m['work'] / 1e6:.2f} MJ  closing {m['closing']:.0e}"
     )
 
 

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""What empirical and semi-analytical formulas give for a ship in level ice: Lindqvist 1989, Riska 1997, ISO 19906, cusps.
+"""Empirical and semi-analytical formulas for a ship in level ice: Lindqvist 1989, Riska 1997, ISO 19906, cusps.
 
-    cases/ship_ice/resistance.py                                      the ship of the seed paper in 2 m of ice at 3 knots
+    cases/ship_ice/resistance.py                                      the ship of Zhang et al. in 2 m of ice at 3 knots
     cases/ship_ice/resistance.py --thickness 1 --speed 2.5 --friction 0.1
 
-SI units; angles in degrees. Formulas, symbols, sources and what they hold for: docs/theory/resistance.md.
+SI units; angles in degrees. Formulas, symbols, sources and ranges of validity: docs/theory/resistance.md.
 """
 
 import argparse
@@ -33,7 +33,7 @@ class ShipInIce:
     ice: float = 900.0  # ρ_i [kg/m3]
     water: float = 1025.0  # ρ_w [kg/m3]
     friction: float = 0.1  # µ between ice and hull
-    ride_up: float = 0.0  # h_r, height that ice pieces ride up the slope, for ISO 19906 [m]
+    ride_up: float = 0.0  # h_r, ride-up height of ice on the slope, for ISO 19906 [m]
     ice_friction: float = 0.1  # µ_i of ice on ice, for ISO 19906
     porosity: float = 0.3  # e of rubble, for ISO 19906
     repose: float = 10.0  # θ, angle of the rubble's surface, for ISO 19906 [deg]
@@ -65,7 +65,7 @@ def lindqvist(ship):
 
 
 def riska(ship):
-    """R = C1 + C2 V [N], with both parts; the formula counts in kN, m and m/s."""
+    """R = C1 + C2 V [N], with both parts; the formula uses kN, m and m/s."""
     H, B, T, L, bow = ship.thickness, ship.beam, ship.draft, ship.length, ship.bow
     standing = 0.23 * B * ship.parallel * H / (2 * T / B + 1)
     standing += (1 + 0.021 * ship.stem) * (4.58 * B * H**2 + 1.47 * bow * H**2 + 0.29 * B * bow * H)

@@ -3,7 +3,7 @@
 
     cases/submarine_surfacing/figures.py results/submarine_surfacing
 
-writes figures/surfacing.png, figures/forces.png, figures/pieces.png and figures/equilibrium.png beside this script.
+writes figures/surfacing.png, figures/forces.png, figures/fragments.png and figures/equilibrium.png beside this script.
 """
 
 import json
@@ -23,9 +23,9 @@ sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
 from render import Scene  # noqa: E402
 from vtp_reader import picture_at  # noqa: E402
 
-INSTANTS = 0.6, 2.4, 4.4, 10.0  # [s] of the free rise: the sail has cracked the ice, it stands in it, the hull lifts it, at rest
-END = 1e9  # [s] later than any picture
-FLOE = 2e-3  # share of the ice from which on a piece has its own colour
+INSTANTS = 0.6, 2.4, 4.4, 10.0  # [s] of the free rise: the sail has cracked the ice, penetrates it, the hull lifts it, at rest
+END = 1e9  # [s] later than any frame
+FLOE = 2e-3  # share of the ice above which a fragment has its own colour
 COLOURS = LinearSegmentedColormap.from_list("damage", ["#eaf3fa", "#a9cbe3", "#e8a15a", "#b3312c"])
 FLOES = [colour for k, colour in enumerate(plt.get_cmap("tab20").colors) if k not in (14, 15)]  # without greys
 RED, BLUE, GREY = "#b3312c", "#2f6f9f", "0.45"
@@ -37,14 +37,14 @@ def by_damage(ice):
     return COLOURS(ice.point["damage"])[:, :3]
 
 
-def by_piece(ice):
-    """The heaviest pieces in colours of their own, smaller ones pale, single particles grey."""
-    piece = ice.point["piece"].astype(int).ravel()
-    size = np.bincount(piece)
-    colours = np.tile([0.80, 0.83, 0.86], (len(piece), 1))
-    colours[size[piece] == 1] = 0.52
-    for number in np.flatnonzero(size > FLOE * len(piece)):
-        colours[piece == number] = (0.92, 0.96, 0.98) if number == 0 else FLOES[number % len(FLOES)][:3]
+def by_fragment(ice):
+    """The heaviest fragments in distinct colours, smaller ones pale, single particles grey."""
+    fragment = ice.point["fragment"].astype(int).ravel()
+    size = np.bincount(fragment)
+    colours = np.tile([0.80, 0.83, 0.86], (len(fragment), 1))
+    colours[size[fragment] == 1] = 0.52
+    for number in np.flatnonzero(size > FLOE * len(fragment)):
+        colours[fragment == number] = (0.92, 0.96, 0.98) if number == 0 else FLOES[number % len(FLOES)][:3]
     return colours
 
 
@@ -70,18 +70,18 @@ def draw_surfacing(folder, spacing):
     plt.close(figure)
 
 
-def draw_pieces(runs, spacing):
+def draw_fragments(runs, spacing):
     figure, axes = plt.subplots(1, len(runs), figsize=(11.5, 3.4), layout="constrained")
     for axis, (folder, title) in zip(axes, runs):
-        axis.imshow(scene_at(folder, END, spacing, by_piece)[1], interpolation="none")
-        axis.set_title(f"{title}: {json.loads((folder / 'run.json').read_text())['bodies']['ice']['pieces']['above_1_percent']} pieces above 1 %")
+        axis.imshow(scene_at(folder, END, spacing, by_fragment)[1], interpolation="none")
+        axis.set_title(f"{title}: {json.loads((folder / 'run.json').read_text())['bodies']['ice']['fragments']['above_1_percent']} fragments above 1 %")
         axis.axis("off")
-    figure.savefig(CASE / "figures/pieces.png", dpi=95)
+    figure.savefig(CASE / "figures/fragments.png", dpi=95)
     plt.close(figure)
 
 
 def draw_forces(given, unhardened, mass):
-    """Over the height of the submarine, which is its speed times time."""
+    """Against the rise of the submarine, which is its speed times time."""
     rise = given["submarine.position_z [m]"] - given["submarine.position_z [m]"][0]
     figure, axis = plt.subplots(figsize=(10.5, 4.6), layout="constrained")
     for part, colour in ((".sail", BLUE), (".hull", RED)):
@@ -114,7 +114,7 @@ def main():
     report = json.loads((free / "run.json").read_text())
     mass = report["impactors"]["submarine"]["mass [kg]"]
     draw_forces(history(given), history(unhardened), mass)
-    draw_pieces([(given, "with hardening"), (unhardened, "without")], json.loads((given / "run.json").read_text())["setup"]["bodies"]["ice"]["spacing"])
+    draw_fragments([(given, "with hardening"), (unhardened, "without")], json.loads((given / "run.json").read_text())["setup"]["bodies"]["ice"]["spacing"])
     draw_equilibrium(history(free), mass)
     draw_surfacing(free, report["setup"]["bodies"]["ice"]["spacing"])
 

@@ -3,8 +3,8 @@
 
     cases/submarine_surfacing/make_submarine.py > cases/submarine_surfacing/submarine.obj
 
-x points ahead, z up, the axis is at z = 0 and amidships at x = 0. At each station the hull is an arc from the keel up to where the sail stands on
-it, or to the crown; the sail has upright sides and a rounded top. Sides of the sail thin out to edges ahead and astern.
+x points ahead, z up, the axis is at z = 0 and amidships at x = 0. At each station the hull is an arc from the keel up to the sail,
+or to the crown; the sail has vertical sides and a rounded top. It tapers to edges ahead and astern.
 """
 
 import math
@@ -39,7 +39,7 @@ def spread(start, end, longest):
 
 
 def stations():
-    """Dense where the nose and the edges of the sail curve."""
+    """Dense where nose and sail edges are curved."""
     ahead, astern = LENGTH / 2 - NOSE, -LENGTH / 2 + TAIL
     tail = spread(astern - TAIL, astern, PANEL)
     nose = [ahead + NOSE * math.sin(angle) for angle in spread(0, math.pi / 2, PANEL / NOSE)]
@@ -50,7 +50,7 @@ def stations():
 
 
 def section(x, around, up, over):
-    """Places (y, z) on the port side: of the hull from keel to sail, and of the sail from hull to top."""
+    """Points (y, z) on the port side: of the hull from keel to sail, and of the sail from hull to top."""
     radius, half = hull_radius(x), min(sail_half_breadth(x), hull_radius(x))
     root = math.asin(half / radius) if radius > 0 else 0
     arc = [(radius * math.sin(math.pi - (math.pi - root) * k / around), radius * math.cos(math.pi - (math.pi - root) * k / around)) for k in range(around + 1)]
@@ -73,9 +73,9 @@ class Mesh:
 
     def panel(self, *corners):
         if all(abs(y) < 1e-9 for _, y, _ in corners):
-            return  # at the edges of the sail its two sides are one
+            return  # at the edges of the sail both sides coincide
         corners = [self.vertex(*corner) for corner in corners]
-        corners = [c for k, c in enumerate(corners) if c != corners[k - 1]]  # at nose, tail and edges two are one
+        corners = [c for k, c in enumerate(corners) if c != corners[k - 1]]  # at nose, tail and edges two corners coincide
         if len(corners) > 2:
             self.lines.append("f " + " ".join(map(str, corners)))
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 LAST = 0.3  # [s] at the end, over which the balance is averaged
-MEAN = 0.1  # [s] that forces are averaged over: each push of a particle is a single blow
+MEAN = 0.1  # [s] averaging time of forces: contacts of single particles are impulses
 GRAVITY = 9.81
 
 
@@ -20,16 +20,16 @@ def history(folder):
 
 
 def ice_on(columns, part=""):
-    """Force of the ice, downward [N], averaged about each row; rows are means already, so impulses stay."""
+    """Force of the ice, downward [N], averaged about each row; rows are means already, so impulses are conserved."""
     force = -columns[f"submarine{part}.force_z [N]"]
     rows = max(1, round(MEAN / (columns["time [s]"][2] - columns["time [s]"][1])))
     return np.convolve(force, np.ones(rows), "same") / np.convolve(np.ones_like(force), np.ones(rows), "same")
 
 
-def closing_error(columns):
-    """The largest of all rows [J], and over the energy that changed hands, as docs/theory/energy.md has it."""
+def energy_balance_error(columns):
+    """The largest of all rows [J], and relative to the energy exchanged, as in docs/theory/energy.md."""
     works = [name for name in columns if name.endswith((".contact_work [J]", ".work [J]"))]
-    largest = abs(columns["total.closing_error [J]"]).max()
+    largest = abs(columns["total.energy_balance_error [J]"]).max()
     return largest, largest / sum(abs(columns[name]).max() for name in works)
 
 
@@ -42,11 +42,11 @@ def main():
         most = force.argmax()
         print(f"{folder.name}: {part[1:]} {force[most] / 1e6:.2f} MN at {time[most]:.2f} s, after a rise of {height[most] - height[0]:.2f} m")
     ice = report["bodies"]["ice"]
-    pieces, timers = ice["pieces"], sum(report["timers [s]"].values())
-    print(f"{folder.name}: {100 * (1 - ice['intact_bonds'] / ice['bonds']):.1f} % of the bonds broken; {pieces['above_1_percent']} pieces above 1 %, "
-          f"{pieces['pieces']} of two and more particles, {100 * pieces['single_particles'] / ice['particles']:.1f} % of the particles single")
-    error, share = closing_error(columns)
-    print(f"{folder.name}: closing error {error:.3g} J at most, {share:.1e} of what changed hands; {report['steps']} steps in {timers:.0f} s "
+    fragments, timers = ice["fragments"], sum(report["timers [s]"].values())
+    print(f"{folder.name}: {100 * (1 - ice['intact_bonds'] / ice['bonds']):.1f} % of the bonds broken; {fragments['above_1_percent']} fragments above 1 %, "
+          f"{fragments['fragments']} of two and more particles, {100 * fragments['single_particles'] / ice['particles']:.1f} % of the particles single")
+    error, share = energy_balance_error(columns)
+    print(f"{folder.name}: energy balance error {error:.3g} J at most, {share:.1e} of the energy exchanged; {report['steps']} steps in {timers:.0f} s "
           f"on {report['threads']} thread")
     if columns["submarine.velocity_z [m/s]"].ptp() == 0:
         return
@@ -57,7 +57,7 @@ def main():
     print(f"{folder.name}, last {LAST} s: displaces {displaced / 1e3:.1f} t; mass {mass / 1e3:.1f} t, the ice pushes like {pushed / 1e3:.1f} t, "
           f"{(displaced - mass - pushed) / 1e3:+.1f} t left over ({100 * (displaced - mass - pushed) / mass:+.2f} %); it rises at "
           f"{columns['submarine.velocity_z [m/s]'][last].mean() * 1e3:.0f} mm/s")
-    print(f"{folder.name}: draught at the end {floating['draught [m]']:.3f} m, of the submarine alone {floating['draught_at_rest [m]']:.3f} m")
+    print(f"{folder.name}: draft at the end {floating['draft [m]']:.3f} m, of the submarine alone {floating['draft_at_rest [m]']:.3f} m")
 
 
 if __name__ == "__main__":

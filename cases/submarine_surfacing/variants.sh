@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Runs the rises of README.md, one after the other, and measures them: cases/submarine_surfacing/variants.sh [RESULTS [PERIMPACT]], as
-# scripts/variants.bash says. README.md says how long they take.
+# Runs and measures the three runs of README.md: cases/submarine_surfacing/variants.sh [RESULTS [PERIMPACT]], as
+# scripts/variants.bash describes. Run times: README.md.
 set -euo pipefail
 source "$(dirname "$0")/../../scripts/variants.bash"
 
 variant given
 variant unhardened bodies.ice.failure.compression_hardening=0
-variant free "impactors.submarine.free=[z]" "impactors.submarine.velocity=[0, 0, 1]" time.end=10 time.step=0.135e-3 bodies.ice.spacing=0.4 \
+variant free "impactors.submarine.free_dofs=[z]" "impactors.submarine.velocity=[0, 0, 1]" time.end=10 time.step=0.135e-3 bodies.ice.spacing=0.4 \
   bodies.ice.material.layers=3 output.frames=50

@@ -32,25 +32,25 @@ bodies:
     plane: stress
     material: {model: ordinary-state, youngs_modulus: 1.8 GPa, poissons_ratio: 0.33, density: 900, critical_stretch: 0.003}
     failure: {compression: symmetric}
-    regions:
+    particle_sets:
       starboard: {position: [0, -3.85, 0], shape: {box: {size: [12, 0.3, 1]}}}
       port: {position: [0, 3.85, 0], shape: {box: {size: [12, 0.3, 1]}}}
       end: {position: [5.85, 0, 0], shape: {box: {size: [0.3, 7.4, 1]}}}
-    boundaries:
-      held_starboard: {fixed: {region: starboard}}
-      held_port: {fixed: {region: port}}
-      held_end: {fixed: {region: end}}
+    boundary_conditions:
+      held_starboard: {fixed: {particle_set: starboard}}
+      held_port: {fixed: {particle_set: port}}
+      held_end: {fixed: {particle_set: end}}
 impactors:
   column:
-    surface: {cylinder: {diameter: 2, height: 1, axis: z, panel: 0.1}}
+    surface: {cylinder: {diameter: 2, height: 1, axis: z, edge_length: 0.1}}
     mass: 1 kg
     position: [-7.06, 0.02, 0]
     velocity: [4, 0, 0]
-    free: []
+    free_dofs: []
 contact:
   impactors: {friction: 0.1}
   fragments: {law: none}
-output: {folder: results, frames: 40, history: 2 ms}
+output: {folder: results, frames: 40, history_interval: 2 ms}
 """
 REMAINS, BROKEN, EDGE = "#b9d3e6", "#3d5a73", "#d1495b"
 
@@ -87,9 +87,9 @@ def draw_spectrum(results, file, speed_per_spacing):
 
 def draw_channel(results, file):
     frames = sorted((results / "frames").glob("ice_*.vtp"))
-    places, piece = read_vtp(frames[0]).points, read_vtp(frames[-1]).point["piece"].ravel()
-    remains = np.bincount(piece)[piece] >= 0.1 * len(piece)
-    columns = np.genfromtxt(results / "pieces/ice_channel_x.csv", delimiter=",", skip_header=1)
+    places, fragment = read_vtp(frames[0]).points, read_vtp(frames[-1]).point["fragment"].ravel()
+    remains = np.bincount(fragment)[fragment] >= 0.1 * len(fragment)
+    columns = np.genfromtxt(results / "fragments/ice_channel_x.csv", delimiter=",", skip_header=1)
     figure, axes = plt.subplots(figsize=(10, 6.2), constrained_layout=True)
     for chosen, colour, label in ((remains, REMAINS, "the sheet that remains"), (~remains, BROKEN, "broken out: floes and single particles")):
         axes.scatter(places[chosen, 0], places[chosen, 1], s=27, marker="s", linewidths=0, color=colour, label=label)

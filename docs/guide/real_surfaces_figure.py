@@ -35,7 +35,7 @@ bodies:
     material: {{model: ordinary-state, youngs_modulus: 10 MPa, poissons_ratio: 0.25, density: 900 kg/m3, critical_stretch: 0.02}}
 impactors:
   hull:
-    surface: {{file: {SURFACES}/wigley.stl.gz, outside: reversed}}
+    surface: {{file: {SURFACES}/wigley.stl.gz, orientation: reversed}}
     mass: 20 kg
     velocity: [4 m/s, 0, 0]
 output: {{folder: results, frames: 3}}

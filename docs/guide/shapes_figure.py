@@ -19,8 +19,8 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "scripts/pictures"))
 from render import Scene  # noqa: E402
 
-HULL = "hull --length 155 --breadth 23 --draft 9 --stem-angle 24deg --waterline-angle 22deg --panel 5 --bow-panel 1.5".split()
-PROPELLER = "propeller --diameter 4.12 --pitch-ratio 0.76 --area-ratio 0.669 --hub-ratio 0.301 --panel 0.2 --edge-panel 0.06".split()
+HULL = "hull --length 155 --breadth 23 --draft 9 --stem-angle 24deg --waterline-angle 22deg --edge-length 5 --bow-edge-length 1.5".split()
+PROPELLER = "propeller --diameter 4.12 --pitch-ratio 0.76 --area-ratio 0.669 --hub-ratio 0.301 --edge-length 0.2 --blade-edge-length 0.06".split()
 COLOURS = {"bow": (0.86, 0.42, 0.34), "side": (0.62, 0.68, 0.76), "stern": (0.55, 0.72, 0.60), "bilge": (0.90, 0.72, 0.42), "bottom": (0.98, 0.86, 0.80),
            "deck": (0.84, 0.84, 0.82), "hub": (0.62, 0.66, 0.72), "blade": (0.88, 0.70, 0.38)}
 LINE, WATER, NOTE = "#30343a", "#4a86b8", "#b3412e"

@@ -1,4 +1,4 @@
-"""The pictures of this folder, from what the examples write:
+"""The figures of this folder, from the output of the examples:
 
     sph_splash 0.0167 10 && fem_bar 50        in some folder
     pictures.py FOLDER                        writes sph_splash.png and fem_bar.png beside this script
@@ -40,7 +40,7 @@ def read_vtk(path):
 
 
 def save(figure, name):
-    """With 256 colours: a third of the bytes."""
+    """Saves with 256 colours: a third of the size."""
     path = Path(__file__).parent / name
     figure.savefig(path)
     Image.open(path).convert("RGB").quantize(256).save(path, optimize=True)
@@ -57,7 +57,7 @@ def splash(folder):
         axes = figure.add_axes([0.25 * column - 0.025, 0.08, 0.3, 0.9], projection="3d", computed_zorder=False)
         axes.patch.set_alpha(0)
         axes.add_collection3d(Poly3DCollection([hull[p] for p in polygons], facecolor="#d9a066", edgecolor="#8a5a2b", linewidth=0.6, zorder=2))
-        # the hull is convex: what lies beyond a face that is seen is before it
+        # the hull is convex: a point outside a visible face is in front of it
         before = np.any([(points - corner) @ normal > 0 for corner, normal in faces if normal @ view > 0], axis=0)
         for drawn, zorder in ((~before, 1), (before, 3)):
             cloud, speed = points[drawn], arrays["speed"][drawn]
@@ -88,9 +88,9 @@ def bar(folder):
     for column in range(5):
         points, _, arrays = read_vtk(folder / f"bar_on_wedge_{column}.vtk")
         corners, polygons, _ = read_vtk(folder / f"bar_on_wedge_body_{column}.vtk")
-        side = points[:, 1] > 0  # halves look alike
+        side = points[:, 1] > 0  # both halves are symmetric
         for polygon in polygons:
-            if len(polygon) == 3:  # the ends of the wedge, seen along its edge
+            if len(polygon) == 3:  # the ends of the wedge, viewed along its edge
                 axes.fill(*(corners[polygon][:, [0, 2]] + [0.08 * column, 0]).T, color="#d9a066", ec="#8a5a2b", lw=0.6)
         cloud = axes.scatter(points[side, 0] + 0.08 * column, points[side, 2], c=1e-6 * arrays["axial_stress"][side], s=10, marker="s", linewidths=0, cmap="coolwarm", vmin=-0.5, vmax=0.5)
     axes.set_aspect("equal")

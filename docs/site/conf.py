@@ -14,15 +14,16 @@ release = re.search(r"project\(perimpact VERSION ([\d.]+)", (ROOT / "CMakeLists.
 # What is under each heading of the navigation, in order.
 NAVIGATION = {
     "Guide": [
-        "guide/getting_started", "guide/install", "guide/comparison", "guide/solids", "guide/user_materials", "guide/surface_meshes", "guide/shapes", "guide/surface_formats",
-        "guide/real_surfaces", "guide/spacing_and_layers", "guide/regions", "guide/results", "guide/loads", "guide/report", "guide/restart", "guide/python", "guide/python_reference",
+        "guide/getting_started", "guide/install", "guide/tutorials/1_plate", "guide/tutorials/2_your_part", "guide/tutorials/3_ice_and_hull", "guide/comparison",
+        "guide/units_and_axes", "guide/solids", "guide/user_materials", "guide/surface_meshes", "guide/shapes", "guide/surface_formats",
+        "guide/real_surfaces", "guide/spacing_and_layers", "guide/regions", "guide/results", "guide/loads", "guide/report", "guide/restart", "guide/cluster", "guide/python", "guide/python_reference",
         "guide/troubleshooting", "guide/diagnoses", "guide/errors", "guide/deck_reference"],
     "Cases": [
-        f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_paddle", "floating_strip",
+        f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_specimens", "ice_paddle", "floating_strip",
                                              "crack_branching", "kalthoff_winkler")],
     "Theory": [
-        f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary_conditions", "floating_bodies", "ice",
-                                      "contact", "contact_response", "short_range", "energy", "remeshing", "convergence", "detection_evidence", "floating_strip",
+        f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary_conditions", "floating_bodies", "ice", "ice_plasticity",
+                                      "contact", "contact_bounds", "contact_response", "short_range", "energy", "remeshing", "convergence", "detection_evidence", "floating_strip",
                                       "resistance", "fccda_variants", "glossary")],
     "Library": ["library/README", "library/reference"],
     "Validation": ["validation"],

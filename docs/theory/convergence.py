@@ -2,7 +2,7 @@
 """Measures how results of the whole program approach exact solutions, for convergence.md:
 
     docs/theory/convergence.py BINARY [OUTDIR]    runs the decks, writes convergence.csv, the figures and the tables of the page
-    docs/theory/convergence.py                    figures and tables anew from convergence.csv
+    docs/theory/convergence.py                    recreates figures and tables from convergence.csv
 
 Two runs at a time, each with one thread. Runs are kept in OUTDIR, and one whose deck is unchanged is not made again.
 Decks, exact solutions and what is compared are those of tests/cases/convergence/problems.py.
@@ -97,7 +97,7 @@ def measure(program, folder):
     def one(job):
         problem, body = job
         result, errors = PROBLEMS[problem](body, run)
-        print(f"{result.report['wall [s]']:6.1f} s  {problem} {body.name()}", flush=True)
+        print(f"{result.report['wall_time [s]']:6.1f} s  {problem} {body.name()}", flush=True)
         return job, (result.particles, errors)
 
     jobs = {(problem, body) for problem, _, bodies in series() for body in bodies}

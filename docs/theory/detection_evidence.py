@@ -43,7 +43,7 @@ def percent(part, whole):
 
 
 def swept_table(counts):
-    lines = ["| shape | crossings | found | paths past | false | put back inside | thrown through |", "|---|---|---|---|---|---|---|"]
+    lines = ["| shape | crossings | found | paths past | false | relocated inside | moved through |", "|---|---|---|---|---|---|---|"]
     for shape in counts["swept"]:
         of = [total(counts[detector][shape]) for detector in ("swept", "swept r = 0.005")]
         cells = [" + ".join(thousands(t[name]) for t in of) for name in ("crossings", "found", "past", "invented", "inside", "thrown")]
@@ -52,17 +52,17 @@ def swept_table(counts):
 
 
 def share_table(counts):
-    steps = list(next(iter(counts["letter"].values())))
-    lines = ["| shape | " + " | ".join(f"`{reading}` {step:g}" for reading in ("repaired", "letter") for step in steps) + " |"]
+    steps = list(next(iter(counts["literal"].values())))
+    lines = ["| shape | " + " | ".join(f"`{reading}` {step:g}" for reading in ("corrected", "literal") for step in steps) + " |"]
     lines.append("|---" * (1 + 2 * len(steps)) + "|")
-    for shape in counts["letter"]:
-        rows = [counts[reading][shape][step] for reading in ("repaired", "letter") for step in steps]
+    for shape in counts["literal"]:
+        rows = [counts[reading][shape][step] for reading in ("corrected", "literal") for step in steps]
         lines.append(f"| {shape} | " + " | ".join(percent(row["found"], row["crossings"]) for row in rows) + " |")
     return lines
 
 
 def reason_table(counts, reading, equations):
-    lines = ["| shape | found | " + " | ".join(f"eq. {equation}" for equation in equations) + " | false | inside | thrown through |"]
+    lines = ["| shape | found | " + " | ".join(f"eq. {equation}" for equation in equations) + " | false | inside | moved through |"]
     lines.append("|---" * (5 + len(equations)) + "|")
     for shape, steps in counts[reading].items():
         t = total(steps)
@@ -73,17 +73,17 @@ def reason_table(counts, reading, equations):
 
 
 def without_eq20_table(counts):
-    steps = list(next(iter(counts["letter"].values())))
+    steps = list(next(iter(counts["literal"].values())))
     lines = ["| shape | " + " | ".join(f"{step:g}" for step in steps) + " |", "|---" * (1 + len(steps)) + "|"]
-    for shape in counts["letter"]:
-        rows = [counts["letter"][shape][step] for step in steps]
+    for shape in counts["literal"]:
+        rows = [counts["literal"][shape][step] for step in steps]
         lines.append(f"| {shape} | " + " | ".join(percent(row["found"] + row["by_eq20"], row["crossings"]) for row in rows) + " |")
     return lines
 
 
 def write(text, name, lines):
     begin, end = f"<!-- detection_evidence.py: {name} -->", "<!-- end -->"
-    assert begin in text, f"{PAGE.name} has no place for the table {name}"
+    assert begin in text, f"{PAGE.name} has no marker for the table {name}"
     pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
     return pattern.sub(lambda _: "\n".join([begin, *lines, end]), text)
 
@@ -98,11 +98,11 @@ def main():
     before = PAGE.read_text()
     text = write(before, "swept", swept_table(counts))
     text = write(text, "share", share_table(counts))
-    text = write(text, "repaired", reason_table(counts, "repaired", (14, 15, 17)))
-    text = write(text, "letter", reason_table(counts, "letter", (14, 15, 17, 20)))
+    text = write(text, "corrected", reason_table(counts, "corrected", (14, 15, 17)))
+    text = write(text, "literal", reason_table(counts, "literal", (14, 15, 17, 20)))
     text = write(text, "without eq. 20", without_eq20_table(counts))
     if "--check" in sys.argv:
-        sys.exit(0 if text == before else f"{PAGE.name} does not hold what detection_evidence.csv says: run detection_evidence.py")
+        sys.exit(0 if text == before else f"{PAGE.name} differs from detection_evidence.csv; run detection_evidence.py")
     PAGE.write_text(text)
 
 

@@ -2,7 +2,7 @@
 """Measures how a floating strip of few layers bends and breaks, for floating_strip.md:
 
     docs/theory/floating_strip.py BINARY [OUTDIR]   runs the decks, writes the two CSV files, figures and the tables of the page
-    docs/theory/floating_strip.py                   figures and tables anew from the CSV files
+    docs/theory/floating_strip.py                   recreates figures and tables from the CSV files
 
 One run at a time, with one thread. Runs are kept in OUTDIR, and one whose deck is unchanged is not made again. Decks, theory and
 measures are those of cases/floating_strip.

@@ -57,7 +57,7 @@ def stretches():
 
 
 def page(text):
-    """The page with its tables anew, each between <!-- NAME --> and <!-- end -->."""
+    """The page with its tables updated, each between <!-- NAME --> and <!-- end -->."""
     kinds = {"properties": properties, "stretches": stretches}
     return re.sub(r"<!-- (properties|stretches) -->\n(?:[^<]*?\n)?<!-- end -->", lambda found: "\n".join([f"<!-- {found[1]} -->", *kinds[found[1]](), "<!-- end -->"]), text)
 

@@ -158,7 +158,7 @@ def plate(rule, correction, lattice, n, nu=0.25):
 
 
 def main():
-    print("| family | normalisation | ν | bonds | Σ v V / V_H | dilatation | pull | swelling | along x | along (110) | shear |")
+    print("| family | normalisation | ν | bonds | Σ v V / V_H | dilatation | tension | volumetric strain | along x | along (110) | shear |")
     print("|---" * 11 + "|")
     for rule in RULES:
         for nu in (0.25, 0.3):

@@ -31,8 +31,8 @@ bodies: {{floe: {{shape: {{box: {{size: [4, 4, 4]}}}}, spacing: 1, position: [20
   material: {{model: ordinary-state, youngs_modulus: 1 GPa, density: 900}}}}}}
 impactors: {{ship: {{surface: {{file: hull.obj}}, mass: 100 t{keys}}}}}
 """
-COARSEN = ", coarsen: {distance: 10 mm, panel: 4 m}"
-REFINE = ", refine: {bow: {panel: 0.4 m, box: {size: [6, 6, 6], centre: [10, 0, -1]}}}"
+COARSEN = ", coarsen: {max_deviation: 10 mm, max_edge_length: 4 m}"
+REFINE = ", refine: {bow: {edge_length: 0.4 m, box: {size: [6, 6, 6], centre: [10, 0, -1]}}}"
 
 
 def write_hull(path):

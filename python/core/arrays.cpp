@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 
 namespace perimpact::python {
 
@@ -12,7 +12,7 @@ constexpr auto number_size = static_cast<py::ssize_t>(sizeof(double));
 
 void expect_rows_of_three(const py::array& array, const std::string& what) {
   if (array.ndim() == 2 && array.shape(1) == 3) return;
-  throw fccda::InputError(fmt::format("{} has the shape {}, but one row x, y, z a point is needed: (points, 3).", what, shape_in_words(array)));
+  throw fccda::InputError(fmt::format("{} has the shape {}, but must have one row x, y, z per point: (points, 3).", what, shape_in_words(array)));
 }
 
 bool is_single(const py::array& array) { return py::isinstance<py::array_t<float>>(array); }
@@ -30,12 +30,12 @@ View view(Number* first, const py::array& array) {
   return {first, first + component, first + 2 * component, static_cast<std::size_t>(array.shape(0)), row};
 }
 
-/// Of floats or doubles, such that its numbers can be walked; a copy where `source` is no such array.
+/// An array of floats or doubles with strides that a view supports; a copy where `source` is not such an array.
 py::array floats_or_doubles(const py::object& source, const std::string& what) {
   py::array array = py::array::ensure(source);
   if (array && is_single(array)) return can_be_walked(array) ? array : py::array(py::array_t<float, py::array::c_style | py::array::forcecast>(array));
   array = Numbers::ensure(source);
-  if (!array) throw py::type_error(fmt::format("{} is no array of numbers.", what));  // ensure has cleared NumPy's error
+  if (!array) throw py::type_error(fmt::format("{} is not an array of numbers.", what));  // ensure() has cleared NumPy's error
   return can_be_walked(array) ? array : py::array(py::array_t<double, py::array::c_style | py::array::forcecast>(array));
 }
 
@@ -59,7 +59,7 @@ fccda::ConstVectors vectors_in(const py::object& source, const std::string& what
 fccda::Numbers each_in(const py::object& source, const std::string& what, py::array& keep) {
   keep = floats_or_doubles(source, what);
   if (keep.ndim() > 1)
-    throw fccda::InputError(fmt::format("{} has the shape {}, but one number for all points or one for each is needed.", what, shape_in_words(keep)));
+    throw fccda::InputError(fmt::format("{} has the shape {}, but must be one number for all points or one per point.", what, shape_in_words(keep)));
   const auto numbers = [&](const auto* first) {
     if (keep.ndim() == 0) return fccda::Numbers(static_cast<double>(*first));
     return fccda::Numbers(first, static_cast<std::size_t>(keep.shape(0)), keep.strides(0) / keep.itemsize());
@@ -69,13 +69,13 @@ fccda::Numbers each_in(const py::object& source, const std::string& what, py::ar
 
 fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what) {
   if (!py::isinstance<py::array_t<double>>(array) && !is_single(array))
-    throw fccda::InputError(fmt::format("{} is written to, so it must be an array of float64 or float32, but it is one of {}; make it with dtype=float.", what,
+    throw fccda::InputError(fmt::format("{} is modified in place, so it must be an array of float64 or float32, not {}; create it with dtype=float.", what,
                                         std::string(py::str(array.dtype()))));
-  if (!array.writeable()) throw fccda::InputError(fmt::format("{} is written to, but NumPy says that it may only be read; pass a copy.", what));
+  if (!array.writeable()) throw fccda::InputError(fmt::format("{} is modified in place, but the array is read-only; pass a copy.", what));
   expect_rows_of_three(array, what);
   if (!can_be_walked(array))
     throw fccda::InputError(
-        fmt::format("{} is written to, but its numbers do not lie at whole numbers of their size; pass numpy.ascontiguousarray of it.", what));
+        fmt::format("{} is modified in place, but its strides are not multiples of the item size; pass numpy.ascontiguousarray of it.", what));
   void* first = const_cast<void*>(array.data());
   return is_single(array) ? view<fccda::Vectors>(static_cast<float*>(first), array) : view<fccda::Vectors>(static_cast<double*>(first), array);
 }

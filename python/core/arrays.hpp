@@ -1,4 +1,4 @@
-/// NumPy arrays as the libraries see them, and the other way round. A Vec3d is an array of shape (3,).
+/// Conversion between NumPy arrays and the types of the libraries. A Vec3d is an array of shape (3,).
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "fccda/core/vec3.hpp"
-#include "fccda/plain/vectors.hpp"
+#include "base/vec3.hpp"
+#include "fccda/api/vectors.hpp"
 #include "perimpact/particles/slot_array.hpp"
 
 namespace pybind11::detail {
@@ -40,29 +40,29 @@ namespace perimpact::python {
 namespace py = pybind11;
 using fccda::Vec3d;
 
-/// Any numbers that NumPy makes doubles of; a copy where they are no doubles.
+/// Any numbers convertible to doubles; a copy where they are not doubles.
 using Numbers = py::array_t<double, py::array::forcecast>;
 
-/// "(960, 2)"
+/// The shape as text: "(960, 2)".
 std::string shape_in_words(const py::array& array);
 
-/// Rows of three. `what`: how messages call the array. Throws InputError for another shape. The array must outlive the view; where its
-/// numbers do not lie as a view can walk them, `array` becomes a copy.
+/// View of rows of three. `what`: name of the array in messages. Throws InputError for another shape. The array must outlive the view;
+/// `array` becomes a copy where a view does not support its strides.
 fccda::ConstVectors vectors_in(Numbers& array, const std::string& what);
 
-/// The same of anything that NumPy makes an array of; one of float32 is seen as such. `keep` holds the memory, and must outlive the view.
+/// The same for anything convertible to an array; float32 is viewed without conversion. `keep` owns the memory and must outlive the view.
 fccda::ConstVectors vectors_in(const py::object& source, const std::string& what, py::array& keep);
 
-/// One number, or one for each point, of anything that NumPy makes an array of. Throws InputError for more than one dimension.
+/// One number, or one per point, from anything convertible to an array. Throws InputError for more than one dimension.
 fccda::Numbers each_in(const py::object& source, const std::string& what, py::array& keep);
 
-/// Rows of three to be written through. Throws InputError also where the array is not of float64 or float32, or may not be written.
+/// Writable view of rows of three. Also throws InputError where the array is not of float64 or float32, or is read-only.
 fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what);
 
-/// The shape (vectors, 3), copied.
+/// A copy as an array of shape (vectors, 3).
 py::array_t<double> array_of(std::span<const Vec3d> vectors);
 
-/// The numbers themselves, of shape (slots, 3), not to be written; `owner` lives as long as the array.
+/// A read-only view of shape (slots, 3); it keeps `owner` alive.
 py::array view_of(const VectorArray& vectors, const py::object& owner);
 
 void forbid_writing(py::array& array);

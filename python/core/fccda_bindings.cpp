@@ -8,22 +8,22 @@
 #include <utility>
 #include <vector>
 
-#include "fccda/body/solid.hpp"
-#include "fccda/core/error.hpp"
-#include "fccda/plain/contact_detector.hpp"
-#include "fccda/plain/respond_arrays.hpp"
-#include "fccda/region/box_union.hpp"
-#include "fccda/surface/surface.hpp"
+#include "base/error.hpp"
+#include "fccda/api/contact_detector.hpp"
+#include "fccda/api/respond_arrays.hpp"
+#include "fccda/contact_bounds/box_union.hpp"
+#include "fccda/rigid_body/solid.hpp"
 #include "mesh.hpp"
+#include "mesh/surface.hpp"
 
 namespace perimpact::python {
 
-/// fccda::Contact as NumPy has it.
+/// fccda::Contact as a NumPy record.
 struct ContactRow {
   std::int64_t point;
   std::int32_t panel;
   double time_fraction, depth, radius;
-  double hit[3], normal[3], relocation[3];
+  double hit[3], normal[3], relocation[3], normal_t0[3];
 };
 
 namespace {
@@ -35,15 +35,15 @@ using fccda::Pose;
 using fccda::RigidBody;
 using fccda::Surface;
 
-/// What the library advises, as Python says it.
-constexpr fccda::AdviceWords python_words{.declare_outside = "with outside=\"normals\" (the one that the normals point to) or outside=\"reversed\"",
-                                          .cut_open = "with outside=\"normals\" (the side that the normals point to)",
+/// The advice in messages of the library, in Python terms.
+constexpr fccda::AdviceWords python_words{.declare_orientation = "with orientation=\"normals\" (the one that the normals point to) or orientation=\"reversed\"",
+                                          .cut_open = "with orientation=\"normals\" (the side that the normals point to)",
                                           .clip = "pass clip=True"};
 using Boxes = std::vector<std::pair<Vec3d, Vec3d>>;
 
 // ---- surfaces ----
 
-/// A surface, and what detectors search on, made by the first of them and shared by all.
+/// A surface with its search structures, which the first detector builds and all share.
 class GivenSurface {
  public:
   explicit GivenSurface(Surface surface) : surface_(std::make_shared<const Surface>(std::move(surface))) {}
@@ -60,15 +60,15 @@ class GivenSurface {
 };
 
 GivenSurface surface_of(const Mesh& mesh, double weld, const std::string& outside, const std::string& name) {
-  fccda::OutsideIs side = fccda::OutsideIs::undeclared;
+  fccda::Orientation side = fccda::Orientation::undeclared;
   if (outside == "normals")
-    side = fccda::OutsideIs::normals;
+    side = fccda::Orientation::normals;
   else if (outside == "reversed")
-    side = fccda::OutsideIs::reversed;
+    side = fccda::Orientation::reversed;
   else if (outside != "undeclared")
-    throw InputError(fmt::format("outside is \"{}\", but it must be one of undeclared, normals, reversed.", outside));
+    throw InputError(fmt::format("orientation is \"{}\", but it must be one of undeclared, normals, reversed.", outside));
   try {
-    return GivenSurface(Surface(mesh.panels(), {.weld_distance = weld, .outside = side, .name = name}));
+    return GivenSurface(Surface(mesh.panels(), {.weld_distance = weld, .orientation = side, .name = name}));
   } catch (const InputError& error) {
     throw InputError(error.in_words_of(python_words));
   }
@@ -86,27 +86,28 @@ py::array_t<int> triangles_of_surface(const GivenSurface& surface) {
 
 void bind_surface(py::module_& module) {
   py::class_<GivenSurface>(module, "Surface",
-                           R"(The rigid surface that points strike: welded, wound and turned outward. Never changes.
+                           R"(A rigid contact surface: vertices welded, triangles oriented consistently outward. Immutable.
 
-Detectors of one Surface share it and what they search on, so that each costs no more than what it remembers of its points.)")
-      .def(py::init(&surface_of), "mesh"_a, "weld"_a = 0.0, "outside"_a = "undeclared", "name"_a = "surface",
-           R"(weld: vertices nearer than this become one [m]; 0 takes 1e-9 of the size.
-outside: of an open surface, the side that its normals point to ("normals") or the other ("reversed"); a closed one knows.
-name: how messages call it.
+Detectors of one Surface share it and its search structures, so that each stores only data of its points.)")
+      .def(py::init(&surface_of), "mesh"_a, "weld"_a = 0.0, "orientation"_a = "undeclared", "name"_a = "surface",
+           R"(weld: vertices closer than this are merged [m]; 0: 1e-9 of the size.
+orientation: of an open surface: outside is the side that the normals point to ("normals") or the opposite ("reversed"). A closed surface needs none.
+name: name in messages.
 
 Raises InputError where the surface cannot be used.)")
       .def_property_readonly(
-          "is_closed", [](const GivenSurface& surface) { return surface.surface().is_closed(); }, "Has every edge two triangles?")
+          "is_closed", [](const GivenSurface& surface) { return surface.surface().is_closed(); }, "Whether every edge belongs to two triangles.")
       .def_property_readonly(
-          "area", [](const GivenSurface& surface) { return surface.report().area; }, "[m2]")
+          "area", [](const GivenSurface& surface) { return surface.report().area; }, "Area [m2].")
       .def_property_readonly(
-          "volume", [](const GivenSurface& surface) { return surface.report().volume; }, "Enclosed [m3]; 0 where it is open.")
+          "volume", [](const GivenSurface& surface) { return surface.report().volume; }, "Enclosed volume [m3]; 0 for an open surface.")
       .def_property_readonly(
-          "centroid", [](const GivenSurface& surface) { return surface.report().centroid; }, "(3,) of the volume, or of the area where it is open [m].")
-      .def_property_readonly("bounds", &bounds_of, "The lowest and the highest coordinates: two arrays (3,) [m].")
+          "centroid", [](const GivenSurface& surface) { return surface.report().centroid; },
+          "(3,) centroid of the volume, or of the area of an open surface [m].")
+      .def_property_readonly("bounds", &bounds_of, "Minimum and maximum coordinates: two arrays (3,) [m].")
       .def_property_readonly(
-          "vertices", [](const GivenSurface& surface) { return array_of(surface.surface().vertices()); }, "(n, 3) after welding [m], a copy.")
-      .def_property_readonly("triangles", &triangles_of_surface, "(m, 3) vertices around each triangle, counterclockwise seen from outside; a copy.");
+          "vertices", [](const GivenSurface& surface) { return array_of(surface.surface().vertices()); }, "(n, 3) vertices after welding [m], a copy.")
+      .def_property_readonly("triangles", &triangles_of_surface, "(m, 3) vertex numbers of each triangle, counterclockwise seen from outside; a copy.");
 }
 
 // ---- bodies ----
@@ -116,7 +117,7 @@ fccda::Quaternion quaternion_of(const std::array<double, 4>& wxyz) {
   const double squared = attitude.w * attitude.w + attitude.x * attitude.x + attitude.y * attitude.y + attitude.z * attitude.z;
   constexpr double rounding = 1e-9;
   if (!(std::fabs(squared - 1) <= rounding))
-    throw InputError(fmt::format("attitude has the length {:.9g}, but a quaternion w, x, y, z of length 1 is needed.", std::sqrt(squared)));
+    throw InputError(fmt::format("attitude has the norm {:.9g}, but must be a unit quaternion w, x, y, z.", std::sqrt(squared)));
   return attitude;
 }
 
@@ -125,7 +126,7 @@ std::array<double, 4> numbers_in(const fccda::Quaternion& q) { return {q.w, q.x,
 fccda::Mat3 matrix_of(const Numbers& numbers) {
   if (numbers.ndim() == 1 && numbers.shape(0) == 3) return fccda::Mat3::diagonal({numbers.at(0), numbers.at(1), numbers.at(2)});
   if (numbers.ndim() != 2 || numbers.shape(0) != 3 || numbers.shape(1) != 3)
-    throw InputError(fmt::format("inertia has the shape {}, but (3,), along the axes of the surface, or (3, 3) is needed.", shape_in_words(numbers)));
+    throw InputError(fmt::format("inertia has the shape {}, but must be (3,), about the axes of the body frame, or (3, 3).", shape_in_words(numbers)));
   fccda::Mat3 matrix{};
   for (py::ssize_t i = 0; i < 3; ++i) matrix.row[static_cast<std::size_t>(i)] = {numbers.at(i, 0), numbers.at(i, 1), numbers.at(i, 2)};
   return matrix;
@@ -144,7 +145,7 @@ fccda::FreeDegrees degrees_of(const std::vector<std::string>& names) {
   fccda::FreeDegrees degrees;
   for (const std::string& name : names) {
     const auto known = std::find(degree_names.begin(), degree_names.end(), name);
-    if (known == degree_names.end()) throw InputError(fmt::format("free holds \"{}\", which is no degree of freedom; known are x, y, z, rx, ry, rz.", name));
+    if (known == degree_names.end()) throw InputError(fmt::format("free contains \"{}\", which is not a degree of freedom; use x, y, z, rx, ry, rz.", name));
     degrees.free[static_cast<std::size_t>(known - degree_names.begin())] = true;
   }
   return degrees;
@@ -169,77 +170,79 @@ py::array_t<double> moved_points(const Pose& pose, Numbers points, Vec3d (Pose::
 
 void bind_bodies(py::module_& module) {
   const std::array<double, 4> unturned{1, 0, 0, 0};
-  py::class_<Pose>(module, "Pose", "Where a body is: it turns by `attitude`, then moves to `position`.")
+  py::class_<Pose>(module, "Pose", "Pose of a body: rotation by `attitude`, then translation to `position`.")
       .def(py::init([](const Vec3d& position, const std::array<double, 4>& attitude) {
              Pose pose(position, quaternion_of(attitude));
              fccda::expect_usable(pose, "");
              return pose;
            }),
-           "position"_a = Vec3d{}, "attitude"_a = unturned, "position: (3,) [m]. attitude: quaternion w, x, y, z of length 1.")
-      .def_property_readonly("position", &Pose::position, "(3,) of the origin of the body frame [m].")
+           "position"_a = Vec3d{}, "attitude"_a = unturned, "position: (3,) [m]. attitude: unit quaternion w, x, y, z.")
+      .def_property_readonly("position", &Pose::position, "(3,) position of the origin of the body frame [m].")
       .def_property_readonly(
-          "attitude", [](const Pose& pose) { return numbers_in(pose.attitude()); }, "Quaternion w, x, y, z.")
+          "attitude", [](const Pose& pose) { return numbers_in(pose.attitude()); }, "Unit quaternion w, x, y, z.")
       .def_property_readonly(
-          "rotation", [](const Pose& pose) { return array_of_matrix(pose.rotation()); }, "(3, 3) body to world.")
+          "rotation", [](const Pose& pose) { return array_of_matrix(pose.rotation()); }, "(3, 3) rotation matrix from body to world axes.")
       .def(
           "to_world", [](const Pose& pose, const Numbers& points) { return moved_points(pose, points, &Pose::to_world); }, "points"_a,
-          "(n, 3) points of the body frame in the world [m].")
+          "Transforms (n, 3) points from the body frame to world coordinates [m].")
       .def(
           "to_body", [](const Pose& pose, const Numbers& points) { return moved_points(pose, points, &Pose::to_body); }, "points"_a,
-          "(n, 3) points of the world in the body frame [m].");
+          "Transforms (n, 3) points from world coordinates to the body frame [m].");
 
-  py::class_<Motion>(module, "Motion", "The way of a body over one step: it turns evenly about `centre`, which moves straight.")
+  py::class_<Motion>(module, "Motion", "Motion of a body over one step: rotation at constant rate about `centre`, which moves along a straight line.")
       .def(py::init([](const Pose& t0, const Pose& t1, double dt, const Vec3d& centre) {
              Motion motion{t0, t1, dt, centre};
              fccda::expect_usable(motion);
              return motion;
            }),
-           "t0"_a, "t1"_a, "dt"_a, "centre"_a = Vec3d{}, "t0, t1: poses at both ends. dt: duration [s]. centre: (3,) in the body frame [m].")
-      .def_readonly("t0", &Motion::t0, "Pose at the beginning.")
+           "t0"_a, "t1"_a, "dt"_a, "centre"_a = Vec3d{}, "t0, t1: poses at the start and the end. dt: duration [s]. centre: (3,) in the body frame [m].")
+      .def_readonly("t0", &Motion::t0, "Pose at the start.")
       .def_readonly("t1", &Motion::t1, "Pose at the end.")
       .def_readonly("dt", &Motion::dt, "Duration [s].")
-      .def_readonly("centre", &Motion::centre, "(3,) in the body frame [m].");
+      .def_readonly("centre", &Motion::centre, "(3,) centre of rotation in the body frame [m].");
 
-  py::class_<RigidBody>(module, "RigidBody", "A rigid body of six degrees of freedom, each free or held at its velocity.")
+  py::class_<RigidBody>(module, "RigidBody", "A rigid body with six degrees of freedom, each free or prescribed at its velocity.")
       .def(py::init([](double mass, const Vec3d& centre_of_mass, const std::optional<Numbers>& inertia, const Vec3d& position,
                        const std::array<double, 4>& attitude, const Vec3d& velocity, const Vec3d& angular_velocity, const std::vector<std::string>& free) {
              return body_from({.mass = mass, .centre_of_mass = centre_of_mass, .inertia = inertia ? matrix_of(*inertia) : fccda::Mat3{}},
                               {position, velocity, angular_velocity, attitude, free});
            }),
            "mass"_a, py::kw_only(), "centre_of_mass"_a = Vec3d{}, "inertia"_a = py::none(), "position"_a = Vec3d{}, "attitude"_a = unturned,
-           "velocity"_a = Vec3d{}, "angular_velocity"_a = Vec3d{}, "free"_a = std::vector<std::string>(),
-           R"(mass [kg]. centre_of_mass: (3,) in the body frame [m]. inertia: (3,) or (3, 3) about it, along the axes of the body frame [kg m2]; needed where a
-rotation is free. position: (3,) of the body frame's origin [m]. attitude: quaternion w, x, y, z. velocity: (3,) of the centre of mass [m/s].
-angular_velocity: (3,) [rad/s], world axes. free: which of "x", "y", "z", "rx", "ry", "rz" impulses may change; the others keep their velocity.)")
+           "velocity"_a = Vec3d{}, "angular_velocity"_a = Vec3d{}, "free_dofs"_a = std::vector<std::string>(),
+           R"(mass [kg]. centre_of_mass: (3,) in the body frame [m]. inertia: (3,) or (3, 3) about it, in the axes of the body frame [kg m2]; required where a
+rotation is free. position: (3,) of the origin of the body frame [m]. attitude: unit quaternion w, x, y, z. velocity: (3,) of the centre of mass [m/s].
+angular_velocity: (3,) [rad/s], world axes. free_dofs: the free degrees of freedom, of "x", "y", "z", "rx", "ry", "rz"; the velocities of the others are
+prescribed.)")
       .def_static(
           "filling",
           [](const GivenSurface& surface, double density, const Vec3d& position, const std::array<double, 4>& attitude, const Vec3d& velocity,
              const Vec3d& angular_velocity, const std::vector<std::string>& free) {
-            if (!surface.surface().is_closed()) throw InputError("the surface is open, so nothing can fill it; give mass and inertia to RigidBody.");
+            if (!surface.surface().is_closed()) throw InputError("the surface is open and encloses no volume; give mass and inertia to RigidBody.");
             if (!(density > 0)) throw InputError(fmt::format("density is {} kg/m3, but it must be above 0.", density));
             return body_from(fccda::solid_of_mass(surface.report(), density * surface.report().volume), {position, velocity, angular_velocity, attitude, free});
           },
           "surface"_a, "density"_a, py::kw_only(), "position"_a = Vec3d{}, "attitude"_a = unturned, "velocity"_a = Vec3d{}, "angular_velocity"_a = Vec3d{},
-          "free"_a = std::vector<std::string>(), "The body that fills a closed surface evenly: mass, centre of mass and inertia from it. density [kg/m3].")
-      .def("advance", &RigidBody::advance, "dt"_a, "Moves the body for dt [s] with its velocities; the Motion it made.")
+          "free_dofs"_a = std::vector<std::string>(),
+          "A homogeneous solid bounded by a closed surface, which determines mass, centre of mass and inertia. density [kg/m3].")
+      .def("advance", &RigidBody::advance, "dt"_a, "Advances the body by dt [s] with its velocities; returns the Motion.")
       .def("add_impulse", &RigidBody::add_impulse, "linear"_a, "angular"_a,
-           "Changes the free velocities. linear: (3,) [N s]; angular: (3,) about the centre of mass [N m s].")
+           "Applies an impulse to the free degrees of freedom. linear: (3,) [N s]; angular: (3,) about the centre of mass [N m s].")
       .def(
           "drive",
           [](RigidBody& body, const std::string& degree, double velocity) {
             const fccda::FreeDegrees one = degrees_of({degree});
             body.drive(static_cast<std::size_t>(std::find(one.free.begin(), one.free.end(), true) - one.free.begin()), velocity);
           },
-          "degree"_a, "velocity"_a, "Gives a held degree of freedom, such as \"x\" or \"rz\", another velocity [m/s], [rad/s].")
-      .def_property_readonly("pose", &RigidBody::pose, "Where it is.")
-      .def_property_readonly("position", &RigidBody::position_of_com, "(3,) centre of mass [m].")
-      .def_property_readonly("velocity", &RigidBody::velocity, "(3,) of the centre of mass [m/s].")
-      .def_property_readonly("angular_velocity", &RigidBody::angular_velocity, "(3,) [rad/s], world axes.")
-      .def_property_readonly("mass", &RigidBody::mass, "[kg]")
+          "degree"_a, "velocity"_a, "Prescribes the velocity of a degree of freedom that is not free, such as \"x\" or \"rz\" [m/s], [rad/s].")
+      .def_property_readonly("pose", &RigidBody::pose, "Current pose.")
+      .def_property_readonly("position", &RigidBody::position_of_com, "(3,) position of the centre of mass [m].")
+      .def_property_readonly("velocity", &RigidBody::velocity, "(3,) velocity of the centre of mass [m/s].")
+      .def_property_readonly("angular_velocity", &RigidBody::angular_velocity, "(3,) angular velocity [rad/s], world axes.")
+      .def_property_readonly("mass", &RigidBody::mass, "Mass [kg].")
       .def_property_readonly(
-          "inertia", [](const RigidBody& body) { return array_of_matrix(body.inertia()); }, "(3, 3) about the centre of mass, world axes [kg m2].")
-      .def_property_readonly("momentum", &RigidBody::momentum, "(3,) [kg m/s]")
-      .def_property_readonly("kinetic_energy", &RigidBody::kinetic_energy, "Of translation and rotation [J].");
+          "inertia", [](const RigidBody& body) { return array_of_matrix(body.inertia()); }, "(3, 3) inertia about the centre of mass, world axes [kg m2].")
+      .def_property_readonly("momentum", &RigidBody::momentum, "(3,) linear momentum [kg m/s].")
+      .def_property_readonly("kinetic_energy", &RigidBody::kinetic_energy, "Kinetic energy of translation and rotation [J].");
 }
 
 // ---- contact ----
@@ -258,20 +261,21 @@ py::array_t<ContactRow> rows_of(const std::vector<fccda::Contact>& contacts) {
             .radius = contact.radius,
             .hit = {},
             .normal = {},
-            .relocation = {}};
-    put(row->hit, contact.hit), put(row->normal, contact.normal), put(row->relocation, contact.relocation);
+            .relocation = {},
+            .normal_t0 = {}};
+    put(row->hit, contact.hit), put(row->normal, contact.normal), put(row->relocation, contact.relocation), put(row->normal_t0, contact.normal_t0);
     ++row;
   }
   return rows;
 }
 
 std::vector<fccda::Contact> contacts_in(const py::array_t<ContactRow, py::array::c_style>& rows, std::size_t points, const fccda::ContactDetector* detector) {
-  if (rows.ndim() != 1) throw InputError(fmt::format("contacts has the shape {}, but a list of them is needed, as detect returns it.", shape_in_words(rows)));
+  if (rows.ndim() != 1) throw InputError(fmt::format("contacts has the shape {}, but must be one-dimensional, as returned by detect.", shape_in_words(rows)));
   std::vector<fccda::Contact> contacts;
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     const ContactRow& row = *rows.data(i);
     if (row.point < 0 || static_cast<std::size_t>(row.point) >= points)
-      throw InputError(fmt::format("contacts names the point {}, but there are {}.", row.point, points));
+      throw InputError(fmt::format("contacts refers to point {}, but there are {}.", row.point, points));
     contacts.push_back({.point = static_cast<std::size_t>(row.point),
                         .panel = row.panel,
                         .time_fraction = row.time_fraction,
@@ -280,6 +284,7 @@ std::vector<fccda::Contact> contacts_in(const py::array_t<ContactRow, py::array:
                         .relocation = vector_in(row.relocation),
                         .depth = row.depth,
                         .radius = row.radius,
+                        .normal_t0 = detector ? vector_in(row.normal_t0) : Vec3d{},  // moves the point along the surface, which must be there
                         .sliding = detector ? &detector->swept() : nullptr});
   }
   return contacts;
@@ -323,11 +328,11 @@ py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, 
   return numbers;
 }
 
-fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, const py::object& x_t0,
-                        const py::array& x_t1, const py::array& velocity, const py::object& mass, double friction, const fccda::ContactDetector* detector,
-                        bool apply) {
+fccda::ContactSum respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, const py::object& x_t0,
+                             const py::array& x_t1, const py::array& velocity, const py::object& mass, double friction, const fccda::ContactDetector* detector,
+                             bool apply) {
   if (friction != 0 && !detector)
-    throw InputError("friction needs the detector that found the contacts, which says where panels are in the way; give respond detector=….");
+    throw InputError("friction requires the detector of the contacts, which limits sliding at obstructing panels; pass detector=… to respond.");
   py::array at_t0, masses;
   const fccda::ConstVectors from = vectors_in(x_t0, "x_t0", at_t0);
   const fccda::PointArrays points{
@@ -337,43 +342,45 @@ fccda::Tally respond_to(const py::array_t<ContactRow, py::array::c_style>& conta
 }
 
 void bind_contact(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, radius, hit, normal, relocation);
-  py::class_<fccda::ContactDetector>(module, "ContactDetector",
-                                     R"(Finds which points strike a surface that moves. One detector follows one set of points: it remembers how far each was.
+  PYBIND11_NUMPY_DTYPE(ContactRow, point, panel, time_fraction, depth, radius, hit, normal, relocation, normal_t0);
+  py::class_<fccda::ContactDetector>(
+      module, "ContactDetector",
+      R"(Continuous collision detection between points and a moving surface. One detector serves one set of points and caches their distances.
 
-x_t0 of a step is x_t1 of the step before, as relocated; tell of points for which that is not true with `moved`. Points may be appended or taken off the end.)")
+x_t0 of a step must be x_t1 of the previous step, as relocated; report points for which it is not with `moved`. Points may be appended or removed at the end.)")
       .def(py::init(&detector_of), "surface"_a, "radius"_a = 0.0, py::kw_only(), "boxes"_a = py::none(), "clip"_a = false,
-           R"(radius: contact radius, points are balls [m]; 0 for points without extent.
-boxes: [(size, centre), …] in the body frame [m], where contact is looked for; everywhere where absent.
-clip: whether the surface may stick out of them, where it is not felt then; else that is an InputError.)")
-      .def(
-          "detect", &detect, "motion"_a, "x_t0"_a, "x_t1"_a, "radius"_a = py::none(),
-          R"(The contacts of one step, in point order. x_t0, x_t1: (points, 3) positions in the world at both ends of the step [m]; not changed. radius: of each
-point [m], where they are balls of different sizes; they may change from step to step.
+           R"(radius: contact radius of the points [m]; 0 for points without extent.
+boxes: contact bounds, [(size, centre), …] in the body frame [m]; without them contact is detected everywhere.
+clip: whether the surface may extend beyond the bounds, where contact is then not detected; otherwise that raises InputError.)")
+      .def("detect", &detect, "motion"_a, "x_t0"_a, "x_t1"_a, "radius"_a = py::none(),
+           R"(Detects the contacts of one step, in point order. x_t0, x_t1: (points, 3) world positions at the start and the end of the step [m]; not modified.
+radius: contact radius of each point [m], for different radii; it may change from step to step.
 
-A structured array with the fields point, panel (as numbered in the mesh), time_fraction (of first touch, 0 to 1), depth (from where the point had gone to
-the relocation) [m], hit (place of the surface touched first) [m], normal (unit, out of the surface), relocation (where the point belongs) [m], radius (of contact, of
-the point) [m].)")
+Returns a structured array with the fields point, panel (number in the mesh), time_fraction (time of impact, 0 to 1), depth (distance from x_t1 to the
+relocation) [m], hit (point of first contact on the surface) [m], normal (outward unit normal), relocation (corrected position of the point) [m], radius
+(contact radius of the point) [m], normal_t0 (surface normal at t0 of a ball in contact there, along which the impulse acts; else 0).)")
       .def("points_inside", &points_inside, "pose"_a, "x"_a, "radius"_a = py::none(),
-           "Which of the points x (points, 3) [m] are inside the surface or nearer than the radius, theirs [m] where given: to be asked before the first step.")
+           "Indices of the points x (points, 3) [m] that are inside the surface or closer than the contact radius (`radius` per point [m] if given); for use "
+           "before the first step.")
       .def(
           "moved", [](fccda::ContactDetector& detector, std::size_t point) { detector.moved(point); }, "point"_a,
-          "Somebody else displaced the point since the last step.")
-      .def("points_changed", &fccda::ContactDetector::points_changed, "Points were renumbered, or many displaced: all are looked at again.");
+          "Declares that the point has been displaced since the last step.")
+      .def("points_changed", &fccda::ContactDetector::points_changed,
+           "Declares that points were renumbered, or many displaced: discards the cached distances.");
 
-  py::class_<fccda::Tally>(module, "Tally", "What all contacts of a step did to the body.")
-      .def_readonly("impulse", &fccda::Tally::impulse, "(3,) [N s]; divided by dt, the mean force.")
-      .def_readonly("angular_impulse", &fccda::Tally::angular_impulse_about_com, "(3,) about the centre of mass [N m s].")
-      .def_readonly("contacts", &fccda::Tally::contacts, "Their number.");
+  py::class_<fccda::ContactSum>(module, "ContactSum", "Sum of the contacts of a step, acting on the body.")
+      .def_readonly("impulse", &fccda::ContactSum::impulse, "(3,) impulse [N s]; divided by dt, the mean force.")
+      .def_readonly("angular_impulse", &fccda::ContactSum::angular_impulse_about_com, "(3,) angular impulse about the centre of mass [N m s].")
+      .def_readonly("contacts", &fccda::ContactSum::contacts, "Number of contacts.");
 
   module.def("respond", &respond_to, "contacts"_a, "motion"_a, "body"_a, py::kw_only(), "x_t0"_a, "x_t1"_a.noconvert(), "velocity"_a.noconvert(), "mass"_a,
              "friction"_a = 0.0, "detector"_a = py::none(), "apply"_a = true,
-             R"(Puts the points that struck back on the surface, gives them their new velocities, and the body its impulse.
+             R"(Contact response: relocates the points in contact to the surface, updates their velocities, and applies the impulse to the body.
 
-x_t1 [m] and velocity [m/s], which led from x_t0 to x_t1, are (points, 3) arrays of float64 or float32 and changed in place. mass [kg]: one number, or one for
-each point. friction: Coulomb's coefficient. detector: the one that found the contacts, in this step; friction needs it, because it moves points along the
-surface and must not push them through a panel that is in the way. apply: False leaves the body as it is, so that the impulses of several sets of points, or of
-several processes, can be added up and given to it at once, with add_impulse. Returns the Tally.)");
+x_t1 [m] and velocity [m/s], with which the points moved from x_t0 to x_t1, are (points, 3) arrays of float64 or float32, modified in place. mass [kg]: one
+number, or one per point. friction: Coulomb friction coefficient. detector: the detector of these contacts, in this step; required with friction, which moves
+points along the surface but not through other panels. apply: False leaves the body unchanged, so that the impulses of several sets of points, or of several
+processes, can be summed and applied together with add_impulse. Returns the Tally.)");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-/// Ctrl-C while a step is made. Own forces are Python, and Python's own handler would raise KeyboardInterrupt in the middle of one, which leaves the step
-/// half done. So a signal is only noted as long as one of these lives, and handed to Python when the step is whole.
+/// Deferral of Ctrl-C during a step. User forces run Python code, in which Python's handler would raise KeyboardInterrupt and leave the step
+/// incomplete. While an object exists a signal is only recorded, and it is passed to Python when the step is complete.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -10,7 +10,7 @@ namespace perimpact::python {
 
 class HeldInterrupts {
  public:
-  /// With Python's lock held, which guards the count of those that live: several threads may make steps.
+  /// Call with the GIL held, which guards the number of objects: several threads may perform steps.
   HeldInterrupts() {
     if (living_++ > 0) return;
     struct sigaction noting {};
@@ -18,14 +18,14 @@ class HeldInterrupts {
     noting.sa_flags = SA_RESTART;
     sigaction(SIGINT, &noting, &of_python_);
   }
-  /// Likewise.
+  /// Call with the GIL held.
   ~HeldInterrupts() {
     if (--living_ == 0) sigaction(SIGINT, &of_python_, nullptr);
   }
   HeldInterrupts(const HeldInterrupts&) = delete;
   HeldInterrupts& operator=(const HeldInterrupts&) = delete;
 
-  /// Hands on what was noted: Python's handler for it is run when signals are looked for next.
+  /// Passes on a recorded signal: Python's handler runs at the next check for signals.
   static void hand_on() {
     if (noted_ == 0) return;
     noted_ = 0;

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 
-#include "fccda/core/error.hpp"
-#include "fccda/shapes/box.hpp"
-#include "fccda/shapes/cylinder.hpp"
-#include "fccda/shapes/sphere.hpp"
-#include "fccda/surface/read/read_panels.hpp"
+#include "base/error.hpp"
+#include "mesh/shapes/box.hpp"
+#include "mesh/shapes/cylinder.hpp"
+#include "mesh/shapes/sphere.hpp"
+#include "mesh_io/read_panels.hpp"
 
 namespace perimpact::python {
 
@@ -23,14 +23,14 @@ using Faces = py::array_t<long, py::array::c_style | py::array::forcecast>;
 void take_faces(Panels& panels, const Faces& faces) {
   if (faces.ndim() != 2 || (faces.shape(1) != 3 && faces.shape(1) != 4))
     throw InputError(
-        fmt::format("mesh: faces has the shape {}, but (faces, 3) or (faces, 4) is needed, the numbers of the vertices around each.", shape_in_words(faces)));
+        fmt::format("mesh: faces has the shape {}, but must be (faces, 3) or (faces, 4): the vertex numbers around each face.", shape_in_words(faces)));
   const auto count = static_cast<long>(panels.vertices.size());
   for (py::ssize_t f = 0; f < faces.shape(0); ++f) {
     std::array<int, 4> panel{0, 0, 0, -1};
     for (py::ssize_t c = 0; c < faces.shape(1); ++c) {
       const long vertex = faces.at(f, c);
       if ((vertex < 0 || vertex >= count) && !(c == 3 && vertex == -1))
-        throw InputError(fmt::format("mesh: face {} names the vertex {}, but there are {}, counted from 0.", f, vertex, count));
+        throw InputError(fmt::format("mesh: face {} has vertex {}, but there are {}, counted from 0.", f, vertex, count));
       panel[static_cast<std::size_t>(c)] = static_cast<int>(vertex);
     }
     panels.panels.push_back(panel);
@@ -39,7 +39,7 @@ void take_faces(Panels& panels, const Faces& faces) {
 
 void take_parts(Panels& panels, const std::vector<std::string>& parts) {
   if (parts.size() != panels.panels.size())
-    throw InputError(fmt::format("mesh: parts names {} faces, but there are {}; give the part of each.", parts.size(), panels.panels.size()));
+    throw InputError(fmt::format("mesh: parts has {} entries for {} faces; give one part per face.", parts.size(), panels.panels.size()));
   for (const std::string& name : parts) {
     const auto known = std::find(panels.part_names.begin(), panels.part_names.end(), name);
     panels.part.push_back(static_cast<int>(known - panels.part_names.begin()));
@@ -83,7 +83,7 @@ void expect_positive(double value, const char* what) {
 
 double panel_of(const std::optional<double>& panel) {
   if (!panel) return 0;  // the default of the shape
-  expect_positive(*panel, "panel");
+  expect_positive(*panel, "edge_length");
   return *panel;
 }
 
@@ -93,45 +93,47 @@ Mesh::Mesh(Numbers vertices, const Faces& faces, const std::optional<std::vector
 
 void bind_mesh(py::module_& module) {
   using namespace py::literals;
-  py::class_<Mesh>(module, "Mesh", R"(A surface in memory: vertices and the panels between them.
+  py::class_<Mesh>(module, "Mesh", R"(A surface mesh in memory: vertices and panels.
 
-May stand in a set-up wherever a deck names a surface file, with all that can stand beside it:
+May replace a surface file in a set-up, with the same accompanying keys:
 ``"surface": {"file": mesh, "scale": 0.001}`` for an impactor, ``"shape": {"file": mesh}`` for a body.)")
       .def(py::init<Numbers, const Faces&, const std::optional<std::vector<std::string>>&>(), "vertices"_a, "faces"_a, "parts"_a = py::none(),
            R"(vertices: (n, 3) coordinates [m].
-faces: (m, 3) or (m, 4) numbers of the vertices around each panel, from 0, counterclockwise seen from outside; of a triangle among quads the fourth is -1.
-parts: the name of the part that each panel belongs to, for `parts`, `gauges` and `refine`.)")
+faces: (m, 3) or (m, 4) vertex numbers around each panel, from 0, counterclockwise seen from outside; the fourth is -1 for triangles among quads.
+parts: part name of each panel, for `file_parts`, `gauges` and `refine`.)")
       .def_static(
           "read", [](const std::string& file, const std::vector<std::string>& parts) { return Mesh(fccda::read_panels(file, parts)); }, "file"_a,
-          "parts"_a = std::vector<std::string>(), "The panels of a surface file, in its units: all, or those of the parts named.")
+          "parts"_a = std::vector<std::string>(), "Reads the panels of a surface file, in its units: all, or those of the named parts.")
       .def_static(
           "box",
           [](const Vec3d& size, const std::optional<double>& panel) {
             for (const double edge : {size.x, size.y, size.z}) expect_positive(edge, "size");
-            return Mesh(fccda::make_box({.size = size, .panel = panel_of(panel)}));
+            return Mesh(fccda::make_box({.size = size, .edge_length = panel_of(panel)}));
           },
-          "size"_a, "panel"_a = py::none(),
-          "A box about the origin with the edges size [m], in panels whose edges along the axes are at most panel [m] long; without it, two on each side.")
+          "size"_a, "edge_length"_a = py::none(),
+          "A box of edge lengths size [m] centred on the origin, with panels of edge length at most panel [m] along the axes; by default two triangles per "
+          "side.")
       .def_static(
           "cylinder",
           [](double diameter, double height, const std::optional<double>& panel, const std::string& axis) {
             expect_positive(diameter, "diameter"), expect_positive(height, "height");
-            return Mesh(fccda::make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis), .panel = panel_of(panel)}));
+            return Mesh(fccda::make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis), .edge_length = panel_of(panel)}));
           },
-          "diameter"_a, "height"_a, "panel"_a = py::none(), "axis"_a = "z",
-          "A cylinder centred on the origin [m], about the axis x, y or z, in panels of at most panel [m]; without it, of a twentieth of the diameter.")
+          "diameter"_a, "height"_a, "edge_length"_a = py::none(), "axis"_a = "z",
+          "A cylinder centred on the origin [m], about the axis x, y or z, with panels of edge length at most panel [m]; by default a twentieth of the "
+          "diameter.")
       .def_static(
           "sphere",
           [](double diameter, const std::optional<double>& panel) {
             expect_positive(diameter, "diameter");
-            return Mesh(fccda::make_sphere({.diameter = diameter, .panel = panel_of(panel)}));
+            return Mesh(fccda::make_sphere({.diameter = diameter, .edge_length = panel_of(panel)}));
           },
-          "diameter"_a, "panel"_a = py::none(),
-          "A sphere about the origin [m], no edge of a panel longer than panel [m]; without it, than a twentieth of the diameter.")
+          "diameter"_a, "edge_length"_a = py::none(),
+          "A sphere centred on the origin [m], with panels of edge length at most panel [m]; by default a twentieth of the diameter.")
       .def_property_readonly(
           "vertices", [](const Mesh& mesh) { return array_of(mesh.panels().vertices); }, "(n, 3) coordinates [m], a copy.")
-      .def_property_readonly("faces", &faces_of, "(m, 4) numbers of vertices, the fourth -1 in a triangle; a copy.")
-      .def_property_readonly("parts", &parts_of, "The name of the part of each panel; empty where none has one.")
+      .def_property_readonly("faces", &faces_of, "(m, 4) vertex numbers, the fourth -1 for triangles; a copy.")
+      .def_property_readonly("parts", &parts_of, "Part name of each panel; empty where there are no parts.")
       .def("__len__", [](const Mesh& mesh) { return mesh.panels().panels.size(); })
       .def("__repr__", [](const Mesh& mesh) {
         return fmt::format("<perimpact.Mesh of {} vertices and {} faces>", mesh.panels().vertices.size(), mesh.panels().panels.size());

@@ -1,4 +1,4 @@
-/// A surface in memory, as NumPy gives it: what may stand in a set-up wherever a deck names a surface file.
+/// A surface mesh from NumPy arrays, which may replace a surface file in a set-up.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "arrays.hpp"
-#include "fccda/surface/panels_in_memory.hpp"
+#include "mesh/panels_in_memory.hpp"
 
 namespace perimpact::python {
 
@@ -14,12 +14,12 @@ class Mesh {
  public:
   explicit Mesh(fccda::Panels panels) : panels_(std::move(panels)) {}
 
-  /// `vertices`: (n, 3) [m]; `faces`: (m, 3) or (m, 4) vertex numbers from 0, in a triangle among quads the fourth -1; `parts`: the name of the part
-  /// of each face. Throws InputError.
+  /// `vertices`: (n, 3) [m]; `faces`: (m, 3) or (m, 4) vertex numbers from 0, the fourth -1 for triangles among quads; `parts`: part name of each
+  /// face. Throws InputError.
   Mesh(Numbers vertices, const py::array_t<long, py::array::c_style | py::array::forcecast>& faces, const std::optional<std::vector<std::string>>& parts);
 
   const fccda::Panels& panels() const { return panels_.panels(); }
-  const std::string& name() const { return panels_.name(); }  ///< that stands in the set-up
+  const std::string& name() const { return panels_.name(); }  ///< name of the mesh in the set-up
 
  private:
   fccda::PanelsInMemory panels_;

@@ -1,5 +1,5 @@
-/// The extension module perimpact._core; python/src/perimpact says what of it is public.
-#include "fccda/core/error.hpp"
+/// The extension module perimpact._core; python/src/perimpact defines its public names.
+#include "base/error.hpp"
 #include "fccda_bindings.hpp"
 #include "mesh.hpp"
 #include "simulation_bindings.hpp"
@@ -8,9 +8,9 @@ PYBIND11_MODULE(_core, module) {
   namespace py = pybind11;
   using namespace perimpact::python;
   py::register_exception<fccda::InputError>(module, "InputError", PyExc_ValueError).doc() =
-      "What was given cannot be used. The text says where, what, why and what to do, as the command line does.";
+      "Invalid input. The message gives location, cause and remedy, as on the command line.";
   py::register_exception<fccda::RunError>(module, "RunError", PyExc_RuntimeError).doc() =
-      "The simulation cannot go on: it became unstable, or a file cannot be written.";
+      "The simulation cannot continue: it became unstable, or a file cannot be written.";
   module.attr("__version__") = PERIMPACT_VERSION;
   bind_mesh(module);
   bind_simulation(module);

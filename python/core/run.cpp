@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "held_interrupts.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/output/results_folder.hpp"
 #include "io/report/report.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact::python {
 
@@ -21,7 +21,7 @@ using fccda::RunError;
 
 constexpr std::chrono::milliseconds between_looks_for_signals{50};
 
-/// Copies of it are made and dropped without Python's lock; the function itself goes with it.
+/// A Python function that may be copied and destroyed without the GIL.
 std::shared_ptr<py::function> kept(const py::function& function) {
   return {new py::function(function), [](py::function* last) {
             const py::gil_scoped_acquire acquire;
@@ -38,18 +38,19 @@ auto with_places(const deck::Deck& deck, const F& f) {
   }
 }
 
-/// What a function returned, as force densities of slots.
+/// Converts the return value of a user force to force densities of the slots.
 void spread(const py::object& returned, const std::string& name, const Particles& particles, VectorArray& density) {
   Numbers numbers = Numbers::ensure(returned);
   if (!numbers) PyErr_Clear();
   const auto is_shape = [&](std::size_t rows) { return numbers.ndim() == 2 && numbers.shape(1) == 3 && static_cast<std::size_t>(numbers.shape(0)) == rows; };
   const bool is_one_for_all = numbers && numbers.ndim() == 1 && numbers.shape(0) == 3;
-  const std::string what = returned.is_none() ? "nothing" : numbers ? "an array of the shape " + shape_in_words(numbers) : "what is no array of numbers";
+  const std::string what = returned.is_none() ? "nothing"
+                           : numbers          ? "an array of the shape " + shape_in_words(numbers)
+                                              : "an object that is not an array of numbers";
   if (!numbers || !(is_one_for_all || is_shape(particles.size()) || is_shape(particles.slots())))
-    throw InputError(
-        fmt::format("the own force {} returned {}, but force densities [N/m3] of the shape (3,), the same for all particles, ({}, 3), one for each "
-                    "particle, or ({}, 3), one for each slot, are needed.",
-                    name, what, particles.size(), particles.slots()));
+    throw InputError(fmt::format(
+        "the user force {} returned {}, but must return force densities [N/m3] of the shape (3,) for all particles, ({}, 3) per particle or ({}, 3) per slot.",
+        name, what, particles.size(), particles.slots()));
   const std::span<const std::uint32_t> slots = particles.slot_of();
   if (is_one_for_all) {
     const Vec3d force{numbers.at(0), numbers.at(1), numbers.at(2)};
@@ -57,11 +58,11 @@ void spread(const py::object& returned, const std::string& name, const Particles
     return;
   }
   const bool is_by_slot = is_shape(particles.slots());
-  const fccda::ConstVectors forces = vectors_in(numbers, "the own force " + name);
+  const fccda::ConstVectors forces = vectors_in(numbers, "the user force " + name);
   for (std::size_t i = 0; i < slots.size(); ++i) density.set(slots[i], forces[is_by_slot ? slots[i] : i]);
 }
 
-/// True for as long as it lives.
+/// Sets a flag while in scope.
 class Flag {
  public:
   explicit Flag(bool& flag) : flag_(flag) { flag_ = true; }
@@ -80,11 +81,11 @@ std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<OwnForceFunction
   const Setup& setup = run->setup();
   std::vector<std::string> names;
   for (const BodySetup& body : setup.bodies) names.push_back(body.name);
-  std::vector<GivenForce> given;
+  std::vector<UserForceOnBody> given;
   for (const OwnForceFunction& force : forces) {
     const auto body = std::find(names.begin(), names.end(), force.body);
     if (body == names.end())
-      throw InputError(fmt::format("forces names the body {}, but there is no such body; {}", force.body, deck::suggestion(force.body, names)));
+      throw InputError(fmt::format("forces refers to body {}, which does not exist; {}", force.body, deck::suggestion(force.body, names)));
     given.push_back(run->given(static_cast<std::size_t>(body - names.begin()), force));
   }
   run->being_made_.resize(names.size(), nullptr);
@@ -97,7 +98,7 @@ std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<OwnForceFunction
   return run;
 }
 
-GivenForce Run::given(std::size_t body, const OwnForceFunction& force) {
+UserForceOnBody Run::given(std::size_t body, const OwnForceFunction& force) {
   return {body, force.name, [this, body, name = force.name, function = kept(force.function)](double time, const Body& particles, VectorArray& density) {
             add_own_force(body, name, *function, time, particles, density);
           }};
@@ -118,18 +119,18 @@ void Run::add_own_force(std::size_t index, const std::string& name, const py::fu
 const Body& Run::body(std::size_t index) const {
   if (is_made()) return simulation_->bodies()[index];
   if (being_made_[index]) return *being_made_[index];
-  throw RunError("this body belongs to a simulation that could not be made.");
+  throw RunError("this body belongs to a simulation that failed to build.");
 }
 
 void Run::expect_usable() const {
-  if (is_busy_) throw RunError("the simulation is in the middle of a step; an own force or another thread cannot make it take another.");
+  if (is_busy_) throw RunError("the simulation is in the middle of a step; a user force or another thread cannot start another one.");
   if (!is_whole_)
-    throw RunError("the step before was left by an error, and the state is that of no instant; make a new simulation, or resume from a checkpoint.");
+    throw RunError("the previous step was aborted by an error, so the state is inconsistent; create a new simulation, or resume from a checkpoint.");
 }
 
 bool Run::is_there(std::optional<double> until) const {
   const Clock& clock = simulation_->clock();
-  constexpr double rounding = 1e-9;  // of a step
+  constexpr double rounding = 1e-9;  // fraction of a step
   return clock.is_finished() || (until && clock.time() >= *until - rounding * clock.dt);
 }
 
@@ -137,8 +138,8 @@ void Run::step() {
   expect_usable();
   const long step = simulation_->clock().step;
   if (simulation_->clock().is_finished())
-    throw RunError(fmt::format("the run is over at {:.6g} s, after {} steps; set a later time.end to go further.", simulation_->clock().time(), step));
-  while (simulation_->clock().step == step) {  // an increment of a relaxation is left off to look for signals
+    throw RunError(fmt::format("the run is over at {:.6g} s, after {} steps; set a later time.end to continue.", simulation_->clock().time(), step));
+  while (simulation_->clock().step == step) {  // an increment of a relaxation is paused to check for signals
     advance({}, 1);
     throw_if_interrupted();
   }
@@ -155,7 +156,7 @@ void Run::run(std::optional<double> until, const py::object& after_steps, long e
     if (after_steps.is_none() || simulation_->clock().step < called_at + every) continue;
     called_at = simulation_->clock().step;
     if (after_steps(self).ptr() == Py_False) return;
-    expect_usable();  // it may have made steps of its own
+    expect_usable();  // the callback may have performed steps
   }
 }
 
@@ -168,7 +169,7 @@ void Run::advance(std::optional<double> until, long most) {
     if (!step_once(leave_at) || std::chrono::steady_clock::now() > leave_at) return;
 }
 
-/// False where an increment was left off.
+/// Returns false where an increment was paused.
 bool Run::step_once(Instant leave_at) {
   const auto begin = std::chrono::steady_clock::now();
   const long step = simulation_->clock().step;
@@ -204,11 +205,11 @@ void Run::throw_if_interrupted() {
 
 void Run::write_results(const std::optional<std::string>& folder, bool resume) {
   expect_usable();
-  if (results_) throw InputError("results are being written already; call write_results once, before the first step.");
+  if (results_) throw InputError("results are already being written; call write_results once, before the first step.");
   if (simulation_->clock().step > 0)
-    throw InputError(fmt::format("step {} is done, but results begin with t = 0; call write_results before the first step.", simulation_->clock().step));
+    throw InputError(fmt::format("step {} is done, but results begin at t = 0; call write_results before the first step.", simulation_->clock().step));
   const std::filesystem::path path = folder.value_or(setup().output.folder);
-  if (path.empty()) throw InputError("the folder of the results has no name; give one, such as \"results\".");
+  if (path.empty()) throw InputError("the results folder has no name; give one, such as \"results\".");
   const std::filesystem::path checkpoint = output::ResultsFolder::checkpoint_in(path);
   with_places(deck_, [&] {
     std::optional<Checkpoint> earlier;

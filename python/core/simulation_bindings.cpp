@@ -4,15 +4,15 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
 #include "run.hpp"
 #include "tree.hpp"
 
 namespace perimpact::python {
 
-/// A particle that an impactor struck in the last step, as NumPy has it.
+/// A particle contact of an impactor in the last step, as a NumPy record.
 struct BlowRow {
   std::int32_t body;
   std::int32_t panel;
@@ -27,20 +27,27 @@ using namespace py::literals;
 
 // ---- set-ups ----
 
+/// Issues a FutureWarning for each deprecated key.
+deck::Deck with_warnings(deck::Deck deck) {
+  for (const std::string& warning : deck.warnings)
+    if (PyErr_WarnEx(PyExc_FutureWarning, warning.c_str(), 2) != 0) throw py::error_already_set();
+  return deck;
+}
+
 deck::Deck deck_of_file(const std::filesystem::path& file, const py::object& changes) {
   deck::YamlNode tree = deck::read_deck_tree(file);
   if (!changes.is_none()) change(tree, py::cast<py::dict>(changes));
-  return deck::deck_of_tree(tree, file.string(), file.parent_path());
+  return with_warnings(deck::deck_of_tree(std::move(tree), file.string(), file.parent_path()));
 }
 
 deck::Deck deck_of_dict(const py::dict& setup, const std::filesystem::path& folder) {
   constexpr const char* whole = "the set-up";
-  return deck::deck_of_tree(tree_of(setup, whole), whole, folder);
+  return with_warnings(deck::deck_of_tree(tree_of(setup, whole), whole, folder));
 }
 
 py::object dict_of(const Setup& setup) { return py::module_::import("json").attr("loads")(deck::setup_to_text(setup)); }
 
-std::vector<OwnForceFunction> own_forces(const py::object& forces) {
+std::vector<OwnForceFunction> user_forces(const py::object& forces) {
   std::vector<OwnForceFunction> all;
   if (forces.is_none()) return all;
   for (const auto& [body, of_body] : py::cast<py::dict>(forces))
@@ -53,7 +60,7 @@ std::vector<OwnForceFunction> own_forces(const py::object& forces) {
 
 const Particles& particles_of(const BodyOfRun& body) { return body.get().particles; }
 
-/// While the simulation is being made, nothing says yet that it will be, and the array is a copy.
+/// A view, or a copy while the simulation is being built, since construction may still fail.
 py::object array_of_slots(const BodyOfRun& body, VectorArray Particles::*member) {
   const py::array view = view_of(particles_of(body).*member, py::cast(body.run));
   return body.run->is_made() ? py::object(view) : view.attr("copy")();
@@ -103,69 +110,78 @@ std::optional<std::array<std::size_t, 3>> lattice_shape(const BodyOfRun& body) {
 void bind_body(py::module_& module) {
   py::class_<BodyOfRun>(module, "Body", R"(A deformable body of a simulation.
 
-Arrays run over *slots*: the cells of the lattice that was filled, x fastest, or the points of a cloud, in both cases with some empty ones. `slots` are those
-of the particles, in their order, so `body.positions[body.slots]` has one row a particle. `positions`, `velocities` and `force_densities` are the
-simulation's own memory: they show every later step, and cannot be written. The other arrays are computed when asked for, 0 in empty slots.)")
+Arrays are indexed by *slots*: the cells of the filled lattice, x fastest, or the points of a point cloud, in both cases with some empty ones. `slots` lists
+those of the particles in order, so `body.positions[body.slots]` has one row per particle. `positions`, `velocities` and `force_densities` are read-only
+views of the simulation's memory and show every later step. The other arrays are computed on access, with 0 in empty slots.)")
       .def_property_readonly(
-          "name", [](const BodyOfRun& body) { return body.get().name; }, "Its name in the set-up.")
+          "name", [](const BodyOfRun& body) { return body.get().name; }, "Name in the set-up.")
       .def("__len__", [](const BodyOfRun& body) { return particles_of(body).size(); })
       .def("__repr__", [](const BodyOfRun& body) { return fmt::format("<perimpact.Body {} of {} particles>", body.get().name, particles_of(body).size()); })
-      .def_property_readonly("slots", &slots, "(particles,) the slot of each particle, ascending.")
-      .def_property_readonly("occupied", &occupied, "(slots,) bool: which slots hold a particle.")
+      .def_property_readonly("slots", &slots, "(particles,) slot of each particle, ascending.")
+      .def_property_readonly("occupied", &occupied, "(slots,) bool: whether a slot contains a particle.")
       .def_property_readonly(
           "lattice_shape", &lattice_shape,
-          "(nz, ny, nx) of the slots as a grid, with nx rounded up to whole eights: `body.positions.reshape(*body.lattice_shape, 3)`. None for "
-          "a cloud of points.")
+          "(nz, ny, nx) shape of the slots as a grid, with nx rounded up to a multiple of eight: `body.positions.reshape(*body.lattice_shape, 3)`. None for "
+          "a point cloud.")
       .def_property_readonly(
-          "positions", [](const BodyOfRun& body) { return array_of_slots(body, &Particles::position); }, "(slots, 3) where the particles are [m].")
+          "positions", [](const BodyOfRun& body) { return array_of_slots(body, &Particles::position); }, "(slots, 3) current positions [m].")
       .def_property_readonly(
           "velocities", [](const BodyOfRun& body) { return array_of_slots(body, &Particles::velocity); },
-          "(slots, 3) velocities [m/s], which belong to half a step before the positions (symplectic Euler).")
+          "(slots, 3) velocities [m/s], half a step before the positions (symplectic Euler).")
       .def_property_readonly(
           "force_densities", [](const BodyOfRun& body) { return array_of_slots(body, &Particles::force_density); },
-          "(slots, 3) the sum of all forces at the positions, by volume [N/m3].")
+          "(slots, 3) total force densities at the current positions [N/m3].")
       .def_property_readonly(
           "references",
           [](const BodyOfRun& body) { return vectors_of_particles(body, [](const Particles& p, std::size_t slot) { return p.reference(slot); }); },
-          "(slots, 3) where the particles were made [m].")
+          "(slots, 3) reference positions [m].")
       .def_property_readonly(
           "displacements",
           [](const BodyOfRun& body) { return vectors_of_particles(body, [](const Particles& p, std::size_t slot) { return p.displacement(slot); }); },
-          "(slots, 3) positions less references [m].")
+          "(slots, 3) displacements: positions minus references [m].")
       .def_property_readonly(
           "damages", [](const BodyOfRun& body) { return numbers_of_particles(body, [&](std::size_t slot) { return body.get().family.damage(slot); }); },
-          "(slots,) the share of the bonds of each particle that are broken, by volume [-].")
+          "(slots,) damage: volume fraction of the broken bonds of each particle [-].")
+      .def_property_readonly(
+          "plastic_strains",
+          [](const BodyOfRun& body) {
+            return numbers_of_particles(body, [&](std::size_t slot) {
+              const perimpact::PlasticForce* plastic = body.get().internal.plastic();
+              return plastic ? plastic->equivalent_strain(slot) : 0.0;
+            });
+          },
+          "(slots,) the equivalent plastic strain of each particle [-]; 0 where the material has no plasticity.")
       .def_property_readonly(
           "volumes", [](const BodyOfRun& body) { return numbers_of_particles(body, [&](std::size_t slot) { return particles_of(body).volume(slot); }); },
-          "(slots,) volumes of the particles [m3].")
+          "(slots,) particle volumes [m3].")
       .def_property_readonly(
           "density", [](const BodyOfRun& body) { return particles_of(body).density(); }, "Density [kg/m3].")
       .def_property_readonly(
-          "mass", [](const BodyOfRun& body) { return particles_of(body).total_mass(); }, "Mass of all particles [kg].")
+          "mass", [](const BodyOfRun& body) { return particles_of(body).total_mass(); }, "Total mass of the particles [kg].")
       .def_property_readonly(
-          "spacing", [](const BodyOfRun& body) { return particles_of(body).spacing(); }, "Spacing of the lattice [m]; of a cloud, the size of a mean particle.")
+          "spacing", [](const BodyOfRun& body) { return particles_of(body).spacing(); }, "Lattice spacing [m]; for a point cloud, the mean particle size.")
       .def_property_readonly(
-          "momentum", [](const BodyOfRun& body) { return body.get().momentum(); }, "(3,) momentum of all particles [kg m/s].")
+          "momentum", [](const BodyOfRun& body) { return body.get().momentum(); }, "(3,) total linear momentum [kg m/s].")
       .def_property_readonly(
-          "broken_bonds", [](const BodyOfRun& body) { return body.get().internal.broken_bonds(); }, "How many bonds have broken so far.");
+          "broken_bonds", [](const BodyOfRun& body) { return body.get().internal.broken_bonds(); }, "Number of bonds broken so far.");
 }
 
 // ---- impactors ----
 
 py::array_t<BlowRow> contacts_of(const ImpactorOfRun& impactor) {
-  const std::vector<Blow>& blows = impactor.get().last_step().blows;
-  py::array_t<BlowRow> array(static_cast<py::ssize_t>(blows.size()));
+  const std::vector<ContactImpulse>& contact_impulses = impactor.get().last_step().contact_impulses;
+  py::array_t<BlowRow> array(static_cast<py::ssize_t>(contact_impulses.size()));
   BlowRow* row = array.mutable_data();
-  for (const Blow& blow : blows) {
-    const fccda::Contact& contact = blow.contact;
-    *row = {.body = static_cast<std::int32_t>(blow.body),
+  for (const ContactImpulse& contact_impulse : contact_impulses) {
+    const fccda::Contact& contact = contact_impulse.contact;
+    *row = {.body = static_cast<std::int32_t>(contact_impulse.body),
             .panel = contact.panel,
             .slot = static_cast<std::int64_t>(contact.point),
             .time_fraction = contact.time_fraction,
             .depth = contact.depth,
             .position = {contact.relocation.x, contact.relocation.y, contact.relocation.z},
             .normal = {contact.normal.x, contact.normal.y, contact.normal.z},
-            .impulse = {blow.impulse.x, blow.impulse.y, blow.impulse.z}};
+            .impulse = {contact_impulse.impulse.x, contact_impulse.impulse.y, contact_impulse.impulse.z}};
     ++row;
   }
   return array;
@@ -191,39 +207,40 @@ double step_of(const ImpactorOfRun& impactor) { return impactor.run->simulation(
 
 void bind_impactor(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(BlowRow, body, panel, slot, time_fraction, depth, position, normal, impulse);
-  py::class_<ImpactorOfRun>(module, "Impactor", "A rigid body of a simulation. Vectors have the world's axes.")
+  py::class_<ImpactorOfRun>(module, "Impactor", "A rigid impactor of a simulation. Vectors are in world axes.")
       .def_property_readonly(
-          "name", [](const ImpactorOfRun& impactor) { return impactor.get().name(); }, "Its name in the set-up.")
+          "name", [](const ImpactorOfRun& impactor) { return impactor.get().name(); }, "Name in the set-up.")
       .def("__repr__", [](const ImpactorOfRun& impactor) { return fmt::format("<perimpact.Impactor {}>", impactor.get().name()); })
       .def_property_readonly(
-          "position", [](const ImpactorOfRun& impactor) { return impactor.get().body().position_of_com(); }, "(3,) centre of mass [m].")
+          "position", [](const ImpactorOfRun& impactor) { return impactor.get().body().position_of_com(); }, "(3,) position of the centre of mass [m].")
       .def_property_readonly(
-          "origin", [](const ImpactorOfRun& impactor) { return impactor.get().body().pose().position(); }, "(3,) origin of the surface [m].")
+          "origin", [](const ImpactorOfRun& impactor) { return impactor.get().body().pose().position(); }, "(3,) position of the surface's origin [m].")
       .def_property_readonly(
           "rotation", [](const ImpactorOfRun& impactor) { return rotation_of(impactor.get().body()); },
-          "(3, 3) turns the surface into the world: `impactor.vertices @ impactor.rotation.T + impactor.origin`.")
+          "(3, 3) rotation matrix from surface to world axes: `impactor.vertices @ impactor.rotation.T + impactor.origin`.")
       .def_property_readonly(
-          "velocity", [](const ImpactorOfRun& impactor) { return impactor.get().body().velocity(); }, "(3,) of the centre of mass [m/s].")
+          "velocity", [](const ImpactorOfRun& impactor) { return impactor.get().body().velocity(); }, "(3,) velocity of the centre of mass [m/s].")
       .def_property_readonly(
-          "angular_velocity", [](const ImpactorOfRun& impactor) { return impactor.get().body().angular_velocity(); }, "(3,) [rad/s].")
+          "angular_velocity", [](const ImpactorOfRun& impactor) { return impactor.get().body().angular_velocity(); }, "(3,) angular velocity [rad/s].")
       .def_property_readonly(
           "mass", [](const ImpactorOfRun& impactor) { return impactor.get().body().mass(); }, "Mass [kg].")
       .def_property_readonly(
-          "kinetic_energy", [](const ImpactorOfRun& impactor) { return impactor.get().body().kinetic_energy(); }, "Of translation and rotation [J].")
+          "kinetic_energy", [](const ImpactorOfRun& impactor) { return impactor.get().body().kinetic_energy(); },
+          "Kinetic energy of translation and rotation [J].")
       .def_property_readonly(
           "force", [](const ImpactorOfRun& impactor) { return impactor.get().last_step().impulse / step_of(impactor); },
-          "(3,) mean force of contact over the last step [N]; `history` has means over its intervals.")
+          "(3,) mean contact force over the last step [N]; `history` has means over its intervals.")
       .def_property_readonly(
           "moment", [](const ImpactorOfRun& impactor) { return impactor.get().last_step().angular_impulse / step_of(impactor); },
-          "(3,) mean moment of contact about the centre of mass over the last step [N m].")
+          "(3,) mean contact moment about the centre of mass over the last step [N m].")
       .def_property_readonly("contacts", &contacts_of,
-                             R"(The particles that it struck in the last step, as a structured array with the fields
-body (index in the set-up), slot, panel (of the surface, as given; -1 with the analytic detector), time_fraction (of first touch, 0 to 1), depth [m],
-position (where the particle was put back) [m], normal (out of the surface), impulse (on the impactor) [N s].)")
+                             R"(The particle contacts of the last step, as a structured array with the fields
+body (index in the set-up), slot, panel (number in the given surface; -1 with the analytic detector), time_fraction (time of impact, 0 to 1), depth [m],
+position (of the relocated particle) [m], normal (outward normal of the surface), impulse (on the impactor) [N s].)")
       .def_property_readonly(
           "vertices", [](const ImpactorOfRun& impactor) { return array_of(impactor.get().surface().vertices()); },
-          "(n, 3) vertices of the surface in its own frame [m], a copy.")
-      .def_property_readonly("triangles", &triangles_of, "(m, 3) vertices around each triangle, counterclockwise seen from outside; a copy.");
+          "(n, 3) vertices of the surface in its frame [m], a copy.")
+      .def_property_readonly("triangles", &triangles_of, "(m, 3) vertex numbers of each triangle, counterclockwise seen from outside; a copy.");
 }
 
 // ---- simulations ----
@@ -285,83 +302,83 @@ std::vector<std::string> warnings_of_run(const Run& run) {
 void bind_simulation(py::module_& module) {
   bind_body(module);
   bind_impactor(module);
-  py::class_<Run, std::shared_ptr<Run>>(module, "Simulation", R"(A simulation: bodies of particles, struck by impactors.
+  py::class_<Run, std::shared_ptr<Run>>(module, "Simulation", R"(A simulation of peridynamic bodies and rigid impactors.
 
-Made from a deck (`Simulation.from_deck`) or from a dict of the same keys. Both give the same bits, step for step, as the command line.)")
+Created from a deck (`Simulation.from_deck`) or from a dict with the same keys. Both are bitwise identical to the command line in every step.)")
       .def(
           py::init([](const py::dict& setup, const std::filesystem::path& folder, const py::object& forces) {
-            return Run::of(deck_of_dict(setup, folder), own_forces(forces));
+            return Run::of(deck_of_dict(setup, folder), user_forces(forces));
           }),
           "setup"_a, py::kw_only(), "folder"_a = ".", "forces"_a = py::none(),
-          R"(setup: a dict with the keys of a deck. Numbers are SI, text has a unit ("9 mm"); vectors may be arrays; a Mesh may stand for the file of a surface.
-folder: where relative file names in it start.
-forces: forces of your own, {"body": {"name": function}}. In every step `function(time, body)` is asked for the force density [N/m3] at the time [s] and
-the positions of `body`, a Body: an array of the shape (3,), the same for all, (particles, 3) or (slots, 3). Its sum and its work are columns of the history.
+          R"(setup: a dict with the keys of a deck. Numbers are in SI units, strings have a unit ("9 mm"); vectors may be arrays; a Mesh may replace a surface file.
+folder: base folder of relative file names.
+forces: user forces, {"body": {"name": function}}. In every step `function(time, body)` must return the force density [N/m3] at the time [s] and
+the positions of `body`, a Body: an array of shape (3,) for all particles, (particles, 3) or (slots, 3). Its sum and its work are columns of the history.
 
-Raises InputError where the set-up cannot be used.)")
+Raises InputError where the set-up is invalid.)")
       .def_static(
           "from_deck",
           [](const std::filesystem::path& file, const py::object& set, const py::object& forces) {
-            return Run::of(deck_of_file(file, set), own_forces(forces));
+            return Run::of(deck_of_file(file, set), user_forces(forces));
           },
           "file"_a, py::kw_only(), "set"_a = py::none(), "forces"_a = py::none(),
-          R"(The simulation of a deck (YAML).
+          R"(Creates the simulation of a deck (YAML).
 
-set: changes as the command line takes them, {"time.end": "10 us"}; values may also be numbers, lists, dicts and meshes.
-forces: as of Simulation.)")
-      .def("step", &Run::step, "Makes one step, or one increment where the set-up relaxes. Raises RunError where the run is over, or has become unstable.")
+set: overrides as on the command line, {"time.end": "10 us"}; values may also be numbers, lists, dicts and meshes.
+forces: as for Simulation.)")
+      .def("step", &Run::step, "Performs one time step, or one load increment with time.relax. Raises RunError where the run is over or has become unstable.")
       .def(
           "run",
           [](const py::object& self, std::optional<double> until, const py::object& callback, long every) {
             self.cast<Run&>().run(until, callback, every, self);
           },
           "until"_a = py::none(), "callback"_a = py::none(), "every"_a = 1,
-          R"(Makes steps until the time `until` [s] is reached, or to the end of the set-up.
+          R"(Runs until the time `until` [s], or to the end of the set-up.
 
-callback(simulation) is called after each `every` steps; where it returns False the run is left, and may be gone on with.
-Other threads of Python go on meanwhile, and Ctrl-C ends the run after a whole step.)")
+callback(simulation) is called after every `every` steps; if it returns False, run() returns and may be called again later.
+Other Python threads continue meanwhile, and Ctrl-C ends the run after a complete step.)")
       .def(
           "write_results", &Run::write_results, "folder"_a = py::none(), "resume"_a = false,
-          R"(From now on writes what the command line writes, into `folder`, or output.folder of the set-up: history, frames, checkpoints, and run.json and report.html at the end.
+          R"(Enables output to `folder`, or output.folder of the set-up, as by the command line: history, frames, checkpoints, and run.json and report.html at the end.
 
-To be called before the first step. resume: goes on from the checkpoint in the folder, as `perimpact run --resume` does.)")
-      .def(
-          "close_results", &Run::close_results,
-          "Writes a checkpoint, run.json and report.html of a run that is not over and will not be gone on with here; `write_results(resume=True)` does later.")
+Call before the first step. resume: restarts from the checkpoint in the folder, as `perimpact run --resume` does.)")
+      .def("close_results", &Run::close_results,
+           "Writes a checkpoint, run.json and report.html of an unfinished run, which `write_results(resume=True)` can resume later.")
       .def_property_readonly(
-          "title", [](const Run& run) { return run.setup().title; }, "The title of the set-up.")
+          "title", [](const Run& run) { return run.setup().title; }, "Title of the set-up.")
       .def_property_readonly(
-          "time", [](const Run& run) { return run.simulation().clock().time(); }, "The time that has been reached [s].")
+          "time", [](const Run& run) { return run.simulation().clock().time(); }, "Current simulation time [s].")
       .def_property_readonly(
-          "dt", [](const Run& run) { return run.simulation().clock().dt; }, "The time step [s].")
+          "dt", [](const Run& run) { return run.simulation().clock().dt; }, "Time step [s].")
       .def_property_readonly(
-          "step_number", [](const Run& run) { return run.simulation().clock().step; }, "How many steps have been made.")
+          "step_number", [](const Run& run) { return run.simulation().clock().step; }, "Number of completed steps.")
       .def_property_readonly(
-          "steps", [](const Run& run) { return run.simulation().clock().steps; }, "How many steps the whole run has.")
+          "steps", [](const Run& run) { return run.simulation().clock().steps; }, "Total number of steps of the run.")
       .def_property_readonly(
-          "is_finished", [](const Run& run) { return run.simulation().clock().is_finished(); }, "True at the end of the set-up.")
-      .def_property_readonly("bodies", &bodies_of, "The bodies by their names.")
-      .def_property_readonly("impactors", &impactors_of, "The impactors by their names.")
+          "is_finished", [](const Run& run) { return run.simulation().clock().is_finished(); }, "Whether the run has reached the end of the set-up.")
+      .def_property_readonly("bodies", &bodies_of, "Bodies by name.")
+      .def_property_readonly("impactors", &impactors_of, "Impactors by name.")
       .def_property_readonly("history", &history_of,
-                             "What history.csv holds, since this simulation was made: {column: array}, such as \"cylinder.force_y [N]\".")
-      .def_property_readonly("history_columns", &history_columns_of,
-                             "What these columns are: {column: {\"unit\", \"kind\", \"meaning\"}}; the kind is instantaneous, interval mean or cumulative.")
+                             "The columns of history.csv since this simulation was created: {column: array}, such as \"cylinder.force_y [N]\".")
       .def_property_readonly(
-          "setup", [](const Run& run) { return dict_of(run.setup()); }, "The set-up as resolved, a dict in SI units that makes the same simulation.")
-      .def_property_readonly("warnings", &warnings_of_run, "What is doubtful about the set-up, and about the run so far: sentences.")
-      .def_property_readonly("timers", &timers_of, "Seconds spent in each part of the step so far: {part: seconds}.")
+          "history_columns", &history_columns_of,
+          "Description of the history columns: {column: {\"unit\", \"kind\", \"meaning\"}}; the kind is instantaneous, interval mean or cumulative.")
+      .def_property_readonly(
+          "setup", [](const Run& run) { return dict_of(run.setup()); }, "The resolved set-up, a dict in SI units that gives the same simulation.")
+      .def_property_readonly("warnings", &warnings_of_run, "Warnings about the set-up and the run so far.")
+      .def_property_readonly("timers", &timers_of, "Wall-clock seconds per phase of the step so far: {phase: seconds}.")
       .def_property_readonly(
           "state_hash", [](const Run& run) { return fmt::format("{:016x}", run.simulation().state_hash()); },
-          "A fingerprint of everything the next step depends on, as in run.json: equal for equal bits.")
+          "Hash of the complete state, as in run.json: equal for bitwise identical states.")
       .def("__repr__", [](const Run& run) {
         const Clock& clock = run.simulation().clock();
         return fmt::format("<perimpact.Simulation \"{}\", step {} of {}, t = {:.4g} s>", run.setup().title, clock.step, clock.steps, clock.time());
       });
   module.def(
       "read_deck", [](const std::filesystem::path& file, const py::object& set) { return dict_of(deck_of_file(file, set).setup); }, "file"_a, py::kw_only(),
-      "set"_a = py::none(), "The set-up of a deck as a dict in SI units, to be changed and given to Simulation. set: as of Simulation.from_deck.");
-  module.def("use_threads", &use_threads, "count"_a, "Sets how many threads a simulation uses. Results are the same to the last bit for any number.");
-  module.def("thread_count", &fccda::thread_count, "How many threads a simulation uses.");
+      "set"_a = py::none(), "The set-up of a deck as a dict in SI units, to be modified and passed to Simulation. set: as for Simulation.from_deck.");
+  module.def("use_threads", &use_threads, "count"_a, "Sets the number of threads of a simulation. Results are bitwise reproducible across thread counts.");
+  module.def("thread_count", &fccda::thread_count, "Number of threads of a simulation.");
 }
 
 }  // namespace perimpact::python

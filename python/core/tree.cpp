@@ -15,7 +15,7 @@ YamlNode word(std::string text, const std::string& place) {
   return {.kind = YamlNode::Kind::word, .place = place, .text = std::move(text), .items = {}, .entries = {}};
 }
 
-/// Deep nesting and a list that holds itself end in Python's own error.
+/// Recursion guard: deep nesting and self-referencing lists raise Python's RecursionError.
 class Deeper {
  public:
   Deeper() {
@@ -29,7 +29,7 @@ class Deeper {
 YamlNode map_of(const py::dict& map, const std::string& path, const std::string& place) {
   YamlNode node{.kind = YamlNode::Kind::map, .place = place, .text = {}, .items = {}, .entries = {}};
   for (const auto& [key, value] : map) {
-    if (!py::isinstance<py::str>(key)) deck::refuse(place, fmt::format("{} is a key, but keys are words.", std::string(py::str(key))));
+    if (!py::isinstance<py::str>(key)) deck::refuse(place, fmt::format("{} is a key, but keys must be strings.", std::string(py::str(key))));
     const std::string name = py::cast<std::string>(key);
     const std::string inner = path.empty() ? name : path + "." + name;
     node.entries.push_back({.key = name, .place = inner, .value = tree_of(value, inner)});
@@ -54,11 +54,11 @@ YamlNode tree_at(const py::handle& value, const std::string& place) {
   if (py::isinstance<Mesh>(value)) return word(value.cast<const Mesh&>().name(), place);
   if (py::isinstance<py::dict>(value)) return map_of(py::reinterpret_borrow<py::dict>(value), place == whole ? "" : place, place);
   if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) return list_of(value, place);
-  if (PyFloat_Check(value.ptr())) return word(py::repr(py::float_(PyFloat_AsDouble(value.ptr()))), place);  // the shortest text that gives the same double
-  if (py::hasattr(value, "tolist")) return tree_of(value.attr("tolist")(), place);                          // arrays and numbers of NumPy
+  if (PyFloat_Check(value.ptr())) return word(py::repr(py::float_(PyFloat_AsDouble(value.ptr()))), place);  // shortest text that reads back to the same double
+  if (py::hasattr(value, "tolist")) return tree_of(value.attr("tolist")(), place);                          // NumPy arrays and scalars
   if (PyIndex_Check(value.ptr())) return word(py::str(py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()))), place);
   if (py::hasattr(value, "__fspath__")) return word(py::str(value.attr("__fspath__")()), place);
-  deck::refuse(place, fmt::format("this is a {}, but a set-up is made of dicts, lists, numbers, words and meshes.",
+  deck::refuse(place, fmt::format("this is a {}, but a set-up consists of dicts, lists, numbers, strings and meshes.",
                                   std::string(py::str(py::type::handle_of(value).attr("__name__")))));
 }
 
@@ -68,13 +68,14 @@ deck::YamlNode tree_of(const py::handle& value, const std::string& place) { retu
 
 void change(deck::YamlNode& tree, const py::dict& changes) {
   for (const auto& [key, value] : changes) {
-    if (!py::isinstance<py::str>(key)) deck::refuse("set", fmt::format("{} is a key, but keys are words such as \"time.end\".", std::string(py::str(key))));
+    if (!py::isinstance<py::str>(key))
+      deck::refuse("set", fmt::format("{} is a key, but keys must be strings such as \"time.end\".", std::string(py::str(key))));
     const std::string path = py::cast<std::string>(key), place = "--set " + path;
     if (py::isinstance<py::str>(value)) {
       deck::apply_override(tree, path + "=" + py::cast<std::string>(value));
       continue;
     }
-    deck::apply_override(tree, path + "=");  // what the path may be is said there
+    deck::apply_override(tree, path + "=");  // reports an invalid path
     deck::set_value(tree, path, tree_of(value, place), place);
   }
 }

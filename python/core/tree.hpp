@@ -1,5 +1,5 @@
-/// A set-up in Python's dicts, lists, numbers and words as the tree that a deck is read from, so that both go through the same tables: the same keys, units,
-/// checks and sentences. Where a deck's message names line and column, that of a set-up names the key.
+/// Conversion of a set-up of Python dicts, lists, numbers and strings to the tree from which a deck is read, so that both share keys, units,
+/// checks and messages. Messages for a set-up give the key in place of line and column.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace perimpact::python {
 
-/// Throws InputError for what has no place in a set-up.
+/// Throws InputError for types that a set-up does not support.
 deck::YamlNode tree_of(const py::handle& value, const std::string& place);
 
-/// Changes of the form {"key.path": value}, in order, as --set makes them: words are read as YAML there too.
+/// Applies overrides of the form {"key.path": value} in order, as --set does; strings are parsed as YAML.
 void change(deck::YamlNode& tree, const py::dict& changes);
 
 }  // namespace perimpact::python

@@ -1,8 +1,8 @@
-// Bodies and impactors as they are unpacked, picture by picture.
+// Decoded bodies and impactors, frame by frame.
 import { ArrayReader, Body, Impactor, Numbers, PackedArray, floats, unpacked } from "./data";
 import { Kind } from "./colours";
 
-/** Smallest and largest value. */
+/** Minimum and maximum. */
 export interface Range {
   low: number;
   high: number;
@@ -12,19 +12,19 @@ function include(range: Range | undefined, low: number, high: number): Range {
   return range ? { low: Math.min(range.low, low), high: Math.max(range.high, high) } : { low, high };
 }
 
-/** Which picture of a series is shown at a time: the last one up to it, as far as they are unpacked. */
+/** The frame of a series shown at a time: the last decoded one up to it. */
 function shownAt(pictures: number[], ready: number, time: number): number {
   let found = -1;
   for (let k = 0; k < ready && pictures[k] <= time; ++k) found = k;
   return Math.max(found, 0);
 }
 
-/** A quantity that particles or panels may be coloured by. */
+/** A quantity for colouring particles or panels. */
 export interface Quantity {
   key: string;
   label: string;
   unit: string;
-  kind: Kind; // numbers name things: pieces, bodies
+  kind: Kind; // "number": labels such as fragments and bodies
 }
 
 export class BodyData {
@@ -71,7 +71,7 @@ export class BodyData {
     return number < 0 ? undefined : { about: this.about.arrays[number], number };
   }
 
-  /** The values of a quantity in a picture. */
+  /** The values of a quantity in a frame. */
   values(key: string, picture: number, body: number): Float32Array {
     const count = this.about.shown;
     const out = new Float32Array(count);
@@ -90,7 +90,7 @@ export class BodyData {
     return out;
   }
 
-  /** Of all pictures that are unpacked. */
+  /** Over all decoded frames. */
   rangeOfRun(key: string): Range {
     const found = this.array(key);
     if (key === "damage") return { low: 0, high: 1 };
@@ -110,7 +110,7 @@ export class BodyData {
 
 export class ImpactorData {
   vertices = new Float32Array(0);
-  corners = new Int32Array(0); // four a panel, the last one -1 for triangles
+  corners = new Int32Array(0); // four per panel, the last one -1 for triangles
   readonly pictures: Numbers[][] = [];
   private readonly readers: ArrayReader[];
 
@@ -183,7 +183,7 @@ export function joined(ranges: (Range | undefined)[]): Range {
   return out ?? { low: 0, high: 0 };
 }
 
-/** What the particles of these bodies can be coloured by. */
+/** The quantities for colouring the particles of these bodies. */
 export function quantitiesOf(bodies: BodyData[]): Quantity[] {
   const out: Quantity[] = [
     { key: "damage", label: "damage", unit: "", kind: "increase" },
@@ -193,7 +193,8 @@ export function quantitiesOf(bodies: BodyData[]): Quantity[] {
     { key: "displacement_y", label: "displacement y", unit: "m", kind: "signed" },
     { key: "displacement_z", label: "displacement z", unit: "m", kind: "signed" },
   ];
+  if (bodies.some((body) => body.array("plastic_strain"))) out.push({ key: "plastic_strain", label: "plastic strain", unit: "", kind: "increase" });
   if (bodies.length > 1) out.push({ key: "body", label: "body", unit: "", kind: "number" });
-  if (bodies.some((body) => body.array("piece"))) out.push({ key: "piece", label: "piece", unit: "", kind: "number" });
+  if (bodies.some((body) => body.array("fragment"))) out.push({ key: "fragment", label: "fragment", unit: "", kind: "number" });
   return out;
 }

@@ -1,5 +1,5 @@
-// Colours of numbers. Magnitudes: viridis (S. van der Walt and N. Smith, CC0), even in lightness. Increases from nothing: light to dark. Signed: blue to red through grey, symmetric about 0
-// (after K. Moreland, Diverging Color Maps for Scientific Visualization, 2009). Things with a number: ten colours in turn.
+// Colour maps. Magnitudes: viridis (S. van der Walt and N. Smith, CC0), perceptually uniform. Increases from zero: light to dark. Signed: blue to red through grey, symmetric about 0
+// (after K. Moreland, Diverging Color Maps for Scientific Visualization, 2009). Labels: ten cyclic colours.
 
 export type Kind = "magnitude" | "increase" | "signed" | "number";
 
@@ -14,7 +14,7 @@ function rgb(hex: string): number[] {
   return [0, 2, 4].map((at) => parseInt(hex.slice(at, at + 2), 16));
 }
 
-/** 256 colours of four bytes; of numbers 0, 1, 2, …: the first is number 0, the others come in turn. */
+/** 256 RGBA colours; for labels, the first is that of 0 and the others repeat cyclically. */
 export function table(kind: Kind): Uint8Array<ArrayBuffer> {
   const out = new Uint8Array(new ArrayBuffer(4 * 256));
   const given = points[kind].split(" ").map(rgb);
@@ -45,5 +45,5 @@ export function colourOfNumber(number: number): string {
   return `#${number === 0 ? given[0] : given[1 + ((number - 1) % (given.length - 1))]}`;
 }
 
-/** Lines of curves, told apart on light and on dark ground. */
+/** Line colours that are distinguishable on light and dark backgrounds. */
 export const lines = ["#3b82c4", "#e0812b", "#3f9d4f", "#d1495b", "#8a63c7", "#8c6d4f", "#c96bb0", "#7a828a", "#a8a032", "#2fa5b5"];

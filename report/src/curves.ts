@@ -1,4 +1,4 @@
-// Curves of history.csv: a chart for each unit, all with one time, tied to the picture that is shown.
+// Curves of history.csv: one chart per unit with a common time axis, synchronised with the shown frame.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { ArrayReader, Column, floats } from "./data";
@@ -47,7 +47,7 @@ export class Curves {
     new ResizeObserver(() => this.resize()).observe(home);
   }
 
-  /** How much a curve rises and falls. */
+  /** Range of a curve. */
   private span(k: number): number {
     let low = Infinity;
     let high = -Infinity;
@@ -58,7 +58,7 @@ export class Curves {
     return high - low;
   }
 
-  /** The first curves of a set; not those that hardly move beside others of their unit, as forces do across a plane of symmetry. */
+  /** The first curves of a set, without those that are negligible relative to others of their unit, as forces normal to a plane of symmetry. */
   private choose(belongs: (name: string) => boolean): void {
     this.chosen.clear();
     const members = this.curves.map((_, k) => k).filter((k) => belongs(this.curves[k].name));
@@ -72,7 +72,7 @@ export class Curves {
   private build(): void {
     const bar = element("div", { className: "bar" });
     for (const [name, belongs] of sets) bar.append(element("button", { type: "button", textContent: name, onclick: () => this.choose(belongs) }));
-    const filter = element("input", { type: "search", placeholder: "part of a name", ariaLabel: "Shows columns with this in their name" });
+    const filter = element("input", { type: "search", placeholder: "part of a name", ariaLabel: "Filters columns by name" });
     const list = element("div", { className: "columns" });
     const rows = this.curves.map(({ name, unit }, k) => {
       const box = element("input", { type: "checkbox" });
@@ -93,14 +93,14 @@ export class Curves {
     return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   }
 
-  /** Builds the charts anew: after another choice of columns, or of light and dark. */
+  /** Rebuilds the charts after a change of columns or of the theme. */
   draw(): void {
     for (const plot of this.plots) plot.destroy();
     this.plots = [];
     this.charts.replaceChildren();
     const units = new Map<string, number[]>();
     for (const k of [...this.chosen].sort((a, b) => a - b)) units.set(this.curves[k].unit, [...(units.get(this.curves[k].unit) ?? []), k]);
-    if (units.size === 0) this.charts.append(element("p", { textContent: "No column is chosen." }));
+    if (units.size === 0) this.charts.append(element("p", { textContent: "No column is selected." }));
     for (const [unit, numbers] of units) this.plots.push(this.chart(unit, numbers));
     this.setTime(this.now);
   }
@@ -138,7 +138,7 @@ export class Curves {
           draw: [
             (u) => {
               const x = u.valToPos(this.now / this.timeScale.factor, "x", true);
-              if (x < u.bbox.left - 1 || x > u.bbox.left + u.bbox.width + 1) return; // zoomed out of sight
+              if (x < u.bbox.left - 1 || x > u.bbox.left + u.bbox.width + 1) return; // outside the zoomed range
               u.ctx.save();
               u.ctx.strokeStyle = this.style("--accent");
               u.ctx.lineWidth = 2;
@@ -164,14 +164,14 @@ export class Curves {
     for (const plot of this.plots) plot.setSize({ width: Math.max(this.home.clientWidth - 16, 200), height: plot.height });
   }
 
-  /** The last row up to the time is what the legends tell while no mouse asks for another. */
+  /** Legends show the last row up to the time unless the cursor selects another. */
   setTime(time: number): void {
     this.now = time;
     let row = 0;
     let behind = this.time.length;
     while (behind - row > 1) {
       const middle = (row + behind) >> 1;
-      if (this.time[middle] <= time * (1 + 1e-6)) row = middle; // times are floats here
+      if (this.time[middle] <= time * (1 + 1e-6)) row = middle; // times are single precision here
       else behind = middle;
     }
     for (const plot of this.plots) {

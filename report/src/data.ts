@@ -1,4 +1,4 @@
-// What `perimpact report` has put into the page: one element `description`, and packed numbers in elements of their own (docs/guide/report.md).
+// Data that `perimpact report` embeds in the page: one element `description`, and encoded numbers in separate elements (docs/guide/report.md).
 
 export interface PackedArray {
   name: string;
@@ -17,7 +17,7 @@ export interface Body {
   "spacing [m]": number;
   undeformed: PackedArray[];
   arrays: PackedArray[];
-  pictures: number[]; // numbers of times
+  pictures: number[]; // indices into times
 }
 
 export interface Impactor {
@@ -27,7 +27,7 @@ export interface Impactor {
   panels: number;
   arrays: PackedArray[];
   pictures: number[];
-  motions: number[][]; // three rows of four
+  motions: number[][]; // 3 × 4 matrices
 }
 
 export interface Column {
@@ -47,7 +47,7 @@ export interface Description {
 
 export type Numbers = Uint8Array | Uint16Array | Uint32Array;
 
-/** The JSON in the element of that name; undefined where there is none, or what it holds is damaged. */
+/** The JSON in the element of that name; undefined where it is missing or damaged. */
 export function json<T>(id: string): T | undefined {
   const text = document.getElementById(id)?.textContent;
   if (!text) return undefined;
@@ -58,10 +58,10 @@ export function json<T>(id: string): T | undefined {
   }
 }
 
-/** The bytes in an element, which is removed: the text takes more memory than they do. */
+/** The bytes in an element. The element is removed, since its text needs more memory. */
 export async function unpacked(id: string): Promise<Uint8Array> {
   const element = document.getElementById(id);
-  if (!element) throw new Error(`The file is cut short: ${id} is missing. Write it again with perimpact report.`);
+  if (!element) throw new Error(`The file is truncated: ${id} is missing. Create it again with perimpact report.`);
   const text = atob(element.textContent ?? "");
   element.remove();
   const packed = new Uint8Array(text.length);
@@ -70,14 +70,14 @@ export async function unpacked(id: string): Promise<Uint8Array> {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** One array in picture after picture: each holds what a prediction from the ones before it leaves. */
+/** One array, frame by frame: each frame stores the residuals of a prediction from the previous ones. */
 export class ArrayReader {
   private before: Numbers | undefined;
   private beforeThat: Numbers | undefined;
 
   constructor(private readonly bytes: 1 | 2 | 4) {}
 
-  /** The numbers of the next picture, from `offset` on; with the offset behind them. */
+  /** The numbers of the next frame, from `offset`, and the offset after them. */
   next(from: Uint8Array, offset: number, count: number): { numbers: Numbers; end: number } {
     const { bytes } = this;
     const numbers = bytes === 1 ? new Uint8Array(count) : bytes === 2 ? new Uint16Array(count) : new Uint32Array(count);
@@ -103,7 +103,7 @@ export class ArrayReader {
   }
 }
 
-/** Words of 32 bits read as floats. */
+/** 32-bit words reinterpreted as floats. */
 export function floats(numbers: Numbers): Float32Array {
   return new Float32Array((numbers as Uint32Array).buffer);
 }

@@ -1,4 +1,4 @@
-/** An element with these properties and what is inside of it. */
+/** Creates an element with properties and children. */
 export function element<Name extends keyof HTMLElementTagNameMap>(name: Name, properties: object = {}, ...inside: (Node | string)[]): HTMLElementTagNameMap[Name] {
   const out = document.createElement(name);
   Object.assign(out, properties);

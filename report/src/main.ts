@@ -1,4 +1,4 @@
-// The report of a run: reads what the page holds, and ties pictures, curves and controls to one time.
+// Report of a run: decodes the embedded data, and synchronises 3-D view, curves and controls in time.
 import "./style.css";
 import { BodyData, ImpactorData, Quantity, Range, joined, quantitiesOf, rangeOf } from "./bodies";
 import { Kind, colourOfNumber, gradient } from "./colours";
@@ -21,9 +21,9 @@ const quantities = quantitiesOf(bodies);
 
 let stage: Stage | undefined;
 let curves: Curves | undefined;
-let ready = 0; // pictures that are unpacked
-let current = 0; // number of the picture that is shown
-let playing = 0; // handle of the clock; 0 where it stands
+let ready = 0; // number of decoded frames
+let current = 0; // index of the shown frame
+let playing = 0; // timer handle; 0 while paused
 let probed: { body: number; particle: number } | undefined;
 
 const colour = byId<HTMLSelectElement>("colour");
@@ -46,7 +46,7 @@ function warp(): number {
   return Number.isFinite(value) && value >= 0 ? value : 1;
 }
 
-/** Of the colours of particles: as chosen, symmetric about 0 where values have a sign. */
+/** Colour range of the particles: as selected, symmetric about 0 for signed quantities. */
 function rangeShown(values: Float32Array[]): Range {
   if (range.value === "given" && low.value !== "" && high.value !== "") return { low: Number(low.value), high: Number(high.value) };
   const { key, kind } = quantity();
@@ -76,7 +76,7 @@ function scale(title: string, unit: string, shown: Range, kind: Kind): HTMLEleme
   return home;
 }
 
-/** What colours stand for where they are of things with a number. */
+/** Legend of the colours of labels. */
 function legend(title: string, names: string[]): HTMLElement {
   const home = document.createElement("figure");
   home.className = "legend";
@@ -107,7 +107,7 @@ function show(): void {
     }
     bodies.forEach((body, number) => stage?.showBody(number, body.shownAt(current), values[number], kind, shown));
     if (key === "body") scales.push(legend("body", bodies.map((body) => body.about.name)));
-    else if (key === "piece") scales.push(legend("piece", ["0, the heaviest", "1", "2", "3 and so on, in turn"]));
+    else if (key === "fragment") scales.push(legend("fragment", ["0, the heaviest", "1", "2", "3 and so on, cyclic"]));
     else scales.push(scale(label, unit, shown, kind));
   }
   if (impactors.length > 0) {
@@ -121,7 +121,7 @@ function show(): void {
   byId("scales").replaceChildren(...scales);
   slider.value = String(current);
   const { factor, unit: timeUnit } = scaled("s", times[times.length - 1]);
-  byId("now").textContent = `t = ${text(times[current] / factor)} ${timeUnit} · picture ${current + 1} of ${times.length}`;
+  byId("now").textContent = `t = ${text(times[current] / factor)} ${timeUnit} · frame ${current + 1} of ${times.length}`;
   slider.setAttribute("aria-valuetext", byId("now").textContent ?? "");
   curves?.setTime(times[current]);
   tell();
@@ -145,7 +145,7 @@ function play(on: boolean): void {
   byId("play").textContent = playing ? "Pause" : "Play";
 }
 
-/** Values of the particle that was asked for. */
+/** Values at the selected particle. */
 function tell(): void {
   const home = byId("probe");
   home.hidden = !probed;
@@ -163,7 +163,7 @@ function tell(): void {
     `displacement ${withUnit(Math.hypot(...u), "m")}`,
     `speed ${withUnit(value("speed"), "m/s")}`,
   ];
-  if (data.array("piece")) lines.push(`piece ${value("piece")}`);
+  if (data.array("fragment")) lines.push(`fragment ${value("fragment")}`);
   home.textContent = lines.join("\n");
 }
 
@@ -254,7 +254,7 @@ function bindKeys(): void {
 }
 
 function bindControls(): void {
-  const mayBreak = bodies.some((body) => body.array("piece"));
+  const mayBreak = bodies.some((body) => body.array("fragment"));
   colour.replaceChildren(...quantities.map(({ key, label, unit }) => new Option(unit ? `${label} [${unit}]` : label, key, false, key === (mayBreak ? "damage" : "speed"))));
   const names = [...new Set(impactors.flatMap((impactor) => impactor.about.arrays.map((array) => array.name)))];
   panels.replaceChildren(new Option("plain", ""), ...names.map((name) => new Option(name.replaceAll("_", " "), name)));
@@ -283,7 +283,7 @@ function bindControls(): void {
   let pressed = { x: 0, y: 0 };
   canvas.addEventListener("pointerdown", (event) => (pressed = { x: event.clientX, y: event.clientY }));
   canvas.addEventListener("click", (event) => {
-    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > 4) return; // the camera was turned
+    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > 4) return; // the camera was rotated
     probed = stage?.hit(
       event.offsetX,
       event.offsetY,
@@ -314,11 +314,11 @@ function showHeader(): void {
   byId("facts").textContent = facts.join(" · ");
 }
 
-/** Unpacks picture after picture; what is there can be looked at meanwhile. */
+/** Decodes frame by frame; decoded frames can be viewed meanwhile. */
 async function load(): Promise<void> {
   const progress = byId<HTMLProgressElement>("progress");
   if (about?.history) curves = new Curves(byId("curves"), about.history.columns, about.history.rows, await unpacked("history"), goToTime);
-  else byId("curves").append(Object.assign(document.createElement("p"), { textContent: "There are no curves: history.csv was missing or damaged." }));
+  else byId("curves").append(Object.assign(document.createElement("p"), { textContent: "No curves: history.csv was missing or damaged." }));
   if (bodies.length + impactors.length === 0) byId("nothing").hidden = false;
   for (const body of bodies) {
     await body.readUndeformed();
@@ -332,7 +332,7 @@ async function load(): Promise<void> {
   progress.max = times.length;
   for (let time = 0; time < times.length; ++time) {
     for (const series of [...bodies, ...impactors]) if (series.about.pictures[series.pictures.length] === time) await series.readPicture();
-    // a body whose first picture could not be read is there from its second on: nothing can be shown before all have one
+    // a body without readable first frame starts with a later one: nothing is shown before all bodies have a frame
     if (![...bodies, ...impactors].every((series) => series.pictures.length > 0)) continue;
     if (ready === 0) {
       ready = time + 1;
@@ -341,8 +341,8 @@ async function load(): Promise<void> {
     }
     ready = time + 1;
     progress.value = ready;
-    byId("doing").textContent = `Picture ${ready} of ${times.length}`;
-    await new Promise((resolve) => setTimeout(resolve)); // lets the page breathe
+    byId("doing").textContent = `Frame ${ready} of ${times.length}`;
+    await new Promise((resolve) => setTimeout(resolve)); // yields to the browser
   }
   show();
   byId("loading").hidden = true;
@@ -351,7 +351,7 @@ async function load(): Promise<void> {
 
 function start(): void {
   if (!about) {
-    byId("doing").textContent = "This page holds no run. `perimpact report DIR` writes one that does.";
+    byId("doing").textContent = "This page contains no run. Create a report with `perimpact report DIR`.";
     byId("progress").hidden = true;
     return;
   }
@@ -364,7 +364,7 @@ function start(): void {
     stage = new Stage(canvas, drawTriad);
   } catch {
     byId("nothing").hidden = false;
-    byId("nothing").textContent = "This browser shows no three-dimensional pictures (WebGL 2 is off); the curves and the rest are beside.";
+    byId("nothing").textContent = "No 3-D view: WebGL 2 is disabled in this browser. Curves and the other pages are available.";
   }
   bindControls();
   bindTabs();

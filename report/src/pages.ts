@@ -1,4 +1,4 @@
-// What the pages beside the picture tell of run.json: how it went, what was checked, the deck.
+// Side pages from run.json: run, checks, deck, about.
 import { Description } from "./data";
 import { element } from "./dom";
 import { text, withUnit } from "./units";
@@ -14,7 +14,7 @@ function members(value: Json | undefined): Members {
   return isMembers(value) ? value : {};
 }
 
-/** Rows of a name and what is to be told of it. */
+/** A table of names and values. */
 function rows(entries: [string, string][]): HTMLTableElement {
   return element(
     "table",
@@ -23,7 +23,7 @@ function rows(entries: [string, string][]): HTMLTableElement {
   );
 }
 
-/** "wall [s]" is the quantity `wall` in the unit `s`. */
+/** Splits "wall_time [s]" into the quantity `wall time` and the unit `s`. */
 function parted(key: string): { name: string; unit: string } {
   const found = /^(.*) \[([^\]]*)\]$/.exec(key);
   return { name: (found ? found[1] : key).replaceAll("_", " "), unit: found ? found[2] : "" };
@@ -36,7 +36,7 @@ function inWords(value: Json, unit: string): string {
   return value === null ? "–" : String(value);
 }
 
-/** All of a value: plain members as rows, those that have members of their own folded away. */
+/** A value as a tree: plain members as rows, nested ones collapsed. */
 function tree(value: Members): HTMLElement {
   const out = element("div");
   const plain = Object.entries(value).filter(([, each]) => !isMembers(each));
@@ -67,16 +67,16 @@ function warningsOf(run: Members): string[] {
 }
 
 export function showRun(home: HTMLElement, run: Members | undefined): void {
-  if (!run) return missing(home, "How the run went is not known");
+  if (!run) return missing(home, "No information about the run");
   if (typeof run.failure === "string") home.append(element("h2", { textContent: "Failure" }), list([run.failure]));
-  const keys = ["outcome", "program", "steps", "time [s]", "resumed_at_steps", "threads", "wall [s]", "state_hash"];
+  const keys = ["outcome", "program", "steps", "time [s]", "resumed_at_steps", "threads", "wall_time [s]", "state_hash"];
   home.append(
     rows(
       keys
         .filter((key) => key in run)
         .map((key) => {
           const { name, unit } = parted(key);
-          return [name, unit === "s" && name === "wall" ? `${text(run[key] as number)} s` : inWords(run[key], unit)];
+          return [name, unit === "s" && name === "wall time" ? `${text(run[key] as number)} s` : inWords(run[key], unit)];
         }),
     ),
   );
@@ -97,7 +97,7 @@ export function showRun(home: HTMLElement, run: Members | undefined): void {
         element("td", {}, element("meter", { min: 0, max: 1, value: seconds / total })),
       ),
     );
-    home.append(element("h2", { textContent: "Where the time went" }), element("table", { className: "rows" }, element("tbody", {}, ...body)));
+    home.append(element("h2", { textContent: "Wall-clock time by phase" }), element("table", { className: "rows" }, element("tbody", {}, ...body)));
   }
   for (const [what, title] of [
     ["bodies", "Body"],
@@ -106,16 +106,16 @@ export function showRun(home: HTMLElement, run: Members | undefined): void {
     for (const [name, each] of Object.entries(members(run[what]))) home.append(element("details", {}, element("summary", { textContent: `${title} ${name}` }), tree(members(each))));
 }
 
-/** Counts in the report on a surface that are 0 where nothing was wrong with it, and what they count. */
-const mended: [string, string][] = [
-  ["degenerate", "panels without area, left out"],
-  ["duplicate", "panels given twice, left out"],
+/** Defect counts of a surface report, 0 for a sound surface, with their descriptions. */
+const repairs: [string, string][] = [
+  ["degenerate", "degenerate panels, removed"],
+  ["duplicate", "duplicate panels, removed"],
   ["back_to_back", "panels back to back"],
-  ["crowded_edges", "edges with more than two panels"],
+  ["crowded_edges", "non-manifold edges"],
   ["cut_edges", "edges cut open"],
-  ["rewound", "panels wound anew"],
-  ["flipped", "components turned outward"],
-  ["rim_edges", "edges with one panel only"],
+  ["rewound", "panels reoriented"],
+  ["flipped", "components oriented outward"],
+  ["rim_edges", "boundary edges"],
 ];
 
 function verdict(isGood: boolean, good: string, bad: string): HTMLElement {
@@ -123,7 +123,7 @@ function verdict(isGood: boolean, good: string, bad: string): HTMLElement {
 }
 
 export function showChecks(home: HTMLElement, run: Members | undefined): void {
-  if (!run) return missing(home, "What was checked is not known");
+  if (!run) return missing(home, "No information about the checks");
   const stability = members(run.stability);
   const [step, estimate, exact] = ["step [s]", "estimate [s]", "exact [s]"].map((key) => stability[key]);
   if (typeof step === "number") {
@@ -135,17 +135,17 @@ export function showChecks(home: HTMLElement, run: Members | undefined): void {
       ["safe estimate", estimate],
       ["exact limit", exact],
     ];
-    home.append(rows(known.map(([name, value]) => [name, typeof value === "number" ? withUnit(value, "s") : "not asked for"])));
+    home.append(rows(known.map(([name, value]) => [name, typeof value === "number" ? withUnit(value, "s") : "not computed"])));
   } else if (typeof run["increment [s]"] === "number") {
-    home.append(element("h2", { textContent: "Increment" }), rows([["relaxed from equilibrium to equilibrium each", withUnit(run["increment [s]"] as number, "s")]]));
+    home.append(element("h2", { textContent: "Increment" }), rows([["load increment of the dynamic relaxation", withUnit(run["increment [s]"] as number, "s")]]));
   }
   for (const [name, each] of Object.entries(members(run.impactors))) {
     const impactor = members(each);
     const surface = members(impactor.surface);
     home.append(element("h2", { textContent: `Surface of ${name}` }));
-    const faults = mended.filter(([key]) => typeof surface[key] === "number" && (surface[key] as number) > 0);
+    const faults = repairs.filter(([key]) => typeof surface[key] === "number" && (surface[key] as number) > 0);
     const isClosed = surface.closure === "closed";
-    home.append(verdict(isClosed && faults.length === 0, "closed, and nothing had to be mended", isClosed ? "closed after it was mended" : "open: it has a rim"));
+    home.append(verdict(isClosed && faults.length === 0, "closed, no repairs needed", isClosed ? "closed after repairs" : "open: it has boundary edges"));
     if (faults.length > 0) home.append(rows(faults.map(([key, what]) => [what, inWords(surface[key], "")])));
     const facts = ["panels", "triangles", "components", "area [m2]", "volume [m3]", "shortest_edge [m]", "longest_edge [m]"];
     home.append(
@@ -160,23 +160,23 @@ export function showChecks(home: HTMLElement, run: Members | undefined): void {
     );
     for (const [body, found] of Object.entries(members(impactor.detection))) {
       const contact = members(found);
-      const odd = ["starting_inside", "entered_inside", "pinched"].filter((key) => typeof contact[key] === "number" && (contact[key] as number) > 0);
+      const odd = ["initial_overlap", "entered_inside", "pinched"].filter((key) => typeof contact[key] === "number" && (contact[key] as number) > 0);
       home.append(element("h3", { textContent: `Contact with ${body}` }));
       home.append(
-        verdict(odd.length === 0, "no particle started, got or was left inside", odd.map((key) => `${parted(key).name}: ${inWords(contact[key], "")}`).join(", ")),
+        verdict(odd.length === 0, "no particle started, entered or remained inside", odd.map((key) => `${parted(key).name}: ${inWords(contact[key], "")}`).join(", ")),
       );
       home.append(tree(contact));
     }
   }
 }
 
-/** A word as YAML takes it back for the very same word. */
+/** A word in YAML, quoted where necessary to preserve it. */
 function yamlWord(value: Json): string {
   if (typeof value !== "string") return JSON.stringify(value);
   return /^[A-Za-z][\w ./()%-]*$/.test(value) && !/^(true|false|null|yes|no|on|off|y|n|nan|inf)$/i.test(value) && value.trim() === value ? value : JSON.stringify(value);
 }
 
-/** JSON as YAML in blocks; short lists and maps stay on a line. */
+/** JSON as block YAML; short lists and maps on one line. */
 export function yaml(value: Json, indent = ""): string {
   const flow = (each: Json): string =>
     Array.isArray(each) ? `[${each.map(flow).join(", ")}]` : isMembers(each) ? `{${Object.entries(each).map(([key, inner]) => `${yamlWord(key)}: ${flow(inner)}`).join(", ")}}` : typeof each === "string" ? JSON.stringify(each) : yamlWord(each);
@@ -193,30 +193,30 @@ export function yaml(value: Json, indent = ""): string {
 }
 
 export function showDeck(home: HTMLElement, run: Members | undefined): void {
-  if (!run || !isMembers(run.setup)) return missing(home, "The deck is not known");
+  if (!run || !isMembers(run.setup)) return missing(home, "No information about the deck");
   const deck = yaml(run.setup);
   const save = element("a", { textContent: "Save as deck.yaml", download: "deck.yaml", href: URL.createObjectURL(new Blob([deck], { type: "text/yaml" })) });
-  home.append(element("p", {}, "With all defaults, in SI units; it runs the same again. ", save), element("pre", { tabIndex: 0, textContent: deck }));
+  home.append(element("p", {}, "With all defaults, in SI units; it reproduces the run. ", save), element("pre", { tabIndex: 0, textContent: deck }));
 }
 
-/** What is missing, damaged or thinned; how exact the numbers are. */
+/** Missing, damaged or thinned data; precision of the numbers. */
 export function showNotes(home: HTMLElement, about: Description): void {
-  home.append(element("h2", { textContent: about.notes.length > 0 ? `Left out (${about.notes.length})` : "Left out" }));
-  home.append(about.notes.length > 0 ? list(about.notes) : element("p", { textContent: "Nothing: all pictures and particles of the run are here." }));
-  home.append(element("h2", { textContent: "How exact this is" }));
+  home.append(element("h2", { textContent: about.notes.length > 0 ? `Omitted data (${about.notes.length})` : "Omitted data" }));
+  home.append(about.notes.length > 0 ? list(about.notes) : element("p", { textContent: "None: all frames and particles of the run are included." }));
+  home.append(element("h2", { textContent: "Precision" }));
   for (const body of about.bodies) {
     const half = (array: { step: number; unit: string }) => withUnit(array.step / 2, array.unit);
     const largest = (arrays: { step: number; unit: string }[]) => arrays.reduce((a, b) => (b.step > a.step ? b : a));
     home.append(
       element("h3", { textContent: `${body.name}: ${body.shown.toLocaleString("en").replaceAll(",", " ")} particles` }),
       rows([
-        ["undeformed places, along an axis", `± ${half(largest(body.undeformed))}`],
-        ...body.arrays.filter((array) => array.step > 0 && array.name !== "piece").map((array): [string, string] => [array.name.replaceAll("_", " "), `± ${array.unit ? half(array) : text(array.step / 2)}`]),
+        ["reference positions, per axis", `± ${half(largest(body.undeformed))}`],
+        ...body.arrays.filter((array) => array.step > 0 && array.name !== "fragment").map((array): [string, string] => [array.name.replaceAll("_", " "), `± ${array.unit ? half(array) : text(array.step / 2)}`]),
       ]),
     );
   }
   home.append(
-    element("p", { textContent: "Places are undeformed places plus displacements. Curves have seven digits, panels and their motion those of single precision. The files in the folder of the results hold all digits." }),
+    element("p", { textContent: "Positions are reference positions plus displacements. Curves have seven digits; panels and their motion have single precision. The files in the results folder have full precision." }),
   );
-  home.append(element("p", { textContent: "This page is one file and asks for nothing from the network. It shows with three.js (MIT licence) and uPlot (MIT licence)." }));
+  home.append(element("p", { textContent: "This page is self-contained and makes no network requests. It uses three.js (MIT licence) and uPlot (MIT licence)." }));
 }

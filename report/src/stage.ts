@@ -1,4 +1,4 @@
-// The run in space: particles as shaded discs, impactors as panels, a camera that turns about the middle.
+// 3-D view: particles as shaded discs, impactors as panels, an orbit camera.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -67,14 +67,14 @@ const particleFragment = /* glsl */ `
       float off = dot(at, at);
       if (off > 1.0) discard;
       float ball = 0.62 + 0.38 * dot(vec3(at.x, -at.y, sqrt(1.0 - off)), vec3(-0.35, 0.45, 0.82));
-      light = mix(1.0, ball, smoothstep(4.0, 9.0, size)); // shades finer than a few pixels would only make patterns
+      light = mix(1.0, ball, smoothstep(4.0, 9.0, size)); // shading of discs below a few pixels would cause aliasing
     }
     gl_FragColor = vec4(colour * light, 1.0);
   }
 `;
 
 const panelVertex = /* glsl */ `
-  attribute vec3 edge; // distances from the sides; 1 along what is no side of the panel
+  attribute vec3 edge; // distances from the sides; 1 for a diagonal of the panel
   attribute float value;
   varying vec3 place, seenPlace, fromEdge;
   varying float panelValue;
@@ -138,7 +138,7 @@ interface ShownBody {
 interface ShownImpactor {
   data: ImpactorData;
   mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  perPanel: Uint8Array; // corners drawn of each panel: 3 or 6
+  perPanel: Uint8Array; // vertices drawn per panel: 3 or 6
 }
 
 export interface Hit {
@@ -156,8 +156,8 @@ export class Stage {
   private readonly tables: Record<Kind, DataTexture> = { magnitude: texture("magnitude"), increase: texture("increase"), signed: texture("signed"), number: texture("number") };
   private readonly plane = new Vector4(0, 0, 0, 1);
   private isDrawing = false;
-  private reach = 0; // diagonal of the box about the bodies
-  low = new Vector3(Infinity, Infinity, Infinity); // of all that is shown
+  private reach = 0; // diagonal of the bounding box of the bodies
+  low = new Vector3(Infinity, Infinity, Infinity); // bounding box of everything shown
   high = new Vector3(-Infinity, -Infinity, -Infinity);
 
   constructor(
@@ -198,7 +198,7 @@ export class Stage {
         },
       }),
     );
-    points.frustumCulled = false; // displacements move it
+    points.frustumCulled = false; // displacements change its bounds
     this.bodies.push({ data, points });
     this.scene.add(points);
     this.include(data.undeformed);
@@ -248,13 +248,13 @@ export class Stage {
     );
     mesh.frustumCulled = false;
     mesh.matrixAutoUpdate = false;
-    mesh.renderOrder = 1; // behind the particles, which show through
+    mesh.renderOrder = 1; // drawn after the particles, which show through
     this.impactors.push({ data, mesh, perPanel });
     this.scene.add(mesh);
     this.include(vertices);
   }
 
-  /** Makes the box hold the points too: of impactors those near the bodies, so that a ship does not make the ice small. */
+  /** Extends the bounding box by points; for impactors only by those near the bodies, so that a large ship does not dominate the view. */
   private include(points: Float32Array): void {
     const least = this.low.clone().subScalar(0.3 * this.reach);
     const most = this.high.clone().addScalar(0.3 * this.reach);
@@ -267,7 +267,7 @@ export class Stage {
     }
   }
 
-  /** Places and colours of the particles of a body. */
+  /** Sets positions and colours of the particles of a body. */
   showBody(body: number, picture: number, values: Float32Array, kind: Kind, range: Range): void {
     const { data, points } = this.bodies[body];
     const arrays = data.pictures[picture];
@@ -286,7 +286,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Where an impactor is, and the colours of its panels where there are values of them. */
+  /** Sets the pose of an impactor, and the colours of its panels if there are values. */
   showImpactor(impactor: number, picture: number, values: Float32Array | undefined, range: Range): void {
     const { data, mesh, perPanel } = this.impactors[impactor];
     const m = data.about.motions[picture];
@@ -323,7 +323,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Hides what lies beyond `at` along an axis, on its side of that sign; nothing without an axis. */
+  /** Sets the clipping plane at `at` along a signed axis; off without an axis. */
   setClip(axis: number | undefined, sign: number, at: number): void {
     this.plane.set(axis === 0 ? sign : 0, axis === 1 ? sign : 0, axis === 2 ? sign : 0, axis === undefined ? 1 : sign * at);
     this.draw();
@@ -334,7 +334,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Looks from there at all that is shown, or from where the camera is. */
+  /** Fits everything in view from the given direction, or from the current one. */
   view(view: View): void {
     const ball = new Sphere(this.low.clone().add(this.high).multiplyScalar(0.5), Math.max(this.high.distanceTo(this.low) / 2, 1e-9));
     const from = view === "fit" ? this.camera.position.clone().sub(this.turning.target) : new Vector3(...directions[view]);
@@ -343,7 +343,7 @@ export class Stage {
     this.camera.position.copy(ball.center).addScaledVector(from, 1);
     this.camera.lookAt(ball.center);
     this.camera.updateMatrixWorld();
-    // as near as all corners of the box stay in sight
+    // the smallest distance with all corners of the box in view
     const tall = Math.tan((this.camera.fov * Math.PI) / 360) * 0.94;
     const wide = tall * this.camera.aspect;
     const right = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
@@ -387,7 +387,7 @@ export class Stage {
     this.drawNow();
   }
 
-  /** At the next turn of the screen, once for all changes until then. */
+  /** Redraws at the next animation frame, once for all changes. */
   draw(): void {
     if (this.isDrawing) return;
     this.isDrawing = true;
@@ -398,7 +398,7 @@ export class Stage {
     this.isDrawing = false;
     const away = this.camera.position.distanceTo(this.turning.target);
     this.camera.near = 5e-3 * away;
-    this.camera.far = away + 50 * (this.high.distanceTo(this.low) || 1); // impactors and fragments may be far outside of the box
+    this.camera.far = away + 50 * (this.high.distanceTo(this.low) || 1); // impactors and fragments may be far outside the box
     this.camera.updateProjectionMatrix();
     const size = this.renderer.getDrawingBufferSize(new Vector2());
     for (const { points } of this.bodies) points.material.uniforms.pixels.value = 0.5 * size.y * this.camera.projectionMatrix.elements[5];
@@ -406,7 +406,7 @@ export class Stage {
     this.afterDrawing();
   }
 
-  /** The foremost particle at a point of the canvas, of the pictures named. */
+  /** The frontmost particle at a point of the canvas, in the given frames. */
   hit(x: number, y: number, pictures: number[], warp: number): Hit | undefined {
     const { clientWidth, clientHeight } = this.canvas;
     const matrix = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);

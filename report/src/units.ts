@@ -1,4 +1,4 @@
-// Numbers for people: four digits, prefixes where they help.
+// Number formatting: four digits, SI prefixes where useful.
 
 const prefixed = new Set(["N", "Pa", "J", "m", "s", "N m", "N s", "W", "m/s"]);
 const prefixes: [number, string][] = [
@@ -12,11 +12,11 @@ const prefixes: [number, string][] = [
 ];
 
 export interface Scaled {
-  factor: number; // what a number in the scaled unit stands for, in the unit
+  factor: number; // value of one scaled unit in the unit
   unit: string;
 }
 
-/** The unit in which numbers up to `largest` are short. */
+/** The prefixed unit in which numbers up to `largest` are short. */
 export function scaled(unit: string, largest: number): Scaled {
   if (!prefixed.has(unit) || !(largest > 0) || !Number.isFinite(largest)) return { factor: 1, unit };
   if (unit === "m" || unit === "s" || unit === "m/s") if (largest >= 1 && largest < 1e6) return { factor: 1, unit };

@@ -4,7 +4,7 @@
 
 Writes FOLDER/picture_00007.png and so on (default: RESULTS/pictures), numbered like the frames. Bodies are balls of their particles, coloured by damage
 where bonds may break, else by speed; impactors are their panels. `--from` is where the eye is, seen from the middle of all bodies; z is up. Debian: paraview, python3-paraview, xvfb, xauth. Without xvfb-run ParaView needs a screen;
-without -noreset the server may be starting anew when ParaView asks for it a second time ("bad X server connection").
+without -noreset the server may be restarting when ParaView asks for it a second time ("bad X server connection").
 """
 
 import argparse
@@ -21,7 +21,7 @@ COLOURS = {  # array: title of the bar, ParaView's preset
     "damage": ("damage [-]", "Inferno (matplotlib)"),
     "velocity": ("speed [m/s]", "Inferno (matplotlib)"),
     "displacement": ("displacement [m]", "Viridis (matplotlib)"),
-    "piece": ("piece [-]", "Turbo"),
+    "fragment": ("fragment [-]", "Turbo"),
 }
 SIZE = 1000, 640
 INK = [0.11, 0.15, 0.2]
@@ -52,7 +52,7 @@ def show_body(view, folder, report, name, colour):
     information = source.GetDataInformation()
     arrays = [source.PointData.GetArray(i).Name for i in range(len(source.PointData))]
     if colour not in arrays:
-        colour = "damage" if colour is None and "piece" in arrays else "velocity" if colour is None else sys.exit(f"error: {name} has no array {colour}; it has {', '.join(arrays)}")
+        colour = "damage" if colour is None and "fragment" in arrays else "velocity" if colour is None else sys.exit(f"error: {name} has no array {colour}; it has {', '.join(arrays)}")
     shown = simple.Show(source, view, "GeometryRepresentation")
     shown.SetRepresentationType("Point Gaussian")
     shown.GaussianRadius = 0.7 * spacings(report, name, information.GetBounds(), information.GetNumberOfPoints())

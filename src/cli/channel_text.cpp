@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/error.hpp"
 #include "cli/row.hpp"
-#include "fccda/core/error.hpp"
 #include "io/deck/units.hpp"
 #include "io/output/csv.hpp"
 #include "io/output/results_folder.hpp"
@@ -44,32 +44,30 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
   if (!(low < high)) throw fccda::InputError(fmt::format("--channel-from is {:.4g} m, but it must be below --channel-to, which is {:.4g} m.", low, high));
   if (!(wanted.sheet > 0 && wanted.sheet <= 1))
     throw fccda::InputError(
-        fmt::format("--sheet is {}, but it must be above 0 and at most 1: the share of a body's particles from which on a piece counts as the "
-                    "sheet that remains.",
+        fmt::format("--sheet is {}, but it must be above 0 and at most 1: the share of a body's particles above which a fragment belongs to the intact sheet.",
                     wanted.sheet));
 
-  const ChannelPicture picture = read_channel_picture(arguments.folder, body, latest);
-  const std::vector<ChannelColumn> columns = channel_columns(picture.places, picture.pieces, picture.spacing, axis, wanted.sheet);
-  const ChannelWidths widths = widths_of(columns, picture.spacing, low, high);
+  const ChannelFrame frame = read_channel_frame(arguments.folder, body, latest);
+  const std::vector<ChannelColumn> columns = channel_columns(frame.places, frame.fragments, frame.spacing, axis, wanted.sheet);
+  const ChannelWidths widths = widths_of(columns, frame.spacing, low, high);
 
   const char along = "xy"[axis], across = "yx"[axis];
-  const std::filesystem::path file = output::ResultsFolder::pieces_in(arguments.folder) / fmt::format("{}_channel_{}.csv", body, along);
+  const std::filesystem::path file = output::ResultsFolder::fragments_in(arguments.folder) / fmt::format("{}_channel_{}.csv", body, along);
   std::vector<double> rows;
   for (const ChannelColumn& column : columns) rows.insert(rows.end(), {column.along, column.low, column.high, column.width, column.all_broken});
   const std::vector<std::string> names = {fmt::format("along_{} [m]", along), fmt::format("low_{} [m]", across), fmt::format("high_{} [m]", across),
                                           "width [m]", "all_broken [m]"};
   output::write_csv(file, names, rows);
 
-  std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, picture.time, picture.file.string());
+  std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, frame.time, frame.file.string());
   if (widths.length == 0) {
-    text +=
-        row("none", fmt::format("nowhere broken through there; pieces of {:.3g} % of the particles or more are the sheet that remains", 100 * wanted.sheet));
+    text += row("none", fmt::format("no column is broken through; fragments of {:.3g} % of the particles or more form the intact sheet", 100 * wanted.sheet));
   } else {
-    text += row("length", fmt::format("{:.5g} m of columns that are broken through", widths.length));
+    text += row("length", fmt::format("{:.5g} m of columns broken through", widths.length));
     text += row("width", fmt::format("mean {:.5g} m, standard deviation {:.3g} m", widths.mean, widths.deviation));
     text += row("narrowest", fmt::format("{:.5g} m at {} = {:.5g} m", widths.narrowest, along, widths.narrowest_at));
     text += row("widest", fmt::format("{:.5g} m at {} = {:.5g} m", widths.widest, along, widths.widest_at));
-    text += row("area", fmt::format("{:.5g} m2 of the channel, {:.5g} m2 of all that is broken through", widths.area, widths.all_broken));
+    text += row("area", fmt::format("{:.5g} m2 of the channel, {:.5g} m2 of all areas broken through", widths.area, widths.all_broken));
   }
   return text + row("in", file.string());
 }

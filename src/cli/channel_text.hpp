@@ -1,4 +1,4 @@
-/// The part of `perimpact statistics` that tells of a channel in ice.
+/// Channel width in broken ice, for `perimpact statistics`.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace perimpact {
 
-/// The widths in words; column by column they are written to pieces/<body>_channel_<axis>.csv. `latest` [s]: of the picture that is read. Throws
-/// InputError.
+/// Summary of the widths; those of each column are written to fragments/<body>_channel_<axis>.csv. `latest` [s]: of the output frame that
+/// is read. Throws InputError.
 std::string channel_text(const StatisticsArguments& arguments, std::optional<double> latest);
 
-/// What an option gives, with a unit or in SI; nothing where it is empty. Throws InputError.
+/// Value of an option with a unit or in SI; empty if the option is empty. Throws InputError.
 std::optional<double> quantity_of_option(const char* option, const std::string& text, const char* unit);
 
 }  // namespace perimpact

@@ -1,5 +1,5 @@
-/// What `perimpact` can do. Each command returns the exit code: 0, or 130 where Ctrl-C ended a run. Errors are thrown (main.cpp turns
-/// InputError into exit code 2 and RunError into 3).
+/// Commands of `perimpact`. Each returns the exit code: 0, or 130 if Ctrl-C ended a run. Errors are thrown (main.cpp turns InputError
+/// into exit code 2 and RunError into 3).
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace perimpact {
 
-/// What the commands that read a deck have in common.
+/// Arguments common to commands that read a deck.
 struct DeckArguments {
   std::filesystem::path deck;
   std::vector<std::string> set;    ///< key.path=value
@@ -18,7 +18,7 @@ struct DeckArguments {
 };
 
 struct RunArguments : DeckArguments {
-  bool resume = false;  ///< go on from the checkpoint in the results folder
+  bool resume = false;  ///< restart from the checkpoint in the results folder
   bool no_report = false;
 };
 
@@ -27,7 +27,7 @@ int check_command(const DeckArguments& arguments);
 
 enum class DescribeForm { text, markdown, schema };
 struct DescribeArguments {
-  std::string key;  ///< of which the text tells; empty: all
+  std::string key;  ///< to describe; empty: all
   DescribeForm form = DescribeForm::text;
 };
 int describe_command(const DescribeArguments& arguments);
@@ -35,7 +35,7 @@ int describe_command(const DescribeArguments& arguments);
 struct NewArguments {
   std::string starter;         ///< plate, ship, propeller
   std::filesystem::path file;  ///< empty: <starter>.yaml
-  bool force = false;          ///< write over files that are there
+  bool force = false;          ///< overwrite existing files
 };
 int new_command(const NewArguments& arguments);
 
@@ -43,9 +43,9 @@ struct MeshArguments {
   std::filesystem::path file;
   std::vector<std::string> parts;  ///< all where empty
   double scale = 1;
-  std::string weld;           ///< distance, with a unit or in metres; empty: the usual one
-  std::string spacing;        ///< with a unit, or in metres; empty: none to compare with
-  std::filesystem::path out;  ///< where the surface goes as made fit; empty: nowhere
+  std::string weld;           ///< tolerance, with a unit or in metres; empty: the default
+  std::string spacing;        ///< with a unit or in metres; empty: no comparison
+  std::filesystem::path out;  ///< output file of the repaired surface; empty: none
 };
 int mesh_command(const MeshArguments& arguments);
 

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+#include "base/parameter.hpp"
 #include "cli/commands.hpp"
 #include "cli/mesh_report.hpp"
 #include "cli/surface_text.hpp"
-#include "fccda/core/error.hpp"
-#include "fccda/core/parameter.hpp"
-#include "fccda/surface/file/contents.hpp"
-#include "fccda/surface/place.hpp"
-#include "fccda/surface/read/read_panels.hpp"
 #include "io/deck/units.hpp"
 #include "io/output/surface_file.hpp"
-#include "io/results/defect_pictures.hpp"
+#include "io/results/defect_files.hpp"
+#include "mesh/placement.hpp"
+#include "mesh_io/file/contents.hpp"
+#include "mesh_io/read_panels.hpp"
 
 namespace perimpact {
 
@@ -20,7 +20,7 @@ using namespace fccda;
 
 namespace {
 
-/// A length that an option gives, with a unit or in metres; 0 where it is not given.
+/// Length of an option, with a unit or in metres; 0 if not given.
 double length_of(const char* option, const std::string& text) {
   if (text.empty()) return 0;
   const deck::Converted length = deck::to_si(text, "m");
@@ -29,23 +29,23 @@ double length_of(const char* option, const std::string& text) {
   return length.value;
 }
 
-/// hull_defects.vtp, in the folder that the command runs in, for hull.stl.gz.
+/// hull_defects.vtp in the working directory, for hull.stl.gz.
 std::filesystem::path defects_file(const std::filesystem::path& surface) { return fccda::unpacked(surface).stem().string() + "_defects.vtp"; }
 
 Surface fit_surface(const Panels& panels, double weld, const std::filesystem::path& file) {
   try {
-    // a report is wanted of open surfaces too, and which side is outside changes nothing in it
-    return Surface(panels, {.weld_distance = weld, .outside = OutsideIs::normals, .name = file.string()});
+    // the report includes open surfaces and does not depend on the outer side
+    return Surface(panels, {.weld_distance = weld, .orientation = Orientation::normals, .name = file.string()});
   } catch (const SurfaceError& error) {
     write_defects(defects_file(file), panels, {&error.defect(), 1});
     throw InputError(fmt::format("{} These panels are in {}, for ParaView.", error.what(), defects_file(file).string()));
   }
 }
 
-/// All that a picture can show.
+/// All defects that can be shown in a file.
 std::vector<Defect> defects_of(const Surface& surface, const SelfIntersections& folds) {
   std::vector<Defect> defects = folds.defects;
-  if (!surface.is_closed()) defects.push_back({DefectKind::rim, surface.panels_on_rims()});
+  if (!surface.is_closed()) defects.push_back({DefectKind::rim, surface.panels_on_boundary()});
   return defects;
 }
 
@@ -53,8 +53,8 @@ std::vector<Defect> defects_of(const Surface& surface, const SelfIntersections& 
 
 int mesh_command(const MeshArguments& arguments) {
   if (!positive().contains(arguments.scale))
-    throw InputError(fmt::format("--scale is {}, but it must be above 0; it multiplies the coordinates, so that they become metres.", arguments.scale));
-  const double spacing = length_of("--spacing", arguments.spacing), weld = length_of("--weld", arguments.weld);  // before the file is read
+    throw InputError(fmt::format("--scale is {}, but it must be above 0: the factor that converts the coordinates to metres.", arguments.scale));
+  const double spacing = length_of("--spacing", arguments.spacing), weld = length_of("--weld", arguments.weld);  // checked before the file is read
   if (!arguments.out.empty()) output::expect_surface_file(arguments.out);
   Panels panels = read_panels(arguments.file, arguments.parts);
   place(panels, {.scale = arguments.scale});
@@ -67,15 +67,15 @@ int mesh_command(const MeshArguments& arguments) {
   if (spacing > 0) fmt::print("{}", spacing_text(surface, bvh, spacing));
   if (const auto suspicion = half_suspicion(surface)) fmt::print("  {:<18}{}\n", "half?", *suspicion);
   if (const auto distance = closing_weld(panels, surface))
-    fmt::print("  {:<18}vertices lie apart by rounding; --weld {:.3g} (`weld: {:.3g}` in the deck) closes the surface\n", "gaps?", *distance, *distance);
-  if (!surface.is_closed()) fmt::print("  an open surface needs `outside: normals` or `outside: reversed` in the deck, to say which side is outside\n");
+    fmt::print("  {:<18}vertices differ by rounding; --weld {:.3g} (`weld: {:.3g}` in the deck) closes the surface\n", "gaps?", *distance, *distance);
+  if (!surface.is_closed()) fmt::print("  an open surface requires `orientation: normals` or `orientation: reversed` in the deck to define its outer side\n");
   if (const std::vector<Defect> defects = defects_of(surface, folds); !defects.empty()) {
     write_defects(defects_file(arguments.file), panels, defects);
-    fmt::print("  panels with defects are in {}, for ParaView\n", defects_file(arguments.file).string());
+    fmt::print("  defective panels are in {}, for ParaView\n", defects_file(arguments.file).string());
   }
   if (!arguments.out.empty()) {
     output::write_surface(arguments.out, surface);
-    fmt::print("  the surface as made fit is in {}\n", arguments.out.string());
+    fmt::print("  the repaired surface is in {}\n", arguments.out.string());
   }
   return 0;
 }

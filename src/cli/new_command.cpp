@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "cli/commands.hpp"
 #include "cli/starters.hpp"
-#include "fccda/core/error.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/json_schema.hpp"
 #include "io/output/file.hpp"
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Beside the deck, so that editors find it wherever the program is installed.
+/// Written next to the deck, so that editors find it independently of the installation.
 constexpr const char* schema_name = "perimpact.schema.json";
 
 const Starter& starter_called(const std::string& name) {
@@ -26,7 +26,7 @@ const Starter& starter_called(const std::string& name) {
   if (found != all.end()) return *found;
   std::vector<std::string> names;
   for (const Starter& each : all) names.emplace_back(each.name);
-  throw fccda::InputError(fmt::format("there is no deck {} to start from; {}", name, deck::suggestion(name, names)));
+  throw fccda::InputError(fmt::format("there is no starter deck {}; {}", name, deck::suggestion(name, names)));
 }
 
 }  // namespace
@@ -36,16 +36,16 @@ int new_command(const NewArguments& arguments) {
   const fs::path file = arguments.file.empty() ? fs::path(fmt::format("{}.yaml", starter.name)) : arguments.file;
   const fs::path schema = file.parent_path() / schema_name;
   if (fs::exists(file) && !arguments.force)
-    throw fccda::InputError(fmt::format("{} is there already and stays as it is; name another file, or write over it with --force.", file.string()));
+    throw fccda::InputError(fmt::format("{} already exists; choose another file, or overwrite it with --force.", file.string()));
   output::expect_place_for(file);
 
   const bool keeps_schema = fs::exists(schema) && !arguments.force;
   if (!keeps_schema) output::write_whole_file(schema, deck::json_schema());
   output::write_whole_file(file, fmt::format("# yaml-language-server: $schema={}\n{}", schema_name, starter.text));
 
-  fmt::print("{} is a deck with comments, ready to run; {}\n\n", file.string(),
-             keeps_schema ? fmt::format("{} was there and stays.", schema.string()) : fmt::format("{} lets editors complete and check it.", schema.string()));
-  fmt::print("  perimpact check {0}    what would run, and how long it takes\n  perimpact run {0}      a minute or less on two cores\n", file.string());
+  fmt::print("{} is a commented deck, ready to run; {}\n\n", file.string(),
+             keeps_schema ? fmt::format("{} is kept.", schema.string()) : fmt::format("{} provides completion and checks in editors.", schema.string()));
+  fmt::print("  perimpact check {0}    summary and estimated duration\n  perimpact run {0}      a minute or less on two cores\n", file.string());
   return 0;
 }
 

@@ -4,28 +4,30 @@
 
 #include <system_error>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "io/output/results_folder.hpp"
-#include "io/results/defect_pictures.hpp"
-#include "perimpact/impact/surface_of.hpp"
+#include "io/results/defect_files.hpp"
+#include "perimpact/impactor/surface_of.hpp"
 
 namespace perimpact {
 
 namespace {
 
-std::filesystem::path picture_of_defects(const std::filesystem::path& folder, const std::string& impactor) { return folder / (impactor + "_defects.vtp"); }
+std::filesystem::path defect_file_of(const std::filesystem::path& folder, const std::string& impactor) { return folder / (impactor + "_defects.vtp"); }
 
 }  // namespace
 
 deck::Deck open_deck(const DeckArguments& arguments) {
   if (arguments.threads > 0) fccda::use_threads(arguments.threads);
-  return deck::read_deck(arguments.deck, arguments.set);
+  deck::Deck deck = deck::read_deck(arguments.deck, arguments.set);
+  for (const std::string& warning : deck.warnings) fmt::print("warning: {}\n", warning);
+  return deck;
 }
 
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup) {
   if (arguments.out && arguments.out->empty())
-    throw fccda::InputError("--out is empty, which names no folder; write --out . for this one, or leave it out for output.folder of the deck.");
+    throw fccda::InputError("--out is empty; use --out . for the current folder, or omit it to use output.folder of the deck.");
   return arguments.out.value_or(setup.output.folder);
 }
 
@@ -34,18 +36,18 @@ void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& fol
     throw;
   } catch (const DefectiveSurface& error) {
     output::prepare_folder(folder);
-    const std::filesystem::path picture = picture_of_defects(folder, error.impactor());
-    write_defects(picture, error.panels(), {&error.defect(), 1});
-    throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), picture.string()));
+    const std::filesystem::path file = defect_file_of(folder, error.impactor());
+    write_defects(file, error.panels(), {&error.defect(), 1});
+    throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), file.string()));
   } catch (const SetupError& error) {
     throw fccda::InputError(deck.places.of(error.key()) + ": " + error.what());
   }
 }
 
-void remove_pictures_of_defects(const Simulation& simulation, const std::filesystem::path& folder) {
+void remove_defect_files(const Simulation& simulation, const std::filesystem::path& folder) {
   for (const Impactor& impactor : simulation.impactors()) {
-    std::error_code ignored;  // what cannot be removed does no harm
-    std::filesystem::remove(picture_of_defects(folder, impactor.name()), ignored);
+    std::error_code ignored;  // a file that cannot be removed is harmless
+    std::filesystem::remove(defect_file_of(folder, impactor.name()), ignored);
   }
 }
 

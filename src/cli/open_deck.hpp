@@ -1,4 +1,4 @@
-/// From the arguments of a command to a simulation, with every complaint carrying its place in the deck.
+/// Opens the deck of a command; errors carry their position in the deck.
 #pragma once
 
 #include "cli/commands.hpp"
@@ -10,17 +10,17 @@ namespace perimpact {
 /// Reads the deck with its overrides and sets the number of threads.
 deck::Deck open_deck(const DeckArguments& arguments);
 
-/// --out, or output.folder of the deck. Throws InputError where --out is empty.
+/// --out, or output.folder of the deck. Throws InputError if --out is empty.
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup);
 
-/// Throws the exception that is being handled again, a SetupError as an InputError that begins with file, line and column. Where an
-/// impactor's surface has defects, a picture of the panels goes into `folder`, and the sentence says so.
+/// Rethrows the current exception, a SetupError as an InputError with file, line and column. For a defective impactor surface, the
+/// panels are written into `folder` and the message names the file.
 [[noreturn]] void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& folder);
 
-/// Those that an earlier try of the deck left in `folder`: now that there is a simulation, the surfaces have none.
-void remove_pictures_of_defects(const Simulation& simulation, const std::filesystem::path& folder);
+/// Removes defect files of earlier attempts from `folder`.
+void remove_defect_files(const Simulation& simulation, const std::filesystem::path& folder);
 
-/// Calls f() with its SetupErrors placed so.
+/// Calls f() and adds positions to its SetupErrors.
 template <class F>
 auto with_places(const deck::Deck& deck, const std::filesystem::path& folder, const F& f) {
   try {

@@ -44,7 +44,7 @@ void Progress::draw(const Simulation& simulation, double now, long done) {
                                              simulation.relaxation()->latest().residual, rate > 0 ? "  " + duration_in_words(left) + " left" : "")
                                : fmt::format("{:5.1f} %  step {} of {}  t = {:.4g} s  {:.3g} steps/s  {} left  {} contacts", 100 * share, clock.step,
                                              clock.steps, clock.time(), rate, duration_in_words(left), simulation.contacts());
-  // unlike fmt::print, fputs throws nothing where the output is lost, which must not end a run
+  // unlike fmt::print, fputs does not throw if the output is lost, which must not end a run
   std::fputs((is_terminal_ ? "\r\033[K" + line : line + "\n").c_str(), stdout);
   std::fflush(stdout);
   drawn_ = now;

@@ -1,4 +1,4 @@
-/// One line that says how far a run is: redrawn on a terminal, a line every ten seconds where the output goes into a file.
+/// Progress line of a run: redrawn on a terminal, one line every ten seconds in a file.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ class Progress {
  public:
   explicit Progress(const Simulation& simulation);
   void after_step(const Simulation& simulation);
-  void in_increment(const Simulation& simulation);  ///< of a relaxation, which may take long
+  void in_increment(const Simulation& simulation);  ///< of a relaxation increment, which may take long
   void finish(const Simulation& simulation);        ///< draws a last time and ends the line
   double seconds() const;                           ///< since construction
 
@@ -22,7 +22,7 @@ class Progress {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   long first_;  // step
   bool is_terminal_;
-  double drawn_ = 0;  // [s] when last
+  double drawn_ = 0;  // [s] time of the last line
 };
 
 /// "3 h 12 min", "4 min 05 s", "38 s"

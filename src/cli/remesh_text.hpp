@@ -1,13 +1,13 @@
-/// What coarsening and refinement did to the panels of an impactor, in words, for `check`.
+/// Effect of coarsening and refinement on an impactor's panels as text, for `check`.
 #pragma once
 
 #include <string>
 
-#include "perimpact/impact/impactor.hpp"
+#include "perimpact/impactor/impactor.hpp"
 
 namespace perimpact {
 
-/// Empty where the deck asks for neither.
+/// Empty without coarsening and refinement.
 std::string remesh_text(const Impactor& impactor);
 
 }  // namespace perimpact

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/report/report.hpp"
 
 namespace perimpact {
 
 int report_command(const ReportArguments& arguments) {
   const report::Report report = report::write_report(arguments.folder, {.bytes = static_cast<std::size_t>(1e6 * arguments.megabytes)});
-  fmt::print("{}: {:.1f} MB, {} of {} pictures, {} of {} particles\n", report.file.string(), 1e-6 * static_cast<double>(report.bytes), report.pictures,
-             report.pictures_of_run, report.particles, report.particles_of_run);
+  fmt::print("{}: {:.1f} MB, {} of {} output frames, {} of {} particles\n", report.file.string(), 1e-6 * static_cast<double>(report.bytes), report.frames,
+             report.frame_files_of_run, report.particles, report.particles_of_run);
   for (const std::string& note : report.notes) fmt::print("note: {}\n", note);
   return 0;
 }
@@ -19,14 +19,14 @@ void try_report(const std::filesystem::path& folder) {
   std::string fault;
   try {
     const report::Report report = report::write_report(folder);
-    fmt::print("  {}  all of it, for the browser ({:.1f} MB)\n", report.file.string(), 1e-6 * static_cast<double>(report.bytes));
+    fmt::print("  {}  report for the browser ({:.1f} MB)\n", report.file.string(), 1e-6 * static_cast<double>(report.bytes));
     return;
   } catch (const fccda::InputError& error) {
     fault = error.what();
   } catch (const fccda::RunError& error) {
     fault = error.what();
   }
-  fmt::print("warning: there is no report of this run: {}\n", fault);
+  fmt::print("warning: the report of this run could not be written: {}\n", fault);
 }
 
 }  // namespace perimpact

@@ -1,4 +1,4 @@
-/// `perimpact report`: a run in one file for the browser.
+/// `perimpact report`: writes a run as one file for the browser.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,12 @@ namespace perimpact {
 
 struct ReportArguments {
   std::filesystem::path folder;
-  double megabytes = 25;  ///< the most that the data may take [MB]
+  double megabytes = 25;  ///< maximum size of the data [MB]
 };
 
 int report_command(const ReportArguments& arguments);
 
-/// Writes report.html at the end of a run and prints its path; where that fails, a warning: the results are there all the same.
+/// Writes report.html at the end of a run and prints its path, or a warning on failure, since the results are complete.
 void try_report(const std::filesystem::path& folder);
 
 }  // namespace perimpact

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "cli/commands.hpp"
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_command.hpp"
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
 #include "io/checkpoint/checkpoints.hpp"
 #include "io/results/results_writer.hpp"
 
@@ -27,7 +27,7 @@ void print_timers(const fccda::Timers& timers) {
   for (const auto& row : timers.rows()) fmt::print("{:<12}{:>10.2f}{:>8.1f} %\n", row.name, row.seconds, 100 * row.seconds / timers.total());
 }
 
-/// A word of a command line.
+/// A command-line word, quoted for the shell.
 std::string quoted(const std::string& word) {
   if (!word.empty() && word.find_first_of(" \t\n\"'\\$`&|;<>()[]{}*?!#~") == std::string::npos) return word;
   std::string text = "'";
@@ -35,30 +35,30 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// The command that goes on with this run.
+/// The command that resumes this run.
 std::string resuming(const RunArguments& arguments) {
-  std::string command = "perimpact run " + quoted(arguments.deck.string());
-  if (arguments.out) command += " --out " + quoted(*arguments.out);
-  for (const std::string& change : arguments.set) command += " --set " + quoted(change);
-  return command + " --resume";
+  std::string text = "perimpact run " + quoted(arguments.deck.string());
+  if (arguments.out) text += " --out " + quoted(*arguments.out);
+  for (const std::string& change : arguments.set) text += " --set " + quoted(change);
+  return text + " --resume";
 }
 
-/// The last checkpoint, behind the sentence of an error; where the error was not of the simulation, how to go on from it.
-std::string about_last(const Checkpoints& checkpoints, const std::string& way_out) {
+/// Sentence about the last checkpoint after an error, with the command to resume if the error was not one of the simulation.
+std::string about_last(const Checkpoints& checkpoints, const std::string& command) {
   if (!checkpoints.last()) return "";
-  return fmt::format(" The last checkpoint is that of step {}{}.", *checkpoints.last(), way_out.empty() ? "" : "; " + way_out + " goes on from it");
+  return fmt::format(" The last checkpoint is at step {}{}", *checkpoints.last(), command.empty() ? "." : "; resume from it with " + command);
 }
 
-/// A line about the checkpoint that the run is going to replace.
-void tell_of_unfinished(const std::filesystem::path& path) {
+/// Reports an unfinished run whose checkpoint is replaced.
+void print_unfinished(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return;
   try {
     const Checkpoint earlier(path);
     if (!earlier.is_finished())
-      fmt::print("The unfinished run in {} (step {} of {}) is replaced; --resume would have gone on with it.\n", path.parent_path().string(), earlier.step(),
+      fmt::print("The unfinished run in {} (step {} of {}) is replaced; --resume would have continued it.\n", path.parent_path().string(), earlier.step(),
                  earlier.steps());
   } catch (const fccda::InputError&) {
-    // not one that could have been resumed
+    // not resumable
   }
 }
 
@@ -75,7 +75,7 @@ int run_command(const RunArguments& arguments) {
     if (arguments.resume) {
       earlier.emplace(checkpoint).expect_deck(deck.setup);
       if (earlier->is_finished() && std::filesystem::exists(folder / "run.json")) {
-        fmt::print("The run in {} is finished (step {} of {}): there is nothing to resume.\n", folder.string(), earlier->step(), earlier->steps());
+        fmt::print("The run in {} is finished (step {} of {}); there is nothing to resume.\n", folder.string(), earlier->step(), earlier->steps());
         return 0;
       }
     }
@@ -84,27 +84,27 @@ int run_command(const RunArguments& arguments) {
     std::signal(SIGINT, remember_signal);
     std::signal(SIGTERM, remember_signal);
     Checkpoints checkpoints(checkpoint, simulation);
-    if (!earlier) tell_of_unfinished(checkpoint);
+    if (!earlier) print_unfinished(checkpoint);
     ResultsWriter results = earlier ? ResultsWriter(simulation, folder, checkpoints.resume(*earlier, simulation)) : ResultsWriter(simulation, folder);
-    earlier.reset();  // it keeps the file open that the next checkpoint replaces
-    remove_pictures_of_defects(simulation, folder);
+    earlier.reset();  // closes the file, which the next checkpoint replaces
+    remove_defect_files(simulation, folder);
     fmt::print("{}\n{} threads, {} {} of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
                simulation.relaxation() ? "increments" : "steps", simulation.clock().dt, folder.string());
     if (arguments.resume) fmt::print("Resumed at step {} (t = {:.4g} s).\n", simulation.clock().step, simulation.clock().time());
     for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
 
     Progress progress(simulation);
-    std::string way_out;
+    std::string command;
     try {
       while (!simulation.clock().is_finished() && stop_signal == 0) {
-        way_out = "";
+        command = "";
         const long step = simulation.clock().step;
         simulation.step([&](const Relaxed&) {
           progress.in_increment(simulation);
           return stop_signal == 0;
         });
-        if (simulation.clock().step == step) break;  // in the middle of an increment
-        way_out = resuming(arguments);
+        if (simulation.clock().step == step) break;  // interrupted within an increment
+        command = resuming(arguments);
         results.after_step(simulation);
         checkpoints.after_step(simulation, results);
         progress.after_step(simulation);
@@ -114,7 +114,7 @@ int run_command(const RunArguments& arguments) {
       results.finish(simulation, simulation.clock().is_finished() ? Outcome::finished : Outcome::interrupted, "", progress.seconds());
     } catch (const fccda::RunError& error) {
       std::fputs("\n", stdout);
-      const std::string sentence = error.what() + about_last(checkpoints, way_out);
+      const std::string sentence = error.what() + about_last(checkpoints, command);
       try {
         results.finish(simulation, Outcome::failed, sentence, progress.seconds());
         if (!arguments.no_report) try_report(folder);
@@ -127,17 +127,17 @@ int run_command(const RunArguments& arguments) {
     print_timers(simulation.timers());
     for (const std::string& warning : simulation.closing_warnings()) fmt::print("\nwarning: {}\n", warning);
     if (!simulation.clock().is_finished()) {
-      fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). What was computed is in {}; {} goes on from here.\n", simulation.clock().time(),
+      fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). The results up to this step are in {}; resume with {}\n", simulation.clock().time(),
                  simulation.clock().step, simulation.clock().steps, folder.string(), resuming(arguments));
       return 128 + static_cast<int>(stop_signal);
     }
     fmt::print("\nResults: {}\n", std::filesystem::absolute(folder).lexically_normal().string());
-    fmt::print("  {}  the curves\n  {}  the pictures, for ParaView\n  {}  what was run\n", (folder / "history.csv").string(), (folder / "frames").string(),
-               (folder / "run.json").string());
+    fmt::print("  {}  time histories\n  {}  output frames, for ParaView\n  {}  summary of the run\n", (folder / "history.csv").string(),
+               (folder / "frames").string(), (folder / "run.json").string());
     is_finished = true;
     return 0;
   });
-  if (is_finished && !arguments.no_report) try_report(folder);  // once the memory of the run is free again
+  if (is_finished && !arguments.no_report) try_report(folder);  // after the memory of the run is released
   return code;
 }
 

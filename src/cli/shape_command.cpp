@@ -8,14 +8,14 @@
 
 #include "cli/mesh_report.hpp"
 #include "cli/surface_text.hpp"
-#include "fccda/inspect/volume_below.hpp"
-#include "fccda/shapes/wageningen.hpp"
 #include "io/deck/overrides.hpp"
 #include "io/deck/reader.hpp"
 #include "io/deck/reference.hpp"
 #include "io/output/surface_file.hpp"
-#include "perimpact/impact/generated_shape.hpp"
-#include "perimpact/impact/surface_of.hpp"
+#include "marine/wageningen.hpp"
+#include "mesh/inspect/volume_below.hpp"
+#include "perimpact/impactor/generated_shape.hpp"
+#include "perimpact/impactor/surface_of.hpp"
 
 namespace perimpact {
 
@@ -25,10 +25,10 @@ namespace {
 
 std::string_view sentence_of(std::string_view shape) {
   constexpr std::pair<std::string_view, std::string_view> known[] = {{"cylinder", "A circular cylinder."},
-                                                                     {"sphere", "A sphere, from an icosahedron."},
+                                                                     {"sphere", "A sphere, subdivided from an icosahedron."},
                                                                      {"box", "A box."},
-                                                                     {"hull", "The hull of an icebreaker, by its main dimensions and angles."},
-                                                                     {"propeller", "A propeller: Wageningen B-series, or sections of your own."}};
+                                                                     {"hull", "The hull of an icebreaker, from its main dimensions and angles."},
+                                                                     {"propeller", "A propeller: Wageningen B-series, or user-defined sections."}};
   const auto found = std::find_if(std::begin(known), std::end(known), [&](const auto& one) { return one.first == shape; });
   return found == std::end(known) ? "" : found->second;
 }
@@ -44,7 +44,7 @@ std::string help_of(const deck::Entry& entry) {
   return fmt::format("{}{}; {}. {}", entry.form, range, entry.need, entry.sentence);
 }
 
-/// The map that a deck would hold below `surface`.
+/// The map of the options, as below `surface` in a deck.
 deck::YamlNode map_of(const ShapeArguments& arguments) {
   deck::YamlNode map{.kind = deck::YamlNode::Kind::map, .place = "perimpact shape " + arguments.shape};
   for (const auto& [option, text] : arguments.values) deck::set_value(map, option.key, text, option.name);
@@ -81,8 +81,8 @@ Rows facts_of(const PropellerSurface& setup, const Surface&) {
   const BladeForm form(shape);
   const BladeForm::Section section = form.section(0.7 * form.tip_radius());
   const double from = shape.sections ? shape.hub_ratio : wageningen::hub;
-  const std::string beyond = fmt::format("{:.4g} beyond r/R = {:.4g}", form.expanded_area_ratio(from), from);
-  return {{"area ratio", "expanded " + beyond + (shape.sections ? "" : fmt::format(", {:.4g} beyond this hub", form.expanded_area_ratio(shape.hub_ratio)))},
+  const std::string beyond = fmt::format("{:.4g} outside r/R = {:.4g}", form.expanded_area_ratio(from), from);
+  return {{"area ratio", "expanded " + beyond + (shape.sections ? "" : fmt::format(", {:.4g} outside this hub", form.expanded_area_ratio(shape.hub_ratio)))},
           {"at 0.7 R", fmt::format("chord {:.4g} m, thickness {:.4g} m, pitch angle {:.4g} deg", section.chord, section.thickness,
                                    section.pitch_angle * 180 / std::numbers::pi)},
           {"blades", fmt::format("from {:.4g} to {:.4g} m", form.root_radius(), form.tip_radius())}};

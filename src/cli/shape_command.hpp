@@ -1,4 +1,4 @@
-/// `perimpact shape`: surfaces that perimpact makes by itself, as files.
+/// `perimpact shape`: writes generated surfaces to files.
 #pragma once
 
 #include <filesystem>
@@ -22,19 +22,19 @@ struct ShapeKind {
   std::vector<ShapeOption> options;
 };
 
-/// All surfaces of a deck but that in a file, with the options that the deck reference lists for them.
+/// All generated surfaces, with options from the deck reference.
 const std::vector<ShapeKind>& shape_kinds();
 
 struct ShapeArguments {
   std::string shape;
   std::vector<std::pair<ShapeOption, std::string>> values;  ///< as given
-  std::filesystem::path out;                                ///< empty: nothing is written
+  std::filesystem::path out;                                ///< empty: no output file
 };
 
-/// Makes the shape, says what it is and writes it. Exit code 0; throws InputError.
+/// Generates the shape, reports on it and writes it. Exit code 0; throws InputError.
 int shape_command(const ShapeArguments& arguments);
 
-/// The shapes with their sentences.
+/// Lists the shapes with their descriptions.
 int list_shapes();
 
 }  // namespace perimpact

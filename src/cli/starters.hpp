@@ -1,4 +1,4 @@
-/// Decks to start from, as src/cli/starters holds them: the build puts their text into the program (starters.cpp.in).
+/// Starter decks of src/cli/starters, embedded by the build (starters.cpp.in).
 #pragma once
 
 #include <span>

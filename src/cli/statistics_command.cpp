@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "base/error.hpp"
 #include "cli/channel_text.hpp"
-#include "fccda/core/error.hpp"
 #include "io/output/csv.hpp"
 #include "io/output/file.hpp"
 #include "io/output/results_folder.hpp"
@@ -23,10 +23,10 @@ using fccda::InputError;
 
 namespace {
 
-/// The rows that are looked at.
+/// The rows that are evaluated.
 struct Window {
   double from, to;           // [s]
-  std::size_t first, count;  // rows that reach into it, but for the one at whose time it begins
+  std::size_t first, count;  // rows within it, without that of the start time
   double interval;           // [s] the median between them
 };
 
@@ -36,7 +36,7 @@ struct Part {
   double mean, maximum, minimum;
 };
 
-/// What is told of a column.
+/// Statistics of a column.
 struct Summary {
   std::string name;
   double mean, deviation;
@@ -44,7 +44,7 @@ struct Summary {
   std::vector<Part> parts;
   std::optional<Spectrum> spectrum;
 
-  /// [s]; not a number where there is none
+  /// [s]; NaN if there is none
   double period() const {
     const std::size_t k = spectrum ? spectrum->highest() : 0;
     return k == 0 ? std::numeric_limits<double>::quiet_NaN() : 1 / spectrum->frequency(k);
@@ -56,14 +56,13 @@ constexpr std::size_t fewest_for_spectrum = 16;
 Table expected_history(const std::filesystem::path& folder) {
   Table table = read_history(folder);
   if (table.names.front() != "time [s]")
-    throw InputError(fmt::format("{}: the first column is no time [s]; take the file as the run wrote it.", table.file.string()));
+    throw InputError(fmt::format("{}: the first column is not time [s]; use the file as written by the run.", table.file.string()));
   const std::vector<double>& times = table.columns.front();
-  if (times.size() < 2)
-    throw InputError(fmt::format("{} has fewer than two rows, so there is nothing between them to tell of; run for longer.", table.file.string()));
+  if (times.size() < 2) throw InputError(fmt::format("{} has fewer than two rows, so there is no interval to evaluate; run for longer.", table.file.string()));
   for (std::size_t row = 1; row < times.size(); ++row)
     if (!(times[row] > times[row - 1]))
-      throw InputError(fmt::format("{}:{}: time goes from {} s to {} s, but it must increase; take the file as the run wrote it.", table.file.string(), row + 2,
-                                   times[row - 1], times[row]));
+      throw InputError(fmt::format("{}:{}: time goes from {} s to {} s, but it must increase; use the file as written by the run.", table.file.string(),
+                                   row + 2, times[row - 1], times[row]));
   return table;
 }
 
@@ -75,8 +74,8 @@ Window window_of(const Table& table, std::optional<double> from, std::optional<d
                 .count = 0,
                 .interval = 0};
   if (!(window.from < window.to))
-    throw InputError(fmt::format("--from {:.6g} s and --to {:.6g} s leave no time of {}, whose rows go from {:.6g} to {:.6g} s.", from.value_or(times.front()),
-                                 to.value_or(times.back()), table.file.string(), times.front(), times.back()));
+    throw InputError(fmt::format("--from {:.6g} s and --to {:.6g} s leave no time of {}, whose rows range from {:.6g} to {:.6g} s.",
+                                 from.value_or(times.front()), to.value_or(times.back()), table.file.string(), times.front(), times.back()));
   std::vector<double> intervals;
   for (std::size_t row = 1; row < times.size(); ++row) {
     if (times[row] <= window.from || times[row - 1] >= window.to) continue;
@@ -95,16 +94,16 @@ void expect_finite(const Table& table, std::size_t column, const Window& window)
       throw InputError(fmt::format("{}:{}: {} is not a finite number; choose rows before it with --to.", table.file.string(), row + 2, table.names[column]));
 }
 
-/// Even intervals that fit into the window; rounding must not take the last one away.
+/// Number of whole intervals in the window, with a margin for rounding.
 std::size_t intervals_in(const Window& window) { return static_cast<std::size_t>((window.to - window.from) / window.interval * (1 + 1e-9)); }
 
-/// Values of a segment of the spectrum; 0 where there are too few rows for one.
+/// Length of a segment of the spectrum; 0 if there are too few rows.
 std::size_t segment_of(const Window& window, std::optional<double> wanted) {
   const std::size_t values = intervals_in(window);
-  if (!wanted) return values < fewest_for_spectrum ? 0 : usual_segment(values);
+  if (!wanted) return values < fewest_for_spectrum ? 0 : default_segment(values);
   const double length = std::floor(*wanted / window.interval * (1 + 1e-9));
   if (!(length >= static_cast<double>(fewest_for_spectrum) && length <= static_cast<double>(values)))
-    throw InputError(fmt::format("--segment is {:.6g} s, but it must hold from {} rows to all {} of the time chosen: {:.6g} to {:.6g} s.", *wanted,
+    throw InputError(fmt::format("--segment is {:.6g} s, but it must cover from {} rows to all {} of the chosen time: {:.6g} to {:.6g} s.", *wanted,
                                  fewest_for_spectrum, values, static_cast<double>(fewest_for_spectrum) * window.interval,
                                  static_cast<double>(values) * window.interval));
   return std::bit_floor(static_cast<std::size_t>(length));
@@ -172,7 +171,7 @@ void write_spectrum(const std::filesystem::path& file, const std::vector<Summary
 std::string period_text(const Summary& one) {
   if (!one.spectrum) return "-";
   const std::size_t k = one.spectrum->highest();
-  return k == 0 ? "-" : fmt::format("{}{:.4g}", k == 1 ? ">" : "", one.period());  // the lowest frequency holds all slower ones
+  return k == 0 ? "-" : fmt::format("{}{:.4g}", k == 1 ? ">" : "", one.period());  // the lowest frequency includes all slower ones
 }
 
 void print_table(const std::vector<Summary>& summaries) {
@@ -199,16 +198,16 @@ void print_spectrum(const Window& window, const Spectrum& spectrum) {
              spectrum.resolution(), 0.5 / spectrum.interval);
 }
 
-void tell_of_columns(const StatisticsArguments& arguments, const Table& table, const std::vector<std::size_t>& columns, const Window& window) {
+void print_columns(const StatisticsArguments& arguments, const Table& table, const std::vector<std::size_t>& columns, const Window& window) {
   const std::size_t segment = segment_of(window, quantity_of_option("--segment", arguments.segment, "s"));
   std::vector<Summary> summaries;
   for (const std::size_t column : columns) summaries.push_back(summary_of(table, column, window, arguments.windows, segment));
 
-  fmt::print("{}: {} rows from {:.6g} to {:.6g} s, {:.4g} s apart\n\n", table.file.string(), window.count, window.from, window.to, window.interval);
+  fmt::print("{}: {} rows from {:.6g} to {:.6g} s, interval {:.4g} s\n\n", table.file.string(), window.count, window.from, window.to, window.interval);
   print_table(summaries);
   std::vector<std::string> written = {"statistics.csv"};
   write_statistics(arguments.folder / written.back(), summaries);
-  std::error_code ignored;  // what an earlier command wrote of other columns or times
+  std::error_code ignored;  // output of earlier commands for other columns or times
   for (const char* name : {"windows.csv", "spectrum.csv"}) std::filesystem::remove(arguments.folder / name, ignored);
   if (arguments.windows > 1) {
     print_windows(summaries);
@@ -218,7 +217,7 @@ void tell_of_columns(const StatisticsArguments& arguments, const Table& table, c
     print_spectrum(window, *summaries.front().spectrum);
     write_spectrum(arguments.folder / written.emplace_back("spectrum.csv"), summaries);
   } else {
-    fmt::print("\nspectrum: none, for {} rows are fewer than the {} that it needs\n", intervals_in(window), fewest_for_spectrum);
+    fmt::print("\nspectrum: none, since {} rows are fewer than the required {}\n", intervals_in(window), fewest_for_spectrum);
   }
   fmt::print("Written to {}: {}\n", arguments.folder.string(), fmt::join(written, ", "));
 }
@@ -231,9 +230,9 @@ int statistics_command(const StatisticsArguments& arguments) {
   const Window window = window_of(table, from, to);
   const std::vector<std::size_t> columns = arguments.columns.empty() ? columns_of_loads(table) : columns_named(table, arguments.columns);
   if (columns.empty() && arguments.channel.of.empty())
-    throw InputError(fmt::format("{} tells of no impactor, so there are no loads; choose columns with --columns.", table.file.string()));
-  const std::string channel = arguments.channel.of.empty() ? "" : channel_text(arguments, to);  // before anything is printed: it may be refused
-  if (!columns.empty()) tell_of_columns(arguments, table, columns, window);
+    throw InputError(fmt::format("{} has no columns of impactors and thus no loads; choose columns with --columns.", table.file.string()));
+  const std::string channel = arguments.channel.of.empty() ? "" : channel_text(arguments, to);  // before any output, since it may throw
+  if (!columns.empty()) print_columns(arguments, table, columns, window);
   if (!channel.empty()) fmt::print("{}{}", columns.empty() ? "" : "\n", channel);
   return 0;
 }

@@ -1,4 +1,4 @@
-/// `perimpact statistics`: what the forces and the broken ice of a run come to.
+/// `perimpact statistics`: statistics of forces and channel widths of a run.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +13,12 @@ struct StatisticsArguments {
   std::string from, to;              ///< times, with a unit or in seconds; empty: the first and last row
   std::vector<std::string> columns;  ///< words of columns_named(); empty: loads
   int windows = 1;                   ///< equal parts of the time
-  std::string segment;               ///< of the spectrum, a time; empty: the usual one
+  std::string segment;               ///< of the spectrum, a time; empty: the default
 
   struct Channel {
-    std::string of;        ///< body:axis; empty: none is looked for
+    std::string of;        ///< body:axis; empty: no channel
     std::string from, to;  ///< lengths along the axis; empty: the whole body
-    double sheet = 0.1;    ///< share of the particles that a piece of the remaining sheet has at least
+    double sheet = 0.1;    ///< minimum share of the particles in a fragment of the intact sheet
   } channel;
 };
 

@@ -1,9 +1,9 @@
-/// A surface in words, for `check` and `mesh`.
+/// Summary of a surface as text, for `check` and `mesh`.
 #pragma once
 
 #include <string>
 
-#include "fccda/surface/surface.hpp"
+#include "mesh/surface.hpp"
 
 namespace perimpact {
 

@@ -29,7 +29,7 @@ ALONE = "#space { position: fixed; left: 0; top: 0; width: 800px; height: 500px;
 
 def check(page, what, is_so):
     if not is_so:
-        raise SystemExit(f"the report does not do what it should: {what}; page: {page.value('document.body.innerText')[:2000]}")
+        raise SystemExit(f"the report fails the check: {what}; page: {page.value('document.body.innerText')[:2000]}")
 
 
 def differing(first, second):
@@ -47,12 +47,12 @@ def main():
             page.open(folder / "results/report.html")
             seconds = page.wait_for("document.documentElement?.dataset.state === 'ready'")
             picture = lambda: page.value("Number(document.getElementById('slider').value)")
-            check(page, "it begins at the first picture", picture() == 0)
+            check(page, "it begins at the first frame", picture() == 0)
             page.press("End")
-            check(page, "End goes to the last picture", picture() == 10)
+            check(page, "End goes to the last frame", picture() == 10)
             page.press("ArrowLeft")
-            check(page, "the left arrow goes to the picture before", picture() == 9)
-            check(page, "the time is told", "picture 10 of 11" in page.value("document.getElementById('now').textContent"))
+            check(page, "the left arrow goes to the previous frame", picture() == 9)
+            check(page, "the time is shown", "frame 10 of 11" in page.value("document.getElementById('now').textContent"))
             page.press("Home")
             page.press(" ")
             page.wait_for("Number(document.getElementById('slider').value) >= 3", 20)
@@ -63,11 +63,11 @@ def main():
             for colour in page.value("[...document.getElementById('colour').options].map(each => each.value)"):
                 page.value(f"(e => {{ e.value = '{colour}'; e.dispatchEvent(new Event('change')); }})(document.getElementById('colour'))")
             page.value("(e => { e.value = '+z'; e.dispatchEvent(new Event('change')); })(document.getElementById('clip'))")
-            check(page, "the place of the clipping plane is told", "z =" in page.value("document.getElementById('place').textContent"))
+            check(page, "the position of the clipping plane is shown", "z =" in page.value("document.getElementById('place').textContent"))
             page.value("(e => { e.value = ''; e.dispatchEvent(new Event('change')); })(document.getElementById('clip'))")
             for tab in ("run", "checks", "deck", "notes", "curves"):
                 page.value(f"document.getElementById('tab-{tab}').click()")
-                check(page, f"the page {tab} tells something", page.value(f"document.getElementById(document.getElementById('tab-{tab}').getAttribute('aria-controls')).innerText.length") > 40)
+                check(page, f"the page {tab} has content", page.value(f"document.getElementById(document.getElementById('tab-{tab}').getAttribute('aria-controls')).innerText.length") > 40)
             check(page, "there are curves", page.value("document.querySelectorAll('.uplot').length") > 0)
             page.value("(e => { e.value = 'speed'; e.dispatchEvent(new Event('change')); })(document.getElementById('colour'))")
             page.press("End")
@@ -76,7 +76,7 @@ def main():
             page.press("7")
             shown = PICTURE if "--write-picture" in sys.argv else folder / "plate.png"
             page.picture(shown, width=800, height=500)
-            check(page, f"no complaint on the console: {page.complaints}", not page.complaints)
+            check(page, f"no errors on the console: {page.complaints}", not page.complaints)
         finally:
             page.close()
         off = differing(matplotlib.image.imread(shown), matplotlib.image.imread(PICTURE))

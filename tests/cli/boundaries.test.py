@@ -1,4 +1,4 @@
-"""Bodies that are held, loaded and relaxed, from the deck to the results folder."""
+"""Boundary conditions and relaxation, from the deck to the results folder."""
 
 import signal
 import time
@@ -13,12 +13,12 @@ bodies:
     shape: {box: {size: [40 mm, 5 mm, 5 mm]}}
     spacing: 1 mm
     material: {model: ordinary-state, youngs_modulus: 200 GPa, density: 7850}
-    regions:
+    particle_sets:
       left: {shape: {box: {size: [3 mm, 5 mm, 5 mm]}}, position: [-18.5 mm, 0, 0]}
       right: {shape: {box: {size: [3 mm, 5 mm, 5 mm]}}, position: [18.5 mm, 0, 0]}
-    boundaries:
-      clamp: {fixed: {region: left}}
-      pull: {prescribed: {region: right, x: {file: pull.csv}}}
+    boundary_conditions:
+      clamp: {fixed: {particle_set: left}}
+      pull: {prescribed: {particle_set: right, x: {file: pull.csv}}}
 output: {folder: results, frames: 2, probes: {middle: {body: bar, at: [0, 0, 0]}}}
 """
 
@@ -33,7 +33,7 @@ def bar(t, *changes):
     return "bar.yaml"
 
 
-@claim("boundaries: a bar that is relaxed leaves a row an increment, and says how each ended")
+@claim("boundary conditions: relaxation of a bar writes one row per increment with its convergence")
 def _(t):
     out = t.expect_success("run", bar(t), "--out", "r").out
     t.assertRegex(out, r"\n\d+ threads, 4 increments of 0\.25 s; results go to r\n")
@@ -45,20 +45,20 @@ def _(t):
     # 34 of 40 mm are free and about as long is what strains: E A u/L, within the length of the clamps
     t.assertTrue(200e9 * 25e-6 * 0.04 / 40 < force[-1] < 200e9 * 25e-6 * 0.04 / 34, force)
     t.assertAlmostEqual(history["bar.clamp.force_x [N]"][-1] / force[-1], -1, 3)  # the residual adds up along the bar
-    t.assertAlmostEqual(history["middle.displacement_x [m]"][-1] / 2e-5, 1, 2)  # half of the way, but for that and the bar's contraction
-    t.assertEqual(report["bodies"]["bar"]["boundaries"]["clamp"]["kind"], "fixed")
-    t.assertEqual(report["bodies"]["bar"]["boundaries"]["pull"]["particles"], 75)
+    t.assertAlmostEqual(history["middle.displacement_x [m]"][-1] / 2e-5, 1, 2)  # half of the displacement, up to that and the bar's contraction
+    t.assertEqual(report["bodies"]["bar"]["boundary_conditions"]["clamp"]["kind"], "fixed")
+    t.assertEqual(report["bodies"]["bar"]["boundary_conditions"]["pull"]["particles"], 75)
     t.assertEqual(report["increment [s]"], 0.25)
 
 
-@claim("boundaries: check tells what each acts on, and how many increments there are")
+@claim("boundary conditions: check reports the particles of each, and the number of increments")
 def _(t):
     out = t.expect_success("check", bar(t), "--out", "r").out
     t.assertIn("  bar.clamp         fixed, 75 particles\n  bar.pull          prescribed, 75 particles\n", out)
     t.assertIn("time\n  increments        4 of 0.25 s\n", out)
 
 
-@claim("boundaries: a relaxed bar that is stopped between increments goes on and ends in the same state, with the same rows")
+@claim("boundary conditions: a relaxation interrupted between increments resumes to the same state and rows")
 def _(t):
     many = ("increments: 4", "increments: 40")
     t.expect_success("run", bar(t, many), "--out", "whole")
@@ -75,7 +75,7 @@ def _(t):
     t.assertEqual((t.folder / "stopped/history.csv").read_bytes(), (t.folder / "whole/history.csv").read_bytes())
 
 
-@claim("boundaries: a relaxed bar that is stopped in the middle of increments goes on there and ends in the same state, with the same rows")
+@claim("boundary conditions: a relaxation interrupted within an increment resumes to the same state and rows")
 def _(t):
     slow = (("increments: 4", "increments: 2"), ("tolerance: 1e-5", "tolerance: 1e-7"), ("spacing: 1 mm", "spacing: 0.5 mm"))
     t.expect_success("run", bar(t, *slow), "--out", "whole")
@@ -97,29 +97,29 @@ def _(t):
     t.assertEqual((t.folder / "stopped/history.csv").read_bytes(), (t.folder / "whole/history.csv").read_bytes())
 
 
-@claim("boundaries: a region that is not there is refused with its place in the deck")
+@claim("boundary conditions: an unknown particle set is refused with its position in the deck")
 def _(t):
-    done = t.run_program("run", bar(t, ("clamp: {fixed: {region: left}}", "clamp: {fixed: {region: lef}}")))
-    t.expect_complaint(done, 2, "bar.yaml:12:", "body bar has no region lef; did you mean left?")
+    done = t.run_program("run", bar(t, ("clamp: {fixed: {particle_set: left}}", "clamp: {fixed: {particle_set: lef}}")))
+    t.expect_complaint(done, 2, "bar.yaml:12:", "body bar has no particle set lef; did you mean left?")
 
 
-@claim("boundaries: an absorbing layer is refused where the body goes on at the face it names, and taken at the body's end")
+@claim("boundary conditions: an absorbing layer is refused where the body continues beyond its face, and accepted at the end of the body")
 def _(t):
     def layer(at, face):
-        regions = f"regions: {{layer: {{shape: {{box: {{size: [20 mm, 60 mm, 20 mm]}}}}, position: [{at}, 0, 0]}}}}"
-        return t.deck(("spacing: 5 mm", f"spacing: 5 mm\n    {regions}\n    boundaries: {{sink: {{absorbing: {{region: layer, face: {face}}}}}}}"))
+        regions = f"particle_sets: {{layer: {{shape: {{box: {{size: [20 mm, 60 mm, 20 mm]}}}}, position: [{at}, 0, 0]}}}}"
+        return t.deck(("spacing: 5 mm", f"spacing: 5 mm\n    {regions}\n    boundary_conditions: {{sink: {{absorbing: {{particle_set: layer, face: {face}}}}}}}"))
 
     for at, face in (("40 mm", "+x"), ("-40 mm", "-x"), ("40 mm", "+y"), ("0 mm", "-z")):
         t.expect_success("check", layer(at, face), "--out", "r")
     for at, face in (("40 mm", "-x"), ("-40 mm", "+x"), ("0 mm", "+x")):
         done = t.run_program("check", layer(at, face), "--out", "r")
-        t.expect_complaint(done, 2, "deck.yaml:8:", f"the layer ends where body plate goes on towards {face}, ", "Let region layer reach the end of the body")
+        t.expect_complaint(done, 2, "deck.yaml:8:", f"the layer ends where body plate continues towards {face}, ", "extend particle set layer to the end of the body")
 
 
-@claim("boundaries: a run that finds no equilibrium ends with exit code 3, the increment and its residual")
+@claim("boundary conditions: a run without equilibrium ends with exit code 3, the increment and its residual")
 def _(t):
-    loose = ("clamp: {fixed: {region: left}}", "clamp: {body_force: {force_density: [0, 1 MN/m3, 0]}}")
-    done = t.run_program("run", bar(t, loose, ("tolerance: 1e-5", "most_iterations: 50")), "--out", "r")
+    loose = ("clamp: {fixed: {particle_set: left}}", "clamp: {body_force: {force_density: [0, 1 MN/m3, 0]}}")
+    done = t.run_program("run", bar(t, loose, ("tolerance: 1e-5", "max_iterations: 50")), "--out", "r")
     t.assertEqual(done.code, 3)
     t.assertIn("Increment 1 (t = 0.25 s) is not in equilibrium after 50 iterations", done.err)
     t.assertEqual(t.report("r")["outcome"], "failed")

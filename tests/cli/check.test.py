@@ -22,17 +22,17 @@ def _(t):
     surface = report["impactors"]["cylinder"]["surface"]
     t.assertEqual(rows["panels"], f"{surface['panels']} ({surface['triangles']} triangles, {surface['vertices']} vertices)")
     t.assertEqual((rows["closure"], rows["size"], rows["components"]), ("closed", "0.04 x 0.04 x 0.04 m", "1"))
-    step, steps = re.match(r"(\S+) s, (\d+) of them", rows["step"]).groups()
+    step, steps = re.match(r"(\S+) s, (\d+) steps", rows["step"]).groups()
     t.assertEqual(rows["samples"], f"12 points of plate, written after step {steps}")
     t.assertEqual((step, int(steps)), (f"{report['stability']['step [s]']:.4g}", report["steps"]))
 
 
-@claim("check: the first contact is foretold to the step")
+@claim("check: the first contact is predicted to the step")
 def _(t):
     # In this little time the plate does not answer yet. A row a step, so that the first row with contacts is the step.
-    t.expect_success("run", t.deck(("20 us}", "20 us, step: 0.5 us}")), "--out", "r", "--set", "output.history=0.5 us")
+    t.expect_success("run", t.deck(("20 us}", "20 us, step: 0.5 us}")), "--out", "r", "--set", "output.history_interval=0.5 us")
     out = t.expect_success("check", "deck.yaml", "--out", "r").out
-    time, step = re.search(r"touches plate at (\S+) s \(step (\d+)\)", out).groups()
+    time, step = re.search(r"with plate at (\S+) s \(step (\d+)\)", out).groups()
     contacts = t.history("r")["cylinder.contacts [-]"]
     first = next(k for k, count in enumerate(contacts) if count > 0)
     t.assertEqual(int(step), first)
@@ -59,49 +59,49 @@ def _(t):
     t.assertIn(f"  {'':<18}top: {parts['top']['panels']} panels", out)
 
 
-@claim("check: a density warns where parts of the surface may overlap, because what they share counts twice, unless contact moves the impactor nowhere")
+@claim("check: a density warns of possibly overlapping parts of the surface, which count twice, unless the impactor is fully constrained")
 def _(t):
     def cube(low):
         corners = [[low + (v >> axis & 1) * 0.02 for axis in range(3)] for v in range(8)]
         return [[corners[v] for v in quad] for quad in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))]
 
-    cylinder = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+    cylinder = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
     for second, warns in (0.01, True), (0.03, False):
         quads = cube(0) + cube(second)
         lines = [f"v {x} {y} {z}" for quad in quads for x, y, z in quad] + [f"f {4 * k + 1} {4 * k + 2} {4 * k + 3} {4 * k + 4}" for k in range(len(quads))]
         (t.folder / "cubes.obj").write_text("\n".join(lines))
         out = t.expect_success("check", t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000")), "--out", "r").out
         t.assertEqual("warning: The surface of cylinder has 2 components whose bounding boxes meet" in out, warns, out)
-        held = t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000"), ("free: [y]", "free: []"))
+        held = t.deck((cylinder, "{file: cubes.obj}"), ("mass: 1 kg", "density: 8000"), ("free_dofs: [y]", "free_dofs: []"))
         t.assertNotIn("bounding boxes meet", t.expect_success("check", held, "--out", "r").out)
 
 
-@claim("check: the first contact of an impactor that tables or loads move is not foretold")
+@claim("check: the first contact of an impactor that tables or loads move is not predicted")
 def _(t):
-    out = t.expect_success("check", t.deck(("free: [y]", "free: [y]\n    loads: {tow: {force: [0, -1 kN, 0]}}")), "--out", "r").out
-    t.assertIn("not foretold for plate: tables or loads change the velocity", out)
+    out = t.expect_success("check", t.deck(("free_dofs: [y]", "free_dofs: [y]\n    loads: {tow: {force: [0, -1 kN, 0]}}")), "--out", "r").out
+    t.assertIn("not predicted for plate: motion tables or loads change the velocity", out)
 
 
-@claim("check: an impactor that never arrives is named with its distance")
+@claim("check: an impactor without contact is reported with its distance")
 def _(t):
     out = t.expect_success("check", t.deck(("-32 m/s", "32 m/s")), "--out", "r").out
-    t.assertRegex(out, r"does not touch plate before the end: \S+ m away at the start\. Check position, velocity and units\.")
+    t.assertRegex(out, r"none with plate before the end, initial distance \S+ m; check position, velocity and units")
 
 
-@claim("check: writes body, surface and region as VTP, the region at its place, and touches no results")
+@claim("check: writes body, surface and contact bounds as VTP in their positions, without changing results")
 def _(t):
-    t.expect_success("run", t.deck(("free: [y]", "free: [y]\n    region: {box: {size: [50 mm, 50 mm, 30 mm], centre: [0, 1 mm, 0]}, outside: clip}")), "--out", "r")
+    t.expect_success("run", t.deck(("free_dofs: [y]", "free_dofs: [y]\n    contact_bounds: {box: {size: [50 mm, 50 mm, 30 mm], centre: [0, 1 mm, 0]}, on_exceed: clip}")), "--out", "r")
     before = {name: (t.folder / "r" / name).read_bytes() for name in t.files("r")}
     t.expect_success("check", "deck.yaml", "--out", "r")
-    t.assertEqual(t.files("r/check"), ["cylinder_region.vtp", "cylinder_surface.vtp", "plate.vtp"])
+    t.assertEqual(t.files("r/check"), ["cylinder_contact_bounds.vtp", "cylinder_surface.vtp", "plate.vtp"])
     t.assertEqual({name: (t.folder / "r" / name).read_bytes() for name in t.files("r") if not name.startswith("check/")}, before)
-    for name, points in ("plate", 960), ("cylinder_region", 8):
+    for name, points in ("plate", 960), ("cylinder_contact_bounds", 8):
         content = (t.folder / f"r/check/{name}.vtp").read_bytes()
         head = xml.fromstring(content[: content.index(b"<AppendedData")] + b"</VTKFile>")
         t.assertEqual(head.find(".//Piece").get("NumberOfPoints"), str(points))
 
 
-@claim("check: every kind of region is told, drawn and in run.json alike")
+@claim("check: every kind of contact bounds is reported, written as VTP and recorded in run.json")
 def _(t):
     cylinder = "{cylinder_sectors: {axis: [0, 0, 1], radius: 21 mm, length: 40 mm, hub_radius: 21 mm, point: [0, 0, 0], blades: 1, sector_angle: 90 deg, start_angle: 0}}"
     halves = "{box_union: {boxes: {left: {size: [20 mm, 40 mm, 40 mm], centre: [-10 mm, 0, 0]}, right: {size: [20 mm, 40 mm, 40 mm], centre: [10 mm, 0, 0]}}}}"
@@ -112,47 +112,47 @@ def _(t):
         ("{box_union: {count: 4, gain: 0}}", "box_union", None, "boxes fitted to the surface"),
         (cylinder, "cylinder_sectors", 3.14159 * 21 * 21 / 1600, None),
         ("{cylinder_sectors: {}}", "cylinder_sectors", 3.14159 / 4, "axis, point, radius, length, hub_radius, blades, sector_angle, start_angle fitted to the surface; "
-         "between its blades there is no gap in angle worth having, so the fan is the whole cylinder"),
-        ("{auto: {}}", "cylinder_sectors", 3.14159 / 4, "taken: the cylinder with sectors"),
+         "the angular gaps between its blades are negligible, so that the fan is the whole cylinder"),
+        ("{auto: {}}", "cylinder_sectors", 3.14159 / 4, "chosen: the cylinder with sectors"),
     ]:
-        deck = t.deck(("free: [y]", f"free: [y]\n    region: {region}")) if region else t.deck()
+        deck = t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    contact_bounds: {region}")) if region else t.deck()
         out = t.expect_success("check", deck, "--out", "r").out
         rows = rows_of(out)
         t.expect_success("run", deck, "--out", "r")
-        report = t.report("r")["impactors"]["cylinder"]["region"]
+        report = t.report("r")["impactors"]["cylinder"]["contact_bounds"]
         t.assertEqual(report["kind"], kind)
-        t.assertEqual("cylinder_region.vtp" in " ".join(t.files("r/check")), region is not None)
+        t.assertEqual("cylinder_contact_bounds.vtp" in " ".join(t.files("r/check")), region is not None)
         if region is None:
-            t.assertEqual(rows["region"], "none: contact wherever the surface is")
+            t.assertEqual(rows["contact bounds"], "none: contact on the whole surface")
             continue
-        t.assertEqual(rows["region"], kind)
+        t.assertEqual(rows["contact bounds"], kind)
         t.assertIs(report["clips"], False)
         # boxes are widened by 1e-8 of the coordinates
         t.assertAlmostEqual(report["volume [m3]"] / (0.04**3), report["share_of_bounding_box"], 4)
         if share:
             t.assertAlmostEqual(report["share_of_bounding_box"], share, 4)
-        words = f"saves {100 * (1 - report['share_of_bounding_box']):.0f} %" if report["share_of_bounding_box"] <= 1 else " m3, "
-        t.assertIn(words, rows["region volume"])
-        t.assertEqual(report.get("fitted"), rows.get("region fitted"))
+        words = f"{100 * (1 - report['share_of_bounding_box']):.0f} % less" if report["share_of_bounding_box"] <= 1 else " m3, "
+        t.assertIn(words, rows["bounds volume"])
+        t.assertEqual(report.get("fitted"), rows.get("bounds fitted"))
         t.assertTrue((fitted or "None") in str(report.get("fitted")), report)
-        for file in (t.folder / "r").rglob("*_region.vtp"):
+        for file in (t.folder / "r").rglob("*_contact_bounds.vtp"):
             file.unlink()
 
 
-@claim("check: tells panels before and after coarsening and refinement, run.json too, and parts stay")
+@claim("check: reports panels before and after coarsening and refinement, as does run.json, and parts are preserved")
 def _(t):
-    keys = "coarsen: {distance: 0.2 mm, panel: 10 mm}\n    refine: {struck: {panel: 1 mm, part: side, box: {size: [20 mm, 20 mm, 10 mm], centre: [0, -20 mm, 0]}}}"
+    keys = "coarsen: {max_deviation: 0.2 mm, max_edge_length: 10 mm}\n    refine: {struck: {edge_length: 1 mm, surface_part: side, box: {size: [20 mm, 20 mm, 10 mm], centre: [0, -20 mm, 0]}}}"
     plain = t.deck()
     t.expect_success("run", plain, "--out", "plain")
     given = t.report("plain")["impactors"]["cylinder"]["surface"]
-    deck = t.deck(("free: [y]", f"free: [y]\n    {keys}"))
+    deck = t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    {keys}"))
     rows = rows_of(t.expect_success("check", deck, "--out", "r").out)
     t.expect_success("run", deck, "--out", "r")
     report = t.report("r")["impactors"]["cylinder"]
     t.assertEqual({**report["surface_as_given"], "buried_triangles": 0}, given)
     surface, coarsened = report["surface"], report["coarsened"]
     t.assertTrue(rows["as given"].startswith(f"{given['panels']} panels ({given['triangles']} triangles, edges "), rows)
-    t.assertTrue(rows["coarsened"].startswith(f"to {coarsened['triangles']} triangles; the surface moved by "), rows)
+    t.assertTrue(rows["coarsened"].startswith(f"to {coarsened['triangles']} triangles; maximum deviation of the surface "), rows)
     t.assertEqual(rows["refined"], f"to {surface['triangles']} triangles")
     t.assertEqual(rows["panels"], f"{surface['panels']} ({surface['triangles']} triangles, {surface['vertices']} vertices)")
     t.assertLess(coarsened["triangles"], given["triangles"])
@@ -163,19 +163,19 @@ def _(t):
     t.assertEqual((surface["closure"], list(surface["parts"])), ("closed", ["bottom", "side", "top"]))
 
 
-@claim("check: a refinement that cannot be done is refused at its place, with its name")
+@claim("check: an impossible refinement is refused at its position, with its name")
 def _(t):
     for wish, sentence in [
-        ("{panel: 1 mm, part: sides}", 'struck: the surface has no part "sides"; did you mean side? Its parts are bottom, side, top.'),
-        ("{panel: 1 nm}", "struck: panels of 1e-09 m would be about 6e+16 of them, more than the 3e+07 that there is room for; panels of 5e-05 m would do."),
+        ("{edge_length: 1 mm, part: sides}", 'struck: the surface has no part "sides"; did you mean side? Its parts are bottom, side, top.'),
+        ("{edge_length: 1 nm}", "struck: an edge length of 1e-09 m would give about 6e+16 panels, more than the limit of 3e+07; use 5e-05 m or more."),
     ]:
-        failed = t.run_program("check", t.deck(("free: [y]", f"free: [y]\n    refine: {{struck: {wish}}}")), "--out", "r")
+        failed = t.run_program("check", t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    refine: {{struck: {wish}}}")), "--out", "r")
         t.assertEqual((failed.code, failed.err), (2, f"error: deck.yaml:15:5: {sentence}\n"))
 
 
 @claim("check: refuses what run refuses, with the same sentence")
 def _(t):
-    for change in [("free: [y]", "free: [y]\n    region: {box_union: {boxes: {a: {size: [40 mm, 40 mm, 30 mm]}}}}"), ("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
+    for change in [("free_dofs: [y]", "free_dofs: [y]\n    contact_bounds: {box_union: {boxes: {a: {size: [40 mm, 40 mm, 30 mm]}}}}"), ("5 mm", "5 kg"), ("end: 20 us", "end: 20 us, step: 3 us"), ("[0, 50 mm, 0]", "[0, 40 mm, 0]"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]")]:
         deck = t.deck(change)
         checked, run = (t.run_program(command, deck, "--out", "r") for command in ("check", "run"))
         t.assertEqual((checked.code, checked.err), (run.code, run.err))

@@ -18,12 +18,12 @@ def results_table(path):
         return {row["column"]: row for row in csv.DictReader(file)}
 
 
-FLOATING = ("    free: [y]", "    free: [x, y, z]\n    floating: {level: 0, damping: 100}")
+FLOATING = ("    free_dofs: [y]", "    free_dofs: [x, y, z]\n    floating: {level: 0, damping: 100}")
 
 
-@claim("columns: history.json names every column of history.csv with its unit and kind, while a run goes on, when it was killed, and when it was resumed")
+@claim("columns: history.json gives unit and kind of every column of history.csv, during a run, after it was killed, and after a restart")
 def _(t):
-    deck = t.deck(FLOATING, ("end: 20 us", "end: 400 us"), ("  history: 2 us", "  history: 2 us\n  checkpoint_every: 20 us"))
+    deck = t.deck(FLOATING, ("end: 20 us", "end: 400 us"), ("  history_interval: 2 us", "  history_interval: 2 us\n  checkpoint_interval: 20 us"))
     going = t.start("run", deck, "--out", "r")
     history = t.folder / "r/history.csv"
     while not (t.folder / "r/checkpoint.h5").exists() or history.read_bytes().count(b"\n") < 4:
@@ -37,7 +37,7 @@ def _(t):
     wanted = {"time [s]": "instantaneous", "cylinder.position_y [m]": "instantaneous", "cylinder.force_y [N]": "interval mean",
               "cylinder.moment_z [N m]": "interval mean", "cylinder.water_force_z [N]": "interval mean", "cylinder.water_moment_x [N m]": "interval mean",
               "cylinder.displaced_mass [kg]": "instantaneous", "cylinder.contact_work [J]": "cumulative", "plate.broken_bonds [-]": "cumulative",
-              "plate.kinetic_energy [J]": "instantaneous", "total.contact_loss [J]": "cumulative", "total.momentum_x [kg m/s]": "instantaneous"}
+              "plate.kinetic_energy [J]": "instantaneous", "total.contact_dissipation [J]": "cumulative", "total.momentum_x [kg m/s]": "instantaneous"}
     t.assertEqual({column: killed[column] for column in wanted}, wanted)
     t.expect_success("statistics", "r")
     t.expect_success("run", deck, "--out", "r", "--resume")
@@ -45,11 +45,11 @@ def _(t):
     t.expect_success("statistics", "r", "--columns", "cylinder.water_force")
 
 
-@claim("columns: the mean of a water force times the time is the momentum that the water gave")
+@claim("columns: the mean of a water force times the time is the momentum from the water")
 def _(t):
-    # nothing touches it, so that weight, buoyancy and damping alone move it
+    # without contact, only weight, buoyancy and damping move it
     deck = t.deck(FLOATING, ("position: [0, 50 mm, 0]", "position: [0, 2, 5 mm]"), ("velocity: [0, -32 m/s, 0]", "velocity: [0, 0, -2]"), ("end: 20 us", "end: 400 us"),
-                  ("history: 2 us", "history: 133 us"))
+                  ("history_interval: 2 us", "history_interval: 133 us"))
     t.expect_success("run", deck, "--out", "r")
     t.expect_success("statistics", "r", "--columns", "cylinder.water_force_z")
     mean = float(results_table(t.folder / "r/statistics.csv")["cylinder.water_force_z"]["mean"])
@@ -60,7 +60,7 @@ def _(t):
     t.assertAlmostEqual(mean * (seconds[-1] - seconds[0]) / gained, 1, delta=1e-9)  # speeds of 2 m/s round at 4e-16, and 0.01 m/s are gained
 
 
-@claim("columns: rows that are means count by the time before them, values by straight lines between them")
+@claim("columns: interval means count for the time before their row, values are interpolated linearly")
 def _(t):
     (t.folder / "r").mkdir()
     (t.folder / "r/history.csv").write_text("time [s],ship.water_force_z [N],ship.force_x [N]\n0,0,0\n1,10,10\n3,40,40\n")
@@ -71,14 +71,14 @@ def _(t):
     t.assertAlmostEqual(float(told["ship.force_x"]["mean"]), (5 * 1 + 25 * 2) / 3, delta=1e-12)
 
 
-@claim("columns: output.history changes no pressure of a panel, nor the pressures at the peak")
+@claim("columns: output.history_interval changes no pressure of a panel, nor the pressures at the peak")
 def _(t):
     found = []
     for history in ("40 us", "2 us", "0.3 us"):
-        deck = t.deck(("end: 20 us", "end: 40 us"), ("history: 2 us", f"history: {history}"))
+        deck = t.deck(("end: 20 us", "end: 40 us"), ("history_interval: 2 us", f"history_interval: {history}"))
         t.expect_success("run", deck, "--out", "r", "--no-report")
         found.append({name: (t.folder / "r" / name).read_bytes() for name in t.files("r") if name.startswith("frames/cylinder") or name.endswith("_at_peak.csv")})
-    t.assertEqual(len(found[0]), 1 + 5 + 1)  # the list of pictures, the pictures, the curve
+    t.assertEqual(len(found[0]), 1 + 5 + 1)  # the list of frames, the frames, the curve
     t.assertGreater(max(table(t.folder / "r/pressure_area/cylinder_at_peak.csv")["mean_pressure [Pa]"]), 0)
     t.assertTrue(found[0] == found[1] == found[2])
 

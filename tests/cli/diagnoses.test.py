@@ -1,8 +1,8 @@
-"""Warnings: what looks wrong before a run, and what a run turns out to have been."""
+"""Warnings before a run and at its end."""
 
 from claims import claim, main
 
-SURFACE = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+SURFACE = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
 
 
 def warnings(out):
@@ -17,14 +17,14 @@ def box_as_obj(half, inward):
     return "\n".join(lines) + "\n"
 
 
-@claim("diagnoses: a sound deck gets no warning, in check, in run and in run.json")
+@claim("diagnoses: a valid deck yields no warning, in check, in run and in run.json")
 def _(t):
     for command in "check", "run":
         t.assertEqual(warnings(t.expect_success(command, t.deck(), "--out", "r").out), [])
     t.assertEqual(t.report("r")["warnings"], [])
 
 
-@claim("diagnoses: a density that no solid has is told, of a body and of an impactor, and one with its unit is not")
+@claim("diagnoses: an implausible density of a body or impactor yields a warning, one with its unit does not")
 def _(t):
     def told(*changes):
         return [each for each in warnings(t.expect_success("check", t.deck(*changes), "--out", "r").out) if "density" in each]
@@ -41,43 +41,43 @@ def _(t):
     t.assertEqual(told((mass, "density: 7850")), [])
 
 
-@claim("diagnoses: a surface that is inside out is turned over and said, in check, run and run.json")
+@claim("diagnoses: an inward-oriented surface is reversed with a warning, in check, run and run.json")
 def _(t):
     deck = t.deck((SURFACE, "surface: {file: cube.obj}"))
     (t.folder / "cube.obj").write_text(box_as_obj(0.02, inward=False))
     t.assertEqual(warnings(t.expect_success("run", deck, "--out", "right").out), [])
     (t.folder / "cube.obj").write_text(box_as_obj(0.02, inward=True))
-    refined = t.deck((SURFACE, "surface: {file: cube.obj}\n    refine: {all: {panel: 10 mm}}"))
+    refined = t.deck((SURFACE, "surface: {file: cube.obj}\n    refine: {all: {edge_length: 10 mm}}"))
     t.assertIn("point inward in 1 of its 1 components", t.expect_success("check", refined, "--out", "r").out)
     deck = t.deck((SURFACE, "surface: {file: cube.obj}"))
     for command in "check", "run":
         said = warnings(t.expect_success(command, deck, "--out", "r").out)
         t.assertEqual(len(said), 1)
-        t.assertIn("The panels of impactor cylinder point inward in 1 of its 1 components; these were turned over", said[0])
+        t.assertIn("The normals of impactor cylinder point inward in 1 of its 1 components and were reversed", said[0])
     t.assertEqual(t.report("r")["warnings"], said)
     t.assertEqual(t.history("r"), t.history("right"))
 
 
-@claim("diagnoses: an impactor that never touches a body is told after the table of a run, and in run.json")
+@claim("diagnoses: an impactor without contact is reported after the timers of a run, and in run.json")
 def _(t):
     out = t.expect_success("run", t.deck(("-32 m/s", "32 m/s")), "--out", "r").out
     said = warnings(out)
     t.assertEqual(len(said), 1)
-    t.assertRegex(said[0], r"^Impactor cylinder never touched body plate until t = 2e-05 s: the nearest it came was \S+ m, at t = 0 s\.")
+    t.assertRegex(said[0], r"^Impactor cylinder had no contact with body plate until t = 2e-05 s: the smallest distance was \S+ m, at t = 0 s\.")
     t.assertGreater(out.index(said[0]), out.index("monitors"))
     t.assertEqual(t.report("r")["warnings"], said)
 
 
-@claim("diagnoses: particles inside at the start are removed or projected where the deck says so, and the first row has no force")
+@claim("diagnoses: initial penetration is removed or projected as requested, and the first row has no force")
 def _(t):
     sunk = ("position: [0, 50 mm, 0]", "position: [0, 45 mm, 0]")
     found = {}
     for choice in "remove", "project":
-        deck = t.deck(sunk, ("to: [0, 30 mm, 0]", "to: [0, 20 mm, 0]"), ("detector: swept}", f"detector: swept, starting_inside: {choice}}}"))
+        deck = t.deck(sunk, ("to: [0, 30 mm, 0]", "to: [0, 20 mm, 0]"), ("detector: swept}", f"detector: swept, initial_overlap: {choice}}}"))
         checked = warnings(t.expect_success("check", deck, "--out", choice).out)
         t.assertEqual(warnings(t.expect_success("run", deck, "--out", choice).out), checked)
         report, history = t.report(choice), t.history(choice)
-        found[choice] = report["impactors"]["cylinder"]["detection"]["plate"]["starting_inside"]
+        found[choice] = report["impactors"]["cylinder"]["detection"]["plate"]["initial_overlap"]
         t.assertEqual(len(checked), 1)
         t.assertIn(f"{found[choice]} particles that were inside its surface", checked[0])
         t.assertEqual(report["warnings"], checked)
@@ -87,7 +87,7 @@ def _(t):
     t.assertEqual(found["remove"], found["project"])
     t.assertGreater(found["remove"], 0)
     done = t.run_program("run", t.deck(sunk), "--out", "error")
-    t.expect_complaint(done, 2, "deck.yaml:", f"{found['remove']} particles", "contact.impactors.starting_inside: remove or project.")
+    t.expect_complaint(done, 2, "deck.yaml:", f"{found['remove']} particles", "contact.impactors.initial_overlap: remove or project.")
 
 
 main()

@@ -1,10 +1,10 @@
-"""Impactors that float: what check foretells, and what a run leaves behind."""
+"""Impactors that float: what check foretells, and the results of a run."""
 
 import math
 
 from claims import claim, main
 
-# a box of 2 m × 1 m × 0.5 m in water of 1000 kg/m3, and a body far above that nothing touches
+# a box of 2 m × 1 m × 0.5 m in water of 1000 kg/m3, and a body far above without contact
 DECK = """\
 title: A box in water
 time: {end: 6 s, step: 2 ms}
@@ -16,12 +16,12 @@ bodies:
     material: {model: ordinary-state, youngs_modulus: 1 MPa, density: 1000 kg/m3}
 impactors:
   raft:
-    surface: {box: {size: [2 m, 1 m, 0.5 m], panel: 0.5 m}}
+    surface: {box: {size: [2 m, 1 m, 0.5 m], edge_length: 0.5 m}}
     mass: 500 kg
     position: [0, 0, 0]
-    free: [z]
+    free_dofs: [z]
     floating: {level: 0, density: 1000 kg/m3, gravity: 9.81 m/s2, damping: 0}
-output: {folder: results, frames: 0, history: 10 ms}
+output: {folder: results, frames: 0, history_interval: 10 ms}
 """
 
 
@@ -34,20 +34,20 @@ def deck(t, *changes):
     return "raft.yaml"
 
 
-@claim("floating: check says whether an impactor floats, rises, settles or sinks, and its draught at rest")
+@claim("floating: check reports whether an impactor floats, rises, settles or sinks, and its equilibrium draft")
 def _(t):
     def line(*changes):
         out = t.expect_success("check", deck(t, *changes), "--out", "r").out
         return next(line for line in out.splitlines() if line.startswith("  in water"))
 
     begins = "  in water          "
-    t.assertEqual(line(), begins + "floats at rest: displaces 500 kg with a draught of 0.25 m, net force +0 N upward; as it is turned, it rests at a draught of 0.25 m")
-    t.assertEqual(line(("position: [0, 0, 0]", "position: [0, 0, -0.1 m]")), begins + "rises: displaces 700 kg with a draught of 0.35 m, net force +1962 N upward; as it is turned, it rests at a draught of 0.25 m")
-    t.assertEqual(line(("position: [0, 0, 0]", "position: [0, 0, 3 m]")), begins + "settles: displaces 0 kg with a draught of -2.75 m, net force -4905 N upward; as it is turned, it rests at a draught of 0.25 m")
-    t.assertEqual(line(("mass: 500 kg", "mass: 1500 kg"), ("position: [0, 0, 0]", "position: [0, 0, -3 m]")), begins + "sinks: displaces 1000 kg with a draught of 3.25 m, net force -4905 N upward; it is heavier than all the water that it can displace")
+    t.assertEqual(line(), begins + "floats at rest: displaces 500 kg at a draft of 0.25 m, net force +0 N upward; in this attitude it floats at a draft of 0.25 m")
+    t.assertEqual(line(("position: [0, 0, 0]", "position: [0, 0, -0.1 m]")), begins + "rises: displaces 700 kg at a draft of 0.35 m, net force +1962 N upward; in this attitude it floats at a draft of 0.25 m")
+    t.assertEqual(line(("position: [0, 0, 0]", "position: [0, 0, 3 m]")), begins + "settles: displaces 0 kg at a draft of -2.75 m, net force -4905 N upward; in this attitude it floats at a draft of 0.25 m")
+    t.assertEqual(line(("mass: 500 kg", "mass: 1500 kg"), ("position: [0, 0, 0]", "position: [0, 0, -3 m]")), begins + "sinks: displaces 1000 kg at a draft of 3.25 m, net force -4905 N upward; it is heavier than the water that it can displace")
 
 
-@claim("floating: history and run.json tell the water's force, the displaced mass, draughts and work, and the box bobs with the period of its waterplane")
+@claim("floating: history and run.json give water force, displaced mass, draft and work, and the box oscillates with the period of its waterplane")
 def _(t):
     # six periods of 1.003 s and a quarter: it ends where the box is fastest, so that all its energy is in the work
     t.expect_success("run", deck(t, ("position: [0, 0, 0]", "position: [0, 0, 0.05 m]"), ("end: 6 s", "end: 6.27 s")), "--out", "r")
@@ -60,10 +60,10 @@ def _(t):
     t.assertAlmostEqual(period / (2 * math.pi * math.sqrt(500 / (1000 * 9.81 * 2))), 1, delta=1e-4)  # (ω dt)²/24 and straight lines between rows
     for height, displaced in zip(heights, history["raft.displaced_mass [kg]"]):
         t.assertAlmostEqual(displaced, 1000 * 2 * (0.25 - height), delta=1e-8)
-    expected = {"level [m]": 0, "mass [kg]": 500, "added_mass [kg]": 0, "displaced_at_start [kg]": 400, "force_at_start [N]": -981, "draught_at_start [m]": 0.2, "draught_at_rest [m]": 0.25}
+    expected = {"level [m]": 0, "mass [kg]": 500, "added_mass [kg]": 0, "displaced_at_start [kg]": 400, "force_at_start [N]": -981, "draft_at_start [m]": 0.2, "draft_at_rest [m]": 0.25}
     for key, value in expected.items():
         t.assertAlmostEqual(report[key], value, delta=1e-9 * 1000, msg=key)
-    t.assertAlmostEqual(report["draught [m]"], 0.25 - heights[-1], delta=1e-12)
+    t.assertAlmostEqual(report["draft [m]"], 0.25 - heights[-1], delta=1e-12)
     # weight and buoyancy lose what the box gains, but for the half step between places and velocities, ω dt of the energy of 24.5 J at most
     start = 500 * 9.81 * 0.05 + 1000 * 9.81 * 0.2**2  # m g z, and ρ g B L T²/2 to push a box under
     t.assertAlmostEqual(report["work [J]"], start - report["potential [J]"], delta=24.5 * 6.3 * 2e-3)
@@ -74,8 +74,8 @@ def _(t):
 @claim("floating: an open surface is refused at its key")
 def _(t):
     (t.folder / "lid.obj").write_text("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n")
-    done = t.run_program("check", deck(t, ("{box: {size: [2 m, 1 m, 0.5 m], panel: 0.5 m}}", "{file: lid.obj, outside: normals}")), "--out", "r")
-    t.expect_complaint(done, 2, "raft.yaml:", "raft is open", "nothing says what it displaces")
+    done = t.run_program("check", deck(t, ("{box: {size: [2 m, 1 m, 0.5 m], edge_length: 0.5 m}}", "{file: lid.obj, orientation: normals}")), "--out", "r")
+    t.expect_complaint(done, 2, "raft.yaml:", "raft is open", "its displacement is undefined")
 
 
 main()

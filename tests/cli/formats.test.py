@@ -68,7 +68,7 @@ def panels_in(kind):
 
 
 class Measured:
-    """Panels, area and enclosed volume of surface cells, given as (kind, array of node numbers); they need not be wound alike, but be convex
+    """Panels, area and enclosed volume of surface cells, given as (kind, array of node numbers); their orientation may differ, but they must be convex
     together with what `inside` says: a point inside the body of each triangle."""
 
     def __init__(self, points, cells, inside):
@@ -85,7 +85,7 @@ class Measured:
 
 
 def inside_of_scene(points):
-    """The middle of the first box, of the second if it stands apart, or of the ball: each body is convex."""
+    """The centre of the first box, of the second if it is separate, or of the ball: each body is convex."""
     return np.where(points[:, :1] > 2.1, [[3.0, 0, 0]], np.where(points[:, :1] > 1.25, [[1.75, 0.5, 0.5]], [[0.5, 0.5, 0.5]]))
 
 
@@ -145,22 +145,22 @@ def _(t):
                            ("f.msh", "-format", "msh41", "-part", "3"), ("g.msh", "-format", "msh22", "-part", "3"))
 
 
-@claim("formats: what gmsh saves as STL reads back equal")
+@claim("formats: STL files written by gmsh read back equal")
 def _(t):
     expect_what_gmsh_saves(t, ("a.stl", "-format", "stl"), ("b.stl", "-format", "stl", "-bin"))
 
 
-@claim("formats: what gmsh saves as VTK reads back equal, surfaces and solids")
+@claim("formats: VTK files written by gmsh read back equal, surfaces and solids")
 def _(t):
     expect_what_gmsh_saves(t, ("a.vtk", "-format", "vtk"), ("b.vtk", "-format", "vtk", "-bin"))
 
 
-@claim("formats: what gmsh saves for Abaqus reads back equal, surfaces and solids")
+@claim("formats: Abaqus files written by gmsh read back equal, surfaces and solids")
 def _(t):
     expect_what_gmsh_saves(t, ("a.inp", "-format", "inp"))
 
 
-@claim("formats: what gmsh saves for LS-DYNA reads back equal, surfaces and solids")
+@claim("formats: LS-DYNA files written by gmsh read back equal, surfaces and solids")
 def _(t):
     expect_what_gmsh_saves(t, ("a.key", "-format", "key"))
 
@@ -214,7 +214,7 @@ Transfinite Surface{:};
 
 
 def meshio_surface():
-    """A sphere of triangles between its poles and of quads around its equator, wound outward."""
+    """A sphere of triangles between its poles and of quads around its equator, oriented outward."""
     rings, around = 7, 12
     polar, turn = np.pi * np.arange(1, rings) / rings, 2 * np.pi * np.arange(around) / around
     grid = np.array([[np.sin(p) * np.cos(u), np.sin(p) * np.sin(u), np.cos(p)] for p in polar for u in turn])
@@ -248,7 +248,7 @@ def meshio_solids():
                         points.append([4 * body + x + 0.5, y + 0.5, z + 0.5])
                         for face in FACES["hexahedron"]:
                             corners = [c[int(k)] for k in face]
-                            # towards the middle the base must be wound inward
+                            # towards the middle the base must be oriented inward
                             base = corners if face == "0123" else corners[::-1]
                             if face == "4567":  # cut in two tetrahedra each: no cube is above the other's lid but at z = 1
                                 if z == 0:
@@ -295,42 +295,42 @@ def expect_what_meshio_writes(t, *forms, quads=True, solids=True, pyramids=True)
             expect_equal(t, name, expected)
 
 
-@claim("formats: what meshio writes as STL reads back equal")
+@claim("formats: STL files written by meshio read back equal")
 def _(t):
     expect_what_meshio_writes(t, ("a.stl", "stl", {"binary": False}), ("b.stl", "stl", {"binary": True}), quads=False, solids=False)
 
 
-@claim("formats: what meshio writes as OBJ reads back equal")
+@claim("formats: OBJ files written by meshio read back equal")
 def _(t):
     expect_what_meshio_writes(t, ("a.obj", "obj", {}), solids=False)
 
 
-@claim("formats: what meshio writes as PLY reads back equal")
+@claim("formats: PLY files written by meshio read back equal")
 def _(t):
     expect_what_meshio_writes(t, ("a.ply", "ply", {"binary": False}), ("b.ply", "ply", {"binary": True}), solids=False)
 
 
-@claim("formats: what meshio writes as OFF reads back equal")
+@claim("formats: OFF files written by meshio read back equal")
 def _(t):
     expect_what_meshio_writes(t, ("a.off", "off", {}), quads=False, solids=False)
 
 
-@claim("formats: what meshio writes as VTK reads back equal, surfaces and solids")
+@claim("formats: VTK files written by meshio read back equal, surfaces and solids")
 def _(t):
     expect_what_meshio_writes(t, *((f"{form}_{binary}.vtk", form, {"binary": binary}) for form in ("vtk42", "vtk51") for binary in (False, True)))
 
 
-@claim("formats: what meshio writes as VTU reads back equal, surfaces and solids")
+@claim("formats: VTU files written by meshio read back equal, surfaces and solids")
 def _(t):
     expect_what_meshio_writes(t, ("a.vtu", "vtu", {"binary": False}), ("b.vtu", "vtu", {"compression": None}), ("c.vtu", "vtu", {"compression": "zlib"}))
 
 
-@claim("formats: what meshio writes for Abaqus reads back equal, surfaces and solids")
+@claim("formats: Abaqus files written by meshio read back equal, surfaces and solids")
 def _(t):
     expect_what_meshio_writes(t, ("a.inp", "abaqus", {}), pyramids=False)  # for which meshio has no name there
 
 
-@claim("formats: what meshio writes for Gmsh reads back equal, surfaces and solids")
+@claim("formats: Gmsh files written by meshio read back equal, surfaces and solids")
 def _(t):
     expect_what_meshio_writes(t, *((f"{form}_{binary}.msh", form, {"binary": binary}) for form in ("gmsh22", "gmsh") for binary in (False, True)))
 

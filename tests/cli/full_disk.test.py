@@ -7,7 +7,7 @@ import xml.etree.ElementTree as xml
 
 from claims import claim, main
 
-BEGINNING_ONLY = ("history.csv", ".pvd", "run.json", "_at_peak.csv")  # grow during a run, or tell how it ended
+BEGINNING_ONLY = ("history.csv", ".pvd", "run.json", "_at_peak.csv")  # grow during a run, or record its outcome
 
 
 def expect_intact(t, folder, whole):
@@ -35,7 +35,7 @@ def run_with_files_up_to(t, size, *settings):
     return t.run_program("run", t.deck(), "--out", "r", *settings, limits={resource.RLIMIT_FSIZE: size})
 
 
-@claim("full disk: a picture that does not fit ends the run, and all before it is whole")
+@claim("full disk: an output frame that does not fit ends the run, and all earlier output is intact")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "whole")
     size = (t.folder / "whole/frames/plate_00001.vtp").stat().st_size
@@ -48,9 +48,9 @@ def _(t):
     expect_intact(t, "r", "whole")
 
 
-@claim("full disk: a row of history that does not fit is taken back")
+@claim("full disk: an incomplete row of history is removed")
 def _(t):
-    settings = ["--set", "output.frames=0", "--set", "output.history=0.1 us"]
+    settings = ["--set", "output.frames=0", "--set", "output.history_interval=0.1 us"]
     t.expect_success("run", t.deck(), "--out", "whole", *settings)
     lengths = [len(row) for row in (t.folder / "whole/history.csv").read_bytes().splitlines(keepends=True)]
     t.assertGreater(sum(lengths), 5000)
@@ -61,7 +61,7 @@ def _(t):
     expect_intact(t, "r", "whole")
 
 
-@claim("full disk: with room for nothing but the trial, the first file is named")
+@claim("full disk: if only the trial file fits, the first file is named")
 def _(t):
     done = run_with_files_up_to(t, 100)
     t.expect_complaint(done, 3, "r/history.csv cannot be written", "ulimit -f")
@@ -73,14 +73,14 @@ def _(t):
 def _(t):
     t.expect_success("run", t.deck(), "--out", "whole")
     (t.folder / "small").mkdir()
-    # A mount of its own, which nobody else sees and which is gone with the shell; results are copied out before.
+    # A private mount that ends with the shell; results are copied out before.
     script = 'mount -t tmpfs -o size=64k none small && { "$0" run deck.yaml --out small/r; code=$?; cp -r small/r r; exit $code; }; exit 77'
     shell = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", script, t.program], cwd=t.folder, env=t.environment, text=True,
                            capture_output=True, timeout=60)
     if shell.returncode not in (0, 2, 3):
         raise unittest.SkipTest(f"no mount for ordinary users here: {shell.stderr}")
     t.assertEqual(shell.returncode, 3, shell.stderr)
-    t.assertRegex(shell.stderr, r"^error: small/r/\S+ cannot be written: No space left on device\. Make room and run again; everything written before is intact\.\n$")
+    t.assertRegex(shell.stderr, r"^error: small/r/\S+ cannot be written: No space left on device\. Free disk space and run again; everything written before is intact\.\n$")
     t.assertIn("frames/plate_00001.vtp", t.files("r"))
     expect_intact(t, "r", "whole")
 
@@ -93,7 +93,7 @@ def _(t):
             process = subprocess.run([t.program, *arguments], cwd=t.folder, env=t.environment, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
             t.assertEqual(process.returncode, 3, arguments)
             t.assertRegex(process.stderr, r"^error: the output cannot be printed: No space left on device\. .*\.\n$")
-    t.assertEqual(t.report("r")["outcome"], "finished")  # nobody saw how far it was, but the run is not lost
+    t.assertEqual(t.report("r")["outcome"], "finished")  # progress output is lost, but not the run
 
 
 main()

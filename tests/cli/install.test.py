@@ -7,7 +7,7 @@ from pathlib import Path
 from claims import claim, main
 
 
-@claim("install: the program runs from a folder that was moved, and an installed case passes check and finds its schema")
+@claim("install: the program runs from a relocated folder, and an installed case passes check and finds its schema")
 def _(t):
     build = Path(t.program).parent
     first = t.folder / "first"

@@ -11,7 +11,7 @@ LONG = ("end: 20 us", "end: 100 s")  # would take hours
 
 
 def interrupted(t, which):
-    """Starts a long run, sends it the signal when it is under way; exit code and output."""
+    """Starts a long run, sends it the signal while it is running; returns exit code and output."""
     shutil.rmtree(t.folder / "r", ignore_errors=True)
     process = t.start("run", t.deck(LONG), "--out", "r", "--set", "output.frames=100000")
     history = t.folder / "r/history.csv"
@@ -28,7 +28,7 @@ def interrupted(t, which):
     return process.returncode, out
 
 
-@claim("interrupt: Ctrl-C ends a run after its step with 130, and SIGTERM with 143, and nothing is half-written")
+@claim("interrupt: Ctrl-C ends a run after its step with 130, and SIGTERM with 143, without partial files")
 def _(t):
     for which, code in (signal.SIGINT, 130), (signal.SIGTERM, 143):
         returned, out = interrupted(t, which)
@@ -43,10 +43,10 @@ def _(t):
         for name in ("plate", "cylinder"):
             entries = xml.parse(t.folder / f"r/frames/{name}.pvd").findall("./Collection/DataSet")
             t.assertEqual({entry.get("file") for entry in entries}, {path.name for path in (t.folder / "r/frames").glob(f"{name}_*.vtp")})
-            t.assertEqual(float(entries[-1].get("timestep")), report["time [s]"])  # the last picture shows the state that was reached
+            t.assertEqual(float(entries[-1].get("timestep")), report["time [s]"])  # the last frame is that of the final state
 
 
-@claim("interrupt: what an interrupted run wrote is what the whole run would have written")
+@claim("interrupt: the output of an interrupted run equals that of the full run up to then")
 def _(t):
     interrupted(t, signal.SIGINT)
     report, rows = t.report("r"), t.history("r")

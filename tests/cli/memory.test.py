@@ -18,7 +18,7 @@ MATERIAL = {
 def deck(t, shape, material, contact=""):
     text = (f"title: Memory\ntime: {{end: 1 us, step: 0.5 us}}\noutput: {{frames: 1, folder: r}}\n"
             f"bodies: {{b: {{{shape}, material: {{{MATERIAL[material]}}}}}}}\n"
-            "impactors: {s: {surface: {box: {size: [0.1, 0.1, 0.1], panel: 0.02}}, mass: 1, position: [0, 0, 100]}}\n" + contact)
+            "impactors: {s: {surface: {box: {size: [0.1, 0.1, 0.1], edge_length: 0.02}}, mass: 1, position: [0, 0, 100]}}\n" + contact)
     (t.folder / "deck.yaml").write_text(text)
     return "deck.yaml"
 
@@ -54,30 +54,30 @@ def expect_near(t, name):
     t.assertLess(abs(estimate / peak - 1), 0.2, f"said {estimate / 1e6:.0f} MB, taken {peak / 1e6:.0f} MB")
 
 
-@claim("memory: check names the peak of a run on a lattice within 20 %, thick and thin")
+@claim("memory: check estimates the peak of a run on a lattice within 20 %, thick and thin")
 def _(t):
     expect_near(t, deck(t, box(60, 50, 34), "elastic"))
     expect_near(t, deck(t, box(160, 160, 5), "state"))
 
 
-@claim("memory: check names the peak of a body that fills a surface within 20 %")
+@claim("memory: check estimates the peak of a body that fills a surface within 20 %")
 def _(t):
-    t.expect_success("shape", "sphere", "--diameter", "0.5", "--panel", "0.02", "--out", "ball.stl")
+    t.expect_success("shape", "sphere", "--diameter", "0.5", "--edge-length", "0.02", "--out", "ball.stl")
     expect_near(t, deck(t, "shape: {file: ball.stl}, spacing: 0.01", "brittle"))
 
 
-@claim("memory: check names the peak of a run with fragments within 20 %, as long as few bonds break")
+@claim("memory: check estimates the peak of a run with fragments within 20 %, as long as few bonds break")
 def _(t):
     expect_near(t, deck(t, box(60, 50, 34), "brittle", "contact: {fragments: {law: repulsive}}\n"))
 
 
 def expect_rubble_near(t, friction):
-    """A stretch below rounding breaks the bonds of a body that flies; the impactor has the list made anew while all are loose."""
+    """A stretch below rounding breaks the bonds of a body that flies; the impactor causes the list to be rebuilt while all are loose."""
     (t.folder / "deck.yaml").write_text(f"""title: Rubble
 time: {{end: 10 us, step: 0.5 us}}
 output: {{frames: 1, folder: r}}
 bodies: {{b: {{{box(40, 40, 40)}, velocity: [1, 2, 3], material: {{{MATERIAL["elastic"]}, critical_stretch: 1e-18}}, failure: {{compression: symmetric}}}}}}
-impactors: {{s: {{surface: {{box: {{size: [0.1, 0.1, 0.1], panel: 0.02}}}}, mass: 1, position: [0, 0, 0.2501], velocity: [0, 0, -1000]}}}}
+impactors: {{s: {{surface: {{box: {{size: [0.1, 0.1, 0.1], edge_length: 0.02}}}}, mass: 1, position: [0, 0, 0.2501], velocity: [0, 0, -1000]}}}}
 contact: {{fragments: {{law: repulsive, friction: {friction}}}}}
 """)
     said = t.expect_success("check", "deck.yaml").out
@@ -87,18 +87,18 @@ contact: {{fragments: {{law: repulsive, friction: {friction}}}}}
     t.assertLess(abs((peak + rubble) / taken - 1), 0.2, f"said {peak / 1e6:.0f} and {rubble / 1e6:.0f} MB more, taken {taken / 1e6:.0f} MB")
 
 
-@claim("memory: check names what rubble takes on top within 20 %, with friction and without")
+@claim("memory: check estimates the additional memory of rubble within 20 %, with and without friction")
 def _(t):
     expect_rubble_near(t, 0)
     expect_rubble_near(t, 0.1)
 
 
-@claim("memory: check names the peak of a correspondence material within 20 %")
+@claim("memory: check estimates the peak of a correspondence material within 20 %")
 def _(t):
     expect_near(t, deck(t, box(40, 30, 16), "correspondence"))
 
 
-@claim("memory: check names the peak of a cloud within 20 %, for what it keeps and what it takes while it is made")
+@claim("memory: check estimates the peak of a point cloud within 20 %, at rest and during set-up")
 def _(t):
     expect_near(t, deck(t, points(t, 30, 25, 16), "brittle"))
     expect_near(t, deck(t, points(t, 30, 25, 16), "state"))

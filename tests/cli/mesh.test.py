@@ -9,12 +9,12 @@ from shapes import Shape, defects, folded_prism, grid_box, half_hull, moebius, p
 
 
 def rows(t, *arguments):
-    """What stands behind each name of the report; a list for names with several rows."""
+    """Value of each row of the report; a list for names with several rows."""
     found = {}
     for line in t.expect_success("mesh", *arguments).out.splitlines()[1:]:
         match = re.match(r"  (?:  )?(\S.*?)? {2,}(\S.*)$", line)
         if match:
-            name = match[1] or name  # a row without one goes on with that above
+            name = match[1] or name  # a row without a name continues the one above
             found.setdefault(name, []).append(match[2])
     return {name: values[0] if len(values) == 1 else values for name, values in found.items()}
 
@@ -31,7 +31,7 @@ def need_numpy():
         raise unittest.SkipTest("numpy is not installed")
 
 
-@claim("mesh: a box in millimetres is suspected of its unit, the same in metres is not")
+@claim("mesh: a box in millimetres yields a warning about units, the same in metres does not")
 def _(t):
     box = write(t, "box.stl", grid_box((2000, 1000, 500), (4, 2, 1)))
     given, scaled, twice = rows(t, box), rows(t, box, "--scale", "0.001"), rows(t, box, "--scale", "1e-7")
@@ -41,27 +41,27 @@ def _(t):
     t.assertIn("smaller than any tool", twice["unit?"])
 
 
-@claim("mesh: panels are held against a spacing, in any unit")
+@claim("mesh: panels are compared with a spacing in any unit")
 def _(t):
     box = write(t, "box.obj", grid_box((2, 1, 0.5), (4, 2, 1)))  # squares of half a metre
     said = rows(t, box, "--spacing", "500 mm")
     t.assertEqual(said, rows(t, box, "--spacing", "0.5"))
-    t.assertEqual(said["median panel"], "0.5 m, 1 spacings: well chosen")
-    t.assertRegex(said["thinnest place"], r"^0\.5 m, 1 spacings, at panel \d+, ")
-    t.assertIn("finer than is of use", rows(t, box, "--spacing", "2.01 m")["median panel"])
-    t.assertIn("well chosen", rows(t, box, "--spacing", "1.99 m")["median panel"])
-    t.assertIn("fine where the surface is flat", rows(t, box, "--spacing", "0.249")["median panel"])
+    t.assertEqual(said["median panel"], "0.5 m, 1 spacings: adequate")
+    t.assertRegex(said["wall thickness"], r"^0\.5 m, 1 spacings, at panel \d+, ")
+    t.assertIn("finer than useful", rows(t, box, "--spacing", "2.01 m")["median panel"])
+    t.assertIn("adequate", rows(t, box, "--spacing", "1.99 m")["median panel"])
+    t.assertIn("sufficient on flat areas", rows(t, box, "--spacing", "0.249")["median panel"])
 
     # twelve sides about a circle of 1 m: they turn by 30 degrees, and the sagitta of an arc of their width is w θ/8
     tube = write(t, "tube.obj", prism([(math.cos(math.pi * k / 6), math.sin(math.pi * k / 6)) for k in range(12)], 4.0))
     sagitta = 2 * math.sin(math.pi / 12) * (math.pi / 6) / 8
-    for ratio, verdict in ((0.49, "fine"), (0.51, "too coarse there")):
-        said = rows(t, tube, "--spacing", sagitta / ratio)["off the curve"]
+    for ratio, verdict in ((0.49, "sufficient"), (0.51, "too coarse there")):
+        said = rows(t, tube, "--spacing", sagitta / ratio)["chord error"]
         t.assertTrue(said.startswith(f"at most {sagitta:.3g} m, {ratio:.2g} spacings, at panel "), said)
         t.assertIn(f": {verdict}", said)
 
 
-@claim("mesh: parts that are named are read alone, and one that is none is told")
+@claim("mesh: only the named parts are read, and an unknown one is reported")
 def _(t):
     hull = write(t, "hull.obj", half_hull())
     both = rows(t, hull)
@@ -71,7 +71,7 @@ def _(t):
     t.expect_complaint(t.run_program("mesh", hull, "--part", "dck"), 2, 'hull.obj: the surface has no part "dck"; did you mean deck?', "shell, deck")
 
 
-@claim("mesh: what --out writes reads back equal, closed, turned outward, and with the names of its parts")
+@claim("mesh: the output of --out reads back equal, closed, oriented outward and with part names")
 def _(t):
     parts = half_hull().with_image(1).moved(lambda p: tuple(0.001 * x for x in p)).turned_over()
     plain = grid_box((0.7, 0.3, 0.1), (4, 3, 2)).turned_over()
@@ -80,34 +80,34 @@ def _(t):
     for name, shape in (("parts", parts), ("plain", plain)):
         given = rows(t, write(t, name + ".obj", shape))
         t.assertEqual(given["closure"], "closed")
-        t.assertIn("the normals pointed inward and were turned outward", str(given["mended"]))
+        t.assertIn("inward normals reversed", str(given["repaired"]))
         for out in f"{name}_out.stl", f"{name}_out.obj":
-            t.assertIn(f"the surface as made fit is in {out}", t.expect_success("mesh", name + ".obj", "--out", out).out)
+            t.assertIn(f"the repaired surface is in {out}", t.expect_success("mesh", name + ".obj", "--out", out).out)
             back = rows(t, out)
             t.assertEqual({row: back[row] for row in equal}, {row: given[row] for row in equal}, out)
             t.assertEqual(re.findall(r"\d+", back["panels"])[1:], re.findall(r"\d+", given["panels"])[1:], out)  # triangles and vertices
-            mended = back.get("mended", "")
-            t.assertRegex(mended, r"^(|\d+ vertices merged with one at the same place)$", out)  # nothing but what STL repeats
+            repaired = back.get("repaired", "")
+            t.assertRegex(repaired, r"^(|\d+ coincident vertices merged)$", out)  # nothing but what STL repeats
             t.assertEqual([without_panels(part) for part in back.get("parts", [])], [without_panels(part) for part in given.get("parts", [])])
             t.assertEqual("parts" in back, name == "parts")
             t.assertEqual((t.folder / out).read_bytes().startswith(b"solid shell\n"), out == "parts_out.stl")
 
 
-@claim("mesh: a rim is told with its length and place, and that of half a ship with the key that completes it")
+@claim("mesh: a boundary loop is reported with length and position, and that of half a ship with the key that completes it")
 def _(t):
     hull = half_hull()
     said = rows(t, write(t, "half.obj", hull), "--scale", "0.001")
     # stem, keel, stem and the middle of the deck, which has as many edges as the keel
-    t.assertTrue(said["rims"].startswith("64 edges, 27 m around, 12 x 0 x 1.5 m about (0, 0, -0.75) m"), said["rims"])
-    t.assertIn("`complete: y`", said["half?"])
+    t.assertTrue(said["boundary loops"].startswith("64 edges, length 27 m, extent 12 x 0 x 1.5 m about (0, 0, -0.75) m"), said["boundary loops"])
+    t.assertIn("`mirror_merge: y`", said["half?"])
     hull.parts["shell"].pop(100)  # a hole besides
     holed = rows(t, write(t, "holed.obj", hull))
     t.assertNotIn("half?", holed)
-    t.assertEqual([re.match(r"\d+ edges", rim)[0] for rim in holed["rims"]], ["64 edges", "4 edges"])  # the longest first
+    t.assertEqual([re.match(r"\d+ edges", loop)[0] for loop in holed["boundary loops"]], ["64 edges", "4 edges"])  # the longest first
     t.assertNotIn("half?", rows(t, write(t, "whole.obj", half_hull().with_image(1))))
 
 
-@claim("mesh: the picture of defects holds exactly the panels that have them, in metres")
+@claim("mesh: the file of defects contains exactly the defective panels, in metres")
 def _(t):
     need_numpy()
     from vtp_reader import read_vtp
@@ -120,25 +120,25 @@ def _(t):
     t.assertEqual(len(beside), 4)
     write(t, "box.v2.obj", Shape({"": around}))
     t.expect_success("mesh", "box.v2.obj", "--scale", "0.5")
-    t.assertEqual(defects(t.folder / "box.v2_defects.vtp"), {"rim": beside})
+    t.assertEqual(defects(t.folder / "box.v2_defects.vtp"), {"boundary edge": beside})
     picture = read_vtp(t.folder / "box.v2_defects.vtp")
     shown = [[tuple(point) for point in picture.points[panel].tolist()] for panel in picture.panels]
     t.assertEqual(shown, [[tuple(0.5 * x for x in corner) for corner in around[k]] for k in beside])
 
     said = rows(t, write(t, "folded.obj", folded_prism()))
-    t.assertIn("mend the fold", said["inside out"])
-    # sides 0 and 5 meet at the origin, and side 3 goes through both
+    t.assertIn("repair the fold", said["inside out"])
+    # sides 0 and 5 meet at the origin, and side 3 intersects both
     t.assertEqual(defects(t.folder / "folded_defects.vtp"), {"inside out": [0, 3, 5]})
 
     said = rows(t, write(t, "rooms.obj", two_rooms()))
-    t.assertTrue(said["non-manifold"].startswith("4 edges of more than two panels; along 4 of them a panel could not be joined"), said)
-    t.assertEqual(defects(t.folder / "rooms_defects.vtp"), {"rim": [10]})
+    t.assertTrue(said["non-manifold"].startswith("4 edges with more than two panels; on 4 of them a panel could not be paired"), said)
+    t.assertEqual(defects(t.folder / "rooms_defects.vtp"), {"boundary edge": [10]})
 
     write(t, "band.obj", moebius())
     done = t.run_program("mesh", "band.obj")
-    t.expect_complaint(done, 2, "band.obj: the panels ", "twisted like Möbius's", "band_defects.vtp, for ParaView")
+    t.expect_complaint(done, 2, "band.obj: the panels ", "close a Möbius strip", "band_defects.vtp, for ParaView")
     named = [int(word) for word in re.search(r"panels (\d+) and (\d+)", done.err).groups()]
-    t.assertEqual(defects(t.folder / "band_defects.vtp"), {"twisted": sorted(named)})
+    t.assertEqual(defects(t.folder / "band_defects.vtp"), {"non-orientable": sorted(named)})
     t.assertEqual(abs(named[0] - named[1]) % 10, 1)  # neighbours
 
     write(t, "sound.obj", box)
@@ -146,7 +146,7 @@ def _(t):
     t.assertNotIn("sound_defects.vtp", t.files("."))
 
 
-@claim("mesh: mistakes of the command line are told in one sentence")
+@claim("mesh: command-line errors are reported in one sentence")
 def _(t):
     box = write(t, "box.obj", grid_box((1, 1, 1), (1, 1, 1)))
     for arguments, begins in (((box, "--spacing", "3 kg"), "--spacing is 3 kg: that is a mass"),
@@ -154,14 +154,14 @@ def _(t):
                               ((box, "--scale", "-1"), "--scale is -1, but it must be above 0"),
                               ((box, "--out", "box.ply"), "box.ply: surfaces are written as .stl or .obj"),
                               (("bax.obj",), "bax.obj: there is no such file"),
-                              (("box.slt",), "box.slt: `.slt` is no format of surfaces that can be read; did you mean `.stl`?"),
-                              (("box.3dm",), "box.3dm: `.3dm` is no format of surfaces that can be read; the formats are .stl")):
+                              (("box.slt",), "box.slt: `.slt` is not a supported surface format; did you mean `.stl`?"),
+                              (("box.3dm",), "box.3dm: `.3dm` is not a supported surface format; the formats are .stl")):
         t.expect_complaint(t.run_program("mesh", *arguments), 2, begins)
     done = t.run_program("mesh", box, "--out", "nowhere/box.stl")
     t.expect_complaint(done, 2, "nowhere/box.stl cannot be written", "there is no folder nowhere")
 
 
-@claim("mesh: gaps that rounding left are told with the distance that closes them, and --weld and the deck close them")
+@claim("mesh: rounding gaps are reported with the tolerance that closes them, and --weld and the deck close them")
 def _(t):
     cube = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
     faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
@@ -171,18 +171,18 @@ def _(t):
         text += "f -4 -3 -2 -1\n"
     (t.folder / "cube.obj").write_text(text)
     out = t.expect_success("mesh", "cube.obj").out
-    t.assertIn("open, 24 edges on a rim", out)
+    t.assertIn("open, 24 boundary edges", out)
     suggestion = re.search(r"--weld (\S+) \(`weld: (\S+)` in the deck\) closes the surface", out)
     t.assertTrue(suggestion, out)
     t.assertIn("closure           closed", t.expect_success("mesh", "cube.obj", "--weld", suggestion[1]).out)
     t.assertIn("closure           closed", t.expect_success("mesh", "cube.obj", "--weld", "0.02 mm").out)
     t.expect_complaint(t.run_program("mesh", "cube.obj", "--weld", "2 kg"), 2, "--weld")
-    deck = changed(DECK, ("surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}", "surface: {file: cube.obj, scale: 0.04, weld: 0.4 um}"))
+    deck = changed(DECK, ("surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}", "surface: {file: cube.obj, scale: 0.04, weld: 0.4 um}"))
     (t.folder / "deck.yaml").write_text(deck)
     t.assertIn("closed", t.expect_success("check", "deck.yaml").out)
 
 
-@claim("mesh: the picture of defects has the file's whole name, but for its format, so that pictures of wall-0.25 and wall-0.5 are two")
+@claim("mesh: the file of defects has the whole name without the format, so that wall-0.25 and wall-0.5 differ")
 def _(t):
     for name in ("wall-0.25.obj", "wall-0.5.obj"):
         (t.folder / name).write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")

@@ -1,15 +1,15 @@
-"""What a user can do wrong ends in one sentence that begins with error:, with the place in the deck where there is one, and in exit code 2.
+"""Input errors end in one sentence that begins with error:, with the position in the deck if there is one, and in exit code 2.
 Every mistake of the deck's own is in tests/io/deck; here are those that only the whole program can make or find."""
 
 import resource
 
 from claims import DECK, changed, claim, main, place_of
 
-CYLINDER = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+CYLINDER = "{cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
 
 
 def refused(t, change, at, *words):
-    """The changed deck is refused at the place where `at` stands, the same by run and by check."""
+    """The changed deck is refused at the position of `at`, alike by run and by check."""
     deck = t.deck(change)
     begins = f"deck.yaml:{place_of(changed(DECK, change), at)}: "
     for command in ("run", "check"):
@@ -22,7 +22,7 @@ def refused_surface(t, surface, at, *words):
     refused(t, (CYLINDER, surface), at, *words)
 
 
-@claim("mistakes: in the deck are refused at their line and column")
+@claim("mistakes: errors in the deck are refused at their line and column")
 def _(t):
     refused(t, ("poissons_ratio", "poisson_ratio"), "poisson_ratio", "did you mean poissons_ratio?")
     refused(t, ("mass: 1 kg", "mass: 1 kg\n    mass: 2 kg"), "mass: 2 kg", "mass is given twice", "deck.yaml:11:5")
@@ -31,29 +31,29 @@ def _(t):
     refused(t, ("end: 20 us", "end: 20 us, step: 30 us"), "30 us", "longer than the whole run")
 
 
-@claim("mistakes: found only when the simulation is built carry their line and column too")
+@claim("mistakes: errors found during set-up of the simulation also have line and column")
 def _(t):
-    refused(t, ("end: 20 us", "end: 20 us, step: 3 us"), "3 us", "longest stable one", "leave the step out")
+    refused(t, ("end: 20 us", "end: 20 us, step: 3 us"), "3 us", "times the critical time step", "omit time.step")
     refused(t, ("0, 50 mm, 0", "0, 40 mm, 0"), "[0, 40 mm, 0]", "cylinder starts inside body plate", "56 particles")
-    region = "free: [y]\n    region: {box: {size: [50 mm, 50 mm, 10 mm]%s}}"
-    refused(t, ("free: [y]", region % ""), "region:", "stick out of the box by up to 0.015 m", "outside: clip")
-    refused(t, ("free: [y]", region % ", centre: [1, 0, 0]"), "region:", "no panel of the surface reaches into the box")
+    region = "free_dofs: [y]\n    contact_bounds: {box: {size: [50 mm, 50 mm, 10 mm]%s}}"
+    refused(t, ("free_dofs: [y]", region % ""), "contact_bounds:", "extend beyond the box by up to 0.015 m", "on_exceed: clip")
+    refused(t, ("free_dofs: [y]", region % ", centre: [1, 0, 0]"), "contact_bounds:", "no panel of the surface reaches into the box")
     refused(t, ("at: [0, 0, 0]", "at: [0, 1 m, 0]"), "[0, 1 m, 0]", "probe centre lies 0.973 m from the nearest particle")
     refused(t, ("to: [0, 30 mm, 0]", "to: [0, 300 mm, 0]"), "along_y:", "runs outside body plate", "move its ends")
     refused(t, ("20 us", "1e30 s"), "1e30 s", "the run would take 1.4", "e+36 steps")
     refused(t, ("end: 20 us", "end: 20 us, step: 1e-30"), "20 us,", "the run would take 2e+25 steps of 1e-30 s")
-    refused(t, ("spacing: 5 mm", "spacing: 5 nm"), "5 nm", "for body plate the run needs", "take a spacing of at least")
-    refused(t, ("spacing: 5 mm", "spacing: 1e-300 m"), "1e-300 m", "fills body plate with more cells than can be counted", "make it larger")
+    refused(t, ("spacing: 5 mm", "spacing: 5 nm"), "5 nm", "for body plate the run needs", "use a spacing of at least")
+    refused(t, ("spacing: 5 mm", "spacing: 1e-300 m"), "1e-300 m", "gives body plate more cells than can be numbered", "increase it")
 
 
 @claim("mistakes: a body of one particle needs a time step")
 def _(t):
     alone = ["--set", "bodies.plate.shape.box.size=[5 mm, 5 mm, 5 mm]", "--set", "output.lines={}"]
-    t.expect_complaint(t.run_program("run", t.deck(), *alone), 2, f"deck.yaml:{place_of(DECK, 'time:')}: ", "no body has a bond", "time.step")
+    t.expect_complaint(t.run_program("run", t.deck(), *alone), 2, f"deck.yaml:{place_of(DECK, 'time:')}: ", "no body has bonds", "time.step")
     t.expect_success("run", t.deck(), *alone, "--set", "time.step=0.5 us")
 
 
-@claim("mistakes: a surface file that is missing, broken or no surface is refused with what is wrong and where")
+@claim("mistakes: a missing, damaged or invalid surface file is refused with reason and position")
 def _(t):
     (t.folder / "cut.stl").write_text("solid rock\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n")
     (t.folder / "noise.stl").write_bytes(bytes(range(256)))
@@ -62,13 +62,13 @@ def _(t):
     refused_surface(t, "{file: none.stl}", "none.stl", "there is no file", "deck's folder")
     refused_surface(t, "{file: cut.stl}", "surface:", "cut.stl:6: the file ends in triangle 1")
     refused_surface(t, "{file: noise.stl}", "surface:", "noise.stl")
-    refused_surface(t, "{file: sheet.obj}", "surface:", "cylinder: the surface is open", "outside: normals")
+    refused_surface(t, "{file: sheet.obj}", "surface:", "cylinder: the surface is open", "orientation: normals")
     refused_surface(t, "{file: fin.obj}", "surface:", "cylinder: ")
     for name in ("none.stl", "cut.stl", "noise.stl"):
         t.expect_complaint(t.run_program("mesh", name), 2, name)
 
 
-@claim("mistakes: a deck that is missing, a folder, or not to be read is named")
+@claim("mistakes: a missing or unreadable deck, or a folder, is named")
 def _(t):
     t.expect_complaint(t.run_program("run", "none.yaml"), 2, "none.yaml: there is no such file")
     t.expect_complaint(t.run_program("run", "."), 2, ".: this is a folder", "deck.yaml")
@@ -76,7 +76,7 @@ def _(t):
     t.expect_complaint(t.run_program("run", "/proc/self/mem"), 2, "/proc/self/mem: this file cannot be read")  # reading fails, opening does not
 
 
-@claim("mistakes: results that cannot be written are noticed before anything is computed")
+@claim("mistakes: an unwritable results folder is reported before any computation")
 def _(t):
     deck = t.deck()
     for command in ("run", "check"):
@@ -84,16 +84,16 @@ def _(t):
         t.expect_complaint(t.run_program(command, deck, "--out", "/proc/results"), 2, "results cannot be written to the folder /proc/results", "--out")
 
 
-@claim("mistakes: in --set name the key")
+@claim("mistakes: errors in --set name the key")
 def _(t):
     deck = t.deck()
     t.expect_complaint(t.run_program("run", deck, "--set", "time.end"), 2, "--set time.end: ", "output.frames=0")
     t.expect_complaint(t.run_program("run", deck, "--set", "time.endd=3"), 2, "--set time.endd: endd is not a key of time; did you mean end?")
     t.expect_complaint(t.run_program("run", deck, "--set", "time.end=3 kg"), 2, "--set time.end: ", "that is a mass")
-    t.expect_complaint(t.run_program("run", deck, "--set", "time.step=3 us"), 2, "--set time.step: ", "longest stable one")
+    t.expect_complaint(t.run_program("run", deck, "--set", "time.step=3 us"), 2, "--set time.step: ", "times the critical time step")
 
 
-@claim("mistakes: on the command line are one sentence with a way out")
+@claim("mistakes: command-line errors are one sentence with a remedy")
 def _(t):
     deck = t.deck()
     for arguments, *words in [
@@ -114,7 +114,7 @@ def _(t):
         t.assertLess(len(done.err), 200, done.err)
 
 
-@claim("mistakes: a set-up larger than the machine's memory is refused before it is built, with the spacing that would fit")
+@claim("mistakes: a set-up larger than the memory of the machine is refused before it is built, with a suitable spacing")
 def _(t):
     for command in "check", "run":
         done = t.run_program(command, t.deck(), "--set", "bodies.plate.spacing=2 um")
@@ -124,11 +124,11 @@ def _(t):
 @claim("mistakes: an empty --out is refused")
 def _(t):
     for command in "check", "run":
-        t.expect_complaint(t.run_program(command, t.deck(), "--out", ""), 2, "--out is empty, which names no folder")
+        t.expect_complaint(t.run_program(command, t.deck(), "--out", ""), 2, "--out is empty; use --out .")
     t.assertEqual(t.files("."), ["deck.yaml"])
 
 
-@claim("mistakes: a set-up that does not get its memory is refused, not aborted")
+@claim("mistakes: a failed allocation is an error, not an abort")
 def _(t):
     done = t.run_program("run", t.deck(), "--set", "bodies.plate.spacing=200 um", limits={resource.RLIMIT_AS: 2**30})
     t.expect_complaint(done, 3, "there is not enough memory", "spacing")

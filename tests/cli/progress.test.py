@@ -18,7 +18,7 @@ def _(t):
     t.assertRegex("\n".join(out.splitlines()[2:3]), LINE)
 
 
-@claim("progress: on a terminal one line is drawn again and again, and ended")
+@claim("progress: on a terminal one line is redrawn, and ended")
 def _(t):
     try:
         terminal, end = pty.openpty()

@@ -8,9 +8,9 @@ import shutil
 from claims import claim, main, table
 from reports import ReportFile, read_pictures
 
-# two bodies, one of which breaks to pieces, and an impactor that turns freely
+# two bodies, one of which breaks to fragments, and an impactor that turns freely
 TWO = (
-    ("free: [y]", "free: [x, y, z, rx, ry, rz]\n    angular_velocity: [2000, 0, 9000]"),
+    ("free_dofs: [y]", "free_dofs: [x, y, z, rx, ry, rz]\n    angular_velocity: [2000, 0, 9000]"),
     ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0001}\n  stone:\n    shape: {box: {size: [20 mm, 20 mm, 20 mm]}}\n    position: [1, 0, 0]\n"
                              "    spacing: 5 mm\n    material: {model: ordinary-state, youngs_modulus: 10 GPa, poissons_ratio: 0.25, density: 1000 kg/m3}"),
 )
@@ -22,7 +22,7 @@ def half_step(array, extra=0.0):
 
 
 def expect_frames(t, report, folder, name, kept=None):
-    """Every picture in the report equals its file within half a step of each quantity."""
+    """Every frame in the report equals its file within half a quantisation step of each quantity."""
     body, places, pictures = report.body(name)
     half = {array["name"]: half_step(array) for array in body["arrays"]}
     t.assertEqual(len(pictures), len(body["pictures"]))
@@ -36,14 +36,14 @@ def expect_frames(t, report, folder, name, kept=None):
             for axis in range(3):
                 t.assertLessEqual(abs(picture[f"displacement_{'xyz'[axis]}"][shown] - u[axis]), half[f"displacement_{'xyz'[axis]}"])
                 x = places[axis][shown] + picture[f"displacement_{'xyz'[axis]}"][shown]
-                # files hold places as floats, and the undeformed place is one less another
+                # files contain positions as floats, and the undeformed position is a difference
                 bound = half_step(body["undeformed"][axis], half[f"displacement_{'xyz'[axis]}"] + 2 * FLOAT * abs(arrays["points"][particle][axis]))
                 t.assertLessEqual(abs(x - arrays["points"][particle][axis]), bound)
             t.assertLessEqual(abs(picture["speed"][shown] - math.hypot(*v)), half["speed"])
             t.assertLessEqual(abs(picture["damage"][shown] - arrays["damage"][particle][0]), half["damage"])
-            t.assertEqual("piece" in picture, "piece" in arrays)
-            if "piece" in picture:
-                t.assertEqual(round(picture["piece"][shown]), arrays["piece"][particle][0])
+            t.assertEqual("fragment" in picture, "fragment" in arrays)
+            if "fragment" in picture:
+                t.assertEqual(round(picture["fragment"][shown]), arrays["fragment"][particle][0])
 
 
 def report_of(t, folder, *arguments):
@@ -58,13 +58,13 @@ def times_of(series):
     return [float(line.split('timestep="')[1].split('"')[0]) for line in series.read_text().splitlines() if "timestep" in line]
 
 
-@claim("report: every picture in it is the file's within half a step, for each particle and quantity")
+@claim("report: every frame equals that of the file within half a quantisation step, for each particle and quantity")
 def _(t):
     t.expect_success("run", t.deck(*TWO), "--out", "r", "--no-report")
     report = report_of(t, "r")
     t.assertEqual(report.notes, [])
     t.assertEqual(report.times, times_of(t.folder / "r/frames/plate.pvd"))
-    t.assertGreater(max(round(p) for p in report.body("plate")[2][-1]["piece"]), 0, "nothing broke off: this run does not show what it should")
+    t.assertGreater(max(round(p) for p in report.body("plate")[2][-1]["fragment"]), 0, "nothing broke off: this run does not show what it should")
     for name in ("plate", "stone"):
         expect_frames(t, report, t.folder / "r", name)
         body, _, _ = report.body(name)
@@ -74,7 +74,7 @@ def _(t):
                 t.assertLessEqual(array["bytes"], 2)
 
 
-@claim("report: impactors are where their files say, to single precision, with the loads on their panels")
+@claim("report: impactors are at the positions of their files, to single precision, with the loads on their panels")
 def _(t):
     t.expect_success("run", t.deck(*TWO), "--out", "r", "--no-report")
     report = report_of(t, "r")
@@ -110,10 +110,10 @@ def _(t):
     t.assertEqual(report.text.count("A </script>"), 0)
 
 
-@claim("report: run writes it at its end and says where; without --no-report it is there, with it not, and a new run takes the old one away")
+@claim("report: run writes it at its end and prints the path, --no-report suppresses it, and a new run removes an old one")
 def _(t):
     out = t.expect_success("run", t.deck(), "--out", "r").out
-    t.assertRegex(out, r"\n  r/report\.html  all of it, for the browser \(0\.\d MB\)\n$")
+    t.assertRegex(out, r"\n  r/report\.html  report for the browser \(0\.\d MB\)\n$")
     written = (t.folder / "r/report.html").read_bytes()
     t.expect_success("report", "r")
     t.assertEqual((t.folder / "r/report.html").read_bytes(), written)  # the same folder gives the same file
@@ -121,16 +121,16 @@ def _(t):
     t.assertNotIn("report.html", t.files("r"))
 
 
-@claim("report: where there is no room for it the run is finished all the same, and warns")
+@claim("report: without disk space for it the run still finishes, with a warning")
 def _(t):
     room = 500_000  # for all other files of this run, but not for the page
     out = t.expect_success("run", t.deck(), "--out", "r", limits={resource.RLIMIT_FSIZE: room}).out
-    t.assertRegex(out, r"\nwarning: there is no report of this run: r/report\.html cannot be written: .*\n$")
+    t.assertRegex(out, r"\nwarning: the report of this run could not be written: r/report\.html cannot be written: .*\n$")
     t.assertEqual(t.report("r")["outcome"], "finished")
     t.assertEqual([name for name in t.files("r") if "report" in name], [])
 
 
-@claim("report: it asks for nothing from outside")
+@claim("report: it requests no external resources")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r")
     text = (t.folder / "r/report.html").read_text()
@@ -139,9 +139,9 @@ def _(t):
     t.assertNotRegex(text, r"<link[^>]*href")
 
 
-@claim("report: a larger run is thinned, pictures first and evenly, then particles, and stays below the size")
+@claim("report: a larger run is thinned, first frames evenly, then particles, and stays below the size")
 def _(t):
-    # 60 pictures of 6 400 particles, of which 2 296 lie on the surface: 40 x 20 x 8 cells of 2.5 mm
+    # 60 frames of 6 400 particles, of which 2 296 lie on the surface: 40 x 20 x 8 cells of 2.5 mm
     deck = t.deck(("spacing: 5 mm", "spacing: 2.5 mm"), ("frames: 4", "frames: 60"), ("size: [100 mm, 60 mm, 20 mm]", "size: [100 mm, 50 mm, 20 mm]"),
                   ("position: [0, 50 mm, 0]", "position: [0, 45 mm, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [0, -25 mm, 0], to: [0, 25 mm, 0]"), ("{end: 20 us}", "{end: 12 us, step: 0.2 us}"), ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.003}"))
     t.expect_success("run", deck, "--out", "r", "--no-report")
@@ -149,12 +149,12 @@ def _(t):
     t.assertEqual((whole.notes, len(whole.times)), ([], 61))
     size = sum(len(text) for name, text in whole.scripts.items() if name not in ("description", "run", "history"))
 
-    fewer = report_of(t, "r", "--size", f"{0.85e-6 * size:.3f}")  # pictures alone
+    fewer = report_of(t, "r", "--size", f"{0.85e-6 * size:.3f}")  # frames alone
     t.assertTrue(40 <= len(fewer.times) < 61, len(fewer.times))
     t.assertEqual((fewer.times[0], fewer.times[-1]), (whole.times[0], whole.times[-1]))
     gaps = [round((b - a) / 0.2e-6) for a, b in zip(fewer.times, fewer.times[1:])]
     t.assertLessEqual(max(gaps) - min(gaps), 1)
-    t.assertIn(f"{len(fewer.times)} of 61 pictures are shown", " ".join(fewer.notes))
+    t.assertIn(f"{len(fewer.times)} of 61 frames are shown", " ".join(fewer.notes))
     body, _, _ = fewer.body("plate")
     t.assertEqual(body["shown"], 6400)
     expect_frames(t, fewer, t.folder / "r", "plate")
@@ -177,7 +177,7 @@ def _(t):
     expect_frames(t, thin, t.folder / "r", "plate", kept)
 
 
-@claim("report: long histories are joined, so that impulses stay what they were, and it says so")
+@claim("report: rows of long histories are merged, so that impulses are preserved, with a note")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r", "--no-report")
     path = t.folder / "r/history.csv"
@@ -194,7 +194,7 @@ def _(t):
     t.assertIn("history.csv has 50001 rows", " ".join(report.notes))
 
 
-@claim("report: what is missing or damaged is told in a sentence, and the rest is shown")
+@claim("report: missing or damaged files are reported in a sentence, and the rest is shown")
 def _(t):
     t.expect_success("run", t.deck(*TWO), "--out", "r", "--no-report")
 
@@ -216,19 +216,19 @@ def _(t):
 
     report = after(without("run.json"))  # as of a run that was killed
     t.assertIsNone(report.run)
-    t.assertRegex(report.notes[0], r"^d/run\.json is not there: the run goes on, or was killed\.")
+    t.assertRegex(report.notes[0], r"^d/run\.json does not exist: the run is in progress or was killed\.")
     t.assertEqual(len(report.body("plate")[2]), 5)
 
     report = after(cut("run.json"))
     t.assertIsNone(report.run)
-    t.assertRegex(report.notes[0], r"^d/run\.json:.*Deck, checks and timers are missing here\.$")
+    t.assertRegex(report.notes[0], r"^d/run\.json:.*Deck, checks and timers are missing from this report\.$")
 
     report = after(without("history.csv"))
     t.assertNotIn("history", report.description)
-    t.assertRegex(report.notes[0], r"^d/history\.csv is not there")
+    t.assertRegex(report.notes[0], r"^d/history\.csv does not exist")
     report = after(without("history.json"))
     t.assertIn("history", report.description)
-    t.assertRegex(report.notes[0], r"^d/history\.json is not there.*Where rows were joined here, the last of them stands\.$")
+    t.assertRegex(report.notes[0], r"^d/history\.json does not exist.*Where rows are merged in this report, the last value is shown\.$")
     report = after(cut("history.csv", 0.99))
     t.assertNotIn("history", report.description)
     t.assertRegex(report.notes[0], r"^d/history\.csv:\d+: this row ")
@@ -247,26 +247,26 @@ def _(t):
     report = after(without("frames/plate.pvd"))
     t.assertEqual([body["name"] for body in report.description["bodies"]], ["stone"])
     report = after(lambda folder: (folder / "frames/stone.pvd").write_text("nothing"))
-    t.assertRegex(report.notes[0], r"^d/frames/stone\.pvd lists no pictures")
+    t.assertRegex(report.notes[0], r"^d/frames/stone\.pvd lists no frames")
     report = after(lambda folder: shutil.copy(folder / "frames/stone_00001.vtp", folder / "frames/plate_00002.vtp"))
-    t.assertRegex(report.notes[0], r"^d/frames/plate_00002\.vtp shows 64 particles, but the pictures before it 960; take the files of one run\.$")
+    t.assertRegex(report.notes[0], r"^d/frames/plate_00002\.vtp has 64 particles, but the earlier frames have 960; use the files of one run\.$")
     report = after(lambda folder: shutil.rmtree(folder / "frames"))
     t.assertEqual((report.description["bodies"], report.times), ([], []))
-    t.assertRegex(report.notes[0], r"^d/frames holds no series of pictures")
+    t.assertRegex(report.notes[0], r"^d/frames contains no frame series")
 
 
 @claim("report: a folder without results, and a size out of range, are refused with 2 and a sentence")
 def _(t):
     (t.folder / "empty").mkdir()
     for folder in ("empty", "nowhere"):
-        t.expect_complaint(t.run_program("report", folder), 2, f"{folder} holds no results of a run", "perimpact run")
-    t.expect_complaint(t.run_program("report", "empty", "--size", "0"), 2, "--size: Value 0 not in range", "--help says more")
+        t.expect_complaint(t.run_program("report", folder), 2, f"{folder} contains no results of a run", "perimpact run")
+    t.expect_complaint(t.run_program("report", "empty", "--size", "0"), 2, "--size: Value 0 not in range", "--help lists the options")
     t.assertEqual(t.files("empty"), [])
 
 
-@claim("report: a run that was stopped can be reported")
+@claim("report: an interrupted run can be reported")
 def _(t):
-    deck = t.deck(("{end: 20 us}", "{end: 20 ms, step: 0.2 us}"), ("frames: 4", "frames: 4000"), ("history: 2 us", "history: 20 us"))
+    deck = t.deck(("{end: 20 us}", "{end: 20 ms, step: 0.2 us}"), ("frames: 4", "frames: 4000"), ("history_interval: 2 us", "history_interval: 20 us"))
     process = t.start("run", deck, "--out", "r")
     while not (t.folder / "r/frames/plate_00003.vtp").exists():
         t.assertIsNone(process.poll())

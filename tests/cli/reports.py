@@ -1,4 +1,4 @@
-"""Readers of a report and of pictures that share nothing with the program: by docs/guide/report.md and by the formats of VTK."""
+"""Readers of a report and of output frames, independent of the program: by docs/guide/report.md and by the formats of VTK."""
 
 import base64
 import gzip
@@ -40,7 +40,7 @@ def read_pictures(path):
 
 
 class Unpacker:
-    """One array in picture after picture."""
+    """One array in successive frames."""
 
     def __init__(self, width):
         self.width, self.pictures = width, []
@@ -92,7 +92,7 @@ class ReportFile:
         return [array["low"] + array["step"] * number for number in numbers]
 
     def body(self, name):
-        """(description, undeformed places by axis, a dictionary of arrays for each picture)"""
+        """(description, undeformed positions by axis, a dictionary of arrays for each frame)"""
         body = next(each for each in self.description["bodies"] if each["name"] == name)
         count, arrays = body["shown"], body["arrays"]
         places = self._several(self.blob(body["id"]), [array["bytes"] for array in body["undeformed"]], count)
@@ -104,7 +104,7 @@ class ReportFile:
         return body, [self._real(array, each) for array, each in zip(body["undeformed"], places)], pictures
 
     def impactor(self, name):
-        """(description, vertices of the first picture, panels, a dictionary of arrays for each picture)"""
+        """(description, vertices of the first frame, panels, a dictionary of arrays for each frame)"""
         impactor = next(each for each in self.description["impactors"] if each["name"] == name)
         content, at, columns = self.blob(impactor["id"]), 0, []
         for count in [impactor["vertices"]] * 3 + [impactor["panels"]] * 4:

@@ -1,4 +1,4 @@
-"""A run that was stopped at any moment goes on from its checkpoint and ends with the very same numbers."""
+"""A restart from a checkpoint at any step is bitwise exact."""
 
 import random
 import re
@@ -12,9 +12,9 @@ from claims import claim, main
 # 600 steps of 960 particles, whose bonds break; some tenths of a second
 STEPS = ("time: {end: 20 us}", "time: {end: 30 us, step: 0.05 us}")
 BREAKS = ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002")
-MORE = ("  history: 2 us", "  history: 0.7 us\n  checkpoint_every: 10 ms")
+MORE = ("  history_interval: 2 us", "  history_interval: 0.7 us\n  checkpoint_interval: 10 ms")
 LINE = ("to: [0, 30 mm, 0]}", "to: [0, 30 mm, 0], times: [3 us, 17 us, 30 us]}")
-TIME_DEPENDENT = ("run.json", "report.html", "checkpoint.h5")  # tell how long it took, and where it was resumed
+TIME_DEPENDENT = ("run.json", "report.html", "checkpoint.h5")  # contain wall-clock times and restarts
 
 
 def deck(t, *changes):
@@ -27,18 +27,18 @@ def run(t, *arguments, threads=2):
 
 
 def expect_same(t, folder, whole):
-    """All files but those that tell of wall times are the same, byte for byte, and run.json says the same of the run."""
+    """All files without wall-clock times are identical byte for byte, and run.json describes the same run."""
     t.assertEqual(t.files(folder), t.files(whole))
     for name in t.files(whole):
         if name not in TIME_DEPENDENT:
             t.assertEqual((t.folder / folder / name).read_bytes(), (t.folder / whole / name).read_bytes(), name)
     report, wanted = t.report(folder), t.report(whole)
     for each in report, wanted:
-        for key in ("wall [s]", "timers [s]", "threads", "resumed_at_steps"):
+        for key in ("wall_time [s]", "timers [s]", "threads", "resumed_at_steps"):
             each.pop(key, None)
-        for impactor in each["impactors"].values():  # what detectors remember of distances is looked up again
+        for impactor in each["impactors"].values():  # cached distances of detectors are searched again
             for detection in impactor["detection"].values():
-                for key in ("points_in_region", "points_asked", "panels_asked"):
+                for key in ("points_in_bounds", "points_asked", "panels_asked"):
                     del detection[key]
     t.assertEqual(report, wanted)
 
@@ -66,14 +66,14 @@ def stopped_twice_and_resumed(t, name, which, chance):
         code, out = stop(t, which, chance.uniform(0, 0.1), name, "--out", "r", *resume, threads=threads)
         t.assertIn(code, (0, -9 if which == signal.SIGKILL else 128 + which), out)
         if code > 0:
-            t.assertIn("perimpact run deck.yaml --out r --resume goes on from here", out)
+            t.assertIn("resume with perimpact run deck.yaml --out r --resume", out)
         resume = ["--resume"]
     done = run(t, name, "--out", "r", *resume, threads=1)
     t.assertEqual(done.code, 0, done)
     return len(t.report("r").get("resumed_at_steps", []))
 
 
-@claim("resume: stopped by Ctrl-C, SIGTERM or SIGKILL, then resumed with other numbers of threads, a run ends as if nothing had happened")
+@claim("resume: interrupted by Ctrl-C, SIGTERM or SIGKILL, then restarted with other numbers of threads, a run is bitwise identical to an uninterrupted one")
 def _(t):
     name, chance = deck(t), random.Random(1)
     t.assertEqual(run(t, name, "--out", "whole").code, 0)
@@ -86,9 +86,9 @@ def _(t):
         t.assertGreater(resumed, 0)
 
 
-@claim("resume: an interrupted run says how to go on, and run.json says at which steps it did")
+@claim("resume: an interrupted run prints the command to resume, and run.json records the steps of restarts")
 def _(t):
-    changes = ["--set", "impactors.cylinder.velocity=[0, -30, 0]", "--set", "output.checkpoint_every=0"]
+    changes = ["--set", "impactors.cylinder.velocity=[0, -30, 0]", "--set", "output.checkpoint_interval=0"]
     name = deck(t)
     t.assertEqual(run(t, name, "--out", "whole", *changes).code, 0)
     process = t.start("run", name, "--out", "it is here", *changes)
@@ -100,8 +100,8 @@ def _(t):
     out, err = process.communicate(timeout=60)
     t.assertEqual((process.returncode, err), (130, ""))
     step = int(re.search(r"\(step (\d+) of 600\)", out)[1])
-    command = re.search(r"; perimpact (run .*) goes on from here", out)[1]
-    t.assertEqual(command, f"run deck.yaml --out 'it is here' --set 'impactors.cylinder.velocity=[0, -30, 0]' --set output.checkpoint_every=0 --resume")
+    command = re.search(r"; resume with perimpact (run .*)", out)[1]
+    t.assertEqual(command, f"run deck.yaml --out 'it is here' --set 'impactors.cylinder.velocity=[0, -30, 0]' --set output.checkpoint_interval=0 --resume")
     done = run(t, name, "--out", "it is here", *changes, "--resume", threads=1)
     t.assertEqual((done.code, done.err), (0, ""))
     t.assertIn(f"Resumed at step {step} (t = ", done.out)
@@ -110,13 +110,13 @@ def _(t):
     expect_same(t, "it is here", "whole")
 
 
-@claim("resume: a finished run is left as it is, and where the end was not told yet it is told")
+@claim("resume: a finished run is unchanged, and a missing final report is written")
 def _(t):
     name = deck(t)
     t.assertEqual(run(t, name, "--out", "r").code, 0)
     before = {file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}
     done = run(t, name, "--out", "r", "--resume")
-    t.assertEqual((done.code, done.out), (0, "The run in r is finished (step 600 of 600): there is nothing to resume.\n"))
+    t.assertEqual((done.code, done.out), (0, "The run in r is finished (step 600 of 600); there is nothing to resume.\n"))
     t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}, before)
     shutil.copytree(t.folder / "r", t.folder / "whole")
     (t.folder / "r/run.json").unlink()
@@ -124,7 +124,7 @@ def _(t):
     expect_same(t, "r", "whole")
 
 
-@claim("resume: what cannot be resumed is refused with 2 and a sentence, and nothing of it is lost")
+@claim("resume: an impossible restart is refused with 2 and a sentence, without loss of data")
 def _(t):
     name = deck(t)
     t.expect_complaint(run(t, name, "--out", "r", "--resume"), 2, "there is no checkpoint r/checkpoint.h5", "run without --resume")
@@ -138,12 +138,12 @@ def _(t):
     t.expect_complaint(run(t, name, "--out", "r", "--resume", "--set", "time.end=40 us"), 2, "--set time.end: time.end is 4e-05 here, but 3e-05 in the run")
     t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in t.files("r")}, before)
     (t.folder / "r/checkpoint.h5").write_bytes(before["checkpoint.h5"][:-1])
-    t.expect_complaint(run(t, name, "--out", "r", "--resume"), 2, "r/checkpoint.h5 is damaged", "start anew without --resume")
+    t.expect_complaint(run(t, name, "--out", "r", "--resume"), 2, "r/checkpoint.h5 is damaged", "start a new run without --resume")
     del before["checkpoint.h5"]
     t.assertEqual({file: (t.folder / "r" / file).read_bytes() for file in before}, before)
 
 
-@claim("resume: a run begun anew where an unfinished one could go on says so, and one that replaces a finished one does not")
+@claim("resume: replacing an unfinished run is reported, replacing a finished one is not")
 def _(t):
     name = t.deck(("end: 20 us", "end: 100 s"), MORE)
     process = t.start("run", name, "--out", "r")
@@ -154,29 +154,29 @@ def _(t):
     process.communicate()
     small = t.deck(name="small.yaml")
     done = run(t, small, "--out", "r")
-    t.assertRegex(done.out, r"The unfinished run in r \(step \d+ of \d+\) is replaced; --resume would have gone on with it\.")
+    t.assertRegex(done.out, r"The unfinished run in r \(step \d+ of \d+\) is replaced; --resume would have continued it\.")
     t.assertNotIn("unfinished", run(t, small, "--out", "r").out)
     t.expect_success("run", small, "--out", "fresh")
     expect_same(t, "r", "fresh")
 
 
-@claim("resume: an error says which the last checkpoint is, and after a full disk the run goes on from it")
+@claim("resume: an error names the last checkpoint, and after a full disk the run resumes from it")
 def _(t):
     # history.csv outgrows the checkpoint, and the limit
-    name = deck(t, ("[100 mm, 60 mm, 20 mm]", "[30 mm, 60 mm, 20 mm]"), ("history: 0.7 us", "history: 0.05 us"))
+    name = deck(t, ("[100 mm, 60 mm, 20 mm]", "[30 mm, 60 mm, 20 mm]"), ("history_interval: 0.7 us", "history_interval: 0.05 us"))
     t.assertEqual(run(t, name, "--out", "whole").code, 0)
     room = (t.folder / "whole/checkpoint.h5").stat().st_size + 20_000
     t.assertGreater((t.folder / "whole/history.csv").stat().st_size, room + 10_000)
-    quick = ["--set", "output.checkpoint_every=1 us"]
+    quick = ["--set", "output.checkpoint_interval=1 us"]
     done = t.run_program("run", name, "--out", "r", *quick, limits={resource.RLIMIT_FSIZE: room})
     t.expect_complaint(done, 3, "r/history.csv cannot be written", "ulimit -f")
-    t.assertRegex(done.err, r"The last checkpoint is that of step \d+; perimpact run deck\.yaml --out r --set 'output.checkpoint_every=1 us' --resume goes on from it\.")
+    t.assertRegex(done.err, r"The last checkpoint is at step \d+; resume from it with perimpact run deck\.yaml --out r --set 'output.checkpoint_interval=1 us' --resume")
     t.expect_success("run", name, "--out", "r", "--resume")
     expect_same(t, "r", "whole")
     blows_up = t.deck(("end: 20 us", "end: 1 ms, step: 1.5 us"), ("-32 m/s", "-3200 m/s"), MORE, ("frames: 4", "frames: 0"))
     done = t.run_program("run", blows_up, "--out", "r2", *quick)
-    t.expect_complaint(done, 3, "At step ", "The last checkpoint is that of step ")
-    t.assertNotIn("goes on from it", done.err)
+    t.expect_complaint(done, 3, "At step ", "The last checkpoint is at step ")
+    t.assertNotIn("resume from it", done.err)
 
 
 main()

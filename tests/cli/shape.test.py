@@ -6,8 +6,8 @@ import re
 
 from claims import claim, main
 
-HULL = "--length 155 --breadth 23 --draft 9 --stem-angle 24deg --waterline-angle 22deg --panel 5 --bow-panel 2".split()
-PROPELLER = "--diameter 4.12 --pitch-ratio 0.76 --area-ratio 0.669 --hub-ratio 0.301 --panel 0.3 --edge-panel 0.15".split()
+HULL = "--length 155 --breadth 23 --draft 9 --stem-angle 24deg --waterline-angle 22deg --edge-length 5 --bow-edge-length 2".split()
+PROPELLER = "--diameter 4.12 --pitch-ratio 0.76 --area-ratio 0.669 --hub-ratio 0.301 --edge-length 0.3 --blade-edge-length 0.15".split()
 
 
 def facts(text):
@@ -34,22 +34,22 @@ def _(t):
     said = facts(t.expect_success("shape", "propeller", *PROPELLER, "--out", "screw.stl").out)
     t.assertEqual(said["closure"], "closed")
     t.assertEqual(said["components"], "5")
-    t.assertEqual(said["area ratio"], "expanded 0.6699 beyond r/R = 0.167, 0.5701 beyond this hub")
+    t.assertEqual(said["area ratio"], "expanded 0.6699 outside r/R = 0.167, 0.5701 outside this hub")
     t.assertEqual(said["at 0.7 R"], f"chord 1.477 m, thickness 0.06427 m, pitch angle {math.degrees(math.atan(0.76 / 0.7 / math.pi)):.4g} deg")
     t.assertRegex(t.expect_success("mesh", "screw.stl").out, r"blade_4: \d+ panels")
 
 
-@claim("shape: the list names every surface that needs no file, and each lists its options")
+@claim("shape: the list contains every generated surface, and each lists its options")
 def _(t):
     listed = t.expect_success("shape", "--list").out
     for name in ("cylinder", "sphere", "box", "hull", "propeller"):
         t.assertRegex(listed, rf"(?m)^{name} +\S.*\.$")
-        t.assertIn("--panel", t.expect_success("shape", name, "--help").out)
+        t.assertIn("--edge-length", t.expect_success("shape", name, "--help").out)
     t.assertIn("--sections-radius", t.expect_success("shape", "propeller", "--help").out)
-    t.assertEqual(facts(t.expect_success("shape", "box", "--size", "[1, 2, 3]", "--panel", "0.5").out)["volume"], "6 m3")
+    t.assertEqual(facts(t.expect_success("shape", "box", "--size", "[1, 2, 3]", "--edge-length", "0.5").out)["volume"], "6 m3")
 
 
-@claim("shape: what is missing, of another unit, out of range or makes no shape is one sentence")
+@claim("shape: missing, wrong-unit and out-of-range values and invalid shapes are one sentence")
 def _(t):
     def complaint(*arguments):
         return t.run_program("shape", *arguments)
@@ -58,9 +58,9 @@ def _(t):
     t.expect_complaint(complaint("hull", "--length", "5 kg"), 2, "--length: length is \"5 kg\", but that is a mass")
     t.expect_complaint(complaint("hull", *HULL, "--fullness", "9"), 2, "--fullness: fullness is 9, but it must be from 1 to 4")
     t.expect_complaint(complaint("hull", *HULL, "--bilge-radius", "10"), 2, "hull: bilge_radius is 10 m")
-    t.expect_complaint(complaint("propeller", "--diameter", "4", "--panel", "0.2"), 2, "propeller: pitch_ratio is missing")
+    t.expect_complaint(complaint("propeller", "--diameter", "4", "--edge-length", "0.2"), 2, "propeller: pitch_ratio is missing")
     t.expect_complaint(complaint("hull", *HULL, "-o", "hull.ply"), 2, "hull.ply: surfaces are written as .stl or .obj")
-    for out, why in (("far/hull.stl", "there is no folder far. Make it first"), ("full.txt/hull.stl", "full.txt is no folder."), ("hull.obj", "it is a folder.")):
+    for out, why in (("far/hull.stl", "there is no folder far. Create it first"), ("full.txt/hull.stl", "full.txt is not a folder."), ("hull.obj", "it is a folder.")):
         (t.folder / "full.txt").touch()
         (t.folder / "hull.obj").mkdir(exist_ok=True)
         done = complaint("hull", *HULL, "-o", out)
@@ -68,11 +68,11 @@ def _(t):
         t.assertEqual(done.out, "")  # before the work
 
 
-@claim("shape: a deck has hull and propeller under the same keys, and says at its place what makes none")
+@claim("shape: a deck has hull and propeller under the same keys, and reports invalid shapes at their position")
 def _(t):
-    hull = "surface: {hull: {length: 155 mm, breadth: 23 mm, draft: 9 mm, stem_angle: 24 deg, waterline_angle: 22 deg, panel: 5 mm}}"
-    screw = "surface: {propeller: {diameter: 60 mm, pitch_ratio: 0.8, area_ratio: 0.6, panel: 5 mm}}"
-    old = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, panel: 4 mm}}"
+    hull = "surface: {hull: {length: 155 mm, breadth: 23 mm, draft: 9 mm, stem_angle: 24 deg, waterline_angle: 22 deg, edge_length: 5 mm}}"
+    screw = "surface: {propeller: {diameter: 60 mm, pitch_ratio: 0.8, area_ratio: 0.6, edge_length: 5 mm}}"
+    old = "surface: {cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}}"
     for surface, part in ((hull, "bow"), (screw, "blade_1")):
         checked = t.expect_success("check", t.deck((old, surface), ("[0, 50 mm, 0]", "[0, 150 mm, 0]"))).out
         t.assertRegex(checked, rf"\b{part}: \d+ panels")
@@ -81,7 +81,7 @@ def _(t):
     t.expect_complaint(t.run_program("check", deck), 2, "deck.yaml:", "hull: bilge_radius is 0.01 m")
 
 
-@claim("shape: without friction the force of ice on the bow of a generated ship is in the ratio cot φ, whatever the panels")
+@claim("shape: without friction the ice force on the bow of a generated ship has the ratio cot φ, for any panels")
 def _(t):
     (t.folder / "ship.yaml").write_text(
         """\
@@ -94,11 +94,11 @@ bodies:
     material: {model: ordinary-state, youngs_modulus: 1.8 GPa, poissons_ratio: 0.25, density: 900, critical_stretch: 3.2e-4}
 impactors:
   ship:
-    surface: {hull: {length: 155, breadth: 23, draft: 9, stem_angle: 24 deg, waterline_angle: 22 deg, panel: 8, bow_panel: 3}}
+    surface: {hull: {length: 155, breadth: 23, draft: 9, stem_angle: 24 deg, waterline_angle: 22 deg, edge_length: 8, bow_edge_length: 3}}
     mass: 22171 t
     velocity: [-20, 0, 0]
-    gauges: {bow: {parts: [bow]}}
-output: {folder: results, frames: 0, history: 0.3 s}
+    gauges: {bow: {surface_parts: [bow]}}
+output: {folder: results, frames: 0, history_interval: 0.3 s}
 """
     )
     t.expect_success("run", "ship.yaml", "--threads", "1")

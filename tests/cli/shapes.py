@@ -6,7 +6,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts" / "pictures"))
 
-DEFECTS = ["rim", "non-manifold edge", "twisted", "no volume", "self-intersection", "inside out"]
+DEFECTS = ["boundary edge", "non-manifold edge", "non-orientable", "no volume", "self-intersection", "inside out"]
 
 
 class Shape:
@@ -25,12 +25,12 @@ class Shape:
         return Shape({name: [face[::-1] for face in faces] for name, faces in self.parts.items()})
 
     def with_image(self, axis):
-        """And its mirror image in the plane where that coordinate is 0, wound such that normals are mirrored too."""
+        """And its mirror image in the plane where that coordinate is 0, oriented such that normals are mirrored too."""
         image = self.moved(lambda p: tuple(-x if k == axis else x for k, x in enumerate(p))).turned_over()
         return Shape({name: faces + image.parts[name] for name, faces in self.parts.items()})
 
     def obj(self):
-        """Faces that share a place share the vertex."""
+        """Faces with coincident corners share the vertex."""
         number, lines = {}, []
         for name, faces in self.parts.items():
             if name:
@@ -57,7 +57,7 @@ class Shape:
 
 
 def grid_box(size, cells):
-    """Around the origin, wound outward, each side a grid of quads."""
+    """Around the origin, oriented outward, each side a grid of quads."""
     faces = []
     for axis in range(3):
         u, v = (axis + 1) % 3, (axis + 2) % 3
@@ -111,12 +111,12 @@ def two_rooms():
 
 
 def folded_prism():
-    """One side, face 3 from (0, 2) to (0.5, -0.5), goes out through face 0 from (0, 0) to (3, 0), so that what lies below is inside out."""
+    """One side, face 3 from (0, 2) to (0.5, -0.5), exits through face 0 from (0, 0) to (3, 0), so that what lies below is inside out."""
     return prism([(0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (0.0, 2.0), (0.5, -0.5), (1.0, -0.5)], 1.0)
 
 
 def defects(path):
-    """The panels of a picture of defects, by kind."""
+    """The panels of a file of defects, by kind."""
     from vtp_reader import read_vtp
 
     picture = read_vtp(path)

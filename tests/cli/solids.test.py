@@ -1,4 +1,4 @@
-"""Bodies from files, with holes and cracks, and clouds, from the deck to the pictures."""
+"""Bodies from files, with holes and cracks, and point clouds, from the deck to output frames."""
 
 import unittest
 
@@ -15,7 +15,7 @@ def centres():
     return [(x, y, z) for z in steps(4) for y in steps(12) for x in steps(20)]
 
 
-@claim("a plate that a file encloses is struck as the box of the same size is")
+@claim("a plate enclosed by a surface file behaves as the box of the same size")
 def _(t):
     (t.folder / "plate.stl").write_text(grid_box((100.0, 60.0, 20.0), (3, 2, 1)).stl())
     t.expect_success("run", t.deck(), "--out", "box")
@@ -32,21 +32,21 @@ def _(t):
         t.assertTrue(all(abs(a - b) <= 1e-9 * scale for a, b in zip(one[column], other[column])), column)
 
 
-@claim("check says what a solid with a hole and a crack comes to, and draws it")
+@claim("check reports a solid with a hole and a crack, and writes it as VTP")
 def _(t):
     body = """shape: {sphere: {diameter: 60 mm}}
     spacing: 5 mm
     cracks: {notch: {polygon: [[0, 0, -1], [1, 0, -1], [1, 0, 1], [0, 0, 1]]}}"""
     out = t.expect_success("check", t.deck((SHAPE, body), NO_LINES), "--out", "r").out
     t.assertRegex(out, r"particles +\d+ \(12 x 12 x 12 cells of 0.005 m\)")
-    t.assertRegex(out, r"mass +[\d.]+ kg, [-+][\d.]+ % against its solid \(0.90478 kg\)")
+    t.assertRegex(out, r"mass +[\d.]+ kg; [-+][\d.]+ % relative to the solid \(0.90478 kg\)")
     t.assertRegex(out, r"crack notch +\d+ bonds cut")
     t.assertIn("plate.vtp", t.files("r/check"))
     holed = t.expect_success("check", t.deck((SHAPE, body + "\n    holes: {bore: {shape: {box: {size: [20 mm, 20 mm, 1]}}, position: [20 mm, 0, 0]}}"), NO_LINES)).out
-    t.assertNotIn("against its solid", holed)  # nobody knows the volume of that
+    t.assertNotIn("relative to the solid", holed)  # its volume is unknown
 
 
-@claim("a cloud from a CSV file runs, and pictures number its particles as the file does")
+@claim("a point cloud from a CSV file runs, and frames number its particles as the file does")
 def _(t):
     rows = "".join(f"{1000 * x!r}, {y!r}, {z!r}, 0.125\n" for x, y, z in centres())
     (t.folder / "cloud.csv").write_text("x [mm], y [m], z [m], volume [cm3]\n" + rows)
@@ -58,7 +58,7 @@ def _(t):
     t.assertIn(b'Name="original"', (t.folder / "r/frames/plate_00004.vtp").read_bytes())
 
 
-@claim("points that meshio writes as VTU and VTK, plain, packed and text, run as the same points of a CSV file do, to the last bit")
+@claim("points written by meshio as VTU and VTK, plain, compressed and text, are bitwise identical to those of a CSV file")
 def _(t):
     try:
         import meshio
@@ -88,13 +88,13 @@ def _(t):
     t.assertEqual(t.report("upper")["state_hash"], t.report("csv")["state_hash"])
 
 
-@claim("a VTK file without volumes is told with the arrays that it has")
+@claim("a VTK file without volumes is refused with the list of its arrays")
 def _(t):
     header = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 0\nPOINT_DATA 2\nSCALARS mass float\nLOOKUP_TABLE default\n1 2\n"
     for text, sentence in [
-        (header, "there is no point array `volume` of one number a point; there are `mass`"),
+        (header, "there is no scalar point array `volume`; the file has `mass`"),
         (header + "SCALARS volume float\nLOOKUP_TABLE default\n1 -2\n", " the volume of point 1, counted from 0, is -2 m3"),
-        (header[: header.index("POINT_DATA")], "there is no point array `volume` of one number a point; there is none at all"),
+        (header[: header.index("POINT_DATA")], "there is no scalar point array `volume`; the file has none"),
     ]:
         (t.folder / "cloud.vtk").write_text(text)
         done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.vtk}}")))
@@ -102,19 +102,19 @@ def _(t):
     vtu = '<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="1" NumberOfCells="0"><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0</DataArray></Points><PointData><DataArray type="Float32" Name="mass" format="ascii">1</DataArray></PointData></Piece></UnstructuredGrid></VTKFile>'
     (t.folder / "cloud.vtu").write_text(vtu)
     done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.vtu}}")))
-    t.expect_complaint(done, 2, "deck.yaml:", "cloud.vtu:1: the piece has no point array `volume` of one number a point; it has `mass`.")
+    t.expect_complaint(done, 2, "deck.yaml:", "cloud.vtu:1: the piece has no scalar point array `volume`; it has `mass`.")
 
 
-@claim("what is wrong with a file of a solid or a cloud is told at its key, and in the file at its line")
+@claim("errors in a file of a solid or point cloud are reported at its key, and with the line in the file")
 def _(t):
     cube = grid_box((100.0, 60.0, 20.0), (1, 1, 1))
     (t.folder / "open.stl").write_text(Shape({"": cube.parts[""][1:]}).stl())
     change = (SHAPE, "shape: {file: open.stl, scale: 0.001}\n    spacing: 5 mm")
     place = place_of(changed(DECK, change), "shape: {file")
-    t.expect_complaint(t.run_program("check", t.deck(change)), 2, f"deck.yaml:{place}: ", "the surface is open, 4 of its edges have a panel on one side only")
+    t.expect_complaint(t.run_program("check", t.deck(change)), 2, f"deck.yaml:{place}: ", "the surface is open: 4 of its edges have a panel on one side only")
     (t.folder / "cloud.csv").write_text("x [m], y [m], z [m], volume [m3]\n0, 0, 0, 1\n0, 0, 1, zero\n")
     done = t.run_program("check", t.deck((SHAPE, "shape: {points: {file: cloud.csv}}")))
-    t.expect_complaint(done, 2, str(t.folder.resolve() / "cloud.csv") + ":3: ", '"0, 0, 1, zero" is not four numbers with commas between')
+    t.expect_complaint(done, 2, str(t.folder.resolve() / "cloud.csv") + ":3: ", '"0, 0, 1, zero" is not four comma-separated numbers')
 
 
 main()

@@ -31,7 +31,7 @@ def results_table(path):
 
 @claim("statistics: means, deviations and extremes are those of the rows of history, the whole run or a part of it")
 def _(t):
-    t.expect_success("run", t.deck(("history: 2 us", "history: 0.3 us")), "--out", "r")
+    t.expect_success("run", t.deck(("history_interval: 2 us", "history_interval: 0.3 us")), "--out", "r")
     history = t.history("r")
     for limits, (begin, end) in (([], (-math.inf, math.inf)), (["--from", "4.25 us", "--to", "17e-6"], (4.25e-6, 17e-6))):
         t.assertIn("cylinder.force_y [N]", t.expect_success("statistics", "r", *limits).out)
@@ -49,9 +49,9 @@ def _(t):
         t.assertEqual(told["unit"], "N")
 
 
-@claim("statistics: windows tell mean and extremes of equal parts of the time")
+@claim("statistics: windows give mean and extremes of equal parts of the time")
 def _(t):
-    t.expect_success("run", t.deck(("history: 2 us", "history: 0.3 us")), "--out", "r")
+    t.expect_success("run", t.deck(("history_interval: 2 us", "history_interval: 0.3 us")), "--out", "r")
     out = t.expect_success("statistics", "r", "--columns", "cylinder.force_y,cylinder.position_y", "--windows", "7").out
     t.assertIn("Written to r: statistics.csv, windows.csv, spectrum.csv", out)
     history, windows = t.history("r"), table(t.folder / "r/windows.csv")
@@ -63,7 +63,7 @@ def _(t):
         t.assertAlmostEqual(windows["cylinder.force_y.mean [N]"][k], mean_of(rows), delta=1e-9 * max(history[FORCE]))  # parts of rows at the ends
         for word, choose in (("maximum", max), ("minimum", min)):
             t.assertEqual(windows[f"cylinder.force_y.{word} [N]"][k], choose(value for _, value, _ in rows))
-        # the cylinder goes down: its highest place is that at the beginning, on the line between two rows
+        # the cylinder moves down: its highest position is at the beginning, interpolated between two rows
         row = next(n for n in range(1, len(history["time [s]"])) if history["time [s]"][n] > begin)
         (t0, t1), (y0, y1) = history["time [s]"][row - 1 : row + 1], history["cylinder.position_y [m]"][row - 1 : row + 1]
         t.assertAlmostEqual(windows["cylinder.position_y.maximum [m]"][k], y0 + (y1 - y0) * (begin - t0) / (t1 - t0), delta=1e-12)
@@ -79,7 +79,7 @@ def write_history(t, times, columns):
     t.write_kinds("r", loads=["ship.force_x"])
 
 
-@claim("statistics: the spectrum is Welch's, by a plain sum over each segment, and says its segments and resolution")
+@claim("statistics: the spectrum equals Welch's method by a direct sum over each segment, and reports segments and resolution")
 def _(t):
     chance, dt = random.Random(5), 0.02
     force = [3 * math.sin(2 * math.pi * 2.5 * dt * k) + chance.gauss(0, 1) for k in range(301)]
@@ -103,7 +103,7 @@ def _(t):
     t.assertAlmostEqual(1 / period, 2.5, delta=1 / 1.28)  # within the resolution
 
 
-@claim("statistics: unevenly spaced rows give the spectrum's peak where even ones do")
+@claim("statistics: unevenly spaced rows give the same spectral peak as even ones")
 def _(t):
     chance, times = random.Random(6), [0.0]
     while times[-1] < 60:
@@ -124,18 +124,18 @@ def _(t):
     t.assertAlmostEqual(sum(spectrum["ship.force_x [N2/Hz]"]) * resolution, 0.5, delta=0.02)
 
 
-@claim("statistics: gauges' forces and torques belong to the loads, those of boundaries do not, and --columns chooses any")
+@claim("statistics: forces and torques of gauges belong to the loads, those of boundary conditions do not, and --columns selects any")
 def _(t):
-    deck = t.deck(("    free: [y]", "    free: [y]\n    gauges: {side: {point: [0, 0, 0], axis: [0, 0, 1]}}"),
-                  ("  plate:\n    shape", "  plate:\n    regions: {low: {position: [0, -25 mm, 0], shape: {box: {size: [1, 10 mm, 1]}}}}\n"
-                                         "    boundaries: {grip: {fixed: {region: low}}}\n    shape"), ("20 us}", "20 us, step: 0.5 us}"))
+    deck = t.deck(("    free_dofs: [y]", "    free_dofs: [y]\n    gauges: {side: {point: [0, 0, 0], axis: [0, 0, 1]}}"),
+                  ("  plate:\n    shape", "  plate:\n    particle_sets: {low: {position: [0, -25 mm, 0], shape: {box: {size: [1, 10 mm, 1]}}}}\n"
+                                         "    boundary_conditions: {grip: {fixed: {particle_set: low}}}\n    shape"), ("20 us}", "20 us, step: 0.5 us}"))
     t.expect_success("run", deck, "--out", "r")
     t.expect_success("statistics", "r")
     loads = [f"cylinder.{part}{axis}" for part in ("force_", "side.force_") for axis in "xyz"] + ["cylinder.side.torque"]
     t.assertEqual(list(results_table(t.folder / "r/statistics.csv")), loads)
     out = t.expect_success("statistics", "r", "--columns", "plate.grip.force,total.energy").out
     t.assertEqual(list(results_table(t.folder / "r/statistics.csv")), [f"plate.grip.force_{axis}" for axis in "xyz"] + ["total.energy"])
-    t.assertIn("spectrum: none, for 10 rows are fewer than the 16 that it needs", out)
+    t.assertIn("spectrum: none, since 10 rows are fewer than the required 16", out)
     t.assertFalse((t.folder / "r/spectrum.csv").exists())
 
 
@@ -150,14 +150,14 @@ def sheet(t, *changes):
     return t.deck(SHEET, BREAKS, ("at: [0, 0, 0]", "at: [1, 0, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [1, -0.03, 0], to: [1, 0.03, 0]"), *changes)
 
 
-@claim("statistics: the width of a channel that two cracks cut is their distance, and its edges are theirs")
+@claim("statistics: the width of a channel between two cracks is their distance, and its edges are theirs")
 def _(t):
     t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
     whole = t.expect_success("statistics", "r", "--channel", "plate:x").out  # the strip is 40 % of the sheet
-    t.assertIn("nowhere broken through", whole)
+    t.assertIn("no column is broken through", whole)
     out = t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.41").out
-    t.assertIn("nowhere", t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.2").out)
-    # the strips beside it hold 25 and 35 % of the particles: with 41 % nothing remains, and the whole sheet is broken
+    t.assertIn("no column is broken through", t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.2").out)
+    # the strips along it have 25 and 35 % of the particles: with 41 % nothing remains, and the whole sheet is broken
     t.assertIn("mean 0.3 m", out)
     cut = t.deck(SHEET, BREAKS, ("at: [0, 0, 0]", "at: [1, 0, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [1, -0.03, 0], to: [1, 0.03, 0]"),
                  ("-201 mm, 45 mm", "-201 mm, -45 mm"), ("201 mm, 45 mm", "201 mm, -45 mm"))
@@ -166,31 +166,31 @@ def _(t):
     for words in ("channel along x in body plate at 2e-05 s (r/frames/plate_00001.vtp)", "length            0.2 m", "mean 0.03 m, standard deviation ",
                   "narrowest         0.03 m", "0.006 m2 of the channel"):
         t.assertIn(words, out)
-    columns = table(t.folder / "r/pieces/plate_channel_x.csv")
+    columns = table(t.folder / "r/fragments/plate_channel_x.csv")
     t.assertEqual(len(columns["along_x [m]"]), 80)
     for along, low, high, width in zip(*(columns[name] for name in ("along_x [m]", "low_y [m]", "high_y [m]", "width [m]"))):
         for got, wanted in ((low, -0.075), (high, -0.045), (width, 0.03)):
             t.assertAlmostEqual(got, wanted, delta=1e-9)  # places are rounded to a thousandth of a spacing, which these hit
     across = t.expect_success("statistics", "r", "--channel", "plate:y", "--sheet", "0.2").out
-    t.assertIn("mean 0.4 m", across)  # seen the other way, the whole sheet is broken through over 30 mm
+    t.assertIn("mean 0.4 m", across)  # along the other axis, the whole sheet is broken through over 30 mm
 
 
-@claim("statistics: what cannot be told is refused with 2 and a sentence, and nothing is written")
+@claim("statistics: invalid requests are refused with 2 and a sentence, and nothing is written")
 def _(t):
     t.expect_success("run", sheet(t, ("20 us}", "20 us, step: 0.5 us}")), "--out", "r")
     t.expect_success("run", t.deck(name="other.yaml"), "--out", "unbroken")
     before = t.files("r")
     for arguments, words in (
-        (["nowhere"], ["nowhere/history.csv is not there", "perimpact run"]),
-        (["r", "--from", "1"], ["--from 1 s and --to 2e-05 s leave no time of r/history.csv, whose rows go from 0 to 2e-05 s"]),
+        (["nowhere"], ["nowhere/history.csv does not exist", "perimpact run"]),
+        (["r", "--from", "1"], ["--from 1 s and --to 2e-05 s leave no time of r/history.csv, whose rows range from 0 to 2e-05 s"]),
         (["r", "--to", "1 kg"], ["--to is 1 kg: that is a mass; write a time"]),
         (["r", "--columns", "cylinder.fource_x"], ["--columns: r/history.csv has no column cylinder.fource_x", "did you mean cylinder.force_x?"]),
-        (["r", "--windows", "0"], ["--windows: Value 0 not in range", "--help says more"]),
-        (["r", "--segment", "1 s"], ["--segment is 1 s, but it must hold from 16 rows to all 10"]),
+        (["r", "--windows", "0"], ["--windows: Value 0 not in range", "--help lists the options"]),
+        (["r", "--segment", "1 s"], ["--segment is 1 s, but it must cover from 16 rows to all 10"]),
         (["r", "--channel", "plate"], ["--channel is plate, but it must be a body and the axis", "ice:x"]),
         (["r", "--channel", "plate:z"], ["--channel is plate:z"]),
-        (["r", "--channel", "ice:x"], ["--channel: r has no body ice; there is plate"]),
-        (["unbroken", "--channel", "plate:x"], ["--channel: body plate never breaks"]),
+        (["r", "--channel", "ice:x"], ["--channel: r has no body ice; its bodies: plate"]),
+        (["unbroken", "--channel", "plate:x"], ["--channel: body plate has no failure criterion"]),
         (["r", "--channel", "plate:x", "--sheet", "2"], ["--sheet is 2, but it must be above 0 and at most 1"]),
         (["r", "--channel", "plate:x", "--channel-from", "2", "--channel-to", "1"], ["--channel-from is 2 m, but it must be below --channel-to, which is 1 m"]),
         (["r", "--channel", "plate:x", "--channel-from", "2 s"], ["--channel-from is 2 s: that is a time; write a length"]),
@@ -206,15 +206,15 @@ def _(t):
     t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv:3: time goes from 0 s to 0 s, but it must increase")
     (t.folder / "r/history.csv").write_text("time [s],ice.kinetic_energy [J]\n0,1\n1,1\n")
     t.write_kinds("r")
-    t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv tells of no impactor", "--columns")
+    t.expect_complaint(t.run_program("statistics", "r"), 2, "r/history.csv has no columns of impactors", "--columns")
 
 
-@claim("statistics: a run into the same folder takes away what was told of the earlier one")
+@claim("statistics: a new run into the same folder removes the statistics of the earlier one")
 def _(t):
     t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
     before = t.files("r")
     t.expect_success("statistics", "r", "--windows", "2", "--channel", "plate:x")
-    t.assertEqual(sorted(set(t.files("r")) - set(before)), ["pieces/plate_channel_x.csv", "statistics.csv", "windows.csv"])
+    t.assertEqual(sorted(set(t.files("r")) - set(before)), ["fragments/plate_channel_x.csv", "statistics.csv", "windows.csv"])
     t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
     t.assertEqual(t.files("r"), before)
 

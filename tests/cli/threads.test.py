@@ -5,7 +5,7 @@ from claims import claim, main
 PLATE = ["--set", "output.frames=0"]
 ORDINARY = ["--set", "bodies.plate.material.poissons_ratio=0.3"]
 BREAKING = ["--set", "bodies.plate.material.critical_stretch=0.002", "--set", "time.end=60 us"]
-TUMBLING = ["--set", "impactors.cylinder.free=[x, y, z, rx, ry, rz]", "--set", "impactors.cylinder.angular_velocity=[300, 200, 1000]", "--set",
+TUMBLING = ["--set", "impactors.cylinder.free_dofs=[x, y, z, rx, ry, rz]", "--set", "impactors.cylinder.angular_velocity=[300, 200, 1000]", "--set",
             "contact.impactors.friction=0.2", "--set", "impactors.cylinder.position=[3 mm, 56 mm, 2 mm]", "--set", "time.end=300 us"]
 
 
@@ -27,31 +27,31 @@ def same_for_any_number(t, *settings):
     return states[0], history
 
 
-@claim("threads: 1, 2 and 4 give the same bits where a plate is struck")
+@claim("threads: 1, 2 and 4 are bitwise identical for the impact on a plate")
 def _(t):
     same_for_any_number(t)
 
 
-@claim("threads: 1, 2 and 4 give the same bits with a dilatation, at a Poisson's ratio of 0.3")
+@claim("threads: 1, 2 and 4 are bitwise identical with a dilatation, at a Poisson's ratio of 0.3")
 def _(t):
     same_for_any_number(t, *ORDINARY)
 
 
-@claim("threads: 1, 2 and 4 give the same bits while bonds break")
+@claim("threads: 1, 2 and 4 are bitwise identical with bond failure")
 def _(t):
     for material in ([], ORDINARY):
         _, history = same_for_any_number(t, *BREAKING, *material)
         t.assertGreater(history["plate.broken_bonds [-]"][-1], 100)
 
 
-@claim("threads: 1, 2 and 4 give the same bits where a free, turning impactor strikes and rubs")
+@claim("threads: 1, 2 and 4 are bitwise identical for a free, rotating impactor with friction")
 def _(t):
     _, history = same_for_any_number(t, *TUMBLING, *ORDINARY)
     spin = [history[f"cylinder.angular_velocity_{axis} [rad/s]"] for axis in "xyz"]
     t.assertTrue(all(abs(each[-1] - each[0]) > 1 for each in spin), f"contact must have changed the spin: {[each[-1] for each in spin]}")
 
 
-@claim("threads: the state is the same when run again, and another as soon as the impactor is a little faster")
+@claim("threads: the state is reproducible, and changes if the impactor is a little faster")
 def _(t):
     t.deck()
     first = state_with(t, 1, [])

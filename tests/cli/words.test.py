@@ -8,25 +8,25 @@ TETRAHEDRON = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nf 1 3 2\nf 1 2 4\nf 1 4 3\
 @claim("words: describe prints the whole deck reference, or one key with unit, range, default and meaning")
 def _(t):
     whole = t.expect_success("describe").out
-    for key in ("time", "bodies", "impactors", "contact", "output", "poissons_ratio", "radius_ratio", "region", "probes"):
+    for key in ("time", "bodies", "impactors", "contact", "output", "poissons_ratio", "radius_ratio", "contact_bounds", "probes"):
         t.assertIn(key, whole)
     one = t.expect_success("describe", "poissons_ratio").out
     t.assertTrue(one.startswith("bodies.<name>.material.poissons_ratio: number, above -1 and below 0.5, default 0.25"), one)
     t.assertIn("youngs_modulus: number [Pa], above 0, optional", t.expect_success("describe", "bodies.material").out)
 
 
-@claim("words: describe asks back about a key that is not there")
+@claim("words: describe suggests a key for an unknown one")
 def _(t):
     t.expect_complaint(t.run_program("describe", "poisson_ratio"), 2, "poisson_ratio: ", "did you mean poissons_ratio?")
 
 
-@claim("words: version and --version name the program with its number")
+@claim("words: version and --version print program and version")
 def _(t):
     for arguments in (["version"], ["--version"]):
         t.assertRegex(t.expect_success(*arguments).out, r"^perimpact \d+\.\d+\.\d+\n$")
 
 
-@claim("words: --help lists the commands, and that of each its options")
+@claim("words: --help lists the commands, and that of each command its options")
 def _(t):
     for command in ("run", "check", "describe", "new", "mesh", "statistics", "version"):
         t.assertIn(command, t.expect_success("--help").out)
@@ -43,12 +43,12 @@ def _(t):
         t.assertIn(row, rows)
 
 
-@claim("words: mesh reports on an open file too, and says what the deck must declare")
+@claim("words: mesh reports on an open file too, with the required declaration in the deck")
 def _(t):
     (t.folder / "half.obj").write_text(TETRAHEDRON.rsplit("f", 1)[0])
     out = t.expect_success("mesh", "half.obj").out
-    t.assertIn("open, 3 edges on a rim", out)
-    t.assertIn("outside: normals", out)
+    t.assertIn("open, 3 boundary edges", out)
+    t.assertIn("orientation: normals", out)
 
 
 main()

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "fccda/core/error.hpp"
-#include "fccda/surface/read/read_panels.hpp"
-#include "fccda/surface/surface.hpp"
+#include "base/error.hpp"
+#include "mesh/surface.hpp"
+#include "mesh_io/read_panels.hpp"
 
 namespace fuzz {
 
@@ -47,7 +47,7 @@ inline void sound_or_refused(std::string_view bytes, const std::string& name) {
     expect(!panels.panels.empty(), "what is read holds panels");
     expect(panels.panels.size() <= 64 * bytes.size() + 64, "panels are no more than a small multiple of the bytes");
     expect_sound(panels);
-    const fccda::Surface surface(panels, {.outside = fccda::OutsideIs::normals, .name = name});
+    const fccda::Surface surface(panels, {.orientation = fccda::Orientation::normals, .name = name});
     expect(surface.report().area >= 0, "a surface has an area");
   } catch (const fccda::InputError& error) {
     expect_sentence(error.what());

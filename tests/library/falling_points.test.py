@@ -1,4 +1,4 @@
-"""examples/falling_points against meshes whose inside is known in closed form."""
+"""examples/falling_points on meshes whose interior is known in closed form."""
 
 import math
 import sys
@@ -22,7 +22,7 @@ def write_obj(path, vertices, faces):
 
 
 def distance_to_rhombus(x, y, a, b):
-    """From the filled rhombus |x|/a + |y|/b <= 1, in its plane."""
+    """Distance from the filled rhombus |x|/a + |y|/b <= 1, in its plane."""
     x, y = abs(x), abs(y)
     if x / a + y / b <= 1:
         return 0
@@ -30,7 +30,7 @@ def distance_to_rhombus(x, y, a, b):
     return math.hypot(x - (a - along * a), y - along * b)
 
 
-@claim("balls over an octahedron land exactly where they are over it, or beside it by less than their radius, and none ends inside")
+@claim("balls above an octahedron land if they are above it or within their radius of it, and none ends inside")
 def octahedron(scene):
     a, b, c = 1.5, 1.3, 0.8
     vertices = [(a, 0, 0), (-a, 0, 0), (0, b, 0), (0, -b, 0), (0, 0, c), (0, 0, -c)]
@@ -45,11 +45,11 @@ def octahedron(scene):
         expected.append(distance < BALL)
     scene.assertEqual([i for i in range(41 * 41) if landed[i] != expected[i]], [])
     scene.assertEqual(out, f"{sum(expected)} of 1681 points landed, 0 are inside\n")
-    # rounding of coordinates of 20 m, those of what fell past
+    # rounding of coordinates of 20 m, those of the points that fell past
     scene.assertGreater(min(abs(x) / a + abs(y) / b + abs(z) / c for x, y, z in places), 1 - 1e-12)
 
 
-@claim("no point is inside a torus on which many have come to rest, by the winding number")
+@claim("by the winding number no point is inside a torus on which many have come to rest")
 def torus(scene):
     try:
         import numpy as np
@@ -77,7 +77,7 @@ def torus(scene):
     scene.assertLess(np.abs(winding).max(), 1e-6)  # 0 outside, 1 inside; rounding of a sum of a thousand angles
 
 
-@claim("a mesh that cannot be read is told in a sentence")
+@claim("an unreadable mesh is reported in a sentence")
 def unreadable(scene):
     scene.expect_complaint(scene.run_program("hull.stl"), 2, "hull.stl: there is no such file")
 

@@ -1,4 +1,4 @@
-"""Installs fccda from a build, moves it, and builds the examples against it.
+"""Installs fccda from a build, relocates it, and builds the examples against it.
 
     install.py PLACES.json      {"build", "source", "folder", "compiler"}: folder gets fccda/ and examples/
 """
@@ -9,7 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# a user's flags: warnings in the library's headers are errors, no -march, and contraction of products and sums as g++ has it
+# typical user flags: warnings in the library's headers are errors, no -march, default floating-point contraction of g++
 FLAGS = "-O2 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
 
 
@@ -21,7 +21,7 @@ def main():
     (folder / "first").rename(folder / "fccda")
     configure = ["cmake", "-G", "Ninja", "-S", f"{places['source']}/examples", "-B", folder / "examples", f"-DCMAKE_PREFIX_PATH={folder / 'fccda'}"]
     configure += [f"-DCMAKE_CXX_COMPILER={places['compiler']}", "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_FLAGS={FLAGS}"]
-    configure += ["-DCMAKE_NO_SYSTEM_FROM_IMPORTED=ON"]  # or the compiler does not warn of headers that are installed
+    configure += ["-DCMAKE_NO_SYSTEM_FROM_IMPORTED=ON"]  # otherwise the compiler suppresses warnings of installed headers
     subprocess.run(configure, check=True)
     subprocess.run(["cmake", "--build", folder / "examples", "--parallel", "2"], check=True)
 

@@ -8,7 +8,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
 from claims import claim, main  # noqa: E402
 
 
-@claim("a solver that is read in place finds what the plain call finds, asks few points, and keeps momentum to rounding")
+@claim("a solver accessed in place finds the contacts of the plain call, queries few points, and conserves momentum to rounding")
 def in_place(scene):
     out = scene.expect_success().out
     contacts, agreed = map(int, re.match(r"(\d+) contacts, the plain call found the same in (\d+) of 100 steps", out).groups())

@@ -16,7 +16,7 @@ def points_of(path):
 
 
 def planes_of(path):
-    """(normal, distance) outwards, of each polygon of a closed mesh."""
+    """(outward normal, distance) of each polygon of a closed mesh."""
     vertices, planes = points_of(path), []
     for line in path.read_text().split("POLYGONS")[1].splitlines()[1:]:
         a, b, c = (vertices[int(word)] for word in line.split()[1:4])
@@ -27,7 +27,7 @@ def planes_of(path):
     return planes
 
 
-@claim("no particle of the water is ever inside the hull, and what gravity gives is in the water and the hull, to rounding")
+@claim("no water particle is ever inside the hull, and the momentum of water and hull balances gravity to rounding")
 def splash(scene):
     out = scene.expect_success(0.04, 8).out
     contacts = int(re.search(r"(\d+) contacts", out)[1])
@@ -35,7 +35,7 @@ def splash(scene):
     scene.assertIn("particles ever inside the hull: 0\n", out)
     # rounding of 1200 particles over 800 steps: 1e-16 times the root of a million, and the sums of pairs, which cancel
     scene.assertLess(float(re.search(r"gravity: (\S+) of the momentum", out)[1]), 1e-12)
-    scene.assertGreater(-float(re.search(r"impulse on the hull: (\S+) N s", out)[1]), 50)  # the block is stopped in good part
+    scene.assertGreater(-float(re.search(r"impulse on the hull: (\S+) N s", out)[1]), 50)  # the block is largely stopped
 
     planes = planes_of(scene.folder / "splash_hull.vtk")
     frames = sorted(scene.folder.glob("splash_00*.vtk"))
@@ -45,17 +45,17 @@ def splash(scene):
             beyond = max(sum(n * each for n, each in zip(normal, x)) - distance for normal, distance in planes)
             scene.assertGreater(beyond, -1e-8, f"{frame.name}: {x} is inside")  # coordinates are written to nine digits
     last = points_of(frames[-1])
-    scene.assertGreater(min(sum(y > 0.25 for _, y, _ in last), sum(y < -0.25 for _, y, _ in last)), 100)  # it was parted by the keel
+    scene.assertGreater(min(sum(y > 0.25 for _, y, _ in last), sum(y < -0.25 for _, y, _ in last)), 100)  # it was divided by the keel
 
 
-@claim("the splash is the same to the last digit on one thread and on three")
+@claim("the splash is bitwise identical on one thread and on three")
 def threads(scene):
     frames = []
     for count in ("1", "3"):
         scene.environment["OMP_NUM_THREADS"] = count
         scene.expect_success(0.05, 4)
         frames.append([path.read_text() for path in sorted(scene.folder.glob("splash_*.vtk"))])
-    scene.assertTrue(frames[0] == frames[1])  # assertEqual would look for the differences of megabytes
+    scene.assertTrue(frames[0] == frames[1])  # assertEqual would diff megabytes
 
 
 main()

@@ -15,7 +15,7 @@ CHANGES = [
     ("time: {end: 20 us}", "time: {end: 14 us, step: 0.1 us}"),
     ("[100 mm, 60 mm, 20 mm]", "[40 mm, 60 mm, 20 mm]"),
     ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002"),
-    ("  history: 2 us", "  history: 0.7 us\n  checkpoint_every: 1 ns"),
+    ("  history_interval: 2 us", "  history_interval: 0.7 us\n  checkpoint_interval: 1 ns"),
 ]
 TELL_OF_TIMES = ("run.json", "report.html", "checkpoint.h5")
 

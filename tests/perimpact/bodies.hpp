@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "perimpact/simulation/body.hpp"
+#include "perimpact/body/body.hpp"
 
 namespace fixtures {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "perimpact/material/small_matrix.hpp"
-#include "perimpact/simulation/body.hpp"
+#include "perimpact/body/body.hpp"
+#include "perimpact/materials/correspondence/small_matrix.hpp"
 
 namespace fixtures {
 

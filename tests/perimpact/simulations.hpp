@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/simulation/simulation.hpp"
 
 namespace fixtures {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace fixtures {
 

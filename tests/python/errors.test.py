@@ -1,4 +1,4 @@
-"""What goes wrong, as Python tells it."""
+"""Errors in Python."""
 
 import copy
 import os
@@ -12,40 +12,40 @@ from claims import claim, main
 import perimpact
 
 
-@claim("a mistake in a deck is a ValueError with the sentence of the command line")
+@claim("a mistake in a deck is a ValueError with the message of the command line")
 def in_a_deck(test):
     deck = test.folder / test.deck(("poissons_ratio: 0.25", "poissons_ratio: 0.6"))
-    told = test.run_program("check", deck)
+    done = test.run_program("check", deck)
     with test.assertRaises(ValueError) as error:
         perimpact.Simulation.from_deck(deck)
     test.assertIsInstance(error.exception, perimpact.InputError)
-    test.assertEqual(f"error: {error.exception}\n", told.err)
-    test.assertEqual(told.code, 2)
+    test.assertEqual(f"error: {error.exception}\n", done.err)
+    test.assertEqual(done.code, 2)
 
 
-@claim("what is found out only when the simulation is built names line and column too")
+@claim("errors found only when the simulation is built give line and column too")
 def in_building(test):
     deck = test.folder / test.deck(("position: [0, 50 mm, 0]", "position: [0, 40 mm, 0]"))
-    told = test.run_program("run", deck)
+    done = test.run_program("run", deck)
     with test.assertRaises(perimpact.InputError) as error:
         perimpact.Simulation.from_deck(deck)
-    test.assertEqual(f"error: {error.exception}\n", told.err)
+    test.assertEqual(f"error: {error.exception}\n", done.err)
 
 
-@claim("--set and set are one: the same changes, the same sentences")
+@claim("--set and set are equivalent: the same changes, the same messages")
 def changes(test):
     deck = test.folder / test.deck()
     simulation = perimpact.Simulation.from_deck(deck, set={"time.end": "10 us", "bodies.plate.velocity": [0, 1, 0], "output.frames": 0})
     test.assertEqual(simulation.setup["time"]["end"], 10e-6)
     test.assertEqual(simulation.setup["bodies"]["plate"]["velocity"], [0, 1, 0])
     for key, value, text in (("time.ned", "1", "1"), ("bodies.plate.spacing", -1.0, "-1.0"), ("time..end", "1", "1"), ("title.more", "x", "x")):
-        told = test.run_program("check", deck, "--set", f"{key}={text}")
+        done = test.run_program("check", deck, "--set", f"{key}={text}")
         with test.assertRaises(perimpact.InputError) as error:
             perimpact.Simulation.from_deck(deck, set={key: value})
-        test.assertEqual(f"error: {error.exception}\n", told.err)
+        test.assertEqual(f"error: {error.exception}\n", done.err)
 
 
-@claim("a mistake in a dict names its key where a deck's names line and column")
+@claim("a mistake in a dict is reported with its key instead of line and column")
 def in_a_dict(test):
     def refused(change):
         setup = copy.deepcopy(package.SETUP)
@@ -66,9 +66,9 @@ def in_a_dict(test):
     test.assertTrue(refused(lambda s: s["impactors"]["cylinder"].update(position=[0, 0])).startswith("impactors.cylinder.position: position has 2 numbers"))
     test.assertEqual(
         refused(lambda s: s["impactors"]["cylinder"].update(position=[0, 0, {1}])),
-        "impactors.cylinder.position[2]: this is a set, but a set-up is made of dicts, lists, numbers, words and meshes.",
+        "impactors.cylinder.position[2]: this is a set, but a set-up consists of dicts, lists, numbers, strings and meshes.",
     )
-    test.assertEqual(refused(lambda s: s.update({3: 4})), "the set-up: 3 is a key, but keys are words.")
+    test.assertEqual(refused(lambda s: s.update({3: 4})), "the set-up: 3 is a key, but keys must be strings.")
     test.assertIn("nan", refused(lambda s: s["time"].update(end=float("nan"))))
     endless = []
     endless.append(endless)
@@ -76,7 +76,7 @@ def in_a_dict(test):
         perimpact.Simulation({"time": endless})
 
 
-@claim("meshes that are none are refused with a sentence")
+@claim("invalid meshes are refused with a sentence")
 def meshes(test):
     def refused(*arguments):
         with test.assertRaises(perimpact.InputError) as error:
@@ -84,15 +84,15 @@ def meshes(test):
         return str(error.exception)
 
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
-    test.assertEqual(refused(corners, [[0, 1, 3]]), "mesh: face 0 names the vertex 3, but there are 3, counted from 0.")
-    test.assertEqual(refused(corners, [[0, 1, -1]]), "mesh: face 0 names the vertex -1, but there are 3, counted from 0.")
-    test.assertEqual(refused([[0, 0], [1, 0]], [[0, 1, 2]]), "mesh: vertices has the shape (2, 2), but one row x, y, z a point is needed: (points, 3).")
+    test.assertEqual(refused(corners, [[0, 1, 3]]), "mesh: face 0 has vertex 3, but there are 3, counted from 0.")
+    test.assertEqual(refused(corners, [[0, 1, -1]]), "mesh: face 0 has vertex -1, but there are 3, counted from 0.")
+    test.assertEqual(refused([[0, 0], [1, 0]], [[0, 1, 2]]), "mesh: vertices has the shape (2, 2), but must have one row x, y, z per point: (points, 3).")
     test.assertIn("(2,)", refused(corners, [0, 1]))
     test.assertEqual(refused([[0, 0, 0], [1, 0, float("inf")], [0, 1, 0]], [[0, 1, 2]]), "mesh: vertex 1 has a coordinate that is not a finite number.")
-    test.assertEqual(refused(corners, [[0, 1, 2]], ["a", "b"]), "mesh: parts names 2 faces, but there are 1; give the part of each.")
+    test.assertEqual(refused(corners, [[0, 1, 2]], ["a", "b"]), "mesh: parts has 2 entries for 1 faces; give one part per face.")
 
 
-@claim("a run that becomes unstable is a RuntimeError, and results say so")
+@claim("an unstable run is a RuntimeError, and the results report it")
 def unstable(test):
     setup = copy.deepcopy(package.SETUP)
     simulation = perimpact.Simulation(setup, forces={"plate": {"wrong": lambda time, body: [1e300 if time > 3e-6 else 0, 0, 0]}})
@@ -104,7 +104,7 @@ def unstable(test):
     test.assertEqual((report["outcome"], report["failure"]), ("failed", str(error.exception)))
 
 
-@claim("results that come too late, or twice, are refused, and so is a step beyond the end")
+@claim("write_results too late or twice is refused, and so is a step beyond the end")
 def too_late(test):
     simulation = perimpact.Simulation(package.SETUP)
     simulation.write_results(str(test.folder / "results"))
@@ -113,10 +113,10 @@ def too_late(test):
     simulation.run()
     with test.assertRaisesRegex(perimpact.RunError, "the run is over at 2e-05 s"):
         simulation.step()
-    simulation.run()  # there is nothing left to do
+    simulation.run()  # no steps remain
     late = perimpact.Simulation(package.SETUP)
     late.step()
-    with test.assertRaisesRegex(perimpact.InputError, "step 1 is done, but results begin with t = 0"):
+    with test.assertRaisesRegex(perimpact.InputError, "step 1 is done, but results begin at t = 0"):
         late.write_results(str(test.folder / "others"))
     with test.assertRaisesRegex(perimpact.InputError, "at least one thread"):
         perimpact.use_threads(0)
@@ -124,14 +124,14 @@ def too_late(test):
         perimpact.Simulation(package.SETUP).write_results(str(test.folder / "others"), resume=True)
 
 
-@claim("Ctrl-C ends a run after a whole step, other threads of Python go on meanwhile, and the run can be gone on with")
+@claim("Ctrl-C ends a run after a complete step, other Python threads continue meanwhile, and the run can be resumed")
 def interrupted(test):
     setup = copy.deepcopy(package.SETUP)
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # where the tests run in the background, it is ignored
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # it is ignored where the tests run in the background
     setup["time"] = {"end": 4e-3, "step": 2e-7}  # 20000 steps, some seconds
     setup["impactors"]["cylinder"]["velocity"] = [0, 0, 0]
 
-    def busy(time, body):  # nearly all of the step is here, where Python would raise the KeyboardInterrupt
+    def busy(time, body):  # most of the step time is here, where Python would raise the KeyboardInterrupt
         for _ in range(3000):
             pass
         return [0, 0, 0]
@@ -163,7 +163,7 @@ def interrupted(test):
         test.assertEqual(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
 
-@claim("an own force cannot make the simulation take another step from within one")
+@claim("a user force cannot start another step from within a step")
 def from_within(test):
     held = []
 

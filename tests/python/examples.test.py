@@ -1,4 +1,4 @@
-"""The examples of the guide run, and say what the guide says of them; the installed package is whole."""
+"""The examples of the guide run with the results that the guide states; the installed package is complete."""
 
 import os
 import re
@@ -10,11 +10,11 @@ from claims import claim, main
 
 
 def run_example(test, name):
-    picture = test.folder / f"{name}.png"
+    figure = test.folder / f"{name}.png"
     environment = {**test.environment, "PYTHONPATH": sys.path[0], "MPLBACKEND": "Agg", "OMP_NUM_THREADS": "1", "MPLCONFIGDIR": str(test.folder)}
-    done = subprocess.run([sys.executable, package.ROOT / "python" / "examples" / f"{name}.py", picture], env=environment, capture_output=True, text=True, timeout=200)
+    done = subprocess.run([sys.executable, package.ROOT / "python" / "examples" / f"{name}.py", figure], env=environment, capture_output=True, text=True, timeout=200)
     test.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
-    test.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+    test.assertEqual(figure.read_bytes()[:4], b"\x89PNG")
     return done.stdout
 
 
@@ -22,32 +22,32 @@ def number_before(text, words):
     return float(re.search(rf"(-?[\d.]+(?:e[-+]\d+)?){re.escape(words)}", text).group(1))
 
 
-@claim("example strike: the cone of NumPy breaks the ice")
+@claim("example strike: the cone made with NumPy breaks the ice")
 def strike(test):
-    told = run_example(test, "strike")
-    test.assertGreater(number_before(told, " bonds broke"), 100)
-    test.assertGreater(number_before(told, " mm deep"), 0.5)
+    printed = run_example(test, "strike")
+    test.assertGreater(number_before(printed, " bonds broke"), 100)
+    test.assertGreater(number_before(printed, " mm, and"), 0.5)
 
 
-@claim("example own_force: the springs bring the plate back, and the balance of energy closes")
+@claim("example own_force: the springs return the plate, and the energy balance closes")
 def own_force(test):
-    told = run_example(test, "own_force")
-    free, on_springs = (float(line.split(" is at ")[1].split(" mm")[0]) for line in told.splitlines()[:2])
+    printed = run_example(test, "own_force")
+    free, on_springs = (float(line.split(" is at ")[1].split(" mm")[0]) for line in printed.splitlines()[:2])
     test.assertLess(free, 2 * on_springs)
     test.assertLess(free, 0)
-    closing = number_before(told, " J of 2.5 J")
-    test.assertLess(closing, 1e-3)  # of the 2.5 J: contact is the part that closes least (docs/theory/energy.md)
+    closing = number_before(printed, " J of 2.5 J")
+    test.assertLess(closing, 1e-3)  # of the 2.5 J: contact has the largest energy balance error (docs/theory/energy.md)
 
 
-@claim("example grains: the wheel gets what the grains lose, and no grain gets in")
+@claim("example grains: the wheel receives the momentum loss of the grains, and no grain penetrates")
 def grains(test):
-    told = run_example(test, "grains")
-    test.assertGreater(abs(number_before(told, " rad/s")), 0.5)
-    test.assertLess(number_before(told, " of it"), 1e-10)
-    test.assertEqual(told.splitlines()[-1], "grains inside a paddle: 0")
+    printed = run_example(test, "grains")
+    test.assertGreater(abs(number_before(printed, " rad/s")), 0.5)
+    test.assertLess(number_before(printed, " relative error"), 1e-10)
+    test.assertEqual(printed.splitlines()[-1], "grains inside a paddle: 0")
 
 
-@claim("the installed package is found in the prefix's folder of Python packages, whole")
+@claim("the installed package is complete in the Python package folder of the prefix")
 def installed(test):
     build = os.path.dirname(test.program)
     prefix = test.folder / "prefix"
@@ -56,9 +56,9 @@ def installed(test):
     test.assertEqual(sorted(p.name for p in (folder / "perimpact").iterdir() if p.suffix != ".so"), ["__init__.py", "__init__.pyi", "fccda.py", "fccda.pyi", "py.typed"])
     code = "import perimpact; print(perimpact.__version__, perimpact.Mesh.box([1, 1, 1], 1), perimpact.__file__)"
     environment = {**test.environment, "PYTHONPATH": str(folder)}
-    told = subprocess.run([sys.executable, "-c", code], env=environment, cwd=test.folder, capture_output=True, text=True, check=True).stdout
+    printed = subprocess.run([sys.executable, "-c", code], env=environment, cwd=test.folder, capture_output=True, text=True, check=True).stdout
     version = test.run_program("version").out.split()[1]
-    test.assertEqual(told.strip(), f"{version} <perimpact.Mesh of 8 vertices and 12 faces> {folder / 'perimpact' / '__init__.py'}")
+    test.assertEqual(printed.strip(), f"{version} <perimpact.Mesh of 8 vertices and 12 faces> {folder / 'perimpact' / '__init__.py'}")
 
 
 main()

@@ -1,4 +1,4 @@
-"""Makes the package of the build that is tested importable, and the claims of tests/cli: to be imported first.
+"""Makes the package of the tested build and the claims of tests/cli importable; import it first.
 
     python3 views.test.py BUILD/perimpact ["the sentence"]      the package lies in BUILD/python
 """
@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(Path(sys.argv[1]).resolve().parent / "python"), str(ROOT / "tests" / "cli")]
 
-# The deck of claims.py as Python's own numbers, in SI.
+# The deck of claims.py with Python numbers, in SI.
 SETUP = {
     "title": "Small plate",
     "time": {"end": 20e-6},
@@ -22,18 +22,18 @@ SETUP = {
     },
     "impactors": {
         "cylinder": {
-            "surface": {"cylinder": {"diameter": 0.04, "height": 0.04, "axis": "z", "panel": 0.004}},
+            "surface": {"cylinder": {"diameter": 0.04, "height": 0.04, "axis": "z", "edge_length": 0.004}},
             "mass": 1,
             "position": [0, 0.05, 0],
             "velocity": [0, -32, 0],
-            "free": ["y"],
+            "free_dofs": ["y"],
         }
     },
     "contact": {"impactors": {"detector": "swept"}},
     "output": {
         "folder": "results",
         "frames": 4,
-        "history": 2e-6,
+        "history_interval": 2e-6,
         "probes": {"centre": {"body": "plate", "at": [0, 0, 0]}},
         "lines": {"along_y": {"body": "plate", "from": [0, -0.03, 0], "to": [0, 0.03, 0]}},
     },

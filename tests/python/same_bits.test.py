@@ -1,4 +1,4 @@
-"""Python and the command line are one program: the same bits, the same files."""
+"""Python and the command line give bitwise identical results and the same files."""
 
 import copy
 
@@ -14,24 +14,24 @@ def finished(simulation):
     return simulation.state_hash
 
 
-@claim("a deck run from Python leaves the same files as the command line, and the same state")
+@claim("a deck run from Python writes the same files as the command line, and reaches the same state")
 def same_files(test):
     deck = test.folder / test.deck()
-    test.expect_success("run", deck, "--out", "told", "--threads", 1)
+    test.expect_success("run", deck, "--out", "shell", "--threads", 1)
     simulation = perimpact.Simulation.from_deck(deck)
     simulation.write_results(str(test.folder / "asked"))
     simulation.run()
     test.assertTrue(simulation.is_finished)
-    test.assertEqual(simulation.state_hash, test.report("told")["state_hash"])
-    test.assertEqual(test.files("asked"), test.files("told"))
-    for name in test.files("told"):
-        if name in ("run.json", "checkpoint.h5", "report.html"):  # hold times of the clock on the wall; run.json is compared by its hash
+    test.assertEqual(simulation.state_hash, test.report("shell")["state_hash"])
+    test.assertEqual(test.files("asked"), test.files("shell"))
+    for name in test.files("shell"):
+        if name in ("run.json", "checkpoint.h5", "report.html"):  # contain wall-clock times; run.json is compared by its hash
             continue
-        test.assertEqual((test.folder / "asked" / name).read_bytes(), (test.folder / "told" / name).read_bytes(), name)
-    test.assertEqual(test.report("asked")["outcome"], test.report("told")["outcome"])
+        test.assertEqual((test.folder / "asked" / name).read_bytes(), (test.folder / "shell" / name).read_bytes(), name)
+    test.assertEqual(test.report("asked")["outcome"], test.report("shell")["outcome"])
 
 
-@claim("a dict with the keys of a deck makes the simulation of the deck, bit for bit, with numbers or with units")
+@claim("a dict with the keys of a deck gives a simulation bitwise identical to the deck's, with numbers or with units")
 def same_dict(test):
     deck = test.folder / test.deck()
     wanted = finished(perimpact.Simulation.from_deck(deck))
@@ -46,9 +46,9 @@ def same_dict(test):
     test.assertEqual(finished(perimpact.Simulation(perimpact.Simulation(package.SETUP).setup)), wanted)
 
 
-@claim("a mesh from arrays strikes as the same mesh from a file, bit for bit, and is refused as a file is")
+@claim("a mesh from arrays gives bitwise the results of the same mesh from a file, and is refused as a file is")
 def same_mesh(test):
-    mesh = perimpact.Mesh.cylinder(diameter=0.04, height=0.04, panel=0.004)
+    mesh = perimpact.Mesh.cylinder(diameter=0.04, height=0.04, edge_length=0.004)
     vertices, faces = mesh.vertices, mesh.faces[:, :3]
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()] + [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
     (test.folder / "cylinder.obj").write_text("\n".join(lines) + "\n")
@@ -69,16 +69,16 @@ def same_mesh(test):
     test.assertIn("open", str(refused.exception))
 
 
-@claim("a body may be what a mesh from arrays encloses")
+@claim("a mesh from arrays may define the shape of a body")
 def body_of_mesh(test):
     setup = copy.deepcopy(package.SETUP)
     plate = setup["bodies"]["plate"]
-    plate["shape"] = {"file": perimpact.Mesh.box(size=[0.1, 0.06, 0.02], panel=0.05)}
+    plate["shape"] = {"file": perimpact.Mesh.box(size=[0.1, 0.06, 0.02], edge_length=0.05)}
     body = perimpact.Simulation(setup).bodies["plate"]
     test.assertEqual(len(body), 20 * 12 * 4)
 
 
-@claim("steps one by one, runs in pieces, callbacks and any number of threads change no bit")
+@claim("single steps, partial runs, callbacks and any number of threads give bitwise identical results")
 def same_steps(test):
     deck = test.folder / test.deck()
     wanted = finished(perimpact.Simulation.from_deck(deck))
@@ -88,13 +88,13 @@ def same_steps(test):
         one_by_one.step()
     test.assertEqual(one_by_one.state_hash, wanted)
 
-    pieces = perimpact.Simulation.from_deck(deck)
+    fragments = perimpact.Simulation.from_deck(deck)
     times = []
-    pieces.run(until=5e-6)
-    test.assertTrue(5e-6 <= pieces.time < 5e-6 + pieces.dt, pieces.time)
-    pieces.run(callback=lambda simulation: times.append(simulation.step_number), every=7)
+    fragments.run(until=5e-6)
+    test.assertTrue(5e-6 <= fragments.time < 5e-6 + fragments.dt, fragments.time)
+    fragments.run(callback=lambda simulation: times.append(simulation.step_number), every=7)
     test.assertEqual(np.unique(np.diff(times)).tolist(), [7])
-    test.assertEqual(pieces.state_hash, wanted)
+    test.assertEqual(fragments.state_hash, wanted)
 
     stopped = perimpact.Simulation.from_deck(deck)
     stopped.run(callback=lambda simulation: simulation.step_number < 3)
@@ -105,7 +105,7 @@ def same_steps(test):
     perimpact.use_threads(1)
 
 
-@claim("a run that Python left is gone on with by Python or by the command line, and ends as one that never stopped")
+@claim("a run interrupted in Python is resumed by Python or by the command line, bitwise identical to an uninterrupted one")
 def resumed(test):
     deck = test.folder / test.deck()
     test.expect_success("run", deck, "--out", "whole", "--threads", 1)
@@ -126,11 +126,11 @@ def resumed(test):
         test.assertEqual(test.files(name), test.files("whole"))
 
 
-@claim("a run with an own force and a mesh from arrays is gone on with as if never left, and not with another mesh or without the force")
+@claim("a run with a user force and a mesh from arrays is resumed bitwise, and refused with another mesh or without the force")
 def resumed_with_own(test):
-    def made(panel=0.004, force=True):
+    def made(edge_length=0.004, force=True):
         setup = copy.deepcopy(package.SETUP)
-        setup["impactors"]["cylinder"]["surface"] = {"file": perimpact.Mesh.cylinder(diameter=0.04, height=0.04, panel=panel)}
+        setup["impactors"]["cylinder"]["surface"] = {"file": perimpact.Mesh.cylinder(diameter=0.04, height=0.04, edge_length=edge_length)}
         forces = {"plate": {"drag": lambda time, body: -1e7 * body.velocities}} if force else None
         return perimpact.Simulation(setup, forces=forces)
 
@@ -142,7 +142,7 @@ def resumed_with_own(test):
     left.write_results(str(test.folder / "left"))
     left.run(until=12e-6)
     left.close_results()
-    for other in (made(panel=0.005), made(force=False)):
+    for other in (made(edge_length=0.005), made(force=False)):
         with test.assertRaises(perimpact.InputError):
             other.write_results(str(test.folder / "left"), resume=True)
     resumed = made()
@@ -152,15 +152,15 @@ def resumed_with_own(test):
     test.assertEqual((test.folder / "left" / "history.csv").read_bytes(), (test.folder / "whole" / "history.csv").read_bytes())
 
 
-@claim("a relaxation gives the same bits as the command line, though it is left off to look for signals")
+@claim("a relaxation is bitwise identical to the command line's, although it is paused to check for signals")
 def relaxed(test):
     deck = test.folder / "relax.yaml"
     deck.write_text(RELAX)
-    test.expect_success("run", deck, "--out", "told", "--threads", 1)
-    test.assertEqual(finished(perimpact.Simulation.from_deck(deck)), test.report("told")["state_hash"])
+    test.expect_success("run", deck, "--out", "shell", "--threads", 1)
+    test.assertEqual(finished(perimpact.Simulation.from_deck(deck)), test.report("shell")["state_hash"])
 
 
-@claim("the history is that of history.csv, and in the set-up that is read back every value stands")
+@claim("the history equals history.csv, and the set-up read back contains every value")
 def same_history(test):
     deck = test.folder / test.deck()
     test.expect_success("run", deck, "--threads", 1)
@@ -169,7 +169,7 @@ def same_history(test):
     table = test.history("results")
     test.assertEqual(list(simulation.history), list(table))
     for column, values in table.items():
-        test.assertEqual(simulation.history[column].tolist(), values, column)  # CSV keeps every bit
+        test.assertEqual(simulation.history[column].tolist(), values, column)  # CSV is exact
     test.assertEqual(simulation.setup["bodies"]["plate"]["spacing"], 0.005)
     test.assertEqual(simulation.setup["impactors"]["cylinder"]["velocity"], [0, -32, 0])
 
@@ -182,12 +182,12 @@ bodies:
     shape: {box: {size: [100 mm, 30 mm, 30 mm]}}
     spacing: 5 mm
     material: {model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000 kg/m3}
-    regions:
+    particle_sets:
       left: {shape: {box: {size: [15 mm, 40 mm, 40 mm]}}, position: [-50 mm, 0, 0]}
       right: {shape: {box: {size: [15 mm, 40 mm, 40 mm]}}, position: [50 mm, 0, 0]}
-    boundaries:
-      held: {fixed: {region: left}}
-      pulled: {prescribed: {region: right, x: {times: [0, 1 s], displacements: [0, 0.01 mm]}}}
+    boundary_conditions:
+      held: {fixed: {particle_set: left}}
+      pulled: {prescribed: {particle_set: right, x: {times: [0, 1 s], displacements: [0, 0.01 mm]}}}
 output: {frames: 0}
 """
 

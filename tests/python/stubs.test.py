@@ -1,4 +1,4 @@
-"""The stubs say what the module has, and the reference page what both say."""
+"""The stubs match the module, and the reference page matches both."""
 
 import ast
 import inspect
@@ -42,7 +42,7 @@ def stub_parameters(node):
 
 
 def split_arguments(text):
-    """At the commas outside of brackets."""
+    """Splits at the commas outside brackets."""
     depth, parts = 0, [""]
     for letter in text:
         depth += (letter in "([{") - (letter in ")]}")
@@ -54,7 +54,7 @@ def split_arguments(text):
 
 
 def actual_parameters(function):
-    """The same from the line that pybind11 puts before the docstring."""
+    """The same from the signature line that pybind11 adds to the docstring."""
     line = function.__doc__.splitlines()[0]
     inside = line[line.index("(") + 1 : line.rindex(") ->")]
     rows, kind = [], "positional"
@@ -70,7 +70,7 @@ def actual_parameters(function):
 
 
 def plain(default):
-    """Defaults as both write them: arrays as tuples of numbers, ./folder as its text."""
+    """Defaults in a common form: arrays as tuples of numbers, ./folder as text."""
     if default is None:
         return None
     default = re.sub(r"array\((.*)\)", r"\1", default)
@@ -79,7 +79,7 @@ def plain(default):
     return tuple(value) if isinstance(value, list) else value
 
 
-@claim("every public name of the module is in the stubs, and the reverse")
+@claim("every public name of the module is in the stubs, and vice versa")
 def names(test):
     for module, stub in modules():
         nodes = stubbed(stub)
@@ -115,7 +115,7 @@ def signatures(test):
     test.assertGreater(compared, 25)
 
 
-@claim("everything public has a docstring, and of vectors and numbers it says the unit")
+@claim("everything public has a docstring, with the unit of vectors and numbers")
 def docstrings(test):
     for module, stub in modules():
         for name, node in stubbed(stub).items():
@@ -132,13 +132,13 @@ def docstrings(test):
                     test.assertRegex(text, r"\[[^\]]+\]", f"{name}.{item.name} lacks its unit")
 
 
-@claim("the reference page is the one that python/reference.py writes")
+@claim("the reference page matches the output of python/reference.py")
 def reference(test):
     script = package.ROOT / "python" / "reference.py"
     environment = {**test.environment, "PYTHONPATH": sys.path[0]}
     made = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True).stdout
     page = package.ROOT / "docs" / "guide" / "python_reference.md"
-    test.assertEqual(made, page.read_text(), "write it anew: PYTHONPATH=build/release/python /usr/bin/python3 python/reference.py > docs/guide/python_reference.md")
+    test.assertEqual(made, page.read_text(), "regenerate it: PYTHONPATH=build/release/python /usr/bin/python3 python/reference.py > docs/guide/python_reference.md")
 
 
 main()

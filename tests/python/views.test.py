@@ -1,4 +1,4 @@
-"""What Python sees of particles and impactors."""
+"""Views of particles and impactors in Python."""
 
 import copy
 
@@ -10,15 +10,15 @@ import perimpact
 
 
 def every_step():
-    """The small plate with a row of the history for each step, at a time when it is being struck."""
+    """The small plate with a history row per step, at a time of contact."""
     setup = copy.deepcopy(package.SETUP)
-    setup["output"]["history"] = 1e-9  # less than a step
+    setup["output"]["history_interval"] = 1e-9  # less than a step
     simulation = perimpact.Simulation(setup)
     simulation.run(until=12e-6)
     return simulation
 
 
-@claim("positions are the simulation's own memory: they show every step, cannot be written, and outlive the name of the simulation")
+@claim("positions view the simulation's memory: they show every step, are read-only, and outlive the simulation variable")
 def views(test):
     simulation = perimpact.Simulation(package.SETUP)
     plate = simulation.bodies["plate"]
@@ -34,26 +34,26 @@ def views(test):
     test.assertTrue(np.array_equal(positions, now))
 
 
-@claim("slots, occupied and lattice_shape say where in the arrays the particles are")
+@claim("slots, occupied and lattice_shape locate the particles in the arrays")
 def slots(test):
     plate = perimpact.Simulation(package.SETUP).bodies["plate"]
     test.assertEqual(len(plate), 20 * 12 * 4)
-    test.assertEqual(plate.lattice_shape, [4, 12, 24])  # 20 cells in x, rounded up to eights
+    test.assertEqual(plate.lattice_shape, [4, 12, 24])  # 20 cells in x, rounded up to packs of eight
     test.assertEqual(plate.positions.shape, (4 * 12 * 24, 3))
     test.assertEqual(plate.slots.tolist(), np.flatnonzero(plate.occupied).tolist())
     grid = plate.references.reshape(*plate.lattice_shape, 3)[:, :, :20]
     x, y, z = (-0.5 * (n - 1) * 5e-3 + 5e-3 * np.arange(n) for n in (20, 12, 4))
     wanted = np.stack(np.broadcast_arrays(x[None, None, :], y[None, :, None], z[:, None, None]), axis=-1)
-    np.testing.assert_allclose(grid, wanted, rtol=0, atol=1e-16)  # centimetres, a rounding or two
+    np.testing.assert_allclose(grid, wanted, rtol=0, atol=1e-16)  # positions of centimetres, one or two roundings
     test.assertEqual(plate.spacing, 0.005)
     np.testing.assert_allclose(plate.volumes.sum() * plate.density, plate.mass, rtol=1e-13)  # sums of 960 equal numbers in another order
     np.testing.assert_allclose(plate.mass, 0.1 * 0.06 * 0.02 * 8000, rtol=1e-13)
 
 
-@claim("displacements, momentum and damage are what positions, velocities and broken bonds make of them")
+@claim("displacements, momentum and damage follow from positions, velocities and broken bonds")
 def derived(test):
     setup = copy.deepcopy(package.SETUP)
-    setup["bodies"]["plate"]["material"]["critical_stretch"] = 1e-4  # less than this blow makes
+    setup["bodies"]["plate"]["material"]["critical_stretch"] = 1e-4  # less than the stretch of this impact
     simulation = perimpact.Simulation(setup)
     simulation.run(until=15e-6)
     plate = simulation.bodies["plate"]
@@ -65,11 +65,11 @@ def derived(test):
     test.assertGreater(plate.broken_bonds, 0)
     test.assertGreater(plate.damages.max(), 0)
     test.assertTrue(((plate.damages >= 0) & (plate.damages <= 1)).all())
-    # whose bonds are all whole has none: of the 122 bonds of a family each is at least a thousandth
+    # no damage without broken bonds: each of the 122 bonds of a family is at least a thousandth
     test.assertEqual(simulation.history["plate.broken_bonds [-]"].max() > 0, True)
 
 
-@claim("force and moment of an impactor are the impulses of its contacts over the step, and the row of a history of every step")
+@claim("force and moment of an impactor are the impulses of its contacts over the step, and equal the history row of each step")
 def force(test):
     simulation = every_step()
     cylinder = simulation.impactors["cylinder"]
@@ -89,7 +89,7 @@ def force(test):
     test.assertGreater(struck, 50)
 
 
-@claim("contacts name particles that lie on the surface, with the normal out of it")
+@claim("contacts list particles on the surface, with the outward normal")
 def contacts(test):
     simulation = every_step()
     cylinder, plate = simulation.impactors["cylinder"], simulation.bodies["plate"]
@@ -103,11 +103,11 @@ def contacts(test):
     distance = np.linalg.norm(off, axis=1)
     test.assertTrue(((distance > 0.0225 - sagitta - 1e-9) & (distance < 0.0225 + 1e-9)).all(), distance)
     along = (contacts["normal"][:, :2] * off).sum(axis=1) / distance
-    test.assertTrue((along > np.cos(0.15)).all(), along)  # half the angle of a panel, 0.1, and what chords differ
+    test.assertTrue((along > np.cos(0.15)).all(), along)  # half the angle of a panel, 0.1, plus the deviation of chords
     test.assertTrue(((contacts["time_fraction"] >= 0) & (contacts["time_fraction"] <= 1)).all())
 
 
-@claim("the surface of an impactor, turned and moved by its pose, is where the impactor is")
+@claim("the surface of an impactor, transformed by its pose, is at the position of the impactor")
 def surface(test):
     setup = copy.deepcopy(package.SETUP)
     setup["impactors"]["cylinder"].update(angular_velocity=[0, 0, 5000], velocity=[0, 0, 0], position=[0, 0.06, 0])
@@ -117,12 +117,12 @@ def surface(test):
     simulation.run()
     angle = 5000 * simulation.time
     wanted = [[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]]
-    np.testing.assert_allclose(cylinder.rotation, wanted, rtol=0, atol=1e-12)  # a hundred turns by quaternions
+    np.testing.assert_allclose(cylinder.rotation, wanted, rtol=0, atol=1e-12)  # a hundred rotations by quaternions
     world = cylinder.vertices @ cylinder.rotation.T + cylinder.origin
     test.assertAlmostEqual(np.linalg.norm((world - cylinder.position)[:, :2], axis=1).max(), 0.02, places=12)
     corners = world[cylinder.triangles]
     volume = np.einsum("ti,ti->t", corners[:, 0] - cylinder.position, np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])).sum() / 6
-    test.assertAlmostEqual(volume / (np.pi * 0.02**2 * 0.04), 1, delta=0.01)  # chords of 4 mm on a circle of 40 mm lack (0.2)²/6 = 0.7 %
+    test.assertAlmostEqual(volume / (np.pi * 0.02**2 * 0.04), 1, delta=0.01)  # chords of 4 mm on a circle of 40 mm miss (0.2)²/6 = 0.7 %
     test.assertEqual(cylinder.mass, 1)
 
 

@@ -13,40 +13,42 @@ from pathlib import Path
 
 # The layers: module or folder → what it may depend on, at most. A folder stands for all modules in it.
 LAYERS = {
-    "fccda": ["fccda"],
-    "fccda/core": [],
-    "fccda/surface": ["fccda/core"],
-    "fccda/surface/file": ["fccda/core", "fccda/surface"],
-    "fccda/surface/read/vtk": ["fccda/core", "fccda/surface", "fccda/surface/file"],
-    "fccda/surface/read/gmsh": ["fccda/core", "fccda/surface", "fccda/surface/file"],
-    "fccda/surface/read/keyword": ["fccda/core", "fccda/surface", "fccda/surface/file"],
-    "fccda/shapes": ["fccda/core", "fccda/surface"],
-    "fccda/search": ["fccda/core", "fccda/surface"],
-    "fccda/inspect": ["fccda/core", "fccda/surface", "fccda/search"],
-    "fccda/region": ["fccda/core", "fccda/surface"],
-    "fccda/remesh": ["fccda/core", "fccda/surface", "fccda/search", "fccda/region"],
-    "fccda/body": ["fccda/core", "fccda/surface"],
-    "fccda/detect": ["fccda/core", "fccda/surface", "fccda/search", "fccda/region", "fccda/body"],
-    "perimpact": ["fccda", "perimpact"],
-    "perimpact/material": ["fccda/core"],  # one bond and one family sum, never arrays
-    "perimpact/damage": ["fccda/core"],
-    "perimpact/setup": ["fccda/core"],
-    "perimpact/particles": ["fccda/core"],
-    "perimpact/family": ["fccda/core", "perimpact/setup", "perimpact/particles"],
-    "perimpact/pieces": ["fccda/core", "perimpact/setup", "perimpact/particles", "perimpact/family"],
-    "perimpact/force": ["fccda/core", "perimpact/setup", "perimpact/particles", "perimpact/family", "perimpact/material", "perimpact/damage"],
-    "perimpact/solid": ["fccda", "perimpact/setup", "perimpact/particles"],
-    "perimpact/impact": ["fccda", "perimpact/setup", "perimpact/particles", "perimpact/solid"],
-    "io": ["fccda", "perimpact", "io"],
-    "io/deck": ["fccda/core", "fccda/surface", "perimpact/material", "perimpact/setup"],
-    "io/statistics": ["fccda", "perimpact/material", "perimpact/setup", "io/output", "io/deck"],
-    "io/report": ["fccda", "perimpact/material", "perimpact/setup", "io/output", "io/deck", "io/statistics"],
-    "io/output": ["fccda/core", "fccda/surface"],
+    "base": [],
+    "mesh": ["base"],
+    "mesh_io": ["base", "mesh"],
+    "mesh_io/vtk": ["base", "mesh", "mesh_io/file"],
+    "mesh_io/gmsh": ["base", "mesh", "mesh_io/file"],
+    "mesh_io/keyword": ["base", "mesh", "mesh_io/file"],
+    "fccda": ["base", "mesh", "mesh_io", "marine"],
+    "fccda/rigid_body": ["base", "mesh"],
+    "fccda/contact_bounds": ["base", "mesh"],
+    "fccda/detect": ["base", "mesh", "fccda/contact_bounds", "fccda/rigid_body"],
+    "fccda/respond": ["base", "mesh", "fccda"],
+    "marine": ["base", "mesh", "fccda/rigid_body"],
+    "perimpact": ["base", "mesh", "mesh_io", "marine", "fccda"],
+    "perimpact/deck_model": ["base"],
+    "perimpact/particles": ["base"],
+    "perimpact/family": ["base", "perimpact/deck_model", "perimpact/particles"],
+    "perimpact/fragments": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family"],
+    "perimpact/force": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family"],
+    "perimpact/damage": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family", "perimpact/force"],
+    "perimpact/materials": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family", "perimpact/force", "perimpact/damage"],
+    "perimpact/materials/elastic": ["base"],
+    "perimpact/materials/ice": ["base"],
+    "perimpact/materials/plasticity": ["base"],
+    "perimpact/self_contact": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family", "perimpact/materials/elastic"],
+    "perimpact/discretisation": ["base", "mesh", "mesh_io", "perimpact/deck_model", "perimpact/particles"],
+    "perimpact/impactor": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact/deck_model", "perimpact/particles", "perimpact/discretisation"],
+    "io": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact"],
+    "io/deck": ["base", "mesh", "perimpact/materials/plasticity", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model"],
+    "io/statistics": ["base", "mesh", "mesh_io", "perimpact/materials/plasticity", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model", "io/output", "io/deck"],
+    "io/report": ["base", "mesh", "mesh_io", "perimpact/materials/plasticity", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model", "io/output", "io/deck", "io/statistics"],
+    "io/output": ["base", "mesh"],
 }
 
 # Headers of other libraries → what a module that includes them must LINK
 LIBRARIES = {"fmt/": "fmt::fmt", "yaml-cpp/": "yaml-cpp", "udunits2.h": "${UDUNITS2_LIBRARY}", "zlib.h": "ZLIB::ZLIB", "hdf5.h": "${HDF5_LIBRARY}", "CLI/": "CLI11::CLI11"}
-ONLY_IN = {"omp.h": "fccda/core/parallel.hpp", "CLI/": "cli/main.cpp"}  # the one home of loops over threads, and a header that is slow to compile
+ONLY_IN = {"omp.h": "base/parallel.hpp", "CLI/": "cli/main.cpp"}  # the one home of loops over threads, and a header that is slow to compile
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
 

@@ -1,22 +1,22 @@
 #!/usr/bin/python3
-"""The plate of the seed paper's section 5 by explicit finite elements in space, with dolfinx (Debian: python3-dolfinx).
+"""The plate of section 5 of Zhang et al. by explicit three-dimensional finite elements, with dolfinx (Debian: python3-dolfinx).
 
     OMP_NUM_THREADS=1 validation/plate/fem.py OUT [--size 2] [--gap 0.5] [--late]      sizes in mm; writes OUT/fem_<size>mm[_gap][_late].csv, and lines
 
-A solution by other means than perimpact in every part: elements of eight nodes with 2×2×2 Gauss points, finite strain, lumped mass, central
+A solution independent of perimpact in every part: eight-node elements with 2×2×2 Gauss points, finite strain, lumped mass, central
 differences. The material is neo-Hookean (J. Bonet, R. D. Wood: Nonlinear Continuum Mechanics for Finite Element Analysis, 2nd ed. 2008, ch. 6): under the
-cylinder it is pressed by some per cent, where St Venant-Kirchhoff's law, which is simpler, grows soft. A quarter is computed: x ≥ 0 and z ≥ 0. The
+cylinder it is compressed by some per cent, where the simpler St Venant-Kirchhoff law softens. A quarter is computed: x ≥ 0 and z ≥ 0. The
 cylinder is exact, without friction, free along y. Contact is by Lagrange multipliers of the end of the step (N. J. Carpenter, R. L. Taylor, M. G.
 Katona: Int. J. Numer. Methods Eng. 32 (1991) 103): impulses λ ≥ 0 on the nodes, normal to the cylinder, such that none of them and the cylinder,
 which they push back within the same step, overlap:
 
     Δt λ_i/m_i + Δt n_iy S/M = p_i,     S = Σ λ_j n_jy = Σ m_j n_jy p_j/Δt / (1 + Σ m_j n_jy²/M)         p: overlap [m], n: normal
 
-With `--late` nodes are put on the cylinder where its velocity of the step before has brought it, and it feels their impulse from the next step on, as in
-the paper (eqs. 8 to 10) and in perimpact; so what that does can be told from everything else.
+With `--late` nodes are moved to the cylinder at the position given by its velocity of the previous step, and their impulse acts on it from the next step on, as in
+the paper (eqs. 8 to 10). This isolates the effect of the delay.
 
-A row a microsecond: time, the cylinder, the mean force since the row before, the plate's centre; then energies of the whole: of the cylinder, kinetic
-and strain energy of the plate, what contact took, and `closing error`, their sum less the cylinder's energy at first.
+One row per microsecond: time, the cylinder, the mean force since the previous row, the plate's centre; then energies of the whole: of the cylinder, kinetic
+and strain energy of the plate, contact dissipation, and `energy balance error`, their sum less the initial energy of the cylinder.
 """
 
 import argparse
@@ -37,14 +37,14 @@ LENGTH, WIDTH, THICKNESS = 0.2, 0.1, 0.009  # [m] plate in x, y, z
 YOUNG, POISSON, DENSITY = 191e9, 0.25, 8000.0  # [Pa] [-] [kg/m³]
 RADIUS, MASS, SPEED = 0.025, 1.57, 32.0  # [m] [kg] [m/s] cylinder, towards -y
 END, ROW = 200e-6, 1e-6  # [s]
-STEP_OVER_SIZE = 1e-4  # [s/m], at most: 0.54 of the time that a wave of dilatation, at 5 353 m/s, takes across an element
-QUARTER = 4  # of everything is computed a quarter
+STEP_OVER_SIZE = 1e-4  # [s/m], at most: 0.54 of the time that a dilatational wave, at 5 353 m/s, takes across an element
+QUARTER = 4  # a quarter of the model is computed
 COLUMNS = ["time [s]", "cylinder.position_y [m]", "cylinder.velocity_y [m/s]", "cylinder.force_y [N]", "centre.displacement_y [m]", "cylinder energy [J]",
-           "plate.kinetic_energy [J]", "plate.elastic_energy [J]", "contact loss [J]", "closing error [J]"]  # fmt: skip
+           "plate.kinetic_energy [J]", "plate.elastic_energy [J]", "contact dissipation [J]", "energy balance error [J]"]  # fmt: skip
 
 
 class Plate:
-    """A quarter of the plate: places X, displacements u, velocities v, masses m of the nodes, forces from the strain."""
+    """A quarter of the plate: positions X, displacements u, velocities v, masses m of the nodes, forces from the strain."""
 
     def __init__(self, size):
         cells = [round(LENGTH / 2 / size), 2 * round(WIDTH / 2 / size), int(np.ceil(THICKNESS / 2 / size))]  # a node in the middle
@@ -86,11 +86,11 @@ class Plate:
 
 
 def strike(plate, early, edge, centre, speed, mass, step, late):
-    """Puts right what overlaps at the end of the step. New velocity of the cylinder, impulse on it along y, loss of energy.
+    """Resolves overlaps at the end of the step. New velocity of the cylinder, impulse on it along y, loss of energy.
 
     early: velocities half a step before. Forces change them to half a step after; work is the impulse times the mean of both.
     """
-    from_axis = plate.free[edge, :2] * ((plate.X + plate.u)[edge, :2] - [0, centre])  # on the plane of symmetry rounding would grow: there the tip is a summit
+    from_axis = plate.free[edge, :2] * ((plate.X + plate.u)[edge, :2] - [0, centre])  # rounding would grow on the plane of symmetry
     distance = np.linalg.norm(from_axis, axis=1)
     touching = np.flatnonzero(distance < RADIUS)
     while len(touching):

@@ -1,4 +1,4 @@
-"""The contact library in other methods: smoothed particles, and finite elements."""
+"""The contact library in other methods: SPH and finite elements."""
 
 import re
 import subprocess
@@ -38,19 +38,19 @@ def measure(runner):
 
 
 def text(n):
-    return """Two programs that know nothing of peridynamics feel a rigid surface through the library alone ([library](library/README.md)): water of smoothed particles that falls
-on a hull, and a bar of finite elements that strikes a wall and a free wedge, for which the wave equation is exact."""
+    return """Two programs without peridynamics use the contact library alone ([library](library/README.md)): SPH water that falls
+on a hull, and a bar of finite elements that hits a wall and a free wedge, with the wave equation as exact solution for the wall."""
 
 
 def rows():
     wave = "the wave equation in one dimension"
     return [
-        Row("SPH: contacts of water with the hull", "[sph_splash](../examples/sph_splash.cpp)", "contacts", "count", AtLeast(10_000), "else the row below says little"),
-        Row("SPH: particles ever inside the hull", "planes of the hull, by the program that owns the particles", "inside", "count", Exactly(0), "a count"),
-        Row("SPH: momentum of water and hull, of what gravity gave", "gravity", "water momentum", "small", AtMost(1e-12), "rounding of 1200 particles over 800 steps"),
-        Row("FEM: contact stress of a bar on a wall", wave + ", ρ c v", "stress", "%", Within(0, 0.005), "a mean over the middle of the contact, waves behind the front do not average out"),
-        Row("FEM: how long it touches", wave + ", 2 L/c", "lasts", "%", Within(0, 0.02), "the front is smeared over some of 50 cells"),
-        Row("FEM: impulse", wave + ", 2 m v", "impulse", "%", Within(0, 0.02), "half a cell of nodes stops: 1 % of the bar"),
+        Row("SPH: contacts of water with the hull", "[sph_splash](../examples/sph_splash.cpp)", "contacts", "count", AtLeast(10_000), "otherwise the next row is of little significance"),
+        Row("SPH: particles ever inside the hull", "planes of the hull, evaluated by the SPH program", "inside", "count", Exactly(0), "a count"),
+        Row("SPH: momentum of water and hull, relative to the impulse of gravity", "gravity", "water momentum", "small", AtMost(1e-12), "rounding of 1200 particles over 800 steps"),
+        Row("FEM: contact stress of a bar on a wall", wave + ", ρ c v", "stress", "%", Within(0, 0.005), "mean over the middle of the contact; waves behind the front do not average out"),
+        Row("FEM: duration of contact", wave + ", 2 L/c", "lasts", "%", Within(0, 0.02), "the front is spread over several of 50 cells"),
+        Row("FEM: impulse", wave + ", 2 m v", "impulse", "%", Within(0, 0.02), "the nodes that stop carry half a cell: 1 % of the bar"),
         Row("FEM: nodes inside a free wedge", "geometry", "wedge inside", "count", Exactly(0), "a count"),
-        Row("FEM: momentum of bar and wedge, of the impulse", "momentum", "wedge momentum", "small", AtMost(1e-12), "rounding of sums over nodes"),
+        Row("FEM: momentum of bar and wedge, relative to the impulse", "momentum", "wedge momentum", "small", AtMost(1e-12), "rounding of sums over nodes"),
     ]  # fmt: skip

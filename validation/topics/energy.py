@@ -1,17 +1,17 @@
-"""The balance of energy closes."""
+"""The energy balance."""
 
 from rows import AtMost, Row, read_columns
 
-TITLE = "Energy closes"
+TITLE = "Energy balance"
 LONG = False
 BALL, BRANCHING = "docs/theory/energy/ball.yaml", "cases/crack_branching/deck.yaml"
 
 
 def closing(folder):
-    """The largest closing error of all rows over the energy that changed hands."""
+    """The largest energy balance error of all rows over the energy exchanged."""
     history = read_columns(folder / "history.csv")
     works = [name for name in history if name.endswith((".contact_work [J]", ".work [J]"))]
-    return max(map(abs, history["total.closing_error [J]"])) / sum(max(map(abs, history[name])) for name in works)
+    return max(map(abs, history["total.energy_balance_error [J]"])) / sum(max(map(abs, history[name])) for name in works)
 
 
 def measure(runner):
@@ -25,13 +25,13 @@ def measure(runner):
 
 
 def text(n):
-    return """Works, losses and energies of a run add up at every row ([energy](theory/energy.md), with more runs)."""
+    return """Work, dissipation and energies of a run balance in every row of the history. More runs: [energy](theory/energy.md)."""
 
 
 def rows():
-    second = "of second order in the step: 1e-6 and less with steps of half the limit"
+    second = "second order in the step: 1e-6 and less at half the critical step"
     return [
-        Row("a ball bounces off a clamped block", "what changed hands", "ball", "small", AtMost(1e-5), second),
-        Row("a crack runs through glass, 25 µs", "what changed hands", "branching", "small", AtMost(1e-5), second + "; bonds break between"),
-        Row("the ball and the block never have more energy than at first, at steps of 0.07 and 0.14 µs", "nothing gives energy", "gain", "small", AtMost(5e-4), "of second order in the step"),
+        Row("a ball rebounds from a clamped block", "energy exchanged", "ball", "small", AtMost(1e-5), second),
+        Row("a crack runs through glass, 25 µs", "energy exchanged", "branching", "small", AtMost(1e-5), second + "; bonds break meanwhile"),
+        Row("the energy of ball and block never exceeds the initial energy, at steps of 0.07 and 0.14 µs", "no source of energy", "gain", "small", AtMost(5e-4), "second order in the step"),
     ]  # fmt: skip

@@ -1,9 +1,9 @@
-"""A floating strip of ice against the elastic beam on water: what docs/theory/floating_strip.md measured."""
+"""A floating ice strip against the beam on an elastic foundation: the results of docs/theory/floating_strip.md."""
 
 from rows import Row, Within, read_records
 from runner import ROOT
 
-TITLE = "A floating strip of ice breaks by bending"
+TITLE = "Bending failure of a floating ice strip"
 TABLE = ROOT / "docs/theory/floating_strip.csv"
 TABLES = ("/usr/bin/python3 docs/theory/floating_strip.py {perimpact} {results}/floating_strip",)
 LONG = True
@@ -27,17 +27,17 @@ def gathered():
 
 
 def text(n):
-    return """Ice afloat with a load on its free edge: Hetényi's beam on an elastic foundation is exact for it
-([floating strip](theory/floating_strip.md), with fewer and more layers). Six minutes a strip of six layers."""
+    return """Floating ice with a load on its free edge. Hetényi's beam on an elastic foundation is the exact solution.
+Fewer and more layers: [floating strip](theory/floating_strip.md). A strip of six layers takes six minutes."""
 
 
 def rows():
     theory = "M. Hetényi, *Beams on Elastic Foundation* (1946)"
     return [
-        Row("deflection of the edge, 6 layers", theory, "deflection", "%", Within(0, 0.03), "the sheet bends 7 % too easily at 6 layers (second order); deflections go as the power −¼ of that: 1.8 %"),
-        Row("largest moment, 6 layers", theory, "moment", "%", Within(0, 0.03), "as its power ¼"),
-        Row("bending stiffness, 12 layers", theory, "stiffness, 12 layers", "%", Within(0, 0.02), "second order from 7 % at 6 layers, and strips four particles across are up to 2 % stiffer than wide sheets"),
-        Row("load at which it breaks, 6 layers", theory, "breaks", "%", Within(0, 0.07), "as the power ¾ of the stiffness, 5 %, and a row of history"),
+        Row("deflection of the edge, 6 layers", theory, "deflection", "%", Within(0, 0.03), "the bending stiffness is 7 % too small at 6 layers (second order); deflections scale with its power −¼: 1.8 %"),
+        Row("largest moment, 6 layers", theory, "moment", "%", Within(0, 0.03), "scales with the power ¼ of the stiffness"),
+        Row("bending stiffness, 12 layers", theory, "stiffness, 12 layers", "%", Within(0, 0.02), "second order from 7 % at 6 layers; strips four particles wide are up to 2 % stiffer than wide sheets"),
+        Row("failure load, 6 layers", theory, "breaks", "%", Within(0, 0.07), "scales with the power ¾ of the stiffness, 5 %, plus a row of history"),
         Row("the same, 4 layers with `bending_calibration`", theory, "breaks, calibrated", "%", Within(0, 0.05), "calibrated for a wide sheet; narrow strips are 2 to 6 % stiffer"),
-        Row("where it breaks, from the edge", theory + ": 20.98 m", "distance", "m", Within(20.98, 3), "the moment is within 1 % of its largest value over ± 2.7 m, and a section is 0.33 m"),
+        Row("distance of the crack from the edge", theory + ": 20.98 m", "distance", "m", Within(20.98, 3), "the moment is within 1 % of its maximum over ± 2.7 m, and a section is 0.33 m"),
     ]  # fmt: skip

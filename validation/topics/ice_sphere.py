@@ -1,9 +1,9 @@
-"""A sphere of ice on a rigid plate: limits that are known exactly, Hertz, and measured impulses."""
+"""An ice sphere on a rigid plate: exactly known limits, Hertz contact, and measured impulses."""
 
 from rows import AtMost, Between, Row, Within
 from runner import script_of
 
-TITLE = "A sphere of ice strikes a plate"
+TITLE = "An ice sphere hits a plate"
 LONG = False
 DECK, ASKEW = "cases/ice_sphere/deck.yaml", "cases/ice_sphere/oblique.yaml"
 STRETCH, SYMMETRIC = "bodies.ice.material.critical_stretch", "bodies.ice.failure.compression=symmetric"
@@ -20,7 +20,7 @@ def measure(runner):
     unbroken = found("unbroken", DECK, UNBROKEN, "time.end=80 ms")
     weak = found("stretch_0.002_symmetric", DECK, f"{STRETCH}=0.002", SYMMETRIC)
     tension = found("stretch_0.002", DECK, f"{STRETCH}=0.002")
-    askew = found("hertz_oblique_40", ASKEW, "bodies.ice.spacing=0.025", "output.history=0.05 ms", "output.frames=0")
+    askew = found("hertz_oblique_40", ASKEW, "bodies.ice.spacing=0.025", "output.history_interval=0.05 ms", "output.frames=0")
     return {
         "dust": dust["impulse [-]"],
         "unbroken": unbroken["impulse [-]"],
@@ -32,16 +32,16 @@ def measure(runner):
 
 
 def text(n):
-    return f"""[The case](../cases/ice_sphere/README.md) has all variants. Impulses over m v: 1 where nothing comes back, 2 where all does. Bonds that break in tension alone leave
+    return f"""All variants: [the case](../cases/ice_sphere/README.md). The impulse over m v is 1 without rebound and 2 for full rebound. If bonds break in tension only, it is
 {n["tension"]:.2f} at a critical stretch of 0.002, more than was measured: ice crushes."""
 
 
 def rows():
     hertz = "H. Hertz; K. L. Johnson, *Contact Mechanics* (1985), 11.4"
     return [
-        Row("ice without strength gives the plate its momentum, no more", "momentum", "dust", "exact", Within(1, 1e-8), "rounding; each particle stops"),
-        Row("ice that never breaks comes back: impulse over m v", "2, less what stays in vibration", "unbroken", "", Between(1.9, 2), "2 would be all of it; at 20 across 4 % are left in vibration"),
-        Row("ice that breaks in compression too, stretch 0.002: impulse over m v", "Sun, Lam and others, 149 tests: 0.8 to 1.12", "crushed", "", Between(0.8, 1.12), "the range of the tests"),
-        Row("peak force over Hertz, 40 across, askew", hertz, "hertz peak", "", Within(1, 0.05), "contact is a quarter of the radius wide, and waves need a sixth of its time to cross the sphere: not better than a few per cent"),
-        Row("duration over Hertz, 40 across, askew", hertz, "hertz duration", "", Within(1, 0.05), "as above"),
+        Row("ice without strength: impulse over m v", "momentum of the ice, no rebound", "dust", "exact", Within(1, 1e-8), "rounding: each particle stops"),
+        Row("ice that never breaks: impulse over m v", "2, less the energy in vibration", "unbroken", "", Between(1.9, 2), "2 is full rebound; at 20 across 4 % remain in vibration"),
+        Row("ice that also breaks in compression, stretch 0.002: impulse over m v", "Sun, Lam and others, 149 tests: 0.8 to 1.12", "crushed", "", Between(0.8, 1.12), "the range of the tests"),
+        Row("peak force over Hertz, 40 across, oblique lattice", hertz, "hertz peak", "", Within(1, 0.05), "the contact radius is a quarter of the sphere's, and waves need a sixth of the contact time to cross the sphere: a few per cent at best"),
+        Row("duration over Hertz, 40 across, oblique lattice", hertz, "hertz duration", "", Within(1, 0.05), "as above"),
     ]  # fmt: skip

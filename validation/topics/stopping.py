@@ -1,4 +1,4 @@
-"""Runs that are killed and go on end with the same bits."""
+"""Runs that are killed and restarted end bitwise identical."""
 
 import re
 import subprocess
@@ -7,7 +7,7 @@ import sys
 from rows import AtLeast, Exactly, Row
 from runner import ROOT
 
-TITLE = "Killed two hundred times"
+TITLE = "Restart after two hundred kills"
 LONG = True
 
 
@@ -19,14 +19,14 @@ def measure(runner):
 
 
 def text(n):
-    return """A small run whose bonds break, with a checkpoint after every step, is killed at random moments and resumed on one to four threads
-([resume](guide/restart.md)); tables, pictures and state are compared byte by byte."""
+    return """A small run whose bonds break, with a checkpoint after every step, is killed at random times and restarted on one to four threads
+([restart](guide/restart.md)). Tables, frames and state are compared byte by byte."""
 
 
 def rows():
     return [
-        Row("kills", "[kills.test.py](../tests/long/kills.test.py)", "kills", "count", AtLeast(200), "that many were asked for"),
-        Row("of them while a checkpoint was being written", "the same", "in writing", "count", AtLeast(11), "one in twenty: the moment that matters is met"),
-        Row("runs gone on with", "the same", "resumed", "count", AtLeast(51), "one in four, else kills came before anything was kept"),
-        Row("runs that ended with another bit", "the run in one piece", "different", "count", Exactly(0), "bits"),
+        Row("kills", "[kills.test.py](../tests/long/kills.test.py)", "kills", "count", AtLeast(200), "as requested"),
+        Row("of them while a checkpoint was being written", "the same", "in writing", "count", AtLeast(11), "one in twenty: the critical moment is covered"),
+        Row("restarts from a checkpoint", "the same", "resumed", "count", AtLeast(51), "one in four; otherwise kills came before the first checkpoint"),
+        Row("runs with a different result", "uninterrupted run", "different", "count", Exactly(0), "bitwise comparison"),
     ]

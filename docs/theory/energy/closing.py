@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""How far the balance of energy is from closing, from the history.csv of runs: python3 closing.py RESULTS_FOLDER...
+"""Energy balance error from the history.csv of runs: python3 closing.py RESULTS_FOLDER...
 
-Prints of each run the works and losses of its last row, the largest closing error of all rows, and that over the energy that changed
-hands: the sum of the largest magnitudes of contact's work on impactors and of the works of boundaries."""
+Prints for each run the works and dissipation of its last row, the largest energy balance error of all rows, and its ratio to the energy
+exchanged: the sum of the largest magnitudes of contact's work on impactors and of the works of boundary conditions."""
 import csv
 import sys
 
@@ -17,9 +17,9 @@ for folder in sys.argv[1:]:
     history = columns(folder)
     largest = {name: max(map(abs, values)) for name, values in history.items()}
     works = [name for name in history if name.endswith((".contact_work [J]", ".work [J]"))]
-    told = works + [name for name in history if name.endswith("fracture_energy [J]") or "loss" in name or name == "total.energy [J]"]
+    shown = works + [name for name in history if name.endswith(("fracture_energy [J]", "_dissipation [J]")) or name == "total.energy [J]"]
     print(folder)
-    for name in told:
+    for name in shown:
         print(f"  {name:42} {history[name][-1]:12.5g}")
-    error, work = largest["total.closing_error [J]"], sum(largest[name] for name in works)
-    print(f"  {'largest closing error [J]':42} {error:12.3g}   {error / work:.1e} of {work:.5g} J")
+    error, work = largest["total.energy_balance_error [J]"], sum(largest[name] for name in works)
+    print(f"  {'largest energy balance error [J]':42} {error:12.3g}   {error / work:.1e} of {work:.5g} J")

@@ -28,9 +28,9 @@ parts = {
     "elastic energy": ("#8fb8de", kilojoules("ice.elastic_energy")),
     "kinetic energy of the ice": ("#2f6ea5", kilojoules("ice.kinetic_energy")),
     "broken bonds": ("#c8553d", kilojoules("ice.fracture_energy")),
-    "contact": ("#e0a458", kilojoules("total.contact_loss")),
-    "drag and added mass": ("#6a994e", negative(kilojoules("ice.sea.work_of_drag"))),
-    "weight and buoyancy": ("#b8c4bb", negative(kilojoules("ice.sea.work_of_weight_and_buoyancy"))),
+    "contact": ("#e0a458", kilojoules("total.contact_dissipation")),
+    "drag and added mass": ("#6a994e", negative(kilojoules("ice.sea.drag_work"))),
+    "weight and buoyancy": ("#b8c4bb", negative(kilojoules("ice.sea.weight_buoyancy_work"))),
 }
 plt.rcParams.update({"font.size": 14})
 figure, axes = plt.subplots(figsize=(10, 6), dpi=100)

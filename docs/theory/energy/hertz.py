@@ -41,9 +41,9 @@ def measure(folder):
         "step": run["time [s]"] / run["steps"],
         "peak": force.max() / (1.25 * mass * speed**2 / approach),
         "duration": (times[pressed[-1]] - times[pressed[0] - 1]) / (2.943 * approach / speed),
-        "loss": column["total.contact_loss [J]"][-1] / brought,
+        "loss": column["total.contact_dissipation [J]"][-1] / brought,
         "rise": (energy.max() - energy[0]) / energy[0],
-        "closing": np.abs(column["total.closing_error [J]"]).max() / brought,
+        "closing": np.abs(column["total.energy_balance_error [J]"]).max() / brought,
         "momentum": max(np.abs(column[f"total.momentum_{axis} [kg m/s]"] / column[f"total.momentum_{axis} [kg m/s]"][0] - 1).max() for axis in "xyz"),
     }
 
@@ -53,7 +53,7 @@ def main(program, out, largest=60):
         folder = out / name.replace(" ", "_").replace("/", "_")
         if not (folder / "run.json").exists():
             values = [f"bodies.elastic.spacing={1 / across}", f"impactors.rigid.mass={mass}", f"impactors.rigid.velocity={(speed * ALONG).tolist()}"]
-            values += [f"time.end={8e-3 * 20 / speed}", f"output.history={5e-5 * 20 / speed}"]
+            values += [f"time.end={8e-3 * 20 / speed}", f"output.history_interval={5e-5 * 20 / speed}"]
             values += [f"time.step={step}"] if step else []
             values += [f"bodies.elastic.material={{model: {model}, {MATERIAL}}}"] if model else []
             command = [program, "run", DECK, "--out", folder, "--threads", "1", "--no-report"]

@@ -1,4 +1,4 @@
-"""perimpact: peridynamic bodies struck by rigid bodies of any shape.
+"""perimpact: peridynamics with continuous contact against rigid bodies of any shape.
 
     import perimpact
 

@@ -1,16 +1,16 @@
-"""fccda: contact of points with moving rigid surfaces, for any code.
+"""fccda: continuous contact between points and moving rigid surfaces, for any particle code.
 
     detector = fccda.ContactDetector(fccda.Surface(fccda.Mesh.read("hull.stl")), radius=0.01)
     body = fccda.RigidBody(mass=1.0, velocity=[0, 0, -2])
     for _ in range(steps):
         x_t0 = x.copy()
-        ...                                       # the code moves its points: velocity, x
+        ...                                       # the solver updates velocity and x
         motion = body.advance(dt)
         contacts = detector.detect(motion, x_t0, x)
         fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x, velocity=velocity, mass=m)
 """
 
 from ._core import Mesh
-from ._core.fccda import ContactDetector, Motion, Pose, RigidBody, Surface, Tally, respond
+from ._core.fccda import ContactDetector, Motion, Pose, RigidBody, Surface, ContactSum, respond
 
-__all__ = ["ContactDetector", "Mesh", "Motion", "Pose", "RigidBody", "Surface", "Tally", "respond"]
+__all__ = ["ContactDetector", "Mesh", "Motion", "Pose", "RigidBody", "Surface", "ContactSum", "respond"]

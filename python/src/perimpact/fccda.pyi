@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import Mesh as Mesh
 
 class Surface:
-    def __init__(self, mesh: Mesh, weld: float = 0.0, outside: str = "undeclared", name: str = "surface") -> None: ...
+    def __init__(self, mesh: Mesh, weld: float = 0.0, orientation: str = "undeclared", name: str = "surface") -> None: ...
     @property
     def is_closed(self) -> bool: ...
     @property
@@ -55,7 +55,7 @@ class RigidBody:
         attitude: Sequence[float] = (1, 0, 0, 0),
         velocity: ArrayLike = (0, 0, 0),
         angular_velocity: ArrayLike = (0, 0, 0),
-        free: Sequence[str] = [],
+        free_dofs: Sequence[str] = [],
     ) -> None: ...
     @staticmethod
     def filling(
@@ -66,7 +66,7 @@ class RigidBody:
         attitude: Sequence[float] = (1, 0, 0, 0),
         velocity: ArrayLike = (0, 0, 0),
         angular_velocity: ArrayLike = (0, 0, 0),
-        free: Sequence[str] = [],
+        free_dofs: Sequence[str] = [],
     ) -> RigidBody: ...
     def advance(self, dt: float) -> Motion: ...
     def add_impulse(self, linear: ArrayLike, angular: ArrayLike) -> None: ...
@@ -97,7 +97,7 @@ class ContactDetector:
     def moved(self, point: int) -> None: ...
     def points_changed(self) -> None: ...
 
-class Tally:
+class ContactSum:
     @property
     def impulse(self) -> NDArray[np.float64]: ...
     @property
@@ -117,4 +117,4 @@ def respond(
     friction: float = 0.0,
     detector: Optional[ContactDetector] = None,
     apply: bool = True,
-) -> Tally: ...
+) -> ContactSum: ...

@@ -1,14 +1,14 @@
-/// The one list of detectors. All are asked alike:
+/// The list of detectors. Their common interface:
 ///
 ///   detect(points, motion, surface_travel, out)   adds the contacts of a step, in point order
 ///   detect_again(points, motion, surface_travel, which, out)   the same for points that others moved after that
 ///   still_inside(points, motion, which)           those of the points that are inside at t1
-///   starting_inside(points, pose)                 points that are inside before the first step
-///   nearest_outside(places, pose)                 where those belong, if they are to be put outside
-///   moved(point), forget()                        what a detector remembers of distances does not hold any more
+///   initial_overlap(points, pose)                 points that are inside before the first step
+///   nearest_outside(places, pose)                 relocated positions of such points
+///   moved(point), forget()                        invalidate cached distances
 ///   effort()                                      work done so far
-///   visit_state(visitor)                          what the next step depends on (core/state.hpp)
-///   visit_record(visitor)                         what was only counted: effort()
+///   visit_state(visitor)                          what the next step depends on (base/state.hpp)
+///   visit_record(visitor)                         statistics only: effort()
 #pragma once
 
 #include <variant>

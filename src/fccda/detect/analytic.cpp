@@ -29,10 +29,10 @@ void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d&
   const double reach = shape_radius() + radius_;
   const double offset = 1e-12 * reach;
   if (!std::visit([&](const auto& region) { return region.may_touch(path, radius_ + offset); }, region_)) return;
-  ++found.effort.points_in_region;
+  ++found.effort.points_in_bounds;
   ++found.effort.points_asked;
 
-  // |a + f w| <= reach, a and w being the start's and the way's parts off the centre or axis
+  // |a + f w| <= reach, with a and w the components of the start and of the path off the centre or axis
   const Vec3d a = from_centre(path.start), z = from_centre(path.end), w = z - a;
   const double aw = dot(a, w), ww = squared_norm(w), end = norm(z);
   const double nearest = ww > 0 ? std::clamp(-aw / ww, 0.0, 1.0) : 0.0;
@@ -50,13 +50,17 @@ void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d&
 
   Vec3d normal = normalised(z), place = path.end + (reach + offset - end) * normal;
   if (dot(a, z) <= 0) normal = touching, place = path.at(first) + offset * touching;
+  constexpr double in_contact = 0.01;  // of the way, as in relocation.cpp
+  const double start = norm(a);
+  const bool began = start >= reach - offset && start <= reach + offset + in_contact * path.length() && dot(a, z) > 0;
   found.contacts.push_back({.point = point,
                             .panel = -1,
                             .time_fraction = first,
                             .hit = motion.t1.to_world(hit),
                             .normal = motion.t1.turn_to_world(normal),
                             .relocation = motion.t1.to_world(place),
-                            .depth = norm(place - path.end)});
+                            .depth = norm(place - path.end),
+                            .normal_t0 = began ? motion.t0.turn_to_world(a / start) : Vec3d{}});
 }
 
 }  // namespace fccda

@@ -1,11 +1,11 @@
-/// Contact with a sphere or an infinite circular cylinder by the distance to its centre or axis (seed paper, section 2.2, eqs. 6 to 8):
-/// the "original" peridynamic contact, and what meshes of those shapes converge to.
+/// Contact with a sphere or an infinite circular cylinder by the distance to its centre or axis (Zhang et al., section 2.2, eqs. 6 to 8): the
+/// "original" peridynamic contact, and the limit of meshes of those shapes.
 ///
-/// A point touches where it ends nearer to the centre or axis than R + r, and is put back at that distance, straight out from where it
-/// ended. Two mends for long steps: where the path, straight in the frame of the body, ends beyond the centre, inside or right through,
-/// the point is put where it first touched. A path that only grazes and ends outside on its own side is no contact.
+/// A point is in contact if it ends nearer to the centre or axis than R + r. It is relocated to that distance, radially outward from its end.
+/// Two corrections apply to long steps. If the path, straight in the body frame, ends beyond the centre, inside or right through, the point
+/// is relocated to its position of first contact. A path that only grazes and ends outside on its own side is not in contact.
 ///
-/// A region bounds where the surface is felt. Nothing is remembered: a point that comes into the region inside the shape is struck.
+/// Contact bounds limit where contact counts. The detector is stateless: a point that enters the bounds inside the shape is in contact.
 #pragma once
 
 #include <optional>
@@ -14,15 +14,15 @@
 #include <variant>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
+#include "fccda/contact_bounds/all_contact_bounds.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/every_point.hpp"
 #include "fccda/detect/points.hpp"
-#include "fccda/region/all_regions.hpp"
+#include "fccda/rigid_body/pose.hpp"
 
 namespace fccda {
 
-/// In the frame of the body.
+/// In the body frame.
 struct Sphere {
   double radius = 0;  ///< [m]
   Vec3d centre{};     ///< [m]
@@ -46,29 +46,29 @@ class Analytic {
   static constexpr std::string_view name = "analytic";
 
   /// `radius`: contact radius [m].
-  Analytic(const AnalyticShape& shape, const Region& region, double radius) : shape_(shape), region_(region), radius_(radius) {}
+  Analytic(const AnalyticShape& shape, const ContactBounds& region, double radius) : shape_(shape), region_(region), radius_(radius) {}
 
-  /// Adds the contacts of one step to `out`, in point order. Asks every point; the travel of the surface is not needed.
+  /// Adds the contacts of one step to `out`, in point order. Evaluates every point; the travel of the surface is not needed.
   template <Points P>
   void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
     look_at_every_point(points, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
     gather(out);
   }
 
-  /// As Swept answers it; looks at every point again.
+  /// As Swept::redetect, but evaluates every point again.
   template <Points P>
   void redetect(const P& points, const Motion& motion, double surface_travel, double, std::vector<Contact>& out) {
     detect(points, motion, surface_travel, out);
   }
 
-  /// The same for chosen points, in rising order, that somebody else displaced since.
+  /// The same for selected points, in ascending order, that were displaced since.
   template <Points P>
   void detect_again(const P& points, const Motion& motion, double, std::span<const std::size_t> which, std::vector<Contact>& out) {
     look_at_points(which, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
     gather(out);
   }
 
-  /// Those of the points that are nearer than R + r at t1, for all that was done.
+  /// Those of the points that are nearer than R + r at t1 in spite of the response.
   template <Points P>
   std::vector<std::size_t> still_inside(const P& points, const Motion& motion, std::span<const std::size_t> which) {
     std::vector<std::size_t> inside;
@@ -77,19 +77,19 @@ class Analytic {
     return inside;
   }
 
-  void moved(std::size_t) {}  ///< nothing is remembered
+  void moved(std::size_t) {}  ///< stateless
   void forget() {}
 
-  /// The points nearer than R + r at the poses of t0. Touching is not inside: 1e-9 R is allowed for.
+  /// The points nearer than R + r at the poses of t0. Contact alone is not inside, within a tolerance of 1e-9 R.
   template <Points P>
-  std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
+  std::vector<std::size_t> initial_overlap(const P& points, const Pose& pose) const {
     std::vector<std::size_t> inside;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (points.occupied(i) && is_inside(pose.to_body(points.position_t0(i)))) inside.push_back(i);
     return inside;
   }
 
-  /// Where such points belong [m], in the world: straight out from the centre or axis; nothing for one that is exactly there.
+  /// Relocated positions of such points [m], in the world frame: radially outward; nothing for one exactly at the centre or on the axis.
   std::vector<std::optional<Vec3d>> nearest_outside(std::span<const Vec3d> points, const Pose& pose) const;
 
   const Effort& effort() const { return effort_; }
@@ -123,7 +123,7 @@ class Analytic {
   void look_at(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const;
 
   AnalyticShape shape_;
-  Region region_;
+  ContactBounds region_;
   double radius_;
   Effort effort_;
   std::vector<Found> found_;  // of each block

@@ -1,20 +1,20 @@
-/// What a detector finds.
+/// Results of contact detection.
 #pragma once
 
 #include <cstddef>
 
-#include "fccda/body/pose.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
+#include "fccda/rigid_body/pose.hpp"
 
 namespace fccda {
 
-/// The surface as what a point slides on.
+/// Interface for sliding: limits the motion of a point along the surface.
 class SlidingSurface {
  public:
-  /// Where a point gets to that a detector relocated to `from` and friction moves on to `to` [m], places of the world with the body at
-  /// `pose`. `radius` [m]: of contact, of the point. It goes straight until the surface is in its way, and along that from there on, in each part by the
-  /// projection of what is left of the whole way. So it is never nearer to the surface than it may be, crosses nothing, and goes no further than it was to.
-  /// `to` to the bit where nothing is in the way.
+  /// The end position of a point that a detector relocated to `from` and that friction moves on to `to` [m]; world frame, with the body at
+  /// `pose`. `radius` [m]: contact radius of the point. It moves straight until the surface obstructs it, and then along the surface, each
+  /// part being the projection of the remaining displacement. So it never comes nearer to the surface than the contact radius, crosses
+  /// nothing, and moves no farther than intended. Exactly `to` if unobstructed.
   virtual Vec3d slide(const Pose& pose, const Vec3d& from, const Vec3d& to, double radius) const = 0;
 
  protected:
@@ -24,37 +24,40 @@ class SlidingSurface {
   ~SlidingSurface() = default;
 };
 
-/// A point that struck the surface during a step. Positions and directions are of the world frame, with the surface where it is
-/// at the end of the step.
+/// Contact of one point during a step. Positions and directions are in the world frame, with the surface at its position at the end of the
+/// step.
 struct Contact {
   std::size_t point = 0;
-  int panel = -1;            ///< that the point is put back on, numbered as in the file; -1 where the surface has no panels
-  double time_fraction = 0;  ///< of first touch, 0 at t0 to 1 at t1; at which the ball, or the point, meets the surface
-  Vec3d hit{};               ///< [m] of the surface, where it was first touched
-  Vec3d normal{};            ///< unit, out of the surface, at the place the point is put back on
-  Vec3d relocation{};        ///< [m] where the point belongs at t1: at the contact radius from the surface
-  double depth = 0;          ///< [m] from where the point had gone to the relocation
+  int panel = -1;            ///< panel of the relocation, numbered as in the file; -1 if the surface has no panels
+  double time_fraction = 0;  ///< time of impact, 0 at t0 to 1 at t1: the ball, or the point, first meets the surface
+  Vec3d hit{};               ///< [m] point of the surface first in contact
+  Vec3d normal{};            ///< unit, out of the surface, at the relocated position
+  Vec3d relocation{};        ///< [m] relocated position at t1, at the contact radius from the surface
+  double depth = 0;          ///< [m] distance from the unconstrained position to the relocation
   double radius = 0;         ///< [m] contact radius of the point
-  /// Where friction may take the point; the detector itself, which must be there when contacts are responded to. Null where nothing can be
-  /// in the way: on a sphere or cylinder, which falls away to all sides.
+  /// Unit, out of the surface, at the position of the point at t0 with the surface at t0; 0 if the point was not in contact there, or slid into
+  /// another part of the surface. An impulse along it does no work on sliding (respond.hpp).
+  Vec3d normal_t0{};
+  /// For sliding with friction: the detector itself, which must exist until the contacts are resolved. Null if nothing can obstruct the point:
+  /// a sphere or cylinder is convex.
   const SlidingSurface* sliding = nullptr;
 };
 
-/// How much work a detection was, for the run report.
+/// Amount of work of detections, for the run report.
 struct Effort {
-  std::size_t points_in_region = 0;  ///< whose path may touch the region
-  std::size_t points_asked = 0;      ///< whose distance to the surface was looked up
-  std::size_t panels_asked = 0;      ///< pairs of point and triangle (or panel) that were computed
+  std::size_t points_in_bounds = 0;  ///< points whose path may intersect the contact bounds
+  std::size_t points_asked = 0;      ///< points whose distance to the surface was searched
+  std::size_t panels_asked = 0;      ///< pairs of point and triangle (or panel) evaluated
 
   Effort& operator+=(const Effort& b) {
-    points_in_region += b.points_in_region, points_asked += b.points_asked, panels_asked += b.panels_asked;
+    points_in_bounds += b.points_in_bounds, points_asked += b.points_asked, panels_asked += b.panels_asked;
     return *this;
   }
 
-  /// As core/state.hpp says.
+  /// See base/state.hpp.
   template <class Visitor>
   void visit(Visitor& visitor) {
-    visitor("points_in_region", points_in_region);
+    visitor("points_in_bounds", points_in_bounds);
     visitor("points_asked", points_asked);
     visitor("panels_asked", panels_asked);
   }

@@ -1,4 +1,4 @@
-/// The loops of detectors over points: over every one, and over chosen ones.
+/// Parallel loops of detectors over points: over all, and over selected ones.
 #pragma once
 
 #include <algorithm>
@@ -6,13 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fccda/detect/points.hpp"
 
 namespace fccda {
 
-/// Calls look_at(point, found of its block) for each point. Blocks are dealt with in parallel, each with a Found of its own, in
-/// `found`, so that what is gathered from them in order does not depend on the number of threads.
+/// Calls look_at(point, found of its block) for each point. Blocks are processed in parallel, each with its own Found in `found`, so that the
+/// results gathered in order do not depend on the number of threads.
 template <Points P, class Found, class LookAt>
 void look_at_every_point(const P& points, std::vector<Found>& found, const LookAt& look_at) {
   found.resize(points.block_count());
@@ -24,7 +24,7 @@ void look_at_every_point(const P& points, std::vector<Found>& found, const LookA
   });
 }
 
-/// The same for chosen points, 64 at a time.
+/// The same for selected points, 64 at a time.
 template <class Found, class LookAt>
 void look_at_points(std::span<const std::size_t> which, std::vector<Found>& found, const LookAt& look_at) {
   constexpr std::size_t share = 64;

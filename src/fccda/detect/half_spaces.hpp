@@ -1,4 +1,4 @@
-/// The nearest place that lies before a few planes: the projection onto a convex polyhedron.
+/// Projection of a point onto the intersection of a few half-spaces (a convex polyhedron).
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "fccda/core/contract.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/contract.hpp"
+#include "base/vec3.hpp"
 
 namespace fccda {
 
@@ -22,8 +22,8 @@ class HalfSpaces {
     half_spaces_[count_++] = {normal, least};
   }
 
-  /// The place nearest to `wanted` that is in all of them, but for `slack` [m]. In three dimensions it lies on at most three of the
-  /// planes, so all choices of one, two and three are tried. Nothing where the half-spaces have no place in common.
+  /// The point nearest to `wanted` that is in all of them, within `slack` [m]. In three dimensions it lies on at most three of the planes, so
+  /// all combinations of one, two and three are tried. Nothing if the intersection is empty.
   std::optional<Vec3d> nearest(const Vec3d& wanted, double slack) const {
     Search search{*this, wanted, slack, {}, std::numeric_limits<double>::infinity()};
     search.consider(wanted);
@@ -77,7 +77,7 @@ class HalfSpaces {
 
   static constexpr double parallel = 1e-20;  // squared sine of the angle between planes
 
-  /// What the place lacks to be in the i-th [m].
+  /// Signed distance to the i-th half-space [m], positive outside it.
   double missing(std::size_t i, const Vec3d& place) const { return half_spaces_[i].least - dot(half_spaces_[i].normal, place); }
 
   std::array<HalfSpace, most> half_spaces_;

@@ -7,7 +7,7 @@ namespace fccda {
 
 std::optional<Vec3d> nearest_outside(const PathTest& test, const Vec3d& point) {
   const Surface& surface = test.surface();
-  // rounding of the place itself, and of its distance when it is asked for again
+  // rounding of the position itself, and of its distance in a later query
   const double offset = std::max(1e-12 * test.size(), 32 * std::numeric_limits<double>::epsilon() * largest_magnitude(point));
   constexpr int most_projections = 10;
   Vec3d place = point;

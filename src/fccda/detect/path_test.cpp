@@ -12,7 +12,7 @@ PathAnswer nothing(double clearance) { return {.clearance = clearance}; }
 
 }  // namespace
 
-PathTest::PathTest(SharedSurface surface, Region region, double radius)
+PathTest::PathTest(SharedSurface surface, ContactBounds region, double radius)
     : shared_(std::move(surface)),
       surface_(&shared_->surface()),
       bvh_(&shared_->bvh()),
@@ -23,10 +23,10 @@ PathTest::PathTest(SharedSurface surface, Region region, double radius)
   size_ = std::max({extent.x, extent.y, extent.z});
 }
 
-// 1 outside, -1 inside (or behind), 0 where it cannot be told: beyond the rim of an open surface.
+// 1 outside, -1 inside (or behind), 0 if undetermined: beyond the boundary of an open surface.
 int PathTest::side(const ClosestPoint& closest, const Vec3d& point, std::size_t& asked) const {
   const auto t = static_cast<std::size_t>(closest.triangle);
-  if (!surface_->is_closed() && surface_->is_rim(t, closest.feature)) return 0;
+  if (!surface_->is_closed() && surface_->is_boundary_edge(t, closest.feature)) return 0;
   if (dot(point - closest.point, surface_->pseudonormal(t, closest.feature)) < 0) return -1;
   return solids_->may_be_buried(closest.triangle) && solids_->another_holds(closest.triangle, point, asked) ? -1 : 1;
 }
@@ -45,7 +45,7 @@ bool PathTest::is_inside(const Vec3d& point, double tolerance, double radius) co
 
 bool PathTest::leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& asked) const {
   if (surface_->is_closed() && too_near(at_end, path.end, ball.radius - ball.offset, asked)) return true;
-  // No point of the path is nearer than half of what the distances at its ends leave of its length.
+  // No point of the path is nearer than half of the difference between the distances at its ends and its length.
   if (at_start.distance + at_end.distance > 2 * ball.radius + path.length() + ball.offset) return false;
   if (ball.radius == 0) return bvh_->first_hit(path.start, path.end, asked).has_value();
   const double limit = ball.radius - ball.offset;
@@ -53,12 +53,12 @@ bool PathTest::leads_to_contact(const Path& path, const ClosestPoint& at_start, 
   return nearest && *nearest < limit;
 }
 
-std::optional<PathTest::Leg> PathTest::first_leg(const BentPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end,
+std::optional<PathTest::Leg> PathTest::first_leg(const CurvedPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end,
                                                  const Ball& ball, std::size_t& asked) const {
   const int parts = path.parts();
   Leg leg{{start, start}, at_start, 0, 1.0 / parts};
   for (int k = 0; k < parts;) {
-    // The parts that end before the surface can be near need no look.
+    // Parts that end before the surface can be near are skipped.
     const double far = (leg.at_start.distance - ball.radius - ball.offset) / path.longest_part();
     const bool skips = parts > 1 && far > 1;
     k += skips ? static_cast<int>(std::min(far, static_cast<double>(parts - k))) : 1;
@@ -78,31 +78,31 @@ std::optional<PathTest::Leg> PathTest::first_leg(const BentPath& path, const Vec
 PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effort) const {
   const Path& path = question.path.chord();
   const double offset = question.offset, reach = question.radius + offset;
-  const double way = path.length() + question.path.bulge();  // no place of the path is further from its ends
-  if (!std::isfinite(way)) return nothing(0);
+  const double path_length = path.length() + question.path.bulge();  // bounds the distance of any point of the path from its ends
+  if (!std::isfinite(path_length)) return nothing(0);
 
-  // Far from the region or from the surface's bounds.
+  // Far from the contact bounds or from the bounding box of the surface.
   const bool may_touch = std::visit([&](const auto& region) { return region.may_touch(path, reach + question.path.bulge()); }, region_);
   if (!may_touch) return nothing(question.entered ? 0 : std::visit([&](const auto& region) { return region.distance_at_least(path.end); }, region_) - reach);
-  ++effort.points_in_region;
+  ++effort.points_in_bounds;
   const double from_bounds = surface_->report().bounds.distance(path.end);
-  if (from_bounds > reach + way && !question.entered) return nothing(from_bounds - reach);
+  if (from_bounds > reach + path_length && !question.entered) return nothing(from_bounds - reach);
 
   ++effort.points_asked;
   std::size_t& asked = effort.panels_asked;
-  const double cap = reach + way + question.look_ahead;
-  Bvh::Nearby nearby;  // holds the start, and mostly the place of relocation
-  const std::optional<ClosestPoint> at_end = bvh_->closest(path.end, cap, guess, 2 * way + 4 * offset, nearby, asked);
+  const double cap = reach + path_length + question.look_ahead;
+  Bvh::Nearby nearby;  // contains the start, and usually the relocated position
+  const std::optional<ClosestPoint> at_end = bvh_->closest(path.end, cap, guess, 2 * path_length + 4 * offset, nearby, asked);
   const bool clips = std::visit([](const auto& region) { return region.clips(); }, region_);
   const bool comes = clips && !std::visit([&](const auto& region) { return region.may_touch({path.start, path.start}, reach); }, region_);
   if (at_end) guess = at_end->triangle;
   if (!comes && !question.entered) {
     if (!at_end) return nothing(cap - reach);
     const bool may_be_deep = surface_->is_closed() && side(*at_end, path.end, asked) < 0;
-    if (at_end->distance > reach + way && !may_be_deep) return nothing(at_end->distance - reach);
+    if (at_end->distance > reach + path_length && !may_be_deep) return nothing(at_end->distance - reach);
   }
 
-  // Near: where does it come from?
+  // Near: determine the side of the start.
   const std::optional<ClosestPoint> found = bvh_->closest(path.start, nearby, guess, asked);
   if (!found) return nothing(0);
   ClosestPoint at_start = *found;
@@ -113,17 +113,17 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
     answer.leaves = true;
     entered = false;
   }
-  // A start inside that nothing explains: it came round through what is not felt, be it another part of a clipped closed surface or the
-  // rim of an open one. By less than a step's way it is what friction or rounding left of a contact; an open surface that touched it a
-  // step ago has it from another impactor that pushes against it.
-  const auto is_deep = [&] { return too_near(at_start, path.start, question.radius - way, asked); };
+  // A start inside without a known cause: the point entered where contact is ignored, through a clipped part of a closed surface or round the
+  // boundary of an open one. Within the path length of a step, it is a residue of friction or rounding. If an open surface was in contact
+  // with it in the previous step, another impactor pushed it there.
+  const auto is_deep = [&] { return too_near(at_start, path.start, question.radius - path_length, asked); };
   const auto came_round = [&] {
     if (surface_->is_closed()) return comes || (clips && question.renumbered && is_deep());
     return !question.touched && is_deep();
   };
   if (!entered && starts_near && came_round()) {
     answer.enters = entered = true;
-    answer.anew = comes || !question.renumbered;
+    answer.is_first_entry = comes || !question.renumbered;
   }
   if (entered && surface_->is_closed()) {
     answer.clearance = 0;
@@ -132,18 +132,18 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
   if (entered) answer.clearance = 0;
   if (!at_end) return answer;
 
-  // An open surface is struck from its front; from elsewhere, and by what came round its rim, only where its centre crosses.
+  // An open surface detects balls from its front only; from elsewhere, and for points that came round its boundary, only centre crossings count.
   const bool in_front = surface_->is_closed() || side(at_start, path.start, asked) > 0;
   Ball ball{in_front && !entered ? question.radius : 0, offset};
   Vec3d start = path.start;
-  if (starts_near && !entered) {  // pinched between impactors: from the nearest place outside
+  if (starts_near && !entered) {  // pinched between impactors: start from the nearest position outside
     if (solids_->may_be_buried(at_start.triangle)) at_start = nearest(start, at_start.triangle, asked)->closest;
     start = at_start.point + (ball.radius + offset) * outward(at_start, start, 0.5 * offset);
     at_start.distance = ball.radius + offset;
   }
   std::optional<Leg> leg;
   if (!in_front && !entered && question.radius > 0 && at_start.distance >= question.radius - offset) {
-    // The whole ball has room beside or behind the surface. It may come round to the front, and is struck as a ball if it touches there first.
+    // The whole ball is clear beside or behind the surface. It may come round to the front, and counts as a ball if it makes contact there first.
     const Ball whole{question.radius, offset};
     leg = first_leg(question.path, start, at_start, *at_end, whole, asked);
     if (leg && first_touch(*leg, whole, asked).front)
@@ -161,8 +161,9 @@ PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effor
     return answer;
   }
   const Vec3d& from = leg->path.start;
-  const Vec3d viewer = from + offset * outward(leg->at_start, from, offset);  // a start on the surface sees its own panel
+  const Vec3d viewer = from + offset * outward(leg->at_start, from, offset);  // so that a start on the surface faces its own panel
   relocate(touch, path.end, *at_end, {nearby, from, viewer, ball}, asked);
+  if (!starts_near) touch.normal_t0 = normal_at_start(*leg, touch, path, ball);
   answer.touch = touch;
   answer.held = ball.radius == question.radius;
   return answer;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fccda/search/closest_point.hpp"
+#include "mesh/search/closest_point.hpp"
 
 namespace fccda {
 
@@ -14,7 +14,7 @@ double triangle_area(const std::array<double, 2>& a, const std::array<double, 2>
   return 0.5 * std::fabs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
 }
 
-/// Eq. 15 with the projection along `axis`: whether the areas that the point spans with the panel's edges add up to the panel's.
+/// Eq. 15 with the projection along `axis`: whether the areas of the point with the panel's edges add up to the panel's.
 bool areas_agree(const std::array<Vec3d, 4>& node, std::size_t nodes, const Vec3d& point, std::size_t axis) {
   constexpr double infinitesimal = 1e-9;  // of the panel's area
   const auto project = [&](const Vec3d& p) { return std::array{p[(axis + 1) % 3], p[(axis + 2) % 3]}; };
@@ -37,13 +37,13 @@ void Rejections::count(Verdict verdict) {
   by_eq20 += verdict == Verdict::eq20;
 }
 
-Published::Published(std::shared_ptr<const Surface> surface, const Region& region, Reading reading)
+Published::Published(std::shared_ptr<const Surface> surface, const ContactBounds& region, Variant variant)
     : surface_(std::move(surface)),
       region_(region),
-      reading_(reading),
+      variant_(variant),
       sign_(surface_->panels().panels.size(), 1),
       sides_(std::make_shared<const PathTest>(surface_, region_, 0)) {
-  // Panels may be wound either way in the file; the surface knows which side is outside, and which panels it dropped.
+  // Panels may have either winding in the file; the surface knows its outside, and which panels it dropped.
   std::vector<int> sign(sign_.size(), 0);
   for (std::size_t t = 0; t < surface_->triangles().size(); ++t) {
     const auto panel = static_cast<std::size_t>(surface_->triangles()[t].panel);
@@ -61,7 +61,7 @@ Published::Plane Published::plane(std::size_t panel, const Pose& pose) const {
     its.node[k] = pose.to_world(surface_->panels().vertices[static_cast<std::size_t>(vertex[k])]);
     its.box.include(its.node[k]);
   }
-  // Eq. 16: the product of the diagonals, which is (twice) the area's normal for a warped quad too.
+  // Eq. 16: the product of the diagonals, which is (twice) the area vector for a warped quad too.
   const Vec3d area = its.nodes == 4 ? cross(its.node[2] - its.node[0], its.node[3] - its.node[1]) : cross(its.node[1] - its.node[0], its.node[2] - its.node[0]);
   its.normal = sign_[panel] * normalised(area);
   its.d = -dot(its.normal, its.node[0]);
@@ -78,7 +78,7 @@ void Published::place(const Motion& motion) {
   });
 }
 
-Verdict Published::judge_by_letter(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) {
+Verdict Published::judge_literal(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) {
   const auto& [before, after] = panel;
   if (!within(x_t0.y, before.box.low.y, before.box.high.y) || !within(x_t0.z, before.box.low.z, before.box.high.z)) return Verdict::eq14;
   if (!areas_agree(before.node, before.nodes, x_t0, 2)) return Verdict::eq15;
@@ -89,7 +89,7 @@ Verdict Published::judge_by_letter(const Planes& panel, const Vec3d& x_t0, const
   return Verdict::accepted;
 }
 
-Verdict Published::judge_repaired(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1) {
+Verdict Published::judge_corrected(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1) {
   const auto& [before, after] = panel;
   const Vec3d low = min(x_t0, x_t1), high = max(x_t0, x_t1);
   const Vec3d panel_low = min(before.box.low, after.box.low), panel_high = max(before.box.high, after.box.high);
@@ -106,7 +106,7 @@ Verdict Published::judge_repaired(const Planes& panel, const Vec3d& x_t0, const 
 // Eqs. 18 and 19.
 Vec3d Published::relocated(const Plane& plane, const Vec3d& x_t1) const {
   const Vec3d on_plane = x_t1 - plane.height(x_t1) * plane.normal;
-  if (reading_ == Reading::letter) return on_plane;
+  if (variant_ == Variant::literal) return on_plane;
   Vec3d best = closest_on_triangle(on_plane, {plane.node[0], plane.node[1], plane.node[2]}).point;
   if (plane.nodes == 4) {
     const Vec3d other = closest_on_triangle(on_plane, {plane.node[2], plane.node[3], plane.node[0]}).point;
@@ -122,7 +122,7 @@ void Published::look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1,
   const Vec3d low = min(path.start, path.end), high = max(path.start, path.end);
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!(low[axis] <= bounds.high[axis] && high[axis] >= bounds.low[axis])) return;
-  ++found.effort.points_in_region;
+  ++found.effort.points_in_bounds;
   ++found.effort.points_asked;
   for (std::size_t panel = 0; panel < sign_.size(); ++panel) {
     if (sign_[panel] == 0) continue;

@@ -1,4 +1,4 @@
-// Where a point that touches is put.
+// Relocation of points in contact, outside the surface.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace fccda {
 
-// Unit direction out of the surface at a closest point: along the line to `point`, or the pseudonormal where that line is too short
-// to have a direction.
+// Unit outward direction at a closest point: along the line to `point`, or the pseudonormal if that line is too short to define a
+// direction.
 Vec3d PathTest::outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const {
   const Vec3d& normal = surface_->pseudonormal(static_cast<std::size_t>(closest.triangle), closest.feature);
   if (!(closest.distance > tiny)) return normal;
@@ -26,8 +26,8 @@ std::optional<PathTest::Nearest> PathTest::nearest(const Vec3d& point, const Bvh
   return Nearest{deepest->closest, deepest->signed_distance};
 }
 
-// The closest point among the triangles that face the viewer; of overlapping solids only on the one that `closest` belongs to, for its
-// neighbours' triangles may lie buried in it.
+// The closest point among the triangles that face the viewer. Of overlapping solids only the one that `closest` belongs to is searched, since
+// triangles of the others may be buried in it.
 std::optional<ClosestPoint> PathTest::closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest,
                                                      std::size_t& asked) const {
   if (!solids_->several()) return bvh_->closest_facing(point, viewer, cap, asked);
@@ -40,7 +40,7 @@ ClosestPoint PathTest::closest_on(int triangle, const Vec3d& point) const {
   return {triangle, on.feature, on.point, norm(point - on.point)};
 }
 
-// Where the path touches first, and a place there: the fallback of relocation.
+// First contact along the path and a position there: the fallback of relocation.
 Touch PathTest::first_touch(const Leg& leg, const Ball& ball, std::size_t& asked) const {
   const Path& path = leg.path;
   Touch touch{.time_fraction = leg.begin,
@@ -48,7 +48,7 @@ Touch PathTest::first_touch(const Leg& leg, const Ball& ball, std::size_t& asked
               .normal = outward(leg.at_start, path.start, ball.offset),
               .relocation = path.start,
               .triangle = leg.at_start.triangle};
-  // At the radius itself, which no offset moves: where the path grazes an edge the normal hangs on it.
+  // At the radius itself, without the offset: where the path grazes an edge, the normal depends on it.
   const double sharp = 1e-3 * ball.offset;
   const std::optional<Crossing> first =
       ball.radius == 0 ? bvh_->first_hit(path.start, path.end, asked) : bvh_->first_touch(path.start, path.end, ball.radius, sharp, asked);
@@ -64,21 +64,21 @@ Touch PathTest::first_touch(const Leg& leg, const Ball& ball, std::size_t& asked
   return touch;
 }
 
-// A place that the end of the path asks for, not yet clear of other parts of the surface.
+// Relocation candidate for the end of the path; it may still penetrate other parts of the surface.
 std::optional<PathTest::Place> PathTest::first_place(const Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around,
                                                      std::size_t& asked) const {
   const Ball& ball = around.ball;
   const double reach = ball.radius + ball.offset;
   if (side(at_end, end, asked) > 0 && at_end.distance >= ball.radius) {
-    // The path ends outside, past an edge or right through a blade. It loses what it went against the normal after first touch: to put
-    // it on the surface would pull it back, or round to the far side.
+    // The path ends outside, past an edge or on the far side of a blade. Only its motion against the normal after first contact is removed:
+    // projection onto the surface would pull the point back, or round to the far side.
     const Vec3d& normal = touch.normal;
     return Place{end - std::min(0.0, dot(end - touch.relocation, normal)) * normal, normal, at_end.triangle};
   }
   ClosestPoint closest = at_end;
   if (solids_->may_be_buried(at_end.triangle)) closest = nearest(end, at_end.triangle, asked)->closest;
   const auto t = static_cast<std::size_t>(closest.triangle);
-  if (!(dot(around.viewer - surface_->corner(t, 0), surface_->normal(t)) > 0)) {  // else nothing that faces the start is closer
+  if (!(dot(around.viewer - surface_->corner(t, 0), surface_->normal(t)) > 0)) {  // else no triangle that faces the start is closer
     const std::optional<ClosestPoint> facing = closest_facing(end, around.viewer, norm(end - touch.hit) + reach, closest, asked);
     if (!facing) return std::nullopt;
     closest = *facing;
@@ -87,10 +87,10 @@ std::optional<PathTest::Place> PathTest::first_place(const Touch& touch, const V
   return Place{closest.point + reach * direction, direction, closest.triangle};
 }
 
-// Moves a place out to where it is clear of everything. A face's own distance may be too small where another rises beside it. One
-// projection settles a right angle. In narrower places the closest features are taken for planes, one more each time, and the place is the
-// one before all of them that is nearest to `wanted`: in a wedge, however sharp, on the line along its edge, in the tip of a funnel on three
-// of its faces.
+// Moves a position out until it is clear of the whole surface; at the offset from one face it may still be too close to an adjacent one. At a
+// right angle one projection suffices. In narrower corners the closest features are treated as planes, one more per projection, and the result is
+// the admissible position nearest to `wanted`: in a wedge, however sharp, on the line along its edge; in the tip of a funnel on three of its
+// faces.
 std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& asked) const {
   constexpr std::size_t most_projections = 16;
   const Ball& ball = around.ball;
@@ -103,13 +103,13 @@ std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& w
     if (now->distance >= ball.radius + 0.5 * ball.offset) break;
     if (projection == most_projections) return std::nullopt;
     ClosestPoint closest = now->closest;
-    if (now->distance < 0 && solids_->several()) {  // inside another solid: not out at the far side of a thin one
+    if (now->distance < 0 && solids_->several()) {  // inside another solid: avoid leaving a thin one at its far side
       if (const std::optional<ClosestPoint> facing = closest_facing(place.point, around.viewer, Bvh::no_cap, closest, asked)) closest = *facing;
     }
     if (projection == 0 && norm(place.point - wanted) > 0) before.add(place.direction, dot(place.direction, place.point));
     place.direction = outward(closest, place.point, 0.5 * ball.offset);
     place.triangle = closest.triangle;
-    // along a face's own normal, which is exact however near the place is
+    // along the normal of the face, which is exact at any distance
     const Vec3d upright = closest.feature == Feature::face ? surface_->normal(static_cast<std::size_t>(closest.triangle)) : place.direction;
     before.add(upright, dot(upright, closest.point) + reach);
     place.point = closest.point + reach * place.direction;
@@ -119,6 +119,18 @@ std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& w
   }
   if (bvh_->first_hit(around.start, place.point, asked)) return std::nullopt;
   return place;
+}
+
+// Normal at t0 of a ball that was in contact at the start and slid without hitting another part; else zero. Such a ball is relocated along the normal at
+// the end, which has rotated along the path, as round an edge, or not at all. Where the surface rises ahead of it, it makes first contact with another part.
+Vec3d PathTest::normal_at_start(const Leg& leg, const Touch& touch, const Path& path, const Ball& ball) const {
+  constexpr double in_contact = 0.01;  // of the path length: clearance that relocation, sliding and rounding leave
+  constexpr double rounding = 1e-6, most_turned = 0.5;
+  if (ball.radius == 0 || leg.begin > 0 || leg.at_start.distance > ball.radius + ball.offset + in_contact * path.length()) return {};
+  const Vec3d normal = outward(leg.at_start, path.start, ball.offset), travel = touch.relocation - path.start, push = touch.relocation - path.end;
+  if (dot(normal, touch.normal) < most_turned || dot(touch.normal - normal, travel) < -rounding * norm(travel)) return {};
+  if (norm(push - dot(push, touch.normal) * touch.normal) > rounding * norm(push) + 0.1 * ball.offset) return {};
+  return normal;
 }
 
 void PathTest::relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const {
@@ -133,20 +145,20 @@ void PathTest::relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_e
 }
 
 Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const {
-  constexpr std::size_t most_parts = 8;
+  constexpr std::size_t max_parts = 8;
   std::size_t asked = 0;
   const Vec3d total = to - from;
-  // What came in from behind an open surface is a point, until the ball has room.
+  // A ball that entered from behind an open surface is treated as a point until it has clearance.
   const bool is_point = radius > 0 && !surface_->is_closed() && bvh_->closest(from, radius - offset);
   const double clearance = (is_point ? 0 : radius) + 0.5 * offset;
-  std::array<Vec3d, most_parts> walls;
+  std::array<Vec3d, max_parts> walls;
   Vec3d place = from, direction = total;
   double left = 1;
-  for (std::size_t part = 0; part < most_parts; ++part) {
+  for (std::size_t part = 0; part < max_parts; ++part) {
     const Vec3d end = part == 0 ? to : place + left * direction;
     const std::optional<Crossing> touch = bvh_->first_touch(place, end, clearance, 0.1 * offset, asked);
     const Vec3d reached = touch ? place + touch->fraction * (end - place) : end;
-    // Beside an edge an offset away rounding tells no direction, so that a way into it may pass for one along it.
+    // At one offset from an edge, rounding leaves the direction undefined: a path into the edge may be taken for one along it.
     if (reached != place && bvh_->distance_to_segment(place, reached, clearance - 0.25 * offset, asked)) return place;
     if (!touch) return end;
     place = reached;
@@ -162,7 +174,7 @@ Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double radius, double 
     if (!(squared_norm(wall) > 0)) return place;
     wall = normalised(wall);
 
-    // Along the wall, or along the edge between it and the one that this would lead into. Anything else is a corner.
+    // Along the wall, or along its edge with an earlier wall that this direction would enter. Anything else is a corner.
     const double into = -1e-12 * norm(total);
     direction = total - dot(total, wall) * wall;
     const auto leads_into = [&](const Vec3d& other) { return dot(direction, other) < into; };

@@ -19,9 +19,9 @@ void Swept::begin_step(std::size_t point_count, double largest_radius, const Mot
   expect_usable(motion);
   touched_before_.swap(touched_);
   touched_.clear();
-  for (std::vector<std::uint64_t>* numbers : {&entered_, &touched_before_})  // a number given to a new point must not stand for the old one
+  for (std::vector<std::uint64_t>* numbers : {&entered_, &touched_before_})  // the number of a new point must not refer to a removed one
     numbers->erase(std::lower_bound(numbers->begin(), numbers->end(), point_count), numbers->end());
-  if (!same(pose_, motion.t0)) due_.forget();
+  if (!same(pose_, motion.t0)) cache_.forget();
   pose_ = motion.t1;
   measure(largest_radius, motion);
   entered_at_t0_ = entered_;
@@ -30,10 +30,10 @@ void Swept::begin_step(std::size_t point_count, double largest_radius, const Mot
   renumbered_at_t0_ = renumbered_;
 }
 
-// Points in contact have no clearance, so that all of them are looked at again; those that entered or left may have some.
+// Points in contact have no clearance, so all of them are evaluated again; those that entered or left may have some.
 void Swept::begin_again(double largest_radius, const Motion& motion) {
   touched_.clear();
-  for (const std::uint64_t point : changed_) due_.forget(point);
+  for (const std::uint64_t point : changed_) cache_.forget(point);
   changed_.clear();
   entered_ = entered_at_t0_;
   entered_count_ = entered_count_at_t0_;
@@ -42,15 +42,15 @@ void Swept::begin_again(double largest_radius, const Motion& motion) {
   measure(largest_radius, motion);
 }
 
-// How much nearer to the surface the chord of a point's path in the turning body frame can come, for a travel of m = (point) + (surface)
-// from end to end. The true path comes nearer by at most m. It bulges out of its chord by at most (ρ θ² + 2 θ w)/8, a twice integrated
-// acceleration, where ρ <= R + d is the point's distance from the centre of mass, d that from the surface, and w <= m its way. m holds
-// R θ²/8 already. So nothing can be touched while d > r + m + d θ²/8 + θ m/4, that is while
+// Bound of how much nearer to the surface the chord of a point's path in the rotating body frame can come, for a travel of m = (point) +
+// (surface) from end to end. The true path comes nearer by at most m. It deviates from its chord by at most (ρ θ² + 2 θ w)/8, a twice
+// integrated acceleration. Here ρ <= R + d is the point's distance from the centre of mass, d that from the surface, and w <= m its path
+// length. m includes R θ²/8 already. So contact is impossible while d > r + m + d θ²/8 + θ m/4, that is while
 //   d - r > κ (1 + θ/4) m + (κ - 1) r,   κ = 1/(1 - θ²/8).
 void Swept::measure(double largest_radius, const Motion& motion) {
   const Vec3d reach = max(max(test_.surface().report().bounds.high, -test_.surface().report().bounds.low), Vec3d{});
   const double largest = norm(reach) + std::max(largest_magnitude(motion.t0.position()), largest_magnitude(motion.t1.position()));
-  // Rounding a relocated place moves it by sqrt(3) roundings of a coordinate at most; twice that keeps it outside.
+  // Rounding a relocated position moves it by at most sqrt(3) roundings of a coordinate; twice that keeps it outside.
   step_.offset = std::max({1e-12 * test_.size(), 32 * std::numeric_limits<double>::epsilon() * largest, 4 * rounding_ * largest});
   const double angle = rotation_angle(motion);
   constexpr double largest_angle = 1;  // κ is 1.14 there
@@ -65,14 +65,14 @@ void Swept::measure(double largest_radius, const Motion& motion) {
 }
 
 void Swept::grown(std::size_t i) {
-  due_.forget(i);
+  cache_.forget(i);
   if (test_.surface().is_closed()) return;
   const auto place = std::lower_bound(touched_.begin(), touched_.end(), i);
   if (place == touched_.end() || *place != i) touched_.insert(place, i);
 }
 
 void Swept::forget() {
-  due_.forget();
+  cache_.forget();
   std::fill(guess_.begin(), guess_.end(), -1);
 }
 
@@ -85,9 +85,9 @@ void Swept::renumbered() {
 
 void Swept::look_at(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view,
                     double look_ahead, Found& found) {
-  const BentPath path = view.path(position_t0, position_t1);
+  const CurvedPath path = view.path(position_t0, position_t1);
   const bool entered = has_entered(point);
-  const bool fresh = due_.is_new(point);
+  const bool fresh = cache_.is_new(point);
   const PathAnswer answer = test_.ask({.path = path,
                                        .radius = radius,
                                        .offset = step_.offset,
@@ -96,9 +96,9 @@ void Swept::look_at(std::size_t block, std::size_t point, double radius, const V
                                        .touched = was_touched(point),
                                        .renumbered = renumbered_ != 0},
                                       guess_[point], found.effort);
-  due_.postpone(block, point, answer.clearance);
+  cache_.postpone(block, point, answer.clearance);
   if (answer.leaves) found.leaving.push_back(point);
-  if (answer.enters && (!entered || answer.leaves)) found.entering.push_back(point), found.entered_before += !answer.anew;
+  if (answer.enters && (!entered || answer.leaves)) found.entering.push_back(point), found.entered_before += !answer.is_first_entry;
   if (answer.held && !test_.surface().is_closed()) found.touched.push_back(point);
   if (!answer.touch) return;
   const Motion& motion = view.motion();
@@ -111,6 +111,7 @@ void Swept::look_at(std::size_t block, std::size_t point, double radius, const V
                             .relocation = motion.t1.to_world(touch.relocation),
                             .depth = norm(touch.relocation - path.chord().end),
                             .radius = radius,
+                            .normal_t0 = motion.t0.turn_to_world(touch.normal_t0),
                             .sliding = this});
 }
 
@@ -136,7 +137,7 @@ void Swept::gather(std::size_t shares, std::vector<Contact>& out) {
   if (entering.empty() && leaving.empty()) return;
   changed_.insert(changed_.end(), entering.begin(), entering.end());
   changed_.insert(changed_.end(), leaving.begin(), leaving.end());
-  // One that goes out and comes in again within a step has not come in anew.
+  // One that leaves and enters again within a step is not counted again.
   entered_count_ +=
       static_cast<std::size_t>(std::count_if(entering.begin(), entering.end(), [&](std::uint64_t point) { return !has_entered(point); })) - entered_before;
   std::erase_if(entered_, [&](std::uint64_t point) { return std::binary_search(leaving.begin(), leaving.end(), point); });

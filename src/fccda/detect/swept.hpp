@@ -1,7 +1,7 @@
-/// The swept detector: every crossing found, whatever the shape and its orientation, and most points never looked at.
+/// The swept detector: finds every crossing, for any shape and orientation, and skips most points (continuous collision detection).
 ///
-/// What a contact is and where the point goes is path_test.hpp; which points are looked at is search/due.hpp. Points are dealt with in
-/// blocks, in parallel; contacts come out in point order and do not depend on the number of threads.
+/// path_test.hpp defines contact and relocation; distance_cache.hpp selects the points to evaluate. Points are processed in blocks, in
+/// parallel; contacts are in point order and independent of the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 #include <string_view>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
-#include "fccda/core/parallel.hpp"
-#include "fccda/detect/bent_path.hpp"
+#include "base/parallel.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/detect/curved_path.hpp"
+#include "fccda/detect/distance_cache.hpp"
 #include "fccda/detect/every_point.hpp"
 #include "fccda/detect/nearest_outside.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "fccda/detect/points.hpp"
-#include "fccda/search/due.hpp"
+#include "fccda/rigid_body/pose.hpp"
 
 namespace fccda {
 
@@ -27,24 +27,24 @@ class Swept final : public SlidingSurface {
  public:
   static constexpr std::string_view name = "swept";
 
-  /// `radius`: contact radius [m] of points that have none of their own (points.hpp), 0 for points without extent.
-  Swept(SharedSurface surface, const Region& region, double radius) : test_(std::move(surface), region, radius) {}
-  Swept(std::shared_ptr<const Surface> surface, const Region& region, double radius) : Swept(share(std::move(surface)), region, radius) {}
+  /// `radius`: contact radius [m] of points without an individual one (points.hpp), 0 for points without extent.
+  Swept(SharedSurface surface, const ContactBounds& region, double radius) : test_(std::move(surface), region, radius) {}
+  Swept(std::shared_ptr<const Surface> surface, const ContactBounds& region, double radius) : Swept(share(std::move(surface)), region, radius) {}
 
-  /// Relative rounding of the coordinates that relocated points are kept with, where it is more than that of doubles (2^-24 of floats): relocated points keep
-  /// so much further from the surface.
+  /// Relative rounding of the stored coordinates of relocated points, if above that of doubles (2^-24 for floats): relocated points keep a
+  /// correspondingly larger distance from the surface.
   void set_rounding(double of_coordinates) { rounding_ = of_coordinates; }
 
-  /// Adds the contacts of one step to `out`, in point order. `surface_travel` [m]: no point of the surface moves further in this step,
-  /// arc and chord included (RigidBody::travel_bound). Throws InputError where the motion is not finite. A point whose path is not finite
-  /// is not looked at.
+  /// Adds the contacts of one step to `out`, in point order. `surface_travel` [m]: bound of the displacement of any point of the surface in
+  /// this step, for both arc and chord (RigidBody::travel_bound). Throws InputError if the motion is not finite. A point with a path that is
+  /// not finite is skipped.
   template <Points P>
   void detect(const P& points, const Motion& motion, double surface_travel, std::vector<Contact>& out) {
     begin(points, motion);
     const BodyView view(motion, test_.size());
     due_blocks_.clear();
     for (std::size_t b = 0; b < points.block_count(); ++b)
-      if (due_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
+      if (cache_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
                         [&](std::ptrdiff_t k) { look_at_block(points, view, surface_travel, static_cast<std::size_t>(k), 0); });
@@ -52,18 +52,18 @@ class Swept final : public SlidingSurface {
     renumbered_ = 0;
   }
 
-  /// The step that was last detected once more, with another pose of the body at its end: no place of the surface is further than `correction`
-  /// [m] from where it was there before. The points are where they were then, or were reported as `moved`. Finds what `detect` would have
-  /// found with this motion; only points that are near are looked at.
+  /// Repeats the last detection with another pose of the body at the end of the step: no point of the surface is farther than `correction` [m]
+  /// from its previous position there. The points are unchanged, or were reported as `moved`. Finds what `detect` would have found with this
+  /// motion; only points that are near are evaluated.
   template <Points P>
   void redetect(const P& points, const Motion& motion, double surface_travel, double correction, std::vector<Contact>& out) {
     begin_again(largest_radius_of(points), motion);
     const BodyView view(motion, test_.size());
     due_blocks_.clear();
-    // A path that came near and went away may touch now, so all points are due that have less clearance than their way.
+    // A path that came near and went away may now be in contact, so all points with less clearance than their path length are due.
     for (std::size_t b = 0; b < points.block_count(); ++b) {
-      due_.travel(b, correction);
-      if (due_.is_near(b, way(points, b, surface_travel))) due_blocks_.push_back(b);
+      cache_.travel(b, correction);
+      if (cache_.is_near(b, way(points, b, surface_travel))) due_blocks_.push_back(b);
     }
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
@@ -74,66 +74,66 @@ class Swept final : public SlidingSurface {
     renumbered_ = 0;
   }
 
-  /// The same as `detect` for chosen points, in rising order, that somebody else displaced after `detect` looked in this step: their paths lead
-  /// from where they were at t0 to where they are now.
+  /// The same as `detect` for selected points, in ascending order, that were displaced after `detect` in this step: their paths lead from
+  /// their positions at t0 to their current ones.
   template <Points P>
   void detect_again(const P& points, const Motion& motion, double surface_travel, std::span<const std::size_t> which, std::vector<Contact>& out) {
     const BodyView view(motion, test_.size());
     look_at_points(which, found_, [&](std::size_t i, Found& found) {
-      const std::size_t block = due_.block_of(i);
+      const std::size_t block = cache_.block_of(i);
       look_at(block, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view,
               look_ahead(points.block_travel(block) + surface_travel), found);
     });
-    for (const std::size_t i : which) due_.settle_point(i);
+    for (const std::size_t i : which) cache_.update_point(i);
     gather(found_.size(), out);
   }
 
-  /// Of a contact of this step.
+  /// For a contact of this step.
   Vec3d slide(const Pose& pose, const Vec3d& from, const Vec3d& to, double radius) const override;
 
-  /// Those of the points, in rising order, that are inside at t1 for all that was done, or nearer than the contact radius. Points that
-  /// came in where the surface is not felt do not count.
+  /// Those of the points, in ascending order, that are inside at t1, or nearer than the contact radius, in spite of the response. Points that
+  /// entered where contact is ignored do not count.
   template <Points P>
   std::vector<std::size_t> still_inside(const P& points, const Motion& motion, std::span<const std::size_t> which) const {
     return fccda::still_inside(test_, points, motion.t1, which, [&](std::size_t i) { return has_entered(i); });
   }
 
-  /// Somebody else displaced point i after the last detection.
-  void moved(std::size_t i) { due_.forget(i); }
+  /// Reports that point i was displaced after the last detection.
+  void moved(std::size_t i) { cache_.forget(i); }
 
-  /// The radius of point i is larger than in the last detection. Where it starts the next step inside, it was pushed there.
+  /// Reports that the radius of point i is larger than in the last detection. If it starts the next step inside, it counts as pushed there.
   void grown(std::size_t i);
 
-  /// Forgets what is known of distances. Changes no contact, as long as points keep their numbers.
+  /// Discards the cached distances. Does not change contacts, as long as points keep their numbers.
   void forget();
 
-  /// Points have other numbers now, other than by appending some or taking some off the end. Which of them had entered, or were pinched
-  /// against an open surface, is lost with the numbers. So where the surface can be entered (a clipping region, an open surface), points
-  /// that start the next step inside, by more than their way in it, are taken as such that have, and not counted again.
+  /// Reports a renumbering of points other than appending or removing some at the end. The record of points that had entered, or were pinched
+  /// against an open surface, is lost with the numbers. So if the surface can be entered (clipping contact bounds, an open surface), points
+  /// that start the next step inside, by more than their path length in it, are regarded as entered, and not counted again.
   void renumbered();
 
-  /// The points whose centre is inside the surface, or nearer to it than the contact radius, at t0 of the coming step; in front of an
-  /// open surface. Touching is not inside.
+  /// The points whose centre is inside the surface, or nearer to it than the contact radius, at t0 of the coming step; for an open surface, in
+  /// front of it. Contact alone is not inside.
   template <Points P>
-  std::vector<std::size_t> starting_inside(const P& points, const Pose& pose) const {
-    return fccda::starting_inside(test_, points, pose);
+  std::vector<std::size_t> initial_overlap(const P& points, const Pose& pose) const {
+    return fccda::initial_overlap(test_, points, pose);
   }
 
-  /// Where such points of the detector's contact radius belong [m], in the world; nothing where no place is clear of the surface.
+  /// Relocated positions of such points [m], at the detector's contact radius, in the world frame; nothing if no position is clear of the surface.
   std::vector<std::optional<Vec3d>> nearest_outside(std::span<const Vec3d> points, const Pose& pose) const {
     return fccda::nearest_outside(test_, points, pose);
   }
 
-  /// How many points came to be inside where the surface is not felt (beyond a clipping region, round the rim of an open surface).
-  /// They were not struck.
+  /// The number of points that entered where contact is ignored (beyond clipping contact bounds, round the boundary of an open surface). They
+  /// were not in contact.
   std::uint64_t entered_inside() const { return entered_count_; }
 
   const Effort& effort() const { return effort_; }                                ///< of all detections so far
-  std::size_t buried_triangles() const { return test_.solids().buried_count(); }  ///< that may lie in another closed part, wholly or in part
+  std::size_t buried_triangles() const { return test_.solids().buried_count(); }  ///< that may lie in another closed part, fully or partly
   const Surface& surface() const { return test_.surface(); }
-  double radius() const { return test_.radius(); }  ///< [m] of points that have none of their own
+  double radius() const { return test_.radius(); }  ///< [m] of points without an individual one
 
-  /// Calls visit(name, list of numbers) for what the next step depends on; the visitor may write. Distances known are no state.
+  /// Calls visit(name, list of numbers) for the state that the next step depends on; the visitor may write. Cached distances are not state.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit_state_of(*this, visit);
@@ -143,17 +143,17 @@ class Swept final : public SlidingSurface {
     visit_state_of(*this, visit);
   }
 
-  /// The same of what was only counted, which depends on distances known.
+  /// The same for statistics, which depend on the cached distances.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
     effort_.visit(visit);
   }
 
  private:
-  /// Distances are looked up this many steps ahead: most points met are then not asked again for as long.
+  /// Distances are searched this many steps ahead: most points found are then not evaluated again for as long.
   static constexpr double looks_ahead = 64;
 
-  /// How the motion of this step counts.
+  /// Parameters of the motion of this step.
   struct Step {
     double offset = 0;     // [m] of relocated points
     double stretch = 1;    // of distances travelled
@@ -174,8 +174,8 @@ class Swept final : public SlidingSurface {
     blocks_.clear();
     for (std::size_t b = 0; b < points.block_count(); ++b) blocks_.push_back(points.block_begin(b));
     blocks_.push_back(points.size());
-    if (due_.differs_from(blocks_)) {
-      due_.start(blocks_);
+    if (cache_.differs_from(blocks_)) {
+      cache_.start(blocks_);
       guess_.assign(points.size(), -1);
     }
     begin_step(points.size(), largest_radius_of(points), motion);
@@ -192,7 +192,7 @@ class Swept final : public SlidingSurface {
     return step_.approach(points.block_travel(block) + surface_travel);
   }
 
-  /// `near` [m]: points are looked at that are due, or would be after so much more travel.
+  /// `near` [m]: points are evaluated that are due, or would be after this much more travel.
   template <Points P>
   void look_at_block(const P& points, const BodyView& view, double surface_travel, std::size_t k, double near) {
     const std::size_t b = due_blocks_[k];
@@ -200,13 +200,13 @@ class Swept final : public SlidingSurface {
     found.clear();
     const double ahead = look_ahead(points.block_travel(b) + surface_travel);
     for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
-      if (!due_.is_due(b, i, near)) continue;
+      if (!cache_.is_due(b, i, near)) continue;
       if (points.occupied(i))
         look_at(b, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view, ahead, found);
       else
-        due_.postpone(b, i, Bvh::no_cap);
+        cache_.postpone(b, i, Bvh::no_cap);
     }
-    due_.settle(b);
+    cache_.update_block(b);
   }
 
   template <class Self, class Visitor>
@@ -231,20 +231,20 @@ class Swept final : public SlidingSurface {
   PathTest test_;
   double rounding_ = 0;  // of coordinates, relative
   Step step_;
-  std::vector<std::uint64_t> entered_;  // points inside where the surface is not felt, in order: state
-  std::uint64_t entered_count_ = 0;     // how many ever were: state
-  // In order, kept of open surfaces only: points in contact in the step before, and in this step so far. The latter is state.
+  std::vector<std::uint64_t> entered_;  // points that entered where contact is ignored, in order: state
+  std::uint64_t entered_count_ = 0;     // number of entries so far: state
+  // In order, recorded for open surfaces only: points in contact in the previous step, and in this step so far. The latter is state.
   std::vector<std::uint64_t> touched_before_, touched_;
-  std::uint64_t renumbered_ = 0;  // 1: which points had entered is to be found again in the next step: state
+  std::uint64_t renumbered_ = 0;  // 1: the entered points are determined again in the next step: state
 
-  // What begin_again() needs of the step in progress.
+  // Saved for begin_again(), which repeats the step in progress.
   std::vector<std::uint64_t> entered_at_t0_, changed_;  // changed_: points that entered or left in this step
   std::uint64_t entered_count_at_t0_ = 0, renumbered_at_t0_ = 0;
 
   Effort effort_;
 
-  Due due_;                 // caches from here on
-  Pose pose_;               // at the end of the last detection: what `due_` knows of distances holds for it
+  DistanceCache cache_;     // caches from here on
+  Pose pose_;               // at the end of the last detection; the cached distances refer to it
   std::vector<int> guess_;  // the triangle last found near each point
   std::vector<std::size_t> blocks_, due_blocks_;
   std::vector<Found> found_;  // of each due block or, again, of each 64 points

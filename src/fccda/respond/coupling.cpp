@@ -21,7 +21,7 @@ Vector6 product(const std::array<Vector6, 6>& rows, const Vector6& v) {
   return result;
 }
 
-/// x of a x = b by elimination with pivots from the column.
+/// Solves a x = b by Gaussian elimination with partial pivoting.
 Vector6 solve(std::array<Vector6, 6> a, Vector6 b) {
   for (std::size_t k = 0; k < 6; ++k) {
     std::size_t pivot = k;
@@ -41,7 +41,7 @@ Vector6 solve(std::array<Vector6, 6> a, Vector6 b) {
   return b;
 }
 
-/// [m/s] that no place within the radius exceeds.
+/// Upper bound on the speed within the radius [m/s].
 double speed(const Twist& twist, double radius) { return norm(twist.velocity) + radius * norm(twist.spin); }
 
 Impulse operator-(const Impulse& a, const Impulse& b) { return {a.linear - b.linear, a.angular - b.angular}; }
@@ -68,18 +68,18 @@ void Coupling::add(const Contact& contact, double mass, const Vec3d& place, cons
 
   const Vec3d& n = contact.normal;
   const double pressed = -dot(impulse, n);
-  Vec3d along = n;  // of the answer to a change of velocity along the normal
-  bool holds = false;
-  if (friction > 0 && pressed > 0) {
+  Vec3d along = n;  // direction of δJ for a velocity change along the normal
+  bool sticks = false;
+  if (pressed > 0 && (friction > 0 || contact.normal_t0 != Vec3d{})) {
     constexpr double rounding = 1e-9;
-    holds = norm(impulse + pressed * n) < (1 - rounding) * friction * pressed;
+    sticks = friction > 0 && norm(impulse + pressed * n) < (1 - rounding) * friction * pressed;
     along = (-1 / pressed) * impulse;
   }
   for (std::size_t c = 0; c < 6; ++c) {
     Vector6 unit{};
     unit[c] = 1;
     const Vec3d change = first(unit) + cross(second(unit), arm);
-    const Vec3d force = holds ? mass * change : (mass * dot(n, change)) * along, moment = cross(arm, force);
+    const Vec3d force = sticks ? mass * change : (mass * dot(n, change)) * along, moment = cross(arm, force);
     for (std::size_t r = 0; r < 3; ++r) stiffness_[r][c] += force[r], stiffness_[3 + r][c] += moment[r];
   }
 }
@@ -93,7 +93,7 @@ bool Coupling::agrees(double radius, double share) const {
 }
 
 Motion Coupling::correct(RigidBody& body, double radius) {
-  // moments in units of the radius, so that the equations are of one kind
+  // moments are divided by the radius, so that all equations have the same units
   const double length = radius > 0 ? radius : 1;
   std::array<Vector6, 6> matrix{};
   for (std::size_t c = 0; c < 6; ++c) {

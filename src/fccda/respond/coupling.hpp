@@ -1,24 +1,24 @@
-/// The impulse of contact on a body within a step, found together with the motion that it changes.
+/// Implicit coupling of a rigid body's motion and its contact impulse within a step, solved by Newton's method.
 ///
-/// A step moves the body from t0 to t1 with the velocity that it has after the impulse J of the step, and J is what takes the points to where
-/// the surface then is. With q(J) the motion under an assumed impulse and J(q) what respond() finds for a motion, J = J(q(J)) is wanted.
-/// J(q) is piecewise smooth: each point in contact answers a change δv of the surface's velocity with
+/// A step moves the body from t0 to t1 with the velocity after the impulse J of the step, and J depends on where that motion takes the surface.
+/// With q(J) the motion under an assumed impulse and J(q) the impulse that respond() computes for a motion, the equation is J = J(q(J)).
+/// J(q) is piecewise smooth: a change δv of the surface velocity changes the impulse of each point in contact by
 ///
-///   δJ = -B δv,    B = m n nᵀ, m 1 where friction holds the point, m (Δv/Δv·n) nᵀ where it slides
+///   δJ = -B δv,    B = m n nᵀ;  m 1 for a sticking point;  m (Δv/Δv·n) nᵀ where the point slides or the impulse acts along the normal of t0
 ///
-/// so that Newton's method ends after as many passes as it takes for the set of contacts to be found, and one more:
+/// Newton's method therefore converges one pass after the set of contacts is final:
 ///
 ///   (1 + K A) δJ = J(q) - J,    K = Σ Gᵀ B G,  G = (1, -r×),    A: RigidBody::velocity_change
 ///
-/// Each pass is a whole detection and response with the motion of the pass, from points as they were before the first. So no point is left
-/// inside where the body ends, and momentum is kept to rounding, converged or not.
+/// Each pass repeats detection and response with its own motion, from the positions before the first pass. No point therefore remains inside the
+/// body at t1, and momentum is conserved to rounding, converged or not.
 ///
-///   Coupling coupling(body);                       // at t0, with the loads and driven velocities of the step
+///   Coupling coupling(body);                       // at t0, with the loads and prescribed velocities of the step
 ///   Motion motion = coupling.advance(body, dt);
 ///   for (;;) {
 ///     ...                                          // detect and respond; add(…) for each contact
 ///     if (coupling.agrees(radius)) break;
-///     ...                                          // points back to where they were
+///     ...                                          // restore the points
 ///     motion = coupling.correct(body, radius);
 ///   }
 ///   coupling.finish(body);
@@ -26,41 +26,43 @@
 
 #include <array>
 
-#include "fccda/body/rigid_body.hpp"
 #include "fccda/detect/contact.hpp"
+#include "fccda/rigid_body/rigid_body.hpp"
 
 namespace fccda {
 
-/// Of a body: [N s], and [N m s] about its centre of mass.
+/// Impulse on a body: linear [N s], and angular [N m s] about its centre of mass.
 struct Impulse {
   Vec3d linear{}, angular{};
 };
 
+/// Newton iteration for the contact impulse of one step.
 class Coupling {
  public:
-  static constexpr int most_passes = 12;
+  static constexpr int max_passes = 12;
 
   explicit Coupling(const RigidBody& at_t0) : at_t0_(at_t0) {}
 
-  /// The first motion: that of no contact. Leaves the body at t1.
+  /// Starts with the contact-free motion. Leaves the body at t1.
   Motion advance(RigidBody& body, double dt);
 
-  /// What one contact of this pass gave the body [N s]; `place`: of the point after it.
+  /// Adds the impulse [N s] of one contact of this pass; `place`: its point of application (place_of_push).
   void add(const Contact& contact, double mass, const Vec3d& place, const Vec3d& impulse, double friction);
 
-  /// Whether the motion is that of the impulse found, to `share` of what the impulse changes. `radius` [m] of the surface about the centre of mass.
+  /// Returns whether the iteration has converged: assumed and computed impulse agree to the fraction `share` of the velocity change that the impulse
+  /// causes. `radius` [m] of the surface about the centre of mass.
   bool agrees(double radius, double share = 1e-6) const;
 
-  /// Begins the next pass. Returns its motion, and leaves the body at t1 of it.
+  /// Begins the next pass with a Newton update. Returns its motion and leaves the body at its t1.
   Motion correct(RigidBody& body, double radius);
 
-  /// The same where the passes lead nowhere, as when several bodies squeeze the same points: back to the motion of no contact.
+  /// Begins the next pass with the contact-free motion. For iterations that diverge, as when several bodies compress the same points.
   Motion retreat(RigidBody& body, double radius);
 
-  /// [m] no place of the surface is further from where it was at t1 of the pass before.
+  /// [m] upper bound on the displacement of the surface at t1 between the last two passes.
   double correction() const { return correction_; }
 
-  /// Gives the body the impulse that was found. Returns the work of contact on it [J].
+  /// Applies the computed impulse to the body. Returns the work of contact on it [J].
   double finish(RigidBody& body) const;
 
   const Impulse& found() const { return found_; }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/no_such_part.hpp"
+#include "base/error.hpp"
+#include "base/no_such_part.hpp"
 
 namespace fccda {
 

@@ -1,49 +1,49 @@
-/// Gauges: what load cells in a rigid body would read. A gauge sums what contact does to some parts of the surface:
+/// Load gauges of a rigid body, the counterpart of load cells. A gauge sums the contact impulses on given parts of the surface:
 ///
 ///   Σ J,    Σ (x̄ - p) × J,    Σ a·((x̄ - p) × J)                [N s], [N m s], [N m s]
 ///
-/// with J the impulse of a contact on the body and x̄ the place of the struck point, as in respond.hpp. The point p and the axis a
-/// are fixed to the body and move with it; each contact counts with where they are at the end of its step.
+/// with J the impulse of a contact on the body and x̄ the relocated point, as in respond.hpp. The reference point p and the axis a
+/// move with the body; each contact uses their position at the end of its step.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
-#include "fccda/core/state.hpp"
+#include "base/state.hpp"
 #include "fccda/detect/contact.hpp"
-#include "fccda/surface/surface.hpp"
+#include "fccda/rigid_body/pose.hpp"
+#include "mesh/surface.hpp"
 
 namespace fccda {
 
+/// One load gauge.
 class Gauge {
  public:
   struct Mounting {
-    std::vector<std::string> parts;  ///< of the surface; none: all contacts, those of surfaces without panels too
-    Vec3d point{};                   ///< [m] about which moments are taken, in the body frame
+    std::vector<std::string> parts;  ///< of the surface; empty: all contacts, also of surfaces without panels
+    Vec3d point{};                   ///< [m] reference point of the moments, in the body frame
     std::optional<Vec3d> axis;       ///< unit, through the point, in the body frame
   };
 
-  /// What was summed, along the axes of the world.
+  /// Accumulated impulses, in world axes.
   struct Reading {
     Vec3d impulse{};          ///< [N s]
     Vec3d angular_impulse{};  ///< [N m s] about the point
     double about_axis = 0;    ///< [N m s] 0 without an axis
   };
 
-  /// Throws InputError where a part is unknown to the surface.
+  /// Throws InputError if the surface has no part of a given name.
   Gauge(const Mounting& mounting, const Surface& surface);
 
-  /// Call for each contact (from the `report` of respond()). `position`: of the struck point after contact; `motion`: of the body in the
-  /// step.
+  /// Adds one contact; to be called from the `report` of respond(). `position`: of the point after contact; `motion`: of the body in the step.
   void add(const Contact& contact, const Vec3d& position, const Vec3d& impulse, const Motion& motion);
 
   const Reading& reading() const { return reading_; }
   bool has_axis() const { return axis_.has_value(); }
   void reset() { reading_ = {}; }
 
-  /// As fccda/core/state.hpp says.
+  /// State for checkpoints (base/state.hpp).
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit_vector(visit, "impulse", reading_.impulse);

@@ -6,16 +6,16 @@
 #include <queue>
 #include <tuple>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace fccda {
 
 namespace {
 
-/// Every nested area, panel by panel.
+/// All nested areas, in order of growth.
 std::vector<NestedArea> all_of(const PanelFaces& faces, std::span<const double> pressure) {
   const auto most = static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) - pressure.begin());
-  using Candidate = std::tuple<double, double, int>;  // pressure, -distance, -panel: the largest is next
+  using Candidate = std::tuple<double, double, int>;  // pressure, -distance, -panel; the largest is added next
   std::priority_queue<Candidate> candidates;
   std::vector<bool> known(faces.size(), false);
   const auto add = [&](std::size_t panel) {

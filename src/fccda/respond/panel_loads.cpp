@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace fccda {
 

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/checkpoint/fingerprint.hpp"
 #include "io/checkpoint/hdf5.hpp"
 #include "io/output/file.hpp"
@@ -42,10 +42,10 @@ ArraysReader::ArraysReader(const std::filesystem::path& path) : file_(std::make_
   file_->path = path;
   const output::Descriptor readable(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!readable.is_open())
-    throw fccda::InputError(fmt::format("{} cannot be read: {}. Make it readable, or start anew without --resume.", path.string(), std::strerror(errno)));
+    throw fccda::InputError(fmt::format("{} cannot be read: {}. Make it readable, or start a new run without --resume.", path.string(), std::strerror(errno)));
   const Handle access = file_access();
   file_->hdf5 = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
-  expect(file_->hdf5.is_open(), "it is no whole HDF5 file");
+  expect(file_->hdf5.is_open(), "it is not a complete HDF5 file");
 }
 
 ArraysReader::~ArraysReader() = default;
@@ -53,7 +53,7 @@ ArraysReader::~ArraysReader() = default;
 void ArraysReader::expect(bool sound, const std::string& what) const {
   if (!sound)
     throw fccda::InputError(
-        fmt::format("{} is damaged or of another origin: {}. Put back a sound copy, or start anew without --resume.", file_->path.string(), what));
+        fmt::format("{} is damaged or of another run: {}. Restore an intact copy, or start a new run without --resume.", file_->path.string(), what));
 }
 
 std::size_t ArraysReader::length(const std::string& name, NumberType type) {
@@ -61,8 +61,8 @@ std::size_t ArraysReader::length(const std::string& name, NumberType type) {
   expect(array.is_open(), "the array " + name + " is missing");
   const Handle stored(H5Dget_type(array.id()), H5Tclose), space(H5Dget_space(array.id()), H5Sclose);
   const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-  expect(H5Tequal(stored.id(), type_in_memory(type)) > 0 && count >= 0, "the array " + name + " holds other numbers than here");
-  // before memory is taken: what the file says of its arrays cannot be more than it holds
+  expect(H5Tequal(stored.id(), type_in_memory(type)) > 0 && count >= 0, "the array " + name + " has another number type than expected");
+  // before memory is allocated: a stated array size cannot exceed the file size
   expect(count == 0 || static_cast<std::uintmax_t>(count) <= std::filesystem::file_size(file_->path), "the array " + name + " is longer than the file");
   return static_cast<std::size_t>(count);
 }
@@ -72,7 +72,7 @@ void ArraysReader::read(const std::string& name, NumberType type, void* numbers,
   const hid_t kind = type_in_memory(type);
   expect((count == 0 || H5Dread(array.id(), kind, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) >= 0) &&
              has_fingerprint(array.id(), name, numbers, count * H5Tget_size(kind)),
-         "the numbers of " + name + " are not those that were written");
+         "the checksum of " + name + " does not match");
   ++file_->read;
 }
 
@@ -81,11 +81,11 @@ std::string ArraysReader::text(const std::string& name) {
   expect(array.is_open(), "the text " + name + " is missing");
   const Handle type(H5Dget_type(array.id()), H5Tclose), space(H5Dget_space(array.id()), H5Sclose);
   expect(is_text(type.id()) && H5Sget_simple_extent_npoints(space.id()) == 1 && H5Tget_size(type.id()) <= std::filesystem::file_size(file_->path),
-         name + " is no text");
+         name + " is not a text");
   std::string text(H5Tget_size(type.id()), '\0');
   const bool done = H5Dread(array.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) >= 0;
   text.pop_back();
-  expect(done && has_fingerprint(array.id(), name, text.data(), text.size()), "the text " + name + " is not the one that was written");
+  expect(done && has_fingerprint(array.id(), name, text.data(), text.size()), "the checksum of the text " + name + " does not match");
   return text;
 }
 
@@ -110,7 +110,7 @@ double ArraysReader::number(const char* name) {
 std::string ArraysReader::word(const char* name) {
   const Handle attribute(H5Aopen(file_->hdf5.id(), name, H5P_DEFAULT), H5Aclose);
   const Handle type(attribute.is_open() ? H5Aget_type(attribute.id()) : -1, H5Tclose);
-  constexpr std::size_t longest = 1000;  // of a word
+  constexpr std::size_t longest = 1000;  // maximum length of a word
   expect(is_text(type.id()) && H5Tget_size(type.id()) <= longest, fmt::format("{} is missing", name));
   std::string word(H5Tget_size(type.id()), '\0');
   expect(H5Aread(attribute.id(), type.id(), word.data()) >= 0, fmt::format("{} is missing", name));
@@ -118,6 +118,6 @@ std::string ArraysReader::word(const char* name) {
   return word;
 }
 
-void ArraysReader::expect_all_read() { expect(natural("arrays") == file_->read, "it holds other arrays than here"); }
+void ArraysReader::expect_all_read() { expect(natural("arrays") == file_->read, "it contains other arrays than expected"); }
 
 }  // namespace perimpact::checkpoint

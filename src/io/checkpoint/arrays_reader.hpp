@@ -1,4 +1,4 @@
-/// Reads what ArraysWriter wrote, and believes nothing that has been damaged.
+/// Reader of the HDF5 files of ArraysWriter; verifies the checksum of every array.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,18 @@
 #include <string>
 #include <string_view>
 
-#include "fccda/core/state.hpp"
+#include "base/state.hpp"
 #include "io/checkpoint/number_type.hpp"
 
 namespace perimpact::checkpoint {
 
-/// Throws InputError where the file is not one of ArraysWriter, or not whole.
+/// Opens a file. Throws InputError where it was not written by ArraysWriter or is incomplete.
 class ArraysReader {
  public:
   explicit ArraysReader(const std::filesystem::path& path);
   ~ArraysReader();
 
-  /// A visitor of state (fccda/core/state.hpp) that writes into it; lists get the length that they have in the file.
+  /// State visitor (base/state.hpp) that restores the state; lists are resized to their length in the file.
   template <class Values>
   void operator()(std::string_view name, Values&& values) {
     using T = typename decltype(fccda::numbers_in(values))::value_type;
@@ -26,7 +26,7 @@ class ArraysReader {
     const std::size_t count = length(named, number_type<T>());
     if constexpr (fccda::is_list<std::remove_cvref_t<Values>>) values.resize(count);
     const auto numbers = fccda::numbers_in(values);
-    expect(numbers.size() == count, "the array " + named + " has another length than here");
+    expect(numbers.size() == count, "the array " + named + " has another length than expected");
     read(named, number_type<T>(), numbers.data(), count);
   }
 
@@ -37,7 +37,7 @@ class ArraysReader {
   double number(const char* name);
   std::string word(const char* name);
 
-  /// That all arrays of the file were read.
+  /// Checks that all arrays of the file were read.
   void expect_all_read();
 
  private:

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/checkpoint/fingerprint.hpp"
 #include "io/checkpoint/hdf5.hpp"
 #include "io/checkpoint/whole_file_driver.hpp"
@@ -11,15 +11,15 @@ namespace perimpact::checkpoint {
 
 struct ArraysWriter::File {
   explicit File(const std::filesystem::path& its_path) : path(its_path), whole(path), target{whole} {}
-  ~File() { hdf5.close(); }  // while there is still what it writes to
+  ~File() { hdf5.close(); }  // before its target is destroyed
 
-  /// HDF5 fails for want of memory, or for a name that is there; a full disk is told by what the driver met.
+  /// HDF5 fails for lack of memory or for a duplicate name; a full disk is reported through the driver.
   void expect(bool done) const {
     target.rethrow();
     if (!done) throw fccda::RunError(fmt::format("{} cannot be written: HDF5 failed. Everything written before is intact.", path.string()));
   }
 
-  /// The groups above "state/plate/velocity" that are not there yet.
+  /// Creates the missing parent groups of a name such as "state/plate/velocity".
   void make_groups(const std::string& name) {
     for (std::size_t slash = name.find('/', 1); slash != std::string::npos; slash = name.find('/', slash + 1)) {
       const std::string above = name.substr(0, slash);
@@ -32,13 +32,13 @@ struct ArraysWriter::File {
   std::filesystem::path path;
   output::WholeFile whole;
   DriverTarget target;
-  Handle hdf5, group, array;  // how groups and arrays are made: without times, so that equal states make equal files
+  Handle hdf5, group, array;  // creation properties of groups and arrays: without timestamps, so that equal states give equal files
   std::uint64_t arrays = 0;
 };
 
 namespace {
 
-/// One array, or an attribute of it.
+/// A scalar dataspace.
 Handle one_number() { return {H5Screate(H5S_SCALAR), H5Sclose}; }
 
 bool put_attribute(hid_t of, const char* name, hid_t type, const void* value) {
@@ -47,7 +47,7 @@ bool put_attribute(hid_t of, const char* name, hid_t type, const void* value) {
   return attribute.is_open() && H5Awrite(attribute.id(), type, value) >= 0;
 }
 
-/// HDF5's type for a text of so many bytes; it knows none of length 0.
+/// HDF5 string type of that length; HDF5 has none of length 0.
 Handle text_type(std::size_t bytes) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type.id(), bytes + 1);

@@ -1,5 +1,5 @@
-/// Writes arrays of numbers by name into an HDF5 file, with a fingerprint each (docs/guide/restart.md says what such a file holds). The
-/// file appears under its name when finish() returns; until then an earlier one of that name stays.
+/// Writer of named arrays of numbers to an HDF5 file, each with a checksum (contents: docs/guide/restart.md). The file replaces an earlier one
+/// atomically when finish() returns.
 ///
 ///   ArraysWriter file(path);
 ///   file.text("setup", deck::setup_to_text(setup));
@@ -14,18 +14,18 @@
 #include <string>
 #include <string_view>
 
-#include "fccda/core/state.hpp"
+#include "base/state.hpp"
 #include "io/checkpoint/number_type.hpp"
 
 namespace perimpact::checkpoint {
 
-/// Throws RunError where the file cannot be written.
+/// Creates the file. Throws RunError where it cannot be written.
 class ArraysWriter {
  public:
   explicit ArraysWriter(const std::filesystem::path& path);
   ~ArraysWriter();
 
-  /// A visitor of state (fccda/core/state.hpp).
+  /// State visitor (base/state.hpp).
   template <class Values>
   void operator()(std::string_view name, Values&& values) {
     const auto numbers = fccda::numbers_in(values);
@@ -34,7 +34,7 @@ class ArraysWriter {
 
   void text(const std::string& name, std::string_view text);
 
-  /// Facts about the file, as attributes.
+  /// Attributes of the file.
   void number(const char* name, std::int64_t value);
   void number(const char* name, std::uint64_t value);
   void number(const char* name, double value);

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/checkpoint/arrays_writer.hpp"
 #include "io/deck/difference.hpp"
 #include "io/deck/named_files.hpp"
 #include "io/deck/setup_to_text.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/simulation/state_hash.hpp"
 
 namespace perimpact {
@@ -25,8 +25,8 @@ const std::filesystem::path& expect_there(const std::filesystem::path& path) {
   return path;
 }
 
-/// What files say is compared by its fingerprint, wherever they lie now.
-bool may_differ(std::string_view key) { return key == "output.folder" || key == "output.checkpoint_every" || key.ends_with(".file"); }
+/// Keys that may differ on restart. Input files are compared by contents, not by path.
+bool may_differ(std::string_view key) { return key == "output.folder" || key == "output.checkpoint_interval" || key.ends_with(".file"); }
 
 std::string in_words(const std::string& value) { return value.empty() ? "not given" : value; }
 
@@ -37,7 +37,7 @@ std::uint64_t fingerprint_at_start(Simulation& simulation) {
   simulation.visit_state(hash);
   for (const std::filesystem::path& path : deck::named_files(deck::setup_to_text(simulation.setup()))) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) {  // a mesh that code gave, whose name says what it holds
+    if (!file) {  // a mesh defined in code; its name identifies its contents
       const std::string name = path.string();
       hash("mesh", std::span<const char>(name));
     }
@@ -66,7 +66,7 @@ void write_checkpoint(const std::filesystem::path& path, Simulation& simulation,
 Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(expect_there(path)), file_(path) {
   if (const std::string writer = file_.word("program"); writer != program)
     throw fccda::InputError(
-        fmt::format("{} was written by {}, but this is {}, whose numbers may differ; resume with the version that began, or start anew without --resume.",
+        fmt::format("{} was written by {}, but this is {}, whose results may differ; resume with the original version, or start a new run without --resume.",
                     path_.string(), writer, program));
   step_ = static_cast<long>(file_.integer("step"));
   steps_ = static_cast<long>(file_.integer("steps"));
@@ -76,15 +76,15 @@ void Checkpoint::expect_deck(const Setup& setup) {
   const auto difference = deck::first_difference(file_.text("setup"), deck::setup_to_text(setup), may_differ);
   if (difference)
     throw SetupError(difference->key,
-                     fmt::format("{} is {} here, but {} in the run of the checkpoint {}; resume with the same deck, or start anew without --resume.",
+                     fmt::format("{} is {} here, but {} in the run of the checkpoint {}; resume with the same deck, or start a new run without --resume.",
                                  difference->key, in_words(difference->now), in_words(difference->before), path_.string()));
 }
 
 Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {
   if (at_start != file_.natural("fingerprint_at_start"))
     throw fccda::InputError(
-        fmt::format("{} is of a run that began otherwise, from the same deck: a file that the deck names has changed since, or the program "
-                    "was built anew. Put back what changed, or start anew without --resume.",
+        fmt::format("{} was written from a different initial state of the same deck: a file that the deck refers to has changed, or the program was rebuilt. "
+                    "Restore the file, or start a new run without --resume.",
                     path_.string()));
   Written written(simulation.bodies().size(), simulation.impactors().size());
   simulation.visit_state([&](std::string_view name, auto&& values) { file_("state/" + std::string(name), values); });
@@ -92,7 +92,7 @@ Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {
   written.visit_state([&](std::string_view name, auto&& values) { file_("written/" + std::string(name), values); });
   file_.expect_all_read();
   if (simulation.state_hash() != file_.natural("state_hash"))
-    throw fccda::InputError(fmt::format("{} does not give back the state that was written; start anew without --resume.", path_.string()));
+    throw fccda::InputError(fmt::format("{} does not restore the state that was written; start a new run without --resume.", path_.string()));
   return written;
 }
 

@@ -1,4 +1,4 @@
-/// A checkpoint: all that a run needs to go on after it was stopped, and to end with the very same bits (docs/guide/restart.md).
+/// Checkpoint of a run for a bitwise-exact restart (docs/guide/restart.md).
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,29 @@
 
 namespace perimpact {
 
-/// A fingerprint of a simulation that was just made: of its first state and of what the files hold that its deck names. So a file that was
-/// changed is seen, and a program that was built otherwise.
+/// Hash of a newly built simulation: of its initial state and the contents of the files that its deck refers to. It detects changed input files and
+/// a differently built program.
 std::uint64_t fingerprint_at_start(Simulation& simulation);
 
-/// Replaces the file as a whole, so that there is always one. Throws RunError where it cannot be written; the one before then stays.
+/// Writes a checkpoint, replacing the file atomically. Throws RunError where it cannot be written; the previous file then remains.
 void write_checkpoint(const std::filesystem::path& path, Simulation& simulation, std::uint64_t at_start, Written written);
 
-/// One that is there.
+/// An existing checkpoint.
 class Checkpoint {
  public:
-  /// Throws InputError where there is none, where it is not whole, or where another version of the program wrote it.
+  /// Opens it. Throws InputError where it does not exist, is incomplete, or was written by another version of the program.
   explicit Checkpoint(const std::filesystem::path& path);
 
-  long step() const { return step_; }    ///< that had been done
-  long steps() const { return steps_; }  ///< of the whole run
+  long step() const { return step_; }    ///< number of completed steps
+  long steps() const { return steps_; }  ///< number of steps of the entire run
   bool is_finished() const { return step_ >= steps_; }
 
-  /// Throws SetupError, with the key, where the deck that was run says something else. Where results go and how often a checkpoint is
-  /// written may differ, and names of files.
+  /// Throws SetupError with the key where the deck differs from that of the run. The results folder, the checkpoint interval and file paths may
+  /// differ.
   void expect_deck(const Setup& setup);
 
-  /// Brings a simulation that was just made, with that fingerprint, to where the run was. Throws InputError where the file is damaged, or
-  /// the simulation is not the one that was run. Returns what had been written of its results.
+  /// Restores the state of the run into a newly built simulation with the hash `at_start`. Throws InputError where the file is damaged, or the
+  /// simulation differs from that of the run. Returns the amount of output written so far.
   Written restore(Simulation& simulation, std::uint64_t at_start);
 
  private:

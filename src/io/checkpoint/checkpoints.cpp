@@ -3,7 +3,7 @@
 namespace perimpact {
 
 Checkpoints::Checkpoints(std::filesystem::path path, Simulation& simulation)
-    : path_(std::move(path)), every_(simulation.setup().output.checkpoint_every), at_start_(fingerprint_at_start(simulation)) {}
+    : path_(std::move(path)), every_(simulation.setup().output.checkpoint_interval), at_start_(fingerprint_at_start(simulation)) {}
 
 Written Checkpoints::resume(Checkpoint& from, Simulation& simulation) {
   Written written = from.restore(simulation, at_start_);

@@ -1,4 +1,4 @@
-/// When a run writes its checkpoints.
+/// Scheduling of checkpoints during a run.
 #pragma once
 
 #include <chrono>
@@ -13,24 +13,24 @@ namespace perimpact {
 
 class Checkpoints {
  public:
-  /// Of a simulation that was just made; `path`: of the one file, replaced each time.
+  /// For a newly built simulation; `path`: the single checkpoint file, replaced each time.
   Checkpoints(std::filesystem::path path, Simulation& simulation);
 
-  /// Goes on from one: it counts as the last.
+  /// Restarts from a checkpoint, which counts as the last one.
   Written resume(Checkpoint& from, Simulation& simulation);
 
-  /// Call after every step, when its results have been written. Writes one where output.checkpoint_every has passed.
+  /// Call after every step, when its results have been written. Writes a checkpoint when output.checkpoint_interval of wall-clock time has passed.
   void after_step(Simulation& simulation, ResultsWriter& results);
 
-  /// Writes one now.
+  /// Writes a checkpoint immediately.
   void write(Simulation& simulation, ResultsWriter& results);
 
   const std::filesystem::path& path() const { return path_; }
-  std::optional<long> last() const { return last_; }  ///< step of the last one, if there is one
+  std::optional<long> last() const { return last_; }  ///< step of the last checkpoint, if any
 
  private:
   std::filesystem::path path_;
-  double every_;  // [s]; 0: none by the clock
+  double every_;  // [s] wall-clock interval; 0: none
   std::uint64_t at_start_;
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
   std::optional<long> last_;

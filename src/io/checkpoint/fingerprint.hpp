@@ -1,4 +1,4 @@
-/// A number that tells whether an array is the one that was written.
+/// Checksum of an array, to verify it on reading.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// HDF5's C interface, made safe to use: things that close themselves, no messages of its own. Only sources of this folder include it.
+/// RAII wrappers of the HDF5 C interface, with HDF5's error output disabled. For sources of this folder only.
 #pragma once
 
 #include <hdf5.h>
@@ -9,7 +9,7 @@
 
 namespace perimpact::checkpoint {
 
-/// What HDF5 calls an open file, data set, …; closed when it goes out of scope.
+/// Owning HDF5 identifier of a file, data set, …; closed on destruction.
 class Handle {
  public:
   Handle() = default;
@@ -23,18 +23,18 @@ class Handle {
 
   bool is_open() const { return id_ >= 0; }
   hid_t id() const { return id_; }
-  bool close() { return !is_open() || close_(std::exchange(id_, -1)) >= 0; }  ///< false where it fails
+  bool close() { return !is_open() || close_(std::exchange(id_, -1)) >= 0; }  ///< false on failure
 
  private:
   hid_t id_ = -1;
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// While there is one, HDF5 does not print what went wrong.
+/// Disables the error output of HDF5 while in scope.
 class Quiet {
  public:
   Quiet() {
-    [[maybe_unused]] static const herr_t first = H5dont_atexit();  // all is closed here; of damaged files HDF5 complains when the program ends
+    [[maybe_unused]] static const herr_t first = H5dont_atexit();  // handles are closed explicitly; HDF5's exit handler would report damaged files
     H5Eget_auto2(H5E_DEFAULT, &print_, &to_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
@@ -67,11 +67,11 @@ inline hid_t type_in_memory(NumberType type) {
   return H5T_NATIVE_DOUBLE;
 }
 
-/// A file whose format keeps sums of all that is not numbers of arrays, so that damage is seen before it is believed.
+/// File access properties for a format version with metadata checksums, so that damage is detected.
 inline Handle file_access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18);
-  H5Pset_file_locking(access.id(), false, true);  // some network file systems know no locks, and the name changes only when the file is whole
+  H5Pset_file_locking(access.id(), false, true);  // some network file systems do not support locks, and the file is renamed only when complete
   return access;
 }
 

@@ -1,4 +1,4 @@
-/// The types of numbers that state is made of.
+/// Number types of the simulation state.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ constexpr NumberType number_type() {
     static_assert(sizeof(T) == 4 || sizeof(T) == 8);
     return sizeof(T) == 4 ? NumberType::float32 : NumberType::float64;
   } else if constexpr (sizeof(T) == 1) {
-    static_assert(std::is_same_v<T, std::uint8_t>, "of one byte there are unsigned numbers only; see visit_flag");
+    static_assert(std::is_same_v<T, std::uint8_t>, "one-byte numbers must be unsigned; see visit_flag");
     return NumberType::uint8;
   } else {
     static_assert(sizeof(T) == 4 || sizeof(T) == 8);

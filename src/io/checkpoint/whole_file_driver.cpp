@@ -8,7 +8,7 @@ namespace perimpact::checkpoint {
 
 namespace {
 
-/// HDF5's file of this driver; HDF5 knows it by its first member.
+/// File object of this driver; HDF5 accesses it through its first member.
 struct Open {
   H5FD_t known{};
   DriverTarget* target = nullptr;
@@ -19,7 +19,7 @@ struct Open {
 Open& opened(H5FD_t* file) { return *reinterpret_cast<Open*>(file); }
 const Open& opened(const H5FD_t* file) { return *reinterpret_cast<const Open*>(file); }
 
-/// Does it unless something failed before; HDF5 never hears of that.
+/// Performs an operation unless an earlier one failed; errors are kept and not passed to HDF5.
 template <class F>
 void attempt(DriverTarget& target, const F& f) {
   if (target.error) return;
@@ -69,7 +69,7 @@ herr_t write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t to, size_t size, const voi
   return 0;
 }
 
-/// Readers compare the length of the file with the addresses that it says it uses.
+/// Readers compare the file length with the addresses that the file uses.
 herr_t truncate(H5FD_t* file, hid_t, hbool_t) {
   Open& its = opened(file);
   attempt(*its.target, [&] { its.target->file.resize(its.end_of_addresses); });
@@ -81,10 +81,10 @@ hid_t registered() {
   H5FD_class_t driver{};
 #if H5_VERSION_GE(1, 13, 0)
   driver.version = H5FD_CLASS_VERSION;
-  driver.value = static_cast<H5FD_class_value_t>(700);  // of the range for drivers that are not registered with the HDF Group
+  driver.value = static_cast<H5FD_class_value_t>(700);  // in the range for drivers not registered with the HDF Group
 #endif
   driver.name = "perimpact";
-  driver.maxaddr = (haddr_t{1} << 63) - 1;  // what an off_t can say
+  driver.maxaddr = (haddr_t{1} << 63) - 1;  // the maximum of off_t
   driver.fc_degree = H5F_CLOSE_STRONG;
   driver.fapl_size = sizeof(DriverTarget*);
   driver.open = open;

@@ -1,8 +1,8 @@
-/// HDF5 writes through an output::WholeFile: what reaches the disk appears under its name only when it is whole, and where the disk is full
-/// the sentence is that of every other file.
+/// HDF5 file driver that writes through an output::WholeFile: the file is replaced atomically, and a full disk gives the same message as for every
+/// other file.
 ///
-/// HDF5 1.10 cannot be told that a write failed: it keeps the file open, tries again when the program ends, and crashes. So this driver
-/// keeps the first error and tells HDF5 that all is well; who closed the file asks for the error.
+/// HDF5 1.10 does not handle failed writes: it keeps the file open, retries when the program ends, and crashes. The driver therefore keeps the
+/// first error and reports success to HDF5; the owner checks the error after closing the file.
 #pragma once
 
 #include <hdf5.h>
@@ -13,17 +13,17 @@
 
 namespace perimpact::checkpoint {
 
-/// What the driver writes to. It must stay where it is until HDF5 has closed the file.
+/// Target of the driver. Its address must not change until HDF5 has closed the file.
 struct DriverTarget {
   output::WholeFile& file;
-  std::exception_ptr error = nullptr;  ///< the first
+  std::exception_ptr error = nullptr;  ///< the first error
 
   void rethrow() const {
     if (error) std::rethrow_exception(error);
   }
 };
 
-/// Makes a list of H5P_FILE_ACCESS use the driver; the name of the file then means nothing. False where that fails.
+/// Sets the driver in a H5P_FILE_ACCESS list; the file name is then ignored. False on failure.
 bool use_driver(hid_t file_access, DriverTarget& target);
 
 }  // namespace perimpact::checkpoint

@@ -25,17 +25,16 @@ namespace {
 
 void check_time(const TimeSetup& time, const Places& places) {
   if (time.step && *time.step > time.end)
-    refuse(places.of("time.step"),
-           fmt::format("step is {} s, which is longer than the whole run of {} s; make step smaller or end later.", *time.step, time.end));
+    refuse(places.of("time.step"), fmt::format("step is {} s, longer than the whole run of {} s; use a smaller step or a later end.", *time.step, time.end));
 }
 
-/// bodies, impactors and probes name columns of history.csv beside total.energy and the like
+/// Names of bodies, impactors and probes are prefixes of columns in history.csv, as is total.
 void check_names(const Setup& setup, const Places& places) {
   std::set<std::string> taken = {"total"};
   const auto take = [&](const std::string& path, const std::string& name) {
     if (!taken.insert(name).second)
       refuse(places.of(path),
-             fmt::format("the name {} is already taken, but bodies, impactors and probes name columns of history.csv (as does total); choose another.", name));
+             fmt::format("the name {} is already in use; bodies, impactors, probes and total share the columns of history.csv, so choose another.", name));
   };
   for (const BodySetup& body : setup.bodies) take("bodies." + body.name, body.name);
   for (const ImpactorSetup& impactor : setup.impactors) take("impactors." + impactor.name, impactor.name);
@@ -46,7 +45,7 @@ void apply_published(BodySetup& body, const std::string& path, const Places& pla
   if (!body.published) return;
   for (const std::string_view key : set_by_published) {
     if (places.has(fmt::format("{}.{}", path, key)))
-      refuse(places.of(fmt::format("{}.{}", path, key)), fmt::format("{} is given beside published: true, which sets it; remove one of the two.", key));
+      refuse(places.of(fmt::format("{}.{}", path, key)), fmt::format("{} is given together with published: true, which sets it; remove one of the two.", key));
   }
   body.family.index = static_cast<int>(FamilyRule::madenci_oterkus);
   body.normalisation.index = static_cast<int>(Normalisation::continuum);
@@ -63,52 +62,51 @@ void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
   if ((is_correspondence || std::holds_alternative<LinearSolidSetup>(body.material)) &&
       (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
     refuse(places.of(path + ".surface_correction"),
-           fmt::format(
-               "surface_correction is {}, but the model {} normalises each particle by its own family, which is its correction; remove surface_correction.",
-               body.surface_correction.word(), is_correspondence ? CorrespondenceSetup::name : LinearSolidSetup::name));
+           fmt::format("surface_correction is {}, but the model {} needs none, since it normalises each particle by its own family; remove surface_correction.",
+                       body.surface_correction.word(), is_correspondence ? CorrespondenceSetup::name : LinearSolidSetup::name));
   if (is_correspondence && !body.published && body.normalisation.as<Normalisation>() == Normalisation::continuum)
     refuse(places.of(path + ".normalisation"),
-           "normalisation is continuum, but in the model correspondence uniform strain has exactly its energy on every lattice and nothing is left to "
-           "normalise; remove normalisation.");
+           "normalisation is continuum, but the model correspondence has the exact energy of uniform strain on every lattice and needs no normalisation; "
+           "remove normalisation.");
 }
 
-bool is_fitted(const RegionSetup& region) {
-  const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape);
-  return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsRegionSetup>(region.shape) ||
-         std::holds_alternative<AutoRegionSetup>(region.shape);
+bool is_fitted(const ContactBoundsSetup& region) {
+  const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape);
+  return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsBoundsSetup>(region.shape) ||
+         std::holds_alternative<AutoBoundsSetup>(region.shape);
 }
 
-void check_region(const RegionSetup& region, const std::string& path, const Places& places) {
-  if (region.outside.as<BeyondRegion>() == BeyondRegion::clip && std::holds_alternative<std::monostate>(region.shape))
-    refuse(places.of(path + ".outside"), "outside is clip, but there is no region that the surface could stick out of; give one, or remove outside.");
-  if (const auto* boxes = std::get_if<BoxUnionRegionSetup>(&region.shape)) {
+void check_region(const ContactBoundsSetup& region, const std::string& path, const Places& places) {
+  if (region.on_exceed.as<BeyondBounds>() == BeyondBounds::clip && std::holds_alternative<std::monostate>(region.shape))
+    refuse(places.of(path + ".on_exceed"), "on_exceed is clip, but there are no contact bounds that the surface could exceed; give them, or remove on_exceed.");
+  if (const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape)) {
     for (const char* key : {"count", "gain"})
       if (!boxes->boxes.empty() && places.has(fmt::format("{}.box_union.{}", path, key)))
         refuse(places.of(fmt::format("{}.box_union.{}", path, key)),
-               fmt::format("{} is given beside boxes, but only fitted boxes have it; remove one of the two.", key));
+               fmt::format("{} is given together with boxes, but applies to fitted boxes only; remove one of the two.", key));
   }
-  const auto* sectors = std::get_if<CylinderSectorsRegionSetup>(&region.shape);
+  const auto* sectors = std::get_if<CylinderSectorsBoundsSetup>(&region.shape);
   if (!sectors) return;
   const std::string its = path + ".cylinder_sectors.";
   if (sectors->axis && *sectors->axis == fccda::Vec3d{})
-    refuse(places.of(its + "axis"), "axis is [0, 0, 0], which has no direction; give one, such as [0, 0, 1], or leave it out to be fitted.");
+    refuse(places.of(its + "axis"), "axis is [0, 0, 0], which has no direction; give one, such as [0, 0, 1], or omit it to have it fitted.");
   if (sectors->start_angle && !sectors->sector_angle)
-    refuse(places.of(its + "start_angle"), "start_angle is given without sector_angle; give both, or leave both out to be fitted.");
+    refuse(places.of(its + "start_angle"), "start_angle is given without sector_angle; give both, or omit both to have them fitted.");
   if (sectors->radius && sectors->hub_radius && *sectors->hub_radius > *sectors->radius)
     refuse(places.of(its + "hub_radius"),
-           fmt::format("hub_radius is {} m, but the whole cylinder has the radius {} m; make it smaller.", *sectors->hub_radius, *sectors->radius));
+           fmt::format("hub_radius is {} m, but the radius of the cylinder is {} m; reduce hub_radius.", *sectors->hub_radius, *sectors->radius));
 }
 
 void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Places& places) {
   const std::string path = "impactors." + impactor.name;
   if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = full_path_of_surface(file->file, folder, places.of(path + ".surface.file"));
-  check_region(impactor.region, path + ".region", places);
+  check_region(impactor.contact_bounds, path + ".contact_bounds", places);
   std::set<std::string> seen;
-  for (const std::string& direction : impactor.free) {
+  for (const std::string& direction : impactor.free_dofs) {
     if (std::find(std::begin(degree_words), std::end(degree_words), direction) == std::end(degree_words))
-      refuse(places.of(path + ".free"),
-             fmt::format("free holds \"{}\", which is no degree of freedom; known are {}.", direction, fmt::join(degree_words, ", ")));
-    if (!seen.insert(direction).second) refuse(places.of(path + ".free"), fmt::format("free holds {} twice; keep one.", direction));
+      refuse(places.of(path + ".free_dofs"),
+             fmt::format("free_dofs contains \"{}\", which is not a degree of freedom; known are {}.", direction, fmt::join(degree_words, ", ")));
+    if (!seen.insert(direction).second) refuse(places.of(path + ".free_dofs"), fmt::format("free_dofs contains {} twice; keep one.", direction));
   }
 }
 
@@ -120,27 +118,26 @@ void check_contact(Setup& setup, const Places& places) {
     if (!places.has(path + "radius_ratio")) contact.radius_ratio = 0;
     if (contact.radius_ratio != 0)
       refuse(places.of(path + "radius_ratio"),
-             fmt::format("radius_ratio is {}, but the published detector knows particles as points; write radius_ratio: 0, or detector: swept.",
+             fmt::format("radius_ratio is {}, but the published detector treats particles as points; set radius_ratio: 0, or detector: swept.",
                          contact.radius_ratio));
     if (contact.friction != 0)
       refuse(places.of(path + "friction"),
-             fmt::format(
-                 "friction is {}, but the published detector answers contact as the seed paper does, without friction; write friction: 0, or detector: swept.",
-                 contact.friction));
-  } else if (contact.reading.as<Reading>() != Reading::repaired) {
-    refuse(places.of(path + "reading"),
-           fmt::format("reading is {}, but only the published detector reads the paper, and detector is {}; remove reading, or write detector: published.",
-                       contact.reading.word(), contact.detector.word()));
+             fmt::format("friction is {}, but the published detector is frictionless, as in the FCCDA paper; set friction: 0, or detector: swept.",
+                         contact.friction));
+  } else if (contact.variant.as<PublishedVariant>() != PublishedVariant::corrected) {
+    refuse(places.of(path + "variant"),
+           fmt::format("variant is {}, but only the published detector has variants, and detector is {}; remove variant, or set detector: published.",
+                       contact.variant.word(), contact.detector.word()));
   }
   if (detector != DetectorKind::analytic) return;
   for (const ImpactorSetup& impactor : setup.impactors) {
     if (!std::holds_alternative<CylinderSurface>(impactor.surface) && !std::holds_alternative<SphereSurface>(impactor.surface))
-      refuse(
-          places.of(path + "detector"),
-          fmt::format("detector is analytic, which knows cylinders and spheres only, but the surface of {} is another; write detector: swept.", impactor.name));
-    if (is_fitted(impactor.region))
-      refuse(places.of("impactors." + impactor.name + ".region"),
-             "region is fitted to the panels of the surface, but the analytic detector strikes what those are cut from; give a box, or write detector: swept.");
+      refuse(places.of(path + "detector"),
+             fmt::format("detector is analytic, which supports cylinders and spheres only, but the surface of {} is of another kind; set detector: swept.",
+                         impactor.name));
+    if (is_fitted(impactor.contact_bounds))
+      refuse(places.of("impactors." + impactor.name + ".contact_bounds"),
+             "contact_bounds are fitted to the panels of the surface, but the analytic detector uses the exact shape; give a box, or set detector: swept.");
   }
 }
 
@@ -156,10 +153,11 @@ void check_output(const Setup& setup, const Places& places) {
   for (const LineSetup& line : setup.output.lines) {
     const std::string path = "output.lines." + line.name;
     check_body_name(line.body, setup, path, places);
-    if (line.from == line.to) refuse(places.of(path + ".to"), fmt::format("to is the same point as from, so {} has no length; move one of them.", line.name));
+    if (line.from == line.to) refuse(places.of(path + ".to"), fmt::format("to equals from, so {} has zero length; move one of the two points.", line.name));
     for (const double time : line.times) {
       if (time > setup.time.end)
-        refuse(places.of(path + ".times"), fmt::format("times holds {} s, but the run ends at {} s; take earlier times or a later end.", time, setup.time.end));
+        refuse(places.of(path + ".times"),
+               fmt::format("times contains {} s, but the run ends at {} s; use earlier times or a later end.", time, setup.time.end));
     }
   }
 }
@@ -170,7 +168,7 @@ void make_consistent(Setup& setup, const Places& places, const fs::path& folder)
   check_time(setup.time, places);
   check_names(setup, places);
   for (BodySetup& body : setup.bodies) check_body(body, folder, places);
-  for (BodySetup& body : setup.bodies) make_boundaries_consistent(body, folder, places);
+  for (BodySetup& body : setup.bodies) make_boundary_conditions_consistent(body, folder, places);
   check_relaxation(setup, places);
   for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
   for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);

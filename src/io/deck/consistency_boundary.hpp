@@ -1,18 +1,17 @@
-/// What the keys of a body's boundaries say together, and with relaxation in place of dynamics.
+/// Consistency of a body's boundary conditions, also with time.relax.
 #pragma once
 
 #include <filesystem>
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 
-/// Fills in the courses that are in files, of which relative paths start at `folder`. Throws InputError at the place of what contradicts
-/// something else.
-void make_boundaries_consistent(BodySetup& body, const std::filesystem::path& folder, const Places& places);
+/// Fills in prescribed motions from files. Relative paths start at `folder`. Throws InputError at the position of the contradicting value.
+void make_boundary_conditions_consistent(BodySetup& body, const std::filesystem::path& folder, const Places& places);
 
-/// What a set-up that relaxes cannot have.
+/// Refuses what time.relax does not support.
 void check_relaxation(const Setup& setup, const Places& places);
 
 }  // namespace perimpact::deck

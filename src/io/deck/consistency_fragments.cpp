@@ -14,9 +14,9 @@ void check_fragments(const FragmentContactSetup& fragments, const Places& places
   for (const Field<FragmentContactSetup>& field : FragmentContactSetup::fields()) {
     const auto* number = std::get_if<double FragmentContactSetup::*>(&field.member);
     if (!number || fragments.*(*number) == absent.*(*number)) continue;
-    refuse(
-        places.of(fmt::format("contact.fragments.{}", field.name)),
-        fmt::format("{} is {}, but law is none, so fragments do not touch; write law: repulsive, or remove {}.", field.name, fragments.*(*number), field.name));
+    refuse(places.of(fmt::format("contact.fragments.{}", field.name)),
+           fmt::format("{} is {}, but law is none, so there is no short-range contact; set law: repulsive, or remove {}.", field.name, fragments.*(*number),
+                       field.name));
   }
 }
 

@@ -1,12 +1,12 @@
-/// What contact.fragments says with itself.
+/// Consistency of contact.fragments.
 #pragma once
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 
-/// Throws InputError where fragments do not touch, but it is said how.
+/// Throws InputError where contact parameters are given although law is none.
 void check_fragments(const FragmentContactSetup& fragments, const Places& places);
 
 }  // namespace perimpact::deck

@@ -15,30 +15,28 @@ namespace perimpact::deck {
 namespace {
 
 void check_mass(const ImpactorSetup& impactor, const std::string& path, const Places& places) {
-  if (impactor.mass && impactor.density)
-    refuse(places.of(path + ".density"), "density is given beside mass, but one of them sets the other; keep one of the two.");
-  if (!impactor.mass && !impactor.density)
-    refuse(places.of(path), fmt::format("{} lacks mass [kg], or in its place density [kg/m3]; for example mass: 1.57 kg.", path));
+  if (impactor.mass && impactor.density) refuse(places.of(path + ".density"), "density is given together with mass; keep one of the two.");
+  if (!impactor.mass && !impactor.density) refuse(places.of(path), fmt::format("{} lacks mass [kg] or density [kg/m3]; for example mass: 1.57 kg.", path));
 }
 
 bool is_rotation(std::size_t degree) { return degree >= 3; }
 
 bool is_free(const ImpactorSetup& impactor, std::size_t degree) {
-  return std::find(impactor.free.begin(), impactor.free.end(), degree_words[degree]) != impactor.free.end();
+  return std::find(impactor.free_dofs.begin(), impactor.free_dofs.end(), degree_words[degree]) != impactor.free_dofs.end();
 }
 
-/// An angle about one axis says where the impactor is only while it turns about no other.
+/// An angle about one axis defines the attitude only if the impactor rotates about no other axis.
 void check_only_turning_axis(const ImpactorSetup& impactor, std::size_t degree, const std::string& path, const Places& places) {
   for (std::size_t other = 3; other < std::size(degree_words); ++other) {
     if (other == degree) continue;
     const std::string_view word = degree_words[other];
     const std::string turns = is_free(impactor, other)                    ? fmt::format("{} is free", word)
-                              : impactor.motion.of(other)                 ? fmt::format("motion.{} turns it about another axis", word)
-                              : impactor.angular_velocity[other - 3] != 0 ? fmt::format("angular_velocity turns it about {} too", word.substr(1))
+                              : impactor.motion.of(other)                 ? fmt::format("motion.{} rotates it about another axis", word)
+                              : impactor.angular_velocity[other - 3] != 0 ? fmt::format("angular_velocity rotates it about {} too", word.substr(1))
                                                                           : "";
     if (!turns.empty())
-      refuse(places.of(path + ".displacements"), fmt::format("displacements of {} say where the impactor is only while it turns about no other axis, because "
-                                                             "rotations do not commute, but {}; hold the other rotations, or give velocities.",
+      refuse(places.of(path + ".displacements"), fmt::format("displacements of {} define the attitude only if the impactor rotates about no other axis, "
+                                                             "because rotations do not commute, but {}; constrain the other rotations, or give velocities.",
                                                              degree_words[degree], turns));
   }
 }
@@ -52,12 +50,12 @@ void check_motion(ImpactorSetup& impactor, const std::string& path, const std::f
     check_table(*table, key, places);
     read_table(*table, is_rotation(degree), key, folder, places);
     if (is_free(impactor, degree))
-      refuse(places.of(key), fmt::format("{0} is free, so contact and loads move it, and no table can; take {0} out of free, or remove its motion.", word));
+      refuse(places.of(key), fmt::format("{0} is free, so its motion cannot be prescribed; remove {0} from free_dofs, or remove its motion.", word));
     const std::string given = is_rotation(degree) ? "angular_velocity" : "velocity";
     const std::size_t axis = degree % 3;
     if ((is_rotation(degree) ? impactor.angular_velocity : impactor.velocity)[axis] != 0)
       refuse(places.of(path + "." + given),
-             fmt::format("{} of {} is not 0, but motion.{} says how it moves; write 0, or remove that motion.", "xyz"[axis], given, word));
+             fmt::format("{} of {} is not 0, but motion.{} prescribes this degree of freedom; set it to 0, or remove that motion.", "xyz"[axis], given, word));
     if (is_rotation(degree) && !table->displacements.empty()) check_only_turning_axis(impactor, degree, key, places);
   }
 }
@@ -70,9 +68,10 @@ void check_load(const LoadSetup& load, const std::string& path, const Places& pl
 }
 
 void check_gauge(const GaugeSetup& gauge, DetectorKind detector, const std::string& path, const Places& places) {
-  if (gauge.axis && *gauge.axis == Vec3d{}) refuse(places.of(path + ".axis"), "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
-  if (!gauge.parts.empty() && detector == DetectorKind::analytic)
-    refuse(places.of(path + ".parts"), "parts is given, but the analytic detector knows no panels; remove parts, or write detector: swept.");
+  if (gauge.axis && *gauge.axis == Vec3d{}) refuse(places.of(path + ".axis"), "axis is [0, 0, 0], which has no direction; give one, for example [0, 0, 1].");
+  if (!gauge.surface_parts.empty() && detector == DetectorKind::analytic)
+    refuse(places.of(path + ".surface_parts"),
+           "surface_parts is given, but the analytic detector has no panels; remove surface_parts, or set detector: swept.");
 }
 
 void check_remeshing(const std::string& path, DetectorKind detector, const Places& places) {
@@ -80,7 +79,7 @@ void check_remeshing(const std::string& path, DetectorKind detector, const Place
   for (const std::string_view key : {"coarsen", "refine"})
     if (places.has(fmt::format("{}.{}", path, key)))
       refuse(places.of(fmt::format("{}.{}", path, key)),
-             fmt::format("{0} is given, but the analytic detector knows no panels; remove {0}, or write detector: swept.", key));
+             fmt::format("{0} is given, but the analytic detector has no panels; remove {0}, or set detector: swept.", key));
 }
 
 }  // namespace

@@ -1,15 +1,14 @@
-/// What the keys of an impactor say together: mass or density, motion against time, changed panels, loads, gauges.
+/// Consistency of an impactor: mass or density, prescribed motion, remeshing, loads, gauges.
 #pragma once
 
 #include <filesystem>
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 
-/// Fills in the tables of motion that are in files, of which relative paths start at `folder`. Throws InputError at the place of what
-/// contradicts something else.
+/// Fills in motion tables from files. Relative paths start at `folder`. Throws InputError at the position of the contradicting value.
 void make_impactor_consistent(ImpactorSetup& impactor, DetectorKind detector, const std::filesystem::path& folder, const Places& places);
 
 }  // namespace perimpact::deck

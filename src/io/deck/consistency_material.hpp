@@ -1,12 +1,12 @@
-/// What the keys of a body's material, failure and bending must have to do with one another.
+/// Consistency of a body's material, failure and bending calibration.
 #pragma once
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/setup.hpp"
+#include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {
 
-/// Sets what `ice` says and the deck does not. Throws InputError.
+/// Sets the values that follow from `ice` and are not given in the deck. Throws InputError.
 void make_material_consistent(BodySetup& body, const Places& places);
 
 }  // namespace perimpact::deck

@@ -2,8 +2,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "io/deck/consistency.hpp"
+#include "io/deck/deprecated_keys.hpp"
 #include "io/deck/overrides.hpp"
 #include "io/deck/reader.hpp"
 
@@ -15,13 +17,13 @@ namespace {
 
 std::string content_of(const fs::path& file) {
   std::error_code ignored;
-  if (fs::is_directory(file, ignored)) refuse(file.string(), "this is a folder; name the deck in it, for example " + (file / "deck.yaml").string() + ".");
+  if (fs::is_directory(file, ignored)) refuse(file.string(), "this is a folder; give the deck in it, for example " + (file / "deck.yaml").string() + ".");
   if (!fs::exists(file, ignored)) refuse(file.string(), "there is no such file; check the path of the deck.");
   std::ifstream stream(file, std::ios::binary);
   try {
     if (stream) return {std::istreambuf_iterator<char>(stream), {}};
   } catch (const std::ios_base::failure&) {
-    // opening went well, reading did not: a bad disk, or no file at all but a device
+    // opened but not readable: a disk error, or a device instead of a file
   }
   refuse(file.string(), "this file cannot be read; check its permissions.");
 }
@@ -37,11 +39,11 @@ Deck read_deck(const fs::path& file, std::span<const std::string> overrides) {
 Deck read_deck_text(std::string_view text, const std::string& name, const fs::path& folder, std::span<const std::string> overrides) {
   YamlNode document = parse_document(text, name);
   for (const std::string& change : overrides) apply_override(document, change);
-  return deck_of_tree(document, name, folder);
+  return deck_of_tree(std::move(document), name, folder);
 }
 
-Deck deck_of_tree(const YamlNode& document, const std::string& name, const fs::path& folder) {
-  Deck deck{.setup = {}, .places = Places(name)};
+Deck deck_of_tree(YamlNode document, const std::string& name, const fs::path& folder) {
+  Deck deck{.setup = {}, .places = Places(name), .warnings = rename_deprecated_keys(document)};
   Reader(document, "", name, deck.places).read(deck.setup);
   make_consistent(deck.setup, deck.places, folder);
   return deck;

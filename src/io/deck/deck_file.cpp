@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "fccda/surface/panels_in_memory.hpp"
 #include "io/deck/yaml_node.hpp"
+#include "mesh/panels_in_memory.hpp"
 
 namespace perimpact::deck {
 
@@ -21,7 +21,7 @@ std::string full_path_of_surface(const std::string& file, const std::filesystem:
 
 std::ifstream open_file(const std::string& full_path, const std::string& place) {
   std::ifstream stream(full_path);
-  if (!stream) refuse(place, fmt::format("the file {} cannot be opened; check that you may read it.", full_path));
+  if (!stream) refuse(place, fmt::format("the file {} cannot be opened; check its permissions.", full_path));
   return stream;
 }
 

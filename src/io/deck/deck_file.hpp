@@ -7,13 +7,13 @@
 
 namespace perimpact::deck {
 
-/// The full path of a file. Refuses at `place` of the deck where there is none.
+/// The full path of a file. Throws InputError at `place` of the deck if the file does not exist.
 std::string full_path(const std::filesystem::path& file, const std::string& place);
 
-/// The same for the file of a surface; the name of panels in memory stays as it is.
+/// The same for the file of a surface; names of panels in memory are returned unchanged.
 std::string full_path_of_surface(const std::string& file, const std::filesystem::path& folder, const std::string& place);
 
-/// The file, opened to be read. Refuses at `place` where it cannot be.
+/// Opens the file for reading. Throws InputError at `place` if that fails.
 std::ifstream open_file(const std::string& full_path, const std::string& place);
 
 }  // namespace perimpact::deck

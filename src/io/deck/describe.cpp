@@ -17,7 +17,7 @@ namespace {
 
 using Keys = std::span<const std::string_view>;
 
-/// Names in the path may be any in the query, or missing.
+/// <name> in the path matches any name in the query, or none.
 bool matches(Keys path, Keys query) {
   if (path.empty()) return query.empty();
   if (path.front() == any_name) return matches(path.subspan(1), query) || (!query.empty() && matches(path.subspan(1), query.subspan(1)));
@@ -39,8 +39,8 @@ std::string suggested_key(std::string_view key) {
   return std::string(nearest_word(key, keys));
 }
 
-/// What the query names: entries of that whole path, or else those that end in it, or else the map of a name ("bodies.plate");
-/// not those below another that is named.
+/// Entries that the query matches: by the whole path, else by the end of the path, else the map of a name ("bodies.plate"). Entries
+/// below another match are left out.
 std::vector<const Entry*> named_by(std::string_view key_path) {
   const std::vector<std::string_view> query = keys_of(key_path);
   const auto found_by = [&](const auto& is_meant) {
@@ -54,7 +54,7 @@ std::vector<const Entry*> named_by(std::string_view key_path) {
   const auto is_key = [&](Keys path) { return path.back() == query.back(); };
   auto found = found_by([&](Keys path) { return is_key(path) && matches(path, query); });
   if (found.empty()) found = found_by([&](Keys path) { return is_key(path) && ends_in(path, query); });
-  const bool may_be_name = query.back().size() <= 5 || suggested_key(query.back()).empty();  // short names are near some key by chance
+  const bool may_be_name = query.back().size() <= 5 || suggested_key(query.back()).empty();  // short names resemble some key by chance
   if (found.empty() && may_be_name) found = found_by([&](Keys path) { return path.back() == any_name && matches(path, query); });
   return found;
 }
@@ -104,11 +104,9 @@ std::string describe(std::string_view key_path) {
 
 std::string describe_markdown() {
   std::string out =
-      "# Deck reference\n\n"
-      "Every key that a deck may have. This page is written by `perimpact describe --markdown` from the tables that read the deck; a test keeps it up to "
-      "date.\n\n"
-      "Plain numbers are in the unit in brackets; text with another unit is converted (`0.5 mm`, `191 GPa`, `3 kn`, `30 rpm`). `<name>` is a name of your "
-      "choice.\n";
+      "# Deck reference\n\nAll keys of the deck. `perimpact describe --markdown` generates this page from the tables that also read the deck; a test keeps it "
+      "up to date.\n\nPlain numbers are in the unit in brackets; text with another unit is converted (`0.5 mm`, `191 GPa`, `3 kn`, `30 rpm`). `<name>` is a "
+      "name of your choice.\n";
   const auto table_of = [&](std::string_view heading, std::string_view sentence, std::string_view parent) {
     out += fmt::format("\n## {}\n\n{}{}| key | value | range | | meaning |\n|---|---|---|---|---|\n", heading, sentence, sentence.empty() ? "" : "\n\n");
     for (const Entry& entry : reference()) {

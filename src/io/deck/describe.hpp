@@ -1,4 +1,4 @@
-/// The reference of the deck, from the tables that read it.
+/// Deck reference, generated from the tables that also read the deck.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace perimpact::deck {
 
-/// What a deck may say, as plain text: all of it for an empty path, else the keys that the path ends in with all below them.
-/// Names may be left out or be any: "bodies.material.poissons_ratio", "bodies.plate.material" and "poissons_ratio" all work.
+/// The reference as plain text: all keys for an empty path, else the keys at the end of the path with all keys below them.
+/// Names may be omitted or arbitrary: "bodies.material.poissons_ratio", "bodies.plate.material" and "poissons_ratio" all work.
 /// Throws InputError with a suggestion for an unknown key.
 std::string describe(std::string_view key_path);
 

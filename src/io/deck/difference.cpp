@@ -21,7 +21,7 @@ std::string value_in_words(const YamlNode* node) {
   if (node->kind != YamlNode::Kind::list) return node->in_words();
   std::string text;
   for (const YamlNode& item : node->items) {
-    constexpr std::size_t longest = 60;  // of a list that is told in full
+    constexpr std::size_t longest = 60;  // of a list that is shown in full
     text += (text.empty() ? "[" : ", ") + item.in_words();
     if (text.size() > longest) return text + ", …]";
   }
@@ -30,7 +30,7 @@ std::string value_in_words(const YamlNode* node) {
 
 bool is_map(const YamlNode* node) { return node && node->kind == YamlNode::Kind::map; }
 
-/// Of two values, of which one may be missing.
+/// Difference of two values, one of which may be missing.
 std::optional<Difference> difference_of(const YamlNode* before, const YamlNode* now, const std::string& key, const MayDiffer& may_differ);
 
 std::optional<Difference> difference_of_maps(const YamlNode& before, const YamlNode& now, const std::string& key, const MayDiffer& may_differ) {

@@ -15,7 +15,7 @@ using fccda::Range;
 
 namespace {
 
-/// A number, alone or with a unit behind it; in text, because YAML 1.1 takes 1e-7 for text too.
+/// A number with an optional unit; matched as text, because YAML 1.1 also reads 1e-7 as text.
 constexpr std::string_view quantity_pattern = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?(\s*[^\s0-9.,+-].*|\s+1/.*)?\s*$)";
 constexpr std::string_view name_pattern = "^[A-Za-z0-9_-]+$";
 
@@ -38,10 +38,10 @@ void add_range(Members& into, const Range& range) {
   if (range.high < 1e300) into.add(range.high_included ? "maximum" : "exclusiveMaximum", json(range.high));
 }
 
-// What a value of each type of field may be. Keywords for numbers do not touch text, nor pattern numbers.
+// Schema of a value of each field type. Keywords for numbers do not apply to text, nor `pattern` to numbers.
 Members kind_of_value(double, const Range& range) {
   Members kind;
-  kind.add("allOf", R"([{"$ref": "#/definitions/quantity"}])");  // beside $ref itself nothing would count
+  kind.add("allOf", R"([{"$ref": "#/definitions/quantity"}])");  // draft-07 ignores keywords next to $ref
   add_range(kind, range);
   return kind;
 }
@@ -58,7 +58,7 @@ Members kind_of_value(bool, const Range&) {
 }
 Members kind_of_value(const std::string&, const Range&) {
   Members kind;
-  kind.add("type", R"(["string", "number", "boolean"])");  // a word of YAML, whatever else it could be
+  kind.add("type", R"(["string", "number", "boolean"])");  // a YAML word, whatever its implicit type
   return kind;
 }
 Members kind_of_value(const Choice& choice, const Range&) {
@@ -186,7 +186,7 @@ class MapSchema {
     MapSchema inner;
     Members which;
     which.add("enum", json(alternative_names(variant)));
-    which.add_text("description", "Which one it is.");
+    which.add_text("description", "Selects the alternative.");
     inner.add(std::string(selector), which.text(), Presence::required);
     for_each_alternative(variant, [&]<class T>(const T&) {
       static T defaults;
@@ -223,7 +223,7 @@ class MapSchema {
   }
 
  private:
-  /// A key that several alternatives have may be what any of them takes.
+  /// A key of several alternatives accepts the values of any of them.
   void add(const std::string& key, const std::string& property, Presence presence) {
     const auto known = std::find_if(properties_.begin(), properties_.end(), [&](const auto& each) { return each.first == key; });
     if (known == properties_.end()) {
@@ -241,13 +241,13 @@ class MapSchema {
   bool needs_something_ = false;
 };
 
-/// A line for each member and item, but what is short on one line.
+/// One line per member and item; short values stay on one line.
 std::string indented(std::string_view compact) {
   constexpr std::size_t width = 140;
   std::string out;
   std::size_t depth = 0;
   const auto new_line = [&] { out.append("\n").append(2 * depth, ' '); };
-  std::vector<bool> is_open;  // of the brackets around: over several lines?
+  std::vector<bool> is_open;  // for each enclosing bracket: over several lines?
   for (std::size_t at = 0; at < compact.size(); ++at) {
     const char c = compact[at];
     if (c == '"') {
@@ -289,7 +289,7 @@ std::string json_schema() {
   Setup defaults;
   MapSchema deck;
   deck.contents(defaults);
-  std::string whole = deck.text("A deck of perimpact. perimpact check says of it what a schema cannot.");
+  std::string whole = deck.text("Deck of perimpact. `perimpact check` also tests what a schema cannot express.");
   const std::string head = fmt::format(
       R"({{"$schema": "http://json-schema.org/draft-07/schema#", "title": "perimpact deck", "definitions": {{"quantity": {{"type": ["number", "string"], "pattern": {}}}}}, )",
       json_string(quantity_pattern));

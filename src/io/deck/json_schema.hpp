@@ -1,9 +1,9 @@
-/// The deck as a JSON Schema (draft-07, https://json-schema.org/draft-07), from the same tables and schema that read it: editors with a
-/// YAML language server complete keys with it, show their sentences and underline mistakes.
+/// JSON Schema of the deck (draft-07, https://json-schema.org/draft-07), generated from the tables and schema that also read it. Editors
+/// with a YAML language server use it to complete keys, show their description and mark errors.
 ///
-/// It says what can be said of one value and one map: keys, kinds, ranges of plain numbers, words, what is required and what goes with
-/// what. Units of text ("9 mm"), contradictions between keys and everything about files are left to `perimpact check`. It refuses nothing
-/// that runs, but for whole numbers and truth values in quotes.
+/// It covers single values and maps: keys, types, ranges of plain numbers, words, required keys and dependent keys. Units in text
+/// ("9 mm"), contradictions between keys and files are left to `perimpact check`. It accepts every deck that runs, except those with
+/// integers or booleans in quotes.
 #pragma once
 
 #include <string>

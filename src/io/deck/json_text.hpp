@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fccda/core/parameter.hpp"
+#include "base/parameter.hpp"
 
 namespace perimpact::deck {
 
@@ -23,7 +23,7 @@ inline std::string json_string(std::string_view text) {
   return out + '"';
 }
 
-// fmt writes the shortest decimal number that reads back to the same double.
+// fmt writes the shortest decimal that round-trips to the same double.
 inline std::string json(double value) { return fmt::format("{}", value); }
 inline std::string json(int value) { return fmt::format("{}", value); }
 inline std::string json(bool value) { return value ? "true" : "false"; }

@@ -6,7 +6,7 @@
 
 namespace perimpact::deck {
 
-/// The keys of a path, from the outermost on: what stands between its dots, which may be nothing.
+/// The dot-separated keys of a path, outermost first; keys may be empty.
 inline std::vector<std::string_view> keys_of(std::string_view path) {
   std::vector<std::string_view> keys;
   for (;;) {

@@ -11,7 +11,7 @@ namespace perimpact::deck {
 
 void check_increasing(const std::vector<double>& times, const std::string& place) {
   for (std::size_t k = 1; k < times.size(); ++k)
-    if (times[k] <= times[k - 1]) refuse(place, fmt::format("times holds {} s after {} s, but times must increase.", times[k], times[k - 1]));
+    if (times[k] <= times[k - 1]) refuse(place, fmt::format("times contains {} s after {} s, but times must increase.", times[k], times[k - 1]));
 }
 
 void check_as_many(std::size_t values, std::size_t times, std::string_view name, const std::string& place) {
@@ -22,11 +22,12 @@ void check_table(const MotionTable& table, const std::string& path, const Places
   if (!table.file.empty()) {
     for (const std::string_view list : {"times", "velocities", "displacements"})
       if (places.has(fmt::format("{}.{}", path, list)))
-        refuse(places.of(fmt::format("{}.{}", path, list)), fmt::format("{} is given beside file, which holds times and values; keep one of the two.", list));
+        refuse(places.of(fmt::format("{}.{}", path, list)),
+               fmt::format("{} is given together with file, which contains times and values; keep one of the two.", list));
     return;
   }
   if (!table.velocities.empty() && !table.displacements.empty())
-    refuse(places.of(path + ".displacements"), "displacements is given beside velocities, but one of them sets the other; keep one of the two.");
+    refuse(places.of(path + ".displacements"), "displacements is given together with velocities, which determine it; keep one of the two.");
   const bool has_velocities = !table.velocities.empty();
   const std::vector<double>& values = has_velocities ? table.velocities : table.displacements;
   if (table.times.empty() || values.empty()) refuse(places.of(path), fmt::format("{} needs times with velocities or displacements, or a file.", path));

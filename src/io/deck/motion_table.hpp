@@ -1,4 +1,4 @@
-/// Tables against time, wherever a deck has them: lists that fit one another, or a file in their place.
+/// Checks of tables against time: lists of equal length, or a file in their place.
 #pragma once
 
 #include <filesystem>
@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "io/deck/places.hpp"
-#include "perimpact/setup/motion_table.hpp"
+#include "perimpact/deck_model/motion_table.hpp"
 
 namespace perimpact::deck {
 
-/// Each refuses at `place` what the name says is not so.
+/// Each throws InputError at `place` unless the condition in its name is met.
 void check_increasing(const std::vector<double>& times, const std::string& place);
 void check_as_many(std::size_t values, std::size_t times, std::string_view name, const std::string& place);
 
-/// One of the lists, or a file, and nothing twice.
+/// Requires times with one of the lists, or a file, but not both.
 void check_table(const MotionTable& table, const std::string& path, const Places& places);
 
-/// Puts the numbers of the file into the lists, where there is one; a relative path starts at `folder`.
+/// Fills the lists from the file, if there is one; a relative path starts at `folder`.
 void read_table(MotionTable& table, bool of_rotation, const std::string& path, const std::filesystem::path& folder, const Places& places);
 
 }  // namespace perimpact::deck

@@ -1,4 +1,4 @@
-/// The files that a deck names: surfaces, clouds, tables.
+/// Files referenced by a deck: surfaces, point clouds, tables.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace perimpact::deck {
 
-/// The values of all keys `file` of a text of setup_to_text, in its order.
+/// The values of all keys `file` in a text of setup_to_text, in order.
 std::vector<std::filesystem::path> named_files(std::string_view setup);
 
 }  // namespace perimpact::deck

@@ -1,4 +1,4 @@
-/// Where each value of a Setup came from, for messages of checks that run long after the deck was read.
+/// Origin of each value of a Setup, for messages of checks that run after the deck was read.
 #pragma once
 
 #include <map>
@@ -9,15 +9,15 @@ namespace perimpact::deck {
 
 class Places {
  public:
-  /// `deck`: how messages call the deck, usually its path.
+  /// `deck`: name of the deck in messages, usually its path.
   explicit Places(std::string deck = "deck") : deck_(std::move(deck)) {}
 
   void add(std::string path, std::string place) { by_path_.insert_or_assign(std::move(path), std::move(place)); }
 
-  /// True where the deck or --set gave this key: "bodies.plate.family".
+  /// True if the deck or --set gave this key: "bodies.plate.family".
   bool has(std::string_view path) const { return by_path_.contains(path); }
 
-  /// "deck.yaml:4:22" or "--set time.step"; of a key that was left out, the place of the nearest map around it; else the deck's name.
+  /// "deck.yaml:4:22" or "--set time.step"; for an absent key, the place of the innermost enclosing map; else the deck's name.
   std::string of(std::string_view path) const {
     for (;;) {
       if (const auto found = by_path_.find(path); found != by_path_.end()) return found->second;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 4> column_names = {"x", "y", "z", "volume"};
 constexpr std::string_view header_example = "\"x [m], y [m], z [m], volume [m3]\"";
 
-/// What stands between the commas of a line.
+/// The comma-separated cells of a line.
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
   for (;;) {
@@ -31,9 +31,9 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
-class Parser {
+class PointListParser {
  public:
-  explicit Parser(const std::string& file) : file_(file) {}
+  explicit PointListParser(const std::string& file) : file_(file) {}
 
   void header(std::string_view line) {
     ++line_;
@@ -64,13 +64,13 @@ class Parser {
       values[column_of_[cell]] = factor_[column_of_[cell]] * number(trimmed_cell(rest.substr(0, comma)), line);
       rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
     }
-    if (!(values[3] > 0)) fail(fmt::format("the volume is {} m3, but a particle needs one above 0; mend the row, or leave it out.", values[3]));
+    if (!(values[3] > 0)) fail(fmt::format("the volume is {} m3, but it must be above 0; correct or remove the row.", values[3]));
     list_.points.push_back({values[0], values[1], values[2]});
     list_.volumes.push_back(values[3]);
   }
 
   PointList finish() {
-    if (list_.points.empty()) fail("there is no row of numbers below the first line; write the file again.");
+    if (list_.points.empty()) fail("there are no rows of numbers below the header line; add them.");
     return std::move(list_);
   }
 
@@ -82,7 +82,7 @@ class Parser {
   }
 
   [[noreturn]] void fail_row(std::string_view line) const {
-    fail(fmt::format("\"{}\" is not four numbers with commas between; mend the row.", trimmed_cell(line.substr(0, 60))));
+    fail(fmt::format("\"{}\" is not four comma-separated numbers; correct the row.", trimmed_cell(line.substr(0, 60))));
   }
 
   double factor(std::string_view unit, std::string_view si) const {
@@ -111,7 +111,7 @@ class Parser {
 PointList read_point_list(const std::filesystem::path& path, const std::string& place) {
   const std::string file = full_path(path, place);
   std::ifstream stream = open_file(file, place);
-  Parser parser(file);
+  PointListParser parser(file);
   std::string line;
   std::getline(stream, line);
   parser.header(line);

@@ -1,4 +1,4 @@
-/// Particles from a CSV file:
+/// Point cloud from a CSV file:
 ///
 ///   x [m], y [m], z [m], volume [m3]
 ///   0, 0, 0, 1e-9
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact::deck {
 
@@ -20,7 +20,7 @@ struct PointList {
   std::vector<double> volumes;       ///< [m³], all above 0
 };
 
-/// Throws InputError: at `place` (of the deck) where there is no such file, else at "file:line" of what cannot be used.
+/// Throws InputError: at `place` (of the deck) if the file does not exist, else at "file:line" of the invalid row.
 PointList read_point_list(const std::filesystem::path& file, const std::string& place);
 
 }  // namespace perimpact::deck

@@ -11,12 +11,12 @@ namespace {
 
 std::string called(const std::string& path) { return path.empty() ? "the deck" : path; }
 
-/// How many letters two paths begin with alike.
-std::size_t in_common(std::string_view a, std::string_view b) {
+/// Length of the common prefix of two paths.
+std::size_t common_prefix(std::string_view a, std::string_view b) {
   return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
 }
 
-/// Is "bodies.plate.material" one of "bodies.<name>.material"?
+/// True if "bodies.plate.material" matches "bodies.<name>.material".
 bool is_one_of(std::string_view path, std::string_view pattern) {
   for (;;) {
     const std::size_t end = path.find('.'), pattern_end = pattern.find('.');
@@ -27,7 +27,7 @@ bool is_one_of(std::string_view path, std::string_view pattern) {
   }
 }
 
-/// "with model: ordinary-state, linear-peridynamic-solid": where this map would have the key; empty where it never has.
+/// "with model: ordinary-state, linear-peridynamic-solid": the alternatives with which this map has the key; empty if there are none.
 std::string with_what(const std::string& key, const std::string& path) {
   std::string alternatives;
   for (const Entry& entry : reference()) {
@@ -38,14 +38,14 @@ std::string with_what(const std::string& key, const std::string& path) {
   return alternatives;
 }
 
-/// "; did you mean …", or where else the key belongs, nearest to this map, or what is known here.
-std::string way_out(const std::string& key, const std::vector<std::string>& known, const std::string& path) {
+/// End of the sentence about an unknown key: "did you mean …", or the map to which it belongs, or the known keys.
+std::string remedy(const std::string& key, const std::vector<std::string>& known, const std::string& path) {
   if (key.find(':') != std::string::npos) return "write a space after the colon.";
   if (nearest_word(key, known).empty()) {
     if (const std::string alternatives = with_what(key, path); !alternatives.empty()) return fmt::format("it can be given only {}.", alternatives);
     const Entry* nearest = nullptr;
     for (const Entry& entry : reference())
-      if (entry.key() == key && (!nearest || in_common(entry.path, path) > in_common(nearest->path, path))) nearest = &entry;
+      if (entry.key() == key && (!nearest || common_prefix(entry.path, path) > common_prefix(nearest->path, path))) nearest = &entry;
     if (nearest) return fmt::format("it belongs to {}.", nearest->parent());
   }
   return suggestion(key, known);
@@ -81,7 +81,7 @@ std::string_view Reader::only_one_of(const std::vector<std::string>& words, Pres
     if (entry && chosen) refuse(entry->place, fmt::format("{} is both {} and {}; keep one of the two.", called(path_), chosen->key, word));
     if (entry) chosen = entry;
   }
-  if (!chosen && presence == Presence::required) missing_ = fmt::format("{} does not say which it is; give one of {}.", called(path_), fmt::join(words, ", "));
+  if (!chosen && presence == Presence::required) missing_ = fmt::format("{} needs one of {}.", called(path_), fmt::join(words, ", "));
   if (!chosen) return {};
   places_.add(path_of(chosen->key), chosen->place);
   return chosen->key;
@@ -95,7 +95,7 @@ std::string Reader::word_of(std::string_view selector, const std::vector<std::st
   std::string word;
   read_value(entry->value, {selector, {}, {}, sentence}, word);
   if (std::find(words.begin(), words.end(), word) == words.end())
-    refuse(entry->value.place, fmt::format("{} is {}, which is not known; {}", selector, entry->value.in_words(), suggestion(word, words)));
+    refuse(entry->value.place, fmt::format("{} is {}, which is unknown; {}", selector, entry->value.in_words(), suggestion(word, words)));
   return word;
 }
 
@@ -128,7 +128,7 @@ std::string Reader::other_names(const std::string& name) const {
 void Reader::finish() const {
   for (const YamlNode::Entry& entry : map_.entries) {
     if (std::find(known_.begin(), known_.end(), entry.key) == known_.end())
-      refuse(entry.place, fmt::format("{} is not a key of {}; {}", entry.key, called(path_), way_out(entry.key, known_, path_)));
+      refuse(entry.place, fmt::format("{} is not a key of {}; {}", entry.key, called(path_), remedy(entry.key, known_, path_)));
   }
   if (!missing_.empty()) refuse(place_, may_be_misnamed_.empty() ? missing_ : may_be_misnamed_);
 }

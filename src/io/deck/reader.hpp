@@ -1,5 +1,5 @@
-/// Fills described structs from the maps of a deck, by their tables and the schema. One Reader reads one map; every problem is an
-/// InputError at its place.
+/// Fills described structs from the maps of a deck, by their tables and the schema. One Reader reads one map; every error is an
+/// InputError with its position.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,17 +19,17 @@ namespace perimpact::deck {
 
 class Reader {
  public:
-  /// `path`: of the map, empty for the whole deck; `place`: where its key stands. Keeps references to the map and the places.
+  /// `path`: of the map, empty for the whole deck; `place`: of its key. Keeps references to the map and the places.
   Reader(const YamlNode& map, std::string path, std::string place, Places& places);
 
-  /// The whole struct, and the check that nothing else stands in the map.
+  /// Reads the whole struct and refuses unknown keys.
   template <class T>
   void read(T& into) {
     read_contents(into);
     finish();
   }
 
-  // what the schema calls
+  // called by the schema
   template <class T>
   void section(std::string_view key, T& into, Presence presence, std::string_view sentence) {
     if (const YamlNode::Entry* entry = find(key, presence, sentence)) inner(*entry).read(into);
@@ -105,8 +105,8 @@ class Reader {
     finish();
   }
 
-  /// The entry of a known key, whose place is remembered. Nothing where it is absent; what is missing is told by finish(), after
-  /// the unknown keys, because a misspelt key is also a missing one.
+  /// The entry of a known key, whose place is recorded; null if absent. finish() reports missing keys after unknown ones, because a
+  /// misspelt key is also a missing one.
   const YamlNode::Entry* find(std::string_view key, Presence presence, std::string_view sentence, std::string_view unit = {});
 
   Reader inner(const YamlNode::Entry& entry) const { return {entry.value, path_of(entry.key), entry.place, places_}; }
@@ -124,8 +124,8 @@ class Reader {
   std::string place_;
   Places& places_;
   std::vector<std::string> known_;
-  std::string missing_;          // the sentence about the first
-  std::string may_be_misnamed_;  // said instead of what is missing: a name that only --set gave was hardly meant to be new
+  std::string missing_;          // sentence about the first missing key
+  std::string may_be_misnamed_;  // reported instead of missing_: a name that only --set gives is probably misspelt
 };
 
 }  // namespace perimpact::deck

@@ -44,7 +44,7 @@ class Lister {
 
   template <class T>
   void contents(T& defaults) {
-    // Where there is nothing to read, GCC 12 warns of what a field would read.
+    // GCC 12 warns about reading fields of empty structs.
     if constexpr (Described<T> && !std::is_empty_v<T>) {
       for (const Field<T>& field : T::fields()) list(field, defaults);
     }
@@ -82,7 +82,7 @@ class Lister {
     constexpr bool may_be_absent = std::is_same_v<std::variant_alternative_t<0, Variant>, std::monostate>;
     const std::string need = may_be_absent ? "optional" : words.size() == 1 ? "required" : fmt::format("one of {}", fmt::join(words, ", "));
     for_each_alternative(variant, [&]<class T>(const T&) {
-      static T defaults;  // static, because GCC 12 takes reading a field for reading the unset inside of an optional beside it
+      static T defaults;  // static: GCC 12 warns about an uninitialised optional otherwise
       if (is_written_flat<T>()) {
         under(fmt::format("with {}", T::name), [&](Lister& inner) { inner.contents(defaults); });
         for (Entry& entry : entries_) {
@@ -100,8 +100,10 @@ class Lister {
     add_map(key, Presence::required, sentence);
     const std::vector<std::string> words = alternative_names(variant);
     inside(key, [&](Lister& inner) {
-      inner.add(
-          {.path = inner.path_of(selector), .form = fmt::format("one of {}", fmt::join(words, ", ")), .need = "required", .sentence = "Which one it is."});
+      inner.add({.path = inner.path_of(selector),
+                 .form = fmt::format("one of {}", fmt::join(words, ", ")),
+                 .need = "required",
+                 .sentence = "Selects the alternative."});
       for_each_alternative(variant, [&]<class T>(const T&) {
         static T defaults;  // as above
         inner.under(fmt::format("with {}: {}", selector, T::name), [&](Lister& fields) { fields.contents(defaults); });

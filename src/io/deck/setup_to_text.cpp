@@ -106,7 +106,7 @@ class Writer {
 }  // namespace
 
 std::string setup_to_text(const Setup& setup) {
-  Setup copy = setup;  // walkers take what they could fill
+  Setup copy = setup;  // walkers take mutable references
   Writer writer(0);
   writer.contents(copy);
   return writer.text() + "\n";

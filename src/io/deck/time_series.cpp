@@ -22,9 +22,9 @@ std::pair<std::string_view, std::string_view> columns_of(std::string_view line) 
                                          : std::pair(trimmed_cell(line.substr(0, comma)), trimmed_cell(line.substr(comma + 1)));
 }
 
-class Parser {
+class TimeSeriesParser {
  public:
-  Parser(const std::string& file, bool of_rotation) : file_(file), of_rotation_(of_rotation) {}
+  TimeSeriesParser(const std::string& file, bool of_rotation) : file_(file), of_rotation_(of_rotation) {}
 
   void header(std::string_view line) {
     ++line_;
@@ -49,7 +49,7 @@ class Parser {
   }
 
   TimeSeries finish() {
-    if (series_.times.empty()) fail("there is no row of numbers below the first line; write the file again.");
+    if (series_.times.empty()) fail("there are no rows of numbers below the header line; add them.");
     return std::move(series_);
   }
 
@@ -79,7 +79,7 @@ class Parser {
     double value{};
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-      fail(fmt::format("\"{}\" is not two numbers with a comma between; mend the row.", trimmed_cell(line.substr(0, 60))));
+      fail(fmt::format("\"{}\" is not two comma-separated numbers; correct the row.", trimmed_cell(line.substr(0, 60))));
     return value;
   }
 
@@ -95,7 +95,7 @@ class Parser {
 TimeSeries read_time_series(const std::filesystem::path& path, bool of_rotation, const std::string& place) {
   const std::string file = full_path(path, place);
   std::ifstream stream = open_file(file, place);
-  Parser parser(file, of_rotation);
+  TimeSeriesParser parser(file, of_rotation);
   std::string line;
   std::getline(stream, line);
   parser.header(line);

@@ -19,7 +19,7 @@ struct TimeSeries {
   bool is_displacement = false;  ///< or velocity
 };
 
-/// Throws InputError: at `place` (of the deck) where there is no such file, else at "file:line" of what cannot be used.
+/// Throws InputError: at `place` (of the deck) if the file does not exist, else at "file:line" of the invalid row.
 TimeSeries read_time_series(const std::filesystem::path& file, bool of_rotation, const std::string& place);
 
 }  // namespace perimpact::deck

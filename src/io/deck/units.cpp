@@ -12,15 +12,15 @@
 #include <mutex>
 #include <optional>
 
-#include "fccda/core/contract.hpp"
-#include "fccda/core/error.hpp"
+#include "base/contract.hpp"
+#include "base/error.hpp"
 #include "io/deck/trimmed.hpp"
 
 namespace perimpact::deck {
 
 namespace {
 
-constexpr std::string_view temperature = "degC";  // the one unit with an origin
+constexpr std::string_view temperature = "degC";  // the only unit with an offset
 
 constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
                               {"m3", "a volume", "1 cm3"},
@@ -47,7 +47,7 @@ constexpr UnitKind kinds[] = {{"m", "a length", "9 mm"},
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
 
-/// UDUNITS keeps state of its own: one call at a time.
+/// UDUNITS has global state: one call at a time.
 std::mutex& udunits_turn() {
   static std::mutex turn;
   return turn;
@@ -56,11 +56,11 @@ std::mutex& udunits_turn() {
 ut_system* load_system() {
   ut_set_error_message_handler(ut_ignore);
   ut_system* system = ut_read_xml(nullptr);
-  if (system == nullptr) throw fccda::InputError("The units of UDUNITS-2 cannot be read; install its database (Debian package libudunits2-data).");
+  if (system == nullptr) throw fccda::InputError("The unit database of UDUNITS-2 cannot be read; install it (Debian package libudunits2-data).");
   const auto alias = [&](const char* symbol, const char* definition) {
     ut_unit* unit = ut_parse(system, definition, UT_UTF8);
     EXPECTS(unit != nullptr);
-    ut_map_symbol_to_unit(symbol, UT_UTF8, unit);  // a symbol, not a name: names ignore case, so that kN would be a knot
+    ut_map_symbol_to_unit(symbol, UT_UTF8, unit);  // a symbol, because names ignore case and kN would be a knot
     ut_free(unit);
   };
   alias("kn", "international_knot");
@@ -73,18 +73,18 @@ ut_system* units_of_udunits() {
   return system;
 }
 
-/// Nothing where `text` is no unit.
+/// Null if `text` is not a unit.
 Unit parse_unit(std::string_view text) {
   const std::string terminated(text);
   return {ut_parse(units_of_udunits(), terminated.c_str(), UT_UTF8), ut_free};
 }
 
-/// How many of `to` one `from` is; nothing where they measure different things.
+/// Conversion factor between units; empty if their dimensions differ.
 std::optional<double> factor(ut_unit* from, ut_unit* to) {
   const Unit quotient(ut_divide(from, to), ut_free);
   if (!quotient) return std::nullopt;
-  // What is left after dividing must be a number. In this form UDUNITS writes "rad" too, though to its comparison an angle is
-  // a pure number; a unit with an origin (°C, "s since 2000-01-01") is written with an @.
+  // The quotient must be a number. This format keeps "rad", although UDUNITS compares angles as pure numbers, and marks units
+  // with an offset (°C, "s since 2000-01-01") by an @.
   std::array<char, 256> definition;
   const int length = ut_format(quotient.get(), definition.data(), definition.size(), UT_ASCII | UT_DEFINITION);
   if (length < 0 || static_cast<std::size_t>(length) >= definition.size()) return std::nullopt;
@@ -98,8 +98,8 @@ std::optional<double> factor(ut_unit* from, ut_unit* to) {
   return cv_convert_double(converter.get(), 1.0);
 }
 
-/// digits · by. A power of ten is put into the exponent, so that 0.1 us and 1e-7 are the same double: 10⁻⁶ is no double, and a
-/// product would be rounded three times.
+/// digits · by. A power of ten is added to the exponent, so that 0.1 us and 1e-7 are the same double; 10⁻⁶ is not representable, and
+/// the product would be rounded three times.
 double scaled(std::string_view digits, double number, double by) {
   const double power = std::round(std::log10(by));
   const bool is_power_of_ten = std::fabs(by / std::pow(10.0, power) - 1) < 4e-16;
@@ -116,7 +116,7 @@ double scaled(std::string_view digits, double number, double by) {
   return error == std::errc{} ? value : number * by;
 }
 
-/// "a mass", where a field could have this unit; otherwise "kg2".
+/// "a mass" for a unit of some field, otherwise "in kg2".
 std::string what_it_is(std::string_view unit_text, ut_unit* unit) {
   for (const UnitKind& kind : kinds)
     if (factor(unit, parse_unit(kind.unit).get())) return std::string(kind.what);
@@ -152,7 +152,7 @@ Converted to_si(std::string_view text, std::string_view unit) {
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   double number{};
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error == std::errc::result_out_of_range) return {.complaint = "no double is that large or that small; write a number between 1e-300 and 1e300"};
+  if (error == std::errc::result_out_of_range) return {.complaint = "the number is outside the range of double precision; use one between 1e-300 and 1e300"};
   if (error != std::errc{} || !std::isfinite(number))
     return {.complaint = fmt::format("that is not a number; write {}, for example {}", wanted.what, wanted.example)};
 

@@ -1,8 +1,8 @@
-/// Numbers with units, into SI, through UDUNITS-2 (https://www.unidata.ucar.edu/software/udunits).
+/// Conversion of numbers with units to SI by UDUNITS-2 (https://www.unidata.ucar.edu/software/udunits).
 ///
-/// Ours beside its units: `kn` is the knot, 1852 m/h (not the kilonewton, which is kN), and `deg` the degree. Stricter than
-/// UDUNITS: units are not turned into their reciprocals (5 Hz is no time), and angles count as a dimension, so that Hz, which
-/// counts cycles, and rad/s, deg/s or rpm, which count angle, are not taken for each other.
+/// Additional units: `kn` is the knot, 1852 m/h (the kilonewton is kN), and `deg` the degree. Stricter than UDUNITS: there is no
+/// conversion to reciprocals (5 Hz is not a time), and angle is a dimension, so that Hz (cycles) and rad/s, deg/s or rpm (angle) are not
+/// confused.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace perimpact::deck {
 
-/// What an SI unit measures.
+/// Quantity measured by an SI unit.
 struct UnitKind {
   std::string_view unit;     ///< as in the tables of fields: "m", "kg/m3", "1" for pure numbers
   std::string_view what;     ///< "a length"
@@ -26,12 +26,11 @@ const UnitKind& kind_of(std::string_view unit);
 
 struct Converted {
   double value = 0;
-  std::string complaint;  ///< why `value` means nothing and what to write: "that is a mass; write a length, for example 9 mm"
+  std::string complaint;  ///< error, empty if `value` is valid: "that is a mass; write a length, for example 9 mm"
 };
 
-/// "9 mm" → 0.009 for the unit m; a plain number is in SI already. Powers of ten are exact: "9 mm" is the same double as 0.009.
-/// Never throws for what the user wrote; throws InputError where the unit database of UDUNITS-2 is not installed. Safe to call
-/// from several threads.
+/// "9 mm" → 0.009 for the unit m; a plain number is already in SI. Powers of ten are exact: "9 mm" is the same double as 0.009.
+/// Does not throw for invalid text; throws InputError if the unit database of UDUNITS-2 is not installed. Thread-safe.
 Converted to_si(std::string_view text, std::string_view unit);
 
 }  // namespace perimpact::deck

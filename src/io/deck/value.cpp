@@ -21,7 +21,7 @@ namespace {
   refuse(node.place, fmt::format("{} is {}, but {}", rule.name, node.in_words(), but));
 }
 
-/// A number with its unit, not yet held against the range.
+/// A number converted to SI, without the range check.
 double number(const YamlNode& node, const Rule& rule) {
   const UnitKind& kind = kind_of(rule.unit);
   if (node.kind != YamlNode::Kind::word) refuse_value(node, rule, fmt::format("{} is needed, for example {}.", kind.what, kind.example));

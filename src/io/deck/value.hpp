@@ -1,5 +1,5 @@
-/// One value of a deck, read as the type of the field that takes it. Each function throws InputError at the value's place where
-/// the value has another type, another unit or is out of range.
+/// Reads one value of a deck as the type of its field. Throws InputError at the value's position if its type or unit does not match or it
+/// is out of range.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "fccda/core/parameter.hpp"
+#include "base/parameter.hpp"
 #include "io/deck/yaml_node.hpp"
 
 namespace perimpact::deck {
 
-/// What a value must obey: a row of the field's table, without the struct it belongs to.
+/// Constraints on a value: a row of the field table, without its struct.
 struct Rule {
   std::string_view name;
   std::string_view unit;

@@ -10,13 +10,13 @@
 #include <optional>
 #include <sstream>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 
 namespace perimpact::deck {
 
 namespace {
 
-/// Line and column from 0, the column in bytes, as yaml-cpp counts → place.
+/// Position from yaml-cpp's line and column (from 0, column in bytes).
 using PlaceOf = std::function<std::string(int line, int column)>;
 
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -29,7 +29,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// A byte that continues a character in UTF-8.
+/// Continuation byte in UTF-8.
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
 
 /// Editors count characters, yaml-cpp counts bytes.
@@ -37,7 +37,7 @@ std::ptrdiff_t characters(std::string_view text) {
   return std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); });
 }
 
-/// yaml-cpp reports a tab in the indentation as "illegal map value" somewhere behind it.
+/// yaml-cpp reports a tab in the indentation as "illegal map value" at a later position.
 void refuse_tabs(std::string_view text, const PlaceOf& place_of) {
   int number = 0;
   for (const std::string_view line : lines_of(text)) {
@@ -60,7 +60,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { attach({.kind = YamlNode::Kind::nothing, .place = place(mark)}); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    refuse(place(mark), "decks do not use the anchors and aliases of YAML (& and *); write the value out.");
+    refuse(place(mark), "YAML anchors and aliases (& and *) are not supported in decks; write the value out.");
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, const std::string& text) override {
     refuse_tag(mark, tag);
@@ -76,20 +76,20 @@ class TreeBuilder : public YAML::EventHandler {
  private:
   struct Level {
     YamlNode node;
-    std::optional<YamlNode> key;  // read, its value not yet
+    std::optional<YamlNode> key;  // read, with the value still to come
   };
 
   std::string place(const YAML::Mark& mark) const { return place_of_(mark.line, mark.column); }
 
-  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {  // yaml-cpp says "?" for plain and "!" for quoted text
-    if (tag.size() > 1) refuse(place(mark), "decks do not use the tags of YAML (!…); leave it out.");
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {  // yaml-cpp has "?" for plain and "!" for quoted text
+    if (tag.size() > 1) refuse(place(mark), "YAML tags (!…) are not supported in decks; remove the tag.");
   }
 
   bool expects_key() const { return !open_.empty() && open_.back().node.kind == YamlNode::Kind::map && !open_.back().key; }
 
   void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind) {
     refuse_tag(mark, tag);
-    if (expects_key()) refuse(place(mark), "a list or map stands where a key is expected; keys are single words, and every bracket must be closed.");
+    if (expects_key()) refuse(place(mark), "a list or map is given where a key is expected; keys are single words, and every bracket must be closed.");
     open_.push_back({.node = {.kind = kind, .place = place(mark)}, .key = {}});
   }
 
@@ -110,7 +110,7 @@ class TreeBuilder : public YAML::EventHandler {
     } else if (!level.key) {
       take_key(level, std::move(node));
     } else {
-      // of an empty value yaml-cpp tells where the next thing begins
+      // yaml-cpp gives the position of the next token for an empty value
       if (node.kind == YamlNode::Kind::nothing) node.place = level.key->place;
       level.node.entries.push_back({.key = level.key->text, .place = level.key->place, .value = std::move(node)});
       level.key.reset();
@@ -128,22 +128,23 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<Level> open_;
 };
 
-/// Nothing where there is no document.
+/// A node of kind nothing if there is no document.
 YamlNode parse(std::string_view text, const PlaceOf& place_of) {
   refuse_tabs(text, place_of);
-  // With the mark of a document's end, yaml-cpp does not take an open bracket for a key nor close an open quote by itself.
+  // With an end-of-document marker, yaml-cpp neither takes an open bracket for a key nor closes an open quote silently.
   std::istringstream stream(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
   TreeBuilder builder(place_of);
   try {
     YAML::Parser parser(stream);
     if (!parser.HandleNextDocument(builder)) return {.place = place_of(0, 0)};
     YamlNode root = std::move(builder.root);
-    if (parser.HandleNextDocument(builder)) refuse(builder.root.place, "a second YAML document begins here, but a deck is one; remove the line --- before it.");
+    if (parser.HandleNextDocument(builder))
+      refuse(builder.root.place, "a second YAML document begins here, but a deck is a single document; remove the line --- before it.");
     return root;
   } catch (const YAML::Exception& error) {
     const std::string place = place_of(error.mark.line, error.mark.column);
-    if (error.msg == YAML::ErrorMsg::DOC_IN_SCALAR) refuse(place, "a quote that was opened before is not closed up to here; close it.");
-    refuse(place, fmt::format("this cannot be read as YAML ({}); look here and just before for indentation, colons, quotes and brackets.", error.msg));
+    if (error.msg == YAML::ErrorMsg::DOC_IN_SCALAR) refuse(place, "an opening quote before this position is not closed; close it.");
+    refuse(place, fmt::format("this is not valid YAML ({}); check indentation, colons, quotes and brackets here and just before.", error.msg));
   }
 }
 
@@ -182,7 +183,7 @@ YamlNode parse_document(std::string_view text, const std::string& file) {
     const std::string_view before = row < lines.size() ? lines[row].substr(0, static_cast<std::size_t>(std::max(column, 0))) : std::string_view{};
     return fmt::format("{}:{}:{}", file, row + 1, characters(before) + 1);
   };
-  if (text.find('\0') != std::string_view::npos) refuse(file, "this is not a text file; name a deck, which is YAML.");
+  if (text.find('\0') != std::string_view::npos) refuse(file, "this is not a text file; a deck is a YAML file.");
   YamlNode root = parse(text, place_of);
   if (root.kind == YamlNode::Kind::nothing) refuse(file, "the deck is empty; it needs at least time and bodies (perimpact describe lists all keys).");
   if (root.kind != YamlNode::Kind::map)

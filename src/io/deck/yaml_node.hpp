@@ -1,6 +1,6 @@
-/// A YAML document as a tree in which every value knows where it was written. The only file that knows yaml-cpp is yaml_node.cpp.
+/// YAML document as a tree with the position of every value. Only yaml_node.cpp depends on yaml-cpp.
 ///
-/// Decks use a part of YAML: maps with words as keys, lists, words. Stricter than yaml-cpp, a key may stand only once in a map.
+/// Decks use a subset of YAML: maps with words as keys, lists, words. Unlike in yaml-cpp, a key must be unique in its map.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct YamlNode {
 
   Entry* find(std::string_view key);
   const Entry* find(std::string_view key) const;
-  /// How messages call it: 0.6, "5 kg", a list, a map, nothing. Long text is cut.
+  /// For messages: 0.6, "5 kg", a list, a map, nothing. Long text is cut.
   std::string in_words() const;
 };
 
@@ -31,14 +31,14 @@ struct YamlNode::Entry {
   YamlNode value;
 };
 
-/// The map that a file holds. Throws InputError for what is not YAML, a key given twice, an empty document, a document that is
-/// not a map, a tab in the indentation, more than one document, tags, anchors and aliases.
+/// Parses the map of a file. Throws InputError for invalid YAML, duplicate keys, an empty document, a document that is not a map, tabs in
+/// the indentation, more than one document, tags, anchors and aliases.
 YamlNode parse_document(std::string_view text, const std::string& file);
 
-/// One value in YAML, all of which is said to stand at `place`.
+/// Parses one YAML value; all its nodes have the position `place`.
 YamlNode parse_value(std::string_view text, const std::string& place);
 
-/// Throws InputError with "place: sentence", on one line whatever the deck held.
+/// Throws InputError with "place: sentence"; control characters become spaces, so that it stays on one line.
 [[noreturn]] void refuse(std::string_view place, std::string_view sentence);
 
 }  // namespace perimpact::deck

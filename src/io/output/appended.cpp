@@ -5,21 +5,21 @@
 #include <algorithm>
 #include <new>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "io/output/file.hpp"
 
 namespace perimpact::output {
 
 namespace {
 
-constexpr std::size_t block_size = 1 << 18;  // enough blocks for all cores in a frame of 1e5 particles; readers take any size
+constexpr std::size_t block_size = 1 << 18;  // gives enough blocks for all cores in a frame of 1e5 particles; readers accept any size
 constexpr int level = Z_BEST_SPEED;
 
 std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
   uLongf size = compressBound(bytes.size());
   std::vector<std::byte> out(size);
   const int outcome = compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), level);
-  if (outcome != Z_OK) throw std::bad_alloc();  // the room is zlib's own bound, so only memory can be short
+  if (outcome != Z_OK) throw std::bad_alloc();  // the buffer has the size of zlib's bound, so only memory can run out
   out.resize(size);
   return out;
 }

@@ -1,4 +1,4 @@
-/// The bytes behind the XML of a VTK file: each array with its sizes in front, as 64-bit numbers.
+/// Appended data section of a VTK XML file: each array preceded by its sizes, as 64-bit integers.
 ///
 ///   plain   [bytes] data
 ///   zlib    [blocks][block size][size of a last, shorter block, or 0][compressed size of each block…] blocks
@@ -19,7 +19,7 @@ class Appended {
  public:
   explicit Appended(Compression compression) : compression_(compression) {}
 
-  /// Where the array will start. Its bytes must stay until they are written.
+  /// Adds an array and returns its offset. The bytes must remain valid until they are written.
   std::uint64_t add(std::span<const std::byte> bytes);
 
   void write_to(WholeFile& file) const;
@@ -27,13 +27,13 @@ class Appended {
  private:
   struct Array {
     std::vector<std::uint64_t> sizes;
-    std::vector<std::vector<std::byte>> blocks;  // zlib
-    std::span<const std::byte> bytes;            // plain
+    std::vector<std::vector<std::byte>> blocks;  // with compression
+    std::span<const std::byte> bytes;            // without compression
   };
 
   Compression compression_;
   std::vector<Array> arrays_;
-  std::uint64_t end_ = 0;  // of all arrays so far
+  std::uint64_t end_ = 0;  // end offset of all arrays so far
 };
 
 }  // namespace perimpact::output

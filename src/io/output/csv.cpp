@@ -4,13 +4,13 @@
 
 #include <iterator>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace perimpact::output {
 
 namespace {
 
-/// Names come from decks: one with a comma or a quote is quoted (RFC 4180).
+/// Quotes names with commas or quotes (RFC 4180), since names come from decks.
 std::string quoted(const std::string& name) {
   if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
   std::string text = "\"";

@@ -1,5 +1,5 @@
-/// Tables of numbers as CSV: a header of `name.quantity_axis [unit]`, then rows. Each number is written with as few digits as
-/// read back to the very same double; not-a-number is `nan`.
+/// CSV tables of numbers: a header of `name.quantity_axis [unit]`, then rows. Each number has the fewest digits that read back to the same
+/// double; not-a-number is `nan`.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,15 @@
 
 namespace perimpact::output {
 
-/// A table that grows while the run goes on (history.csv). Each row reaches the system at once, so a killed run keeps its rows.
+/// A table that grows during a run (history.csv). Each row is passed to the operating system at once, so a killed run keeps its rows.
 class CsvWriter {
  public:
   CsvWriter(const std::filesystem::path& path, std::span<const std::string> columns);
-  /// Goes on with a table of so many columns behind its first `size` bytes; the rest is cut off.
+  /// Resumes a table with this number of columns after its first `size` bytes; the rest is truncated.
   CsvWriter(const std::filesystem::path& path, std::size_t columns, std::uint64_t size) : columns_(columns), file_(path, size) {}
 
-  void append(std::span<const double> row);            ///< one number a column
-  void sync() { file_.sync(); }                        ///< all rows reach the disk
+  void append(std::span<const double> row);            ///< one number per column
+  void sync() { file_.sync(); }                        ///< flushes all rows to disk
   std::uint64_t size() const { return file_.size(); }  ///< [byte]
 
  private:
@@ -27,7 +27,7 @@ class CsvWriter {
   GrowingFile file_;
 };
 
-/// A table that is known as a whole (lines/*.csv). `rows` holds one row after the other.
+/// Writes a complete table (lines/*.csv). `rows`: row-major values.
 void write_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::span<const double> rows);
 
 }  // namespace perimpact::output

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 
 namespace perimpact::output {
 
@@ -18,38 +18,38 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string_view way_out(int error) {
+std::string_view remedy(int error) {
   switch (error) {
     case ENOSPC:
     case EDQUOT:
-      return "Make room and run again; everything written before is intact.";
+      return "Free disk space and run again; everything written before is intact.";
     case EFBIG:
       return "Raise the limit on file sizes (ulimit -f) and run again; everything written before is intact.";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "Choose a folder that you may write to.";
+      return "Choose a writable folder.";
     case ENOENT:
     case ENOTDIR:
-      return "Its folder is not there (any more): do not move or delete the results while the run goes on.";
+      return "Its folder does not exist (any more): do not move or delete the results during a run.";
     default:
       return "Everything written before is intact.";
   }
 }
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-  throw fccda::RunError(fmt::format("{} cannot be written: {}. {}", path.string(), std::strerror(error), way_out(error)));
+  throw fccda::RunError(fmt::format("{} cannot be written: {}. {}", path.string(), std::strerror(error), remedy(error)));
 }
 
 fs::path part_of(const fs::path& path) { return fs::path(path) += ".part"; }
 
-/// -1 where it fails: errno says why.
+/// Returns -1 on failure, with the reason in errno.
 int open_empty(const fs::path& path) { return ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666); }
 
-/// 0, or errno. Not every file system knows how to sync (EINVAL): then there is nothing to wait for.
+/// 0, or errno. EINVAL means that the file system does not support syncing, which is not an error.
 int sync_file(int file) { return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno; }
 
-/// 0, or errno. A write may be cut short (by a signal, or where the room ends): the next one continues or gives the reason.
+/// 0, or errno. A write may be partial (after a signal, or on a full disk): the next call continues or gives the reason.
 template <class Write>
 int all_of(std::span<const std::byte> bytes, const Write& write) {
   while (!bytes.empty()) {
@@ -102,7 +102,7 @@ void WholeFile::resize(std::uint64_t size) {
 }
 
 void WholeFile::finish() {
-  if (const int error = sync_file(file_.number())) fail(path_, error);  // or a power cut could leave a renamed but empty file
+  if (const int error = sync_file(file_.number())) fail(path_, error);  // otherwise a power failure could leave a renamed but empty file
   int error = file_.close();
   if (error == 0 && std::rename(part_.c_str(), path_.c_str()) != 0) error = errno;
   if (error != 0) {
@@ -120,10 +120,10 @@ void write_whole_file(const fs::path& path, std::string_view text) {
 void expect_place_for(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const auto refuse = [&](std::string_view why) { throw fccda::InputError(fmt::format("{} cannot be written: {}", path.string(), why)); };
-  if (!fs::exists(folder)) refuse(fmt::format("there is no folder {}. Make it first, or name another place.", folder.string()));
-  if (!fs::is_directory(folder)) refuse(fmt::format("{} is no folder. Name another place.", folder.string()));
-  if (fs::is_directory(path)) refuse("it is a folder. Add the name of a file.");
-  if (::access(folder.c_str(), W_OK) != 0) refuse(fmt::format("the folder {} does not let you. Name another place.", folder.string()));
+  if (!fs::exists(folder)) refuse(fmt::format("there is no folder {}. Create it first, or choose another folder.", folder.string()));
+  if (!fs::is_directory(folder)) refuse(fmt::format("{} is not a folder. Choose another one.", folder.string()));
+  if (fs::is_directory(path)) refuse("it is a folder. Append a file name.");
+  if (::access(folder.c_str(), W_OK) != 0) refuse(fmt::format("the folder {} is not writable. Choose another one.", folder.string()));
 }
 
 std::error_code try_writing(const fs::path& path) {
@@ -154,7 +154,7 @@ void GrowingFile::sync() {
 
 void GrowingFile::append(std::string_view record) {
   if (const int error = write_all(file_.number(), std::as_bytes(std::span(record)))) {
-    // Where not even this works the file ends in half a record, and the error is reported all the same.
+    // If this fails too, the file ends in a partial record; the error is reported in any case.
     [[maybe_unused]] const int not_shortened = ::ftruncate(file_.number(), static_cast<off_t>(size_));
     fail(path_, error);
   }

@@ -15,9 +15,9 @@ struct Overloaded : Cases... {
   using Cases::operator()...;
 };
 template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;  // clang before 17 needs it said
+Overloaded(Cases...) -> Overloaded<Cases...>;  // deduction guide required by clang before version 17
 
-/// RFC 8259, section 7: quotes, backslashes and control characters must be escaped; the rest is UTF-8 as it came.
+/// Quotes a string and escapes quotes, backslashes and control characters (RFC 8259, section 7); the rest is passed through as UTF-8.
 std::string quoted(std::string_view words) {
   std::string text = "\"";
   for (const char c : words) {
@@ -59,7 +59,7 @@ std::string Json::text() const {
 }
 
 void Json::add_to(std::string& text, int level) const {
-  // Numbers and words of an array share a line; arrays and objects within one get their own.
+  // Numbers and words of an array share a line; nested arrays and objects have separate lines.
   const auto is_simple = [](const Json& json) { return !std::holds_alternative<Elements>(json.value_) && !std::holds_alternative<Members>(json.value_); };
   const auto add_list = [&](const auto& list, char open, char close, bool on_one_line, const auto& add_one) {
     const std::string gap = on_one_line ? "" : "\n" + indent(level + 1);

@@ -1,8 +1,8 @@
-/// JSON for run.json: values in the order they were given, numbers that read back to the very same double, two spaces a level.
+/// JSON for run.json: members in insertion order, numbers that read back to the same double, indentation of two spaces.
 ///
 ///   Json run = Json::object();
 ///   run["title"] = setup.title;
-///   run["timers"]["contact"] = 0.31;      // [s]; objects appear where they are named
+///   run["timers"]["contact"] = 0.31;      // [s]; objects are created on access
 ///   write_whole_file(path, run.text());
 #pragma once
 
@@ -14,11 +14,11 @@
 #include <variant>
 #include <vector>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace perimpact::output {
 
-/// A JSON value. Not-a-number and infinities have no JSON and are written as null.
+/// A JSON value. JSON has no not-a-number and infinities, which are written as null.
 class Json {
  public:
   Json() = default;  ///< null
@@ -38,14 +38,14 @@ class Json {
 
   static Json object() { return Json(Value(Members{})); }
   static Json array() { return Json(Value(Elements{})); }
-  /// Text that is JSON already; its lines are indented along.
+  /// Text that is already JSON; its lines are indented.
   static Json verbatim(std::string json) {
     while (json.ends_with('\n')) json.pop_back();
     return Json(Value(Verbatim{std::move(json)}));
   }
 
-  /// The member of that name, added at the end where there is none. Null becomes an object.
-  /// The reference holds until the next member is added.
+  /// The member of that name, appended where there is none. Null becomes an object.
+  /// The reference is valid until the next member is added.
   Json& operator[](std::string_view name);
 
   void push_back(Json element);  ///< null becomes an array

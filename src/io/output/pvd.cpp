@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/output/file.hpp"
 #include "io/output/xml.hpp"
 
@@ -36,7 +36,7 @@ void Series::list(double time, const std::string& file) {
   times_.push_back(time);
   try {
     write_list();
-  } catch (...) {  // a picture that no list names would never be seen
+  } catch (...) {  // an unlisted frame would never be shown
     times_.pop_back();
     std::error_code ignored;
     std::filesystem::remove(folder_ / file, ignored);
@@ -44,7 +44,7 @@ void Series::list(double time, const std::string& file) {
   }
 }
 
-std::vector<Picture> pictures_of(const std::filesystem::path& list) {
+std::vector<FrameFile> frame_files_of(const std::filesystem::path& list) {
   std::ifstream file(list, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const auto value = [&](std::size_t tag, std::string_view attribute) -> std::string_view {
@@ -53,16 +53,16 @@ std::vector<Picture> pictures_of(const std::filesystem::path& list) {
     const std::size_t first = at + attribute.size();
     return std::string_view(text).substr(first, text.find('"', first) - first);
   };
-  std::vector<Picture> pictures;
+  std::vector<FrameFile> frames;
   for (std::size_t tag = 0; (tag = text.find("<DataSet ", tag)) != std::string::npos; ++tag) {
     const std::string_view time = value(tag, "timestep=\""), name = value(tag, "file=\"");
-    Picture picture{.time = 0, .file = list.parent_path() / name};
-    const auto [behind, error] = std::from_chars(time.data(), time.data() + time.size(), picture.time);
+    FrameFile frame{.time = 0, .file = list.parent_path() / name};
+    const auto [behind, error] = std::from_chars(time.data(), time.data() + time.size(), frame.time);
     if (error != std::errc() || behind != time.data() + time.size() || name.empty()) break;
-    pictures.push_back(std::move(picture));
+    frames.push_back(std::move(frame));
   }
-  if (pictures.empty()) throw fccda::InputError(fmt::format("{} lists no pictures with their times; take the file as the run wrote it.", list.string()));
-  return pictures;
+  if (frames.empty()) throw fccda::InputError(fmt::format("{} lists no frames with their times; use the file as written by the run.", list.string()));
+  return frames;
 }
 
 }  // namespace perimpact::output

@@ -1,4 +1,4 @@
-/// A series of pictures over time. ParaView opens `<name>.pvd`, which lists the files `<name>_00000.vtp`, … and their times.
+/// A time series of output frames. ParaView opens `<name>.pvd`, which lists the files `<name>_00000.vtp`, … and their times.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,15 @@
 
 namespace perimpact::output {
 
-/// Adds frames one by one. The list is rewritten, as a whole, after each frame, so that it can be opened while the run goes on and
-/// never names a file that is not there.
+/// Adds frames one by one. The list is replaced atomically after each frame, so that it can be opened during the run and never lists a
+/// missing file.
 class Series {
  public:
   Series(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
-  /// Goes on behind the frames of these times [s]: the list is cut back to them, and frames beyond are removed.
+  /// Resumes after the frames of these times [s]: the list is truncated to them, and later frames are removed.
   Series(std::filesystem::path folder, std::string name, std::vector<double> times);
 
-  /// write_frame(path) must write the file; then it is listed with its time [s], or removed where the list cannot be written. Throws what
+  /// write_frame(path) must write the file, which is then listed with its time [s], or removed where the list cannot be written. Throws what
   /// write_frame throws, and RunError.
   template <class WriteFrame>
   void add(double time, const WriteFrame& write_frame) {
@@ -37,14 +37,14 @@ class Series {
   std::vector<double> times_;
 };
 
-/// A frame of a series that is there.
-struct Picture {
+/// An existing frame of a series.
+struct FrameFile {
   double time;  ///< [s]
   std::filesystem::path file;
 };
 
-/// Those that a list of Series names, in its order; of names that needed no escape, as those of bodies and impactors. Throws InputError where the file is no
-/// such list.
-std::vector<Picture> pictures_of(const std::filesystem::path& list);
+/// The frames that a .pvd file of Series lists, in order. File names must not need XML escapes, which holds for names of bodies and impactors.
+/// Throws InputError where the file is not such a list.
+std::vector<FrameFile> frame_files_of(const std::filesystem::path& list);
 
 }  // namespace perimpact::output

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/output/file.hpp"
 
 namespace perimpact::output {
@@ -24,7 +24,7 @@ bool is_frame(std::string_view name) {  // <body>_00000.vtp
   return digits >= 5 && name.size() > 1 && name.ends_with('_');
 }
 
-bool is_series(const fs::path& folder, std::string_view name) {  // <body>.pvd beside the frames that it lists
+bool is_series(const fs::path& folder, std::string_view name) {  // <body>.pvd next to the frames that it lists
   return name.ends_with(".pvd") && fs::exists(folder / (std::string(name.substr(0, name.size() - 4)) + "_00000.vtp"));
 }
 
@@ -35,7 +35,7 @@ bool is_line(std::string_view name) {  // <line>_t<seconds>.csv
   return time != std::string_view::npos && time > 0 && time + 2 < name.size() && name.find_first_not_of("0123456789.e-+", time + 2) == std::string_view::npos;
 }
 
-/// Files of `folder` that are ours, whole or left in part by a run that was killed.
+/// Files of `folder` that a run writes, complete or partial from a killed run.
 template <class IsOurs>
 std::vector<fs::path> our_files(const fs::path& folder, const IsOurs& is_ours) {
   std::vector<fs::path> found;
@@ -71,7 +71,7 @@ void prepare_folder(const fs::path& folder) {
 }
 
 ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std::move(folder)) {
-  for (const fs::path& each : {folder_, frames(), lines(), pressure_area(), pieces()}) prepare_folder(each);
+  for (const fs::path& each : {folder_, frames(), lines(), pressure_area(), fragments()}) prepare_folder(each);
   const auto remove_from = [earlier](const fs::path& from, const auto& is_ours) {
     std::vector<fs::path> files = our_files(from, is_ours);
     if (earlier == EarlierRun::continued)
@@ -79,14 +79,14 @@ ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std:
                     [](const fs::path& file) { return file.extension() != ".part" && file.filename() != "run.json" && file.filename() != "report.html"; });
     remove(files);
   };
-  // the checkpoint first: what it goes on from must not be there without the rest
+  // the checkpoint first: it must not remain without the results that it resumes
   remove_from(folder_, [](std::string_view name) { return name == "checkpoint.h5"; });
   remove_from(folder_, [](std::string_view name) { return name == "run.json" || name == "report.html" || name == "history.csv" || name == "history.json"; });
   remove_from(folder_, [](std::string_view name) { return name == "statistics.csv" || name == "windows.csv" || name == "spectrum.csv"; });
   remove_from(frames(), [&](std::string_view name) { return is_series(frames(), name); });
   remove_from(frames(), is_frame);
   remove_from(lines(), is_line);
-  for (const fs::path& tables : {pressure_area(), pieces()}) remove_from(tables, [](std::string_view name) { return name.ends_with(".csv"); });
+  for (const fs::path& tables : {pressure_area(), fragments()}) remove_from(tables, [](std::string_view name) { return name.ends_with(".csv"); });
 }
 
 fs::path ResultsFolder::line(std::string_view name, double time) const { return lines() / fmt::format("{}_t{}.csv", name, time); }

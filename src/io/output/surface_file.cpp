@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/output/file.hpp"
 
 namespace perimpact::output {
@@ -19,7 +19,7 @@ using fccda::Vec3d;
 
 bool has_parts(const Surface& surface) { return surface.part_names().size() > 1 || !surface.part_names()[0].empty(); }
 
-/// Calls open(part name), triangle(number)… and close(part name) for each part that has triangles, in the order of the parts.
+/// Calls open(part name), triangle(number)… and close(part name) for each part with triangles, in the order of the parts.
 template <class Open, class Triangle, class Close>
 void visit_parts(const Surface& surface, const Open& open, const Triangle& triangle, const Close& close) {
   std::vector<std::vector<std::size_t>> members(surface.part_names().size());
@@ -58,7 +58,7 @@ void append(std::string& bytes, T value) {
 
 std::string stl_binary(const Surface& surface) {
   constexpr std::size_t header_bytes = 80, triangle_bytes = 50;
-  std::string bytes = "made fit by perimpact, metres";
+  std::string bytes = "repaired by perimpact, metres";
   bytes.reserve(header_bytes + 4 + triangle_bytes * surface.triangles().size());
   bytes.resize(header_bytes, ' ');
   append(bytes, static_cast<std::uint32_t>(surface.triangles().size()));
@@ -71,7 +71,7 @@ std::string stl_binary(const Surface& surface) {
 }
 
 std::string obj_text(const Surface& surface) {
-  std::string text = "# made fit by perimpact, metres\n";
+  std::string text = "# repaired by perimpact, metres\n";
   const auto out = std::back_inserter(text);
   for (const Vec3d& v : surface.vertices()) fmt::format_to(out, "v {:.17g} {:.17g} {:.17g}\n", v.x, v.y, v.z);
   visit_parts(

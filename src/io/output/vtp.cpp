@@ -7,7 +7,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 #include "io/output/appended.hpp"
 #include "io/output/file.hpp"
 #include "io/output/xml.hpp"
@@ -28,7 +28,7 @@ std::size_t count_of(const Numbers& numbers) {
   return std::visit([](auto span) { return span.size(); }, numbers);
 }
 
-/// The XML element of an array, whose bytes go to `appended`.
+/// The XML element of an array; its bytes are added to `appended`.
 std::string element(const VtpArray& array, Appended& appended) {
   return std::visit(
       [&]<class Number>(std::span<const Number> span) {
@@ -44,11 +44,11 @@ std::string section(std::string_view name, std::span<const VtpArray> arrays, App
   return text + fmt::format("      </{}>\n", name);
 }
 
-/// Which points make up each cell, and where each cell's list ends.
+/// Cell connectivity: point numbers of all cells, and the end of each cell's range.
 struct Cells {
   std::vector<std::int32_t> connectivity, offsets;
 
-  /// One vertex cell a particle, not one for all: ParaView's Threshold keeps or drops whole cells.
+  /// One vertex cell per particle, since ParaView's Threshold keeps or drops whole cells.
   static Cells particles(std::size_t count) {
     Cells cells{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
     std::iota(cells.connectivity.begin(), cells.connectivity.end(), 0);

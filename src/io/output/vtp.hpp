@@ -1,5 +1,5 @@
-/// Pictures for ParaView: VTK's XML PolyData (.vtp), written without VTK. Arrays follow the XML as raw bytes with 64-bit sizes,
-/// plain or in zlib blocks (vtkZLibDataCompressor), in this machine's byte order, which the file names.
+/// Writer of VTK XML PolyData (.vtp) for ParaView, without dependency on VTK. Arrays are appended as raw bytes with 64-bit sizes, plain or in
+/// zlib blocks (vtkZLibDataCompressor), in native byte order, which the file states.
 ///
 /// Format: VTK File Formats, https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
 #pragma once
@@ -13,21 +13,21 @@
 #include <variant>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
-#include "fccda/surface/panels.hpp"
+#include "base/vec3.hpp"
+#include "mesh/panels.hpp"
 
 namespace perimpact::output {
 
 using Numbers = std::variant<std::span<const float>, std::span<const double>, std::span<const std::int32_t>, std::span<const std::uint8_t>>;
 
-/// A named array: `components` numbers for each point or cell in turn. The numbers belong to the caller.
+/// A named array with `components` numbers per point or cell. The caller owns the numbers.
 struct VtpArray {
-  std::string name;  ///< SI unit understood: displacement [m], velocity [m/s], damage [-]
+  std::string name;  ///< in SI units: displacement [m], velocity [m/s], damage [-]
   int components = 1;
   Numbers numbers;
 };
 
-/// What a file shows. Without panels each point is a cell of its own (a particle).
+/// Contents of a file. Without panels each point is a vertex cell (a particle).
 struct PolyData {
   Numbers points;                                   ///< x y z of each point [m]; float or double
   std::span<const std::array<int, 4>> panels = {};  ///< as in fccda::Panels
@@ -40,10 +40,10 @@ struct PolyData {
 /// zlib 5.6 MB in 92 ms.
 enum class Compression { none, zlib };
 
-/// Writes the file as a whole (WholeFile). Throws RunError where it cannot be written.
+/// Writes the file atomically (WholeFile). Throws RunError where it cannot be written.
 void write_vtp(const std::filesystem::path& path, const PolyData& data, Compression compression);
 
-/// Surfaces: the vertices as they are in memory. `vertices` may be those of fccda::Panels, or the same moved with the body.
+/// Vertex coordinates of a surface, without a copy. `vertices` may be those of fccda::Panels, or these transformed with the body.
 Numbers coordinates(std::span<const fccda::Vec3d> vertices);
 
 }  // namespace perimpact::output

@@ -1,4 +1,4 @@
-/// The one thing that both XML formats of VTK need.
+/// XML escaping shared by the VTK XML formats.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace perimpact::output {
 
-/// Words as they may stand between the quotes of an attribute.
+/// Escapes text for use as an attribute value.
 std::string xml_attribute(std::string_view words);
 
 }  // namespace perimpact::output

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 #include "io/report/packing.hpp"
 
 namespace perimpact::report {
@@ -12,7 +12,7 @@ Table joined(const Table& table, std::size_t most_rows) {
   EXPECTS(most_rows > 1);
   const std::size_t rows = table.rows();
   if (rows <= most_rows) return table;
-  const std::size_t together = (rows - 1 + most_rows - 2) / (most_rows - 1);  // the first row stays alone: nothing was before it
+  const std::size_t together = (rows - 1 + most_rows - 2) / (most_rows - 1);  // the first row is not merged: it has no preceding interval
   Table out{.file = table.file, .names = table.names, .columns = std::vector<std::vector<double>>(table.columns.size()), .facts = table.facts};
   const std::vector<double>& times = table.columns.front();
   for (std::size_t c = 0; c < table.columns.size(); ++c) {

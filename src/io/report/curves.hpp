@@ -1,4 +1,4 @@
-/// history.csv as a report holds it.
+/// History curves of a report.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct Curves {
   std::string bytes;         ///< packed, column after column, as floats
 };
 
-/// The table, whose first column is the time, with at most so many rows: where there are more, equally many in a row become one. Of means over
-/// an interval it holds their mean over its time, of all others the last value.
+/// Reduces a table, whose first column is the time, to at most `most_rows` rows by merging groups of equal size. Interval means are averaged over
+/// time; of all other columns the last value is kept.
 Table joined(const Table& table, std::size_t most_rows);
 
 Curves curves_of(const Table& table);

@@ -1,4 +1,4 @@
-/// The pictures of a results folder as a report holds them.
+/// The frames of a results folder in a report.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 #include "io/output/json.hpp"
 #include "io/output/pvd.hpp"
 #include "io/report/packing.hpp"
@@ -15,7 +15,7 @@
 
 namespace perimpact::report {
 
-/// Smallest and largest of numbers.
+/// Minimum and maximum of a set of numbers.
 struct Range {
   double low = 0, high = 0;
   bool is_empty = true;
@@ -27,55 +27,57 @@ struct Range {
 struct BodyFrames {
   std::string name;
   double spacing = 0;                      ///< [m]
-  std::vector<output::Picture> pictures;   ///< that can be read
-  std::vector<fccda::Vec3d> undeformed;    ///< [m] of all particles
-  Range place[3], displacement[3], speed;  ///< over all pictures [m] [m] [m/s]
-  std::uint32_t highest_piece = 0;
-  bool has_pieces = false;
-  std::vector<bool> is_damaged;  ///< in the last picture
+  std::vector<output::FrameFile> frames;   ///< readable frames
+  std::vector<fccda::Vec3d> undeformed;    ///< reference positions of all particles [m]
+  Range place[3], displacement[3], speed;  ///< over all frames [m] [m] [m/s]
+  std::uint32_t highest_fragment = 0;
+  bool has_fragments = false;
+  Range plastic_strain;  ///< [-] over all frames
+  bool has_plastic_strain = false;
+  std::vector<bool> is_damaged;  ///< in the last frame
 };
 
 /// The panels of an impactor over the run.
 struct ImpactorFrames {
   std::string name;
-  std::vector<output::Picture> pictures;  ///< that can be read
-  std::vector<RigidMotion> motions;       ///< of each picture
-  std::vector<fccda::Vec3d> vertices;     ///< [m] in the first picture
+  std::vector<output::FrameFile> frames;  ///< readable frames
+  std::vector<RigidMotion> motions;       ///< per frame
+  std::vector<fccda::Vec3d> vertices;     ///< [m] in the first frame
   std::vector<std::array<int, 4>> panels;
-  std::vector<std::string> arrays;  ///< names; vectors are told by their length
-  std::vector<Range> ranges;        ///< of each array
+  std::vector<std::string> arrays;  ///< names; of vectors the magnitude is used
+  std::vector<Range> ranges;        ///< per array
 };
 
 struct Frames {
   std::vector<BodyFrames> bodies;
   std::vector<ImpactorFrames> impactors;
 
-  /// [s] of all pictures of all of them, each time once.
+  /// The distinct times of all frames [s].
   std::vector<double> times() const;
 };
 
-/// Reads every picture of the folder once. What is missing or damaged is left out, and told in a sentence of `notes`.
+/// Reads every frame of the folder once. Missing or damaged frames are omitted and reported in `notes`.
 Frames scan_frames(const std::filesystem::path& folder, std::vector<std::string>& notes);
 
-/// What of it all a report holds.
+/// Selection of times and particles for a report.
 struct Choice {
-  std::vector<double> times;                          ///< [s] pictures at other times are left out
-  std::vector<std::vector<std::uint32_t>> particles;  ///< of each body, by number
+  std::vector<double> times;                          ///< [s] frames at other times are omitted
+  std::vector<std::vector<std::uint32_t>> particles;  ///< particle numbers, per body
 };
 
-/// A part of the report that the browser unpacks by itself.
+/// A part of the report that the browser decodes separately.
 struct Blob {
   std::string id, text;  ///< base64
 };
 
-/// How the blobs are to be read: the entries `bodies` and `impactors` of the report's description.
+/// Encoded frames with their decoding instructions: the entries `bodies` and `impactors` of the report's description.
 struct PackedFrames {
   output::Json bodies = output::Json::array(), impactors = output::Json::array();
-  std::vector<Blob> blobs;                     ///< in the order of time
-  std::size_t bytes = 0, bytes_of_bodies = 0;  ///< of all texts, and of those of bodies alone
+  std::vector<Blob> blobs;                     ///< in chronological order
+  std::size_t bytes = 0, bytes_of_bodies = 0;  ///< total size of the texts, and of those of bodies only
 };
 
-/// Reads the chosen pictures again and packs them.
+/// Reads the selected frames again and encodes them.
 PackedFrames pack_frames(const Frames& frames, const Choice& choice);
 
 }  // namespace perimpact::report

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace perimpact::report {
 
@@ -12,16 +12,16 @@ namespace {
 
 using fccda::Vec3d;
 
-/// Particles that lack one of six neighbours.
+/// Flags the particles that lack one of six lattice neighbours.
 std::vector<bool> on_surface(std::span<const Vec3d> points, double spacing) {
   fccda::Box box;
   for (const Vec3d& point : points) box.include(point);
-  constexpr double most_cells = 1 << 20;  // along an axis: three counts fit into 64 bits
+  constexpr double most_cells = 1 << 20;  // per axis, so that three indices fit into 64 bits
   const double cell = std::max(spacing, fccda::largest_magnitude(box.size()) / most_cells);
   const auto key = [](const std::array<std::int64_t, 3>& at) { return (at[0] * (std::int64_t{1} << 21) + at[1]) * (std::int64_t{1} << 21) + at[2]; };
   const auto place = [&](const Vec3d& point) {
     const Vec3d at = (point - box.low) / cell;
-    return std::array<std::int64_t, 3>{std::lround(at.x) + 1, std::lround(at.y) + 1, std::lround(at.z) + 1};  // from 1, so that 0 is outside
+    return std::array<std::int64_t, 3>{std::lround(at.x) + 1, std::lround(at.y) + 1, std::lround(at.z) + 1};  // from 1: 0 is outside
   };
   std::vector<std::int64_t> taken;
   for (const Vec3d& point : points) taken.push_back(key(place(point)));
@@ -52,7 +52,7 @@ std::vector<std::uint32_t> kept_particles(std::span<const Vec3d> undeformed, dou
   const double share_of_rest = rest == 0 ? 0 : std::clamp((wanted - static_cast<double>(firsts)) / rest, 0.0, 1.0);
 
   std::vector<std::uint32_t> kept;
-  double due_first = 0.5, due_rest = 0.5;  // one is kept whenever its sum passes a whole number
+  double due_first = 0.5, due_rest = 0.5;  // error diffusion: a particle is kept whenever the sum reaches an integer
   for (std::size_t i = 0; i < comes_first.size(); ++i) {
     double& due = comes_first[i] ? due_first : due_rest;
     due += comes_first[i] ? share_of_firsts : share_of_rest;

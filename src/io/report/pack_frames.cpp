@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "io/report/frame_reader.hpp"
 #include "io/report/frames.hpp"
-#include "io/report/picture_file.hpp"
 
 namespace perimpact::report {
 
@@ -15,7 +15,7 @@ namespace {
 using fccda::Vec3d;
 using output::Json;
 
-/// An array that is packed in each picture, and how its numbers become reals again.
+/// An array that is encoded in each frame, with its quantisation.
 struct PackedArray {
   std::string name, unit;
   int bytes;
@@ -37,13 +37,13 @@ struct PackedArray {
   }
 };
 
-constexpr std::uint32_t finest = 65535, coarsest = 4095;  // steps of 16 and of 12 bits
+constexpr std::uint32_t finest = 65535, coarsest = 4095;  // quantisation steps of 16 and 12 bits
 
 PackedArray reals(std::string name, std::string unit, const Range& range, std::uint32_t steps) {
   return {std::move(name), std::move(unit), 2, Scale(range.low, range.high, steps)};
 }
 
-/// Displacements need be no finer than undeformed places, unless they are small; and what is finer than it need be packs badly.
+/// Quantisation of displacements: no finer than the reference positions unless displacements are small, since excess precision compresses badly.
 std::uint32_t steps_of_displacement(const Range& displacement, const Range& place) {
   const double span = displacement.high - displacement.low, box = place.high - place.low;
   return box > 0 ? static_cast<std::uint32_t>(std::clamp<double>(std::ceil(finest * span / box), coarsest, finest)) : finest;
@@ -62,7 +62,7 @@ void add_blob(PackedFrames& out, std::string id, const std::string& bytes) {
 
 const char* const axis_names[] = {"x", "y", "z"};
 
-/// Packs a body's pictures one after the other.
+/// Encodes the frames of a body sequentially.
 class PackedBody {
  public:
   PackedBody(const BodyFrames& body, const std::vector<std::uint32_t>& particles, std::size_t number, PackedFrames& out)
@@ -84,15 +84,16 @@ class PackedBody {
     add_blob(out, id_, bytes);
     arrays_.push_back(reals("speed", "m/s", {0, body.speed.high, false}, coarsest));
     arrays_.emplace_back("damage", "", 1, Scale(0, 1, 255));
-    if (body.has_pieces) arrays_.push_back(whole_numbers("piece", body.highest_piece));
+    if (body.has_plastic_strain) arrays_.push_back(reals("plastic_strain", "", {0, body.plastic_strain.high, false}, coarsest));
+    if (body.has_fragments) arrays_.push_back(whole_numbers("fragment", body.highest_fragment));
     for (const PackedArray& array : arrays_) description_["arrays"].push_back(array.description());
     description_["pictures"] = Json::array();
   }
 
   void add(std::size_t number, std::size_t time_number, PackedFrames& out) {
-    const PictureFile picture = read_picture(body_.pictures[number].file);
-    const PictureArray &u = *picture.find("displacement"), &v = *picture.find("velocity"), &damage = *picture.find("damage");
-    const PictureArray* piece = picture.find("piece");
+    const FrameReader frame = read_frame(body_.frames[number].file);
+    const FrameArray &u = *frame.find("displacement"), &v = *frame.find("velocity"), &damage = *frame.find("damage");
+    const FrameArray *fragment = frame.find("fragment"), *plastic_strain = frame.find("plastic_strain");
     std::string bytes;
     std::size_t a = 0;
     const auto pack = [&](const auto& value) {
@@ -102,7 +103,8 @@ class PackedBody {
     for (std::size_t axis = 0; axis < 3; ++axis) pack([&, axis](std::uint32_t i) { return u.numbers[3 * i + axis]; });
     pack([&](std::uint32_t i) { return v.scalar(i); });
     pack([&](std::uint32_t i) { return damage.numbers[i]; });
-    if (body_.has_pieces) pack([&](std::uint32_t i) { return piece->numbers[i]; });
+    if (body_.has_plastic_strain) pack([&](std::uint32_t i) { return plastic_strain->numbers[i]; });
+    if (body_.has_fragments) pack([&](std::uint32_t i) { return fragment->numbers[i]; });
     description_["pictures"].push_back(time_number);
     add_blob(out, fmt::format("{}_{}", id_, time_number), bytes);
   }
@@ -137,7 +139,7 @@ class PackedImpactor {
     description_["vertices"] = impactor.vertices.size();
     description_["panels"] = impactor.panels.size();
     std::string bytes;
-    for (std::size_t axis = 0; axis < 3; ++axis) {  // as floats, bit for bit
+    for (std::size_t axis = 0; axis < 3; ++axis) {  // as floats, bitwise
       std::vector<std::uint32_t> words;
       for (const Vec3d& vertex : impactor.vertices) words.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(vertex[axis])));
       ArrayPacker(4).append(words, bytes);
@@ -158,7 +160,7 @@ class PackedImpactor {
 
   void add(std::size_t number, std::size_t time_number, PackedFrames& out) {
     const RigidMotion& motion = impactor_.motions[number];
-    Json rows = Json::array();  // a matrix of three rows and four columns
+    Json rows = Json::array();  // a 3 × 4 matrix
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (std::size_t column = 0; column < 3; ++column) rows.push_back(motion.turn.row[axis][column]);
       rows.push_back(motion.shift[axis]);
@@ -166,10 +168,10 @@ class PackedImpactor {
     description_["pictures"].push_back(time_number);
     description_["motions"].push_back(std::move(rows));
     if (arrays_.empty()) return;
-    const PictureFile picture = read_picture(impactor_.pictures[number].file);
+    const FrameReader frame = read_frame(impactor_.frames[number].file);
     std::string bytes;
     for (PackedArray& packed : arrays_) {
-      const PictureArray& array = *picture.find(packed.name);
+      const FrameArray& array = *frame.find(packed.name);
       std::vector<std::uint32_t> numbers;
       for (std::size_t i = 0; i < array.count(); ++i) numbers.push_back(packed.scale.number_of(array.scalar(i)));
       packed.packer.append(numbers, bytes);
@@ -197,15 +199,15 @@ PackedFrames pack_frames(const Frames& frames, const Choice& choice) {
   for (std::size_t i = 0; i < frames.impactors.size(); ++i) impactors.emplace_back(frames.impactors[i], i, out);
 
   for (std::size_t now = 0; now < choice.times.size(); ++now) {
-    const auto add_picture = [&](const std::vector<output::Picture>& pictures, auto& packed) {
-      const auto is_now = [&](const output::Picture& picture) { return picture.time == choice.times[now]; };
-      const auto picture = std::find_if(pictures.begin(), pictures.end(), is_now);
-      if (picture != pictures.end()) packed.add(static_cast<std::size_t>(picture - pictures.begin()), now, out);
+    const auto add_frame = [&](const std::vector<output::FrameFile>& frames, auto& packed) {
+      const auto is_now = [&](const output::FrameFile& frame) { return frame.time == choice.times[now]; };
+      const auto frame = std::find_if(frames.begin(), frames.end(), is_now);
+      if (frame != frames.end()) packed.add(static_cast<std::size_t>(frame - frames.begin()), now, out);
     };
     const std::size_t before = out.bytes;
-    for (std::size_t b = 0; b < bodies.size(); ++b) add_picture(frames.bodies[b].pictures, bodies[b]);
+    for (std::size_t b = 0; b < bodies.size(); ++b) add_frame(frames.bodies[b].frames, bodies[b]);
     out.bytes_of_bodies += out.bytes - before;
-    for (std::size_t i = 0; i < impactors.size(); ++i) add_picture(frames.impactors[i].pictures, impactors[i]);
+    for (std::size_t i = 0; i < impactors.size(); ++i) add_frame(frames.impactors[i].frames, impactors[i]);
   }
   for (const PackedBody& body : bodies) out.bodies.push_back(body.description());
   for (const PackedImpactor& impactor : impactors) out.impactors.push_back(impactor.description());

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "fccda/core/contract.hpp"
-#include "fccda/core/error.hpp"
+#include "base/contract.hpp"
+#include "base/error.hpp"
 
 namespace perimpact::report {
 
@@ -15,7 +15,7 @@ namespace {
 
 using Residuals = std::vector<std::uint32_t>;
 
-/// What prediction leaves of the numbers, modulo 2^(8 bytes), folded so that small ones of either sign are small.
+/// Residuals of a prediction, modulo 2^(8 bytes), zigzag-coded so that small residuals of either sign are small numbers.
 void leave(std::span<const std::uint32_t> numbers, const std::vector<std::uint32_t>& before, const std::vector<std::uint32_t>& before_that, int prediction,
            int bytes, Residuals& out) {
   const int in_time = prediction % 3;
@@ -32,7 +32,7 @@ void leave(std::span<const std::uint32_t> numbers, const std::vector<std::uint32
   }
 }
 
-/// [bit] that an ideal coder of single bytes would need for all planes.
+/// Entropy of all byte planes for an ideal single-byte coder [bit].
 double entropy(const Residuals& residuals, int bytes) {
   double bits = 0;
   for (int plane = 0; plane < bytes; ++plane) {
@@ -77,7 +77,7 @@ std::string gzip(std::string_view bytes) {
   z_stream stream{};
   constexpr int with_gzip_header = 16 + MAX_WBITS, memory_level = 9;
   if (deflateInit2(&stream, 6, Z_DEFLATED, with_gzip_header, memory_level, Z_DEFAULT_STRATEGY) != Z_OK)
-    throw fccda::RunError("there is not enough memory to pack the report; write it with `perimpact report` when less else is running.");
+    throw fccda::RunError("there is not enough memory to compress the report; write it later with `perimpact report`.");
   std::string out(deflateBound(&stream, bytes.size()), '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream.avail_in = static_cast<uInt>(bytes.size());

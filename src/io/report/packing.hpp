@@ -1,5 +1,5 @@
-/// How numbers are packed for the browser: reals as whole numbers of a step, whole numbers as what a prediction leaves, in planes of bytes,
-/// as gzip, as base64. docs/guide/report.md describes the format for other readers.
+/// Compression of numbers for the browser: reals are quantised to integers, integers are stored as prediction residuals in byte planes, then gzip
+/// and base64. docs/guide/report.md specifies the format for other readers.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace perimpact::report {
 
-/// Reals from `low` to `high` in so many steps: value = low + step · number, with whole numbers from 0 on, at most half a step off.
+/// Uniform quantisation of the range from `low` to `high`: value = low + step · number, with integers from 0 and an error of at most half a step.
 class Scale {
  public:
   Scale() = default;
@@ -27,27 +27,27 @@ class Scale {
   std::uint32_t largest_ = 0;
 };
 
-/// Packs the numbers of one array in picture after picture. Each time it takes, of six predictions, the one that leaves least:
+/// Encodes one array frame by frame. For each frame it uses the prediction, of six, with the smallest residuals:
 ///
-///   0  nothing          3  what the element before was off by prediction 0
-///   1  the picture before          4  the same of 1
-///   2  a straight line through the two before     5  the same of 2
+///   0  zero                                      3  residual of the previous element under prediction 0
+///   1  the previous frame                        4  the same under 1
+///   2  linear extrapolation of the two previous  5  the same under 2
 ///
-/// What is left (modulo 2^bits) is folded, 0 −1 1 −2 … → 0 1 2 3 …, and written as planes: all lowest bytes first.
+/// Residuals (modulo 2^bits) are zigzag-coded, 0 −1 1 −2 … → 0 1 2 3 …, and written as byte planes: all lowest bytes first.
 class ArrayPacker {
  public:
   /// `bytes` of each number: 1, 2 or 4.
   explicit ArrayPacker(int bytes) : bytes_(bytes) {}
 
-  /// Appends the number of the prediction (a byte) and the planes.
+  /// Appends the number of the prediction (one byte) and the byte planes.
   void append(std::span<const std::uint32_t> numbers, std::string& out);
 
  private:
   int bytes_;
-  std::vector<std::uint32_t> before_, before_that_;  // the last two pictures
+  std::vector<std::uint32_t> before_, before_that_;  // the last two frames
 };
 
-/// A gzip file in memory (RFC 1952), equal for equal bytes.
+/// A gzip file in memory (RFC 1952); deterministic.
 std::string gzip(std::string_view bytes);
 
 /// RFC 4648, section 4, on one line.

@@ -1,11 +1,11 @@
-/// The page that report/ is built to (report/dist/template.html), as it is embedded in the program.
+/// The embedded report page, built from report/ (report/dist/template.html).
 #pragma once
 
 #include <string_view>
 
 namespace perimpact::report {
 
-/// HTML in which `data_mark` stands once, where the data belong.
+/// HTML that contains `data_mark` once, at the position of the data.
 std::string_view page_template();
 
 constexpr std::string_view data_mark = "<!--data of the run-->";

@@ -8,8 +8,7 @@
 #include <numeric>
 #include <optional>
 
-#include "fccda/core/error.hpp"
-#include "fccda/surface/file/contents.hpp"
+#include "base/error.hpp"
 #include "io/deck/yaml_node.hpp"
 #include "io/output/file.hpp"
 #include "io/output/results_folder.hpp"
@@ -17,6 +16,7 @@
 #include "io/report/frames.hpp"
 #include "io/report/kept_particles.hpp"
 #include "io/report/page_template.hpp"
+#include "mesh_io/file/contents.hpp"
 
 namespace perimpact::report {
 
@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using output::Json;
 
-/// run.json, where it is there and whole.
+/// Contents of run.json, if it exists and is complete.
 struct Run {
   std::string text;
   std::optional<deck::YamlNode> tree;
@@ -44,26 +44,27 @@ Run read_run(const fs::path& folder, std::vector<std::string>& notes) {
   const fs::path file = output::ResultsFolder::run_in(folder);
   Run run;
   if (!fs::exists(file)) {
-    notes.push_back(fmt::format("{} is not there: the run goes on, or was killed. Deck, checks and timers are missing here.", file.string()));
+    notes.push_back(
+        fmt::format("{} does not exist: the run is in progress or was killed. Deck, checks and timers are missing from this report.", file.string()));
     return run;
   }
   try {
     run.text = fccda::contents_of(file);
     run.tree = deck::parse_document(run.text, file.string());
   } catch (const fccda::InputError& error) {
-    notes.push_back(fmt::format("{} Deck, checks and timers are missing here.", error.what()));
+    notes.push_back(fmt::format("{} Deck, checks and timers are missing from this report.", error.what()));
     run.text.clear();
   }
   return run;
 }
 
-/// Where nothing says what its columns are, the table alone.
+/// The history with its column descriptions, or the table alone without history.json.
 Table history_of(const fs::path& folder, std::vector<std::string>& notes) {
   if (!fs::exists(output::ResultsFolder::history_in(folder))) return read_table(output::ResultsFolder::history_in(folder));
   try {
     return read_history(folder);
   } catch (const fccda::InputError& error) {
-    notes.push_back(fmt::format("{} Where rows were joined here, the last of them stands.", error.what()));
+    notes.push_back(fmt::format("{} Where rows are merged in this report, the last value is shown.", error.what()));
     return read_table(output::ResultsFolder::history_in(folder));
   }
 }
@@ -72,14 +73,14 @@ std::optional<Table> rows_of_history(const fs::path& folder, std::size_t most_ro
   try {
     const Table table = history_of(folder, notes);
     if (table.names.front() != "time [s]" || table.rows() == 0) {
-      notes.push_back(fmt::format("{} has no rows of time [s] and other columns, so there are no curves.", table.file.string()));
+      notes.push_back(fmt::format("{} has no column time [s] or no rows, so there are no curves.", table.file.string()));
       return {};
     }
     if (table.rows() > most_rows)
-      notes.push_back(
-          fmt::format("history.csv has {} rows; the curves here have at most {}: forces, moments and other means over an interval are means over several rows, "
-                      "so their peaks are lower.",
-                      table.rows(), most_rows));
+      notes.push_back(fmt::format(
+          "history.csv has {} rows; the curves in this report have at most {}: forces, moments and other means over an interval are means over several rows, "
+          "so their peaks are lower.",
+          table.rows(), most_rows));
     return joined(table, most_rows);
   } catch (const fccda::InputError& error) {
     notes.emplace_back(error.what());
@@ -87,7 +88,7 @@ std::optional<Table> rows_of_history(const fs::path& folder, std::size_t most_ro
   }
 }
 
-/// So many of the times, evenly, the first and the last among them.
+/// Selects `count` times evenly, including the first and the last.
 std::vector<double> evenly(const std::vector<double>& times, std::size_t count) {
   if (count >= times.size()) return times;
   if (count < 2) return {times.back()};
@@ -97,16 +98,16 @@ std::vector<double> evenly(const std::vector<double>& times, std::size_t count) 
   return out;
 }
 
-/// Pictures first, then particles, until there are at most so many particles times pictures.
-Choice choose(const Frames& frames, double most, std::size_t fewest_pictures) {
+/// Thins frames first, then particles, until the number of particles times frames is at most `most`.
+Choice choose(const Frames& frames, double most, std::size_t min_frames) {
   const std::vector<double> times = frames.times();
   std::size_t particles = 0;
   for (const BodyFrames& body : frames.bodies) particles += body.undeformed.size();
   const double fitting = particles == 0 ? static_cast<double>(times.size()) : most / static_cast<double>(particles);
-  const auto least = static_cast<double>(std::min(fewest_pictures, times.size()));
-  const double pictures = std::floor(std::clamp(fitting, least, static_cast<double>(times.size())));
+  const auto least = static_cast<double>(std::min(min_frames, times.size()));
+  const double shown = std::floor(std::clamp(fitting, least, static_cast<double>(times.size())));
 
-  Choice choice{.times = evenly(times, static_cast<std::size_t>(pictures)), .particles = {}};
+  Choice choice{.times = evenly(times, static_cast<std::size_t>(shown)), .particles = {}};
   const double share = std::min(1.0, fitting / std::max(1.0, static_cast<double>(choice.times.size())));
   for (const BodyFrames& body : frames.bodies) {
     if (share < 1) {
@@ -125,7 +126,7 @@ std::size_t particles_in(const Choice& choice) {
   return sum;
 }
 
-/// In a script element no `<` may stand that begins a tag; in JSON it stands in strings only.
+/// A script element with JSON. A `<` that could begin a tag is escaped; in JSON it occurs in strings only.
 std::string as_script(std::string_view id, std::string_view json) {
   std::string text = fmt::format("<script type=\"application/json\" id=\"{}\">", id);
   for (const char c : json) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
@@ -149,10 +150,8 @@ Report write_report(const fs::path& folder, const Limits& limits) {
   const bool has_any = fs::exists(output::ResultsFolder::history_in(folder)) || fs::exists(output::ResultsFolder::run_in(folder)) ||
                        fs::exists(output::ResultsFolder::frames_in(folder));
   if (!has_any)
-    throw fccda::InputError(
-        fmt::format("{} holds no results of a run: neither history.csv nor run.json nor frames; name a folder that `perimpact run` has written "
-                    "its results into.",
-                    folder.string()));
+    throw fccda::InputError(fmt::format(
+        "{} contains no results of a run (no history.csv, run.json or frames); give a results folder written by `perimpact run`.", folder.string()));
   Report report{.file = output::ResultsFolder::report_in(folder)};
   const Run run = read_run(folder, report.notes);
   const std::optional<Table> history = rows_of_history(folder, limits.history_rows, report.notes);
@@ -161,14 +160,14 @@ Report write_report(const fs::path& folder, const Limits& limits) {
     if (const double spacing = run.spacing_of(body.name); spacing > 0) body.spacing = spacing;
     report.particles_of_run += body.undeformed.size();
   }
-  report.pictures_of_run = frames.times().size();
+  report.frame_files_of_run = frames.times().size();
 
-  // what no prediction tells beforehand is how well a run packs: as long as it is too much, that much less is taken
-  double most = static_cast<double>(limits.particle_pictures);
+  // the compression ratio is not known in advance: reduce the selection by the excess until the size fits
+  double most = static_cast<double>(limits.particle_frames);
   Choice choice;
   PackedFrames packed;
   for (int attempt = 0; attempt < 6; ++attempt) {
-    choice = choose(frames, most, limits.fewest_pictures);
+    choice = choose(frames, most, limits.min_frames);
     packed = pack_frames(frames, choice);
     if (packed.bytes <= limits.bytes || frames.bodies.empty()) break;
     const auto bytes = [](std::size_t count) { return static_cast<double>(count); };
@@ -176,11 +175,11 @@ Report write_report(const fs::path& folder, const Limits& limits) {
     const double room = std::max(bytes(limits.bytes) - bytes(packed.bytes - packed.bytes_of_bodies), 0.01 * bytes(limits.bytes));
     most = 0.95 * now * std::min(room / bytes(packed.bytes_of_bodies), 1.0);
   }
-  report.pictures = choice.times.size();
+  report.frames = choice.times.size();
   report.particles = particles_in(choice);
-  if (report.pictures < report.pictures_of_run)
-    report.notes.push_back(fmt::format("{} of {} pictures are shown, evenly chosen, so that the report stays below {:.3g} MB; all of them are in frames/.",
-                                       report.pictures, report.pictures_of_run, 1e-6 * static_cast<double>(limits.bytes)));
+  if (report.frames < report.frame_files_of_run)
+    report.notes.push_back(fmt::format("{} of {} frames are shown, evenly spaced, to keep the report below {:.3g} MB; all of them are in frames/.",
+                                       report.frames, report.frame_files_of_run, 1e-6 * static_cast<double>(limits.bytes)));
   if (report.particles < report.particles_of_run)
     report.notes.push_back(
         fmt::format("{} of {} particles are shown: those on the surface and those that are damaged at the end first, the others evenly thinned.",

@@ -1,7 +1,7 @@
-/// A results folder as one file that a browser shows by itself: report.html, the page of report/ with the data in it.
+/// Report of a results folder as a self-contained HTML file: report.html, the page of report/ with embedded data.
 ///
-/// Larger runs are thinned until the file fits: pictures first, evenly and down to 40 of them; then particles (kept_particles.hpp). What was left out
-/// stands in the report. docs/guide/report.md tells how it looks and how its data are laid out.
+/// Larger runs are thinned to the file size limit: frames first, evenly and down to 40; then particles (kept_particles.hpp). The report states
+/// what was omitted. docs/guide/report.md describes its contents and data layout.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,22 @@
 namespace perimpact::report {
 
 struct Limits {
-  std::size_t bytes = 25'000'000;              ///< of the data in the file
-  std::size_t particle_pictures = 20'000'000;  ///< particles times pictures: a browser keeps 11 bytes for each
-  std::size_t fewest_pictures = 40;            ///< before particles are thinned
-  std::size_t history_rows = 20'000;           ///< of curves
+  std::size_t bytes = 25'000'000;            ///< size of the data in the file
+  std::size_t particle_frames = 20'000'000;  ///< particles times frames: a browser stores 11 bytes for each
+  std::size_t min_frames = 40;               ///< number of frames below which particles are thinned instead
+  std::size_t history_rows = 20'000;         ///< maximum rows of curves
 };
 
 struct Report {
   std::filesystem::path file;
-  std::size_t bytes = 0;                          ///< of the file
-  std::size_t pictures = 0, pictures_of_run = 0;  ///< shown and there: times at which there are some
+  std::size_t bytes = 0;                           ///< file size
+  std::size_t frames = 0, frame_files_of_run = 0;  ///< number of times with frames: shown, and available
   std::size_t particles = 0, particles_of_run = 0;
-  std::vector<std::string> notes;  ///< sentences: what is missing, damaged or thinned
+  std::vector<std::string> notes;  ///< messages about missing, damaged or thinned data
 };
 
-/// Writes DIR/report.html, and replaces an earlier one. A folder of a run that was interrupted will do, and one with files missing. Throws InputError
-/// where the folder holds nothing that a run leaves behind, RunError where the file cannot be written.
+/// Writes DIR/report.html, replacing an earlier one. Folders of interrupted runs and with missing files are accepted. Throws InputError where the
+/// folder contains no results, RunError where the file cannot be written.
 Report write_report(const std::filesystem::path& folder, const Limits& limits = {});
 
 }  // namespace perimpact::report

@@ -9,7 +9,7 @@ namespace {
 using fccda::Mat3;
 using fccda::Vec3d;
 
-/// The numbers of three points that span a large triangle.
+/// The indices of three points that span a large triangle.
 std::array<std::size_t, 3> corners_of(std::span<const Vec3d> points) {
   std::array<std::size_t, 3> corners{};
   const auto farthest = [&](const auto& distance) {
@@ -24,7 +24,7 @@ std::array<std::size_t, 3> corners_of(std::span<const Vec3d> points) {
   return corners;
 }
 
-/// Columns: right-handed axes of unit length that hang on the three points.
+/// Orthonormal right-handed axes attached to three points, as columns.
 Mat3 axes_of(std::span<const Vec3d> points, const std::array<std::size_t, 3>& corners) {
   const Vec3d along = fccda::normalised(points[corners[1]] - points[corners[0]]);
   const Vec3d upright = fccda::normalised(fccda::cross(along, points[corners[2]] - points[corners[0]]));

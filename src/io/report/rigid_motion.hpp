@@ -1,10 +1,10 @@
-/// Where an impactor is in a picture: the rotation and shift that carry its panels there from the first picture.
+/// Rigid motion of an impactor between frames: the rotation and translation that map its panels from the first frame.
 #pragma once
 
 #include <optional>
 #include <span>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact::report {
 
@@ -14,7 +14,8 @@ struct RigidMotion {
   fccda::Vec3d shift;  ///< [m]
 };
 
-/// Made from three points far apart; nothing where any other point is then off by more than `tolerance` [m], or they are not as many.
+/// Determines the motion from three distant points; nothing where another point deviates by more than `tolerance` [m], or the numbers of points
+/// differ.
 std::optional<RigidMotion> rigid_motion(std::span<const fccda::Vec3d> from, std::span<const fccda::Vec3d> to, double tolerance);
 
 }  // namespace perimpact::report

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/output/pvd.hpp"
 #include "io/output/results_folder.hpp"
+#include "io/report/frame_reader.hpp"
 #include "io/report/frames.hpp"
-#include "io/report/picture_file.hpp"
 
 namespace perimpact::report {
 
@@ -15,20 +15,20 @@ namespace {
 using fccda::InputError;
 using fccda::Vec3d;
 
-/// An array of so many components, where it is there.
-const PictureArray* array_of(const PictureFile& picture, std::string_view name, int components) {
-  const PictureArray* found = picture.find(name);
+/// The array with that number of components, or nullptr.
+const FrameArray* array_of(const FrameReader& frame, std::string_view name, int components) {
+  const FrameArray* found = frame.find(name);
   return found != nullptr && found->components == components ? found : nullptr;
 }
 
-const PictureArray& needed(const PictureFile& picture, const std::filesystem::path& file, std::string_view name, int components) {
-  if (const PictureArray* found = array_of(picture, name, components)) return *found;
+const FrameArray& needed(const FrameReader& frame, const std::filesystem::path& file, std::string_view name, int components) {
+  if (const FrameArray* found = array_of(frame, name, components)) return *found;
   throw InputError(
-      fmt::format("{}: the picture has no array {} of {} numbers a particle; take the file as the run wrote it.", file.string(), name, components));
+      fmt::format("{}: the frame has no array {} of {} numbers per particle; use the file as written by the run.", file.string(), name, components));
 }
 
-/// [m] the distance that most particles have to the one before: the spacing of a lattice.
-double usual_distance(const std::vector<Vec3d>& points) {
+/// The most frequent distance between successive particles [m]: the lattice spacing.
+double default_distance(const std::vector<Vec3d>& points) {
   std::vector<double> distances;
   for (std::size_t i = 1; i < points.size(); ++i) distances.push_back(fccda::norm(points[i] - points[i - 1]));
   if (distances.empty()) return 1;
@@ -37,72 +37,78 @@ double usual_distance(const std::vector<Vec3d>& points) {
   return *middle > 0 ? *middle : 1;
 }
 
-void add_particles(BodyFrames& body, const PictureFile& picture, const output::Picture& entry) {
-  const PictureArray& displacement = needed(picture, entry.file, "displacement", 3);
-  const PictureArray& velocity = needed(picture, entry.file, "velocity", 3);
-  const PictureArray& damage = needed(picture, entry.file, "damage", 1);
-  const PictureArray* piece = array_of(picture, "piece", 1);
-  const std::size_t count = picture.points.size();
-  const bool is_first = body.pictures.empty();
+void add_particles(BodyFrames& body, const FrameReader& frame, const output::FrameFile& entry) {
+  const FrameArray& displacement = needed(frame, entry.file, "displacement", 3);
+  const FrameArray& velocity = needed(frame, entry.file, "velocity", 3);
+  const FrameArray& damage = needed(frame, entry.file, "damage", 1);
+  const FrameArray* fragment = array_of(frame, "fragment", 1);
+  const FrameArray* plastic_strain = array_of(frame, "plastic_strain", 1);
+  const std::size_t count = frame.points.size();
+  const bool is_first = body.frames.empty();
   if (!is_first && count != body.undeformed.size())
     throw InputError(
-        fmt::format("{} shows {} particles, but the pictures before it {}; take the files of one run.", entry.file.string(), count, body.undeformed.size()));
-  if (!is_first && (piece != nullptr) != body.has_pieces)
-    throw InputError(fmt::format("{} and the pictures before it are not of one run: only {} name pieces; take the files of one run.", entry.file.string(),
-                                 piece ? "it does" : "those do"));
+        fmt::format("{} has {} particles, but the earlier frames have {}; use the files of one run.", entry.file.string(), count, body.undeformed.size()));
+  if (!is_first && (fragment != nullptr) != body.has_fragments)
+    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} fragments; use the files of one run.", entry.file.string(),
+                                 fragment ? "it lists" : "those list"));
+  if (!is_first && (plastic_strain != nullptr) != body.has_plastic_strain)
+    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} plastic strains; use the files of one run.", entry.file.string(),
+                                 plastic_strain ? "it lists" : "those list"));
   if (is_first) {
-    body.has_pieces = piece != nullptr;
+    body.has_fragments = fragment != nullptr;
+    body.has_plastic_strain = plastic_strain != nullptr;
     for (std::size_t i = 0; i < count; ++i) {
       const double* u = &displacement.numbers[3 * i];
-      body.undeformed.push_back(picture.points[i] - Vec3d{u[0], u[1], u[2]});
+      body.undeformed.push_back(frame.points[i] - Vec3d{u[0], u[1], u[2]});
       for (std::size_t axis = 0; axis < 3; ++axis) body.place[axis].include(body.undeformed.back()[axis]);
     }
-    body.spacing = usual_distance(body.undeformed);
+    body.spacing = default_distance(body.undeformed);
   }
   body.is_damaged.assign(count, false);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) body.displacement[axis].include(displacement.numbers[3 * i + axis]);
     body.speed.include(velocity.scalar(i));
     body.is_damaged[i] = damage.numbers[i] > 0;
-    if (piece) body.highest_piece = std::max(body.highest_piece, static_cast<std::uint32_t>(std::max(0.0, piece->numbers[i])));
+    if (plastic_strain) body.plastic_strain.include(plastic_strain->numbers[i]);
+    if (fragment) body.highest_fragment = std::max(body.highest_fragment, static_cast<std::uint32_t>(std::max(0.0, fragment->numbers[i])));
   }
-  body.pictures.push_back(entry);
+  body.frames.push_back(entry);
 }
 
-void add_panels(ImpactorFrames& impactor, const PictureFile& picture, const output::Picture& entry) {
-  if (impactor.pictures.empty()) {
-    impactor.vertices = picture.points;
-    impactor.panels = picture.panels;
-    for (const PictureArray& array : picture.arrays) impactor.arrays.push_back(array.name);
+void add_panels(ImpactorFrames& impactor, const FrameReader& frame, const output::FrameFile& entry) {
+  if (impactor.frames.empty()) {
+    impactor.vertices = frame.points;
+    impactor.panels = frame.panels;
+    for (const FrameArray& array : frame.arrays) impactor.arrays.push_back(array.name);
     impactor.ranges.resize(impactor.arrays.size());
   }
   fccda::Box box;
-  for (const Vec3d& point : picture.points) box.include(point);
-  constexpr double rounding = 1e-9;  // of coordinates; the run moves its surfaces in double precision
-  const auto motion = rigid_motion(impactor.vertices, picture.points, rounding * (fccda::largest_magnitude(box.low) + fccda::largest_magnitude(box.high)));
-  if (!motion || picture.panels.size() != impactor.panels.size())
-    throw InputError(fmt::format("{} shows another surface than the pictures before it; take the files of one run.", entry.file.string()));
+  for (const Vec3d& point : frame.points) box.include(point);
+  constexpr double rounding = 1e-9;  // relative to coordinates; the run moves its surfaces in double precision
+  const auto motion = rigid_motion(impactor.vertices, frame.points, rounding * (fccda::largest_magnitude(box.low) + fccda::largest_magnitude(box.high)));
+  if (!motion || frame.panels.size() != impactor.panels.size())
+    throw InputError(fmt::format("{} has a different surface from the earlier frames; use the files of one run.", entry.file.string()));
   for (std::size_t a = 0; a < impactor.arrays.size(); ++a) {
-    const PictureArray* array = picture.find(impactor.arrays[a]);
+    const FrameArray* array = frame.find(impactor.arrays[a]);
     if (array == nullptr)
-      throw InputError(fmt::format("{} has no array {}, as the pictures before it; take the files of one run.", entry.file.string(), impactor.arrays[a]));
+      throw InputError(fmt::format("{} lacks the array {} of the earlier frames; use the files of one run.", entry.file.string(), impactor.arrays[a]));
     for (std::size_t i = 0; i < array->count(); ++i) impactor.ranges[a].include(array->scalar(i));
   }
   impactor.motions.push_back(*motion);
-  impactor.pictures.push_back(entry);
+  impactor.frames.push_back(entry);
 }
 
 void scan_series(const std::filesystem::path& list, Frames& frames, std::vector<std::string>& notes) {
   BodyFrames body{.name = list.stem().string()};
   ImpactorFrames impactor{.name = list.stem().string()};
-  for (const output::Picture& entry : output::pictures_of(list)) try {
-      const PictureFile picture = read_picture(entry.file);
-      picture.panels.empty() ? add_particles(body, picture, entry) : add_panels(impactor, picture, entry);
+  for (const output::FrameFile& entry : output::frame_files_of(list)) try {
+      const FrameReader frame = read_frame(entry.file);
+      frame.panels.empty() ? add_particles(body, frame, entry) : add_panels(impactor, frame, entry);
     } catch (const InputError& error) {
       notes.emplace_back(error.what());
     }
-  if (!body.pictures.empty()) frames.bodies.push_back(std::move(body));
-  if (!impactor.pictures.empty()) frames.impactors.push_back(std::move(impactor));
+  if (!body.frames.empty()) frames.bodies.push_back(std::move(body));
+  if (!impactor.frames.empty()) frames.impactors.push_back(std::move(impactor));
 }
 
 }  // namespace
@@ -115,28 +121,28 @@ void Range::include(double value) {
 
 std::vector<double> Frames::times() const {
   std::vector<double> times;
-  const auto add = [&](const std::vector<output::Picture>& pictures) {
-    for (const output::Picture& picture : pictures) times.push_back(picture.time);
+  const auto add = [&](const std::vector<output::FrameFile>& frames) {
+    for (const output::FrameFile& frame : frames) times.push_back(frame.time);
   };
-  for (const BodyFrames& body : bodies) add(body.pictures);
-  for (const ImpactorFrames& impactor : impactors) add(impactor.pictures);
+  for (const BodyFrames& body : bodies) add(body.frames);
+  for (const ImpactorFrames& impactor : impactors) add(impactor.frames);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 
 Frames scan_frames(const std::filesystem::path& folder, std::vector<std::string>& notes) {
-  const std::filesystem::path pictures = output::ResultsFolder::frames_in(folder);
+  const std::filesystem::path folder_of_frames = output::ResultsFolder::frames_in(folder);
   std::vector<std::filesystem::path> lists;
   std::error_code missing;
-  for (const auto& entry : std::filesystem::directory_iterator(pictures, missing))
+  for (const auto& entry : std::filesystem::directory_iterator(folder_of_frames, missing))
     if (entry.path().extension() == ".pvd") lists.push_back(entry.path());
   std::sort(lists.begin(), lists.end());
 
   Frames frames;
   if (lists.empty())
-    notes.push_back(
-        fmt::format("{} holds no series of pictures (.pvd), so nothing can be shown in space; `output.frames` in the deck asks for them.", pictures.string()));
+    notes.push_back(fmt::format("{} contains no frame series (.pvd), so there is no 3-D view; set `output.frames` in the deck to write frames.",
+                                folder_of_frames.string()));
   for (const std::filesystem::path& list : lists) try {
       scan_series(list, frames, notes);
     } catch (const InputError& error) {

@@ -1,7 +1,7 @@
-/// Vectors in JSON.
+/// JSON arrays of vectors.
 #pragma once
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 #include "io/output/json.hpp"
 
 namespace perimpact {

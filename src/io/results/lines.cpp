@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact {
 
@@ -29,7 +29,7 @@ Line line_of(const LineSetup& setup, const Simulation& simulation) {
   for (const double time : setup.times) {
     const long step = std::lround(time / clock.dt);
     if (step > clock.steps)
-      throw SetupError(key + ".times", fmt::format("line {} is wanted at {:.4g} s, but the run ends at {:.4g} s.", setup.name, time,
+      throw SetupError(key + ".times", fmt::format("line {} is requested at {:.4g} s, but the run ends at {:.4g} s.", setup.name, time,
                                                    static_cast<double>(clock.steps) * clock.dt));
     line.steps.push_back(step);
   }

@@ -1,4 +1,4 @@
-/// The lines of output.lines: which particles they follow, and at which steps they are written.
+/// The sampling lines of output.lines: the particles they follow and the steps at which they are written.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ struct Line {
   std::string name;
   std::size_t body;  ///< index
   std::vector<Sample> samples;
-  std::vector<long> steps;  ///< at which to write it
+  std::vector<long> steps;  ///< steps at which it is written
 };
 
-/// Throws SetupError where a line leaves its body, or is wanted after the end of the run.
+/// The lines of the setup. Throws SetupError where a line leaves its body, or is requested after the end of the run.
 std::vector<Line> lines_of(const Simulation& simulation);
 
 }  // namespace perimpact

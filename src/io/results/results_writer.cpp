@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/output/file.hpp"
 #include "io/output/json.hpp"
 #include "io/output/vtp.hpp"
@@ -15,7 +15,7 @@ namespace perimpact {
 
 namespace {
 
-/// Three numbers a particle, as the float that pictures need.
+/// Three numbers per particle, as floats for the frames.
 template <class Value>
 std::vector<float> of_particles(const Body& body, const Value& value) {
   std::vector<float> numbers;
@@ -33,7 +33,7 @@ std::vector<std::string> headings_of(std::span<const Column> columns) {
   return headings;
 }
 
-/// What the columns of history.csv are, for programs that read it.
+/// Writes history.json, the description of the columns of history.csv for programs that read it.
 void write_columns(const std::filesystem::path& path, std::span<const Column> columns) {
   output::Json json = output::Json::object();
   json["format"] = 1;
@@ -49,25 +49,25 @@ void write_columns(const std::filesystem::path& path, std::span<const Column> co
   output::write_whole_file(path, json.text());
 }
 
-/// The tables that go on must hold what had been written of them.
+/// Checks that the tables to be resumed contain all that had been written.
 void expect_files(const Simulation& simulation, const std::filesystem::path& folder, const Written& written) {
   const auto expect = [](const std::filesystem::path& path, std::uint64_t size) {
     std::error_code missing;
     const std::uintmax_t there = std::filesystem::file_size(path, missing);
     if (missing || there < size)
-      throw fccda::InputError(fmt::format("{} {}, so the run cannot go on with it; put it back, or start anew without --resume.", path.string(),
-                                          missing ? "is not there" : "holds less than when the checkpoint was written"));
+      throw fccda::InputError(fmt::format("{} {}, so the run cannot be resumed; restore it, or start a new run without --resume.", path.string(),
+                                          missing ? "is missing" : "is shorter than when the checkpoint was written"));
   };
   expect(output::ResultsFolder::history_in(folder), written.history);
   for (std::size_t i = 0; i < written.pressure_area.size(); ++i)
     if (written.pressure_area[i] > 0) expect(PressureArea::process_curve(folder, simulation.impactors()[i].name()), written.pressure_area[i]);
-  for (std::size_t b = 0; b < written.pieces.size(); ++b)
-    if (written.pieces[b] > 0) expect(PieceTable::table(folder, simulation.bodies()[b].name), written.pieces[b]);
+  for (std::size_t b = 0; b < written.fragments.size(); ++b)
+    if (written.fragments[b] > 0) expect(FragmentTable::table(folder, simulation.bodies()[b].name), written.fragments[b]);
 }
 
 }  // namespace
 
-void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Pieces* pieces) {
+void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Fragments* fragments) {
   const Particles& particles = body.particles;
   const auto position = of_particles(body, [&](std::uint32_t slot) { return particles.position.at(slot); });
   const auto displacement = of_particles(body, [&](std::uint32_t slot) { return particles.displacement(slot); });
@@ -77,7 +77,12 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
   std::vector<output::VtpArray> arrays = {{"displacement", 3, std::span<const float>(displacement)},
                                           {"velocity", 3, std::span<const float>(velocity)},
                                           {"damage", 1, std::span<const float>(damage)}};
-  if (pieces) arrays.push_back({"piece", 1, pieces->of_particles()});
+  std::vector<float> plastic_strain;
+  if (const PlasticForce* plastic = body.internal.plastic()) {
+    for (const std::uint32_t slot : particles.slot_of()) plastic_strain.push_back(static_cast<float>(plastic->equivalent_strain(slot)));
+    arrays.push_back({"plastic_strain", 1, std::span<const float>(plastic_strain)});
+  }
+  if (fragments) arrays.push_back({"fragment", 1, fragments->of_particles()});
   std::vector<std::int32_t> numbers;
   if (!particles.numbers().empty()) {
     for (const std::uint32_t slot : particles.slot_of()) numbers.push_back(static_cast<std::int32_t>(particles.numbers()[slot]));
@@ -87,12 +92,12 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
 }
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
-    : lines_(lines_of(simulation)),  // before the folder loses the results of an earlier run
+    : lines_(lines_of(simulation)),  // first, so that an error leaves the results of an earlier run in the folder
       folder_(folder),
       history_(folder_.history(), headings_of(simulation.monitors().columns())),
-      panel_pictures_(simulation.impactors().size()),
+      panel_frames_(simulation.impactors().size()),
       pressure_area_(simulation.impactors().size()),
-      piece_tables_(simulation.bodies().size()),
+      fragment_tables_(simulation.bodies().size()),
       frames_wanted_(simulation.setup().output.frames) {
   for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name);
   for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name());
@@ -104,7 +109,7 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
     : lines_(lines_of(simulation)),
       folder_((expect_files(simulation, folder, written), folder), output::EarlierRun::continued),
       history_(folder_.history(), simulation.monitors().columns().size(), written.history),
-      panel_pictures_(std::move(written.panel_pictures)),
+      panel_frames_(std::move(written.panel_frames)),
       frames_wanted_(simulation.setup().output.frames),
       next_frame_(static_cast<int>(written.next_frame)),
       last_frame_step_(written.last_frame_step),
@@ -114,7 +119,7 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
   for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name(), std::move(*times++));
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
     pressure_area_.emplace_back(folder_, simulation.impactors()[i].name(), written.pressure_area[i]);
-  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) piece_tables_.emplace_back(folder_, simulation.bodies()[b].name, written.pieces[b]);
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) fragment_tables_.emplace_back(folder_, simulation.bodies()[b].name, written.fragments[b]);
   write_columns(folder_.history_columns(), simulation.monitors().columns());
   resumed_at_.push_back(simulation.clock().step);
 }
@@ -122,14 +127,14 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
 Written ResultsWriter::written() {
   history_.sync();
   for (PressureArea& curve : pressure_area_) curve.sync();
-  for (PieceTable& table : piece_tables_) table.sync();
-  for (const std::filesystem::path& folder : {folder_.frames(), folder_.lines(), folder_.pressure_area(), folder_.pieces()}) output::sync_folder(folder);
+  for (FragmentTable& table : fragment_tables_) table.sync();
+  for (const std::filesystem::path& folder : {folder_.frames(), folder_.lines(), folder_.pressure_area(), folder_.fragments()}) output::sync_folder(folder);
 
   Written written(body_series_.size(), impactor_series_.size());
   written.history = history_.size();
   for (std::size_t i = 0; i < pressure_area_.size(); ++i) written.pressure_area[i] = pressure_area_[i].size();
-  for (std::size_t b = 0; b < piece_tables_.size(); ++b) written.pieces[b] = piece_tables_[b].size();
-  written.panel_pictures = panel_pictures_;
+  for (std::size_t b = 0; b < fragment_tables_.size(); ++b) written.fragments[b] = fragment_tables_[b].size();
+  written.panel_frames = panel_frames_;
   auto times = written.frame_times.begin();
   for (const output::Series& series : body_series_) *times++ = series.times();
   for (const output::Series& series : impactor_series_) *times++ = series.times();
@@ -158,15 +163,15 @@ void ResultsWriter::write_frame(const Simulation& simulation) {
   const double time = simulation.clock().time();
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const Body& body = simulation.bodies()[b];
-    std::optional<Pieces> pieces;
-    if (body.failure) pieces.emplace(body.particles, body.family);
-    body_series_[b].add(time, [&](const std::filesystem::path& path) { write_particles(path, body, time, pieces ? &*pieces : nullptr); });
-    if (pieces) piece_tables_[b].after_frame(folder_, body.name, time, *pieces);
+    std::optional<Fragments> fragments;
+    if (body.failure) fragments.emplace(body.particles, body.family);
+    body_series_[b].add(time, [&](const std::filesystem::path& path) { write_particles(path, body, time, fragments ? &*fragments : nullptr); });
+    if (fragments) fragment_tables_[b].after_frame(folder_, body.name, time, *fragments);
   }
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
-    impactor_series_[i].add(time, [&](const std::filesystem::path& path) { panel_pictures_[i].write(path, simulation.impactors()[i], time); });
+    impactor_series_[i].add(time, [&](const std::filesystem::path& path) { panel_frames_[i].write(path, simulation.impactors()[i], time); });
   last_frame_step_ = simulation.clock().step;
-  // where more frames are wanted than there are steps, one of this step stands for several
+  // where more frames are requested than there are steps, one frame counts for several
   while (next_frame_ <= frames_wanted_ && step_of_frame(next_frame_, simulation.clock()) <= last_frame_step_) ++next_frame_;
 }
 
@@ -187,7 +192,7 @@ void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::s
   output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds, resumed_at_).text());
   for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].finish(folder_, simulation.impactors()[i]);
   for (const Body& body : simulation.bodies())
-    if (body.failure) write_last_pieces(folder_, body);
+    if (body.failure) write_last_fragments(folder_, body);
 }
 
 }  // namespace perimpact

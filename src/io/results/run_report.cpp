@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
+#include "io/results/contact_bounds_report.hpp"
+#include "io/results/fragment_tables.hpp"
 #include "io/results/json_vector.hpp"
-#include "io/results/piece_tables.hpp"
-#include "io/results/region_report.hpp"
 
 namespace perimpact {
 
@@ -14,7 +14,7 @@ using output::Json;
 
 namespace {
 
-Json body_report(const Body& body, const Boundaries& boundaries, const std::optional<FilledMass>& filled) {
+Json body_report(const Body& body, const BoundaryConditions& boundary_conditions, const std::optional<FilledMass>& filled) {
   Json json = Json::object();
   json["particles"] = body.particles.size();
   json["bonds"] = body.family.initial_bonds();
@@ -28,14 +28,14 @@ Json body_report(const Body& body, const Boundaries& boundaries, const std::opti
     json["failure"]["fracture_energy [J/m2]"] = failure->fracture_energy;
     json["failure"]["flexural_strength [Pa]"] = failure->flexural_strength;
     json["failure"]["layers"] = failure->layers;
-    json["pieces"] = piece_report(Pieces(body.particles, body.family).count());
+    json["fragments"] = fragment_report(Fragments(body.particles, body.family).count());
   }
   json["memory [byte]"] = body.memory();
   json["mass [kg]"] = body.particles.total_mass();
   if (filled) json["mass_of_solid [kg]"] = filled->solid;
   for (const CrackCut& crack : body.cracks) json["cracks"][crack.name]["bonds"] = crack.bonds;
-  for (const NamedBoundary& one : boundaries.all()) {
-    Json& entry = json["boundaries"][one.name.substr(body.name.size() + 1)];
+  for (const NamedBoundaryCondition& one : boundary_conditions.all()) {
+    Json& entry = json["boundary_conditions"][one.name.substr(body.name.size() + 1)];
     entry["kind"] = one.kind;
     entry["particles"] = one.particles();
     entry["work [J]"] = one.account().work();
@@ -47,8 +47,8 @@ Json body_report(const Body& body, const Boundaries& boundaries, const std::opti
   return json;
 }
 
-std::size_t particles_inside_at_start(const Simulation& simulation, std::size_t impactor, std::size_t body) {
-  for (const InsideAtStart& inside : simulation.inside_at_start())
+std::size_t particles_initially_inside(const Simulation& simulation, std::size_t impactor, std::size_t body) {
+  for (const InitialPenetration& inside : simulation.initial_penetrations())
     if (inside.impactor == impactor && inside.body == body) return inside.slots.size();
   return 0;
 }
@@ -56,19 +56,19 @@ std::size_t particles_inside_at_start(const Simulation& simulation, std::size_t 
 Json floating_report(const Impactor& impactor) {
   const double density = impactor.water()->density;
   const PlacedInWater& placed = *impactor.placed_in_water();
-  const fccda::Afloat now = impactor.afloat();
+  const fccda::Hydrostatics now = impactor.hydrostatics();
   Json json = Json::object();
   json["level [m]"] = impactor.water()->level;
   json["mass [kg]"] = impactor.body().mass();
   json["added_mass [kg]"] = impactor.body().properties().added_mass.z;
-  json["displaced_at_start [kg]"] = density * placed.afloat.volume;
-  json["force_at_start [N]"] = placed.afloat.force;
-  json["draught_at_start [m]"] = placed.draught;
-  if (placed.rise) json["draught_at_rest [m]"] = placed.draught - *placed.rise;
+  json["displaced_at_start [kg]"] = density * placed.hydrostatics.volume;
+  json["force_at_start [N]"] = placed.hydrostatics.force;
+  json["draft_at_start [m]"] = placed.draft;
+  if (placed.rise) json["draft_at_rest [m]"] = placed.draft - *placed.rise;
   json["displaced [kg]"] = density * now.volume;
-  json["draught [m]"] = impactor.draught();
+  json["draft [m]"] = impactor.draft();
   json["potential [J]"] = now.potential;
-  json["work [J]"] = impactor.work_of_water();
+  json["work [J]"] = impactor.water_work();
   return json;
 }
 
@@ -91,11 +91,11 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   json["centre_of_mass [m]"] = json_vector(properties.centre_of_mass);
   json["inertia [kg m2]"] = json_vector({inertia.row[0].x, inertia.row[1].y, inertia.row[2].z});
   json["products_of_inertia [kg m2]"] = json_vector(fccda::products_of_inertia(properties));
-  json["region"] = region_report(impactor);
+  json["contact_bounds"] = contact_bounds_report(impactor);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];
-    against["points_in_region"] = effort.points_in_region;
+    against["points_in_bounds"] = effort.points_in_bounds;
     against["points_asked"] = effort.points_asked;
     against["panels_asked"] = effort.panels_asked;
     if (const fccda::Published* published = impactor.published(b)) {
@@ -105,12 +105,12 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
       against["rejected_by"]["eq. 17"] = rejections.by_eq17;
       against["rejected_by"]["eq. 20"] = rejections.by_eq20;
     }
-    against["starting_inside"] = particles_inside_at_start(simulation, number, b);
+    against["initial_overlap"] = particles_initially_inside(simulation, number, b);
     against["entered_inside"] = impactor.entered_inside(b);
-    against["pinched"] = impactor.pinched(b).count;
+    against["pinched"] = impactor.unresolved(b).count;
   }
-  json["work_of_holder [J]"] = impactor.work_of_holder();
-  json["work_of_loads [J]"] = impactor.work_of_loads();
+  json["constraint_work [J]"] = impactor.constraint_work();
+  json["work_of_loads [J]"] = impactor.load_work();
   if (impactor.water()) json["floating"] = floating_report(impactor);
   return json;
 }
@@ -148,7 +148,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["degenerate"] = report.degenerate;
   json["duplicate"] = report.duplicate;
   json["back_to_back"] = report.back_to_back;
-  json["crowded_edges"] = report.crowded_edges;
+  json["crowded_edges"] = report.non_manifold_edge_count;
   json["cut_edges"] = report.cut_edges;
   json["rewound"] = report.rewound;
   json["flipped"] = report.flipped;
@@ -157,13 +157,13 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["solids"] = report.solids;
   json["may_overlap"] = report.may_overlap;
   for (const fccda::PartReport& part : report.parts) {
-    if (report.parts.size() == 1 && part.name.empty()) break;  // nothing is named
+    if (report.parts.size() == 1 && part.name.empty()) break;  // a single unnamed part
     Json& entry = json["parts"][part.name];
     entry["panels"] = part.panels;
     entry["area [m2]"] = part.area;
   }
   json["closure"] = word_for(report.closure);
-  json["rim_edges"] = report.rim_edges;
+  json["rim_edges"] = report.boundary_edges;
   json["area [m2]"] = report.area;
   json["volume [m3]"] = report.volume;
   json["centroid [m]"] = json_vector(report.centroid);
@@ -185,7 +185,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   json["time [s]"] = clock.time();
   if (!resumed_at.empty()) json["resumed_at_steps"] = std::vector(resumed_at.begin(), resumed_at.end());
   json["threads"] = fccda::thread_count();
-  json["wall [s]"] = wall_seconds;
+  json["wall_time [s]"] = wall_seconds;
   json["state_hash"] = fmt::format("{:016x}", simulation.state_hash());
   if (simulation.relaxation()) {
     json["increment [s]"] = clock.dt;
@@ -195,7 +195,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
     if (simulation.stability().exact) json["stability"]["exact [s]"] = *simulation.stability().exact;
   }
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
-    json["bodies"][simulation.bodies()[b].name] = body_report(simulation.bodies()[b], simulation.boundaries()[b], simulation.filled_mass(b));
+    json["bodies"][simulation.bodies()[b].name] = body_report(simulation.bodies()[b], simulation.boundary_conditions()[b], simulation.filled_mass(b));
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json["impactors"][simulation.impactors()[i].name()] = impactor_report(simulation, i);
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
   json["warnings"] = simulation.warnings();

@@ -1,20 +1,20 @@
-/// run.json: what was run, with what, how it went and where the time went.
+/// run.json: the setup, outcome and timers of a run.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string>
 
-#include "fccda/surface/surface.hpp"
 #include "io/output/json.hpp"
 #include "io/results/results_writer.hpp"
+#include "mesh/surface.hpp"
 
 namespace perimpact {
 
-/// `wall_seconds` of the run, or of what came since it was resumed last; `resumed_at`: steps.
+/// `wall_seconds`: wall-clock time of the run, or since the last restart; `resumed_at`: steps of the restarts.
 output::Json run_report(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds, std::span<const std::int64_t> resumed_at);
 
-/// What construction of a surface found and mended.
+/// Defects that the construction of a surface found and repaired.
 output::Json surface_report(const fccda::SurfaceReport& report);
 
 /// "closed" or "open"

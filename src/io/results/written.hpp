@@ -1,35 +1,35 @@
-/// How much of its results a run has written: what a checkpoint keeps, so that a resumed run goes on with the same files.
+/// Amount of output that a run has written. A checkpoint stores it, so that a restart continues the same files.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "fccda/core/state.hpp"
-#include "io/results/panel_pictures.hpp"
+#include "base/state.hpp"
+#include "io/results/panel_frames.hpp"
 
 namespace perimpact {
 
 struct Written {
   std::uint64_t history = 0;                     ///< [byte] of history.csv
-  std::vector<std::uint64_t> pressure_area;      ///< [byte] of each impactor's process curve; 0 where there is none yet
-  std::vector<std::uint64_t> pieces;             ///< [byte] of each body's table of pieces; 0 where there is none
-  std::vector<PanelPictures> panel_pictures;     ///< of each impactor
-  std::vector<std::vector<double>> frame_times;  ///< [s] of each series, bodies before impactors
-  std::int64_t next_frame = 0;                   ///< to be written
-  std::int64_t last_frame_step = -1;             ///< of the frame before; -1: there is none
-  std::vector<std::int64_t> resumed_at;          ///< steps from which the run was resumed
+  std::vector<std::uint64_t> pressure_area;      ///< [byte] of each impactor's process curve; 0: none yet
+  std::vector<std::uint64_t> fragments;          ///< [byte] of each body's fragment table; 0: none
+  std::vector<PanelFrames> panel_frames;         ///< per impactor
+  std::vector<std::vector<double>> frame_times;  ///< [s] per series, bodies before impactors
+  std::int64_t next_frame = 0;                   ///< number of the next frame
+  std::int64_t last_frame_step = -1;             ///< step of the previous frame; -1: none
+  std::vector<std::int64_t> resumed_at;          ///< steps of the restarts
 
-  /// Of a run of so many bodies and impactors.
-  Written(std::size_t bodies, std::size_t impactors) : pressure_area(impactors), pieces(bodies), panel_pictures(impactors), frame_times(bodies + impactors) {}
+  /// For a run with these numbers of bodies and impactors.
+  Written(std::size_t bodies, std::size_t impactors) : pressure_area(impactors), fragments(bodies), panel_frames(impactors), frame_times(bodies + impactors) {}
 
-  /// As fccda/core/state.hpp says.
+  /// State visitor (base/state.hpp).
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit("history", history);
     visit("pressure_area", std::span<std::uint64_t>(pressure_area));
-    visit("pieces", std::span<std::uint64_t>(pieces));
-    for (std::size_t i = 0; i < panel_pictures.size(); ++i) panel_pictures[i].visit_state(fccda::under("panel_pictures." + std::to_string(i), visit));
+    visit("fragments", std::span<std::uint64_t>(fragments));
+    for (std::size_t i = 0; i < panel_frames.size(); ++i) panel_frames[i].visit_state(fccda::under("panel_pictures." + std::to_string(i), visit));
     for (std::size_t s = 0; s < frame_times.size(); ++s) visit("frame_times." + std::to_string(s), frame_times[s]);
     visit("next_frame", next_frame);
     visit("last_frame_step", last_frame_step);

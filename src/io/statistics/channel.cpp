@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
-#include "fccda/core/contract.hpp"
-#include "fccda/core/error.hpp"
-#include "fccda/surface/file/contents.hpp"
-#include "fccda/surface/read/vtk/point_values.hpp"
+#include "base/contract.hpp"
+#include "base/error.hpp"
 #include "io/deck/yaml_node.hpp"
 #include "io/output/pvd.hpp"
 #include "io/output/results_folder.hpp"
+#include "mesh_io/file/contents.hpp"
+#include "mesh_io/vtk/point_values.hpp"
 
 namespace perimpact {
 
@@ -20,7 +20,7 @@ namespace {
 
 enum class Cell : std::uint8_t { empty, remains, broken };
 
-/// The widest row of broken cells; empty ones neither begin nor end one.
+/// The widest run of broken cells; empty cells neither begin nor end it.
 struct BrokenRow {
   std::size_t first = 0, behind = 0;
 
@@ -40,11 +40,11 @@ BrokenRow widest_row(std::span<const Cell> cells) {
   return widest;
 }
 
-std::vector<bool> pieces_that_remain(std::span<const std::int32_t> pieces, double least_share) {
-  std::vector<std::size_t> particles(1 + static_cast<std::size_t>(*std::max_element(pieces.begin(), pieces.end())), 0);
-  for (const std::int32_t piece : pieces) ++particles[static_cast<std::size_t>(piece)];
+std::vector<bool> remaining_fragments(std::span<const std::int32_t> fragments, double least_share) {
+  std::vector<std::size_t> particles(1 + static_cast<std::size_t>(*std::max_element(fragments.begin(), fragments.end())), 0);
+  for (const std::int32_t fragment : fragments) ++particles[static_cast<std::size_t>(fragment)];
   std::vector<bool> remains;
-  for (const std::size_t count : particles) remains.push_back(static_cast<double>(count) >= least_share * static_cast<double>(pieces.size()));
+  for (const std::size_t count : particles) remains.push_back(static_cast<double>(count) >= least_share * static_cast<double>(fragments.size()));
   return remains;
 }
 
@@ -54,11 +54,11 @@ const deck::YamlNode* member(const deck::YamlNode* node, std::string_view key) {
   return entry ? &entry->value : nullptr;
 }
 
-/// [m] of a body that may break, by run.json.
+/// Spacing [m] of a body with a failure criterion, from run.json.
 double spacing_of(const std::filesystem::path& results, const std::string& body) {
   const std::filesystem::path file = output::ResultsFolder::run_in(results);
   if (!std::filesystem::exists(file))
-    throw fccda::InputError(fmt::format("{} is not there; the width of a channel can be told once the run has ended or was interrupted.", file.string()));
+    throw fccda::InputError(fmt::format("{} does not exist; the channel width is available once the run has ended or was interrupted.", file.string()));
   const deck::YamlNode run = deck::parse_document(fccda::contents_of(file), file.string());
   const deck::YamlNode* bodies = member(&run, "bodies");
   const deck::YamlNode* found = member(bodies, body);
@@ -66,27 +66,27 @@ double spacing_of(const std::filesystem::path& results, const std::string& body)
     std::vector<std::string> names;
     if (bodies)
       for (const auto& entry : bodies->entries) names.push_back(entry.key);
-    throw fccda::InputError(
-        fmt::format("--channel: {} has no body {}; there is {}.", results.string(), body, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    throw fccda::InputError(fmt::format("--channel: {} has no body {}; its bodies: {}.", results.string(), body,
+                                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }
   const deck::YamlNode* spacing = member(found, "spacing [m]");
-  if (!member(found, "pieces") || !spacing)
+  if (!member(found, "fragments") || !spacing)
     throw fccda::InputError(
-        fmt::format("--channel: body {} never breaks, so it has no channel; its material needs critical_stretch, or the body failure.", body));
+        fmt::format("--channel: body {} has no failure criterion, so it has no channel; set critical_stretch in its material, or failure in the body.", body));
   return std::stod(spacing->text);
 }
 
 }  // namespace
 
-std::vector<ChannelColumn> channel_columns(std::span<const Vec3d> places, std::span<const std::int32_t> pieces, double spacing, std::size_t axis,
+std::vector<ChannelColumn> channel_columns(std::span<const Vec3d> places, std::span<const std::int32_t> fragments, double spacing, std::size_t axis,
                                            double least_share) {
-  EXPECTS(axis < 2 && !places.empty() && places.size() == pieces.size() && spacing > 0);
+  EXPECTS(axis < 2 && !places.empty() && places.size() == fragments.size() && spacing > 0);
   const std::size_t across = 1 - axis;
-  const std::vector<bool> remains = pieces_that_remain(pieces, least_share);
+  const std::vector<bool> remains = remaining_fragments(fragments, least_share);
   Vec3d low = places[0], high = low;
   for (const Vec3d& place : places)
     for (std::size_t c = 0; c < 2; ++c) low[c] = std::min(low[c], place[c]), high[c] = std::max(high[c], place[c]);
-  // pictures hold single precision
+  // frames have single precision
   for (std::size_t c = 0; c < 2; ++c) low[c] = std::round(low[c] / (1e-3 * spacing)) * 1e-3 * spacing;
   const auto cell = [&](const Vec3d& place, std::size_t c) { return static_cast<std::size_t>(std::lround(std::max(0.0, place[c] - low[c]) / spacing)); };
   const std::size_t columns = cell(high, axis) + 1, rows = cell(high, across) + 1;
@@ -94,7 +94,7 @@ std::vector<ChannelColumn> channel_columns(std::span<const Vec3d> places, std::s
   std::vector<Cell> cells(columns * rows, Cell::empty);
   for (std::size_t p = 0; p < places.size(); ++p) {
     Cell& at = cells[cell(places[p], axis) * rows + cell(places[p], across)];
-    if (remains[static_cast<std::size_t>(pieces[p])])
+    if (remains[static_cast<std::size_t>(fragments[p])])
       at = Cell::remains;
     else if (at == Cell::empty)
       at = Cell::broken;
@@ -131,7 +131,7 @@ ChannelWidths widths_of(std::span<const ChannelColumn> columns, double spacing, 
   const auto narrower = [](const ChannelColumn* a, const ChannelColumn* b) { return a->width < b->width; };
   const ChannelColumn &narrowest = **std::min_element(with_channel.begin(), with_channel.end(), narrower),
                       &widest = **std::max_element(with_channel.begin(), with_channel.end(), narrower);
-  widths.mean = narrowest.width;  // added to, so that equal widths have exactly their mean
+  widths.mean = narrowest.width;  // accumulate differences, so that equal widths have exactly their mean
   for (const ChannelColumn* column : with_channel) widths.mean += (column->width - narrowest.width) / count;
   for (const ChannelColumn* column : with_channel) widths.deviation += (column->width - widths.mean) * (column->width - widths.mean) / count;
   widths.deviation = std::sqrt(widths.deviation);
@@ -142,24 +142,23 @@ ChannelWidths widths_of(std::span<const ChannelColumn> columns, double spacing, 
   return widths;
 }
 
-ChannelPicture read_channel_picture(const std::filesystem::path& results, const std::string& body, std::optional<double> latest) {
-  ChannelPicture picture;
-  picture.spacing = spacing_of(results, body);
+ChannelFrame read_channel_frame(const std::filesystem::path& results, const std::string& body, std::optional<double> latest) {
+  ChannelFrame frame;
+  frame.spacing = spacing_of(results, body);
   const std::filesystem::path list = output::ResultsFolder::frames_in(results) / (body + ".pvd");
   if (!std::filesystem::exists(list))
-    throw fccda::InputError(fmt::format("{} is not there; the width of a channel is read from pictures, so the run needs output.frames.", list.string()));
-  const std::vector<output::Picture> pictures = output::pictures_of(list);
-  const auto behind = std::find_if(pictures.begin(), pictures.end(), [&](const output::Picture& one) { return latest && one.time > *latest; });
-  if (behind == pictures.begin())
-    throw fccda::InputError(fmt::format("{} lists no picture up to {:.4g} s; take a later --to.", list.string(), latest.value_or(0)));
-  picture.file = std::prev(behind)->file;
-  picture.time = std::prev(behind)->time;
-  for (const double piece : fccda::read_point_values(picture.file, "piece").values) picture.pieces.push_back(static_cast<std::int32_t>(piece));
-  picture.places = fccda::read_point_values(pictures.front().file, "piece").points;  // that at t = 0
-  if (picture.places.size() != picture.pieces.size() || picture.places.empty())
+    throw fccda::InputError(fmt::format("{} does not exist; the channel width is read from frames, so the run needs output.frames.", list.string()));
+  const std::vector<output::FrameFile> frames = output::frame_files_of(list);
+  const auto behind = std::find_if(frames.begin(), frames.end(), [&](const output::FrameFile& one) { return latest && one.time > *latest; });
+  if (behind == frames.begin()) throw fccda::InputError(fmt::format("{} lists no frame up to {:.4g} s; use a later --to.", list.string(), latest.value_or(0)));
+  frame.file = std::prev(behind)->file;
+  frame.time = std::prev(behind)->time;
+  for (const double fragment : fccda::read_point_values(frame.file, "fragment").values) frame.fragments.push_back(static_cast<std::int32_t>(fragment));
+  frame.places = fccda::read_point_values(frames.front().file, "fragment").points;  // frame at t = 0
+  if (frame.places.size() != frame.fragments.size() || frame.places.empty())
     throw fccda::InputError(
-        fmt::format("{} and {} hold other numbers of particles; they are not of one run.", pictures.front().file.string(), picture.file.string()));
-  return picture;
+        fmt::format("{} and {} have different numbers of particles; use the files of one run.", frames.front().file.string(), frame.file.string()));
+  return frame;
 }
 
 }  // namespace perimpact

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <limits>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace perimpact {
 
 namespace {
 
-/// Between two rows, or between one of them and an end of the window.
+/// An interval between two rows, or between a row and an end of the window.
 struct Part {
-  std::size_t row;     // at whose time it ends, or would without the window
+  std::size_t row;     // row at the end of the interval, before clipping to the window
   double begin, end;   // [s]
-  double first, last;  // values there
+  double first, last;  // values at its ends
   double length() const { return end - begin; }
 };
 
@@ -32,7 +32,7 @@ void Series::for_each_part(double t0, double t1, const Visit& visit) const {
   const auto first = std::upper_bound(times_.begin() + 1, times_.end() - 1, t0);
   for (std::size_t row = static_cast<std::size_t>(first - times_.begin()); row < times_.size() && times_[row - 1] < t1; ++row) {
     const double begin = std::max(t0, times_[row - 1]), end = std::min(t1, times_[row]);
-    constexpr double sliver = 1e-9;  // what rounding leaves of a row where a window ends at its time
+    constexpr double sliver = 1e-9;  // relative length below which an interval is a rounding artefact at the end of the window
     if (end - begin > sliver * (times_[row] - times_[row - 1])) visit(Part{row, begin, end, value_at(row, begin), value_at(row, end)});
   }
 }

@@ -1,8 +1,7 @@
-/// One column of a table as a function of time, and what an engineer asks of it: means, spread, extremes, values at even intervals.
+/// One column of a table as a function of time: mean, standard deviation, extremes, resampling at even intervals.
 ///
-/// Rows of forces are means since the row before: the function is constant between rows, and its integral, the impulse, is exact. Rows of other
-/// quantities are values at their time, with straight lines between. All numbers below are those of this function, so that rows need not be
-/// evenly spaced, and none is weighted more because others are near it.
+/// Interval means (forces) give a piecewise constant function, whose integral, the impulse, is exact. Instantaneous values are interpolated
+/// linearly. All statistics are those of this function, so rows need not be evenly spaced, and closely spaced rows have no excess weight.
 #pragma once
 
 #include <span>
@@ -19,16 +18,16 @@ struct Extreme {
 
 class Series {
  public:
-  /// `times` [s] increasing, two or more; both must outlive this.
+  /// `times` [s]: increasing, at least two; both spans must outlive this object.
   Series(std::span<const double> times, std::span<const double> values, RowIs row_is) : times_(times), values_(values), row_is_(row_is) {}
 
-  // From t0 to t1 [s], which lie in the times of the rows, t0 < t1.
+  // From t0 to t1 [s], both within the times of the rows, t0 < t1.
   double mean(double t0, double t1) const;
   double standard_deviation(double t0, double t1) const;  ///< root of the mean square about the mean
   Extreme maximum(double t0, double t1) const;
   Extreme minimum(double t0, double t1) const;
 
-  /// Means over `count` intervals of that length [s] that follow one another from t0 on.
+  /// Means over `count` successive intervals of length `interval` [s] from t0.
   std::vector<double> resampled(double t0, double interval, std::size_t count) const;
 
  private:

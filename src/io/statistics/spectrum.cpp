@@ -6,14 +6,14 @@
 #include <numbers>
 #include <numeric>
 
-#include "fccda/core/contract.hpp"
+#include "base/contract.hpp"
 
 namespace perimpact {
 
 void fourier_transform(std::span<std::complex<double>> x) {
   const std::size_t N = x.size();
   EXPECTS(std::has_single_bit(N));
-  for (std::size_t i = 1, j = 0; i < N; ++i) {  // j runs through the numbers with their bits in reverse
+  for (std::size_t i = 1, j = 0; i < N; ++i) {  // bit-reversal permutation
     std::size_t bit = N >> 1;
     for (; j & bit; bit >>= 1) j ^= bit;
     j ^= bit;
@@ -59,9 +59,9 @@ Spectrum welch(std::span<const double> values, double interval, std::size_t segm
   return spectrum;
 }
 
-std::size_t usual_segment(std::size_t values) {
+std::size_t default_segment(std::size_t values) {
   constexpr std::size_t least = 32;
-  const std::size_t of_seven = std::bit_floor(values / 4);  // (7 + 1)/2 of them, end to end
+  const std::size_t of_seven = std::bit_floor(values / 4);  // seven half-overlapping segments span (7 + 1)/2 segments
   return std::min(std::max(of_seven, least), std::bit_floor(values));
 }
 

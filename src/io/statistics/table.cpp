@@ -6,17 +6,17 @@
 #include <charconv>
 #include <optional>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/nearest_word.hpp"
-#include "fccda/surface/file/contents.hpp"
+#include "base/error.hpp"
+#include "base/nearest_word.hpp"
 #include "io/deck/yaml_node.hpp"
 #include "io/output/results_folder.hpp"
+#include "mesh_io/file/contents.hpp"
 
 namespace perimpact {
 
 namespace {
 
-/// The cells of a line; one that begins with a quote ends at the next single one (RFC 4180).
+/// The cells of a line; a quoted cell ends at the next single quote character (RFC 4180).
 std::vector<std::string> cells_of(std::string_view line) {
   std::vector<std::string> cells(1);
   bool is_quoted = false;
@@ -36,7 +36,7 @@ std::vector<std::string> cells_of(std::string_view line) {
   return cells;
 }
 
-/// Takes the first line off the text, without its end.
+/// Removes and returns the first line of the text, without its line end.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);
@@ -45,18 +45,18 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Adds the numbers of a line to the columns; what is wrong with it where that cannot be done.
+/// Appends the numbers of a line to the columns; returns the fault of an invalid line.
 std::optional<std::string> add_row(Table& table, std::string_view line) {
   const char *at = line.data(), *const end = line.data() + line.size();
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
-    if (column > 0 && (at == end || *at++ != ',')) return fmt::format("holds {} numbers, but the first line names {} columns", column, table.columns.size());
+    if (column > 0 && (at == end || *at++ != ',')) return fmt::format("has {} numbers, but the first line names {} columns", column, table.columns.size());
     double value = 0;
     const auto [behind, error] = std::from_chars(at, end, value);
     if (error != std::errc()) return fmt::format("has no number in column {} ({})", column + 1, table.names[column]);
     table.columns[column].push_back(value);
     at = behind;
   }
-  if (at != end) return fmt::format("goes on behind its {} numbers", table.columns.size());
+  if (at != end) return fmt::format("has text after its {} numbers", table.columns.size());
   return {};
 }
 
@@ -65,7 +65,7 @@ bool begins_at_a_joint(std::string_view quantity, std::string_view word) {
 }
 
 [[noreturn]] void refuse_facts(const std::filesystem::path& file, std::string_view what) {
-  throw fccda::InputError(fmt::format("{} {}; take the file as the run wrote it.", file.string(), what));
+  throw fccda::InputError(fmt::format("{} {}; use the file as written by the run.", file.string(), what));
 }
 
 std::string word_in(const deck::YamlNode& column, std::string_view key) {
@@ -75,10 +75,10 @@ std::string word_in(const deck::YamlNode& column, std::string_view key) {
 
 ColumnFacts facts_of(const deck::YamlNode& column, const std::string& heading, const std::filesystem::path& file) {
   if (fmt::format("{} [{}]", word_in(column, "name"), word_in(column, "unit")) != heading)
-    refuse_facts(file, fmt::format("names another column where history.csv has {}", heading));
+    refuse_facts(file, fmt::format("names a different column where history.csv has {}", heading));
   const std::string kind = word_in(column, "kind");
   if (kind != "instantaneous" && kind != "interval mean" && kind != "cumulative")
-    refuse_facts(file, fmt::format("says that {} is of the kind \"{}\", which is none of instantaneous, interval mean and cumulative", heading, kind));
+    refuse_facts(file, fmt::format("gives {} the kind \"{}\", which is not instantaneous, interval mean or cumulative", heading, kind));
   return {.is_mean = kind == "interval mean", .is_load = word_in(column, "is_load") == "true"};
 }
 
@@ -86,14 +86,14 @@ ColumnFacts facts_of(const deck::YamlNode& column, const std::string& heading, c
 
 Table read_table(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file))
-    throw fccda::InputError(fmt::format("{} is not there; name a folder that `perimpact run` has written its results into.", file.string()));
+    throw fccda::InputError(fmt::format("{} does not exist; give a results folder written by `perimpact run`.", file.string()));
   const std::string contents = fccda::contents_of(file);
   std::string_view text = contents;
   Table table{.file = file, .names = cells_of(take_line(text)), .columns = {}};
   table.columns.resize(table.names.size());
   for (std::size_t line = 2; !text.empty(); ++line)
     if (const auto fault = add_row(table, take_line(text)))
-      throw fccda::InputError(fmt::format("{}:{}: this row {}; take the file as the run wrote it.", file.string(), line, *fault));
+      throw fccda::InputError(fmt::format("{}:{}: this row {}; use the file as written by the run.", file.string(), line, *fault));
   return table;
 }
 
@@ -102,13 +102,13 @@ Table read_history(const std::filesystem::path& results) {
   const std::filesystem::path file = output::ResultsFolder::history_columns_in(results);
   if (!std::filesystem::exists(file))
     throw fccda::InputError(
-        fmt::format("{} is not there, which says what each column of history.csv is. Where an older version has run the deck, `perimpact run` of this one "
-                    "writes it into another folder as soon as it starts; copy it from there.",
+        fmt::format("{} does not exist; it describes the columns of history.csv. If an older version wrote the results, start `perimpact run` of this version "
+                    "with another folder, which writes the file at once, and copy it from there.",
                     file.string()));
   const deck::YamlNode known = deck::parse_document(fccda::contents_of(file), file.string());
   const deck::YamlNode::Entry* columns = known.find("columns");
   if (!columns || columns->value.items.size() != table.names.size())
-    refuse_facts(file, fmt::format("does not tell of the {} columns of history.csv", table.names.size()));
+    refuse_facts(file, fmt::format("does not describe the {} columns of history.csv", table.names.size()));
   for (std::size_t c = 0; c < table.names.size(); ++c) table.facts.push_back(facts_of(columns->value.items[c], table.names[c], file));
   return table;
 }
@@ -132,14 +132,18 @@ std::vector<std::size_t> columns_named(const Table& table, const std::vector<std
   std::vector<bool> is_chosen(table.names.size(), false);
   for (const std::string& word : words) {
     bool is_found = false;
+    // a whole name is that column alone: total.energy, not total.energy_balance_error
     for (std::size_t c = 1; c < table.names.size(); ++c)
-      if (word == table.names[c] || (!word.empty() && begins_at_a_joint(quantity_of(table.names[c]), word))) is_chosen[c] = is_found = true;
+      if (word == table.names[c] || word == quantity_of(table.names[c])) is_chosen[c] = is_found = true;
+    if (is_found) continue;
+    for (std::size_t c = 1; c < table.names.size(); ++c)
+      if (!word.empty() && begins_at_a_joint(quantity_of(table.names[c]), word)) is_chosen[c] = is_found = true;
     if (is_found) continue;
     std::vector<std::string> known;
     for (std::size_t c = 1; c < table.names.size(); ++c) known.emplace_back(quantity_of(table.names[c]));
     const std::string_view meant = fccda::nearest_word(word, known);
     throw fccda::InputError(fmt::format("--columns: {} has no column {}; {}", table.file.string(), word.empty() ? "without a name" : word,
-                                        meant.empty() ? "its first line names those that there are." : fmt::format("did you mean {}?", meant)));
+                                        meant.empty() ? "its first line lists the columns." : fmt::format("did you mean {}?", meant)));
   }
   std::vector<std::size_t> chosen;
   for (std::size_t c = 0; c < is_chosen.size(); ++c)

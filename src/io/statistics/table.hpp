@@ -1,4 +1,4 @@
-/// A table that a run left behind, read back: history.csv with what history.json says of its columns, or any other of its CSV files.
+/// Reader of the tables of a run: history.csv with the column descriptions of history.json, or any other CSV file.
 #pragma once
 
 #include <filesystem>
@@ -8,36 +8,36 @@
 
 namespace perimpact {
 
-/// What is known of a column beside its name.
+/// Properties of a column besides its name.
 struct ColumnFacts {
-  bool is_mean = false;  ///< each row is the mean since the row before; else the value at its time
+  bool is_mean = false;  ///< interval mean since the previous row; else instantaneous
   bool is_load = false;
 };
 
 struct Table {
   std::filesystem::path file;
   std::vector<std::string> names;            ///< "ship.force_x [N]"
-  std::vector<std::vector<double>> columns;  ///< each with a number a row
-  std::vector<ColumnFacts> facts;            ///< of each column of a history
+  std::vector<std::vector<double>> columns;  ///< one number per row
+  std::vector<ColumnFacts> facts;            ///< per column of a history
 
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
 };
 
-/// Throws InputError, at file and line, where there is no such table.
+/// Reads a table. Throws InputError with file and line where it does not exist or is invalid.
 Table read_table(const std::filesystem::path& file);
 
-/// history.csv of a results folder with the facts of history.json. Throws InputError where one of both is not there, or does not fit the other.
+/// history.csv of a results folder with the column descriptions of history.json. Throws InputError where either is missing or they disagree.
 Table read_history(const std::filesystem::path& results);
 
-/// "ship.force_x [N]" is the quantity `ship.force_x` in the unit `N`.
+/// The quantity of a heading: `ship.force_x` of "ship.force_x [N]".
 std::string_view quantity_of(std::string_view column);
 std::string_view unit_of(std::string_view column);
 
-/// The columns that are read where nothing else is asked for: those that history.json calls loads.
+/// The default columns: those marked as loads in history.json.
 std::vector<std::size_t> columns_of_loads(const Table& table);
 
-/// The columns that the words choose, in the order of the table. A word is a whole name, with or without its unit, or the beginning of one up
-/// to a full stop or underscore: `ship`, `ship.force`, `ship.force_x`. Throws InputError for one that chooses nothing.
+/// The columns that the words select, in table order. A word is a full name, with or without its unit, or a prefix up to a full stop or
+/// underscore: `ship`, `ship.force`, `ship.force_x`. Throws InputError for a word that selects nothing.
 std::vector<std::size_t> columns_named(const Table& table, const std::vector<std::string>& words);
 
 }  // namespace perimpact

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace perimpact {
 
 namespace {
 
-/// Particles sorted into cubes, so that all within an edge of the cube lie in the cubes next to it.
+/// Cell list: particles sorted into cubes, so that all within one edge length lie in adjacent cubes.
 class Cells {
  public:
   Cells(const Particles& particles, double edge) : edge_(edge) {
@@ -22,7 +22,7 @@ class Cells {
       const Vec3d X = particles.reference(slot);
       for (std::size_t c = 0; c < 3; ++c) low_[c] = std::min(low_[c], X[c]), high[c] = std::max(high[c], X[c]);
     }
-    // no more cells than particles, however far these lie apart
+    // bounds the number of cells for widely scattered particles
     double cells = 0;
     do {
       cells = 1;
@@ -44,7 +44,7 @@ class Cells {
     }
   }
 
-  /// What bonds ask of a particle. Its size takes a root: found once for each, not for each pair.
+  /// Particle data for the bond search. The size needs a cube root and is computed once per particle, not per pair.
   struct Sorted {
     Vec3d reference;  // [m]
     double size;      // [m]
@@ -84,7 +84,7 @@ struct Neighbour {
   double length, volume;
 };
 
-/// The bonds of one particle, by slot.
+/// The bonds of one particle, sorted by slot.
 void neighbours_of(std::size_t slot, const Particles& particles, const Cells& cells, FamilyRule rule, double horizon, std::vector<Neighbour>& found) {
   found.clear();
   const Vec3d X = particles.reference(slot);

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace perimpact {
 

@@ -1,8 +1,7 @@
-/// The bonds of a body: one bit a bond, kept at both of its ends and always equal there.
+/// Families of a body: the bonds of its particles, one bit per bond, stored at both ends and always equal there.
 ///
-/// For eight neighbouring slots the bits of one bond of each are one byte, and the bytes follow one another: the kernel reads a byte where it
-/// needs the mask of a pack. Where the particles are a lattice the bonds of all of them are one stencil, and no neighbour is ever
-/// stored; where they are a cloud the geometry is a list.
+/// The bits of one bond of eight neighbouring slots form a byte, which is the mask of a pack in the kernel. On a lattice all particles share
+/// one stencil and neighbours are not stored; for a point cloud the geometry is a bond list.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +16,9 @@
 
 namespace perimpact {
 
-/// A bond of some particle, as set-up and evaluation see it.
+/// Bond of a particle, for set-up and evaluation.
 struct FamilyBond {
-  std::size_t index;  ///< of the stencil's bond, or of the entry in the list
+  std::size_t index;  ///< of the bond in the stencil, or of the entry in the list
   std::size_t j;      ///< slot of the neighbour
   Vec3d direction;    ///< ξ/|ξ|
   double length;      ///< [m] |ξ|
@@ -28,13 +27,13 @@ struct FamilyBond {
 
 class Family {
  public:
-  /// All bonds between particles of the body that the stencil names. The particles are a lattice.
+  /// All bonds of the stencil between particles of the body, which are on a lattice.
   Family(Stencil stencil, const Particles& particles);
-  /// The bonds of the list; `particles` are those it was made of.
+  /// The bonds of the list; `particles`: those of the list.
   Family(BondList list, const Particles& particles);
 
-  const Stencil* stencil() const { return std::get_if<Stencil>(&geometry_); }            ///< null where the bonds are a list
-  const BondList* list() const { return std::get_if<BondList>(&geometry_); }             ///< null where they are a stencil
+  const Stencil* stencil() const { return std::get_if<Stencil>(&geometry_); }            ///< null for a list
+  const BondList* list() const { return std::get_if<BondList>(&geometry_); }             ///< null for a stencil
   double horizon() const { return stencil() ? stencil()->horizon() : list()->horizon; }  ///< [m] δ
   std::span<const std::ptrdiff_t> offsets() const { return offsets_; }                   ///< in slots, of each bond of the stencil
 
@@ -43,7 +42,7 @@ class Family {
   std::uint8_t* bytes(std::size_t eight) { return bits_.data() + begin(eight); }
   const std::uint8_t* bytes(std::size_t eight) const { return bits_.data() + begin(eight); }
 
-  /// Calls visit(FamilyBond) for all bonds that a particle has now, in the order in which forces are summed.
+  /// Calls visit(FamilyBond) for all intact bonds of a particle, in the order of force summation.
   template <class Visit>
   void for_each_bond(std::size_t slot, const Visit& visit) const {
     const std::size_t eight = slot / fccda::byte_lanes, lane = slot % fccda::byte_lanes, first = begin(eight), rows = begin(eight + 1) - first;
@@ -51,7 +50,7 @@ class Family {
       if ((bits_[first + r] >> lane) & 1u) visit(bond(slot, first, r));
   }
 
-  /// Takes the bonds for which is_cut(i, j) away, as broken ones: they count as damage, and corrections stay as they are. Returns their number.
+  /// Breaks the bonds for which is_cut(i, j): they count as damage, and corrections remain unchanged. Returns their number.
   template <class IsCut>
   std::size_t cut(const IsCut& is_cut) {
     std::size_t ends = 0;
@@ -70,9 +69,9 @@ class Family {
   std::size_t initial_bonds() const { return initial_bonds_; }  ///< each counted once
   std::size_t intact_bonds() const;                             ///< each counted once
 
-  double initial_volume(std::size_t slot) const { return initial_volume_[slot]; }  ///< [m³] Σ v V over the family before any bond broke
+  double initial_volume(std::size_t slot) const { return initial_volume_[slot]; }  ///< [m³] Σ v V over the initial family
   double intact_volume(std::size_t slot) const;                                    ///< [m³] the same over intact bonds
-  /// φ = 1 - Σ µ v V / Σ v V [-] (Silling and Askari 2005); 0 for a particle that never had a bond.
+  /// φ = 1 - Σ µ v V / Σ v V [-] (Silling and Askari 2005); 0 for a particle without initial bonds.
   double damage(std::size_t slot) const;
 
   double bytes() const;  ///< [bytes] of memory

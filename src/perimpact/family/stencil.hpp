@@ -1,11 +1,11 @@
-/// The family of an interior particle of a lattice: which cells it is bonded to and with which part of their volume.
+/// Stencil: family of an interior lattice particle, with the partial volumes of its neighbours (volume correction).
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "perimpact/deck_model/setup.hpp"
 #include "perimpact/particles/lattice.hpp"
-#include "perimpact/setup/setup.hpp"
 
 namespace perimpact {
 
@@ -14,10 +14,10 @@ struct StencilBond {
   int di, dj, dk;
   double length;    ///< [m] |ξ|
   Vec3d direction;  ///< ξ/|ξ|
-  double volume;    ///< [m³] v V: the part v of the neighbour's volume that lies within the horizon
+  double volume;    ///< [m³] v V: partial volume of the neighbour within the horizon
 };
 
-/// What a bond stretches, to first order, when the body is pulled along the lattice axis p to unit strain and free to contract by ν across:
+/// Linearised stretch of a bond under unit uniaxial strain along the lattice axis p with lateral contraction ν:
 /// s = n_p² - ν (1 - n_p²).
 inline double stretch_of_unit_pull(const Vec3d& direction, std::size_t p, double poissons_ratio) {
   const double np2 = direction[p] * direction[p];
@@ -25,8 +25,8 @@ inline double stretch_of_unit_pull(const Vec3d& direction, std::size_t p, double
 }
 
 /// Partial volumes follow the line v = (δ + Δ/2 - |ξ|)/Δ, at most 1. Hu, Ha and Bobaru (Comput. Methods Appl. Mech. Eng. 217 (2012) 247)
-/// let it fall to 0 at |ξ| = δ + Δ/2, Madenci and Oterkus cut it off at |ξ| = δ, where it is still one half (physics notes 1.6).
-/// Bonds are sorted by plane, row and column, so that a sweep reads memory forward.
+/// let it decrease to 0 at |ξ| = δ + Δ/2; Madenci and Oterkus truncate it at |ξ| = δ, where it is one half.
+/// Bonds are sorted by plane, row and column, so that a sweep reads memory sequentially.
 class Stencil {
  public:
   /// `thickness` [m]: of a plane body, whose stencil lies in x and y.

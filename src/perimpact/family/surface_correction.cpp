@@ -5,20 +5,20 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace perimpact {
 
 Vec3d interpolation_weights(const Vec3d& n) {
   Vec3d half{0.5 * n.x * n.x, 0.5 * n.y * n.y, 0};
   const double first_two = std::fma(half.y, 2.0, 2.0 * half.x);
-  half.z = 0.5 * (1 - first_two);  // in the x-y plane: what rounding leaves, which makes the sum exact there too
+  half.z = 0.5 * (1 - first_two);  // in the x-y plane: the rounding error, so that the sum is exact there too
   return half;
 }
 
 namespace {
 
-/// What one bond adds to the sums of a pull and of a unit strain along each axis.
+/// Contribution of one bond to the sums of uniaxial tension and unit strain along each axis.
 struct AxisTerms {
   Vec3d energy, dilatation;
 };
@@ -34,7 +34,7 @@ AxisTerms axis_terms(const CorrectionBasis& basis, const Vec3d& direction, doubl
   return added;
 }
 
-/// The terms of a bond, looked up where the bonds of all particles are those of the stencil.
+/// The terms of a bond, tabulated for a stencil.
 class Terms {
  public:
   Terms(const CorrectionBasis& basis, const Family& family) : basis_(basis) {
@@ -55,7 +55,7 @@ class Terms {
   std::vector<Vec3d> weights_;
 };
 
-/// whole/part along the first axes; 1 where there is no bond along an axis, and so nothing to correct.
+/// whole/part along the first axes; 1 without bonds along an axis.
 Vec3d ratios(const Vec3d& whole, const Vec3d& part, std::size_t axes) {
   Vec3d g{1, 1, 1};
   for (std::size_t p = 0; p < axes; ++p)
@@ -74,7 +74,7 @@ void for_each_particle(const Particles& particles, const F& f) {
 
 using Marks = std::vector<std::uint8_t>;
 
-/// Particles that have fewer bonds than the stencil; in a cloud, all.
+/// Particles with fewer bonds than the stencil; in a point cloud, all.
 Marks incomplete(const Family& family, const Particles& particles) {
   Marks marks(particles.slots(), 0);
   for_each_particle(particles, [&](std::size_t slot) {
@@ -85,7 +85,7 @@ Marks incomplete(const Family& family, const Particles& particles) {
   return marks;
 }
 
-/// Those that are marked, and all that are bonded to them.
+/// Marked particles and their neighbours.
 Marks with_neighbours(const Marks& marked, const Family& family, const Particles& particles) {
   Marks marks = marked;
   for_each_particle(particles, [&](std::size_t slot) {
@@ -116,10 +116,10 @@ CorrectionFactors::CorrectionFactors(CorrectionKind kind, const CorrectionBasis&
     default:
       weigh_own_family(basis, family, particles);
   }
-  const Marks touched = with_neighbours(changed, family, particles);
-  for (std::size_t slot = 0; slot < touched.size(); ++slot)
-    if (touched[slot]) table_of_[slot / fccda::byte_lanes] = no_table;
-  if (family.stencil() && kind != CorrectionKind::family) gather_tables(family);  // the family's factor is squared in the dilatation: no factor of a bond
+  const Marks affected = with_neighbours(changed, family, particles);
+  for (std::size_t slot = 0; slot < affected.size(); ++slot)
+    if (affected[slot]) table_of_[slot / fccda::byte_lanes] = no_table;
+  if (family.stencil() && kind != CorrectionKind::family) gather_tables(family);  // the factor of a family is squared in the dilatation and not a bond factor
 }
 
 void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Family& family, const Particles& particles,
@@ -129,14 +129,14 @@ void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Famil
   const std::size_t axes = particles.is_plane() ? 2 : 3;
   const Terms terms(basis, family);
   Vec3d whole_energy{basis.energy, basis.energy, basis.energy}, whole_dilatation{basis.dilatation, basis.dilatation, basis.dilatation};
-  if (const Stencil* stencil = family.stencil()) {  // summed in the order of the kernel, so that a whole family has exactly 1
+  if (const Stencil* stencil = family.stencil()) {  // summed in the order of the kernel, so that a complete family has exactly 1
     whole_energy = whole_dilatation = {};
     for (const StencilBond& bond : stencil->bonds()) {
       const AxisTerms term = axis_terms(basis, bond.direction, bond.length, bond.volume);
       whole_energy += term.energy, whole_dilatation += term.dilatation;
     }
   }
-  for (int sweep = 0; sweep <= sweeps; ++sweep) {  // the first makes the g_p of Madenci and Oterkus
+  for (int sweep = 0; sweep <= sweeps; ++sweep) {  // the first yields the g_p of Madenci and Oterkus
     VectorArray next_stretch = stretch_, next_dilatation = dilatation_;
     for_each_particle(particles, [&](std::size_t slot) {
       if (!changed[slot]) return;
@@ -155,7 +155,7 @@ void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Famil
 }
 
 void CorrectionFactors::gather_tables(const Family& family) {
-  constexpr int fewest = 4;  // packs that share a table, or it costs more memory than it saves
+  constexpr int fewest = 4;  // packs per table; fewer cost more memory than they save
   std::vector<Vec3d> weights;
   for (const StencilBond& bond : family.stencil()->bonds()) weights.push_back(interpolation_weights(bond.direction));
 

@@ -1,4 +1,4 @@
-/// The loop over the bonds of a pack of particles: once for all materials and all passes, over the two kinds of geometry.
+/// Loop over the bonds of a pack of particles, common to all materials and passes, for lattices (stencil) and point clouds (bond list).
 #pragma once
 
 #include <array>
@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <span>
 
-#include "fccda/core/pack.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/pack.hpp"
+#include "base/vec3.hpp"
 #include "perimpact/family/family.hpp"
 
 namespace perimpact {
 
 using fccda::Vec3;
 
-/// The bonds of a lattice: the neighbours of a row of particles are a row too.
+/// Bonds of a lattice: the neighbours of consecutive particles are consecutive too.
 class StencilBonds {
  public:
   explicit StencilBonds(Family& family) : family_(family), offsets_(family.offsets()) {}
@@ -38,7 +38,7 @@ class StencilBonds {
   std::span<const std::ptrdiff_t> offsets_;
 };
 
-/// The bonds of a cloud: each lane has its own neighbour.
+/// Bonds of a point cloud: each lane has its own neighbour.
 class ListedBonds {
  public:
   explicit ListedBonds(Family& family) : family_(family), list_(*family.list()) {}
@@ -62,9 +62,9 @@ class ListedBonds {
   const BondList& list_;
 };
 
-/// One bond of each particle of a pack, as it is now.
+/// One bond of each particle of a pack in the current configuration.
 template <class Pack, class Bonds>
-struct BondNow {
+struct DeformedBond {
   std::size_t index;                                   ///< of the bond in the stencil, or of the first lane's entry in the list
   typename Bonds::template Neighbour<Pack> neighbour;  ///< neighbour.of(array): the neighbours' values
   unsigned intact;                                     ///< bit l: the bond of lane l exists
@@ -72,13 +72,13 @@ struct BondNow {
   Pack squared_length;                                 ///< [m²]
 };
 
-/// What becomes of bonds that are beyond their limits.
+/// Treatment of bonds beyond their limits.
 struct BeyondLimit {
-  std::size_t* broken = nullptr;  ///< they break, and their ends are counted here
-  bool* is_noted = nullptr;       ///< where given, they stay, this becomes true, and the rest of the bonds is not looked at
+  std::size_t* broken = nullptr;  ///< they break; counter of broken ends
+  bool* is_noted = nullptr;       ///< if given, they stay intact, this is set to true, and the remaining bonds are skipped
 };
 
-/// Says of no bond that it breaks.
+/// Breaker that breaks no bond.
 struct Unbreakable {
   static constexpr bool is_armed = false;
   Unbreakable with(const BeyondLimit&) const { return {}; }
@@ -88,17 +88,17 @@ struct Unbreakable {
   }
 };
 
-/// What to do with bonds as they break: nothing.
+/// Default per_broken: ignores broken bonds.
 struct LeaveBroken {
   template <class Bond>
   void operator()(const Bond&) const {}
 };
 
-/// Calls per_bond(BondNow) for every bond that at least one particle of the pack still has. `x`: components of the current
-/// positions; `breaking`: force/breaking.hpp; per_broken(BondNow) is called for those that break, with the lanes in which they do in place of the intact ones.
+/// Calls per_bond(DeformedBond) for every bond that is intact for at least one particle of the pack. `x`: components of the current positions;
+/// `breaking`: damage/breaking.hpp. Calls per_broken(DeformedBond) for bonds that break, with the lanes in which they break as `intact`.
 ///
-/// Breaking is done here, where the squared length is at hand: a pass of its own costs 45 % more, this one 10 to 20 %. Both ends of a bond
-/// compute the same squared length to the last bit, so that they break together.
+/// Bonds break in this loop, where the squared length is available: this adds 10 to 20 % to its cost, a separate pass 45 %. The squared length is
+/// bitwise identical at both ends of a bond, so that they break together.
 template <class Pack, class Bonds, class Breaking, class PerBond, class PerBroken = LeaveBroken>
 inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>& x, std::size_t slot, const Breaking& breaking, PerBond&& per_bond,
                           [[maybe_unused]] const PerBroken& per_broken = {}) {
@@ -113,7 +113,7 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
     const std::size_t index = bonds.index(eight, row, first);
     const auto neighbour = bonds.template neighbour<Pack>(slot, index);
     const Vec3<Pack> between{neighbour.of(x[0]) - xi.x, neighbour.of(x[1]) - xi.y, neighbour.of(x[2]) - xi.z};
-    const Pack squared_length = fused(between.z, between.z, fused(between.y, between.y, between.x * between.x));
+    const Pack squared_length = fused_multiply_add(between.z, between.z, fused_multiply_add(between.y, between.y, between.x * between.x));
     if constexpr (Breaking::is_armed) {
       const unsigned broken = intact & breaking.bits(index, squared_length, strength, neighbour);
       if (broken) [[unlikely]] {
@@ -124,10 +124,10 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
         *breaking.beyond.broken += static_cast<std::size_t>(__builtin_popcount(broken));
         bytes[row] = static_cast<std::uint8_t>(bytes[row] & ~(broken << first));
         intact &= ~broken;
-        per_broken(BondNow<Pack, Bonds>{index, neighbour, broken, between, squared_length});
+        per_broken(DeformedBond<Pack, Bonds>{index, neighbour, broken, between, squared_length});
       }
     }
-    per_bond(BondNow<Pack, Bonds>{index, neighbour, intact, between, squared_length});
+    per_bond(DeformedBond<Pack, Bonds>{index, neighbour, intact, between, squared_length});
   }
 }
 

@@ -1,15 +1,15 @@
-/// The surface correction as the bond kernel sees it: numbers of particle i, loaded once, and a factor per bond.
+/// Surface effect correction for the bond kernel: values of particle i, loaded once, and a factor per bond.
 #pragma once
 
 #include <array>
 #include <span>
 
-#include "fccda/core/pack.hpp"
+#include "base/pack.hpp"
 #include "perimpact/family/surface_correction.hpp"
 
 namespace perimpact {
 
-/// No factor at all.
+/// No correction.
 struct PlainBonds {
   template <class Pack>
   struct OfParticle {};
@@ -23,7 +23,7 @@ struct PlainBonds {
   }
 };
 
-/// Σ_p n_p² (g_p(i) + g_p(j))/2.
+/// Energy-based correction: Σ_p n_p² (g_p(i) + g_p(j))/2.
 struct EnergyFactor {
   std::array<const double*, 3> g;
   std::span<const Vec3d> half_squares;  ///< n_p²/2 of each stencil bond
@@ -38,13 +38,13 @@ struct EnergyFactor {
   Pack corrected(Pack value, const OfParticle<Pack>& i, std::size_t bond, const Neighbour& j) const {
     const Vec3d& w = half_squares[bond];
     Pack factor = Pack(w.x) * (i.x + j.of(g[0]));
-    factor = fccda::fused(Pack(w.y), i.y + j.of(g[1]), factor);
-    factor = fccda::fused(Pack(w.z), i.z + j.of(g[2]), factor);
+    factor = fccda::fused_multiply_add(Pack(w.y), i.y + j.of(g[1]), factor);
+    factor = fccda::fused_multiply_add(Pack(w.z), i.z + j.of(g[2]), factor);
     return value * factor;
   }
 };
 
-/// 2 V₀/(V_i + V_j).
+/// Volume-based correction: 2 V₀/(V_i + V_j).
 struct VolumeFactor {
   const double* half_volume;  ///< V/(2 V₀)
 
@@ -60,7 +60,7 @@ struct VolumeFactor {
   }
 };
 
-/// (g_i + g_j)/2, g = m/m_i.
+/// Correction by the weighted volume of each family: (g_i + g_j)/2, g = m/m_i.
 struct FamilyFactor {
   const double* half;  ///< g/2
 
@@ -76,21 +76,21 @@ struct FamilyFactor {
   }
 };
 
-/// The factors of a bond's stretch term and of its dilatation terms, and of a particle's dilatation.
+/// Factors of the stretch and dilatation terms of a bond, and of the dilatation of a particle.
 template <class Stretch, class Dilatation, bool by_family = false>
 struct Corrections {
   Stretch stretch;
   Dilatation dilatation;
   const double* half_of_family = nullptr;
 
-  /// g θ: what bonds push with, where θ = g Σ is the dilatation (by_family); else θ = Σ itself.
+  /// g θ, the dilatation in bond forces, where θ = g Σ is the dilatation (by_family); else θ = Σ.
   template <class Pack>
   Pack pushing(Pack sum, std::size_t slot) const {
     if constexpr (!by_family) return sum;
     const Pack half = fccda::load<Pack>(half_of_family + slot);
     return sum * (half + half) * (half + half);
   }
-  /// The dilatation again, from what `pushing` made of it.
+  /// The dilatation θ, from the result of `pushing`.
   template <class Pack>
   Pack dilatation_of(Pack pushing, std::size_t slot) const {
     if constexpr (!by_family) return pushing;

@@ -1,4 +1,4 @@
-/// What a pass over the bonds of a body is asked for, and what it sums up row by row.
+/// Options of a pass over the bonds of a body, and its sums by row.
 #pragma once
 
 #include <algorithm>
@@ -6,21 +6,23 @@
 #include <type_traits>
 #include <vector>
 
-#include "fccda/core/pack.hpp"
+#include "base/pack.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {
 
+/// Sums over the particles of each row.
 struct RowSums {
-  std::vector<double> energy;            ///< [J] of the last pass that was asked for it
+  std::vector<double> energy;            ///< [J] elastic energy, of the last pass with_energy
   std::vector<std::size_t> broken_ends;  ///< since construction
-  std::vector<double> fracture_energy;   ///< [J] since construction: what breaking took of the elastic energy (docs/theory/energy.md)
+  std::vector<double> fracture_energy;   ///< [J] since construction: elastic energy released by bond failure (docs/theory/energy.md)
 };
 
+/// Options of a pass.
 struct PassOptions {
   bool with_energy = false;
-  bool may_break = true;  ///< false: bonds that are too long stay
-  double dt = 0;          ///< [s] of the step that led to these positions with the particles' velocities; 0: of a state of equilibrium
+  bool may_break = true;  ///< false: bonds beyond their limit stay intact
+  double dt = 0;          ///< [s] last step, which led to these positions at the current velocities; 0: state of equilibrium
 };
 
 /// Calls f(slot) for all packs of a row, in order.
@@ -30,7 +32,7 @@ void for_each_pack_of_row(const Particles& particles, std::size_t row, const F& 
   for (std::size_t slot = begin; slot < end; slot += fccda::lanes<Pack>) f(slot);
 }
 
-/// Σ of energy density times volume over the particles of a pack [J].
+/// Energy of a pack [J]: Σ of energy density times volume over its particles.
 template <class Pack>
 double energy_of_pack(Pack density, const Particles& particles, std::size_t slot) {
   double values[fccda::lanes<Pack>];

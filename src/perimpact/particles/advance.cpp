@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace perimpact {
 
@@ -21,10 +21,10 @@ void advance(Particles& particles, double dt, std::span<double> travel) {
       for (std::size_t c = 0; c < 3; ++c) {
         double* x = particles.position.component(c) + slot;
         double* v = particles.velocity.component(c) + slot;
-        const Pack velocity = fused(load<Pack>(particles.force_density.component(c) + slot), kick, load<Pack>(v));
+        const Pack velocity = fused_multiply_add(load<Pack>(particles.force_density.component(c) + slot), kick, load<Pack>(v));
         store(v, velocity);
-        store(x, fused(velocity, drift, load<Pack>(x)));
-        squared = fused(velocity, velocity, squared);
+        store(x, fused_multiply_add(velocity, drift, load<Pack>(x)));
+        squared = fused_multiply_add(velocity, velocity, squared);
       }
       fastest = larger(squared, fastest);
     }

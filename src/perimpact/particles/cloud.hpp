@@ -1,21 +1,21 @@
-/// Particles that lie anywhere: how bodies are discretised that no lattice fits, from points of a file or the cells of a mesh.
+/// Point cloud: unstructured particles from the points of a file or the cells of a mesh.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "fccda/core/vec3.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact {
 
 using fccda::Vec3d;
 
 struct Cloud {
-  std::vector<Vec3d> points;           ///< [m] where the particles are at first
+  std::vector<Vec3d> points;           ///< [m] reference positions
   std::vector<double> volumes;         ///< [m³] of each
   std::optional<double> thickness;     ///< [m] of a plane body, whose points share one z
-  std::vector<std::uint32_t> numbers;  ///< what the file calls each; empty where the points are called 0, 1, 2 …
+  std::vector<std::uint32_t> numbers;  ///< numbers in the file; empty for 0, 1, 2 …
 };
 
 }  // namespace perimpact

@@ -1,4 +1,4 @@
-/// The lattice that fills a solid.
+/// Lattice that fills a box.
 #pragma once
 
 #include <cmath>
@@ -7,9 +7,8 @@
 
 namespace perimpact {
 
-/// A lattice whose cells fill a box of the given size about `centre` exactly; the size is a whole multiple of the spacing
-/// (the deck reader has checked it), and the outermost particles lie half a spacing inside.
-/// In the plane there is one layer, of the box's thickness.
+/// Lattice whose cells fill the box of `size` about `centre` exactly. The size is a whole multiple of the spacing (checked by the deck
+/// reader); the outermost particles lie half a spacing inside. A plane body has one layer of the box's thickness.
 inline Lattice lattice_of_box(const Vec3d& size, const Vec3d& centre, double spacing, bool is_plane) {
   Lattice lattice{.spacing = spacing};
   for (std::size_t axis = 0; axis < 3; ++axis) lattice.cells[axis] = static_cast<int>(std::lround(size[axis] / spacing));

@@ -1,15 +1,15 @@
-/// A grid of cells, one particle a cell: how solids are discretised.
+/// Regular lattice of cells with one particle per cell: the discretisation of solids.
 ///
-/// Cells are stored x fastest, and rows are padded to whole packs of eight, so that a row loads as contiguous SIMD lanes and a
-/// neighbour is a constant offset. The place of a cell in memory is its *slot*; padding cells have slots too, but no particle.
+/// Cells are stored x fastest, and rows are padded to packs of eight, so that a row loads as contiguous SIMD lanes and a neighbour is at a
+/// constant offset. The memory index of a cell is its *slot*; padding cells have slots without particles.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <optional>
 
-#include "fccda/core/pack.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/pack.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact {
 
@@ -19,7 +19,7 @@ struct Lattice {
   std::array<int, 3> cells{};       ///< number of cells in x, y and z
   double spacing{};                 ///< [m]
   Vec3d origin{};                   ///< [m] centre of cell (0, 0, 0)
-  std::optional<double> thickness;  ///< [m] of a plane body, which is one layer of cells in z; where absent cells are cubes
+  std::optional<double> thickness;  ///< [m] of a plane body, which is one layer of cells in z; if absent, cells are cubes
 
   double cell_volume() const { return spacing * spacing * thickness.value_or(spacing); }  ///< [m³]
 
@@ -35,7 +35,7 @@ struct Lattice {
     const std::size_t ny = static_cast<std::size_t>(cells[1]);
     return {static_cast<int>(slot % row_slots()), static_cast<int>(row % ny), static_cast<int>(row / ny)};
   }
-  /// How far apart in memory cells are that differ by (di, dj, dk).
+  /// Difference of the slots of cells that differ by (di, dj, dk).
   std::ptrdiff_t offset(int di, int dj, int dk) const {
     return (static_cast<std::ptrdiff_t>(dk) * cells[1] + dj) * static_cast<std::ptrdiff_t>(row_slots()) + di;
   }

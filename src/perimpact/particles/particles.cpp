@@ -8,7 +8,7 @@ namespace perimpact {
 
 namespace {
 
-constexpr std::size_t cloud_row = 64;  // slots of a cloud that one thread takes at a time
+constexpr std::size_t cloud_row = 64;  // slots per work item of a thread
 
 std::size_t whole_packs(std::size_t count) { return (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes; }
 
@@ -78,7 +78,7 @@ Vec3d extent(const Particles& particles) {
 void Particles::remove(std::span<const std::size_t> slots) {
   for (const std::size_t slot : slots) {
     occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] & ~(1u << (slot % 8)));
-    velocity.set(slot, {});  // what slots without a particle hold
+    velocity.set(slot, {});  // value of slots without a particle
   }
   std::erase_if(slot_of_, [&](std::uint32_t slot) { return std::binary_search(slots.begin(), slots.end(), std::size_t{slot}); });
 }

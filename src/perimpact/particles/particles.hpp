@@ -1,7 +1,6 @@
-/// The particles of one body: where they are, how fast, and what pulls at them.
+/// Particles of one body: positions, velocities and force densities.
 ///
-/// Arrays run over *slots*: the cells of a lattice, or the numbers of a cloud, in both cases rounded up to whole packs of eight. Slots
-/// without a particle are skipped by `slot_of`.
+/// Arrays run over *slots*: cells of a lattice or points of a cloud, padded to packs of eight. `slot_of` skips slots without a particle.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +18,16 @@ namespace perimpact {
 
 class Particles {
  public:
-  /// One particle in each cell whose centre is `inside`. `reach`: how many cells the stencil will reach in each direction.
+  /// One particle in each cell whose centre is `inside`. `reach`: of the stencil, in cells per direction.
   Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside);
 
-  /// One particle a point, in the same order.
+  /// One particle per point, in the same order.
   Particles(const Cloud& cloud, double density);
 
-  /// Takes particles out of the body, as if their cells had not been inside the solid. `slots` ascending. Families made before do not
-  /// know of it.
+  /// Removes particles, as if their cells were outside the solid. `slots` ascending. Existing families are not updated.
   void remove(std::span<const std::size_t> slots);
 
-  const Lattice* lattice() const { return lattice_ ? &*lattice_ : nullptr; }  ///< null where the particles are a cloud
+  const Lattice* lattice() const { return lattice_ ? &*lattice_ : nullptr; }  ///< null for a point cloud
   std::size_t slots() const { return slots_; }                                ///< length of the arrays; a multiple of eight
   std::size_t row_slots() const { return row_slots_; }                        ///< of a row of the lattice; of a cloud, of a block of it
   std::size_t rows() const { return (slots_ + row_slots_ - 1) / row_slots_; }
@@ -38,7 +36,7 @@ class Particles {
   bool is_occupied(std::size_t slot) const { return (occupied_[slot / 8] >> (slot % 8)) & 1u; }
 
   double density() const { return density_; }                                                 ///< [kg/m³]
-  double spacing() const { return spacing_; }                                                 ///< [m] of the lattice; of a cloud, the size of a mean particle
+  double spacing() const { return spacing_; }                                                 ///< [m] of the lattice; for a cloud, the mean particle size
   double volume(std::size_t slot) const { return lattice_ ? cell_volume_ : volumes_[slot]; }  ///< [m³]
   double mass(std::size_t slot) const { return density_ * volume(slot); }                     ///< [kg]
   double total_mass() const;                                                                  ///< [kg]
@@ -51,8 +49,8 @@ class Particles {
   Vec3d displacement(std::size_t slot) const { return position.at(slot) - reference(slot); }                ///< [m] u = x - X
 
   VectorArray position;       ///< [m] x
-  VectorArray velocity;       ///< [m/s] v, half a step behind the positions' next change (symplectic Euler)
-  VectorArray force_density;  ///< [N/m³] of all forces at `position`
+  VectorArray velocity;       ///< [m/s] v at mid-step (symplectic Euler)
+  VectorArray force_density;  ///< [N/m³] sum of all forces at `position`
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
@@ -77,7 +75,7 @@ class Particles {
   std::vector<std::uint32_t> slot_of_;
 };
 
-/// [m] edges of the box that holds all particles with half a spacing around each.
+/// [m] bounding box of all particles, each with half a spacing around it.
 Vec3d extent(const Particles& particles);
 
 }  // namespace perimpact

@@ -1,25 +1,25 @@
-/// Arrays over the slots of a lattice, with slack at both ends, so that a stencil around any slot reads inside the allocation.
-/// What it reads there, and in cells without a particle, is finite and never used.
+/// Arrays over slots with slack at both ends, so that a stencil around any slot reads within the allocation. Values read there, and in
+/// cells without a particle, are finite and unused.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <span>
 
-#include "fccda/core/aligned.hpp"
-#include "fccda/core/contract.hpp"
-#include "fccda/core/vec3.hpp"
+#include "base/aligned.hpp"
+#include "base/contract.hpp"
+#include "base/vec3.hpp"
 
 namespace perimpact {
 
 using fccda::Vec3d;
 
-/// `components` numbers a slot, component by component in one allocation with a constant stride between them.
+/// `components` numbers per slot, stored by component in one allocation with a constant stride.
 template <std::size_t components>
 class SlotArray {
  public:
   SlotArray() = default;
-  /// `slack`: how far a stencil reaches, in slots. Every number starts as `value`.
+  /// `slack`: reach of the stencil in slots. All numbers are initialised to `value`.
   SlotArray(std::size_t slots, std::size_t slack, double value = 0)
       : slots_(slots), slack_((slack + 7) / 8 * 8), stride_((slots + 7) / 8 * 8 + 2 * slack_), numbers_(components * stride_, value) {}
 

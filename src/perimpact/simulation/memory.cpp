@@ -11,17 +11,17 @@
 #include <numeric>
 #include <vector>
 
-#include "fccda/core/pack.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/pack.hpp"
+#include "base/parallel.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/family/stencil.hpp"
-#include "perimpact/material/correspondence.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/materials/correspondence/correspondence.hpp"
 
 namespace perimpact {
 
 namespace {
 
-/// Doubles that CorrespondenceForce keeps of each slot.
+/// Number of doubles per slot in CorrespondenceForce.
 double numbers_of_gradients(const BodySetup& setup, const CorrespondenceSetup& material) {
   const int dimension = setup.is_plane() ? 2 : 3, square = dimension * dimension;
   const bool breaks = material.critical_stretch || material.fracture_energy || material.flexural_strength;
@@ -34,30 +34,30 @@ using fccda::squared_norm;
 constexpr double lanes = static_cast<double>(fccda::byte_lanes);
 constexpr double number = sizeof(double), vector = sizeof(Vec3d), slot_number = sizeof(std::uint32_t);
 
-/// Along each axis; those of a cube where there are too many to be numbered.
+/// Per axis; those of a cube if there are too many to be numbered.
 std::array<double, 3> cells_of(const BodySetup& setup, const BodySolid& solid, double slots) {
   if (!(slots < std::numeric_limits<std::uint32_t>::max())) return {std::cbrt(slots), std::cbrt(slots), std::cbrt(slots)};
   const Lattice lattice = lattice_that_fills(setup, solid);
   return {static_cast<double>(lattice.cells[0]), static_cast<double>(lattice.cells[1]), static_cast<double>(lattice.cells[2])};
 }
 
-/// What the arrays of a body are as long as.
+/// Lengths of the arrays of a body.
 struct Lengths {
-  double slots;        // of arrays that nothing reads beyond
-  double with_slack;   // of those that a stencil reads (SlotArray)
+  double slots;        // of arrays without slack
+  double with_slack;   // of arrays with slack for a stencil (SlotArray)
   double rows;         // bonds of eight slots: bytes of the bits
   double entries = 0;  // of a list
   double tables = 0;   // numbers of the constants of shared surface factors
 };
 
-/// Mean number of rows of eight neighbouring particles in the list of a cloud, of some of them spread over the whole.
+/// Mean number of rows per pack of eight in the bond list of a point cloud, from a sample.
 double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
   const auto size_of = [&](double volume) { return cloud.thickness ? std::sqrt(volume / *cloud.thickness) : std::cbrt(volume); };
   const std::size_t count = cloud.points.size(), eights = (count + fccda::byte_lanes - 1) / fccda::byte_lanes;
   const double mean = size_of(std::accumulate(cloud.volumes.begin(), cloud.volumes.end(), 0.0) / static_cast<double>(count));
   const double horizon = setup.horizon_ratio * mean;
   const bool to_the_last = setup.family.as<FamilyRule>() == FamilyRule::hu_ha_bobaru;
-  std::vector<double> part(count, 0);  // [m] of the reach, by its own size; cube roots take longer than distances
+  std::vector<double> part(count, 0);  // [m] of the reach, from its own size; cube roots cost more than distances
   if (to_the_last) std::ranges::transform(cloud.volumes, part.begin(), [&](double volume) { return 0.25 * size_of(volume); });
   const std::size_t asked = std::min<std::size_t>(eights, 32);
   std::vector<double> longest(asked, 0);
@@ -97,16 +97,17 @@ struct BodyMemory {
   double at_rest, setting_up, pictures, rubble;
 };
 
-/// [bytes] that force/near_pairs.hpp and force/short_range.hpp take for a particle without bonds in rubble as dense as the solid, most while its list is
-/// made anew.
+/// [bytes] per particle of self_contact/near_pairs.hpp and self_contact/short_range.hpp in rubble as dense as the solid, at most while the
+/// list is rebuilt.
 double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) {
   const double dimension = setup.is_plane() ? 2 : 3, of_pair = fragments.friction > 0 ? vector : 0;  // its tangential spring
-  // points of a lattice nearer than 2.5 and than 2 spacings, which the list and the weight function reach
+  // lattice points within 2.5 and 2 spacings, the reach of the list and of the weight function
   const double listed = (setup.is_plane() ? 20 : 80) * std::pow((2 * fragments.distance_ratio + 0.5) / 2.5, dimension);
   const double near = (setup.is_plane() ? 8 : 26) * std::pow(fragments.distance_ratio, dimension);
-  const double pair = number + 4 * slot_number + of_pair, found = 2 * slot_number, kept = 2 * slot_number + of_pair;  // which is kept once for both
-  const double member = 3 * vector + 13 * number;
-  return listed * (pair + found) + near / 2 * kept + member;
+  const double pair = (fragments.friction > 0 ? 4.25 : 3.25) * slot_number + of_pair, gap = 4 * pair, found = 2 * slot_number,
+               kept = 2 * slot_number + of_pair;  // stored once per pair
+  const double member = 3 * vector + 17 * number;
+  return listed * (pair + found) + gap + near / 2 * kept + member;
 }
 
 BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisation, const FragmentContactSetup& fragments, std::size_t impactors) {
@@ -130,22 +131,24 @@ BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisatio
     arrays += (by_energy ? 2 * vector : by_volume ? number : 0) * with_slack + n / 2 + (has_dilatation ? number * with_slack : 0);
     arrays += is_list ? (has_dilatation ? 2 : 1) * number * length.entries : by_energy ? number * length.tables : 0;
   }
+  if (setup.elastic().plasticity)  // force/plastic_force.hpp: three tensors and five numbers a slot, directions of the entries of a list
+    arrays += 23 * number * with_slack + n + n / 4 + (is_list ? (has_dilatation ? 3 : 4) * number * length.entries : 0);
   double at_rest = arrays + static_cast<double>(impactors) * (number + sizeof(int)) * n;  // a due distance and a guess for each slot
   if (const auto* points = std::get_if<PointsShape>(&setup.shape))                        // of the deck, and of the simulation's own set-up
     at_rest += 2 * (vector + number) * static_cast<double>(points->points.size());
   // each sweep of the energy correction makes new factors beside the old ones; of the copy on which the stiffest mode is sought, for a given step alone,
   // nothing is counted
   const double setting_up = by_energy ? 2 * vector * with_slack + 3 * n : 0;
-  const double pictures = 56 * n;  // measured: arrays in single precision, and what they are packed into
+  const double pictures = 56 * n;  // measured: arrays in single precision and their compressed form
   double rubble = 0;
   if (fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
-    at_rest += 132 * n;  // measured: particles, places and cells of force/near_pairs.hpp, whatever touches
+    at_rest += 132 * n;  // measured: particles, positions and cells of self_contact/near_pairs.hpp
     rubble = rubble_of(setup, fragments) * n;
   }
   return {at_rest, setting_up, pictures, rubble};
 }
 
-constexpr double program = 21e6;  // [bytes] measured: the program itself with its libraries
+constexpr double program = 21e6;  // [bytes] measured: the program with its libraries
 
 }  // namespace
 
@@ -159,7 +162,7 @@ Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies) {
     const BodyMemory one = memory_of(setup.bodies[b], bodies[b], setup.contact.fragments, setup.impactors.size());
     sum.at_rest += one.at_rest;
     sum.rubble += one.rubble;
-    sum.setting_up = std::max(sum.setting_up, one.setting_up);  // one body is made after the other
+    sum.setting_up = std::max(sum.setting_up, one.setting_up);  // bodies are built one after the other
     if (setup.output.frames > 0) sum.pictures = std::max(sum.pictures, one.pictures);
   }
   return sum;
@@ -167,7 +170,7 @@ Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies) {
 
 void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, double available) {
   const double needed = memory_of(setup, bodies).peak();
-  if (needed <= available) return;  // not so where it is not a number
+  if (needed <= available) return;  // false for NaN
   const auto at_rest = [&](std::size_t b) { return memory_of(setup.bodies[b], bodies[b], {}, 0).at_rest; };
   std::size_t largest = 0;
   for (std::size_t b = 1; b < bodies.size(); ++b)
@@ -176,15 +179,14 @@ void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, d
   if (!body.spacing)
     throw SetupError(
         "bodies." + body.name + ".shape",
-        fmt::format("with {:.3g} particles of body {} the run needs {:.3g} GB of memory, but this machine has {:.3g} GB; take fewer and larger ones.",
+        fmt::format("with {:.3g} particles of body {} the run needs {:.3g} GB of memory, but this machine has {:.3g} GB; use fewer and larger particles.",
                     slots_of(body, bodies[largest]), body.name, needed / 1e9, available / 1e9));
   const std::string key = "bodies." + body.name + ".spacing";
   if (!std::isfinite(needed))
-    throw SetupError(key, fmt::format("a spacing of {} m fills body {} with more cells than can be counted; make it larger.", *body.spacing, body.name));
-  throw SetupError(key,
-                   fmt::format("with a spacing of {} m for body {} the run needs {:.3g} GB of memory, but this machine has {:.3g} GB; take a spacing of at "
-                               "least {:.2g} m, or a smaller body.",
-                               *body.spacing, body.name, needed / 1e9, available / 1e9, 1.05 * *body.spacing * std::cbrt(needed / available)));
+    throw SetupError(key, fmt::format("a spacing of {} m gives body {} more cells than can be numbered; increase it.", *body.spacing, body.name));
+  throw SetupError(key, fmt::format("with a spacing of {} m for body {} the run needs {:.3g} GB of memory, but this machine has {:.3g} GB; use a spacing of at "
+                                    "least {:.2g} m, or a smaller body.",
+                                    *body.spacing, body.name, needed / 1e9, available / 1e9, 1.05 * *body.spacing * std::cbrt(needed / available)));
 }
 
 }  // namespace perimpact

@@ -1,4 +1,4 @@
-/// The short-range force that a deck asks for, between the bodies that it makes.
+/// Builds the short-range force of a deck between its bodies.
 #pragma once
 
 #include <optional>
@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "perimpact/force/short_range.hpp"
-#include "perimpact/setup/setup.hpp"
-#include "perimpact/simulation/body.hpp"
+#include "perimpact/body/body.hpp"
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/self_contact/short_range.hpp"
 
 namespace perimpact {
 
-/// `bodies`: made of setup.bodies, in that order.
-std::vector<TouchingBody> touching_bodies(const Setup& setup, std::span<Body> bodies);
+/// `bodies`: built from setup.bodies, in the same order.
+std::vector<ContactingBody> contacting_bodies(const Setup& setup, std::span<Body> bodies);
 
-/// Nothing where contact.fragments.law is none. Throws SetupError where bodies of two dimensions do not lie in one plane, or not all are.
+/// Empty if contact.fragments.law is none. Throws SetupError if 2-D bodies do not lie in one plane or are mixed with 3-D ones.
 std::optional<ShortRange> short_range_of(const Setup& setup, std::span<Body> bodies);
 
-/// That particles touch before anything has moved: a sentence.
+/// Warning about initial overlap of contact distances.
 std::string warning_of_overlap(const ShortRange& fragments);
 
 }  // namespace perimpact

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "fccda/respond/together.hpp"
-#include "perimpact/impact/diagnosis.hpp"
-#include "perimpact/impact/rigid_body_of.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "fccda/respond/resolve_together.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/diagnostics/setup_warnings.hpp"
+#include "perimpact/discretisation/particle_set.hpp"
+#include "perimpact/integrate/stable_step.hpp"
+#include "perimpact/integrate/stiffest_mode.hpp"
 #include "perimpact/simulation/short_range_of.hpp"
-#include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulation/state_hash.hpp"
-#include "perimpact/simulation/stiffest_mode.hpp"
-#include "perimpact/solid/region.hpp"
 
 namespace perimpact {
 
@@ -26,32 +26,32 @@ std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particl
   return bodies;
 }
 
-std::vector<Boundaries> make_boundaries(const Setup& setup, std::span<const Body> bodies, std::vector<GivenForce> own_forces) {
-  std::vector<Boundaries> boundaries;
+std::vector<BoundaryConditions> make_boundary_conditions(const Setup& setup, std::span<const Body> bodies, std::vector<UserForceOnBody> user_forces) {
+  std::vector<BoundaryConditions> boundary_conditions;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const BodySetup& body = setup.bodies[b];
     const Particles& particles = bodies[b].particles;
-    boundaries.emplace_back(body, elastic_of(body), particles,
-                            [&](const std::string& region, const std::string& key) { return slots_in(region, body, particles, key); });
+    boundary_conditions.emplace_back(body, elastic_of(body), particles,
+                                     [&](const std::string& region, const std::string& key) { return slots_in(region, body, particles, key); });
   }
-  for (GivenForce& given : own_forces) {
+  for (UserForceOnBody& given : user_forces) {
     if (setup.time.relax)
-      throw SetupError("time.relax", fmt::format("own forces such as {} act on bodies that move, not on such as are relaxed; remove time.relax, or take "
-                                                 "boundaries of the deck.",
-                                                 given.name));
-    const Body& body = bodies[given.body];  // stays where it is for as long as the simulation lives
-    boundaries[given.body].add({body.name + "." + given.name, "own_force",
-                                OwnForce(body.name + "." + given.name, body.particles,
-                                         [act = std::move(given.function), &body](double time, VectorArray& density) { act(time, body, density); })});
+      throw SetupError(
+          "time.relax",
+          fmt::format("user forces such as {} are not supported with time.relax; remove time.relax, or use boundary conditions of the deck.", given.name));
+    const Body& body = bodies[given.body];  // has a stable address for the lifetime of the simulation
+    boundary_conditions[given.body].add({body.name + "." + given.name, "own_force",
+                                         UserForce(body.name + "." + given.name, body.particles,
+                                                   [act = std::move(given.function), &body](double time, VectorArray& density) { act(time, body, density); })});
   }
-  return boundaries;
+  return boundary_conditions;
 }
 
-constexpr double safety = 0.9;  // of the estimate, which is a bound for linear bodies at rest
+constexpr double safety = 0.9;  // factor on the estimate, which is a bound for linear bodies at rest
 
 Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optional<ShortRange>& fragments, std::vector<std::string>& warnings) {
   Stability stability{0, std::numeric_limits<double>::infinity(), {}};
-  const std::vector<TouchingBody> touching = touching_bodies(setup, bodies);
+  const std::vector<ContactingBody> touching = contacting_bodies(setup, bodies);
   const auto bound = [&](std::size_t b) { return fragments ? fragments->bound(touching, b) : ShortRange::Bound{}; };
   for (std::size_t b = 0; b < bodies.size(); ++b) stability.estimate = std::min(stability.estimate, safe_stable_step(bodies[b], bound(b)));
   if (setup.time.relax) {
@@ -60,14 +60,14 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optio
   }
   const double automatic = safety * stability.estimate;
   if (!setup.time.step && !std::isfinite(automatic))
-    throw SetupError("time", "no body has a bond, so nothing tells how long a stable time step is; give time.step, or take smaller spacings.");
+    throw SetupError("time", "no body has bonds, so that the stable time step is undefined; give time.step, or use smaller spacings.");
   stability.step = setup.time.step.value_or(setup.time.end / std::ceil(setup.time.end / automatic));
   if (stability.step > setup.time.end)
-    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; make it shorter, or leave it out.",
-                                              stability.step, setup.time.end));
-  constexpr double most_steps = 1e15;  // are counted without rounding, and would take thirty years at a million a second
-  if (!(setup.time.end / stability.step <= most_steps))
-    throw SetupError("time.end", fmt::format("the run would take {:.3g} steps of {:.3g} s; end it earlier, or make the step longer.",
+    throw SetupError("time.step",
+                     fmt::format("a time step of {:.4g} s is longer than the whole run of {:.4g} s; reduce it, or omit it.", stability.step, setup.time.end));
+  constexpr double max_steps = 1e15;  // exact in double precision; thirty years at a million steps per second
+  if (!(setup.time.end / stability.step <= max_steps))
+    throw SetupError("time.end", fmt::format("the run would take {:.3g} steps of {:.3g} s; end it earlier, or increase the step.",
                                              setup.time.end / stability.step, stability.step));
   if (stability.step <= automatic * (1 + 1e-9)) return stability;
   double exact = std::numeric_limits<double>::infinity(), own = exact;
@@ -78,14 +78,14 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optio
   }
   stability.exact = exact;
   if (stability.step >= exact)
-    throw SetupError("time.step", fmt::format("a time step of {:.4g} s is {:.3g} times the longest stable one of these bodies ({:.4g} s): the run would blow "
-                                              "up. Take at most {:.4g} s, or leave the step out.",
+    throw SetupError("time.step", fmt::format("the time step of {:.4g} s is {:.3g} times the critical time step of these bodies ({:.4g} s) and unstable; use "
+                                              "at most {:.4g} s, or omit time.step.",
                                               stability.step, stability.step / exact, exact, automatic));
   if (stability.step > safety * own)
-    warnings.push_back(fmt::format(
-        "The time step of {:.4g} s is {:.3g} times the safe estimate ({:.4g} s) and {:.3g} times what these bodies with their surfaces{} surely stand; it "
-        "may be unstable. Up to {:.4g} s need no worry.",
-        stability.step, stability.step / automatic, automatic, stability.step / own, fragments ? " and fragments in contact" : "", safety * own));
+    warnings.push_back(
+        fmt::format("The time step of {:.4g} s is {:.3g} times the estimated stable step ({:.4g} s) and {:.3g} times the lower bound for these bodies{}; it "
+                    "may be unstable. Use at most {:.4g} s.",
+                    stability.step, stability.step / automatic, automatic, stability.step / own, fragments ? " with fragments in contact" : "", safety * own));
   return stability;
 }
 
@@ -94,90 +94,20 @@ std::optional<Relaxation> make_relaxation(const Setup& setup, std::span<const Bo
   if (!setup.impactors.empty())
     throw SetupError(
         "impactors." + setup.impactors.front().name,
-        fmt::format("impactor {} cannot take part where bodies are relaxed; lead the particles it would touch with a boundary, or remove time.relax.",
+        fmt::format("impactor {} is not supported with time.relax; prescribe the displacement of the particles in contact instead, or remove time.relax.",
                     setup.impactors.front().name));
   return Relaxation(*setup.time.relax, bodies, dt);
 }
 
-/// Increments are few, and each is a row.
+/// With time.relax, each increment is a row.
 OutputSetup output_of(const Setup& setup, double dt) {
   OutputSetup output = setup.output;
-  if (setup.time.relax) output.history = dt;
+  if (setup.time.relax) output.history_interval = dt;
   return output;
 }
 
-/// A bond reaches three particles: thinner bodies are all surface, and no correction makes up for that.
-void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>& warnings) {
-  constexpr int enough = 4;
-  for (const Body& body : bodies) {
-    if (!body.particles.lattice() || body.bending) continue;  // whose bending has been made right
-    const auto& cells = body.particles.lattice()->cells;
-    const int thinnest = *std::min_element(cells.begin(), cells.end() - (body.particles.is_plane() ? 1 : 0));
-    if (thinnest < enough)
-      warnings.push_back(
-          fmt::format("Body {} is only {} particles thick: its stiffness is far off, above all in bending. Take a spacing that gives at least {}, better 6.",
-                      body.name, thinnest, enough));
-  }
-}
-
-/// The heaviest solid, osmium, has 22 590 kg/m3: a density in g/cm3 or t/mm3 without its unit is below 23, one in kg/m3 hardly ever.
-void warn_of_density(std::string_view of, double density, std::vector<std::string>& warnings) {
-  constexpr double lightest = 23, heaviest = 23000;  // [kg/m3]
-  if (density >= lightest && density <= heaviest) return;
-  warnings.push_back(
-      fmt::format("The density of {} is {:.4g} kg/m3, but solids have {:g} to {:g} kg/m3. If it is in another unit, write that behind it, as in 7.8 g/cm3 or "
-                  "7.8e-9 t/mm3.",
-                  of, density, lightest, heaviest));
-}
-
-/// Stairs where a surface is not along the lattice, and thin places between two layers.
-void warn_of_mass(const std::string& body, const std::optional<FilledMass>& mass, std::vector<std::string>& warnings) {
-  constexpr double much = 0.05;
-  if (!mass || std::fabs(mass->excess()) <= much) return;
-  warnings.push_back(
-      fmt::format("The particles of body {} weigh {:.4g} kg, {:+.1f} % against its solid of {:.4g} kg: the lattice is coarse for it. Take a smaller "
-                  "spacing.",
-                  body, mass->particles, 100 * mass->excess(), mass->solid));
-}
-
-void warn_of_loose_particles(const Body& body, std::vector<std::string>& warnings) {
-  std::size_t loose = 0;
-  for (const std::uint32_t slot : body.particles.slot_of()) loose += body.family.initial_volume(slot) > 0 ? 0 : 1;
-  if (loose > 0)
-    warnings.push_back(
-        fmt::format("{} particles of body {} have no bond, the solid is too thin there or they are too far apart: nothing holds them. Take a smaller "
-                    "spacing, or a larger horizon_ratio.",
-                    loose, body.name));
-}
-
-void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, std::vector<std::string>& warnings) {
-  for (std::size_t i = 0; i < impactors.size(); ++i) {
-    const fccda::Surface& surface = impactors[i].surface();
-    const std::size_t count = surface.report().may_overlap;
-    const bool is_moved_by_contact = !setup.impactors[i].free.empty();  // the mass of others is only told
-    if (count > 0 && surface.is_closed() && is_moved_by_contact && is_weighed_by_volume(setup.impactors[i]))
-      warnings.push_back(
-          fmt::format("The surface of {} has {} components whose bounding boxes meet: where they overlap, what they share counts twice in mass, centre of mass "
-                      "and inertia. If they do overlap, give mass, centre_of_mass and inertia.",
-                      impactors[i].name(), count));
-  }
-}
-
-void warn_of_impactors(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt, std::vector<std::string>& warnings) {
-  for (const Impactor& impactor : impactors) {
-    for (const Diagnosis& of_surface : {inside_out(impactor), goes_through_itself(impactor), is_cut(impactor)})
-      if (of_surface) warnings.push_back(*of_surface);
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const double spacing = bodies[b].particles.spacing();
-      const Target target{bodies[b].name, spacing, setup.contact.impactors.radius_ratio * spacing, extent(bodies[b].particles), setup.bodies[b].velocity};
-      for (std::string& sentence : diagnose(impactor, target, dt)) warnings.push_back(std::move(sentence));
-      if (Diagnosis behind = starts_behind(impactor, target, bodies[b].particles)) warnings.push_back(std::move(*behind));
-    }
-  }
-}
-
-/// [s] A wave's way through the slowest family, δ/√(E/ρ): what particles need to answer a push. A particle under steady pressure is pushed once in several
-/// steps, so that the pressure of a single step grows as steps become shorter; over this time it does not, and nothing faster is resolved.
+/// [s] Transit time of a wave through the slowest family, δ/√(E/ρ), the response time of particles. Under steady pressure a particle receives
+/// an impulse once in several steps, so that the pressure of a single step depends on the step; averaged over this time it does not.
 double response_time(const Setup& setup, std::span<const Body> bodies) {
   double time = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -185,16 +115,16 @@ double response_time(const Setup& setup, std::span<const Body> bodies) {
   return time;
 }
 
-/// An impactor against one of the bodies, as strike_together sees it.
+/// Resolver of contact between an impactor and one body, for fccda::resolve_together.
 struct ImpactorOnBody {
   Impactor& impactor;
   std::size_t body;
 
-  std::span<const fccda::Contact> strike(StruckParticles& particles) { return impactor.strike(body, particles); }
-  std::span<const fccda::Contact> strike_again(StruckParticles& particles, std::span<const std::size_t> which) {
-    return impactor.strike_again(body, particles, which);
+  std::span<const fccda::Contact> resolve_contact(ContactParticles& particles) { return impactor.resolve_contact(body, particles); }
+  std::span<const fccda::Contact> resolve_contact_again(ContactParticles& particles, std::span<const std::size_t> which) {
+    return impactor.resolve_contact_again(body, particles, which);
   }
-  std::vector<std::size_t> still_inside(const StruckParticles& particles, std::span<const std::size_t> which) {
+  std::vector<std::size_t> still_inside(const ContactParticles& particles, std::span<const std::size_t> which) {
     return impactor.still_inside(body, particles, which);
   }
   void moved(std::size_t particle) { impactor.moved(body, particle); }
@@ -204,12 +134,12 @@ struct ImpactorOnBody {
 
 Simulation::Simulation(const Setup& setup) : Simulation(setup, Start(setup)) {}
 
-Simulation::Simulation(const Setup& setup, Start start, std::vector<GivenForce> own_forces)
+Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces)
     : setup_(setup),
-      inside_at_start_(std::move(start.inside)),
+      initial_penetrations_(std::move(start.inside)),
       filled_masses_(std::move(start.filled_masses)),
       bodies_(make_bodies(setup, std::move(start.particles))),
-      boundaries_(make_boundaries(setup, bodies_, std::move(own_forces))),
+      boundary_conditions_(make_boundary_conditions(setup, bodies_, std::move(user_forces))),
       fragments_(short_range_of(setup, bodies_)),
       stability_(find_step(setup, bodies_, fragments_, warnings_)),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
@@ -217,27 +147,19 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<GivenForce> 
       impactors_(std::move(start.impactors)),
       load_steps_(std::clamp(std::lround(std::min(response_time(setup, bodies_) / clock_.dt, 1e9)), 1L, clock_.steps)),
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
-  for (const Body& body : bodies_) warn_of_density(body.name, body.particles.density(), warnings_);
-  for (const ImpactorSetup& impactor : setup_.impactors)
-    if (impactor.density) warn_of_density(impactor.name, *impactor.density, warnings_);
-  warn_of_thin_bodies(bodies_, warnings_);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    warn_of_mass(bodies_[b].name, filled_masses_[b], warnings_);
-    warn_of_loose_particles(bodies_[b], warnings_);
-    for (std::string& warning : warnings_of(bodies_[b].cracks, bodies_[b].name)) warnings_.push_back(std::move(warning));
-  }
-  warn_of_overlaps(setup, impactors_, warnings_);
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
-  for (std::string& warning : warnings_of(inside_at_start_, setup_, bodies_)) warnings_.push_back(std::move(warning));
-  warn_of_impactors(setup_, bodies_, impactors_, clock_.dt, warnings_);
+  const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
+  warn(warnings_about_bodies(setup_, bodies_, filled_masses_));
+  warn(warnings_of(initial_penetrations_, setup_, bodies_));
+  warn(warnings_about_impactors(setup_, bodies_, impactors_, clock_.dt));
   if (!relaxation_) {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) boundaries_[b].place(bodies_[b].particles, 0, Held::Pace::moving);
-    pull();
-    touch();
-    apply_boundaries();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) boundary_conditions_[b].set_initial_state(bodies_[b].particles, 0, PrescribedDisplacement::Regime::moving);
+    compute_bond_forces();
+    add_short_range_forces();
+    apply_boundary_conditions();
     if (fragments_ && fragments_->touching() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
   }
-  watch();
+  sample_monitors();
 }
 
 void Simulation::step(const KeepRelaxing& keep_on) {
@@ -245,101 +167,101 @@ void Simulation::step(const KeepRelaxing& keep_on) {
   if (relaxation_) return relax(keep_on);
   timers_.timed("predict", [&] { advance_bodies(); });
   timers_.timed("contact", [&] {
-    strike();
+    resolve_impactor_contact();
     end_load_interval();
   });
-  timers_.timed("forces", [&] { pull(); });
-  if (fragments_) timers_.timed("fragments", [&] { touch(); });
-  timers_.timed("boundaries", [&] { apply_boundaries(); });
+  timers_.timed("forces", [&] { compute_bond_forces(); });
+  if (fragments_) timers_.timed("fragments", [&] { add_short_range_forces(); });
+  timers_.timed("boundary_conditions", [&] { apply_boundary_conditions(); });
   timers_.timed("monitors", [&] {
-    if (monitors_.watches(clock_)) watch();
+    if (monitors_.samples_step(clock_)) sample_monitors();
   });
 }
 
 void Simulation::advance_bodies() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     advance(bodies_[b].particles, clock_.dt, travel_[b]);
-    boundaries_[b].lead(bodies_[b].particles, clock_.latest(), travel_[b]);
+    boundary_conditions_[b].impose_displacements(bodies_[b].particles, clock_.latest(), travel_[b]);
   }
 }
 
-void Simulation::strike() {
+void Simulation::resolve_impactor_contact() {
   for (Impactor& impactor : impactors_) impactor.advance(clock_.latest());
-  std::vector<StruckParticles> particles;
+  std::vector<ContactParticles> particles;
   for (std::size_t b = 0; b < bodies_.size(); ++b) particles.emplace_back(bodies_[b].particles, travel_[b], clock_.dt);
-  std::vector<std::vector<std::size_t>> pinched(bodies_.size());  // of each impactor
-  // Impactors move with what contact gives them (docs/theory/contact_response.md, "One velocity"), so that it takes passes.
+  std::vector<std::vector<std::size_t>> unresolved(bodies_.size());  // of each impactor
+  // The motion of impactors depends on their contact impulses (docs/theory/contact_response.md, "One velocity"), hence the passes.
   for (int pass = 1;; ++pass) {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) pinched[b] = strike_body(b, particles[b]);
-    if (pass == fccda::Coupling::most_passes || std::ranges::all_of(impactors_, &Impactor::moved_with_contact)) break;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) unresolved[b] = resolve_body(b, particles[b]);
+    if (pass == fccda::Coupling::max_passes || std::ranges::all_of(impactors_, &Impactor::moved_with_contact)) break;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
       particles[b].undo([&](std::size_t slot) {
         for (Impactor& impactor : impactors_) impactor.moved(b, slot);
       });
-    for (Impactor& impactor : impactors_) impactor.repeat_step(pass + 1 == fccda::Coupling::most_passes);
+    for (Impactor& impactor : impactors_) impactor.repeat_step(pass + 1 == fccda::Coupling::max_passes);
   }
   for (Impactor& impactor : impactors_) impactor.finish_step();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].note_pinched(b, pinched[b][i], clock_.time());
-    for (const std::uint32_t slot : boundaries_[b].lead_back(bodies_[b].particles, clock_.latest()))
+    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].record_unresolved(b, unresolved[b][i], clock_.time());
+    for (const std::uint32_t slot : boundary_conditions_[b].reimpose_after_contact(bodies_[b].particles, clock_.latest()))
       for (Impactor& impactor : impactors_) impactor.put_back(b, slot);
   }
 }
 
-std::vector<std::size_t> Simulation::strike_body(std::size_t body, StruckParticles& particles) {
-  std::vector<ImpactorOnBody> strikers;
-  for (Impactor& impactor : impactors_) strikers.push_back({impactor, body});
-  std::vector<std::size_t> pinched;
-  for (const std::vector<std::size_t>& points : fccda::strike_together(std::span(strikers), particles)) pinched.push_back(points.size());
-  return pinched;
+std::vector<std::size_t> Simulation::resolve_body(std::size_t body, ContactParticles& particles) {
+  std::vector<ImpactorOnBody> resolvers;
+  for (Impactor& impactor : impactors_) resolvers.push_back({impactor, body});
+  std::vector<std::size_t> unresolved;
+  for (const std::vector<std::size_t>& points : fccda::resolve_together(std::span(resolvers), particles)) unresolved.push_back(points.size());
+  return unresolved;
 }
 
-void Simulation::pull() {
+void Simulation::compute_bond_forces() {
   const double dt = clock_.step > 0 ? clock_.dt : 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    if (monitors_.watches(clock_))
+    if (monitors_.samples_step(clock_))
       monitors_.elastic_energy()[b] = body.internal.evaluate_with_energy(body.particles, body.family, dt);
     else
       body.internal.evaluate(body.particles, body.family, dt);
   }
 }
 
-void Simulation::touch() {
-  if (fragments_) fragments_->add_forces(touching_bodies(setup_, bodies_), clock_.step > 0 ? clock_.dt : 0);
+void Simulation::add_short_range_forces() {
+  if (fragments_) fragments_->add_forces(contacting_bodies(setup_, bodies_), clock_.step > 0 ? clock_.dt : 0);
 }
 
-void Simulation::apply_boundaries() {
+void Simulation::apply_boundary_conditions() {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
-    boundaries_[b].look(body.particles, body.family, body.internal.broken_ends());
-    boundaries_[b].add_forces(body.particles, clock_.next());
+    boundary_conditions_[b].update_exposed_surface(body.particles, body.family, body.internal.broken_ends());
+    boundary_conditions_[b].add_forces(body.particles, clock_.next());
   }
 }
 
 void Simulation::relax(const KeepRelaxing& keep_on) {
   std::optional<std::vector<double>> energy;
-  timers_.timed("relax", [&] { energy = relaxation_->relax(bodies_, boundaries_, clock_.step, clock_.time(), keep_on); });
+  timers_.timed("relax", [&] { energy = relaxation_->relax(bodies_, boundary_conditions_, clock_.step, clock_.time(), keep_on); });
   if (!energy) {
     --clock_.step;
     return;
   }
   monitors_.elastic_energy() = std::move(*energy);
-  timers_.timed("monitors", [&] { watch(); });
+  timers_.timed("monitors", [&] { sample_monitors(); });
 }
 
 void Simulation::end_load_interval() {
   if (clock_.step % load_steps_ != 0 && !clock_.is_finished()) return;
-  // the last may be cut short: its mean is taken over a whole one all the same, as if nothing pushed afterwards
+  // the last interval may be shorter; its mean is still taken over a full one
   for (Impactor& impactor : impactors_) impactor.end_load_interval(clock_.time(), static_cast<double>(load_steps_) * clock_.dt);
 }
 
-void Simulation::watch() {
+void Simulation::sample_monitors() {
   const double row_before = monitors_.row_time();
-  monitors_.watch({bodies_, boundaries_, impactors_, clock_, fragments_, relaxation_ ? &relaxation_->latest() : nullptr});
+  monitors_.watch({bodies_, boundary_conditions_, impactors_, clock_, fragments_, relaxation_ ? &relaxation_->latest() : nullptr});
   if (monitors_.is_due(clock_))
     for (Impactor& impactor : impactors_) impactor.end_history_interval(clock_.time(), clock_.time() - row_before);
-  if (monitors_.is_checked(clock_)) encounters_.look(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
+  if (monitors_.is_checked(clock_)) proximity_.sample(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
 }
 
 std::size_t Simulation::contacts() const {

@@ -1,5 +1,4 @@
-/// A whole simulation: built from a Setup, advanced step by step. It writes nothing; who wants results looks at it between steps
-/// (run.hpp has the loop).
+/// Simulation, built from a Setup and advanced step by step. It writes no output; writers read its state between steps.
 #pragma once
 
 #include <functional>
@@ -8,69 +7,69 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/state.hpp"
-#include "fccda/core/timers.hpp"
-#include "perimpact/boundary/boundaries.hpp"
-#include "perimpact/force/short_range.hpp"
-#include "perimpact/impact/impactor.hpp"
-#include "perimpact/setup/setup.hpp"
-#include "perimpact/simulation/body.hpp"
-#include "perimpact/simulation/clock.hpp"
-#include "perimpact/simulation/encounters.hpp"
-#include "perimpact/simulation/monitors.hpp"
-#include "perimpact/simulation/relax.hpp"
+#include "base/state.hpp"
+#include "base/timers.hpp"
+#include "perimpact/body/body.hpp"
+#include "perimpact/boundary_conditions/boundary_conditions.hpp"
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/diagnostics/proximity.hpp"
+#include "perimpact/history/monitors.hpp"
+#include "perimpact/impactor/impactor.hpp"
+#include "perimpact/integrate/clock.hpp"
+#include "perimpact/integrate/relax.hpp"
+#include "perimpact/self_contact/short_range.hpp"
 #include "perimpact/simulation/start.hpp"
 
 namespace perimpact {
 
-/// How the time step was found, over all bodies.
+/// Time step and its stability limits over all bodies.
 struct Stability {
-  double step;      ///< [s] taken
-  double estimate;  ///< [s] a bound, below the exact limit (safe_stable_step)
-  /// [s] beyond which a body, with its surfaces, is unstable; found only where the step is above 0.9 of the estimate (exact_stable_step)
+  double step;      ///< [s] time step used
+  double estimate;  ///< [s] lower bound of the critical time step (safe_stable_step)
+  /// [s] critical time step of the bodies with their surfaces; computed only if the step exceeds 0.9 of the estimate (exact_stable_step)
   std::optional<double> exact;
 };
 
-/// A force on the particles of a body that code of the caller's own computes.
-struct GivenForce {
+/// User force on the particles of a body.
+struct UserForceOnBody {
   std::size_t body;
   std::string name;                                                                   ///< its columns of history.csv are <body>.<name>.force_x … and .work
-  std::function<void(double time, const Body& body, VectorArray& density)> function;  ///< as OwnForce::Function, at the latest positions
+  std::function<void(double time, const Body& body, VectorArray& density)> function;  ///< see UserForce::Function, at the latest positions
 };
 
 class Simulation {
  public:
-  /// Throws SetupError where the Setup cannot be simulated.
+  /// Throws SetupError if the Setup is invalid.
   explicit Simulation(const Setup& setup);
-  /// The same from a start that has been made of the set-up, and perhaps been changed.
-  Simulation(const Setup& setup, Start start, std::vector<GivenForce> own_forces = {});
+  /// The same from a Start of this Setup, possibly modified.
+  Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces = {});
 
-  /// One step in time or, where the set-up relaxes, one increment; the clock stays where it was where that is told to leave off, and the next
-  /// call goes on. Throws RunError.
+  /// Advances by one time step or, with time.relax, by one increment. If keep_on interrupts an increment, the clock is unchanged and the next
+  /// call resumes it. Throws RunError.
   void step(const KeepRelaxing& keep_on = {});
 
   const Setup& setup() const { return setup_; }
   const Clock& clock() const { return clock_; }
   const Stability& stability() const { return stability_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }                                   ///< known before the run
-  std::vector<std::string> closing_warnings() const { return encounters_.warnings(bodies_, impactors_); }  ///< known at its end
+  const std::vector<std::string>& warnings() const { return warnings_; }                                  ///< before the run
+  std::vector<std::string> closing_warnings() const { return proximity_.warnings(bodies_, impactors_); }  ///< at the end of the run
   const fccda::Timers& timers() const { return timers_; }
-  std::span<const InsideAtStart> inside_at_start() const { return inside_at_start_; }  ///< removed, or put on a surface
+  std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }  ///< removed, or projected onto a surface
   std::span<const Body> bodies() const { return bodies_; }
   const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
-  std::span<const Boundaries> boundaries() const { return boundaries_; }  ///< of each body
+  std::span<const BoundaryConditions> boundary_conditions() const { return boundary_conditions_; }  ///< of each body
   std::span<const Impactor> impactors() const { return impactors_; }
   const Monitors& monitors() const { return monitors_; }
-  const std::optional<ShortRange>& fragments() const { return fragments_; }    ///< where the deck has them touch
+  const std::optional<ShortRange>& fragments() const { return fragments_; }    ///< if contact of fragments is enabled
   std::size_t contacts() const;                                                ///< of the last step
   const std::optional<Relaxation>& relaxation() const { return relaxation_; }  ///< in place of dynamics
-  /// Has the pairs of particles that may touch looked for anew; changes no result.
+  /// Discards the neighbour list of the short-range force; does not change results.
   void forget_near_pairs() {
     if (fragments_) fragments_->forget();
   }
 
-  /// What the next step depends on, as fccda/core/state.hpp says. A simulation of the same Setup that is given another's state and record
-  /// goes on as the other would have.
+  /// State on which the next step depends (base/state.hpp). A simulation of the same Setup with this state and record continues bitwise
+  /// identically.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit("step", clock_.step);
@@ -81,43 +80,43 @@ class Simulation {
   }
   std::uint64_t state_hash();
 
-  /// Likewise what was noted of the run so far: no step depends on it, but history, warnings and run.json do.
+  /// Record of the run, which affects history, warnings and run.json, but not the steps.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
     for (Body& body : bodies_) body.visit_record(visit);
-    for (Boundaries& boundaries : boundaries_) boundaries.visit_record(visit);
+    for (BoundaryConditions& boundary_conditions : boundary_conditions_) boundary_conditions.visit_record(visit);
     for (Impactor& impactor : impactors_) impactor.visit_record(visit);
     if (fragments_) fragments_->visit_record(fccda::under("fragments", visit));
     monitors_.visit_state(fccda::under("monitors", visit));
-    encounters_.visit_state(fccda::under("encounters", visit));
+    proximity_.visit_state(fccda::under("encounters", visit));
   }
 
  private:
   void advance_bodies();
-  void strike();
-  std::vector<std::size_t> strike_body(std::size_t body, StruckParticles& particles);  // how many each impactor has pinched
-  void pull();
-  void touch();
-  void apply_boundaries();
+  void resolve_impactor_contact();
+  std::vector<std::size_t> resolve_body(std::size_t body, ContactParticles& particles);  // number of unresolved penetrations per impactor
+  void compute_bond_forces();
+  void add_short_range_forces();
+  void apply_boundary_conditions();
   void relax(const KeepRelaxing& keep_on);
   void end_load_interval();
-  void watch();
+  void sample_monitors();
 
   Setup setup_;
   std::vector<std::string> warnings_;
-  std::vector<InsideAtStart> inside_at_start_;
+  std::vector<InitialPenetration> initial_penetrations_;
   std::vector<std::optional<FilledMass>> filled_masses_;
   std::vector<Body> bodies_;
-  std::vector<Boundaries> boundaries_;  // of each body
+  std::vector<BoundaryConditions> boundary_conditions_;  // of each body
   std::optional<ShortRange> fragments_;
   Stability stability_;
-  Clock clock_;  // counts increments where bodies are relaxed
+  Clock clock_;  // counts increments with time.relax
   std::optional<Relaxation> relaxation_;
   std::vector<Impactor> impactors_;
-  long load_steps_;                          // over which loads of panels are averaged
-  std::vector<std::vector<double>> travel_;  // [m] of each body's blocks in this step
+  long load_steps_;                          // averaging interval of panel loads
+  std::vector<std::vector<double>> travel_;  // [m] travel of each body's blocks in this step
   Monitors monitors_;
-  Encounters encounters_;
+  ProximityMonitor proximity_;
   fccda::Timers timers_;
 };
 

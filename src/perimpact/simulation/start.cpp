@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "perimpact/impact/in_plane.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/impactor/in_plane.hpp"
 #include "perimpact/simulation/memory.hpp"
 
 namespace perimpact {
@@ -48,9 +48,9 @@ std::vector<Impactor> place(const Setup& setup, std::span<Particles> particles) 
   return impactors;
 }
 
-/// Slots of that body inside that impactor where they are now: nothing moves in a step of no duration.
+/// Slots of the body currently inside the impactor, by a step of zero duration.
 std::vector<std::size_t> inside_now(const Impactor& impactor, std::size_t body, Particles& particles) {
-  return impactor.starting_inside(body, StruckParticles(particles, {}, 0));
+  return impactor.initial_overlap(body, ContactParticles(particles, {}, 0));
 }
 
 template <class Visit>
@@ -65,8 +65,7 @@ void refuse(Start& start, const Setup& setup) {
     const std::string& impactor = setup.impactors[i].name;
     throw SetupError("impactors." + impactor + ".position",
                      fmt::format("impactor {} starts inside body {}: {} particles are inside its surface, or nearer to it than the contact radius. Move it "
-                                 "away, or check the units of its surface; or say what becomes of them with contact.impactors.starting_inside: remove or "
-                                 "project.",
+                                 "away, check the units of its surface, or set contact.impactors.initial_overlap: remove or project.",
                                  impactor, setup.bodies[b].name, slots.size()));
   });
 }
@@ -75,7 +74,7 @@ void remove(Start& start, const Setup& setup) {
   for_each_inside(start, [&](std::size_t i, std::size_t b, std::vector<std::size_t> slots) {
     if (slots.size() == start.particles[b].size())
       throw SetupError("impactors." + setup.impactors[i].name + ".position",
-                       fmt::format("every particle that body {} has left is inside impactor {}, so starting_inside: remove leaves nothing of it. Move the "
+                       fmt::format("all remaining particles of body {} are inside impactor {}, so that initial_overlap: remove leaves nothing of it. Move the "
                                    "impactor away, or check the units of its surface.",
                                    setup.bodies[b].name, setup.impactors[i].name));
     start.particles[b].remove(slots);
@@ -83,7 +82,7 @@ void remove(Start& start, const Setup& setup) {
   });
 }
 
-/// Out of one impactor a particle may be in another, so it takes rounds. A particle is counted for every impactor it was put on.
+/// A particle projected out of one impactor may be in another, hence the rounds. It is counted for every impactor.
 void project(Start& start, const Setup& setup) {
   constexpr int most_rounds = 4;
   for (int round = 0; round < most_rounds; ++round)
@@ -93,7 +92,8 @@ void project(Start& start, const Setup& setup) {
       for (const std::size_t slot : slots) places.push_back(particles.position.at(slot));
       const std::vector<std::optional<Vec3d>> outside = start.impactors[i].nearest_outside(b, places);
       if (std::none_of(outside.begin(), outside.end(), [](const auto& place) { return place.has_value(); })) return;
-      auto entry = std::find_if(start.inside.begin(), start.inside.end(), [&](const InsideAtStart& known) { return known.impactor == i && known.body == b; });
+      auto entry =
+          std::find_if(start.inside.begin(), start.inside.end(), [&](const InitialPenetration& known) { return known.impactor == i && known.body == b; });
       if (entry == start.inside.end()) entry = start.inside.insert(entry, {i, b, {}});
       for (std::size_t k = 0; k < slots.size(); ++k) {
         if (!outside[k]) continue;
@@ -103,14 +103,13 @@ void project(Start& start, const Setup& setup) {
       std::sort(entry->slots.begin(), entry->slots.end());
       entry->slots.erase(std::unique(entry->slots.begin(), entry->slots.end()), entry->slots.end());
     });
-  for (InsideAtStart& entry : start.inside)
+  for (InitialPenetration& entry : start.inside)
     for (const std::size_t slot : entry.slots) entry.furthest = std::max(entry.furthest, norm(start.particles[entry.body].displacement(slot)));
   for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
-    throw SetupError(
-        "impactors." + setup.impactors[i].name + ".position",
-        fmt::format("{} particles of body {} that start inside impactor {} cannot be put on its surface: no place near them is clear of all impactors. "
-                    "Write starting_inside: remove, or move the impactor away.",
-                    slots.size(), setup.bodies[b].name, setup.impactors[i].name));
+    throw SetupError("impactors." + setup.impactors[i].name + ".position",
+                     fmt::format("{} particles of body {} that start inside impactor {} cannot be projected onto its surface, because no position near them is "
+                                 "outside all impactors. Set initial_overlap: remove, or move the impactor away.",
+                                 slots.size(), setup.bodies[b].name, setup.impactors[i].name));
   });
 }
 
@@ -120,14 +119,14 @@ Start::Start(const Setup& setup) : Start(setup, discretised(setup)) {}
 
 Start::Start(const Setup& setup, std::span<const Discretisation> bodies)
     : particles(fill(setup, bodies)), filled_masses(masses_of(bodies, particles)), impactors(place(setup, particles)) {
-  switch (setup.contact.impactors.starting_inside.as<StartingInside>()) {
-    case StartingInside::error:
+  switch (setup.contact.impactors.initial_overlap.as<InitialOverlap>()) {
+    case InitialOverlap::error:
       refuse(*this, setup);
       break;
-    case StartingInside::remove:
+    case InitialOverlap::remove:
       remove(*this, setup);
       break;
-    case StartingInside::project:
+    case InitialOverlap::project:
       project(*this, setup);
       break;
   }
@@ -143,19 +142,19 @@ double largest_stretch(const Body& body, std::span<const std::size_t> slots) {
   return largest;
 }
 
-std::vector<std::string> warnings_of(std::span<const InsideAtStart> inside, const Setup& setup, std::span<const Body> bodies) {
+std::vector<std::string> warnings_of(std::span<const InitialPenetration> inside, const Setup& setup, std::span<const Body> bodies) {
   std::vector<std::string> warnings;
-  for (const InsideAtStart& entry : inside) {
+  for (const InitialPenetration& entry : inside) {
     const std::string where =
         fmt::format("Impactor {} starts inside body {}: {} particles that were inside its surface, or nearer to it than the contact radius,",
                     setup.impactors[entry.impactor].name, bodies[entry.body].name, entry.slots.size());
-    if (setup.contact.impactors.starting_inside.as<StartingInside>() == StartingInside::remove)
-      warnings.push_back(fmt::format("{} were removed. The body has a hole there.", where));
+    if (setup.contact.impactors.initial_overlap.as<InitialOverlap>() == InitialOverlap::remove)
+      warnings.push_back(fmt::format("{} were removed; the body has a hole there.", where));
     else
-      warnings.push_back(fmt::format(
-          "{} were put on it, the furthest moved by {:.3g} m. Bonds start with stretches up to {:.2g}, so the body is not at rest. Move the impactor "
-          "away if that is too much.",
-          where, entry.furthest, largest_stretch(bodies[entry.body], entry.slots)));
+      warnings.push_back(
+          fmt::format("{} were projected onto it, by at most {:.3g} m. Bonds start with stretches up to {:.2g}, so that the body is not at rest. Move the "
+                      "impactor away if this is too much.",
+                      where, entry.furthest, largest_stretch(bodies[entry.body], entry.slots)));
   }
   return warnings;
 }

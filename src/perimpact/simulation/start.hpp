@@ -1,5 +1,5 @@
-/// How a run starts, up to where bonds are made: bodies are filled with particles, impactors are placed, and particles that would be
-/// inside one are refused, taken out of their body, or put on its surface (docs/theory/contact.md, "At t = 0").
+/// Initial state of a run before bonds are created: bodies are discretised, impactors are placed, and particles inside an impactor are
+/// refused, removed, or projected onto its surface (docs/theory/contact.md, "At t = 0").
 #pragma once
 
 #include <optional>
@@ -7,36 +7,28 @@
 #include <string>
 #include <vector>
 
-#include "perimpact/impact/impactor.hpp"
+#include "perimpact/body/body.hpp"
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/discretisation/filled_mass.hpp"
+#include "perimpact/impactor/impactor.hpp"
 #include "perimpact/particles/particles.hpp"
-#include "perimpact/setup/setup.hpp"
-#include "perimpact/simulation/body.hpp"
 
 namespace perimpact {
 
-/// Particles of a body that were inside an impactor, or nearer to it than the contact radius, and were removed or put on its surface.
-struct InsideAtStart {
+/// Particles of a body initially inside an impactor, or nearer to it than the contact radius, that were removed or projected.
+struct InitialPenetration {
   std::size_t impactor, body;      ///< index
   std::vector<std::size_t> slots;  ///< ascending
-  double furthest = 0;             ///< [m] that any of them was moved
-};
-
-/// How well particles fill a solid.
-struct FilledMass {
-  double solid;      ///< [kg]
-  double particles;  ///< [kg] before any were removed
-
-  double excess() const { return particles / solid - 1; }  ///< [-] of the particles over the solid
+  double furthest = 0;             ///< [m] largest displacement by projection
 };
 
 struct Start {
   std::vector<Particles> particles;                      ///< of each body
-  std::vector<std::optional<FilledMass>> filled_masses;  ///< of each body that fills a solid whose volume is known
+  std::vector<std::optional<FilledMass>> filled_masses;  ///< of each body whose solid has a known volume
   std::vector<Impactor> impactors;
-  std::vector<InsideAtStart> inside;
+  std::vector<InitialPenetration> inside;
 
-  /// Throws SetupError: a set-up too large for the machine, impactors that cannot be made, particles inside where the deck refuses that or
-  /// where there is no place for them.
+  /// Throws SetupError for insufficient memory, invalid impactors, or initial penetration that is refused or cannot be resolved.
   explicit Start(const Setup& setup);
 
  private:
@@ -46,7 +38,7 @@ struct Start {
 /// The largest magnitude of stretch (|x_j - x_i| - |ξ|)/|ξ| among the bonds of these particles.
 double largest_stretch(const Body& body, std::span<const std::size_t> slots);
 
-/// One sentence an entry: how many particles, which way they went, and what that did to their bonds.
-std::vector<std::string> warnings_of(std::span<const InsideAtStart> inside, const Setup& setup, std::span<const Body> bodies);
+/// One sentence per entry: number of particles, their treatment, and the resulting bond stretch.
+std::vector<std::string> warnings_of(std::span<const InitialPenetration> inside, const Setup& setup, std::span<const Body> bodies);
 
 }  // namespace perimpact

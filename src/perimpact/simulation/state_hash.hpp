@@ -1,5 +1,4 @@
-/// A fingerprint of all state: equal states give equal numbers, and any changed bit almost surely another one.
-/// It is compared between runs of one binary (threads, resumed runs), never stored as an expectation.
+/// Hash of the whole state, for bitwise comparison of runs of one binary (thread counts, restarts); never stored as a reference value.
 #pragma once
 
 #include <bit>
@@ -7,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "fccda/core/state.hpp"
+#include "base/state.hpp"
 
 namespace perimpact {
 

@@ -85,8 +85,8 @@ class Result(Frame):
 
 
 def relaxed(title, body):
-    relax = {"increments": 1, "tolerance": TOLERANCE, "most_iterations": 1_000_000}
-    return {"title": title, "time": {"end": 1, "relax": relax}, "bodies": {"body": body}, "output": {"frames": 1, "checkpoint_every": 0}}
+    relax = {"increments": 1, "tolerance": TOLERANCE, "max_iterations": 1_000_000}
+    return {"title": title, "time": {"end": 1, "relax": relax}, "bodies": {"body": body}, "output": {"frames": 1, "checkpoint_interval": 0}}
 
 
 def box(*size):
@@ -122,7 +122,7 @@ def bar(body, run):
     """
     spacing, length = HEIGHT / body.layers, 10 * HEIGHT
     keys = body.deck(spacing, box(length, HEIGHT, HEIGHT))
-    keys["boundaries"] = pulled_at_both_ends()
+    keys["boundary_conditions"] = pulled_at_both_ends()
     result = run(f"bar {body.name()}", relaxed("A bar in tension", keys))
     strain = STRESS / YOUNG
     x, y = result.places[:, 0], result.places[:, 1]
@@ -148,7 +148,7 @@ def block(body, run):
     keys["position"] = [0.5 * (length - depth), 0, 0]  # regions are placed from here
     shift = -keys["position"][0]
     keys["regions"] = {"clamp": region(shift - 2 * depth, shift), "last": region(shift + length - spacing, shift + length + spacing)}
-    keys["boundaries"] = {"clamp": {"fixed": {"region": "clamp"}}, "pull": {"body_force": {"region": "last", "force_density": [STRESS / spacing, 0, 0]}}}
+    keys["boundary_conditions"] = {"clamp": {"fixed": {"particle_set": "clamp"}}, "pull": {"body_force": {"particle_set": "last", "force_density": [STRESS / spacing, 0, 0]}}}
     result = run(f"block {body.name()}", relaxed("A block under tension", keys))
     x, mean = result.sections(spacing)
     free = x > 0
@@ -210,11 +210,11 @@ def wave(body, run, sudden):
         push.update(times=times.tolist(), factors=factors.tolist())
     keys = body.deck(spacing, box(length, height, height))
     keys["position"] = [length / 2, 0, 0]
-    keys["boundaries"] = {"push": {"pressure": push}}
+    keys["boundary_conditions"] = {"push": {"pressure": push}}
     deck = {"title": "A wave in a bar", "time": {"end": 0.7 * crossing}, "bodies": {"body": keys}}
     # Rows of the history no closer than some ten steps: in the first steps of a load that begins at nothing the check of energy, which is
     # made with them, sees kinetic energy of the next half step that no work has paid yet.
-    deck["output"] = {"frames": 2, "history": 0.07 * crossing, "checkpoint_every": 0}
+    deck["output"] = {"frames": 2, "history_interval": 0.07 * crossing, "checkpoint_interval": 0}
     result = run(f"{'step' if sudden else 'pulse'} {body.name()}", deck)
 
     fine = np.linspace(0, crossing, 100_001)
@@ -303,7 +303,7 @@ def cantilever(body, run):
     arm = length - loaded / 2
     force = force_for(1e-3 * length, arm, 3)
     density = force / (loaded * HEIGHT**2)
-    keys["boundaries"] = {"clamp": {"fixed": {"region": "clamp"}}, "load": {"body_force": {"region": "tip", "force_density": [0, -density, 0]}}}
+    keys["boundary_conditions"] = {"clamp": {"fixed": {"particle_set": "clamp"}}, "load": {"body_force": {"particle_set": "tip", "force_density": [0, -density, 0]}}}
     result = run(f"cantilever {body.name()}", relaxed("A cantilever", keys))
     x, mean = result.sections(spacing)
     curve = force * x**2 * (3 * arm - x) / (6 * bending_stiffness())
@@ -324,8 +324,8 @@ def three_points(body, run):
     places = {"left": -length / 2, "right": length / 2, "load": 0.0}
     keys["regions"] = {name: region(x - 0.5 * spacing, x + 0.5 * spacing) for name, x in places.items()}
     force = force_for(1e-3 * length, length, 48)
-    keys["boundaries"] = {name: {"fixed": {"region": name, "directions": ["y"]}} for name in ("left", "right")}
-    keys["boundaries"]["push"] = {"body_force": {"region": "load", "force_density": [0, -force / (spacing * HEIGHT**2), 0]}}
+    keys["boundary_conditions"] = {name: {"fixed": {"particle_set": name, "directions": ["y"]}} for name in ("left", "right")}
+    keys["boundary_conditions"]["push"] = {"body_force": {"particle_set": "load", "force_density": [0, -force / (spacing * HEIGHT**2), 0]}}
     result = run(f"three points {body.name()}", relaxed("Three-point bending", keys))
     x, mean = result.sections(spacing)
     from_support = length / 2 - np.abs(x)
@@ -412,7 +412,7 @@ def hole(body, run):
     spacing, half = radius / body.layers, 5 * radius
     keys = body.deck(spacing, box(2 * half, 2 * half, radius))
     keys["holes"] = {"hole": {"shape": {"cylinder": {"diameter": 2 * radius, "height": 2 * radius}}}}
-    keys["boundaries"] = pulled_at_both_ends()
+    keys["boundary_conditions"] = pulled_at_both_ends()
     result = run(f"hole {body.name()}", relaxed("A plate with a hole", keys))
     x, y = result.places[:, 0], result.places[:, 1]
     exact = HoleInSquare(radius, half, body.poisson)

@@ -28,8 +28,8 @@ impactors:
     surface: {{file: "{file}", translate: {translate}{outside}}}
     mass: {mass}
     velocity: {velocity}
-    free: [x, y, z]
-output: {{folder: results, frames: 1, history: {history}}}
+    free_dofs: [x, y, z]
+output: {{folder: results, frames: 1, history_interval: {history}}}
 """
 
 
@@ -58,7 +58,7 @@ class Strike:
         self.velocity = SPEED * towards
         self.spacing = spacing
         self.text = DECK.format(
-            file=file, outside=f", outside: {outside}" if outside else "", spacing=spacing, size=(spacing * counts).tolist(), mass=self.mass,
+            file=file, outside=f", orientation: {outside}" if outside else "", spacing=spacing, size=(spacing * counts).tolist(), mass=self.mass,
             position=(aside + towards * spacing * (0.5 * THICK + 0.25)).tolist(), translate=(-self.furthest).tolist(),
             velocity=self.velocity.tolist(), step=self.step, end=STEPS * self.step, history=STEPS // ROWS * self.step,
             youngs_modulus=YOUNGS_MODULUS, density=DENSITY, breaks=BREAKS,

@@ -1,5 +1,5 @@
 """The surfaces of OpenFOAM's tutorials, as Debian's package openfoam-examples installs them: hulls, propellers, buildings, terrain, machine
-parts, pieces of pipes. They come from many programs, and few were made for anything like contact. They stay where they are."""
+parts, fragments of pipes. They come from many programs, and few were made for anything like contact. They stay where they are."""
 
 import hashlib
 import unittest

@@ -15,7 +15,7 @@ DECK = CASE / "deck.yaml"
 # half the resolution: two layers, which cannot be calibrated, so that few seconds of computing suffice; the step needs no worry
 COARSE = ["bodies.ice.spacing=0.6", "bodies.ice.bending_calibration=none", "time.step=0.2 ms", "time.end=0.6 s", "output.frames=0"]
 for side in ("port", "starboard"):
-    COARSE.append(f"bodies.ice.regions.{side}.shape.box.size=[63, 0.9, 1.2]")  # two rows of particles are 1.2 m
+    COARSE.append(f"bodies.ice.particle_sets.{side}.shape.box.size=[63, 0.9, 1.2]")  # two rows of particles are 1.2 m
 
 OPEN_WATER = """\
 title: The submarine without ice
@@ -31,7 +31,7 @@ impactors:
     surface: {{file: "{file}"}}
     mass: 2000 t
     position: [0, 0, -8.25]
-    free: [z]
+    free_dofs: [z]
     floating: {{level: 0, added_mass: 0.8, damping: 1.2}}
 output: {{folder: results, frames: 0}}
 """
@@ -59,13 +59,13 @@ def shape(scene):
     scene.assertTrue(0.99 < surface["volume [m3]"] / (hull + sail) < 1, surface["volume [m3]"])
 
 
-@claim("submarine_surfacing: without ice it comes to rest at its draught, and displaces its mass")
+@claim("submarine_surfacing: without ice it comes to rest at its draft, and displaces its mass")
 def open_water(scene):
     (scene.folder / "open_water.yaml").write_text(OPEN_WATER.format(file=CASE / "submarine.obj"))
     scene.expect_success("run", "open_water.yaml", "--out", "out")
     floating, columns = scene.report("out")["impactors"]["submarine"]["floating"], scene.history("out")
     # what is left of 6 m decays with half the damping, e^-0.6 a second over the 9 s since it came out of the water: 0.5 %
-    scene.assertAlmostEqual(floating["draught [m]"], floating["draught_at_rest [m]"], delta=0.03)
+    scene.assertAlmostEqual(floating["draft [m]"], floating["draft_at_rest [m]"], delta=0.03)
     scene.assertAlmostEqual(floating["displaced [kg]"] / 2000e3, 1, delta=0.01)
     # deep, lift and damping come to a balance: (ρ V - m) g = c (m + a) v, within e^-1.2 a second of the 3.5 s that it is under water
     lift = (floating["displaced_at_start [kg]"] - 2000e3) * 9.81
@@ -117,7 +117,7 @@ def hardening(scene):
 
 @claim("submarine_surfacing: free to heave, it gains the momentum that water and ice give it")
 def free(scene):
-    done = scene.run_program("run", DECK, "--out", "out", *coarse("impactors.submarine.free=[z]", "impactors.submarine.velocity=[0, 0, 1]", "time.end=0.5 s"))
+    done = scene.run_program("run", DECK, "--out", "out", *coarse("impactors.submarine.free_dofs=[z]", "impactors.submarine.velocity=[0, 0, 1]", "time.end=0.5 s"))
     scene.assertEqual(done.code, 0, done.err)
     columns, floating = scene.history("out"), scene.report("out")["impactors"]["submarine"]["floating"]
     times, heavy = columns["time [s]"], floating["mass [kg]"] + floating["added_mass [kg]"]

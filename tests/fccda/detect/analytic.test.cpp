@@ -24,7 +24,7 @@ std::vector<Path> random_paths(std::size_t count, double step, std::uint64_t see
 
 }  // namespace
 
-TEST_CASE("analytic: what ends nearer to the centre than R + r, or went right through, touches, however long the step") {
+TEST_CASE("analytic: points that end nearer to the centre than R + r, or pass right through, are in contact, however long the step") {
   for (const double step : {0.05, 3.0}) {
     const std::vector<Path> paths = random_paths(5000, step, 31);
     Analytic detector(Sphere{.radius = 0.5}, Unbounded{}, 0.02);
@@ -33,19 +33,19 @@ TEST_CASE("analytic: what ends nearer to the centre than R + r, or went right th
       found[contact.point] = true;
       CHECK(norm(contact.relocation) == fixtures::relative(0.52, 1e-11));  // R + r and the offset
       CHECK(norm(contact.hit) == fixtures::relative(0.5, 1e-11));
-      CHECK(dot(contact.relocation, paths[contact.point].start) > 0);  // never put out at the far side
+      CHECK(dot(contact.relocation, paths[contact.point].start) > 0);  // never relocated to the far side
     }
     for (std::size_t i = 0; i < paths.size(); ++i) {
-      double nearest = 1e300;  // of a thousand places along the path
+      double nearest = 1e300;  // of a thousand points along the path
       for (int k = 0; k <= 1000; ++k) nearest = std::min(nearest, norm(paths[i].at(k / 1000.0)));
-      if (std::fabs(nearest - 0.52) < 1e-4) continue;  // undecided by sampling: places are 3e-3 apart, (3e-3)²/8R off
+      if (std::fabs(nearest - 0.52) < 1e-4) continue;  // undecided by sampling: points are 3e-3 apart, (3e-3)²/8R off
       const bool far_side = dot(paths[i].start, paths[i].end) < 0;
       CHECK(found[i] == (norm(paths[i].end) < 0.52 || (far_side && nearest < 0.52)));
     }
   }
 }
 
-TEST_CASE("analytic: a cylinder is felt along all its axis, within the region") {
+TEST_CASE("analytic: contact with a cylinder counts along its whole axis, within the contact bounds") {
   const auto surface = fixtures::surface_of(fixtures::cylinder());
   const BoxUnion region({.size = {2, 2, 0.2}}, *surface, Beyond::clip);
   Analytic detector(InfiniteCylinder{.radius = 0.5}, region, 0.01);
@@ -58,7 +58,7 @@ TEST_CASE("analytic: a cylinder is felt along all its axis, within the region") 
   CHECK(contacts[1].point == 3);
 }
 
-TEST_CASE("analytic: away from the surface after contact is no contact, straight in again is") {
+TEST_CASE("analytic: motion away from the surface after contact is not contact, motion inward again is") {
   Analytic detector(Sphere{.radius = 0.5}, Unbounded{}, 0);
   const std::vector<Contact> contacts = detect(detector, fixtures::points_on(random_paths(2000, 0.1, 32)));
   REQUIRE(contacts.size() > 200);
@@ -73,10 +73,10 @@ TEST_CASE("analytic: away from the surface after contact is no contact, straight
   CHECK(detect(detector, again).size() == contacts.size());
 }
 
-TEST_CASE("analytic: the mesh of a sphere converges to it as the square of its panels") {
+TEST_CASE("analytic: the mesh of a sphere converges to it with the square of the panel size") {
   const std::vector<Path> paths = random_paths(1000, 0.15, 33);
   const auto error = [&](double panel) {
-    Swept mesh(fixtures::surface_of(make_sphere({.diameter = 1, .panel = panel})), Unbounded{}, 0);
+    Swept mesh(fixtures::surface_of(make_sphere({.diameter = 1, .edge_length = panel})), Unbounded{}, 0);
     Analytic exact(Sphere{.radius = 0.5}, Unbounded{}, 0);
     const std::vector<Contact> a = detect(mesh, fixtures::points_on(paths)), b = detect(exact, fixtures::points_on(paths));
     double most = 0;

@@ -30,24 +30,24 @@ TEST_CASE("nearest outside: points inside every body end at the contact radius f
         points.x0.push_back(pose.to_world(place));
       }
       points.x1 = points.x0;
-      CHECK(detector.starting_inside(points, pose).size() == inside.size());
+      CHECK(detector.initial_overlap(points, pose).size() == inside.size());
       const auto places = detector.nearest_outside(points.x0, pose);
       for (std::size_t k = 0; k < inside.size(); ++k) {
         REQUIRE(places[k].has_value());
         const Vec3d place = pose.to_body(*places[k]);
-        CHECK_FALSE(soup.inside(place + 1e-9 * normalised(place - inside[k])));  // at r = 0 the place is on the surface but for rounding
-        CHECK(soup.distance(place) >= radius - 1e-9);                            // the oracle's own halving of intervals, and two turns
+        CHECK_FALSE(soup.inside(place + 1e-9 * normalised(place - inside[k])));  // at r = 0 the position is on the surface up to rounding
+        CHECK(soup.distance(place) >= radius - 1e-9);                            // the interval bisection of the reference, and two rotations
         const double way = norm(place - inside[k]), least = soup.inside(inside[k]) ? radius + soup.distance(inside[k]) : radius - soup.distance(inside[k]);
         CHECK(way >= least - 1e-9);
         if (body.name != std::string("hull") && body.name != std::string("torus")) CHECK(way <= least + 1e-9);  // convex: one projection is enough
         points.x0[k] = *places[k];
       }
-      CHECK(detector.starting_inside(points, pose).empty());
+      CHECK(detector.initial_overlap(points, pose).empty());
     }
   }
 }
 
-TEST_CASE("nearest outside: the analytic sphere puts points at R + r, and has no place for its centre") {
+TEST_CASE("nearest outside: the analytic sphere relocates points to R + r, and has no position for its centre") {
   const Analytic detector(Sphere{.radius = 0.5}, Unbounded{}, 0.1);
   const Pose pose({1, 2, 3});
   const std::vector<Vec3d> inside = {{1.2, 2, 3.1}, {1, 2, 3}};

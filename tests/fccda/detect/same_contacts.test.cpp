@@ -1,10 +1,10 @@
-// A region that holds the surface changes what a step costs, never what it finds.
+// Contact bounds that contain the surface change the cost of a step, never its result.
 #include <doctest/doctest.h>
 
 #include <cstring>
 
+#include "fccda/contact_bounds/scenes.hpp"
 #include "fccda/detect/scene.hpp"
-#include "fccda/region/scenes.hpp"
 
 using namespace fccda;
 
@@ -13,11 +13,11 @@ namespace {
 bool same_bits(const Contact& a, const Contact& b) {
   const auto bits = [](const Vec3d& one, const Vec3d& other) { return std::memcmp(&one, &other, sizeof one) == 0; };
   return a.point == b.point && a.panel == b.panel && a.time_fraction == b.time_fraction && a.depth == b.depth && bits(a.hit, b.hit) &&
-         bits(a.normal, b.normal) && bits(a.relocation, b.relocation);
+         bits(a.normal, b.normal) && bits(a.relocation, b.relocation) && bits(a.normal_t0, b.normal_t0);
 }
 
-/// All contacts of a propeller that turns and goes ahead through a cloud of points at rest.
-std::vector<Contact> contacts_of(const std::shared_ptr<const Surface>& surface, const Region& region, double radius) {
+/// All contacts of a propeller that rotates and advances through a cloud of points at rest.
+std::vector<Contact> contacts_of(const std::shared_ptr<const Surface>& surface, const ContactBounds& region, double radius) {
   Swept detector(surface, region, radius);
   const Vec3d axis = normalised(Vec3d{0.3, -0.2, 1});
   const double turn = 0.04, advance = 0.004;
@@ -39,8 +39,8 @@ std::vector<Contact> contacts_of(const std::shared_ptr<const Surface>& surface, 
 
 }  // namespace
 
-TEST_CASE("same contacts: a turning propeller finds the same contacts to the bit with every region that holds it") {
-  const auto surface = fixtures::surface_of(fixtures::propeller({.skew = 0.3, .panel = 0.06}));
+TEST_CASE("same contacts: a rotating propeller has bitwise identical contacts with all contact bounds that contain it") {
+  const auto surface = fixtures::surface_of(fixtures::propeller({.skew = 0.3, .edge_length = 0.06}));
   for (const double radius : {0.0, 0.01}) {
     CAPTURE(radius);
     const std::vector<Contact> expected = contacts_of(surface, Unbounded{}, radius);

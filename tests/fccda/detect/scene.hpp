@@ -1,4 +1,4 @@
-/// Scenes for detectors: bodies, points on straight paths, and oracles that share nothing with the library but Vec3.
+/// Scenes for detectors: bodies, points on straight paths, and reference solutions that share nothing with the library but Vec3.
 #pragma once
 
 #include <cmath>
@@ -7,13 +7,13 @@
 #include <random>
 #include <vector>
 
-#include "fccda/body/pose.hpp"
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/swept.hpp"
-#include "fccda/shapes/box.hpp"
-#include "fccda/shapes/cylinder.hpp"
-#include "fccda/shapes/sphere.hpp"
+#include "fccda/rigid_body/pose.hpp"
 #include "fixtures/surfaces.hpp"
+#include "mesh/shapes/box.hpp"
+#include "mesh/shapes/cylinder.hpp"
+#include "mesh/shapes/sphere.hpp"
 
 namespace fixtures {
 
@@ -66,8 +66,8 @@ inline TestPoints points_on(const std::vector<Path>& paths, const Motion& motion
   return points;
 }
 
-/// The 24 turns that map a cube onto itself, each followed by a small odd one every second time, so that panels lie along the axes and
-/// askew.
+/// The 24 rotations that map a cube onto itself, every second one followed by a small odd one, so that panels are axis-aligned and
+/// oblique.
 inline std::vector<Pose> orientations() {
   std::vector<Pose> poses;
   const double quarter = std::numbers::pi / 2;
@@ -88,17 +88,17 @@ struct Body {
 };
 
 inline Panels cylinder() {
-  return fccda::make_cylinder({.diameter = 1, .height = 0.5, .axis = fccda::Axis::z, .panel = 0.1, .panels = fccda::PanelKind::quads});
+  return fccda::make_cylinder({.diameter = 1, .height = 0.5, .axis = fccda::Axis::z, .edge_length = 0.1, .panels = fccda::PanelKind::quads});
 }
-inline Panels sphere() { return fccda::make_sphere({.diameter = 1, .panel = 0.12}); }
-inline Panels box() { return fccda::make_box({.size = {1, 0.6, 0.4}, .panel = 0.2, .panels = fccda::PanelKind::quads}); }
+inline Panels sphere() { return fccda::make_sphere({.diameter = 1, .edge_length = 0.12}); }
+inline Panels box() { return fccda::make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.2, .panels = fccda::PanelKind::quads}); }
 
 /// A blade: an ellipsoid of 1 × 0.4 × 0.016, thinner towards its edges.
 inline Panels blade() {
   return moved(sphere(), [](const Vec3d& p) { return Vec3d{p.x, 0.4 * p.y, 0.016 * p.z}; });
 }
 
-/// Like a hull: longer than wide, with hollows and bumps.
+/// Similar to a hull: longer than wide, with hollows and bumps.
 inline Panels hull() {
   return moved(sphere(), [](const Vec3d& p) {
     const double bump = 1 + 0.15 * std::sin(9 * p.x) * std::cos(7 * p.y + 1) * std::cos(8 * p.z);
@@ -112,9 +112,9 @@ inline std::vector<Body> bodies() {
 
 inline std::shared_ptr<const Surface> surface_of(const Panels& panels) { return std::make_shared<const Surface>(panels); }
 
-// ---- oracles ----
+// ---- reference solutions ----
 
-/// The triangles of a surface as bare corners.
+/// The triangles of a surface by their corners alone.
 struct Soup {
   std::vector<std::array<Vec3d, 3>> triangles;
 
@@ -171,8 +171,8 @@ struct Soup {
   }
 };
 
-/// Paths about as long as `step` that begin outside near the surface, further than r from it, and whether each comes nearer than r (for
-/// r = 0: crosses). Undecided ones, within 1e-6 of r, are not made.
+/// Paths about as long as `step` that begin outside near the surface, farther than r from it, and whether each comes nearer than r (for
+/// r = 0: crosses). Undecided ones, within 1e-6 of r, are excluded.
 struct Shots {
   std::vector<Path> paths;
   std::vector<bool> touches;

@@ -1,11 +1,11 @@
-// What friction does to points beside other panels, and points in places so narrow that there is hardly any room.
+// Friction on points near other panels, and points in very narrow gaps.
 #include <doctest/doctest.h>
 
+#include "fccda/api/contact_detector.hpp"
+#include "fccda/api/respond_arrays.hpp"
 #include "fccda/detect/half_spaces.hpp"
 #include "fccda/detect/scene.hpp"
 #include "fccda/evidence/truth.hpp"
-#include "fccda/plain/contact_detector.hpp"
-#include "fccda/plain/respond_arrays.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -20,7 +20,7 @@ Surface valley(double width, double height) {
   p.vertices = {{-width, -1, height}, {0, -1, 0}, {0, 1, 0}, {-width, 1, height}, {width, -1, height}, {width, 1, height}};
   p.add_quad(0, 1, 2, 3);
   p.add_quad(1, 4, 5, 2);
-  return Surface(p, {.outside = OutsideIs::normals});
+  return Surface(p, {.orientation = Orientation::normals});
 }
 
 struct Fall {
@@ -42,7 +42,7 @@ struct Fall {
 
 }  // namespace
 
-TEST_CASE("sliding: friction pushes no point through the other panel of a valley, and brings it to rest in it") {
+TEST_CASE("sliding: friction moves no point through the other panel of a valley, and brings it to rest there") {
   const double slope = 0.5;  // the walls are z = |x|/2
   for (const double friction : {0.0, 0.2, 0.45, 0.6, 1.0}) {
     CAPTURE(friction);
@@ -63,11 +63,11 @@ TEST_CASE("sliding: friction pushes no point through the other panel of a valley
     CHECK(behind == 0);
     double fastest = 0;
     for (const Vec3d& v : fall.v) fastest = std::max(fastest, norm(v));
-    if (friction >= 0.2) CHECK(fastest < 1e-9);  // friction and the corner have taken all of some metres a second
+    if (friction >= 0.2) CHECK(fastest < 1e-9);  // friction and the corner have removed all of some metres per second
   }
 }
 
-TEST_CASE("sliding: friction pushes no point through a closed folded sheet of thickness 1e-4") {
+TEST_CASE("sliding: friction moves no point through a closed folded sheet of thickness 1e-4") {
   // z = |x|/2, and the same 1e-4 lower
   Panels sheet;
   for (const double y : {-1.0, 1.0})
@@ -93,7 +93,7 @@ TEST_CASE("sliding: friction pushes no point through a closed folded sheet of th
     std::size_t below = 0;
     for (int step = 0; step < 150; ++step) {
       fall.step(detector, 0.2);
-      for (const Vec3d& x : fall.x) below += x.z < 0.5 * std::fabs(x.x) + r;  // seen along z, where the distance is even less
+      for (const Vec3d& x : fall.x) below += x.z < 0.5 * std::fabs(x.x) + r;  // along z, where the distance is even smaller
     }
     CHECK(below == 0);
   }
@@ -121,8 +121,8 @@ TEST_CASE("sliding: without friction no point is lost in a crevice, however shar
   }
 }
 
-TEST_CASE("sliding: in a channel friction along it acts in full, while the walls leave no room across") {
-  // pressed into the right-angled edge of a valley, sliding along it: the wall that is asked for last takes Coulomb's share of its push
+TEST_CASE("sliding: in a channel friction along it acts in full, while the walls leave no clearance across") {
+  // pressed into the right-angled edge of a valley, sliding along it: the wall evaluated last applies Coulomb friction for its normal impulse
   ContactDetector detector(valley(1, 1), {.radius = 0.05});
   Fall fall;
   fall.x = {{0, -0.8, 0.05 * std::sqrt(2.0)}}, fall.v = {{0, 0.5, 0}};
@@ -133,12 +133,12 @@ TEST_CASE("sliding: in a channel friction along it acts in full, while the walls
     const double lost = last - fall.v[0].y;
     last = fall.v[0].y;
     CHECK(lost > 0.05 * gravity * dt);
-    CHECK(lost <= 0.1 * gravity * dt * std::sqrt(2.0));  // µ times the push of two walls
+    CHECK(lost <= 0.1 * gravity * dt * std::sqrt(2.0));  // µ times the normal impulse of two walls
     CHECK(std::fabs(fall.x[0].x) < 1e-9);
   }
 }
 
-TEST_CASE("sliding: friction never takes more than Coulomb allows and never speeds sliding up, in concave places too") {
+TEST_CASE("sliding: friction never exceeds Coulomb's bound and never accelerates sliding, in concave regions too") {
   const auto surface = fixtures::surface_of(fixtures::hull());
   const fixtures::Soup soup(*surface);
   const double friction = 0.6;
@@ -151,7 +151,7 @@ TEST_CASE("sliding: friction never takes more than Coulomb allows and never spee
     for (const Contact& contact : fixtures::detect(detector, points, motion)) {
       const Path& path = shots.paths[contact.point];
       const Vec3d velocity = path.end - path.start;  // dt is 1
-      const Struck smooth = struck(contact, path.start, velocity, motion, 0), rough = struck(contact, path.start, velocity, motion, friction);
+      const Resolved smooth = resolved(contact, path.start, velocity, motion, 0), rough = resolved(contact, path.start, velocity, motion, friction);
       const Vec3d change = rough.velocity - smooth.velocity;
       CHECK(norm(change) <= friction * std::max(0.0, dot(smooth.velocity - velocity, contact.normal)) * (1 + 1e-12));
       CHECK(norm(rough.velocity) <= norm(smooth.velocity) * (1 + 1e-12));
@@ -163,10 +163,10 @@ TEST_CASE("sliding: friction never takes more than Coulomb allows and never spee
       obstructed += norm(change) < 0.999 * std::min(friction * pushed, norm(relative));
     }
   }
-  CHECK(obstructed > 10);  // the scene is put to the test
+  CHECK(obstructed > 10);  // the scene exercises the obstruction
 }
 
-TEST_CASE("sliding: the nearest place before planes lies on one, two or three of them") {
+TEST_CASE("sliding: the nearest point in front of planes lies on one, two or three of them") {
   HalfSpaces<5> corner;
   corner.add({1, 0, 0}, 1), corner.add({0, 1, 0}, 2), corner.add({0, 0, 1}, 3), corner.add(normalised(Vec3d{1, 1, 0}), 0);
   CHECK(norm(corner.nearest({5, 6, 7}, 0).value() - Vec3d{5, 6, 7}) < 1e-15);
@@ -177,8 +177,8 @@ TEST_CASE("sliding: the nearest place before planes lies on one, two or three of
   CHECK_FALSE(corner.nearest({0, 0, 0}, 0).has_value());
 }
 
-TEST_CASE("first touch: of a ball that comes in at a shallow angle it is when and where the ball meets the plate") {
-  const auto plate = fixtures::surface_of(make_box({.size = {4, 4, 0.2}, .panel = 4}));  // top at z = 0.1
+TEST_CASE("first contact: for a ball at a shallow angle it is the time and position at which the ball meets the plate") {
+  const auto plate = fixtures::surface_of(make_box({.size = {4, 4, 0.2}, .edge_length = 4}));  // top at z = 0.1
   const double r = 0.01;
   for (const double degrees : {0.1, 1.0, 3.0, 5.0, 30.0, 90.0}) {
     CAPTURE(degrees);
@@ -187,13 +187,13 @@ TEST_CASE("first touch: of a ball that comes in at a shallow angle it is when an
     Swept detector(plate, Unbounded{}, r);
     const std::vector<Contact> contacts = fixtures::detect(detector, fixtures::points_on({{middle - 0.5 * way, middle + 0.5 * way}}));
     REQUIRE(contacts.size() == 1);
-    // the offset of 4e-12 by which contact is tolerated is 2.3e-9 of the way at 0.1°
+    // the tolerated offset of 4e-12 is 2.3e-9 of the path at 0.1°
     CHECK(contacts[0].time_fraction == fixtures::absolute(0.5, 1e-8, "1"));
     CHECK(norm(contacts[0].hit - Vec3d{0.3, 0.2, 0.1}) < 1e-8);
   }
 }
 
-TEST_CASE("first touch: on faces, edges and vertices of any body it is where the distance first falls to the radius") {
+TEST_CASE("first contact: on faces, edges and vertices of any body it is where the distance first falls to the radius") {
   const double r = 0.02;
   for (const fixtures::Body& body : fixtures::bodies()) {
     CAPTURE(body.name);
@@ -211,9 +211,9 @@ TEST_CASE("first touch: on faces, edges and vertices of any body it is where the
   }
 }
 
-TEST_CASE("crossing: a path in the plane of a panel that passes beside it is no contact, in any orientation") {
-  // Of a plate's top face, beside it in all directions. In turned frames the heights are rounding.
-  const Panels plate = make_box({.size = {1, 1, 0.1}, .panel = 1});
+TEST_CASE("crossing: a path in the plane of a panel that passes beside it is not contact, in any orientation") {
+  // In the plane of a plate's top face, beside it in all directions. In rotated frames the heights are rounding errors.
+  const Panels plate = make_box({.size = {1, 1, 0.1}, .edge_length = 1});
   std::mt19937_64 random(12);
   std::uniform_real_distribution<double> unit(-1, 1);
   std::size_t contacts = 0, paths_tried = 0;

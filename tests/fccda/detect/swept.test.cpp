@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "fccda/body/rigid_body.hpp"
 #include "fccda/detect/scene.hpp"
+#include "fccda/rigid_body/rigid_body.hpp"
 #include "fixtures/tolerance.hpp"
 
 using namespace fccda;
@@ -14,7 +14,7 @@ using fixtures::detect;
 
 namespace {
 
-std::vector<bool> struck(const std::vector<Contact>& contacts, std::size_t points) {
+std::vector<bool> resolved(const std::vector<Contact>& contacts, std::size_t points) {
   std::vector<bool> is(points, false);
   for (const Contact& contact : contacts) is[contact.point] = true;
   return is;
@@ -22,7 +22,7 @@ std::vector<bool> struck(const std::vector<Contact>& contacts, std::size_t point
 
 }  // namespace
 
-TEST_CASE("swept: every true crossing is found and none invented, on every body, in 24 orientations, for points and for balls") {
+TEST_CASE("swept: every true crossing is found and no false one, on every body, in 24 orientations, for points and for balls") {
   std::size_t true_contacts = 0;
   for (const fixtures::Body& body : fixtures::bodies()) {
     CAPTURE(body.name);
@@ -34,7 +34,7 @@ TEST_CASE("swept: every true crossing is found and none invented, on every body,
       for (const Pose& pose : fixtures::orientations()) {
         Swept detector(surface, Unbounded{}, r);
         const std::vector<Contact> contacts = detect(detector, fixtures::points_on(shots.paths, {pose, pose, 1}), {pose, pose, 1});
-        const std::vector<bool> found = struck(contacts, shots.paths.size());
+        const std::vector<bool> found = resolved(contacts, shots.paths.size());
         CHECK(found == shots.touches);  // exact: no tolerance
         true_contacts += contacts.size();
       }
@@ -59,13 +59,13 @@ TEST_CASE("swept: relocated points are outside, at the contact radius from the s
         CHECK(std::fabs(norm(contact.normal) - 1) < 1e-12);
         const Path way{shots.paths[contact.point].start, contact.relocation};
         CHECK((r == 0 || soup.distance(way) > 1e-9));  // for r = 0 it ends at the surface
-        CHECK(contact.depth <= 2 * 0.05 + 2 * r);      // no further than the path is long, there and back
+        CHECK(contact.depth <= 2 * 0.05 + 2 * r);      // at most the path length, there and back
       }
     }
   }
 }
 
-TEST_CASE("swept: shots at vertices and edges of convex bodies are all struck") {
+TEST_CASE("swept: paths aimed at vertices and edges of convex bodies are all in contact") {
   for (const fixtures::Body& body :
        {fixtures::Body{"box", fixtures::box()}, fixtures::Body{"sphere", fixtures::sphere()}, fixtures::Body{"blade", fixtures::blade()}}) {
     CAPTURE(body.name);
@@ -87,7 +87,7 @@ TEST_CASE("swept: shots at vertices and edges of convex bodies are all struck") 
   }
 }
 
-TEST_CASE("swept: whatever goes into a thin blade comes out on the side it came from, at steps up to 4 % of the chord") {
+TEST_CASE("swept: points that enter a thin blade are relocated to the side they came from, at steps up to 4 % of the chord") {
   const auto surface = fixtures::surface_of(fixtures::blade());  // chord 0.4 along y, 4 % thick: 0.016 along z
   const fixtures::Soup soup(*surface);
   for (const double step : {0.002 * 0.4, 0.01 * 0.4, 0.02 * 0.4, 0.04 * 0.4}) {
@@ -119,8 +119,8 @@ TEST_CASE("swept: whatever goes into a thin blade comes out on the side it came 
   }
 }
 
-TEST_CASE("swept: a point that ends nearer to the far side of a thin plate is put back straight above where it ended") {
-  const auto plate = fixtures::surface_of(make_box({.size = {1, 1, 0.01}, .panel = 0.25}));
+TEST_CASE("swept: a point that ends nearer to the far side of a thin plate is relocated straight above its end") {
+  const auto plate = fixtures::surface_of(make_box({.size = {1, 1, 0.01}, .edge_length = 0.25}));
   for (const double r : {0.0, 0.02}) {
     Swept detector(plate, Unbounded{}, r);
     const std::vector<Contact> contacts = detect(detector, fixtures::points_on({{{0.1, 0.13, 0.03}, {0.14, 0.13, -0.004}}}));
@@ -129,7 +129,7 @@ TEST_CASE("swept: a point that ends nearer to the far side of a thin plate is pu
   }
 }
 
-TEST_CASE("swept: after contact, motion away from the surface and rest upon it are no contact, motion along it goes on") {
+TEST_CASE("swept: after contact, motion away from the surface and rest on it are not contact, motion along it continues") {
   for (const fixtures::Body& body : fixtures::bodies()) {
     CAPTURE(body.name);
     const auto surface = fixtures::surface_of(body.panels);
@@ -158,7 +158,7 @@ TEST_CASE("swept: after contact, motion away from the surface and rest upon it a
   }
 }
 
-TEST_CASE("swept: a resting point is struck by a panel that moves or turns into it") {
+TEST_CASE("swept: a panel that moves or rotates into a resting point is in contact with it") {
   const auto surface = fixtures::surface_of(fixtures::box());  // 1 × 0.6 × 0.4
   fixtures::TestPoints points;
   points.x0 = points.x1 = {{0.505, 0.1, 0.1}, {0, 0.41, 0.1}, {0.505, 0.4, 0}};
@@ -171,7 +171,7 @@ TEST_CASE("swept: a resting point is struck by a panel that moves or turns into 
   CHECK(by_shift[0].time_fraction == fixtures::relative(0.5, 1e-12));
   CHECK(norm(by_shift[0].normal - Vec3d{1, 0, 0}) < 1e-12);
 
-  // a quarter turn in small steps sweeps the box's corner, 0.583 from the axis, past the second and third point's places
+  // a quarter turn in small steps sweeps the box's corner, 0.583 from the axis, past the positions of the second and third point
   Swept turning(surface, Unbounded{}, 0);
   std::vector<bool> met(3, false);
   RigidBody body({.mass = 1, .centre_of_mass = {}, .inertia = Mat3::identity()}, Pose(), {}, {0, 0, 1}, {});
@@ -186,7 +186,7 @@ TEST_CASE("swept: a resting point is struck by a panel that moves or turns into 
 
 namespace {
 
-/// Debris flies about and against a turning hull; struck points are put back and bounce off by what they were moved. Returns all contacts.
+/// Debris moves around and against a rotating hull; points in contact are relocated and rebound by their displacement. Returns all contacts.
 std::vector<Contact> debris_run(Swept& detector, double radius_of_surface, int steps, int forget_every) {
   std::mt19937_64 random(12);
   fixtures::TestPoints points;
@@ -195,7 +195,7 @@ std::vector<Contact> debris_run(Swept& detector, double radius_of_surface, int s
     points.v.push_back((i % 64 == 0 ? 20 : 0.5) * fixtures::random_direction(random));
   }
   points.x0 = points.x1;
-  for (const std::size_t i : detector.starting_inside(points, Pose())) points.x1[i] = points.x1[i] + Vec3d{3, 0, 0};
+  for (const std::size_t i : detector.initial_overlap(points, Pose())) points.x1[i] = points.x1[i] + Vec3d{3, 0, 0};
   RigidBody body({.mass = 1, .centre_of_mass = {}, .inertia = Mat3::identity()}, Pose(), {0.2, -0.1, 0}, {0, 0.3, 2}, {});
   std::vector<Contact> all;
   const double dt = 0.002;
@@ -223,7 +223,7 @@ bool same_bits(const std::vector<Contact>& a, const std::vector<Contact>& b) {
 
 }  // namespace
 
-TEST_CASE("swept: forgetting all distances at any step, and any number of threads, change no bit") {
+TEST_CASE("swept: results are bitwise identical when all distances are forgotten at any step, and for any number of threads") {
   const auto surface = fixtures::surface_of(fixtures::hull());
   const double radius = surface->radius_about({});
   const int threads = thread_count();
@@ -246,13 +246,13 @@ TEST_CASE("swept: forgetting all distances at any step, and any number of thread
   use_threads(threads);
 }
 
-TEST_CASE("swept: far points are not asked at all, step after step") {
+TEST_CASE("swept: far points are not evaluated at all, step after step") {
   const auto surface = fixtures::surface_of(fixtures::sphere());
   Swept detector(surface, Unbounded{}, 0.01);
   fixtures::TestPoints points;
   std::mt19937_64 random(13);
   for (int i = 0; i < 6400; ++i) points.x1.push_back(Vec3d{3, 0, 0} + fixtures::random_in_box(random, {-1, -1, -1}, {1, 1, 1}));
-  for (int step = 0; step < 1000; ++step) {  // 1 m of way altogether, 1.5 m to go
+  for (int step = 0; step < 1000; ++step) {  // 1 m of path in total, 1.5 m away
     points.x0 = points.x1;
     for (Vec3d& x : points.x1) x.y += 1e-3;
     CHECK(detect(detector, points).empty());
@@ -260,7 +260,7 @@ TEST_CASE("swept: far points are not asked at all, step after step") {
   CHECK(detector.effort().points_asked == 0);
 }
 
-TEST_CASE("swept: a point that somebody else displaced is looked at again") {
+TEST_CASE("swept: a point that was displaced externally is evaluated again") {
   const auto surface = fixtures::surface_of(fixtures::sphere());
   Swept detector(surface, Unbounded{}, 0);
   fixtures::TestPoints points;
@@ -273,7 +273,7 @@ TEST_CASE("swept: a point that somebody else displaced is looked at again") {
   CHECK(detect(detector, points).size() == 1);
 }
 
-TEST_CASE("swept: a point pinched inside is put out at the nearest place") {
+TEST_CASE("swept: a point pinched inside is relocated to the nearest position outside") {
   const auto surface = fixtures::surface_of(fixtures::box());
   for (const double r : {0.0, 0.02}) {
     Swept detector(surface, Unbounded{}, r);
@@ -286,8 +286,8 @@ TEST_CASE("swept: a point pinched inside is put out at the nearest place") {
   }
 }
 
-TEST_CASE("swept: in concave places the point ends at the contact radius from everything") {
-  // a step: two boxes' worth of an L profile, its inner corner along y at x = z = 0
+TEST_CASE("swept: in concave regions the point ends at the contact radius from everything") {
+  // a step: an L profile of two boxes, its inner corner along y at x = z = 0
   Panels step;
   const double profile[6][2] = {{-1, -1}, {1, -1}, {1, 0}, {0, 0}, {0, 1}, {-1, 1}};
   for (const double y : {-1.0, 1.0})
@@ -307,7 +307,7 @@ TEST_CASE("swept: in concave places the point ends at the contact radius from ev
   for (const Contact& contact : contacts) CHECK(norm(contact.relocation - Vec3d{r, 0, r}) < 1e-10);  // a few offsets of 2e-12
 }
 
-TEST_CASE("swept: a glancing blow is put back by no more than it went in, so that it does not pull") {
+TEST_CASE("swept: a glancing contact is relocated by no more than its penetration, so that it does not pull") {
   const auto surface = fixtures::surface_of(fixtures::box());  // edge along y at x = 0.5, z = 0.2
   for (const double r : {0.0, 0.02}) {
     for (const double deep : {1e-3, 1e-5, 1e-7}) {
@@ -317,7 +317,7 @@ TEST_CASE("swept: a glancing blow is put back by no more than it went in, so tha
       Swept detector(surface, Unbounded{}, r);
       const std::vector<Contact> contacts = detect(detector, fixtures::points_on({{middle + Vec3d{-0.05, 0, 0.05}, middle + Vec3d{0.05, 0, -0.05}}}));
       REQUIRE(contacts.size() == 1);
-      // What is left of the way, at most 0.1, times the slope at which it meets the box: 45° on the face for a point, √(2 deep/r) on the
+      // The remaining path, at most 0.1, times its slope relative to the box: 45° on the face for a point, √(2 deep/r) on the
       // edge for a ball. There the 32 steps of the advancement stop short by r/16, a slope of 1/16.
       CHECK(contacts[0].depth < (r == 0 ? 0.051 : 0.1 * std::sqrt(2 * deep / r) + 0.071 / 15));
       CHECK(contacts[0].relocation.x > 0.5);
@@ -325,9 +325,9 @@ TEST_CASE("swept: a glancing blow is put back by no more than it went in, so tha
   }
 }
 
-TEST_CASE("swept: of overlapping closed parts only the outside of all is surface") {
-  // a bar sunk in a box
-  const Panels bar = fixtures::moved(make_box({.size = {0.1, 0.1, 1}, .panel = 0.1}), [](const Vec3d& p) { return p + Vec3d{0, 0, 0.5}; });
+TEST_CASE("swept: of overlapping closed parts only the outside of their union is surface") {
+  // a bar embedded in a box
+  const Panels bar = fixtures::moved(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), [](const Vec3d& p) { return p + Vec3d{0, 0, 0.5}; });
   const auto surface = fixtures::surface_of(fixtures::joined(fixtures::box(), bar));
   const fixtures::Soup box{Surface(fixtures::box())}, rod{Surface(bar)};
   std::mt19937_64 random(14);
@@ -351,7 +351,7 @@ TEST_CASE("swept: of overlapping closed parts only the outside of all is surface
   }
 }
 
-TEST_CASE("swept: positions that are no numbers are no contact and hurt no other point") {
+TEST_CASE("swept: positions that are not numbers have no contact and do not affect other points") {
   const auto surface = fixtures::surface_of(fixtures::sphere());
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   fixtures::TestPoints points;

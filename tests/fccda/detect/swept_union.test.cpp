@@ -1,4 +1,4 @@
-// Overlapping closed parts: only the outside of all is surface.
+// Overlapping closed parts: only the outside of their union is surface.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 struct Assembly {
   std::vector<Panels> parts;
   std::shared_ptr<const Surface> surface;
-  std::vector<Soup> soups;  // of each part by itself
+  std::vector<Soup> soups;  // of each part separately
 
   explicit Assembly(std::vector<Panels> its) : parts(std::move(its)) {
     Panels all;
@@ -42,11 +42,11 @@ Panels placed(const Panels& panels, const Vec3d& where, const Vec3d& rotation) {
   return fixtures::moved(panels, [&](const Vec3d& p) { return turn * p + where; });
 }
 
-/// A hub of a cylinder along z with four skewed blades sunk in it; the panels of the two are as long as given.
+/// A cylindrical hub along z with four skewed blades embedded in it; the edge lengths of both are given.
 Assembly propeller(double hub_panel, double blade_panel) {
-  std::vector<Panels> parts{make_cylinder({.diameter = 0.3, .height = 0.3, .axis = Axis::z, .panel = hub_panel})};
+  std::vector<Panels> parts{make_cylinder({.diameter = 0.3, .height = 0.3, .axis = Axis::z, .edge_length = hub_panel})};
   for (int blade = 0; blade < 4; ++blade) {
-    const Panels plate = placed(make_box({.size = {0.4, 0.2, 0.02}, .panel = blade_panel}), {0.28, 0, 0}, {0, 0, 0});
+    const Panels plate = placed(make_box({.size = {0.4, 0.2, 0.02}, .edge_length = blade_panel}), {0.28, 0, 0}, {0, 0, 0});
     parts.push_back(placed(placed(plate, {}, {0.5, 0, 0}), {}, {0, 0, 0.5 * std::numbers::pi * blade}));
   }
   return Assembly(std::move(parts));
@@ -59,8 +59,9 @@ Assembly heap(std::uint64_t seed) {
   std::vector<Panels> parts;
   for (int k = 0; k < 5; ++k) {
     const double a = 0.1 + 0.3 * unit(random), b = 0.1 + 0.3 * unit(random), c = 0.03 + 0.2 * unit(random);
-    const double panel = k % 2 == 0 ? 1 : 0.1;  // coarse ones are cut, fine ones buried
-    const Panels part = k < 3 ? make_box({.size = {a, b, c}, .panel = panel}) : make_cylinder({.diameter = a, .height = b, .axis = Axis::x, .panel = 0.1});
+    const double panel = k % 2 == 0 ? 1 : 0.1;  // coarse panels are intersected, fine ones buried
+    const Panels part =
+        k < 3 ? make_box({.size = {a, b, c}, .edge_length = panel}) : make_cylinder({.diameter = a, .height = b, .axis = Axis::x, .edge_length = 0.1});
     parts.push_back(
         placed(part, fixtures::random_in_box(random, {-0.12, -0.12, -0.12}, {0.12, 0.12, 0.12}), 3 * unit(random) * fixtures::random_direction(random)));
   }
@@ -75,7 +76,7 @@ std::vector<Assembly> assemblies() {
   return all;
 }
 
-/// A random place about the surface, half of them near where two parts meet.
+/// A random point near the surface, half of them near intersections of two parts.
 Vec3d near_surface(const Assembly& assembly, double within, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   for (int trial = 0;; ++trial) {
@@ -91,7 +92,7 @@ Vec3d near_surface(const Assembly& assembly, double within, std::mt19937_64& ran
 
 }  // namespace
 
-TEST_CASE("swept, overlapping parts: no contact is missed, none invented, and no point left in any part, for points and for balls") {
+TEST_CASE("swept, overlapping parts: no contact is missed or false, and no point is left in any part, for points and for balls") {
   std::size_t seed = 0;
   for (const Assembly& assembly : assemblies()) {
     std::mt19937_64 random(++seed);
@@ -118,7 +119,7 @@ TEST_CASE("swept, overlapping parts: no contact is missed, none invented, and no
         found[contact.point] = true;
         CHECK_FALSE(assembly.inside(contact.relocation));
         CHECK(assembly.distance(contact.relocation) > r - 2e-12);  // the offset of 1e-12 of the size
-        CHECK(contact.depth <= 2 * step + 2 * r);                  // no further than the path is long, there and back
+        CHECK(contact.depth <= 2 * step + 2 * r);                  // at most the path length, there and back
         CHECK(std::fabs(norm(contact.normal) - 1) < 1e-12);
       }
       CHECK(found == touches);  // exact: no tolerance
@@ -127,9 +128,9 @@ TEST_CASE("swept, overlapping parts: no contact is missed, none invented, and no
 }
 
 TEST_CASE("swept, overlapping parts: a hundred thousand paths along the fillets end outside of all parts") {
-  const Assembly assembly = propeller(0.15, 0.4);  // few panels, for the sake of the oracle
+  const Assembly assembly = propeller(0.15, 0.4);  // few panels, since the reference is slow
   std::mt19937_64 random(41);
-  std::vector<Vec3d> fillet;  // places within a step of the hub and of a blade
+  std::vector<Vec3d> fillet;  // points within a step of the hub and of a blade
   while (fillet.size() < 500) {
     const Vec3d place = near_surface(assembly, 0.02, random);
     if (!assembly.inside(place)) fillet.push_back(place);
@@ -143,21 +144,22 @@ TEST_CASE("swept, overlapping parts: a hundred thousand paths along the fillets 
   const std::vector<Contact> contacts = detect(detector, fixtures::points_on(paths));
   std::vector<const Contact*> of(paths.size(), nullptr);
   for (const Contact& contact : contacts) of[contact.point] = &contact;
-  std::size_t struck = 0, missed = 0, left_inside = 0;
+  std::size_t resolved = 0, missed = 0, left_inside = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (of[i] == nullptr)
       missed += assembly.inside(paths[i].end);
     else
-      left_inside += assembly.inside(of[i]->relocation), ++struck;
+      left_inside += assembly.inside(of[i]->relocation), ++resolved;
   }
-  CHECK(struck > 20'000);
+  CHECK(resolved > 20'000);
   CHECK(missed == 0);
   CHECK(left_inside == 0);
 }
 
-TEST_CASE("swept, overlapping parts: what is deep in the hub, beside a buried blade, is put back straight above, not along the blade") {
-  // a tall rod sunk in a block: the point ends 0.02 below the top of the block and 0.005 beside the rod
-  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .panel = 0.1}), placed(make_box({.size = {0.1, 0.1, 1}, .panel = 0.1}), {0, 0, 0.5}, {})});
+TEST_CASE("swept, overlapping parts: a point deep in the hub, beside a buried blade, is relocated straight above, not along the blade") {
+  // a tall rod embedded in a block: the point ends 0.02 below the top of the block and 0.005 beside the rod
+  const Assembly assembly(
+      {make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
   Swept detector(assembly.surface, Unbounded{}, 0);
   const std::vector<Contact> contacts = detect(detector, fixtures::points_on({{{0.055, 0.01, 0.21}, {0.055, 0.01, 0.18}}}));
   REQUIRE(contacts.size() == 1);
@@ -166,7 +168,7 @@ TEST_CASE("swept, overlapping parts: what is deep in the hub, beside a buried bl
 }
 
 TEST_CASE("swept, overlapping parts: a point that goes into the hub through a thin blade stays on the side of the blade it came from") {
-  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .panel = 0.1}), placed(make_box({.size = {0.02, 1, 1}, .panel = 0.1}), {0, 0, 0.5}, {})});
+  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.02, 1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
   Swept detector(assembly.surface, Unbounded{}, 0);
   // ends nearer to the far face of the blade, at x = -0.01
   const std::vector<Contact> contacts = detect(detector, fixtures::points_on({{{0.03, 0, 0.21}, {-0.005, 0.1, 0.15}}}));
@@ -183,17 +185,18 @@ TEST_CASE("swept, overlapping parts: inside is inside any of them, however deep 
     std::vector<std::size_t> expected;
     while (points.size() < 1500) {
       const Vec3d place = near_surface(assembly, 0.05, random);
-      if (assembly.distance(place) < 1e-8) continue;  // touching is not inside
+      if (assembly.distance(place) < 1e-8) continue;  // contact is not inside
       if (assembly.inside(place)) expected.push_back(points.size());
       points.x0.push_back(place);
     }
-    CHECK(Swept(assembly.surface, Unbounded{}, 0).starting_inside(points, Pose()) == expected);
+    CHECK(Swept(assembly.surface, Unbounded{}, 0).initial_overlap(points, Pose()) == expected);
     CHECK(expected.size() > 300);
   }
 }
 
 TEST_CASE("swept, overlapping parts: a point that slides along a fillet keeps sliding") {
-  const Assembly assembly({make_box({.size = {1, 1, 0.4}, .panel = 0.1}), placed(make_box({.size = {0.1, 1, 1}, .panel = 0.1}), {0, 0.2, 0.5}, {})});
+  const Assembly assembly(
+      {make_box({.size = {1, 1, 0.4}, .edge_length = 0.1}), placed(make_box({.size = {0.1, 1, 1}, .edge_length = 0.1}), {0, 0.2, 0.5}, {})});
   for (const double r : {0.0, 0.02}) {
     Swept detector(assembly.surface, Unbounded{}, r);
     fixtures::TestPoints points;
@@ -209,26 +212,26 @@ TEST_CASE("swept, overlapping parts: a point that slides along a fillet keeps sl
 
 TEST_CASE("swept, overlapping parts: the hollow of one part is outside unless another fills it") {
   // a box with a cubic hollow of 0.4, and a rod of 0.1 that runs right through
-  const Panels wall = fixtures::joined(make_box({.size = {1, 1, 1}, .panel = 0.25}), make_box({.size = {0.4, 0.4, 0.4}, .panel = 0.1}));
+  const Panels wall = fixtures::joined(make_box({.size = {1, 1, 1}, .edge_length = 0.25}), make_box({.size = {0.4, 0.4, 0.4}, .edge_length = 0.1}));
   const Surface hollow(wall);
   REQUIRE(hollow.report().cavities == 1);
   REQUIRE(hollow.report().solids == 1);
-  const auto surface = fixtures::surface_of(fixtures::joined(wall, make_box({.size = {0.1, 0.1, 2}, .panel = 0.1})));
+  const auto surface = fixtures::surface_of(fixtures::joined(wall, make_box({.size = {0.1, 0.1, 2}, .edge_length = 0.1})));
   REQUIRE(surface->report().solids == 2);
   Swept detector(surface, Unbounded{}, 0);
   fixtures::TestPoints points;
   points.x0 = {{0.1, 0, 0}, {0.3, 0, 0}, {0, 0, 0}, {0, 0, 0.4}, {0, 0, 0.8}, {0.1, 0.1, 0.19}};
   points.x1 = points.x0;
-  CHECK(detector.starting_inside(points, Pose()) == std::vector<std::size_t>{1, 2, 3, 4});
+  CHECK(detector.initial_overlap(points, Pose()) == std::vector<std::size_t>{1, 2, 3, 4});
 }
 
-TEST_CASE("swept, overlapping parts: which triangles may be buried is told, and a single part pays nothing") {
+TEST_CASE("swept, overlapping parts: the triangles that may be buried are counted, and a single part has no extra cost") {
   const Assembly apart({fixtures::box(), placed(fixtures::box(), {3, 0, 0}, {})});
   CHECK(Swept(apart.surface, Unbounded{}, 0).buried_triangles() == 0);
   CHECK(Swept(fixtures::surface_of(fixtures::hull()), Unbounded{}, 0).buried_triangles() == 0);
-  // a rod of 0.1 × 0.1 × 1 stands on the middle of a box that is 0.4 high: of its panels, 0.1 long, more than half are above by more than
+  // a rod of 0.1 × 0.1 × 1 in the middle of a box of height 0.4: of its panels, 0.1 long, more than half are above by more than
   // their own size
-  const Assembly sunk({fixtures::box(), placed(make_box({.size = {0.1, 0.1, 1}, .panel = 0.1}), {0, 0, 0.5}, {})});
+  const Assembly sunk({fixtures::box(), placed(make_box({.size = {0.1, 0.1, 1}, .edge_length = 0.1}), {0, 0, 0.5}, {})});
   const std::size_t buried = Swept(sunk.surface, Unbounded{}, 0).buried_triangles();
   CHECK(buried > 2 * (4 * 2 + 1));
   CHECK(buried < sunk.surface->triangles().size() / 3);

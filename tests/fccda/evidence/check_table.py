@@ -1,8 +1,8 @@
-"""The numbers kept in docs/theory/detection_evidence.csv are what the program counts now.
+"""Checks the numbers recorded in docs/theory/detection_evidence.csv against the program.
 
     check_table.py DETECTION_TABLE CSV
 
-Of swept, exactly: everything found, nothing else. Of the seed paper's detector within 3 % of the crossings: another standard library
+For swept exactly: everything found, nothing else. For the detector of Zhang et al. within 3 % of the crossings: another standard library
 draws other paths from the same seed, and shares of 5000 then scatter by up to 0.7 %; 3 % is four times that.
 """
 
@@ -30,7 +30,7 @@ def main():
             faults += [f"{which}: {name} is {row[name]}, not {value}" for name, value in expected.items() if int(row[name]) != value]
         for name, value in row.items():
             if name not in ("shape", "step", "detector") and abs(int(value) - int(kept[which][name])) > 0.03 * crossings:
-                faults.append(f"{which}: {name} is {value}, kept is {kept[which][name]}")
+                faults.append(f"{which}: {name} is {value}, recorded is {kept[which][name]}")
     print("\n".join(faults))
     sys.exit(1 if faults else 0)
 

@@ -1,4 +1,4 @@
-// What thousands of steps of contact keep: linear momentum to rounding, angular momentum to first order in the step, Coulomb's bound.
+// Conservation over thousands of steps of contact: linear momentum to rounding, angular momentum to first order in the step, Coulomb's bound.
 #include <doctest/doctest.h>
 
 #include "fccda/evidence/swarm.hpp"
@@ -13,7 +13,7 @@ std::shared_ptr<const Surface> coarse_hull() { return fixtures::surface_of(fixtu
 
 }  // namespace
 
-TEST_CASE("evidence: points and free body keep their linear momentum to 1e-12 of it over 3000 steps and 100 000 contacts") {
+TEST_CASE("evidence: points and free body conserve linear momentum to a relative 1e-12 over 3000 steps and 100 000 contacts") {
   for (const double friction : {0.0, 0.3}) {
     Swarm swarm(coarse_hull(), {.friction = friction});
     const Vec3d before = swarm.momentum();
@@ -28,7 +28,7 @@ TEST_CASE("evidence: points and free body keep their linear momentum to 1e-12 of
   }
 }
 
-TEST_CASE("evidence: the drift of angular momentum halves with the step") {
+TEST_CASE("evidence: the drift of angular momentum falls with the step") {
   const auto drift = [](const std::shared_ptr<const Surface>& surface, double friction, double dt) {
     Swarm swarm(surface, {.count = 400, .friction = friction, .dt = dt});
     const Vec3d before = swarm.angular_momentum();
@@ -40,18 +40,16 @@ TEST_CASE("evidence: the drift of angular momentum halves with the step") {
   for (const auto& surface : {coarse_hull(), fixtures::surface_of(fixtures::box())}) {
     for (const double friction : {0.0, 0.3}) {
       CAPTURE(friction);
-      const double coarse = drift(surface, friction, 4e-3), middle = drift(surface, friction, 2e-3), fine = drift(surface, friction, 1e-3);
-      // Each contact is off by m dt (v̄ - v) × v. First order is 2, which step a point touches in is chance: 1.96 to 2.05 were measured.
-      CHECK(coarse / middle == fixtures::relative(2, 0.1));
-      CHECK(middle / fine == fixtures::relative(2, 0.1));
+      // Contacts that begin have the error m dt (v̄ - v) × v, sliding ones none. First order gives 4; the step of contact is random: 3.1 to 4.5 were measured.
+      CHECK(drift(surface, friction, 4e-3) > 2.5 * drift(surface, friction, 1e-3));
     }
   }
 }
 
-TEST_CASE("evidence: without friction a meshed sphere is pushed past its middle by less than a panel, half as much with panels half as long") {
-  // A face's normal misses the middle by as much as the foot of the point is away from the middle of the face.
+TEST_CASE("evidence: without friction the force on a meshed sphere passes its centre within a panel, half as far with panels half as long") {
+  // A face's normal misses the centre by the distance of the point's foot from the middle of the face.
   const auto lever = [](double panel) {
-    const auto sphere = fixtures::surface_of(make_sphere({.diameter = 1, .panel = panel}));
+    const auto sphere = fixtures::surface_of(make_sphere({.diameter = 1, .edge_length = panel}));
     Swarm swarm(sphere, {.centre_of_mass = {}});
     double pushed = 0, turned = 0;
     for (int step = 0; step < 300; ++step) {
@@ -68,19 +66,21 @@ TEST_CASE("evidence: without friction a meshed sphere is pushed past its middle 
   CHECK(coarse / fine == fixtures::relative(2, 0.2));
 }
 
-TEST_CASE("evidence: friction never exceeds its coefficient times the push") {
+TEST_CASE("evidence: friction never exceeds its coefficient times the normal impulse") {
   constexpr double friction = 0.3;
   Swarm swarm(coarse_hull(), {.friction = friction});
   std::size_t contacts = 0, straight = 0, sliding = 0, excess = 0;
   for (int step = 0; step < 1000; ++step) {
     swarm.step([&](const Contact& contact, const Vec3d& impulse) {
       ++contacts;
-      // what relocation alone would give; where it is not along the normal (past an edge, in a corner) part of it is no friction
+      // the effect of relocation alone; where it is not along the normal (past an edge, in a corner) part of it is not friction
       const double plastic = swarm.points.mass(contact.point) * contact.depth / swarm.motion.dt;
-      const double push = -dot(impulse, contact.normal), along = norm(impulse + push * contact.normal);
+      // a point that slides is pushed along the normal of t0; friction is across that of t1
+      const Vec3d direction = contact.normal_t0 == Vec3d{} ? contact.normal : contact.normal_t0 / dot(contact.normal_t0, contact.normal);
+      const double push = -dot(impulse, contact.normal), along = norm(impulse + push * direction);
       if (push < (1 - 1e-6) * plastic) return;
       ++straight;
-      excess += along > friction * push * (1 + 1e-6);  // rounding of a push of 1e-9 m/s and more
+      excess += along > friction * push * (1 + 1e-6);  // rounding of a normal impulse of 1e-9 m/s and more
       sliding += along > friction * push * (1 - 1e-6);
     });
   }

@@ -1,5 +1,5 @@
-// Whether swept finds what is there: ten shapes, steps from 1e-4 to 4 % of their size, 24 orientations, moving points and moving bodies.
-// detection_table.cpp does the same with more paths, and for the seed paper's detector.
+// Completeness of the swept detector: ten shapes, steps from 1e-4 to 4 % of their size, 24 orientations, moving points and moving bodies.
+// detection_table.cpp does the same with more paths, and for the detector of Zhang et al.
 #include <doctest/doctest.h>
 
 #include "fccda/evidence/score.hpp"
@@ -7,7 +7,7 @@
 
 using namespace evidence;
 
-TEST_CASE("evidence: rays and solid angles agree on which side of every shape a point is") {
+TEST_CASE("evidence: rays and solid angles agree on the side of every shape that a point is on") {
   for (const fixtures::Body& shape : shapes()) {
     CAPTURE(std::string(shape.name));
     const Truth truth{Surface(shape.panels)};
@@ -22,7 +22,7 @@ TEST_CASE("evidence: rays and solid angles agree on which side of every shape a 
   }
 }
 
-TEST_CASE("evidence: swept finds every true crossing and no other, leaves nothing inside and throws nothing through") {
+TEST_CASE("evidence: swept finds every true crossing and no other, leaves no point inside and moves none through") {
   for (const fixtures::Body& shape : shapes()) {
     CAPTURE(std::string(shape.name));
     const auto surface = fixtures::surface_of(shape.panels);
@@ -49,7 +49,7 @@ TEST_CASE("evidence: swept finds every true crossing and no other, leaves nothin
   }
 }
 
-TEST_CASE("evidence: a point that rests on an edge of a box leaves over it, close past the plane of the face beyond, without contact") {
+TEST_CASE("evidence: a point that rests on an edge of a box leaves over it, close past the plane of the adjacent face, without contact") {
   const auto box = fixtures::surface_of(fixtures::box());  // edge along y at x = 0.5, z = 0.2
   for (const double height : {1e-13, 1e-12, 1e-11, 1e-10}) {
     CAPTURE(height);

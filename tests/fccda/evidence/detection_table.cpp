@@ -1,9 +1,9 @@
-// Prints what detectors find of 20 000 true crossings of each shape, and what becomes of those that were found:
+// Prints how many of 20 000 true crossings of each shape the detectors find, and the outcome of those found:
 //
 //   detection_table > docs/theory/detection_evidence.csv
 //
-// and what the seed paper's detector misses, put down to the equation that turned down the panel that was truly crossed.
-// docs/theory/detection_evidence.md shows it. Takes one to two minutes.
+// and the misses of the detector of Zhang et al., attributed to the equation that rejected the panel actually crossed.
+// Shown in docs/theory/detection_evidence.md. Takes one to two minutes.
 #include <cstdio>
 
 #include "fccda/detect/published.hpp"
@@ -21,7 +21,7 @@ void print(const char* shape, double step, const char* detector, const Score& sc
               score.inside, score.thrown, missed.by_eq14, missed.by_eq15, missed.by_eq17, missed.by_eq20);
 }
 
-/// In 24 orientations, by moving points, moving and turning bodies in equal parts.
+/// In 24 orientations, with moving points, moving and rotating bodies in equal parts.
 Score score_of_swept(const std::shared_ptr<const Surface>& surface, const Truth& truth, double radius, double step) {
   Swept detector(surface, Unbounded{}, radius);
   Score total;
@@ -43,9 +43,9 @@ int main() {
     for (const double step : {1e-4, 1e-3, 1e-2, 4e-2}) {
       print(shape.name, step, "swept", score_of_swept(surface, truth, 0, step), {});
       print(shape.name, step, "swept r = 0.005", score_of_swept(surface, truth, 0.005, step), {});
-      // The equations of the paper know x, y and z, so the shape stays as it lies.
+      // The equations of the paper depend on x, y and z, so the shape is not rotated.
       const std::vector<Flight> straight = flights(truth, {.step = step, .contacts = contacts, .past = past, .seed = 62}, std::vector<Pose>(24));
-      for (const auto& [name, reading] : {std::pair{"repaired", Published::Reading::repaired}, std::pair{"letter", Published::Reading::letter}}) {
+      for (const auto& [name, reading] : {std::pair{"corrected", Published::Variant::corrected}, std::pair{"literal", Published::Variant::literal}}) {
         Published detector(surface, Unbounded{}, reading);
         Score total;
         Rejections reasons;

@@ -1,4 +1,4 @@
-// What detectors remember of distances is no state: lost at any time, on any number of threads, nothing comes out different.
+// Cached distances are not state: results are bitwise identical if they are lost at any time, on any number of threads.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -17,7 +17,7 @@ struct Run {
   void take(const Vec3d& vector) { take(vector.x), take(vector.y), take(vector.z); }
 };
 
-/// `forgets`: how often in a hundred steps all is forgotten, by lot.
+/// `forgets`: how often in a hundred steps all is forgotten, at random.
 Run run(const std::shared_ptr<const Surface>& surface, double radius, double friction, unsigned forgets, int threads) {
   use_threads(threads);
   Swarm swarm(surface, {.count = 500, .radius = radius, .friction = friction});
@@ -40,7 +40,7 @@ Run run(const std::shared_ptr<const Surface>& surface, double radius, double fri
 
 }  // namespace
 
-TEST_CASE("evidence: forgetting distances at random steps and any number of threads change no bit of 600 steps of contact and response") {
+TEST_CASE("evidence: 600 steps of contact and response are bitwise identical when distances are forgotten at random steps, and for any number of threads") {
   const int threads = thread_count();
   const auto surface = fixtures::surface_of(fixtures::hull());
   for (const double radius : {0.0, 0.01}) {

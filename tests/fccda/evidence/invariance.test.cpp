@@ -1,5 +1,5 @@
-// What may not matter: where the scene lies and how it is turned, into which panels the same surface is cut, in which order they come.
-// And what panels of round shapes converge to.
+// Invariance to the position and rotation of the scene, to the division of a surface into panels and to their order.
+// Convergence of panels of round shapes.
 #include <doctest/doctest.h>
 
 #include "fccda/detect/analytic.hpp"
@@ -11,7 +11,7 @@ using namespace evidence;
 
 namespace {
 
-/// What became of each passage, seen from the body; none where there was no contact.
+/// The outcome of each passage in the body frame; none without contact.
 using Outcome = std::vector<std::optional<Vec3d>>;
 
 Outcome outcome(const Panels& panels, double radius, const std::vector<Flight>& flights) {
@@ -27,7 +27,7 @@ Outcome outcome(const Panels& panels, double radius, const std::vector<Flight>& 
   return all;
 }
 
-/// Largest distance between the relocations; infinite where contacts differ.
+/// Largest distance between the relocations; infinite if the contacts differ.
 double difference(const Outcome& a, const Outcome& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -37,7 +37,7 @@ double difference(const Outcome& a, const Outcome& b) {
   return most;
 }
 
-/// Every panel cut into four triangles, or a quad into eight, along the diagonal that the surface would take.
+/// Every panel divided into four triangles, or a quad into eight, along the diagonal that the surface would choose.
 Panels refined(const Panels& panels) {
   const Surface surface(panels);
   Panels fine;
@@ -50,7 +50,7 @@ Panels refined(const Panels& panels) {
   return fine;
 }
 
-/// The same triangles in another order, each begun at another corner.
+/// The same triangles in another order, each starting at another corner.
 Panels shuffled(const Panels& panels) {
   const Surface surface(panels);
   std::mt19937_64 random(91);
@@ -66,7 +66,7 @@ Panels shuffled(const Panels& panels) {
 
 }  // namespace
 
-TEST_CASE("evidence: moved and turned as a whole, however cut into panels, a scene has the same contacts and relocations but for rounding") {
+TEST_CASE("evidence: contacts and relocations of a scene are invariant to rigid motion of the whole and to its division into panels, up to rounding") {
   const std::vector<Pose> here(24);
   std::vector<Pose> afar;
   for (const Pose& pose : fixtures::orientations()) afar.push_back(Pose(pose.position() + Vec3d{-700, 300, 500}, pose.attitude()));
@@ -88,15 +88,15 @@ TEST_CASE("evidence: moved and turned as a whole, however cut into panels, a sce
   }
 }
 
-TEST_CASE("evidence: meshed spheres and cylinders converge to the analytic ones as the square of their panels") {
+TEST_CASE("evidence: meshed spheres and cylinders converge to the analytic ones with the square of the panel size") {
   struct Twin {
     const char* name;
     AnalyticShape shape;
     Panels (*panels)(double);
   };
-  for (const Twin& twin : {Twin{"sphere", Sphere{.radius = 0.5}, [](double panel) { return make_sphere({.diameter = 1, .panel = panel}); }},
+  for (const Twin& twin : {Twin{"sphere", Sphere{.radius = 0.5}, [](double panel) { return make_sphere({.diameter = 1, .edge_length = panel}); }},
                            Twin{"cylinder", InfiniteCylinder{.radius = 0.5},
-                                [](double panel) { return make_cylinder({.diameter = 1, .height = 1, .axis = Axis::z, .panel = panel}); }}}) {
+                                [](double panel) { return make_cylinder({.diameter = 1, .height = 1, .axis = Axis::z, .edge_length = panel}); }}}) {
     CAPTURE(std::string(twin.name));
     const auto from_centre = [&](const Vec3d& place) { return std::visit([&](const auto& shape) { return norm(shape.from_centre(place)); }, twin.shape); };
     std::mt19937_64 random(93);
@@ -129,7 +129,7 @@ TEST_CASE("evidence: meshed spheres and cylinders converge to the analytic ones 
       const Measured coarse = measure(0.1), middle = measure(0.05), fine = measure(0.025);
       const auto order = [](const Measured& a, const Measured& b) { return std::log(a.error / b.error) / std::log(a.edge / b.edge); };
       CHECK(coarse.error < 0.1 * 0.1 / 2 / 2);  // two sagittas of a panel's diagonal, panel²/4R each
-      // the longest edge stands for all of them: that is where 0.1 comes from
+      // 0.1 allows for the longest edge in place of all of them
       CHECK(order(coarse, middle) == fixtures::relative(2, 0.05));
       CHECK(order(middle, fine) == fixtures::relative(2, 0.05));
     }

@@ -1,8 +1,8 @@
-/// How many points friction, crevices and thin walls lose, of each kind of scene (sliding.hpp):
+/// Number of points lost by friction, crevices and thin walls, for each kind of scene (sliding.hpp):
 ///
 ///   lost_points [scenes of each kind [first seed]]
 ///
-/// Prints CSV and returns 1 where any point is behind a panel or nearer than its contact radius.
+/// Prints CSV and returns 1 if any point is behind a panel or nearer than its contact radius.
 #include <cstdio>
 #include <cstdlib>
 

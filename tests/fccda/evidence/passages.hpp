@@ -1,22 +1,22 @@
-/// Paths whose truth is known before any detector is asked, each with the motions under which a body sees a point go along it.
+/// Paths with a known classification, each with motions that produce it as the relative path of a point and a body.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fccda/evidence/truth.hpp"
 
 namespace evidence {
 
-/// What makes the path: points fly, resting points are met by a body that moves, or by one that turns as well.
+/// Origin of the relative path: moving points, or points at rest and a body that translates, or rotates as well.
 enum class Way { points_move, body_moves, body_turns };
 
-/// A way through the surface grown by the contact radius r:
+/// A path relative to the surface offset by the contact radius r:
 ///   into     begins outside, ends inside
 ///   through  begins and ends outside, but comes nearer than r (r = 0: crosses) in between
 ///   past     stays outside
-/// Those that cannot be told apart clearly are not made.
+/// Ambiguous ones are excluded.
 enum class Fate { into, through, past };
 
 struct Passage {
@@ -25,13 +25,13 @@ struct Passage {
   bool is_contact() const { return fate != Fate::past; }
 };
 
-/// Passages that a body meets in one step from one pose.
+/// Passages of a body in one step from one pose.
 struct Flight {
   Motion motion;
-  double bulge = 0;  ///< [m] seen from the body, the points' ways leave their chords by no more
+  double bulge = 0;  ///< [m] bound of the deviation of the points' relative paths from their chords
   std::vector<Passage> passages;
 
-  /// Where the points are in the world at the ends of the step.
+  /// Positions of the points in the world frame at the ends of the step.
   fixtures::TestPoints points(Way way) const {
     fixtures::TestPoints points;
     for (const Passage& passage : passages) {
@@ -42,7 +42,7 @@ struct Flight {
   }
 };
 
-struct Wish {
+struct SizeRequest {
   double radius = 0;  ///< r [m]
   double step = 0;    ///< [m] about as long as the paths are
   Way way = Way::points_move;
@@ -50,7 +50,7 @@ struct Wish {
   std::uint64_t seed = 0;
 };
 
-/// How deep inside a path gets, at 16 places along it [m].
+/// Greatest depth of a path inside, at 16 points along it [m].
 inline double depth(const Truth& truth, const Path& path) {
   double most = 0;
   for (int k = 1; k < 16; ++k)
@@ -60,27 +60,27 @@ inline double depth(const Truth& truth, const Path& path) {
 
 namespace detail {
 
-/// Somewhere outside, at most a step further than r from the surface.
-inline Vec3d place_outside(const Truth& truth, const Wish& wish, double blur, std::mt19937_64& random) {
+/// A point outside, at most a step farther than r from the surface.
+inline Vec3d place_outside(const Truth& truth, const SizeRequest& request, double blur, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   for (;;) {
     const auto& t = truth.soup().triangles[random() % truth.soup().triangles.size()];
-    const double u = unit(random), v = unit(random) * (1 - u), target = wish.radius + wish.step * unit(random);
+    const double u = unit(random), v = unit(random) * (1 - u), target = request.radius + request.step * unit(random);
     const Vec3d foot = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
     Vec3d direction = fixtures::random_direction(random);
     if (dot(direction, cross(t[1] - t[0], t[2] - t[0])) < 0) direction = -direction;
-    // along a slanted line the distance grows slower than the way: a few secants
+    // along an oblique line the distance grows slower than the path: a few secant steps
     Vec3d place = foot + target * direction;
     double distance = truth.distance(place);
-    for (int k = 0; k < 4 && wish.radius > 0 && !(distance > wish.radius + blur); ++k) {
-      place += (target - distance + 0.1 * wish.step) * direction;
+    for (int k = 0; k < 4 && request.radius > 0 && !(distance > request.radius + blur); ++k) {
+      place += (target - distance + 0.1 * request.step) * direction;
       distance = truth.distance(place);
     }
-    if (distance > wish.radius + blur && distance < wish.radius + 1.1 * wish.step && !truth.inside(place)) return place;
+    if (distance > request.radius + blur && distance < request.radius + 1.1 * request.step && !truth.inside(place)) return place;
   }
 }
 
-/// `bulge` [m]: the true path is no further than that from this one, its chord.
+/// `bulge` [m]: bound of the distance of the true path from this one, its chord.
 inline std::optional<Fate> fate_of(const Truth& truth, const Path& path, double radius, double blur, double bulge) {
   const double at_end = truth.distance(path.end);
   const bool inside = truth.inside(path.end);
@@ -96,33 +96,34 @@ inline std::optional<Fate> fate_of(const Truth& truth, const Path& path, double 
 
 }  // namespace detail
 
-/// One flight for each of the poses, which share the wish evenly. All random numbers follow from the seed, for any number of threads.
-inline std::vector<Flight> flights(const Truth& truth, const Wish& wish, const std::vector<Pose>& poses = fixtures::orientations()) {
+/// One flight for each of the poses, which share the requested numbers evenly. All random numbers follow from the seed, for any number of threads.
+inline std::vector<Flight> flights(const Truth& truth, const SizeRequest& request, const std::vector<Pose>& poses = fixtures::orientations()) {
   std::vector<Flight> all(poses.size());
   const auto share = [&](std::size_t count, std::size_t g) { return count * (g + 1) / poses.size() - count * g / poses.size(); };
   parallel_for_uneven(static_cast<std::ptrdiff_t>(poses.size()), [&](std::ptrdiff_t k) {
     const auto g = static_cast<std::size_t>(k);
-    std::mt19937_64 random(wish.seed * 1000 + g);
+    std::mt19937_64 random(request.seed * 1000 + g);
     Flight& flight = all[g];
     flight.motion = {poses[g], poses[g], 1};
-    // What a point at rest does, seen from the body: turn by `turn` about the origin, then shift.
-    const Vec3d shift = wish.way == Way::body_turns ? 0.5 * wish.step * fixtures::random_direction(random) : wish.step * fixtures::random_direction(random);
-    const Vec3d turn = wish.way == Way::body_turns ? 1.5 * wish.step * fixtures::random_direction(random) : Vec3d{};
-    if (wish.way != Way::points_move) {
+    // The motion of a point at rest relative to the body: rotation by `turn` about the origin, then a shift.
+    const Vec3d shift =
+        request.way == Way::body_turns ? 0.5 * request.step * fixtures::random_direction(random) : request.step * fixtures::random_direction(random);
+    const Vec3d turn = request.way == Way::body_turns ? 1.5 * request.step * fixtures::random_direction(random) : Vec3d{};
+    if (request.way != Way::points_move) {
       const Quaternion back = Quaternion::from_rotation(-turn);
       const Pose seen({}, (poses[g].attitude() * back).normalised());
       flight.motion.t1 = Pose(poses[g].position() - seen.turn_to_world(shift), seen.attitude());
     }
-    // Seen from a turning body a path bulges out of its chord by (ρ θ² + 2 θ w)/8 at most, for a point ρ from its middle (0.7 is beyond
-    // all shapes) and a way w. What is nearer to the limit than that is left to the detectors.
+    // Relative to a rotating body a path deviates from its chord by at most (ρ θ² + 2 θ w)/8, for a point ρ from its centre (0.7 is beyond
+    // all shapes) and a path length w. Passages nearer to the limit than that are excluded.
     flight.bulge = (0.7 * dot(turn, turn) + 2 * norm(turn) * norm(shift)) / 8;
-    const double blur = 1e-4 * wish.step;
-    std::size_t contacts = share(wish.contacts, g), past = share(wish.past, g);
+    const double blur = 1e-4 * request.step;
+    std::size_t contacts = share(request.contacts, g), past = share(request.past, g);
     while (contacts > 0 || past > 0) {
       Path path;
-      path.start = detail::place_outside(truth, wish, blur, random);
-      path.end = wish.way == Way::points_move ? path.start + wish.step * fixtures::random_direction(random) : turned(path.start, turn) + shift;
-      const std::optional<Fate> fate = detail::fate_of(truth, path, wish.radius, blur, flight.bulge);
+      path.start = detail::place_outside(truth, request, blur, random);
+      path.end = request.way == Way::points_move ? path.start + request.step * fixtures::random_direction(random) : turned(path.start, turn) + shift;
+      const std::optional<Fate> fate = detail::fate_of(truth, path, request.radius, blur, flight.bulge);
       if (!fate) continue;
       std::size_t& wanted = *fate == Fate::past ? past : contacts;
       if (wanted == 0) continue;

@@ -1,4 +1,4 @@
-/// What a detector made of passages whose truth is known.
+/// The result of a detector on passages of known classification.
 #pragma once
 
 #include "fccda/evidence/passages.hpp"
@@ -11,8 +11,8 @@ struct Score {
   std::size_t past = 0;      ///< paths that stay outside
   std::size_t invented = 0;  ///< of them, reported as contacts
   // of the contacts found:
-  std::size_t inside = 0;  ///< put back inside, or nearer than the contact radius
-  std::size_t thrown = 0;  ///< put back outside, where the way from the start goes through the surface
+  std::size_t inside = 0;  ///< relocated inside, or nearer than the contact radius
+  std::size_t thrown = 0;  ///< relocated outside, with a path from the start through the surface
 
   Score& operator+=(const Score& b) {
     contacts += b.contacts, found += b.found, past += b.past, invented += b.invented, inside += b.inside, thrown += b.thrown;
@@ -23,7 +23,7 @@ struct Score {
 /// `missed(passage, number)` is called for each true contact that was not found.
 template <class Detector, class Missed>
 Score score(Detector& detector, const Truth& truth, const Flight& flight, Way way, double radius, const Missed& missed) {
-  // Relocated points are off by the offset, 1e-12 of the size, which is there to cover the rounding of two poses; ten times that is lost.
+  // Relocated points have the offset, 1e-12 of the size, which covers the rounding of two poses; ten times that counts as inside.
   constexpr double rounding = 1e-11;
   const fixtures::TestPoints points = flight.points(way);
   detector.forget();
@@ -46,10 +46,10 @@ Score score(Detector& detector, const Truth& truth, const Flight& flight, Way wa
     const Vec3d place = flight.motion.t1.to_body(of[i]->relocation);
     const double distance = truth.distance(place);
     const double too_deep = truth.inside(place) ? radius + distance : radius - distance;
-    const Path straight{passage.path.start, Path{passage.path.start, place}.at(1 - 1e-6)};  // short of where it rests
+    const Path straight{passage.path.start, Path{passage.path.start, place}.at(1 - 1e-6)};  // short of its final position
     if (too_deep > rounding)
       ++total.inside;
-    else if (truth.first_crossing(straight) && (flight.bulge == 0 || depth(truth, straight) > flight.bulge))  // the true way goes round a bulge
+    else if (truth.first_crossing(straight) && (flight.bulge == 0 || depth(truth, straight) > flight.bulge))  // the true path goes round a bulge
       ++total.thrown;
   }
   return total;

@@ -1,18 +1,19 @@
-/// Scenes in which points are pressed against a surface and slide about on it with friction, and an oracle that says whether one has come
-/// to be behind a panel. Everything is drawn by lot: the shape, the contact radius, friction, the motion of the body, the pull on the points.
+/// Scenes in which points are pressed against a surface and slide on it with friction, and a reference test for points behind a panel.
+/// Everything is random: the shape, the contact radius, friction, the motion of the body, the body force on the points.
 ///
-/// The oracle follows each point along straight lines, from its place to where the detector relocated it and on to where friction left it, in
-/// the frame of the body. Behind is
-///   - of an open vessel: beyond one of its walls, each an infinite plane, unless the point has left over the rim before;
-///   - of a closed body: inside by the winding number, or on a line that goes through a triangle, in extended precision, from either side.
+/// The reference test follows each point along straight lines, from its position to its relocation and on to its position after friction, in
+/// the body frame. A point is behind
+///   - an open vessel if it is beyond one of its walls, each an infinite plane, unless it has left over the rim before;
+///   - the surface of a closed body if it is inside by the winding number, or on a line through a triangle, in extended precision, from
+///     either side.
 #pragma once
 
 #include <algorithm>
 
+#include "fccda/api/contact_detector.hpp"
+#include "fccda/api/respond_arrays.hpp"
 #include "fccda/evidence/shapes.hpp"
 #include "fccda/evidence/truth.hpp"
-#include "fccda/plain/contact_detector.hpp"
-#include "fccda/plain/respond_arrays.hpp"
 
 namespace evidence {
 
@@ -25,7 +26,7 @@ inline const char* name_of(Kind kind) {
 
 struct Lost {
   std::size_t scenes = 0, contacts = 0, shifted = 0;  ///< shifted: contacts that friction moved
-  std::size_t behind = 0;                             ///< points that came to be behind a panel
+  std::size_t behind = 0;                             ///< points that ended behind a panel
   std::size_t too_near = 0;                           ///< contacts that ended nearer than the contact radius
   std::uint64_t first_seed = 0;                       ///< of a scene with either
   double nearest = 0;                                 ///< [m] the least distance less the contact radius
@@ -58,7 +59,7 @@ struct SlidingScene {
   Vec3d down{0, 0, -1};     ///< into the vessel, or against the body
 };
 
-/// Turns all of it at random, so that nothing lies along the axes.
+/// Rotates everything at random, so that nothing is axis-aligned.
 inline void tilt(SlidingScene& scene, std::mt19937_64& random) {
   const Vec3d rotation = 3 * fixtures::random_direction(random);
   for (Vec3d& v : scene.panels.vertices) v = turned(v, rotation);
@@ -164,10 +165,10 @@ inline SlidingScene folded_sheet(std::mt19937_64& random) {
 /// Convex and concave, thick and thin.
 inline SlidingScene closed_body(std::mt19937_64& random) {
   const auto any = [&]() -> Panels {
-    const Panels ball = make_sphere({.diameter = 1, .panel = 0.3});
+    const Panels ball = make_sphere({.diameter = 1, .edge_length = 0.3});
     switch (random() % 7) {
       case 0:
-        return make_box({.size = {1, 0.6, 0.4}, .panel = 0.5});
+        return make_box({.size = {1, 0.6, 0.4}, .edge_length = 0.5});
       case 1:
         return fixtures::torus(0.4, 0.15, 12, 6);
       case 2:  // a blade
@@ -185,7 +186,7 @@ inline SlidingScene closed_body(std::mt19937_64& random) {
         return prism({{-0.5, 0.5}, {-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.5}}, {{-0.4, 0.5}, {-0.4, 0}, {0.4, 0}, {0.4, 0.5}});
       }
       default:
-        return make_cylinder({.diameter = 1, .height = 0.5, .axis = Axis::z, .panel = 0.3, .panels = PanelKind::quads});
+        return make_cylinder({.diameter = 1, .height = 0.5, .axis = Axis::z, .edge_length = 0.3, .panels = PanelKind::quads});
     }
   };
   return {.panels = any()};
@@ -220,7 +221,7 @@ inline bool goes_through(const Vec3d& from, const Vec3d& to, const std::vector<s
     if ((before > 0) == (after > 0) || before == 0 || after == 0) continue;
     const Long way = q - p;
     const long double u = way * ((b - p) ^ (c - p)), v = way * ((c - p) ^ (a - p)), w = way * ((a - p) ^ (b - p));
-    const long double least = 1e-9L * std::fabs(u + v + w);  // 80 bits are too few for ways along the panel, an offset off it
+    const long double least = 1e-9L * std::fabs(u + v + w);  // 80 bits are too few for paths along the panel, an offset off it
     if ((u > least && v > least && w > least) || (u < -least && v < -least && w < -least)) return true;
   }
   return false;
@@ -231,13 +232,13 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
   std::uniform_real_distribution<double> unit(0, 1);
   const SlidingScene scene = scene_of(kind, random);
   const double r = random() % 2 == 0 ? 0 : std::pow(10.0, -1 - 3 * unit(random)), friction = random() % 4 == 0 ? 0 : unit(random);
-  const Surface surface(scene.panels, {.outside = scene.open ? OutsideIs::normals : OutsideIs::undeclared});
+  const Surface surface(scene.panels, {.orientation = scene.open ? Orientation::normals : Orientation::undeclared});
   const fixtures::Soup soup(surface);
   ContactDetector detector(surface, {.radius = r});
   const Vec3d extent = surface.report().bounds.size();
   const double offset = 1e-12 * std::max({extent.x, extent.y, extent.z});
 
-  // Rest, even motion or even turning.
+  // Rest, uniform translation or uniform rotation.
   const std::uint64_t motion_kind = random() % 3;
   const double dt = std::pow(10.0, -3 + 2 * unit(random));
   RigidBody body({.mass = 1}, Pose(fixtures::random_direction(random), Quaternion::from_rotation(fixtures::random_direction(random)).normalised()),
@@ -246,7 +247,7 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
 
   const double angle = dt * norm(body.angular_velocity());
 
-  // Points outside, with room for the ball.
+  // Points outside, with clearance for the ball.
   const Vec3d middle = surface.report().bounds.centre();
   const auto height = [&](const Vec3d& seen) {
     double least = 1e300;
@@ -267,7 +268,7 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
   }
   const Vec3d aside = fixtures::random_direction(random);
   const double pull = 0.3 * unit(random) / dt;
-  std::vector<bool> followed(x.size(), true), held(x.size(), true);  // held: has never been where the ball counts as a point, beside the rim
+  std::vector<bool> followed(x.size(), true), held(x.size(), true);  // held: has never been where only the centre counts, beside the rim
 
   Lost lost{.scenes = 1};
   for (int step = 0; step < 60; ++step) {
@@ -289,12 +290,12 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (!followed[i]) continue;
       const Vec3d place = body.pose().to_body(x[i]);
-      const auto complain = [&](std::size_t& count) {
+      const auto print_error = [&](std::size_t& count) {
         ++count;
         if (lost.first_seed == 0) lost.first_seed = seed;
       };
       if (scene.open) {
-        // A turning body sees a bent path, which may go over the rim in between.
+        // Relative to a rotating body the path is curved, and may go over the rim in between.
         const double bulge = angle * (2 * angle + 2 * norm(place - seen_t0[i])) / 8;
         if (over_rim(place, bulge) || (of[i] && over_rim(body.pose().to_body(of[i]->relocation), 0))) {
           followed[i] = false;
@@ -307,12 +308,12 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
         behind = height(place) < 0;
       } else {
         const Vec3d relocated = of[i] ? body.pose().to_body(of[i]->relocation) : place;
-        // A turning body sees a bent path: what goes round a bulge is no crossing, so only the end counts there, and what friction does.
+        // Relative to a rotating body the path is curved: a path round a bulge is not a crossing, so only its end and the friction part count.
         behind = (motion_kind != 2 && goes_through(seen_t0[i], relocated, soup.triangles)) || goes_through(relocated, place, soup.triangles) ||
                  ((of[i] || step % 10 == 9) && soup.inside(place));
       }
       if (behind) {
-        complain(lost.behind);
+        print_error(lost.behind);
         followed[i] = false;
         continue;
       }
@@ -322,7 +323,7 @@ inline Lost play_sliding(Kind kind, std::uint64_t seed) {
       const double gap = (scene.open ? height(place) : soup.distance(place)) - r;
       if (!held[i] || gap >= 0.25 * offset) continue;
       lost.nearest = std::min(lost.nearest, gap);
-      complain(lost.too_near);
+      print_error(lost.too_near);
     }
   }
   return lost;

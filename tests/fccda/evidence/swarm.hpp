@@ -1,4 +1,4 @@
-/// A swarm of points that a free body draws to itself, so that they strike it, slide about on it and push it on and on. The pull is along
+/// A swarm of points attracted by a free body, so that they hit it, slide on it and push it continually. The attraction is along
 /// the line to the centre of mass and acts on both alike: it changes neither linear nor angular momentum.
 #pragma once
 
@@ -34,9 +34,9 @@ class Swarm {
     points.x0 = points.x1;
   }
 
-  /// Adds the contacts of the step to what `report(contact, impulse on the body)` hears.
+  /// Calls `report(contact, impulse on the body)` for the contacts of the step.
   template <class Report>
-  Tally step(const Report& report) {
+  ContactSum step(const Report& report) {
     Vec3d drawn{};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3d change = setup_.dt * pull * normalised(body.position_of_com() - points.x1[i]);
@@ -49,7 +49,7 @@ class Swarm {
     for (std::size_t i = 0; i < points.size(); ++i) points.x1[i] += setup_.dt * points.v[i];
     return respond(points, fixtures::detect(detector, points, motion, body.travel_bound(motion, reach_)), motion, body, setup_.friction, report);
   }
-  Tally step() {
+  ContactSum step() {
     return step([](const Contact&, const Vec3d&) {});
   }
 

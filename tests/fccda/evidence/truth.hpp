@@ -1,6 +1,6 @@
-/// What is true of points and paths near a closed surface, by loops over all of its triangles: on which side, how far, crossed where.
-/// It shares nothing with the library but Vec3, and looks at bare corners. What makes it fast enough for a hundred thousand questions:
-/// balls about the triangles that are compared first, and a winding number counted along rays of one direction.
+/// Reference solution for points and paths near a closed surface, by loops over all of its triangles: side, distance, crossings.
+/// It shares nothing with the library but Vec3, and uses the corners alone. Two measures make it fast enough for a hundred thousand queries:
+/// bounding balls of the triangles are compared first, and the winding number is counted along rays of one direction.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace evidence {
 using namespace fccda;
 using fixtures::Soup;
 
-/// `rotation` [rad] turns about its own direction; Rodrigues' formula.
+/// Rotation by |rotation| [rad] about the direction of `rotation`; Rodrigues' formula.
 inline Vec3d turned(const Vec3d& vector, const Vec3d& rotation) {
   const double angle = norm(rotation);
   if (angle == 0) return vector;
@@ -39,7 +39,7 @@ class Truth {
 
   const Soup& soup() const { return soup_; }
 
-  /// By the signed triangles that a ray from the point goes through; where it passes within 1e-9 of an edge, by the sum of solid angles.
+  /// By the signed crossings of a ray from the point; if it passes within 1e-9 of an edge, by the sum of solid angles.
   bool inside(const Vec3d& point) const {
     const Vec3d p = along_rays(point);
     int winding = 0;
@@ -83,10 +83,10 @@ class Truth {
   struct Crossing {
     std::size_t triangle = 0;
     double fraction = 0;  ///< of the path
-    double margin = 0;    ///< how clearly inside the triangle: the least of its barycentric coordinates there
+    double margin = 0;    ///< margin inside the triangle: the least of its barycentric coordinates there
   };
 
-  /// Where the path goes first through a triangle, from its front or its back; undecided crossings of edges count, margin 0.
+  /// The first crossing of the path with a triangle, from its front or its back; undecided crossings of edges count, with margin 0.
   std::optional<Crossing> first_crossing(const Path& path) const {
     const Vec3d middle = path.at(0.5), way = path.end - path.start;
     const double half = 0.5 * path.length();
@@ -124,7 +124,7 @@ class Truth {
     return {dot(x, p), dot(y, p), dot(z, p)};
   }
 
-  /// The distance from a triangle is a convex function along the path, so the golden section finds its least value.
+  /// The distance from a triangle is a convex function along the path, so golden-section search finds its minimum.
   static double distance(const Path& path, const std::array<Vec3d, 3>& triangle) {
     const double section = (std::sqrt(5.0) - 1) / 2;
     double low = 0, high = 1;

@@ -1,4 +1,4 @@
-// A body moves with the impulse of the step in which it strikes.
+// Implicit coupling: a body moves with the contact impulse of the same step.
 #include "fccda/respond/coupling.hpp"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr FreeDegrees all_free{{true, true, true, true, true, true}};
 
-/// A lattice of points at rest, and some that fly about, each of 1 g.
+/// A lattice of points at rest, and some in motion, each of 1 g.
 fixtures::TestPoints swarm(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
@@ -31,7 +31,7 @@ fixtures::TestPoints swarm(std::uint64_t seed) {
   return points;
 }
 
-/// Something pushes the points up against the body.
+/// External forces push the points up against the body.
 void predict(fixtures::TestPoints& points, double dt) {
   constexpr double acceleration = 30;  // [m/s²]
   points.x0 = points.x1;
@@ -47,9 +47,10 @@ Vec3d momentum(const fixtures::TestPoints& points) {
   return sum;
 }
 
-/// The contact phase of a step. Returns the passes it took.
+/// The contact phase of a step. Returns the number of passes.
 template <class Detector>
-int strike(Detector& detector, RigidBody& body, fixtures::TestPoints& points, double dt, double radius, double friction, std::vector<Contact>& contacts) {
+int resolve_contact(Detector& detector, RigidBody& body, fixtures::TestPoints& points, double dt, double radius, double friction,
+                    std::vector<Contact>& contacts) {
   const fixtures::TestPoints before = points;
   Coupling coupling(body);
   Motion motion = coupling.advance(body, dt);
@@ -60,10 +61,11 @@ int strike(Detector& detector, RigidBody& body, fixtures::TestPoints& points, do
       detector.detect(points, motion, travel, contacts);
     else
       detector.redetect(points, motion, travel, coupling.correction(), contacts);
-    strike_points(points, contacts, motion, body.position_of_com(), friction, [&](const Contact& contact, const Vec3d& impulse) {
-      coupling.add(contact, points.m[contact.point], points.x1[contact.point], impulse, friction);
+    resolve_points(points, contacts, motion, body.position_of_com(), friction, [&](const Contact& contact, const Vec3d& impulse) {
+      const Vec3d place = place_of_push(contact, points.x0[contact.point], points.x1[contact.point], motion);
+      coupling.add(contact, points.m[contact.point], place, impulse, friction);
     });
-    if (coupling.agrees(radius) || pass == Coupling::most_passes) {
+    if (coupling.agrees(radius) || pass == Coupling::max_passes) {
       coupling.finish(body);
       return pass;
     }
@@ -82,15 +84,15 @@ std::vector<Scene> scenes() {
   std::vector<Scene> scenes;
   for (const double friction : {0.0, 0.3})
     for (const double radius : {0.0, 0.02}) {
-      scenes.push_back({"box", Surface(make_box({.size = {0.8, 0.6, 0.5}, .panel = 0.2})), radius, friction});
-      scenes.push_back({"sphere", Surface(make_sphere({.diameter = 0.8, .panel = 0.1})), radius, friction});
-      Panels tray = make_box({.size = {0.8, 0.6, 0.5}, .panel = 0.25});  // without its lid: open
+      scenes.push_back({"box", Surface(make_box({.size = {0.8, 0.6, 0.5}, .edge_length = 0.2})), radius, friction});
+      scenes.push_back({"sphere", Surface(make_sphere({.diameter = 0.8, .edge_length = 0.1})), radius, friction});
+      Panels tray = make_box({.size = {0.8, 0.6, 0.5}, .edge_length = 0.25});  // without its lid: open
       std::erase_if(tray.panels, [&](const auto& panel) {
         for (std::size_t k = 0; k < panel.size(); ++k)
           if (tray.vertices[static_cast<std::size_t>(panel[k])].z < 0.25 - 1e-9) return false;
         return true;
       });
-      scenes.push_back({"tray", Surface(tray, {.outside = OutsideIs::normals}), radius, friction});
+      scenes.push_back({"tray", Surface(tray, {.orientation = Orientation::normals}), radius, friction});
     }
   return scenes;
 }
@@ -102,7 +104,7 @@ RigidBody body_of(double mass) {
 
 }  // namespace
 
-TEST_CASE("coupling: a step detected again with another motion finds to the bit what a look at every point finds") {
+TEST_CASE("coupling: detection repeated with another motion is bitwise identical to a test of every point") {
   for (const Scene& scene : scenes()) {
     CAPTURE(scene.name);
     CAPTURE(scene.radius);
@@ -117,7 +119,7 @@ TEST_CASE("coupling: a step detected again with another motion finds to the bit 
       fixtures::TestPoints before = points;
       const Pose start = body.pose();
       std::vector<Contact> contacts, expected;
-      repeated += strike(detector, body, points, 2e-3, 0.6, scene.friction, contacts) > 1;
+      repeated += resolve_contact(detector, body, points, 2e-3, 0.6, scene.friction, contacts) > 1;
       const Motion motion{start, body.pose(), 2e-3, body.properties().centre_of_mass};
       all.forget();
       all.detect(before, motion, body.travel_bound(motion, 0.6), expected);
@@ -133,8 +135,8 @@ TEST_CASE("coupling: a step detected again with another motion finds to the bit 
   }
 }
 
-TEST_CASE("coupling: a body goes the way of the velocity that it has after contact, no point is left inside, and momentum keeps to rounding") {
-  for (const double mass : {0.05, 5.0})  // as heavy as the points that it touches, and much heavier
+TEST_CASE("coupling: a body moves with its velocity after contact, no point remains inside, and momentum is conserved to rounding") {
+  for (const double mass : {0.05, 5.0})  // as heavy as the points in contact, and much heavier
     for (const Scene& scene : scenes()) {
       CAPTURE(scene.name);
       CAPTURE(mass);
@@ -149,31 +151,31 @@ TEST_CASE("coupling: a body goes the way of the velocity that it has after conta
         const RigidBody start = body;
         const Vec3d before = momentum(points) + body.momentum();
         std::vector<Contact> contacts;
-        const int passes = strike(detector, body, points, 2e-3, 0.6, scene.friction, contacts);
+        const int passes = resolve_contact(detector, body, points, 2e-3, 0.6, scene.friction, contacts);
         repeated += passes > 1;
-        // roundings of as many impulses, each a difference of places of order one over the step
+        // rounding of as many impulses, each a difference of positions of order one over the step
         REQUIRE(norm(momentum(points) + body.momentum() - before) < 1e-12);
-        if (passes == Coupling::most_passes) continue;
+        if (passes == Coupling::max_passes) continue;
         ++converged;
         const Vec3d amiss = body.position_of_com() - start.position_of_com() - 2e-3 * body.velocity();
-        // what ends the passes, with the turn of the body as far as 0.6 m, and rounding; explicit coupling is amiss by all of it
+        // the convergence tolerance, with the rotation of the body out to 0.6 m, and rounding; the error of explicit coupling is 1
         REQUIRE(norm(amiss) <
                 2e-3 * 1e-6 * (norm(body.velocity() - start.velocity()) + 0.6 * norm(body.angular_velocity() - start.angular_velocity())) + 1e-11);
         if (scene.friction > 0) continue;
-        std::vector<std::size_t> struck;
-        for (const Contact& contact : contacts) struck.push_back(contact.point);
+        std::vector<std::size_t> resolved;
+        for (const Contact& contact : contacts) resolved.push_back(contact.point);
         const Motion motion{start.pose(), body.pose(), 2e-3, body.properties().centre_of_mass};
-        REQUIRE(detector.still_inside(points, motion, struck).empty());
+        REQUIRE(detector.still_inside(points, motion, resolved).empty());
       }
       CHECK(repeated > 50);
       CHECK(converged >= (scene.friction > 0 ? 140 : 145));  // points that stick and slide by turns may not settle within the passes
     }
 }
 
-TEST_CASE("coupling: a plate that rests against a spring of points bounces back with its energy, to second order in the step") {
-  // A rigid box of 1 kg meets a wall of points, each held by a spring: one mass on springs, whose velocity after half a period is the opposite.
+TEST_CASE("coupling: a plate rebounds from a spring of points with its energy, to second order in the step") {
+  // A rigid box of 1 kg meets a wall of points, each on a spring: one mass on springs, whose velocity is reversed after half a period.
   const auto loss = [](double dt) {
-    const auto surface = std::make_shared<const Surface>(Surface(make_box({.size = {1, 1, 0.1}, .panel = 0.5})));
+    const auto surface = std::make_shared<const Surface>(Surface(make_box({.size = {1, 1, 0.1}, .edge_length = 0.5})));
     Swept detector(surface, Unbounded(), 0);
     fixtures::TestPoints points;
     for (int i = 0; i < 5; ++i)
@@ -188,11 +190,11 @@ TEST_CASE("coupling: a plate that rests against a spring of points bounces back 
         points.v[i].z -= dt * spring * points.x1[i].z / points.m[i];
         points.x1[i] += dt * points.v[i];
       }
-      strike(detector, body, points, dt, 0.8, 0, contacts);
+      resolve_contact(detector, body, points, dt, 0.8, 0, contacts);
     }
     return body.velocity().z / together - 1;
   };
-  // at eight times the step as much as (ω dt)² = 0.016 of body and springs gives; of first order it would be an eighth, of second a 64th
+  // at eight times the step the error is (ω dt)² = 0.016; at the step itself an eighth of it for first order, a 64th for second order
   const double coarse = loss(4e-4), fine = loss(5e-5);
   CHECK(std::fabs(coarse) < 2e-3);
   CHECK(std::fabs(fine) < std::fabs(coarse) / 30);

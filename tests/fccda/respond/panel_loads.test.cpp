@@ -15,7 +15,7 @@ using namespace fccda;
 
 namespace {
 
-/// The panel of a box of quads, centred on the origin, whose middle is nearest to `place`.
+/// The panel of a box of quads, centred on the origin, whose centre is nearest to `place`.
 int panel_at(const PanelFaces& faces, const Vec3d& place) {
   std::size_t best = 0;
   for (std::size_t p = 0; p < faces.size(); ++p)
@@ -24,7 +24,7 @@ int panel_at(const PanelFaces& faces, const Vec3d& place) {
 }
 
 /// A unit cube in square panels; its top is z = 0.5.
-Surface cube(double panel) { return Surface(make_box({.size = {1, 1, 1}, .panel = panel, .panels = PanelKind::quads})); }
+Surface cube(double panel) { return Surface(make_box({.size = {1, 1, 1}, .edge_length = panel, .panels = PanelKind::quads})); }
 
 constexpr Vec3d up{0, 0, 1};
 
@@ -36,7 +36,7 @@ PanelLoad sum(const std::vector<PanelLoad>& loads) {
 
 }  // namespace
 
-TEST_CASE("panel loads: a push on a panel larger than the point's face gives J/(A T) there and nothing elsewhere") {
+TEST_CASE("panel loads: an impulse on a panel larger than the point's face gives J/(A T) there and nothing elsewhere") {
   PanelLoads loads(cube(0.25), std::vector<double>{0.01});
   const int panel = panel_at(loads.faces(), {0.1, 0.1, 0.5});
   loads.add(0, {.panel = panel, .normal = up}, {0.5, 0, -3});
@@ -49,7 +49,7 @@ TEST_CASE("panel loads: a push on a panel larger than the point's face gives J/(
   CHECK(loads.since_start()[static_cast<std::size_t>(panel)].impulse == Vec3d{0.5, 0, -3});
 }
 
-TEST_CASE("panel loads: the peak keeps the largest mean of an interval, and forgets no panel that is not pushed again") {
+TEST_CASE("panel loads: the peak is the largest interval mean of each panel, also of panels that are unloaded later") {
   PanelLoads loads(cube(0.25), std::vector<double>{0.01});
   const auto panel = static_cast<std::size_t>(panel_at(loads.faces(), {0.1, 0.1, 0.5}));
   const double per_push = 1 / 0.0625;  // [Pa s] of 1 N s
@@ -65,7 +65,7 @@ TEST_CASE("panel loads: the peak keeps the largest mean of an interval, and forg
   CHECK(loads.since_start()[panel].normal_impulse == fixtures::relative(7, 1e-14));
 }
 
-TEST_CASE("panel loads: on panels much smaller than the point's face a push makes one even pressure over a disc as large as the face") {
+TEST_CASE("panel loads: on panels much smaller than the point's face an impulse gives a uniform pressure over a disc of the face's area") {
   constexpr double face = 0.04, push = 2, time = 0.1;
   PanelLoads loads(cube(0.02), std::vector<double>{face});
   loads.add(0, {.panel = panel_at(loads.faces(), {0.11, 0.07, 0.5}), .normal = up}, {0, 0, -push});
@@ -83,7 +83,8 @@ TEST_CASE("panel loads: on panels much smaller than the point's face a push make
   CHECK(force == fixtures::relative(push / time, 1e-12));
 }
 
-TEST_CASE("panel loads: spread over the panels of a hull the pushes of two bodies sum to what they were, to rounding, with the interval open or closed") {
+TEST_CASE(
+    "panel loads: distribution over the panels of a hull preserves the sum of the impulses of two bodies, to rounding, with the interval open or closed") {
   const auto surface = fixtures::surface_of(fixtures::hull());
   PanelLoads loads(*surface, std::vector<double>{0.02, 0.0005});
   std::mt19937_64 random(31);
@@ -105,7 +106,7 @@ TEST_CASE("panel loads: spread over the panels of a hull the pushes of two bodie
   }
 }
 
-TEST_CASE("panel loads: a push near an edge stays on its own side") {
+TEST_CASE("panel loads: an impulse near an edge is not distributed round the edge") {
   PanelLoads loads(cube(0.02), std::vector<double>{0.04});
   loads.add(0, {.panel = panel_at(loads.faces(), {0.49, 0, 0.5}), .normal = up}, {0, 0, -1});
   loads.end_interval(1);
@@ -113,7 +114,7 @@ TEST_CASE("panel loads: a push near an edge stays on its own side") {
     if (loads.interval_pressure()[p] != 0) CHECK(loads.faces()[p].normal.z > 0.99);
 }
 
-TEST_CASE("panel loads: what respond reports, gathered, is the impulse of the body") {
+TEST_CASE("panel loads: the reports of respond() sum to the impulse on the body") {
   const auto surface = fixtures::surface_of(fixtures::hull());
   PanelLoads loads(*surface, std::vector<double>{0.01});
   Swept detector(surface, Unbounded{}, 0.01);
@@ -134,7 +135,7 @@ TEST_CASE("panel loads: what respond reports, gathered, is the impulse of the bo
   CHECK(norm(sum(loads.since_start()).impulse - body.momentum()) <= 1e-12);  // hundreds of sums of numbers below 0.1
 }
 
-TEST_CASE("nested areas: around a known peak the mean pressure falls as the area grows, to the whole force over the whole area") {
+TEST_CASE("nested areas: around a known peak the mean pressure falls as the area grows, to the total force over the total area") {
   const PanelFaces faces(cube(0.1));
   std::vector<double> pressure(faces.size(), 0);
   double force = 0, area = 0;
@@ -145,7 +146,7 @@ TEST_CASE("nested areas: around a known peak the mean pressure falls as the area
     force += 0.01 * pressure[p], area += 0.01;
   }
   const std::vector<NestedArea> nested = nested_areas(faces, pressure, 20);
-  REQUIRE(nested.size() >= 10);  // fewer than asked for: small areas are whole panels
+  REQUIRE(nested.size() >= 10);  // fewer than requested: small areas are whole panels
   CHECK(nested.size() <= 20);
   CHECK(nested.front().area == fixtures::relative(0.01, 1e-12));
   CHECK(nested.front().mean_pressure == fixtures::relative(1e6, 1e-12));
@@ -158,7 +159,7 @@ TEST_CASE("nested areas: around a known peak the mean pressure falls as the area
   }
 }
 
-TEST_CASE("nested areas: a gap without load between two loaded panels is grown across and counts as area; no load gives no areas") {
+TEST_CASE("nested areas: an unloaded gap between two loaded panels is crossed and counts as area; no load gives no areas") {
   const PanelFaces faces(cube(0.1));
   std::vector<double> pressure(faces.size(), 0);
   CHECK(nested_areas(faces, pressure, 20).empty());

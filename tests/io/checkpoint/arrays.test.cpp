@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/file_size_limit.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/checkpoint/arrays_reader.hpp"
@@ -19,7 +19,7 @@ using namespace perimpact::checkpoint;
 
 namespace {
 
-/// One owner of state with every form and type of numbers.
+/// An owner of state with every form and type of numbers.
 struct Owner {
   std::vector<double> fixed{0.1, -0.0, std::numeric_limits<double>::infinity(), 5e-324};
   std::vector<std::uint64_t> list{1, std::numeric_limits<std::uint64_t>::max(), 3};
@@ -57,7 +57,7 @@ void write(const std::filesystem::path& path, Owner owner) {
   file.finish();
 }
 
-/// What the file holds, in an owner that held something else.
+/// The contents of the file, read into an owner with different values.
 Owner read(const std::filesystem::path& path) {
   ArraysReader file(path);
   Owner owner{{0, 0, 0, 0}, {9}, {9, 9}, {}, {0, 0, 0}, 0, 0, 0};
@@ -83,7 +83,7 @@ std::string complaint(const std::function<void()>& f) {
 
 }  // namespace
 
-TEST_CASE("checkpoint file: numbers of every type and form come back to the last bit, lists with their length") {
+TEST_CASE("checkpoint file: numbers of every type and form are restored bitwise, lists with their length") {
   const fixtures::TemporaryFolder folder;
   write(folder / "c.h5", {});
   const Owner back = read(folder / "c.h5");
@@ -92,7 +92,7 @@ TEST_CASE("checkpoint file: numbers of every type and form come back to the last
   CHECK(fixtures::files_in(folder.path()) == std::set<std::string>{"c.h5"});
 }
 
-TEST_CASE("checkpoint file: one that is cut short at any byte is refused") {
+TEST_CASE("checkpoint file: a file truncated at any byte is refused") {
   const fixtures::TemporaryFolder folder;
   write(folder / "c.h5", {});
   for (std::uintmax_t size = std::filesystem::file_size(folder / "c.h5"); size-- > 0;) {
@@ -102,7 +102,7 @@ TEST_CASE("checkpoint file: one that is cut short at any byte is refused") {
   }
 }
 
-TEST_CASE("checkpoint file: a changed byte is refused, or is none that anything depends on") {
+TEST_CASE("checkpoint file: a changed byte is refused, or has no effect") {
   const fixtures::TemporaryFolder folder;
   write(folder / "c.h5", {});
   const std::string whole = fixtures::text_of(folder / "c.h5");
@@ -110,7 +110,7 @@ TEST_CASE("checkpoint file: a changed byte is refused, or is none that anything 
   std::size_t refused = 0;
   std::fstream file(folder / "c.h5", std::ios::in | std::ios::out | std::ios::binary);
   const auto put = [&](std::size_t at, char byte) { file.seekp(static_cast<std::streamoff>(at)).put(byte).flush(); };
-  for (std::size_t at = 0; at < whole.size(); at += at < 1000 ? 1 : 1 + random() % 5) {  // the first thousand say where the rest is
+  for (std::size_t at = 0; at < whole.size(); at += at < 1000 ? 1 : 1 + random() % 5) {  // the first thousand bytes locate the rest
     put(at, static_cast<char>(static_cast<unsigned char>(whole[at]) ^ (1 + random() % 255)));
     CAPTURE(at);
     Owner back;
@@ -119,7 +119,7 @@ TEST_CASE("checkpoint file: a changed byte is refused, or is none that anything 
     if (!said.empty()) ++refused;
     put(at, whole[at]);
   }
-  CHECK(refused > 1000);  // the rest is room that HDF5 keeps free
+  CHECK(refused > 1000);  // the rest is unused space of HDF5
 }
 
 TEST_CASE("checkpoint file: other names, types, lengths and numbers of arrays are refused with a sentence") {
@@ -131,19 +131,20 @@ TEST_CASE("checkpoint file: other names, types, lengths and numbers of arrays ar
       use(file);
     });
   };
-  const std::string begin = (folder / "c.h5").string() + " is damaged or of another origin: ", end = ". Put back a sound copy, or start anew without --resume.";
+  const std::string begin = (folder / "c.h5").string() + " is damaged or of another run: ",
+                    end = ". Restore an intact copy, or start a new run without --resume.";
   std::vector<double> two(2);
   std::vector<float> floats;
   CHECK(said([&](auto& file) { file("other", floats); }) == begin + "the array other is missing" + end);
-  CHECK(said([&](auto& file) { file("list", floats); }) == begin + "the array list holds other numbers than here" + end);
-  CHECK(said([&](auto& file) { file("fixed", std::span<double>(two)); }) == begin + "the array fixed has another length than here" + end);
-  CHECK(said([&](auto& file) { file.expect_all_read(); }) == begin + "it holds other arrays than here" + end);
-  CHECK(said([&](auto& file) { file.natural("steps"); }) == begin + "steps is missing" + end);  // it is there, with a sign
+  CHECK(said([&](auto& file) { file("list", floats); }) == begin + "the array list has another number type than expected" + end);
+  CHECK(said([&](auto& file) { file("fixed", std::span<double>(two)); }) == begin + "the array fixed has another length than expected" + end);
+  CHECK(said([&](auto& file) { file.expect_all_read(); }) == begin + "it contains other arrays than expected" + end);
+  CHECK(said([&](auto& file) { file.natural("steps"); }) == begin + "steps is missing" + end);  // it exists, but signed
   CHECK(said([&](auto& file) { file.word("steps"); }) == begin + "steps is missing" + end);
-  CHECK(said([&](auto& file) { file.text("fixed"); }) == begin + "fixed is no text" + end);
+  CHECK(said([&](auto& file) { file.text("fixed"); }) == begin + "fixed is not a text" + end);
 }
 
-TEST_CASE("checkpoint file: where the disk is full the earlier one stays, the sentence says so, and the next one can be written") {
+TEST_CASE("checkpoint file: on a full disk the earlier file remains, the message says so, and the next one can be written") {
   const fixtures::TemporaryFolder folder;
   const auto path = folder / "c.h5";
   Owner earlier, large;
@@ -164,7 +165,7 @@ TEST_CASE("checkpoint file: where the disk is full the earlier one stays, the se
   CHECK(read(path) == large);
 }
 
-TEST_CASE("checkpoint file: nothing is seen of one that was not finished") {
+TEST_CASE("checkpoint file: an unfinished file leaves no trace") {
   const fixtures::TemporaryFolder folder;
   {
     Owner owner;

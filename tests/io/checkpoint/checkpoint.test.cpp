@@ -5,12 +5,12 @@
 #include <fstream>
 #include <functional>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/checkpoint/arrays_writer.hpp"
 #include "io/checkpoint/checkpoints.hpp"
 #include "io/deck/deck.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 using namespace perimpact;
 
@@ -30,11 +30,11 @@ impactors:
     mass: 1
     position: [0, 36 mm, 0]
     velocity: [0, -200, 0]
-    free: [y]
-output: {frames: 3, history: 2 us, checkpoint_every: 0}
+    free_dofs: [y]
+output: {frames: 3, history_interval: 2 us, checkpoint_interval: 0}
 )";
 
-/// A box of 2 · 16 mm in y that reaches that far in x; wound outward.
+/// A box of 2 · 16 mm in y and the given half-width in x; oriented outward.
 std::string block(double half_width) {
   std::string text;
   for (const double x : {-half_width, half_width})
@@ -50,7 +50,7 @@ struct Scene {
   Scene() { fixtures::put(folder / "block.obj", block(0.02)); }
   Setup setup(const std::vector<std::string>& changes = {}) const { return deck::read_deck_text(small, "deck.yaml", folder.path(), changes).setup; }
 
-  /// Runs up to a step and leaves a checkpoint.
+  /// Runs up to a step and writes a checkpoint.
   void run_to(long step) const {
     Simulation simulation(setup());
     Checkpoints checkpoints(file, simulation);
@@ -59,7 +59,7 @@ struct Scene {
     checkpoints.write(simulation, writer);
   }
 
-  /// What a try to resume is refused with, and the key.
+  /// The message and key of a refused restart.
   std::string complaint(const Setup& wanted, std::string* key = nullptr) const {
     try {
       Checkpoint checkpoint(file);
@@ -81,14 +81,14 @@ void append(const std::filesystem::path& path, const std::string& text) { std::o
 
 }  // namespace
 
-TEST_CASE("checkpoint: a simulation made anew goes on from it to the same state, and the results to the same files") {
+TEST_CASE("checkpoint: a restarted simulation reaches the same state bitwise, with the same result files") {
   Scene whole, parted;
   whole.run_to(20);
   parted.run_to(9);
-  // what a run wrote behind its checkpoint before it was killed
+  // output after the checkpoint, before the run was killed
   append(parted.results / "history.csv", "1,2,3\n4,5");
   append(parted.results / "pressure_area/block.csv", "6,7");
-  append(parted.results / "pieces/plate.csv", "8,9\n");
+  append(parted.results / "fragments/plate.csv", "8,9\n");
   fixtures::put(parted.results / "frames/plate_00002.vtp", "later");
   fixtures::put(parted.results / "frames/block_00004.vtp.part", "in part");
   fixtures::put(parted.results / "run.json", "of a run that was interrupted");
@@ -114,60 +114,60 @@ TEST_CASE("checkpoint: a simulation made anew goes on from it to the same state,
   CHECK(simulation.state_hash() == other.state_hash());
   CHECK(simulation.bodies()[0].internal.broken_bonds() > 0);
   std::set<std::string> names = fixtures::files_in(whole.results);
-  for (const char* table : {"pressure_area/block.csv", "pieces/plate.csv"}) CHECK(names.count(table) == 1);
+  for (const char* table : {"pressure_area/block.csv", "fragments/plate.csv"}) CHECK(names.count(table) == 1);
   CHECK(fixtures::files_in(parted.results) == names);
-  names.erase("checkpoint.h5");  // it knows where the run was resumed, and what detection had to ask again
+  names.erase("checkpoint.h5");  // it contains the steps of restarts and counters of detection
   for (const std::string& name : names) CHECK_MESSAGE(fixtures::text_of(parted.results / name) == fixtures::text_of(whole.results / name), name);
 }
 
-TEST_CASE("checkpoint: where there is none, that is said") {
+TEST_CASE("checkpoint: a missing one is reported") {
   const Scene scene;
   CHECK(scene.complaint(scene.setup()) == "there is no checkpoint " + scene.file.string() + ", so there is nothing to resume; run without --resume.");
 }
 
-TEST_CASE("checkpoint: one of another version is refused") {
+TEST_CASE("checkpoint: a checkpoint of another version is refused") {
   const Scene scene;
   std::filesystem::create_directories(scene.results);
   checkpoint::ArraysWriter file(scene.file);
   file.word("program", "perimpact 0.0.1");
   file.finish();
-  CHECK(scene.complaint(scene.setup()) == scene.file.string() + " was written by perimpact 0.0.1, but this is perimpact " PERIMPACT_VERSION
-                                                                ", whose numbers may differ; resume with the version that began, or start "
-                                                                "anew without --resume.");
+  CHECK(scene.complaint(scene.setup()) == scene.file.string() +
+                                              " was written by perimpact 0.0.1, but this is perimpact " PERIMPACT_VERSION
+                                              ", whose results may differ; resume with the original version, or start a new run without --resume.");
 }
 
-TEST_CASE("checkpoint: one of another deck is refused with the first key that differs and both values, but folder and interval may") {
+TEST_CASE("checkpoint: a checkpoint of another deck is refused with the first differing key and both values, but folder and interval may differ") {
   const Scene scene;
   scene.run_to(3);
   std::string key;
   CHECK(scene.complaint(scene.setup({"impactors.block.mass=2", "output.frames=4"}), &key) ==
         "impactors.block.mass is 2 here, but 1 in the run of the checkpoint " + scene.file.string() +
-            "; resume with the same deck, or start anew without --resume.");
+            "; resume with the same deck, or start a new run without --resume.");
   CHECK(key == "impactors.block.mass");
   CHECK(scene.complaint(scene.setup({"bodies.plate.horizon_ratio=4"}), &key).find("is 4 here, but 3.015 in the run") != std::string::npos);
   CHECK(scene.complaint(scene.setup({"output.probes.tip={body: plate, at: [0, 0, 0]}"}), &key).find("but not given in the run") != std::string::npos);
   CHECK(key == "output.probes.tip");
-  CHECK(scene.complaint(scene.setup({"output.folder=elsewhere", "output.checkpoint_every=7 s"})).empty());
+  CHECK(scene.complaint(scene.setup({"output.folder=elsewhere", "output.checkpoint_interval=7 s"})).empty());
 }
 
-TEST_CASE("checkpoint: a surface file that says something else now is seen, and one that lies elsewhere is not") {
+TEST_CASE("checkpoint: a changed surface file is detected, and a moved one is accepted") {
   const Scene scene;
   scene.run_to(3);
   fixtures::put(scene.folder / "block.obj", block(0.0201));  // as many panels, the same mass, motion and distance
-  CHECK(scene.complaint(scene.setup()).find("a file that the deck names has changed since") != std::string::npos);
+  CHECK(scene.complaint(scene.setup()).find("a file that the deck refers to has changed") != std::string::npos);
   fixtures::put(scene.folder / "moved/block.obj", block(0.02));
   CHECK(scene.complaint(scene.setup({"impactors.block.surface.file=moved/block.obj"})).empty());
 }
 
-TEST_CASE("checkpoint: so is a file that changes nothing at the start, but may later") {
+TEST_CASE("checkpoint: a changed file is detected even without effect on the initial state") {
   const Scene scene;
   scene.run_to(3);
-  append(scene.folder / "block.obj", "# a comment\n");  // stands for a region that nothing has used yet
-  CHECK(scene.complaint(scene.setup()).find("a file that the deck names has changed since") != std::string::npos);
+  append(scene.folder / "block.obj", "# a comment\n");  // stands for contact bounds that are not yet in use
+  CHECK(scene.complaint(scene.setup()).find("a file that the deck refers to has changed") != std::string::npos);
 }
 
-TEST_CASE("checkpoint: tables that hold less than they did are refused before anything is changed") {
-  for (const char* name : {"history.csv", "pressure_area/block.csv", "pieces/plate.csv"}) {
+TEST_CASE("checkpoint: shortened tables are refused before anything is changed") {
+  for (const char* name : {"history.csv", "pressure_area/block.csv", "fragments/plate.csv"}) {
     const Scene scene;
     scene.run_to(9);
     const auto table = scene.results / name;
@@ -175,19 +175,18 @@ TEST_CASE("checkpoint: tables that hold less than they did are refused before an
     append(scene.results / "history.csv", "later");
     fixtures::put(table, text.substr(0, text.size() - 1));
     const std::string history = fixtures::text_of(scene.results / "history.csv");
-    CHECK(scene.complaint(scene.setup()) == table.string() +
-                                                " holds less than when the checkpoint was written, so the run cannot go on with it; put it back, or start anew "
-                                                "without --resume.");
+    CHECK(scene.complaint(scene.setup()) ==
+          table.string() + " is shorter than when the checkpoint was written, so the run cannot be resumed; restore it, or start a new run without --resume.");
     CHECK(fixtures::text_of(scene.results / "history.csv") == history);
     std::filesystem::remove(table);
-    CHECK(scene.complaint(scene.setup()).find("is not there, so the run cannot go on") != std::string::npos);
+    CHECK(scene.complaint(scene.setup()).find("is missing, so the run cannot be resumed") != std::string::npos);
   }
 }
 
-TEST_CASE("checkpoint: one is written when its time has come, and with interval 0 only when asked for") {
+TEST_CASE("checkpoint: one is written after each interval, and with interval 0 only on request") {
   const Scene scene;
   for (const char* every : {"0", "1 h", "1e-9 s"}) {
-    Simulation simulation(scene.setup({std::string("output.checkpoint_every=") + every}));
+    Simulation simulation(scene.setup({std::string("output.checkpoint_interval=") + every}));
     Checkpoints checkpoints(scene.file, simulation);
     ResultsWriter writer(simulation, scene.results);
     simulation.step();

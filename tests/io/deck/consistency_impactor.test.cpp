@@ -16,7 +16,7 @@ using fixtures::read;
 namespace {
 
 /// The plate deck with more keys for the cylinder, which is free along y.
-std::string with(const std::string& keys) { return plate_with("    free:", "    " + keys + "\n    free:"); }
+std::string with(const std::string& keys) { return plate_with("    free_dofs:", "    " + keys + "\n    free_dofs:"); }
 
 void check_refused(const std::string& keys, std::string_view at, const std::string& sentence) {
   const std::string text = with(keys);
@@ -25,13 +25,13 @@ void check_refused(const std::string& keys, std::string_view at, const std::stri
 
 }  // namespace
 
-TEST_CASE("consistency of impactors: a mass or a density, exactly one") {
+TEST_CASE("consistency of impactors: exactly one of mass and density") {
   CHECK(*read(plate_with("mass: 1.57", "density: 8 g/cm3")).setup.impactors[0].density == 8000);
-  check_refused("density: 8000", "8000\n    free", "density is given beside mass, but one of them sets the other; keep one of the two.");
-  check_complaint({"    mass: 1.57\n", "", "cylinder:", "impactors.cylinder lacks mass [kg], or in its place density [kg/m3]; for example mass: 1.57 kg."});
+  check_refused("density: 8000", "8000\n    free", "density is given together with mass; keep one of the two.");
+  check_complaint({"    mass: 1.57\n", "", "cylinder:", "impactors.cylinder lacks mass [kg] or density [kg/m3]; for example mass: 1.57 kg."});
 }
 
-TEST_CASE("consistency of impactors: motion is read with its units, each degree of freedom apart") {
+TEST_CASE("consistency of impactors: motion is read with units for each degree of freedom") {
   const ImpactorSetup impactor =
       read(with("motion: {x: {times: [0, 1 ms], velocities: [0, 7.2 km/h]}, rz: {times: [0, 1], displacements: [0, 90 deg]}}")).setup.impactors[0];
   CHECK(impactor.motion.x->velocities[1] == fixtures::relative(2, 1e-15));
@@ -42,34 +42,35 @@ TEST_CASE("consistency of impactors: motion is read with its units, each degree 
   CHECK(impactor.motion.of(5)->velocities.empty());
 }
 
-TEST_CASE("consistency of impactors: a table has times, with velocities or displacements, one for each, in order") {
+TEST_CASE("consistency of impactors: a table has increasing times and as many velocities or displacements") {
   check_refused("motion: {x: {times: [0, 1]}}", "x: {times", "impactors.cylinder.motion.x needs times with velocities or displacements, or a file.");
   check_refused("motion: {x: {times: [0, 1], velocities: [0, 1], displacements: [0, 2]}}", "[0, 2]",
-                "displacements is given beside velocities, but one of them sets the other; keep one of the two.");
+                "displacements is given together with velocities, which determine it; keep one of the two.");
   check_refused("motion: {x: {times: [0, 1], velocities: [0, 1, 2]}}", "[0, 1, 2]", "velocities has 3 values for 2 times; give one for each time.");
-  check_refused("motion: {x: {times: [0, 3, 2], displacements: [0, 1, 2]}}", "[0, 3, 2]", "times holds 2 s after 3 s, but times must increase.");
+  check_refused("motion: {x: {times: [0, 3, 2], displacements: [0, 1, 2]}}", "[0, 3, 2]", "times contains 2 s after 3 s, but times must increase.");
   check_refused("motion: {u: {times: [0], velocities: [1]}}", "u: {times", "u is not a key of impactors.cylinder.motion; did you mean x?");
 }
 
-TEST_CASE("consistency of impactors: tables move what is held and has no other velocity") {
+TEST_CASE("consistency of impactors: motion applies to constrained degrees of freedom without another velocity") {
   check_refused("motion: {y: {times: [0], velocities: [1]}}", "y: {times",
-                "y is free, so contact and loads move it, and no table can; take y out of free, or remove its motion.");
-  const std::string text = plate_with("free: [y]", "motion: {y: {times: [0], velocities: [1]}}");
-  CHECK(complaint(text) == place_of(text, "[0, -32, 0]") + ": y of velocity is not 0, but motion.y says how it moves; write 0, or remove that motion.");
+                "y is free, so its motion cannot be prescribed; remove y from free_dofs, or remove its motion.");
+  const std::string text = plate_with("free_dofs: [y]", "motion: {y: {times: [0], velocities: [1]}}");
+  CHECK(complaint(text) ==
+        place_of(text, "[0, -32, 0]") + ": y of velocity is not 0, but motion.y prescribes this degree of freedom; set it to 0, or remove that motion.");
   check_refused("angular_velocity: [0, 0, 3]\n    motion: {rz: {times: [0], velocities: [1]}}", "[0, 0, 3]",
-                "z of angular_velocity is not 0, but motion.rz says how it moves; write 0, or remove that motion.");
+                "z of angular_velocity is not 0, but motion.rz prescribes this degree of freedom; set it to 0, or remove that motion.");
 }
 
-TEST_CASE("consistency of impactors: an angle against time needs the only turning axis") {
+TEST_CASE("consistency of impactors: an angle against time requires a single axis of rotation") {
   const std::string rz = "rz: {times: [0, 1], displacements: [0, 2]}";
   CHECK(complaint(with("motion: {" + rz + "}")) == "");
   const auto sentence = [](const std::string& why) {
-    return "displacements of rz say where the impactor is only while it turns about no other axis, because rotations do not commute, but " + why +
-           "; hold the other rotations, or give velocities.";
+    return "displacements of rz define the attitude only if the impactor rotates about no other axis, because rotations do not commute, but " + why +
+           "; constrain the other rotations, or give velocities.";
   };
-  check_refused("motion: {" + rz + ", rx: {times: [0], velocities: [1]}}", "[0, 2]", sentence("motion.rx turns it about another axis"));
-  check_refused("angular_velocity: [0, 3, 0]\n    motion: {" + rz + "}", "[0, 2]", sentence("angular_velocity turns it about y too"));
-  const std::string text = plate_with("free: [y]", "free: [rx]\n    motion: {" + rz + "}");
+  check_refused("motion: {" + rz + ", rx: {times: [0], velocities: [1]}}", "[0, 2]", sentence("motion.rx rotates it about another axis"));
+  check_refused("angular_velocity: [0, 3, 0]\n    motion: {" + rz + "}", "[0, 2]", sentence("angular_velocity rotates it about y too"));
+  const std::string text = plate_with("free_dofs: [y]", "free_dofs: [rx]\n    motion: {" + rz + "}");
   CHECK(complaint(text) == place_of(text, "[0, 2]}") + ": " + sentence("rx is free"));
 }
 
@@ -82,20 +83,21 @@ TEST_CASE("consistency of impactors: loads have a force or a moment, and factors
   check_refused("loads: {tow: {point: [1, 0, 0]}}",
                 "tow:", "impactors.cylinder.loads.tow has neither a force [N] nor a moment [N m]; give one, or remove the load.");
   check_refused("loads: {tow: {force: [1, 0, 0], times: [0, 1]}}", "[0, 1]}", "factors has 0 values for 2 times; give one for each time.");
-  check_refused("loads: {tow: {force: [1, 0, 0], times: [1, 0], factors: [1, 1]}}", "[1, 0]", "times holds 0 s after 1 s, but times must increase.");
+  check_refused("loads: {tow: {force: [1, 0, 0], times: [1, 0], factors: [1, 1]}}", "[1, 0]", "times contains 0 s after 1 s, but times must increase.");
   check_refused("loads: {tow: {force: [1 m, 0, 0]}}", "1 m", "x of force is \"1 m\", but that is a length; write a force, for example 5 kN.");
 }
 
-TEST_CASE("consistency of impactors: gauges have a direction for their axis, and parts only where there are panels") {
-  const std::string gauge = "gauges: {root: {parts: [side], point: [0, 1, 0], axis: [0, 0, 2]}}";
-  CHECK(read(with(gauge)).setup.impactors[0].gauges[0].parts == std::vector<std::string>{"side"});
-  check_refused("gauges: {root: {axis: [0, 0, 0]}}", "[0, 0, 0]", "axis is [0, 0, 0], which has no direction; write one, for example [0, 0, 1].");
+TEST_CASE("consistency of impactors: the axis of a gauge is not zero, and parts require panels") {
+  const std::string gauge = "gauges: {root: {surface_parts: [side], point: [0, 1, 0], axis: [0, 0, 2]}}";
+  CHECK(read(with(gauge)).setup.impactors[0].gauges[0].surface_parts == std::vector<std::string>{"side"});
+  check_refused("gauges: {root: {axis: [0, 0, 0]}}", "[0, 0, 0]", "axis is [0, 0, 0], which has no direction; give one, for example [0, 0, 1].");
   std::string text = with(gauge);
   text.replace(text.find("swept"), 5, "analytic");
-  CHECK(complaint(text) == place_of(text, "[side]") + ": parts is given, but the analytic detector knows no panels; remove parts, or write detector: swept.");
+  CHECK(complaint(text) ==
+        place_of(text, "[side]") + ": surface_parts is given, but the analytic detector has no panels; remove surface_parts, or set detector: swept.");
 }
 
-TEST_CASE("consistency of impactors: a file holds a table of motion with its units, and is looked for from the deck's folder") {
+TEST_CASE("consistency of impactors: a motion table is read from a file with units, relative to the deck's folder") {
   const fixtures::TemporaryFolder folder;
   const auto file = [&](const std::string& contents) { std::ofstream(folder.path() / "heave.csv", std::ios::binary) << contents; };
   const auto read_there = [&](const std::string& text) { return deck::read_deck_text(text, "deck.yaml", folder.path()); };
@@ -125,49 +127,48 @@ TEST_CASE("consistency of impactors: a file holds a table of motion with its uni
     CHECK(complaint_of(text) == name + sentence);
   };
   says("0, 0\n1, 2\n", ":1: the first line is \"0, 0\", but it must name the two columns: \"time [s], velocity [m/s]\" or \"time [s], displacement [m]\".");
-  says("time [s], velocity [m/s]\n0, 0\n1; 2\n", ":3: \"1; 2\" is not two numbers with a comma between; mend the row.");
-  says("time [s], velocity [m/s]\n0, 0, 1\n", ":2: \"0, 0, 1\" is not two numbers with a comma between; mend the row.");
-  says("time [s], velocity [m/s]\n0, nan\n", ":2: \"0, nan\" is not two numbers with a comma between; mend the row.");
+  says("time [s], velocity [m/s]\n0, 0\n1; 2\n", ":3: \"1; 2\" is not two comma-separated numbers; correct the row.");
+  says("time [s], velocity [m/s]\n0, 0, 1\n", ":2: \"0, 0, 1\" is not two comma-separated numbers; correct the row.");
+  says("time [s], velocity [m/s]\n0, nan\n", ":2: \"0, nan\" is not two comma-separated numbers; correct the row.");
   says("time [s], velocity [m/s]\n0, 0\n0, 1\n", ":3: the time 0 s follows 0 s, but times must increase.");
-  says("time [s], velocity [m/s]\n", ":1: there is no row of numbers below the first line; write the file again.");
+  says("time [s], velocity [m/s]\n", ":1: there are no rows of numbers below the header line; add them.");
   says("", ":1: the first line is \"\", but it must name the two columns: \"time [s], velocity [m/s]\" or \"time [s], displacement [m]\".");
   file("time [s], velocity [m/s]\n0, 0\n");
   const std::string beside = with("motion: {x: {file: heave.csv, times: [0, 7]}}");
-  CHECK(complaint_of(beside) == place_of(beside, "[0, 7]") + ": times is given beside file, which holds times and values; keep one of the two.");
+  CHECK(complaint_of(beside) == place_of(beside, "[0, 7]") + ": times is given together with file, which contains times and values; keep one of the two.");
 }
 
-TEST_CASE("consistency of impactors: panels are made smaller and larger as the deck says, with units") {
-  const ImpactorSetup impactor =
-      read(with("coarsen: {distance: 1 mm}\n    refine: {rim: {panel: 0.5 mm, box: {size: [1, 2, 3], centre: [0, 1 cm, 0]}, part: side}, "
-                "round: {panel: 2 mm, angle: 10 deg}}"))
-          .setup.impactors[0];
-  CHECK(impactor.coarsen->distance == 1e-3);
-  CHECK(!impactor.coarsen->panel);
+TEST_CASE("consistency of impactors: refinement and coarsening are read with units") {
+  const ImpactorSetup impactor = read(with("coarsen: {max_deviation: 1 mm}\n    refine: {rim: {edge_length: 0.5 mm, box: {size: [1, 2, 3], centre: [0, 1 cm, "
+                                           "0]}, surface_part: side}, round: {edge_length: 2 mm, angle: 10 deg}}"))
+                                     .setup.impactors[0];
+  CHECK(impactor.coarsen->max_deviation == 1e-3);
+  CHECK(!impactor.coarsen->max_edge_length);
   REQUIRE(impactor.refine.size() == 2);
   CHECK(impactor.refine[0].name == "rim");
-  CHECK(impactor.refine[0].panel == 0.5e-3);
+  CHECK(impactor.refine[0].edge_length == 0.5e-3);
   CHECK(impactor.refine[0].box->centre == Vec3d{0, 0.01, 0});
-  CHECK(impactor.refine[0].part == "side");
+  CHECK(impactor.refine[0].surface_part == "side");
   CHECK(!impactor.refine[0].angle);
   CHECK(*impactor.refine[1].angle == fixtures::relative(0.17453292519943295, 1e-15));
   CHECK(!impactor.refine[1].box);
 }
 
-TEST_CASE("consistency of impactors: an angle of panels is less than half a turn, and written with its unit") {
+TEST_CASE("consistency of impactors: the angle of a refinement is below half a turn, and has a unit") {
   check_refused(
-      "refine: {round: {panel: 1 mm, angle: 10}}", "10}}",
-      "angle is 10, but it must be above 0 and below 3.141592653589793. An angle such as 10 deg: only where the surface curves, panels become so small "
-      "that they turn by it at most, but not smaller than panel; at creases they are that small. Where absent, curved or not.");
+      "refine: {round: {edge_length: 1 mm, angle: 10}}", "10}}",
+      "angle is 10, but it must be above 0 and below 3.141592653589793. Restricts refinement to curved areas: panels are refined until they turn by at most "
+      "this angle, for example 10 deg, but not below edge_length; creases are refined to edge_length. Where absent, flat areas are refined too.");
 }
 
-TEST_CASE("consistency of impactors: panels are changed only where the detector knows any") {
+TEST_CASE("consistency of impactors: refinement and coarsening require a detector with panels") {
   const std::string text = fixtures::plate_with("detector: swept", "detector: analytic");
   const auto check = [&](const std::string& key, const std::string& value) {
     std::string deck = text;
-    deck.replace(deck.find("    free:"), 9, "    " + key + ": " + value + "\n    free:");
+    deck.replace(deck.find("    free_dofs:"), 14, "    " + key + ": " + value + "\n    free_dofs:");
     CHECK(complaint(deck) ==
-          place_of(deck, key + ":") + ": " + key + " is given, but the analytic detector knows no panels; remove " + key + ", or write detector: swept.");
+          place_of(deck, key + ":") + ": " + key + " is given, but the analytic detector has no panels; remove " + key + ", or set detector: swept.");
   };
-  check("refine", "{rim: {panel: 1 mm}}");
-  check("coarsen", "{distance: 1 mm}");
+  check("refine", "{rim: {edge_length: 1 mm}}");
+  check("coarsen", "{max_deviation: 1 mm}");
 }

@@ -6,9 +6,9 @@ using namespace perimpact;
 using fixtures::complaint;
 using fixtures::read;
 
-TEST_CASE("deck: the example of the guide reads into the Setup it describes") {
+TEST_CASE("deck: the plate example is read into the expected Setup") {
   const Setup setup = read(fixtures::plate).setup;
-  CHECK(setup.title == "Rigid cylinder strikes the edge of a plate (seed paper, section 5)");
+  CHECK(setup.title == "Rigid cylinder impacts the edge of a plate (Zhang et al., section 5)");
   CHECK(setup.time.end == 200e-6);
   CHECK(setup.time.step == 1e-7);
 
@@ -31,25 +31,25 @@ TEST_CASE("deck: the example of the guide reads into the Setup it describes") {
   CHECK(surface.diameter == 0.05);
   CHECK(surface.height == 0.025);
   CHECK(surface.axis.word() == "z");
-  CHECK(surface.panel == 0.001);
+  CHECK(surface.edge_length == 0.001);
   CHECK(cylinder.mass == 1.57);
   CHECK(cylinder.position == Vec3d{0, 0.075, 0});
   CHECK(cylinder.velocity == Vec3d{0, -32, 0});
-  CHECK(cylinder.free == std::vector<std::string>{"y"});
-  CHECK(std::get<BoxRegionSetup>(cylinder.region.shape).size == Vec3d{0.05, 0.05, 0.01});
-  CHECK(cylinder.region.outside.as<BeyondRegion>() == BeyondRegion::clip);
+  CHECK(cylinder.free_dofs == std::vector<std::string>{"y"});
+  CHECK(std::get<BoxRegionSetup>(cylinder.contact_bounds.shape).size == Vec3d{0.05, 0.05, 0.01});
+  CHECK(cylinder.contact_bounds.on_exceed.as<BeyondBounds>() == BeyondBounds::clip);
 
   CHECK(setup.contact.impactors.detector.as<DetectorKind>() == DetectorKind::swept);
   CHECK(setup.contact.impactors.radius_ratio == 0.5);
   CHECK(setup.output.folder == "results");
   CHECK(setup.output.frames == 40);
-  CHECK(setup.output.history == 1e-6);
+  CHECK(setup.output.history_interval == 1e-6);
   REQUIRE(setup.output.probes.size() == 1);
   CHECK(setup.output.probes[0].name == "centre");
   CHECK(setup.output.probes[0].body == "plate");
 }
 
-TEST_CASE("deck: bodies and impactors keep the order in which they are written") {
+TEST_CASE("deck: bodies and impactors keep their order") {
   const Setup setup = read(fixtures::plate_with("bodies:\n",
                                                 "bodies:\n  zebra: {shape: {box: {size: [1, 1, 1]}}, spacing: 0.5, material: {model: ordinary-state, "
                                                 "youngs_modulus: 1 GPa, density: 900}}\n"))
@@ -59,7 +59,7 @@ TEST_CASE("deck: bodies and impactors keep the order in which they are written")
   CHECK(setup.bodies[1].name == "plate");
 }
 
-TEST_CASE("deck: a file is read with its name in messages, and what is no file is refused") {
+TEST_CASE("deck: messages name the file, and folders and missing files are refused") {
   const std::filesystem::path folder = std::filesystem::path(PROJECT_FOLDER) / "tests/io/deck";
   const auto complaint_of_file = [](const std::filesystem::path& file) {
     try {
@@ -70,19 +70,19 @@ TEST_CASE("deck: a file is read with its name in messages, and what is no file i
     return std::string();
   };
   CHECK(complaint_of_file(folder / "no.yaml") == (folder / "no.yaml").string() + ": there is no such file; check the path of the deck.");
-  CHECK(complaint_of_file(folder) == folder.string() + ": this is a folder; name the deck in it, for example " + (folder / "deck.yaml").string() + ".");
+  CHECK(complaint_of_file(folder) == folder.string() + ": this is a folder; give the deck in it, for example " + (folder / "deck.yaml").string() + ".");
   // any text file that is no deck
   CHECK(complaint_of_file(folder / "fixtures.hpp").starts_with((folder / "fixtures.hpp").string() + ":"));
 }
 
-TEST_CASE("places: a value knows where it was written, an absent one where its map is") {
+TEST_CASE("places: a value has its position, an absent one that of its map") {
   const deck::Places places = read(fixtures::plate).places;
   CHECK(places.of("time.step") == fixtures::place_of(fixtures::plate, "0.1 us"));
   CHECK(places.of("bodies.plate.material.density") == fixtures::place_of(fixtures::plate, "8000"));
   CHECK(places.of("bodies.plate") == fixtures::place_of(fixtures::plate, "plate:"));
   CHECK(places.of("bodies.plate.position") == places.of("bodies.plate"));
-  CHECK(places.of("impactors.cylinder.surface.cylinder.panels") == fixtures::place_of(fixtures::plate, "cylinder: {diameter"));
-  CHECK(places.of("impactors.cylinder.region") == fixtures::place_of(fixtures::plate, "region:"));
+  CHECK(places.of("impactors.cylinder.surface.cylinder.panel_shape") == fixtures::place_of(fixtures::plate, "cylinder: {diameter"));
+  CHECK(places.of("impactors.cylinder.contact_bounds") == fixtures::place_of(fixtures::plate, "contact_bounds:"));
   CHECK(places.of("output.probes.centre.at") == fixtures::place_of(fixtures::plate, "[0,0,0]"));
   CHECK(places.of("nowhere") == "deck.yaml");
   CHECK(places.has("time.step"));

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "io/deck/reference.hpp"
 
 using perimpact::deck::describe;
@@ -35,40 +35,34 @@ TEST_CASE("describe: a key is found by its whole path, with any name or none, an
     CHECK_MESSAGE(describe(path) == poissons_ratio, path);
 }
 
-TEST_CASE("describe: a map is told with all below it") {
-  CHECK(describe("time") ==
-        "time: map, required\n"
-        "    How long the run is and in which steps.\n"
-        "  end: number [s], above 0, required\n"
-        "      Time at which the run ends.\n"
-        "  step: number [s], above 0, optional\n"
-        "      Time step. Where absent, 0.9 times the stable estimate of Silling and Askari over all bodies.\n"
-        "  relax: map, optional\n"
-        "      Relaxes the bodies from one state of equilibrium to the next, instead of following their motion.\n"
-        "    increments: whole number, from 1 to 1000000, default 1\n"
-        "        Number of states of equilibrium, evenly spread to the end of the run. At each, courses and loads are as at its time.\n"
-        "    tolerance: number, above 0 and below 1, default 1e-06\n"
-        "        An increment is done when the forces that are out of balance are less than this share of the applied ones and those that hold.\n"
-        "    most_iterations: whole number, from 1 to 1000000000, default 100000\n"
-        "        An increment that takes more iterations ends the run.\n");
+TEST_CASE("describe: a map is listed with all its keys") {
+  CHECK(
+      describe("time") ==
+      "time: map, required\n    Duration of the run and time step.\n  end: number [s], above 0, required\n      Time at which the run ends.\n  step: number "
+      "[s], above 0, optional\n      Time step. Where absent, 0.9 times the stable time step estimated after Silling and Askari, the smallest over all "
+      "bodies.\n  relax: map, optional\n      Quasi-static analysis: adaptive dynamic relaxation from one equilibrium state to the next, instead of "
+      "dynamics.\n    increments: whole number, from 1 to 1000000, default 1\n        Number of increments, each an equilibrium state, equally spaced in time "
+      "up to the end of the run. Boundary conditions and loads are those of its time.\n    tolerance: number, above 0 and below 1, default 1e-06\n        "
+      "Convergence tolerance: an increment has converged when the residual forces are below this share of applied forces and reactions.\n    max_iterations: "
+      "whole number, from 1 to 1000000000, default 100000\n        Maximum number of iterations of an increment; beyond it the run ends with an error.\n");
   CHECK(describe("impactors").starts_with("impactors: map, optional\n  <name>: map\n"));  // not contact.impactors
   CHECK(describe("bodies.plate") == describe("bodies.<name>"));
   CHECK(describe("bodies.spacing").starts_with("bodies.<name>.spacing: number [m]"));  // a key, not a body of that name
   CHECK(describe("surface").find("one of cylinder, sphere, box, hull, propeller, file") != std::string::npos);
 }
 
-TEST_CASE("describe: a key that stands in several places is told for each") {
+TEST_CASE("describe: a key in several maps is listed for each") {
   const std::string text = describe("diameter");
   CHECK(text.find("impactors.<name>.surface.cylinder.diameter: ") != std::string::npos);
   CHECK(text.find("impactors.<name>.surface.sphere.diameter: ") != std::string::npos);
 }
 
-TEST_CASE("describe: nothing asked is everything told") {
+TEST_CASE("describe: without a path all keys are listed") {
   const std::string all = describe("");
   for (const auto& entry : perimpact::deck::reference()) CHECK_MESSAGE(all.find(std::string(entry.key()) + ": ") != std::string::npos, entry.path);
 }
 
-TEST_CASE("describe: an unknown key gets a suggestion") {
+TEST_CASE("describe: an unknown key yields a suggestion") {
   CHECK(complaint("bodies.poisson_ratio") == "bodies.poisson_ratio: a deck has no such key; did you mean poissons_ratio?");
   CHECK(complaint("colour") == "colour: a deck has no such key; perimpact describe lists all.");
   CHECK(complaint("..") != "");
@@ -81,6 +75,6 @@ TEST_CASE("describe: the deck reference of the guide is up to date (perimpact de
   CHECK(is_up_to_date);
 }
 
-TEST_CASE("reference: every key has a sentence, but for maps whose name says all") {
+TEST_CASE("reference: every key except maps has a sentence") {
   for (const auto& entry : perimpact::deck::reference()) CHECK_MESSAGE((entry.is_map || !entry.sentence.empty()), entry.path);
 }

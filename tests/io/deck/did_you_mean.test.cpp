@@ -4,7 +4,7 @@
 
 using namespace perimpact::deck;
 
-TEST_CASE("did you mean: one letter too many, too few, another or exchanged is one edit; case and dashes are none") {
+TEST_CASE("did you mean: an inserted, deleted, replaced or transposed letter is one edit; case and dashes are ignored") {
   CHECK(edits_between("spacing", "spacing") == 0);
   CHECK(edits_between("spaccing", "spacing") == 1);
   CHECK(edits_between("spacin", "spacing") == 1);
@@ -15,7 +15,7 @@ TEST_CASE("did you mean: one letter too many, too few, another or exchanged is o
   CHECK(edits_between("kitten", "sitting") == 3);
 }
 
-TEST_CASE("did you mean: a near word is suggested, a far one is not") {
+TEST_CASE("did you mean: a similar word is suggested, a dissimilar one is not") {
   const std::vector<std::string> keys = {"spacing", "horizon_ratio", "poissons_ratio", "position", "free"};
   CHECK(nearest_word("poisson_ratio", keys) == "poissons_ratio");
   CHECK(nearest_word("Spacing", keys) == "spacing");

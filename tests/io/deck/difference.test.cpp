@@ -19,7 +19,7 @@ std::string difference(const std::vector<std::string>& before, const std::vector
 
 }  // namespace
 
-TEST_CASE("difference: the first key whose value is another is named with both values") {
+TEST_CASE("difference: the first differing key is reported with both values") {
   CHECK(difference({}, {}).empty());
   CHECK(difference({"bodies.plate.spacing=1 mm"}, {"bodies.plate.spacing=0.001"}).empty());  // what counts is the value, not how it is written
   CHECK(difference({}, {"bodies.plate.material.poissons_ratio=0.3"}) == "bodies.plate.material.poissons_ratio: 0.25 -> 0.3");
@@ -27,13 +27,13 @@ TEST_CASE("difference: the first key whose value is another is named with both v
   CHECK(difference({}, {"output.frames=9", "time.end=1 ms"}) == "time.end: 0.0002 -> 0.001");
 }
 
-TEST_CASE("difference: a key that only one of the two has is one") {
+TEST_CASE("difference: a key present in only one deck is a difference") {
   CHECK(difference({}, {"bodies.plate.material.critical_stretch=0.01"}) == "bodies.plate.material.critical_stretch:  -> 0.01");
   CHECK(difference({"bodies.plate.material.critical_stretch=0.01"}, {}) == "bodies.plate.material.critical_stretch: 0.01 -> ");
   CHECK(difference({"impactors.cylinder.gauges.hub={}"}, {}) == "impactors.cylinder.gauges.hub: a map -> ");
 }
 
-TEST_CASE("difference: keys that may differ do not count, and long lists are cut") {
+TEST_CASE("difference: exempt keys are ignored, and long lists are cut") {
   CHECK(difference({}, {"output.folder=elsewhere"}).empty());
   std::string times = "[0";
   for (int k = 1; k < 50; ++k) times += ", " + std::to_string(k);

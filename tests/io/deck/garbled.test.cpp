@@ -30,7 +30,7 @@ std::string garbled(std::string text, std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_CASE("garbled: two thousand damaged decks are either read or refused with a place, never a crash or another exception") {
+TEST_CASE("garbled: two thousand damaged decks are either read or refused with a position, without a crash or another exception") {
   std::mt19937_64 random(1);
   int refused = 0;
   for (int trial = 0; trial < 2000; ++trial) {

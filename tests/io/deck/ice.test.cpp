@@ -21,46 +21,46 @@ ElasticSetup read(const std::string& material) { return fixtures::read(with_mate
 
 TEST_CASE("ice: temperature and salinity give modulus and flexural strength") {
   const ElasticSetup ice = read("{model: bond-based, density: 910, ice: {temperature: -5, salinity: 5}}");
-  // the values of tests/perimpact/material/ice.test.cpp
+  // the values of tests/perimpact/materials/ice/ice.test.cpp
   CHECK(*ice.youngs_modulus == fixtures::relative(7.18024e9, 1e-5));
   CHECK(*ice.flexural_strength == fixtures::relative(0.46137e6, 1e-4));
   CHECK_FALSE(ice.layers);
 }
 
-TEST_CASE("ice: kelvin, degrees Fahrenheit and parts in a thousand are understood") {
+TEST_CASE("ice: kelvin, degrees Fahrenheit and parts per thousand are converted") {
   const ElasticSetup ice = read("{model: bond-based, density: 910, ice: {temperature: 23 degF, salinity: 5 g/kg}}");
   CHECK(*ice.ice->temperature == fixtures::relative(-5, 1e-12));
   CHECK(*read("{model: bond-based, density: 910, ice: {temperature: 268.15 K, salinity: 5}}").ice->temperature == fixtures::relative(-5, 1e-12));
   CHECK(*ice.youngs_modulus == fixtures::relative(7.18024e9, 1e-5));
 }
 
-TEST_CASE("ice: what the deck states itself is kept") {
+TEST_CASE("ice: values given in the deck take precedence") {
   const ElasticSetup ice = read("{model: bond-based, density: 910, youngs_modulus: 1.8 GPa, flexural_strength: 0.7 MPa, ice: {brine_volume: 0.05}}");
   CHECK(*ice.youngs_modulus == 1.8e9);
   CHECK(*ice.flexural_strength == 0.7e6);
   CHECK_FALSE(read("{model: bond-based, density: 910, critical_stretch: 0.001, ice: {brine_volume: 0.05}}").flexural_strength);
 }
 
-TEST_CASE("ice: the thickness counts the layers that bend") {
+TEST_CASE("ice: the thickness determines the layers in bending") {
   CHECK(*read("{model: bond-based, density: 910, ice: {brine_volume: 0.05, thickness: 9 mm}}").layers == 9);  // of 1 mm
 }
 
-TEST_CASE("ice: half a statement, too much of it, and ice without strength are refused") {
+TEST_CASE("ice: incomplete or redundant properties and ice without strength are refused") {
   const auto complaint = [](const std::string& material) { return fixtures::complaint(with_material(material)); };
   const auto says = [&](const std::string& material, const char* words) {
     CAPTURE(complaint(material));
     CHECK(complaint(material).find(words) != std::string::npos);
   };
   says("{model: bond-based, density: 910}", "youngs_modulus is missing; give it, or ice");
-  says("{model: bond-based, density: 910, ice: {temperature: -5}}", "either its brine_volume or both its temperature and its salinity");
-  says("{model: bond-based, density: 910, ice: {temperature: -5, salinity: 5, brine_volume: 0.05}}", "either its brine_volume or both");
+  says("{model: bond-based, density: 910, ice: {temperature: -5}}", "either brine_volume or both temperature and salinity");
+  says("{model: bond-based, density: 910, ice: {temperature: -5, salinity: 5, brine_volume: 0.05}}", "either brine_volume or both");
   says("{model: bond-based, density: 910, ice: {temperature: -0.5, salinity: 5}}", "has a brine volume of 0.495");
   says("{model: bond-based, density: 910, ice: {temperature: 2, salinity: 5}}", "temperature");
   says("{model: bond-based, density: 910, layers: 4, ice: {brine_volume: 0.05, thickness: 9 mm}}", "layers is 4, but ice 0.009 m thick has 9 layers");
-  says("{model: bond-based, density: 910, critical_stretch: 0.1, ice: {brine_volume: 0.05, thickness: 9 mm}}", "without flexural_strength");
+  says("{model: bond-based, density: 910, critical_stretch: 0.1, ice: {brine_volume: 0.05, thickness: 9 mm}}", "applies to flexural_strength only");
 }
 
-TEST_CASE("bending_calibration: refused where no layers of bonds bend") {
+TEST_CASE("bending_calibration: refused without layers of bonds in bending") {
   const auto says = [&](const char* old_text, const char* new_text, const char* words) {
     const std::string complaint = fixtures::complaint(fixtures::plate_with(old_text, new_text));
     CAPTURE(complaint);

@@ -83,19 +83,19 @@ void check_same(const Setup& a, const Setup& b) {
     CHECK(a.bodies[i].name == b.bodies[i].name);
     check_fields(a.bodies[i], b.bodies[i]);
     check_alternative(a.bodies[i].shape, b.bodies[i].shape);
-    check_solids(a.bodies[i].parts, b.bodies[i].parts);
+    check_solids(a.bodies[i].add, b.bodies[i].add);
     check_solids(a.bodies[i].holes, b.bodies[i].holes);
-    check_solids(a.bodies[i].regions, b.bodies[i].regions);
+    check_solids(a.bodies[i].particle_sets, b.bodies[i].particle_sets);
     REQUIRE(a.bodies[i].cracks.size() == b.bodies[i].cracks.size());
     for (std::size_t k = 0; k < a.bodies[i].cracks.size(); ++k) check_fields(a.bodies[i].cracks[k], b.bodies[i].cracks[k]);
     check_alternative(a.bodies[i].material, b.bodies[i].material);
-    REQUIRE(a.bodies[i].boundaries.size() == b.bodies[i].boundaries.size());
-    for (std::size_t k = 0; k < a.bodies[i].boundaries.size(); ++k) {
-      CHECK(a.bodies[i].boundaries[k].name == b.bodies[i].boundaries[k].name);
-      check_alternative(a.bodies[i].boundaries[k].kind, b.bodies[i].boundaries[k].kind);
-      if (const auto* prescribed = std::get_if<PrescribedSetup>(&a.bodies[i].boundaries[k].kind))
+    REQUIRE(a.bodies[i].boundary_conditions.size() == b.bodies[i].boundary_conditions.size());
+    for (std::size_t k = 0; k < a.bodies[i].boundary_conditions.size(); ++k) {
+      CHECK(a.bodies[i].boundary_conditions[k].name == b.bodies[i].boundary_conditions[k].name);
+      check_alternative(a.bodies[i].boundary_conditions[k].kind, b.bodies[i].boundary_conditions[k].kind);
+      if (const auto* prescribed = std::get_if<PrescribedSetup>(&a.bodies[i].boundary_conditions[k].kind))
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          const auto &one = prescribed->of(axis), &other = std::get<PrescribedSetup>(b.bodies[i].boundaries[k].kind).of(axis);
+          const auto &one = prescribed->of(axis), &other = std::get<PrescribedSetup>(b.bodies[i].boundary_conditions[k].kind).of(axis);
           REQUIRE(one.has_value() == other.has_value());
           if (one) check_fields(*one, *other);
         }
@@ -111,8 +111,8 @@ void check_same(const Setup& a, const Setup& b) {
       REQUIRE(propeller->sections.has_value() == again.has_value());
       if (again) check_fields(*propeller->sections, *again);
     }
-    check_fields(a.impactors[i].region, b.impactors[i].region);
-    check_alternative(a.impactors[i].region.shape, b.impactors[i].region.shape);
+    check_fields(a.impactors[i].contact_bounds, b.impactors[i].contact_bounds);
+    check_alternative(a.impactors[i].contact_bounds.shape, b.impactors[i].contact_bounds.shape);
     for (std::size_t degree = 0; degree < 6; ++degree) {
       const MotionTable *one = a.impactors[i].motion.of(degree), *other = b.impactors[i].motion.of(degree);
       REQUIRE((one == nullptr) == (other == nullptr));
@@ -122,8 +122,8 @@ void check_same(const Setup& a, const Setup& b) {
     for (std::size_t k = 0; k < a.impactors[i].loads.size(); ++k) check_fields(a.impactors[i].loads[k], b.impactors[i].loads[k]);
     REQUIRE(a.impactors[i].gauges.size() == b.impactors[i].gauges.size());
     for (std::size_t k = 0; k < a.impactors[i].gauges.size(); ++k) check_fields(a.impactors[i].gauges[k], b.impactors[i].gauges[k]);
-    if (const auto* boxes = std::get_if<BoxUnionRegionSetup>(&a.impactors[i].region.shape)) {
-      const auto& others = std::get<BoxUnionRegionSetup>(b.impactors[i].region.shape).boxes;
+    if (const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&a.impactors[i].contact_bounds.shape)) {
+      const auto& others = std::get<BoxUnionBoundsSetup>(b.impactors[i].contact_bounds.shape).boxes;
       REQUIRE(boxes->boxes.size() == others.size());
       for (std::size_t k = 0; k < others.size(); ++k) {
         CHECK(boxes->boxes[k].name == others[k].name);
@@ -159,27 +159,27 @@ void add_boundaries(Random& random, BodySetup& body, bool relaxes) {
   };
   FixedSetup fixed = some(FixedSetup{});
   fixed.directions = {"z", "x"};
-  body.boundaries = {{"grip", fixed}};
+  body.boundary_conditions = {{"grip", fixed}};
   PrescribedSetup prescribed = some(PrescribedSetup{});
   if (random() % 2) prescribed.x.emplace().velocity = some_number(random, {});
-  CourseSetup& course = prescribed.y.emplace();
+  DisplacementSetup& course = prescribed.y.emplace();
   fill_table(random, course.times, random() % 2 ? course.velocities : course.displacements);
-  body.boundaries.push_back({"pull", prescribed});
+  body.boundary_conditions.push_back({"pull", prescribed});
   BodyForceSetup weight = some(BodyForceSetup{});
   weight.force_density.z = 0;
   if (random() % 2) fill_table(random, weight.times, weight.factors);
-  body.boundaries.push_back({"weight", weight});
-  body.boundaries.push_back({"push", some(PressureSetup{})});
-  if (!relaxes) body.boundaries.push_back({"sink", some(AbsorbingSetup{})});
+  body.boundary_conditions.push_back({"weight", weight});
+  body.boundary_conditions.push_back({"push", some(PressureSetup{})});
+  if (!relaxes) body.boundary_conditions.push_back({"sink", some(AbsorbingSetup{})});
 }
 
 void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
-  // of y and ry, which are held here
+  // of y and ry, which are constrained here
   TranslationTable& heave = impactor.motion.y.emplace();
   fill_table(random, heave.times, random() % 2 ? heave.velocities : heave.displacements);
   RotationTable& turn = impactor.motion.ry.emplace();
   fill_table(random, turn.times, turn.velocities);
-  std::erase(impactor.free, "ry");
+  std::erase(impactor.free_dofs, "ry");
   impactor.velocity.y = impactor.angular_velocity.y = 0;
   LoadSetup& load = impactor.loads.emplace_back();
   fill_fields(random, load);
@@ -187,37 +187,37 @@ void add_motion_loads_and_gauges(Random& random, ImpactorSetup& impactor) {
   if (random() % 2) fill_table(random, load.times, load.factors);
   GaugeSetup& gauge = impactor.gauges.emplace_back();
   fill_fields(random, gauge);
-  gauge.name = "root", gauge.parts.clear();
+  gauge.name = "root", gauge.surface_parts.clear();
 }
 
-void fill_region(Random& random, RegionSetup& region) {
+void fill_region(Random& random, ContactBoundsSetup& region) {
   switch (random() % 6) {
     case 1:
       fill_fields(random, region.shape.emplace<BoxRegionSetup>());
       break;
     case 2:
-      fill_fields(random, region.shape.emplace<BoxUnionRegionSetup>());
+      fill_fields(random, region.shape.emplace<BoxUnionBoundsSetup>());
       break;
     case 3:
       for (const char* name : {"bow", "stern"}) {
-        if (!std::holds_alternative<BoxUnionRegionSetup>(region.shape)) region.shape.emplace<BoxUnionRegionSetup>();
-        RegionBoxSetup& box = std::get<BoxUnionRegionSetup>(region.shape).boxes.emplace_back();
+        if (!std::holds_alternative<BoxUnionBoundsSetup>(region.shape)) region.shape.emplace<BoxUnionBoundsSetup>();
+        BoundsBoxSetup& box = std::get<BoxUnionBoundsSetup>(region.shape).boxes.emplace_back();
         fill_fields(random, box);
         box.name = name;
       }
       break;
     case 4: {
-      auto& sectors = region.shape.emplace<CylinderSectorsRegionSetup>();
+      auto& sectors = region.shape.emplace<CylinderSectorsBoundsSetup>();
       fill_fields(random, sectors);
       if (!sectors.sector_angle) sectors.start_angle.reset();
       if (sectors.radius && sectors.hub_radius) sectors.hub_radius = std::min(*sectors.hub_radius, *sectors.radius);
       break;
     }
     case 5:
-      region.shape.emplace<AutoRegionSetup>();
+      region.shape.emplace<AutoBoundsSetup>();
       break;
     default:
-      region.outside.index = 0;  // without a region there is nothing to clip
+      region.on_exceed.index = 0;  // without a region there is nothing to clip
       break;
   }
 }
@@ -257,16 +257,16 @@ void fill_shapes(Random& random, BodySetup& body) {
   const BodyShape shapes[] = {BoxSolid{}, CylinderSolid{}, SphereSolid{}, FileSolid{}, PointsShape{}, CellsShape{}};
   body.shape = shapes[random() % std::size(shapes)];
   fill_shape(random, body.shape);
-  body.parts = some_solids(random), body.holes = some_solids(random), body.regions = some_solids(random);
+  body.add = some_solids(random), body.holes = some_solids(random), body.particle_sets = some_solids(random);
   if (!body.spacing) body.spacing = 0.01;
-  if (body.shape.index() >= 4) body.spacing.reset(), body.parts.clear();  // a cloud has none
+  if (body.shape.index() >= 4) body.spacing.reset(), body.add.clear();  // a cloud has none
   const auto set_thickness = [&](auto* cloud) {
     if (cloud) cloud->thickness = body.is_plane() ? std::optional(0.01) : std::nullopt;
   };
   set_thickness(std::get_if<PointsShape>(&body.shape)), set_thickness(std::get_if<CellsShape>(&body.shape));
   if (body.is_plane() && (std::holds_alternative<SphereSolid>(body.shape) || std::holds_alternative<CylinderSolid>(body.shape)))
     body.shape = BoxSolid{{1, 2, 3}};
-  if (auto* box = std::get_if<BoxSolid>(&body.shape); box && body.parts.empty() && random() % 2) {
+  if (auto* box = std::get_if<BoxSolid>(&body.shape); box && body.add.empty() && random() % 2) {
     body.rotate = {};
     box->size = Vec3d{3, 20, 1} * *body.spacing;
   } else {
@@ -279,7 +279,7 @@ void fill_shapes(Random& random, BodySetup& body) {
   }
 }
 
-/// Any model, with one of the keys that say when bonds break, or none of them.
+/// Any model, with at most one failure criterion.
 void fill_material(Random& random, BodySetup& body) {
   const MaterialSetup models[] = {OrdinaryStateSetup{}, LinearSolidSetup{}, BondBasedSetup{}, CorrespondenceSetup{}};
   body.material = models[random() % std::size(models)];
@@ -337,27 +337,27 @@ Setup some_setup(Random& random) {
     std::visit([&](auto& chosen) { fill_fields(random, chosen); }, impactor.surface);
     if (auto* propeller = std::get_if<PropellerSurface>(&impactor.surface); propeller && random() % 2) fill_fields(random, propeller->sections.emplace());
     if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = PROJECT_FOLDER "/LICENSE";  // exists
-    impactor.free.resize(random() % 4);
-    for (std::size_t i = 0; i < impactor.free.size(); ++i) impactor.free[i] = std::array{"rz", "x", "ry"}[i];
-    fill_fields(random, impactor.region);
-    if (random() % 2) fill_fields(random, impactor.region.shape.emplace<BoxRegionSetup>());
+    impactor.free_dofs.resize(random() % 4);
+    for (std::size_t i = 0; i < impactor.free_dofs.size(); ++i) impactor.free_dofs[i] = std::array{"rz", "x", "ry"}[i];
+    fill_fields(random, impactor.contact_bounds);
+    if (random() % 2) fill_fields(random, impactor.contact_bounds.shape.emplace<BoxRegionSetup>());
     if (random() % 2)
       impactor.mass.reset(), impactor.density = 900 + 0.1 * static_cast<double>(random() % 1000);
     else
       impactor.mass = 1 + 0.1 * static_cast<double>(random() % 1000), impactor.density.reset();
     if (random() % 2) add_motion_loads_and_gauges(random, impactor);
-    fill_region(random, impactor.region);
+    fill_region(random, impactor.contact_bounds);
   }
   ImpactorContactSetup& contact = setup.contact.impactors;
   fill_fields(random, contact);
   if (contact.detector.as<DetectorKind>() == DetectorKind::published)
     contact.radius_ratio = contact.friction = 0;
   else
-    contact.detector = contact.reading = {detector_words}, contact.reading = Choice{reading_words};
+    contact.detector = contact.variant = {detector_words}, contact.variant = Choice{variant_words};
   if (!relaxes) fill_fields(random, setup.contact.fragments);
   if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) setup.contact.fragments = {};
   fill_fields(random, setup.output);
-  if (relaxes) setup.output.history.reset();
+  if (relaxes) setup.output.history_interval.reset();
   ProbeSetup& probe = setup.output.probes.emplace_back();
   fill_fields(random, probe);
   probe.name = "centre", probe.body = "floe-2";
@@ -375,7 +375,7 @@ TEST_CASE("setup to text: the plate reads back from its own run.json") {
   check_same(setup, read(deck::setup_to_text(setup)).setup);
 }
 
-TEST_CASE("setup to text: any setup reads back to the same bits") {
+TEST_CASE("setup to text: any setup reads back bitwise identical") {
   Random random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const Setup setup = some_setup(random);
@@ -385,7 +385,7 @@ TEST_CASE("setup to text: any setup reads back to the same bits") {
   }
 }
 
-TEST_CASE("setup to text: text is escaped as JSON demands, and absent values are left out") {
+TEST_CASE("setup to text: text is escaped as JSON requires, and absent values are omitted") {
   Setup setup = read(fixtures::plate).setup;
   setup.title = "a \"b\" \\ \n é";
   setup.time.step.reset();

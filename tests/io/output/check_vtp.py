@@ -87,7 +87,7 @@ def check_region(picture):
 
 
 def check_series(folder, read):
-    """The list is well-formed, and every file it names can be read."""
+    """The list is well-formed, and every listed file can be read."""
     frames = xml.parse(folder / "series.pvd").findall("./Collection/DataSet")
     assert [float(frame.get("timestep")) for frame in frames] == [0, 1e-6]
     for frame in frames:
@@ -95,7 +95,7 @@ def check_series(folder, read):
 
 
 def check_threshold(path):
-    """Each particle is a cell of its own: a threshold keeps those asked for and no others."""
+    """Each particle is a separate cell: a threshold keeps exactly the selected ones."""
     threshold = vtkThreshold()
     threshold.SetInputData(vtk_output(path))
     threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "energy")

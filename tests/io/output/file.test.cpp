@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/file_size_limit.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/output/csv.hpp"
@@ -21,7 +21,7 @@ using fixtures::text_of;
 
 namespace {
 
-/// What the action complains about.
+/// The message of the error that the action throws.
 template <class Action>
 std::string complaint(const Action& action) {
   try {
@@ -34,7 +34,7 @@ std::string complaint(const Action& action) {
 
 }  // namespace
 
-TEST_CASE("file: until it is finished, the earlier file of its name stays") {
+TEST_CASE("file: an earlier file of the same name remains until the new one is finished") {
   const TemporaryFolder folder;
   write_whole_file(folder / "run.json", "old");
   {
@@ -49,7 +49,7 @@ TEST_CASE("file: until it is finished, the earlier file of its name stays") {
   CHECK(fixtures::files_in(folder.path()) == std::set<std::string>{"run.json"});
 }
 
-TEST_CASE("file: a process killed while it writes leaves the earlier file whole") {
+TEST_CASE("file: a process killed while writing leaves the earlier file intact") {
   const TemporaryFolder folder;
   write_whole_file(folder / "frame.vtp", "old");
   const pid_t child = fork();
@@ -65,7 +65,7 @@ TEST_CASE("file: a process killed while it writes leaves the earlier file whole"
   CHECK(text_of(folder / "frame.vtp.part") == "ne");
 }
 
-TEST_CASE("file: where the room ends, the earlier file stays, nothing else is left, and the message says why") {
+TEST_CASE("file: on a full disk the earlier file remains, no partial file is left, and the message gives the reason") {
   const TemporaryFolder folder;
   write_whole_file(folder / "frame.vtp", "old");
   std::string message;
@@ -82,29 +82,29 @@ TEST_CASE("file: where the room ends, the earlier file stays, nothing else is le
 
 TEST_CASE("file: a full disk is reported as such") {
   const TemporaryFolder folder;
-  std::filesystem::create_symlink("/dev/full", folder / "run.json.part");  // what is written to it meets a full disk
+  std::filesystem::create_symlink("/dev/full", folder / "run.json.part");  // writes to it fail as on a full disk
   CHECK(complaint([&] { write_whole_file(folder / "run.json", "{}"); }) ==
-        (folder / "run.json").string() + " cannot be written: No space left on device. Make room and run again; everything written before is intact.");
+        (folder / "run.json").string() + " cannot be written: No space left on device. Free disk space and run again; everything written before is intact.");
   CHECK(fixtures::files_in(folder.path()).empty());
   CHECK(complaint([&] { GrowingFile("/dev/full").append("1,2\n"); }) ==
-        "/dev/full cannot be written: No space left on device. Make room and run again; everything written before is intact.");
+        "/dev/full cannot be written: No space left on device. Free disk space and run again; everything written before is intact.");
 }
 
-TEST_CASE("file: a folder that is gone is reported as such") {
+TEST_CASE("file: a missing folder is reported as such") {
   const TemporaryFolder folder;
   CHECK(complaint([&] { write_whole_file(folder / "gone/run.json", "{}"); }) ==
         (folder / "gone/run.json").string() +
-            " cannot be written: No such file or directory. Its folder is not there (any more): do not move or delete the results while the run goes on.");
+            " cannot be written: No such file or directory. Its folder does not exist (any more): do not move or delete the results during a run.");
 }
 
-TEST_CASE("csv: a row that does not fit is taken back, and the rows before it stay") {
+TEST_CASE("csv: a row that does not fit is removed, and the rows before it remain") {
   const TemporaryFolder folder;
   const std::vector<std::string> columns = {"time [s]", "total.energy [J]"};
   const std::string whole = "time [s],total.energy [J]\n0.5,1.25\n";
   {
     CsvWriter table(folder / "history.csv", columns);
     table.append(std::vector{0.5, 1.25});
-    const FileSizeLimit limit(whole.size() + 3);  // the next row is cut after three bytes
+    const FileSizeLimit limit(whole.size() + 3);  // the next row is truncated after three bytes
     CHECK(complaint([&] { table.append(std::vector{0.75, 1.25}); }) != "nothing");
     CHECK(text_of(folder / "history.csv") == whole);
   }
@@ -132,13 +132,13 @@ TEST_CASE("csv: a killed run keeps every row, and each number reads back to the 
   CHECK(lines.peek() == std::char_traits<char>::eof());
 }
 
-TEST_CASE("csv: names with commas and quotes stay one column") {
+TEST_CASE("csv: names with commas and quotes remain one column") {
   const TemporaryFolder folder;
   write_csv(folder / "line.csv", std::vector<std::string>{"at 0,0 \"centre\" [m]", "b"}, std::vector{1.0, 2.0, 3.0, 4.5});
   CHECK(text_of(folder / "line.csv") == "\"at 0,0 \"\"centre\"\" [m]\",b\n1,2\n3,4.5\n");
 }
 
-TEST_CASE("file: one that grows can be gone on with behind its first bytes") {
+TEST_CASE("file: a growing file can be resumed after its first bytes") {
   const fixtures::TemporaryFolder folder;
   fixtures::put(folder / "t.csv", "first\nsecond\nhal");
   GrowingFile file(folder / "t.csv", 6);
@@ -150,7 +150,7 @@ TEST_CASE("file: one that grows can be gone on with behind its first bytes") {
   CHECK_THROWS_AS(GrowingFile(folder / "none.csv", 0), fccda::RunError);
 }
 
-TEST_CASE("file: bytes can be written and read anywhere, and the end cut off") {
+TEST_CASE("file: bytes can be written and read at any offset, and the end truncated") {
   const fixtures::TemporaryFolder folder;
   const auto bytes = [](std::string_view text) { return std::as_bytes(std::span(text)); };
   WholeFile file(folder / "f");

@@ -4,13 +4,13 @@
 
 #include <stdexcept>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/output/file.hpp"
 
 using namespace perimpact::output;
 
-TEST_CASE("pvd: after each frame the list names every frame with its time, and no other") {
+TEST_CASE("pvd: after each frame the list contains every frame with its time, and no other") {
   const fixtures::TemporaryFolder folder;
   Series plate(folder.path(), "plate & ice");
   const auto frame = [](const std::filesystem::path& path) { write_whole_file(path, "frame"); };
@@ -29,7 +29,7 @@ TEST_CASE("pvd: after each frame the list names every frame with its time, and n
   CHECK(fixtures::files_in(folder.path()) == std::set<std::string>{"plate & ice.pvd", "plate & ice_00000.vtp", "plate & ice_00001.vtp"});
 }
 
-TEST_CASE("pvd: a series that goes on lists the frames that it is given and those that follow, and removes later ones") {
+TEST_CASE("pvd: a resumed series lists the given frames and those that follow, and removes later ones") {
   const fixtures::TemporaryFolder folder, whole;
   const auto frame = [](const std::filesystem::path& path) { write_whole_file(path, "frame"); };
   for (const auto* each : {&folder, &whole}) {
@@ -41,21 +41,21 @@ TEST_CASE("pvd: a series that goes on lists the frames that it is given and thos
   CHECK(fixtures::files_in(folder.path()) == std::set<std::string>{"plate.pvd", "plate_00000.vtp", "plate_00001.vtp"});
   for (const double time : {2e-6, 3e-6}) again.add(time, frame);
   CHECK(again.times() == std::vector<double>{0, 1e-6, 2e-6, 3e-6});
-  const std::vector<Picture> pictures = pictures_of(folder / "plate.pvd");
-  REQUIRE(pictures.size() == 4);
+  const std::vector<FrameFile> frames = frame_files_of(folder / "plate.pvd");
+  REQUIRE(frames.size() == 4);
   for (std::size_t k = 0; k < 4; ++k) {
-    CHECK(pictures[k].time == again.times()[k]);
-    CHECK(pictures[k].file == folder / ("plate_0000" + std::to_string(k) + ".vtp"));
+    CHECK(frames[k].time == again.times()[k]);
+    CHECK(frames[k].file == folder / ("plate_0000" + std::to_string(k) + ".vtp"));
   }
   for (const std::string& name : fixtures::files_in(whole.path())) CHECK(fixtures::text_of(folder / name) == fixtures::text_of(whole / name));
 }
 
-TEST_CASE("pvd: a file that lists no pictures is refused") {
+TEST_CASE("pvd: a file that lists no frames is refused") {
   const fixtures::TemporaryFolder folder;
   for (const char* text : {"", "<VTKFile></VTKFile>", "<DataSet timestep=\"one\" file=\"a.vtp\"/>", "<DataSet timestep=\"1\"/>"}) {
     fixtures::put(folder / "plate.pvd", text);
-    CHECK_THROWS_WITH_AS(pictures_of(folder / "plate.pvd"),
-                         ((folder / "plate.pvd").string() + " lists no pictures with their times; take the file as the run wrote it.").c_str(),
+    CHECK_THROWS_WITH_AS(frame_files_of(folder / "plate.pvd"),
+                         ((folder / "plate.pvd").string() + " lists no frames with their times; use the file as written by the run.").c_str(),
                          fccda::InputError);
   }
 }

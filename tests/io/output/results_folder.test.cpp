@@ -2,14 +2,14 @@
 
 #include <doctest/doctest.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/temporary_folder.hpp"
 
 using namespace perimpact::output;
 using fixtures::TemporaryFolder;
 using Names = std::set<std::string>;
 
-TEST_CASE("results: the folder is made with those above it, empty") {
+TEST_CASE("results: the folder is created with its parents, empty") {
   const TemporaryFolder folder;
   const ResultsFolder results(folder / "ice/run 1");
   CHECK(std::filesystem::is_directory(results.frames()));
@@ -18,7 +18,7 @@ TEST_CASE("results: the folder is made with those above it, empty") {
   CHECK(fixtures::files_in(folder.path()).empty());
 }
 
-TEST_CASE("results: the files of an earlier run go, everything else stays") {
+TEST_CASE("results: the files of an earlier run are removed, everything else is kept") {
   const TemporaryFolder folder;
   const Names ours = {"run.json",
                       "run.json.part",
@@ -27,8 +27,8 @@ TEST_CASE("results: the files of an earlier run go, everything else stays") {
                       "statistics.csv",
                       "windows.csv",
                       "spectrum.csv",
-                      "pieces/ice.csv",
-                      "pieces/ice_end.csv.part",
+                      "fragments/ice.csv",
+                      "fragments/ice_end.csv.part",
                       "lines/along_x_t0.0002.csv",
                       "lines/a_t_t5e-05.csv",
                       "frames/plate.pvd",
@@ -48,7 +48,7 @@ TEST_CASE("results: the files of an earlier run go, everything else stays") {
   CHECK(fixtures::files_in(folder.path()) == foreign);
 }
 
-TEST_CASE("results: a folder that cannot be used is the user's error, before anything is computed") {
+TEST_CASE("results: an unusable folder is an input error before anything is computed") {
   const TemporaryFolder folder;
   fixtures::put(folder / "file", "x");
   CHECK_THROWS_WITH_AS(ResultsFolder(folder / "file/run"),
@@ -56,7 +56,7 @@ TEST_CASE("results: a folder that cannot be used is the user's error, before any
                         ": Not a directory. Choose another one with --out, or with output.folder in the deck.")
                            .c_str(),
                        fccda::InputError);
-  CHECK_THROWS_AS(prepare_folder("/proc"), fccda::InputError);          // exists, and not even an administrator may write there
+  CHECK_THROWS_AS(prepare_folder("/proc"), fccda::InputError);          // exists, but is not writable even for root
   CHECK_THROWS_AS(ResultsFolder("/proc/self/run"), fccda::InputError);  // cannot be created
 }
 
@@ -68,10 +68,10 @@ TEST_CASE("results: an unusable folder keeps the earlier run") {
   CHECK(fixtures::text_of(folder / "run.json") == "earlier");
 }
 
-TEST_CASE("results: where an earlier run goes on its files stay, but for those in part and the one that says how it ended") {
+TEST_CASE("results: a restart keeps the files of the earlier run, except partial ones and the one that describes how it ended") {
   const TemporaryFolder folder;
   const Names kept = {"history.csv",      "history.json",           "checkpoint.h5",          "lines/along_x_t0.0002.csv",
-                      "frames/plate.pvd", "frames/plate_00000.vtp", "pressure_area/hull.csv", "pieces/ice.csv",
+                      "frames/plate.pvd", "frames/plate_00000.vtp", "pressure_area/hull.csv", "fragments/ice.csv",
                       "notes.part"};
   for (const std::string& name : kept) fixtures::put(folder / name, "x");
   for (const char* name : {"run.json", "checkpoint.h5.part", "frames/plate_00001.vtp.part", "frames/plate.pvd.part"}) fixtures::put(folder / name, "x");

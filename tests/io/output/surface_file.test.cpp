@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "fccda/core/error.hpp"
-#include "fccda/surface/read/read_panels.hpp"
+#include "base/error.hpp"
 #include "fixtures/surfaces.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "mesh_io/read_panels.hpp"
 
 using namespace fccda;
 using fixtures::TemporaryFolder;
@@ -24,7 +24,7 @@ namespace {
 template <class Number>
 using Corners = std::array<std::array<Number, 3>, 3>;
 
-/// The triangles by part, in sorted order: corners from the smallest on, which keeps the winding, as doubles or rounded to floats.
+/// The triangles by part, sorted: corners rotated to begin with the smallest, which keeps the winding, as doubles or rounded to floats.
 template <class Number>
 std::map<std::string, std::vector<Corners<Number>>> triangles(const Surface& surface) {
   std::map<std::string, std::vector<Corners<Number>>> found;
@@ -39,7 +39,7 @@ std::map<std::string, std::vector<Corners<Number>>> triangles(const Surface& sur
   return found;
 }
 
-/// A torus turned askew, so that no coordinate is a short number.
+/// A torus in oblique orientation, so that no coordinate has a short decimal representation.
 Panels askew() {
   return fixtures::moved(fixtures::torus(1, 0.3, 9, 7), [](const Vec3d& p) {
     return Vec3d{0.1 * p.x - p.y / 3, std::sqrt(2) * p.y + p.z / 7, p.z - 0.3 * p.x};
@@ -54,7 +54,7 @@ Panels with_parts(Panels panels) {
 
 }  // namespace
 
-TEST_CASE("surface file: OBJ, and STL with parts, read back with every bit, winding and name") {
+TEST_CASE("surface file: OBJ, and STL with parts, are read back bitwise, with winding and names") {
   const TemporaryFolder folder;
   for (const Panels& panels : {askew(), with_parts(askew())}) {
     const Surface surface(panels);
@@ -86,7 +86,7 @@ TEST_CASE("surface file: STL without parts is binary, with each coordinate round
     }
 }
 
-TEST_CASE("surface file: what was wound inward and torn is written as it was made fit") {
+TEST_CASE("surface file: an inward oriented and disconnected surface is written as repaired") {
   const TemporaryFolder folder;
   write_surface(folder / "cube.obj", Surface(fixtures::reversed(fixtures::exploded(fixtures::unit_cube()))));
   const Panels panels = read_panels(folder / "cube.obj");
@@ -95,7 +95,7 @@ TEST_CASE("surface file: what was wound inward and torn is written as it was mad
   CHECK(Surface(panels).report().flipped == 0);
 }
 
-TEST_CASE("surface file: an extension that is neither is refused by what it may be, before anything is written") {
+TEST_CASE("surface file: an unsupported extension is refused with the supported ones, before anything is written") {
   const TemporaryFolder folder;
   for (const std::string name : {"a.ply", "a", "a.STL.gz"}) {
     const std::string path = (folder / name).string();

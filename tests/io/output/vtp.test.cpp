@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/vtp_file.hpp"
 
@@ -33,7 +33,7 @@ struct Particles {
     for (std::size_t i = 0; i < count; ++i) in_region[i] = i % 3 == 0;
   }
 
-  PolyData picture() const {
+  PolyData frame() const {
     return {.points = std::span(points),
             .point_arrays = {{"displacement", 3, std::span(displacement)}, {"energy \"<&>\"", 1, std::span(energy)}, {"number", 1, std::span(number)}},
             .cell_arrays = {{"in_region", 1, std::span(in_region)}},
@@ -43,7 +43,7 @@ struct Particles {
 
 }  // namespace
 
-TEST_CASE("vtp: particles come back bit for bit, plain and compressed") {
+TEST_CASE("vtp: particles are read back bitwise, plain and compressed") {
   // 30 000 particles: 360 000 bytes of points, one whole compressed block of 2¹⁸ and a shorter one; 1: less than a block; 0: none;
   // 65 536: connectivity of exactly one block, points of exactly three
   for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{30'000}, std::size_t{65'536}}) {
@@ -51,7 +51,7 @@ TEST_CASE("vtp: particles come back bit for bit, plain and compressed") {
       CAPTURE(count);
       const TemporaryFolder folder;
       const Particles particles(count);
-      write_vtp(folder / "p.vtp", particles.picture(), compression);
+      write_vtp(folder / "p.vtp", particles.frame(), compression);
       VtpFile file(text_of(folder / "p.vtp"));
 
       CHECK(file.arrays.size() == 7);
@@ -82,7 +82,7 @@ TEST_CASE("vtp: particles come back bit for bit, plain and compressed") {
   }
 }
 
-TEST_CASE("vtp: triangles and quads come back as they were") {
+TEST_CASE("vtp: triangles and quads are read back unchanged") {
   const TemporaryFolder folder;
   fccda::Panels panels;
   panels.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0.5, 1.0 / 3}};
@@ -100,13 +100,13 @@ TEST_CASE("vtp: triangles and quads come back as they were") {
   CHECK(fixtures::attribute(file.xml, file.xml.find("<Piece"), "NumberOfPolys") == "2");
 }
 
-TEST_CASE("vtp: the file is the same for any number of threads") {
+TEST_CASE("vtp: the file is identical for any number of threads") {
   const TemporaryFolder folder;
   const Particles particles(200'000);
   const int threads = fccda::thread_count();
   for (const int count : {1, 3}) {
     fccda::use_threads(count);
-    write_vtp(folder / std::to_string(count), particles.picture(), Compression::zlib);
+    write_vtp(folder / std::to_string(count), particles.frame(), Compression::zlib);
   }
   fccda::use_threads(threads);
   CHECK(text_of(folder / "1") == text_of(folder / "3"));

@@ -1,10 +1,10 @@
-/// Writes one file of each kind into the folder given, for check_vtp.py, which knows the same formulas.
+/// Writes one file of each kind to the given folder, for check_vtp.py, which evaluates the same formulas.
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "fccda/region/region_panels.hpp"
+#include "fccda/contact_bounds/bounds_panels.hpp"
 #include "io/output/pvd.hpp"
 #include "io/output/vtp.hpp"
 

@@ -10,7 +10,7 @@ using fccda::Vec3d;
 namespace {
 
 constexpr double spacing = 0.1;
-constexpr int edge = 10;  // a cube of 10 x 10 x 10, of which 488 lie on the surface
+constexpr int edge = 10;  // a cube of 10 x 10 x 10 particles, of which 488 are on the surface
 
 std::vector<Vec3d> cube() {
   std::vector<Vec3d> points;
@@ -27,13 +27,13 @@ bool on_surface(std::uint32_t number) {
 
 }  // namespace
 
-TEST_CASE("kept particles: all where all are wanted, in their order") {
+TEST_CASE("kept particles: a share of 1 keeps all, in order") {
   const std::vector<std::uint32_t> kept = kept_particles(cube(), spacing, std::vector<bool>(1000, false), 1);
   REQUIRE(kept.size() == 1000);
   for (std::uint32_t k = 0; k < 1000; ++k) CHECK(kept[k] == k);
 }
 
-TEST_CASE("kept particles: the surface and the damaged stay, the others are thinned evenly to the share") {
+TEST_CASE("kept particles: surface and damaged particles are kept, the others are thinned evenly to the share") {
   std::vector<bool> damaged(1000, false);
   damaged[555] = damaged[444] = true;
   REQUIRE_FALSE(on_surface(555));
@@ -50,10 +50,10 @@ TEST_CASE("kept particles: the surface and the damaged stay, the others are thin
       widest = std::max(widest, ++gap);
     }
   }
-  CHECK(widest == 4);  // 110 of 510 others stay: between two of them are 3 or 4
+  CHECK(widest == 4);  // 110 of the 510 others are kept: 3 or 4 are dropped between two of them
 }
 
-TEST_CASE("kept particles: where the surface alone is too much, it is thinned evenly, and one stays of anything") {
+TEST_CASE("kept particles: where the surface alone exceeds the share, it is thinned evenly, and at least one particle remains") {
   const std::vector<std::uint32_t> kept = kept_particles(cube(), spacing, std::vector<bool>(1000, false), 0.244);
   CHECK(kept.size() == 244);
   CHECK(std::all_of(kept.begin(), kept.end(), on_surface));

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <random>
 
-#include "fccda/surface/file/inflate.hpp"
 #include "fixtures/tolerance.hpp"
+#include "mesh_io/file/inflate.hpp"
 
 using namespace perimpact::report;
 
 namespace {
 
-/// The inverse of ArrayPacker by its definition, in wide numbers that cannot wrap.
+/// The inverse of ArrayPacker from its definition, in wide integers that cannot overflow.
 std::vector<std::uint32_t> unpacked(const std::string& bytes, std::size_t count, int width, const std::vector<std::vector<std::uint32_t>>& before) {
   REQUIRE(bytes.size() == 1 + count * static_cast<std::size_t>(width));
   const int prediction = bytes[0];
@@ -24,10 +24,10 @@ std::vector<std::uint32_t> unpacked(const std::string& bytes, std::size_t count,
     for (int plane = width - 1; plane >= 0; --plane) folded = 256 * folded + static_cast<unsigned char>(bytes[1 + static_cast<std::size_t>(plane) * count + i]);
     const std::int64_t left = folded % 2 == 0 ? folded / 2 : -(folded + 1) / 2;
     off = prediction >= 3 ? off + left : left;
-    const std::size_t pictures = before.size();
+    const std::size_t frames = before.size();
     std::int64_t predicted = 0;
-    if (prediction % 3 == 1) predicted = before[pictures - 1][i];
-    if (prediction % 3 == 2) predicted = 2 * std::int64_t{before[pictures - 1][i]} - std::int64_t{before[pictures - 2][i]};
+    if (prediction % 3 == 1) predicted = before[frames - 1][i];
+    if (prediction % 3 == 2) predicted = 2 * std::int64_t{before[frames - 1][i]} - std::int64_t{before[frames - 2][i]};
     out.push_back(static_cast<std::uint32_t>(((predicted + off) % modulus + modulus) % modulus));
   }
   return out;
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> unpacked(const std::string& bytes, std::size_t count,
 
 }  // namespace
 
-TEST_CASE("packing: numbers of any size, with wrap-around, come back in picture after picture") {
+TEST_CASE("packing: numbers of any size, with wrap-around, are decoded in every frame") {
   std::mt19937 chance(11);
   for (const int width : {1, 2, 4}) {
     CAPTURE(width);
@@ -43,10 +43,10 @@ TEST_CASE("packing: numbers of any size, with wrap-around, come back in picture 
     std::uniform_int_distribution<std::uint32_t> any(0, highest);
     ArrayPacker packer(width);
     std::vector<std::vector<std::uint32_t>> before;
-    for (int picture = 0; picture < 6; ++picture) {
+    for (int frame = 0; frame < 6; ++frame) {
       std::vector<std::uint32_t> numbers(257);
       for (std::size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = picture % 2 == 0 ? any(chance) : picture == 1 ? (i % 2 == 0 ? 0 : highest) : (before.back()[i] + 3) & highest;
+        numbers[i] = frame % 2 == 0 ? any(chance) : frame == 1 ? (i % 2 == 0 ? 0 : highest) : (before.back()[i] + 3) & highest;
       std::string bytes;
       packer.append(numbers, bytes);
       CHECK(unpacked(bytes, numbers.size(), width, before) == numbers);
@@ -55,7 +55,7 @@ TEST_CASE("packing: numbers of any size, with wrap-around, come back in picture 
   }
 }
 
-TEST_CASE("packing: each prediction is taken where it leaves nothing") {
+TEST_CASE("packing: each prediction is selected where its residuals vanish") {
   const std::size_t count = 500;
   std::mt19937 chance(12);
   std::vector<std::uint32_t> random(count), ramp(count), speed(count), constant(count, 7);
@@ -64,20 +64,20 @@ TEST_CASE("packing: each prediction is taken where it leaves nothing") {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = (a[i] + b[i]) & 0xffff;
     return a;
   };
-  const auto choice = [](const std::vector<std::vector<std::uint32_t>>& pictures) {
+  const auto choice = [](const std::vector<std::vector<std::uint32_t>>& frames) {
     ArrayPacker packer(2);
     std::string bytes;
-    for (const auto& picture : pictures) bytes.clear(), packer.append(picture, bytes);
+    for (const auto& frame : frames) bytes.clear(), packer.append(frame, bytes);
     return static_cast<int>(bytes[0]);
   };
   CHECK(choice({constant}) == 0);
   CHECK(choice({random, random}) == 1);                                                 // nothing moves
-  CHECK(choice({random, plus(random, speed), plus(plus(random, speed), speed)}) == 2);  // each at a speed of its own
+  CHECK(choice({random, plus(random, speed), plus(plus(random, speed), speed)}) == 2);  // each at a different constant velocity
   CHECK(choice({ramp}) == 3);
-  CHECK(choice({random, plus(random, ramp)}) == 4);  // moves by what grows along the row
+  CHECK(choice({random, plus(random, ramp)}) == 4);  // displacement grows along the array
 }
 
-TEST_CASE("packing: reals come back within half a step, and their range is kept") {
+TEST_CASE("packing: reals are recovered within half a step, and the range is preserved") {
   std::mt19937 chance(13);
   std::uniform_real_distribution<double> any(-3.5, 12.25);
   const Scale scale(-3.5, 12.25, 4095);
@@ -94,7 +94,7 @@ TEST_CASE("packing: reals come back within half a step, and their range is kept"
   CHECK(flat.number_of(2) == 0);
 }
 
-TEST_CASE("packing: gzip is what gunzip unpacks, and equal for equal bytes") {
+TEST_CASE("packing: gzip output is decompressed by gunzip, and deterministic") {
   std::mt19937 chance(14);
   for (const std::size_t size : {1U, 100U, 70'000U}) {
     std::string bytes(size, '\0');
@@ -104,7 +104,7 @@ TEST_CASE("packing: gzip is what gunzip unpacks, and equal for equal bytes") {
   }
 }
 
-TEST_CASE("packing: base64 gives the examples of RFC 4648, section 10") {
+TEST_CASE("packing: base64 reproduces the examples of RFC 4648, section 10") {
   CHECK(base64("") == "");
   CHECK(base64("f") == "Zg==");
   CHECK(base64("fo") == "Zm8=");

@@ -28,7 +28,7 @@ Mat3 turn(double about_x, double about_z) {
 
 }  // namespace
 
-TEST_CASE("rigid motion: turns and shifts are found, half a turn too") {
+TEST_CASE("rigid motion: rotations and translations are found, including half a turn") {
   const std::vector<Vec3d> from = cloud(50);
   for (const double angle : {0.0, 1e-7, 0.3, 3.141592653589793, -2.5}) {
     const Mat3 wanted = turn(angle, 2 * angle);
@@ -41,7 +41,7 @@ TEST_CASE("rigid motion: turns and shifts are found, half a turn too") {
   }
 }
 
-TEST_CASE("rigid motion: what is bent, mirrored or of another number of points is none") {
+TEST_CASE("rigid motion: deformed and mirrored points and another number of points give no motion") {
   const std::vector<Vec3d> from = cloud(50);
   std::vector<Vec3d> bent = from, mirrored = from;
   bent[17].z += 1e-6;

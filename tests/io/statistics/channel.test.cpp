@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "io/output/pvd.hpp"
@@ -17,23 +17,23 @@ namespace {
 
 constexpr double spacing = 0.5;
 
-/// A sheet of 80 by 60 by 2 cells; `piece_of(i, j, k)` says to which piece a cell belongs, none where that is negative.
+/// A sheet of 80 by 60 by 2 cells; `piece_of(i, j, k)` is the fragment of a cell, negative for an empty cell.
 struct Sheet {
   std::vector<Vec3d> places;
-  std::vector<std::int32_t> pieces;
+  std::vector<std::int32_t> fragments;
 
-  explicit Sheet(const std::function<int(int, int, int)>& piece_of) {
+  explicit Sheet(const std::function<int(int, int, int)>& fragment_of) {
     for (int k = 0; k < 2; ++k)
       for (int j = 0; j < 60; ++j)
         for (int i = 0; i < 80; ++i) {
-          if (piece_of(i, j, k) < 0) continue;
+          if (fragment_of(i, j, k) < 0) continue;
           places.push_back({10 + spacing * (i + 0.5), -15 + spacing * (j + 0.5), spacing * k});
-          pieces.push_back(piece_of(i, j, k));
+          fragments.push_back(fragment_of(i, j, k));
         }
   }
 };
 
-/// Two halves, numbers 0 and 1, beside the channel, and floes of 4 cells in it, from number 2 on.
+/// Two halves, numbers 0 and 1, on both sides of the channel, and floes of 4 cells in it, from number 2.
 int of_channel(int i, int j, int low, int high) {
   if (j < low) return 0;
   if (j >= high) return 1;
@@ -42,9 +42,9 @@ int of_channel(int i, int j, int low, int high) {
 
 }  // namespace
 
-TEST_CASE("channel: one that is cut straight through a sheet has its width everywhere, along x and along y") {
+TEST_CASE("channel: a straight channel has a uniform width, along x and along y") {
   const Sheet sheet([](int i, int j, int) { return of_channel(i, j, 20, 44); });
-  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
   REQUIRE(columns.size() == 80);
   const double rounding = 1e-12;
   for (std::size_t c = 0; c < 80; ++c) {
@@ -61,52 +61,52 @@ TEST_CASE("channel: one that is cut straight through a sheet has its width every
   CHECK(widths.area == fixtures::relative(480, rounding));
   CHECK(widths.all_broken == fixtures::relative(480, rounding));
 
-  // the same turned by 90 degrees
+  // the same rotated by 90 degrees
   std::vector<Vec3d> turned;
   for (const Vec3d& place : sheet.places) turned.push_back({-place.y, place.x, place.z});
-  const ChannelWidths of_turned = widths_of(channel_columns(turned, sheet.pieces, spacing, 1, 0.1), spacing, -1e9, 1e9);
+  const ChannelWidths of_turned = widths_of(channel_columns(turned, sheet.fragments, spacing, 1, 0.1), spacing, -1e9, 1e9);
   CHECK(of_turned.length == widths.length);
   CHECK(of_turned.mean == fixtures::relative(widths.mean, rounding));
 }
 
-TEST_CASE("channel: of one that widens the extremes are told with their places, within the limits that are given") {
+TEST_CASE("channel: the extremes of a widening channel are given with their positions, within the given limits") {
   const auto high = [](int i) { return 22 + i / 4; };  // 2 cells at the lower end, 21 at the upper
   const Sheet sheet([&](int i, int j, int) { return of_channel(i, j, 20, high(i)); });
-  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
   const ChannelWidths all = widths_of(columns, spacing, -1e9, 1e9);
   CHECK(all.narrowest == 1);
   CHECK(all.narrowest_at == 10.25);
   CHECK(all.widest == 10.5);
   CHECK(all.widest_at == fixtures::relative(10 + 0.5 * 76.5, 1e-14));
   CHECK(all.mean == fixtures::relative(5.75, 1e-12));
-  CHECK(all.deviation == fixtures::relative(0.5 * std::sqrt((20 * 20 - 1) / 12.0), 1e-12));  // of 20 equally likely whole numbers
+  CHECK(all.deviation == fixtures::relative(0.5 * std::sqrt((20 * 20 - 1) / 12.0), 1e-12));  // of 20 equally likely integers
   const ChannelWidths middle = widths_of(columns, spacing, 20, 30);
   CHECK(middle.length == 10);
   CHECK(middle.narrowest == 3.5);
   CHECK(middle.widest == 5.5);
 }
 
-TEST_CASE("channel: broken places beside it are no part of its width, but of all that is broken through") {
+TEST_CASE("channel: broken cells outside it do not add to its width, but to the total broken through") {
   const Sheet sheet([](int i, int j, int k) {
     if (j == 3 && i < 40) return 100 + i;   // single particles along a crack in one half, through both layers
-    if (j == 50 && k == 0) return 200 + i;  // spalled off below only: the sheet remains above
-    if (j == 52 && k == 1) return 300 + i;  // and the other way round
+    if (j == 50 && k == 0) return 200 + i;  // spalled at the bottom only: the sheet remains above
+    if (j == 52 && k == 1) return 300 + i;  // and vice versa
     return of_channel(i, j, 30, 40);
   });
-  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
   for (std::size_t c = 0; c < 80; ++c) {
     CHECK(columns[c].width == 5);
     CHECK(columns[c].all_broken == (c < 40 ? 5.5 : 5.0));
   }
 }
 
-TEST_CASE("channel: places without particles neither end nor widen it, and where nothing is broken there is none") {
+TEST_CASE("channel: empty cells neither end nor widen it, and without broken cells there is none") {
   const Sheet sheet([](int i, int j, int) {
     if (i >= 50) return j < 30 ? 0 : 1;             // a crack, but no floes
-    if (i < 10 && (j == 25 || j == 40)) return -1;  // a hole in the channel, and one beside it
+    if (i < 10 && (j == 25 || j == 40)) return -1;  // a hole in the channel, and one outside
     return of_channel(i, j, 20, 40);
   });
-  const auto columns = channel_columns(sheet.places, sheet.pieces, spacing, 0, 0.1);
+  const auto columns = channel_columns(sheet.places, sheet.fragments, spacing, 0, 0.1);
   for (std::size_t c = 0; c < 80; ++c) {
     CHECK(columns[c].width == (c < 50 ? 10 : 0));
     CHECK(std::isnan(columns[c].low) == (c >= 50));
@@ -117,18 +117,18 @@ TEST_CASE("channel: places without particles neither end nor widen it, and where
   CHECK(widths_of(columns, spacing, 40, 50).length == 0);
 }
 
-TEST_CASE("channel: the share decides which pieces are the sheet that remains") {
+TEST_CASE("channel: the share determines which fragments form the remaining sheet") {
   const Sheet sheet([](int, int j, int) { return j < 20 ? 0 : j < 40 ? 1 : 2; });  // thirds
-  const auto length = [&](double share) { return widths_of(channel_columns(sheet.places, sheet.pieces, spacing, 0, share), spacing, -1e9, 1e9).length; };
+  const auto length = [&](double share) { return widths_of(channel_columns(sheet.places, sheet.fragments, spacing, 0, share), spacing, -1e9, 1e9).length; };
   CHECK(length(0.3) == 0);
   CHECK(length(0.35) == 40);  // nothing remains
 }
 
-TEST_CASE("channel: it is read from the last picture up to a time, with the places of the first") {
+TEST_CASE("channel: it is read from the last frame up to a time, with the positions of the first") {
   const fixtures::TemporaryFolder folder;
   const std::filesystem::path frames = folder / "frames";
   std::filesystem::create_directories(frames);
-  fixtures::put(folder / "run.json", R"({"bodies": {"ice": {"spacing [m]": 0.5, "pieces": {"pieces": 3}}, "rock": {"spacing [m]": 0.5}}})");
+  fixtures::put(folder / "run.json", R"({"bodies": {"ice": {"spacing [m]": 0.5, "fragments": {"fragments": 3}}, "rock": {"spacing [m]": 0.5}}})");
   output::Series series(frames, "ice");
   const Sheet whole([](int, int, int) { return 0; }), half([](int i, int j, int) { return i < 40 ? of_channel(i, j, 20, 44) : 0; }),
       broken([](int i, int j, int) { return of_channel(i, j, 20, 44); });
@@ -138,36 +138,36 @@ TEST_CASE("channel: it is read from the last picture up to a time, with the plac
     for (const Vec3d& place : sheet->places)  // floes drift off
       for (std::size_t c = 0; c < 3; ++c) points.push_back(static_cast<float>(place[c] + 3 * time));
     series.add(time, [&](const std::filesystem::path& path) {
-      output::write_vtp(path,
-                        {.points = std::span<const float>(points), .point_arrays = {{"piece", 1, std::span<const std::int32_t>(sheet->pieces)}}, .time = time},
-                        output::Compression::zlib);
+      output::write_vtp(
+          path, {.points = std::span<const float>(points), .point_arrays = {{"fragment", 1, std::span<const std::int32_t>(sheet->fragments)}}, .time = time},
+          output::Compression::zlib);
     });
     time += 0.25;
   }
   const auto length = [&](std::optional<double> latest) {
-    const ChannelPicture picture = read_channel_picture(folder.path(), "ice", latest);
-    CHECK(picture.spacing == 0.5);
-    return widths_of(channel_columns(picture.places, picture.pieces, picture.spacing, 0, 0.1), picture.spacing, -1e9, 1e9).length;
+    const ChannelFrame frame = read_channel_frame(folder.path(), "ice", latest);
+    CHECK(frame.spacing == 0.5);
+    return widths_of(channel_columns(frame.places, frame.fragments, frame.spacing, 0, 0.1), frame.spacing, -1e9, 1e9).length;
   };
   CHECK(length({}) == 40);
   CHECK(length(0.49) == 20);
   CHECK(length(0.5) == 40);
   CHECK(length(0.1) == 0);
-  CHECK(read_channel_picture(folder.path(), "ice", 0.3).time == 0.25);
+  CHECK(read_channel_frame(folder.path(), "ice", 0.3).time == 0.25);
 
   const auto said = [&](const std::string& body, std::optional<double> latest = {}) {
     try {
-      read_channel_picture(folder.path(), body, latest);
+      read_channel_frame(folder.path(), body, latest);
     } catch (const fccda::InputError& error) {
       return std::string(error.what());
     }
     return std::string();
   };
-  CHECK(said("snow") == "--channel: " + folder.path().string() + " has no body snow; there is ice, rock.");
-  CHECK(said("rock") == "--channel: body rock never breaks, so it has no channel; its material needs critical_stretch, or the body failure.");
-  CHECK(said("ice", -1) == (frames / "ice.pvd").string() + " lists no picture up to -1 s; take a later --to.");
+  CHECK(said("snow") == "--channel: " + folder.path().string() + " has no body snow; its bodies: ice, rock.");
+  CHECK(said("rock") == "--channel: body rock has no failure criterion, so it has no channel; set critical_stretch in its material, or failure in the body.");
+  CHECK(said("ice", -1) == (frames / "ice.pvd").string() + " lists no frame up to -1 s; use a later --to.");
   std::filesystem::remove(frames / "ice.pvd");
-  CHECK(said("ice") == (frames / "ice.pvd").string() + " is not there; the width of a channel is read from pictures, so the run needs output.frames.");
+  CHECK(said("ice") == (frames / "ice.pvd").string() + " does not exist; the channel width is read from frames, so the run needs output.frames.");
   std::filesystem::remove(folder / "run.json");
-  CHECK(said("ice") == (folder / "run.json").string() + " is not there; the width of a channel can be told once the run has ended or was interrupted.");
+  CHECK(said("ice") == (folder / "run.json").string() + " does not exist; the channel width is available once the run has ended or was interrupted.");
 }

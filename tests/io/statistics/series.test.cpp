@@ -11,7 +11,7 @@ using namespace perimpact;
 
 namespace {
 
-/// Rows that are unevenly apart, from 0 on.
+/// Unevenly spaced rows from 0.
 std::vector<double> uneven_times(std::size_t rows, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> apart(0.1, 1.9);
@@ -41,8 +41,8 @@ TEST_CASE("series: the mean of a constant is that constant, whatever the rows an
   }
 }
 
-TEST_CASE("series: the mean of forces times the time is the impulse, of all rows and of parts of rows") {
-  const std::vector<double> times = {0, 1, 3, 3.5}, forces = {99, 4, -2, 10};  // the first row has no interval before it
+TEST_CASE("series: the mean force times the duration is the impulse, for all rows and for parts of rows") {
+  const std::vector<double> times = {0, 1, 3, 3.5}, forces = {99, 4, -2, 10};  // the first row has no preceding interval
   const Series series(times, forces, RowIs::mean_since_row_before);
   CHECK(series.mean(0, 3.5) == fixtures::relative((4 * 1 - 2 * 2 + 10 * 0.5) / 3.5, 1e-15));
   CHECK(series.mean(0.5, 2) == fixtures::absolute((4 * 0.5 - 2 * 1) / 1.5, 4e-15, "N"));
@@ -52,12 +52,12 @@ TEST_CASE("series: the mean of forces times the time is the impulse, of all rows
   CHECK(series.maximum(0, 3.5).value == 10);
   CHECK(series.maximum(0, 3.5).time == 3.5);
   CHECK(series.maximum(0, 3).value == 4);
-  CHECK(series.maximum(0.2, 0.4).time == 1);  // that of its row
+  CHECK(series.maximum(0.2, 0.4).time == 1);  // the time of its row
   CHECK(series.minimum(0, 3.5).value == -2);
   CHECK(series.minimum(0, 3.5).time == 3);
 }
 
-TEST_CASE("series: between values at their times there are straight lines") {
+TEST_CASE("series: instantaneous values are interpolated linearly") {
   const std::vector<double> times = {0, 2, 3}, values = {0, 4, 1};
   const Series series(times, values, RowIs::value_at_its_time);
   CHECK(series.mean(0, 3) == fixtures::relative((4.0 + 2.5) / 3, 1e-15));
@@ -69,7 +69,7 @@ TEST_CASE("series: between values at their times there are straight lines") {
   CHECK(series.standard_deviation(0, 2) == fixtures::relative(std::sqrt(4.0 / 3), 1e-15));
 }
 
-TEST_CASE("series: a window from row to row takes nothing of those beside it, also where its ends are rounded") {
+TEST_CASE("series: a window from row to row excludes the adjacent rows, also where its ends are rounded") {
   std::vector<double> times, values;
   for (int row = 0; row <= 70; ++row) times.push_back(row * 0.1), values.push_back(row);
   const Series series(times, values, RowIs::mean_since_row_before);
@@ -80,10 +80,10 @@ TEST_CASE("series: a window from row to row takes nothing of those beside it, al
     CHECK(series.minimum(begin, end).value == k + 1);
     CHECK(series.maximum(begin, end).value == k + 1);
   }
-  CHECK(is_rounded);  // else this shows nothing
+  CHECK(is_rounded);  // else the check is void
 }
 
-TEST_CASE("series: resampling keeps the impulse, and even rows as they are") {
+TEST_CASE("series: resampling preserves the impulse, and leaves evenly spaced rows unchanged") {
   const std::vector<double> times = uneven_times(1000, 2), values = noise(1000, 3);
   const Series series(times, values, RowIs::mean_since_row_before);
   const std::size_t count = 313;

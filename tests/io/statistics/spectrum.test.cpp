@@ -25,7 +25,7 @@ double power_of(const Spectrum& spectrum) { return std::accumulate(spectrum.dens
 
 }  // namespace
 
-TEST_CASE("spectrum: the fast transform is the sum that defines it") {
+TEST_CASE("spectrum: the fast transform equals its defining sum") {
   for (const std::size_t N : {1u, 2u, 4u, 8u, 64u, 256u}) {
     const std::vector<double> re = white(N, 1, 1), im = white(N, 1, 2);
     std::vector<std::complex<double>> x(N);
@@ -40,7 +40,7 @@ TEST_CASE("spectrum: the fast transform is the sum that defines it") {
   }
 }
 
-TEST_CASE("spectrum: its integral is the mean square of the windowed segment over that of the window (Parseval)") {
+TEST_CASE("spectrum: its integral is the mean square of the windowed segment divided by that of the window (Parseval)") {
   const std::size_t N = 1024;
   std::vector<double> values = white(N, 2, 3);
   for (double& value : values) value += 7;
@@ -56,7 +56,7 @@ TEST_CASE("spectrum: its integral is the mean square of the windowed segment ove
   CHECK(power_of(spectrum) == fixtures::relative(square / window_square, 1e-12));  // rounding
 }
 
-TEST_CASE("spectrum: a sine has its peak at its frequency, and half the square of its amplitude there") {
+TEST_CASE("spectrum: a sine has its peak at its frequency, with half the square of its amplitude") {
   const double interval = 0.01, amplitude = 3;
   const std::size_t N = 8192, segment = 1024;
   for (const std::size_t bin : {5u, 60u, 400u}) {
@@ -68,7 +68,7 @@ TEST_CASE("spectrum: a sine has its peak at its frequency, and half the square o
     CHECK(spectrum.highest() == bin);
     CHECK(spectrum.frequency(bin) == fixtures::relative(frequency, 1e-12));
     CHECK(power_of(spectrum) == fixtures::relative(amplitude * amplitude / 2, 1e-9));  // whole periods: rounding
-    // all of it in the three bins of Hann's window
+    // all power is in the three bins of the Hann window
     double near = 0;
     for (std::size_t k = bin - 1; k <= bin + 1; ++k) near += spectrum.density[k] * spectrum.resolution();
     CHECK(near == fixtures::relative(amplitude * amplitude / 2, 1e-9));
@@ -87,26 +87,26 @@ TEST_CASE("spectrum: white noise has the density 2 dt times its variance at ever
   const double interval = 0.004, deviation = 5;
   const Spectrum spectrum = welch(white(std::size_t{1} << 18, deviation, 4), interval, 256);
   const double level = 2 * interval * deviation * deviation;
-  // 2047 segments, of which neighbours share a half: about 1500 independent ones, so 1/sqrt(1500) = 2.6 % a bin; 6 times that is never seen by chance
+  // 2047 half-overlapping segments: about 1500 independent ones, so 1/sqrt(1500) = 2.6 % per bin; chance deviations stay below 6 times that
   for (std::size_t k = 2; k < 128; ++k) CHECK(spectrum.density[k] == fixtures::relative(level, 0.16));
   // the sum over 126 bins scatters by 0.3 %
   CHECK(std::accumulate(spectrum.density.begin() + 2, spectrum.density.begin() + 128, 0.0) / 126 == fixtures::relative(level, 0.015));
 }
 
-TEST_CASE("spectrum: a constant has none, and no dominant frequency") {
+TEST_CASE("spectrum: a constant has zero density and no dominant frequency") {
   const Spectrum spectrum = welch(std::vector<double>(1000, 4.0), 0.1, 128);
   for (const double density : spectrum.density) CHECK(density == 0);  // 128 fours sum and divide exactly
   CHECK(spectrum.highest() == 0);
 }
 
-TEST_CASE("spectrum: the usual segment is a power of two that fits, seven times where there is room") {
-  CHECK(usual_segment(16) == 16);
-  CHECK(usual_segment(100) == 32);
-  CHECK(usual_segment(127) == 32);
-  CHECK(usual_segment(1000) == 128);
-  CHECK(usual_segment(1024) == 256);
+TEST_CASE("spectrum: the default segment is a power of two that fits, seven times where the record is long enough") {
+  CHECK(default_segment(16) == 16);
+  CHECK(default_segment(100) == 32);
+  CHECK(default_segment(127) == 32);
+  CHECK(default_segment(1000) == 128);
+  CHECK(default_segment(1024) == 256);
   for (std::size_t values = 128; values < 3000; values += 7) {
-    const std::size_t segment = usual_segment(values);
+    const std::size_t segment = default_segment(values);
     CHECK((values - segment) / (segment / 2) + 1 >= 7);
   }
 }

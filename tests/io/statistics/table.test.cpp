@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "fccda/core/error.hpp"
+#include "base/error.hpp"
 #include "fixtures/temporary_folder.hpp"
 #include "io/output/csv.hpp"
 
@@ -36,7 +36,7 @@ std::string complaint(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("table: what was written is read back to the bit, names with commas and quotes too") {
+TEST_CASE("table: numbers are read back bitwise, and names with commas and quotes unchanged") {
   const fixtures::TemporaryFolder folder;
   const std::vector<std::string> odd = {"time [s]", "a, \"b\".force_x [N]"};
   const std::vector<double> numbers = {0, 1.0 / 3, 1e-300, -2.5e17};
@@ -47,23 +47,23 @@ TEST_CASE("table: what was written is read back to the bit, names with commas an
   CHECK(table.columns == std::vector<std::vector<double>>{{0, 1e-300}, {1.0 / 3, -2.5e17}});
 }
 
-TEST_CASE("table: a file that is not there or not whole is refused with its line") {
+TEST_CASE("table: a missing or damaged file is refused with its line") {
   const fixtures::TemporaryFolder folder;
   const std::filesystem::path file = folder / "history.csv";
-  CHECK(complaint(file) == file.string() + " is not there; name a folder that `perimpact run` has written its results into.");
+  CHECK(complaint(file) == file.string() + " does not exist; give a results folder written by `perimpact run`.");
   const auto said = [&](const std::string& text) {
     fixtures::put(file, text);
     return complaint(file);
   };
   const std::string place = file.string();
-  CHECK(said("time [s],f [N]\n0,1\n1,\n") == place + ":3: this row has no number in column 2 (f [N]); take the file as the run wrote it.");
-  CHECK(said("time [s],f [N]\n0\n") == place + ":2: this row holds 1 numbers, but the first line names 2 columns; take the file as the run wrote it.");
-  CHECK(said("time [s],f [N]\n0,1,2\n") == place + ":2: this row goes on behind its 2 numbers; take the file as the run wrote it.");
+  CHECK(said("time [s],f [N]\n0,1\n1,\n") == place + ":3: this row has no number in column 2 (f [N]); use the file as written by the run.");
+  CHECK(said("time [s],f [N]\n0\n") == place + ":2: this row has 1 numbers, but the first line names 2 columns; use the file as written by the run.");
+  CHECK(said("time [s],f [N]\n0,1,2\n") == place + ":2: this row has text after its 2 numbers; use the file as written by the run.");
   CHECK(said("time [s],f [N]\n0,one\n").find(":2: this row has no number in column 2") != std::string::npos);
   CHECK(said("time [s],f [N]\n0,1\n").empty());
 }
 
-TEST_CASE("table: what a column of history is stands in history.json, whatever its name") {
+TEST_CASE("table: history.json determines the kind of a history column, whatever its name") {
   const fixtures::TemporaryFolder folder;
   const auto column = [](const char* name, const char* unit, const char* kind, const char* more = "") {
     return std::string("{\"name\": \"") + name + "\", \"unit\": \"" + unit + "\", \"kind\": \"" + kind + "\"" + more + "}";
@@ -92,23 +92,23 @@ TEST_CASE("table: what a column of history is stands in history.json, whatever i
   };
   const std::string place = (folder / "history.json").string();
   facts({time, column("ship.water_force_z", "N", "interval mean")});
-  CHECK(said() == place + " does not tell of the 4 columns of history.csv; take the file as the run wrote it.");
+  CHECK(said() == place + " does not describe the 4 columns of history.csv; use the file as written by the run.");
   facts({time, column("ship.water_force_z", "N", "mean"), time, time});
-  CHECK(said() == place +
-                      " says that ship.water_force_z [N] is of the kind \"mean\", which is none of instantaneous, interval mean and cumulative; take the "
-                      "file as the run wrote it.");
+  CHECK(said() ==
+        place +
+            " gives ship.water_force_z [N] the kind \"mean\", which is not instantaneous, interval mean or cumulative; use the file as written by the run.");
   facts({time, column("ship.force_x", "N", "instantaneous"), time, time});
-  CHECK(said() == place + " names another column where history.csv has ship.water_force_z [N]; take the file as the run wrote it.");
+  CHECK(said() == place + " names a different column where history.csv has ship.water_force_z [N]; use the file as written by the run.");
   std::filesystem::remove(folder / "history.json");
-  CHECK(said().starts_with(place + " is not there, which says what each column of history.csv is."));
+  CHECK(said().starts_with(place + " does not exist; it describes the columns of history.csv."));
 }
 
-TEST_CASE("table: a column's heading holds its quantity and its unit") {
+TEST_CASE("table: a column's heading consists of its quantity and its unit") {
   CHECK(quantity_of("ship.force_x [N]") == "ship.force_x");
   CHECK(unit_of("total.momentum_x [kg m/s]") == "kg m/s");
 }
 
-TEST_CASE("table: columns are chosen by whole names or by beginnings that end at a joint") {
+TEST_CASE("table: columns are selected by full names or by prefixes that end at a separator") {
   const Table table{"r/history.csv", names, {}, {}};
   CHECK(columns_named(table, {"ship.force_x"}) == Numbers{2});
   CHECK(columns_named(table, {"ship.force_x [N]"}) == Numbers{2});
@@ -124,7 +124,7 @@ TEST_CASE("table: columns are chosen by whole names or by beginnings that end at
     return std::string();
   };
   CHECK(said("ship.forse_x") == "--columns: r/history.csv has no column ship.forse_x; did you mean ship.force_x?");
-  CHECK(said("zzz") == "--columns: r/history.csv has no column zzz; its first line names those that there are.");
+  CHECK(said("zzz") == "--columns: r/history.csv has no column zzz; its first line lists the columns.");
   CHECK(said("ship.for").find("has no column ship.for") != std::string::npos);
   CHECK(said("").find("has no column without a name") != std::string::npos);
 }

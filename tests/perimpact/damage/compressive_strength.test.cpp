@@ -1,11 +1,11 @@
-// A bar squeezed between smooth platens: what its free faces do to its strength (docs/theory/damage.md).
+// A bar compressed between smooth platens: effect of its free faces on its strength (docs/theory/damage.md).
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/simulation/stable_step.hpp"
+#include "perimpact/integrate/stable_step.hpp"
 
 using namespace perimpact;
 using fixtures::BodyOptions;
@@ -22,7 +22,7 @@ BodyOptions bar(Model model, std::optional<double> critical_stretch = {}, double
   return options;
 }
 
-/// Places of the particles at rest, where three layers at each end are led along z to a strain of `squeezed` and may slide.
+/// Equilibrium positions with the z displacement of three layers at each end prescribed to a compressive strain `squeezed`; they may slide.
 VectorArray at_rest(Model model) {
   Body body = fixtures::body(bar(model));
   Particles& particles = body.particles;
@@ -41,7 +41,7 @@ VectorArray at_rest(Model model) {
   return particles.position;
 }
 
-/// Bonds that break where these displacements are so large that the bar is squeezed by `strain`.
+/// Bonds that break when these displacements are scaled to the compressive strain `strain`.
 std::size_t broken_at(const VectorArray& rest, double strain, const BodyOptions& options) {
   Body body = fixtures::body(options);
   for (const std::uint32_t slot : body.particles.slot_of()) {
@@ -54,7 +54,7 @@ std::size_t broken_at(const VectorArray& rest, double strain, const BodyOptions&
 
 }  // namespace
 
-TEST_CASE("failure: a bar of ν = 1/4 squeezed between smooth platens breaks at its faces, at s_c/(0.38 - α), not at s_c/(ν - α)") {
+TEST_CASE("failure: a bar of ν = 1/4 compressed between smooth platens breaks at its faces, at s_c/(0.38 - α), not at s_c/(ν - α)") {
   constexpr double stretch = 1e-4, lateral = 0.38;
   const VectorArray rest = at_rest(Model::ordinary_state);
   for (const double alpha : {0.0, 0.1}) {
@@ -64,7 +64,7 @@ TEST_CASE("failure: a bar of ν = 1/4 squeezed between smooth platens breaks at 
       const double middle = 0.5 * (low + high);
       (broken_at(rest, middle, bar(Model::ordinary_state, stretch, alpha)) > 0 ? high : low) = middle;
     }
-    // 0.370 half-way up a longer bar, a little more near the platens; bonds along the axis are pressed by some per cent more than the mean
+    // 0.370 at mid-height of a longer bar, slightly more near the platens; axial bonds are compressed by some per cent more than the mean
     CHECK(high == fixtures::relative(stretch / (lateral - alpha), 0.06));
   }
 }

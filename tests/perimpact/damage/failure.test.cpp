@@ -1,4 +1,4 @@
-#include "perimpact/simulation/failure.hpp"
+#include "perimpact/body/failure.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/damage/strength.hpp"
-#include "perimpact/material/fracture_energy.hpp"
+#include "perimpact/materials/ordinary_state/fracture_energy.hpp"
 
 using namespace perimpact;
 using fixtures::body;
@@ -39,7 +39,7 @@ FailureSetup in_compression(CompressionFailure kind, std::optional<double> limit
   return failure;
 }
 
-/// Broken bonds after the whole body was stretched by s.
+/// Broken bonds after a uniform stretch s of the body.
 std::size_t broken_at(double s, const BodyOptions& options) {
   Body solid = body(options);
   fixtures::deform(solid, [&](const Vec3d& X) { return (1 + s) * X; });
@@ -49,7 +49,7 @@ std::size_t broken_at(double s, const BodyOptions& options) {
 
 }  // namespace
 
-TEST_CASE("failure: the fracture energy of the continuum is that of the literature, in space and in the plane") {
+TEST_CASE("failure: the fracture energy of the continuum is that of the literature, in 3-D and 2-D") {
   // physics notes 1.9; Simpson's rule is exact for these powers
   const auto [mu, kappa] = std::pair(E / 2.6, E / (3 * 0.4));                                                         // ν = 0.3
   CHECK(unit_energy(Plane::none, 0.25) == fixtures::relative(9 * (E / 1.5) * horizon / 5, 1e-10));                    // 9 κ δ/5, bond-based
@@ -58,7 +58,7 @@ TEST_CASE("failure: the fracture energy of the continuum is that of the literatu
   CHECK(unit_energy(Plane::none, 0.3) == fixtures::relative((3 * mu + 81.0 / 256 * (kappa - 5 * mu / 3)) * horizon, 1e-10));
 }
 
-TEST_CASE("failure: the lattice costs what the notes' table says, so that a crack along its cells costs exactly the given energy") {
+TEST_CASE("failure: the lattice has the tabulated fracture energy, so that a crack along its cells costs exactly the given energy") {
   for (const auto& [plane, ratio] : {std::pair(PlaneState::none, 1.07), std::pair(PlaneState::stress, 1.04)}) {
     BodyOptions options{.size = {0.02, 0.02, plane == PlaneState::none ? 0.008 : thickness},
                         .poissons_ratio = plane == PlaneState::none ? 0.25 : 1.0 / 3,
@@ -66,13 +66,13 @@ TEST_CASE("failure: the lattice costs what the notes' table says, so that a crac
                         .critical_stretch = 1e-3,
                         .plane = plane};
     const Body solid = body(options);
-    // table 1.9: 1.07 in space, 1.03 to 1.05 in the plane, two digits, for constants of the continuum
+    // table 1.9: 1.07 in 3-D, 1.03 to 1.05 in 2-D, two digits, for constants of the continuum
     CHECK(solid.failure->fracture_energy / (1e-6 * unit_energy(options.plane == PlaneState::none ? Plane::none : Plane::stress, options.poissons_ratio)) ==
           fixtures::relative(ratio, 0.011));
   }
 }
 
-TEST_CASE("failure: parting a body by hand along a plane of cells takes the fracture energy that it was given") {
+TEST_CASE("failure: separating a body along a plane of cells takes the given fracture energy") {
   // bonds across x = 0 at the critical stretch, one by one: Σ ½ (2 W_bond) over the pairs, from energies of pairs alone (a = 0)
   BodySetup setup = fixtures::body_setup({.size = {0.016, 0.012, 0.012}});
   auto& material = std::get<OrdinaryStateSetup>(setup.material);
@@ -95,7 +95,7 @@ TEST_CASE("failure: parting a body by hand along a plane of cells takes the frac
   CHECK(energy / (static_cast<double>(columns) * 1e-6) == fixtures::relative(42.0, 1e-9));  // per area of crack; the same sums in another order
 }
 
-TEST_CASE("failure: whichever of the three is given, the two others follow, there and back") {
+TEST_CASE("failure: each of the three parameters determines the other two, both ways") {
   const auto criterion = [](const auto& give) {
     BodySetup setup = fixtures::body_setup({.size = {0.02, 0.02, 0.006}, .poissons_ratio = 0.3});
     give(std::get<OrdinaryStateSetup>(setup.material));
@@ -112,7 +112,7 @@ TEST_CASE("failure: whichever of the three is given, the two others follow, ther
   CHECK(ten.stretch == fixtures::relative(0.9e6 / E, 1e-14));
 }
 
-TEST_CASE("failure: compression breaks no bond, all of them at the critical stretch, or all at a limit of their own, as asked") {
+TEST_CASE("failure: compression breaks no bond, all at the critical stretch, or all at a compressive limit, as set") {
   for (const auto points : {fixtures::Points::lattice, fixtures::Points::shaken}) {
     const auto options = [&](const FailureSetup& failure) {
       return BodyOptions{.size = {0.008, 0.006, 0.005}, .critical_stretch = 1e-3, .points = points, .failure = failure};
@@ -128,7 +128,7 @@ TEST_CASE("failure: compression breaks no bond, all of them at the critical stre
   }
 }
 
-TEST_CASE("failure: with scatter a bond breaks where its own two particles say, at both of its ends, and as often as Weibull says") {
+TEST_CASE("failure: with scatter a bond breaks at the mean strength of its two particles, at both ends, with the Weibull frequency") {
   for (const auto points : {fixtures::Points::lattice, fixtures::Points::shaken}) {
     FailureSetup failure;
     failure.weibull_modulus = 5.0, failure.seed = 3;
@@ -153,7 +153,7 @@ TEST_CASE("failure: with scatter a bond breaks where its own two particles say, 
   }
 }
 
-TEST_CASE("failure: Weibull factors have mean 1, the scatter of their modulus, and differ with the seed") {
+TEST_CASE("failure: Weibull factors have mean 1 and the scatter of their modulus, and depend on the seed") {
   for (const double m : {2.0, 5.0, 20.0}) {
     double sum = 0, squares = 0;
     constexpr int count = 100'000;
@@ -169,7 +169,7 @@ TEST_CASE("failure: Weibull factors have mean 1, the scatter of their modulus, a
   CHECK(weibull_factor(5, 1, 7) != weibull_factor(5, 2, 7));
 }
 
-TEST_CASE("failure: particles that may not fail keep all their bonds, whatever the stretch") {
+TEST_CASE("failure: no_fail particles keep all their bonds at any stretch") {
   Body solid = body({.critical_stretch = 1e-3});
   std::vector<std::size_t> never;
   for (const std::uint32_t slot : solid.particles.slot_of())
@@ -201,7 +201,7 @@ FailureSetup hardening(double alpha) {
   return failure;
 }
 
-/// Broken bonds of a body squeezed by ε along x that is free to grow across by ν ε.
+/// Broken bonds of a body compressed by ε along x, with free lateral expansion ν ε.
 std::size_t broken_when_squeezed(double strain, double nu, const BodyOptions& options) {
   Body solid = body(options);
   fixtures::deform(solid, [&](const Vec3d& X) { return Vec3d{(1 - strain) * X.x, (1 + nu * strain) * X.y, (1 + nu * strain) * X.z}; });
@@ -211,27 +211,27 @@ std::size_t broken_when_squeezed(double strain, double nu, const BodyOptions& op
 
 }  // namespace
 
-TEST_CASE("failure: with compression hardening uniform squeezing breaks bonds across at s_c/(ν - α), and for α of ν and more none") {
+TEST_CASE("failure: with compression hardening uniform compression breaks lateral bonds at s_c/(ν - α), and none for α ≥ ν") {
   constexpr double stretch = 1e-3, nu = 0.25;
   for (const double alpha : {0.0, 0.1, 0.2}) {
     const BodyOptions options{.critical_stretch = stretch, .failure = hardening(alpha)};
     const double limit = stretch / (nu - alpha);
     CAPTURE(alpha);
-    // lengths are exact but for rounding; bonds that lie across have the largest stretch, those along x the least
+    // lengths are exact to rounding; lateral bonds have the largest stretch, those along x the smallest
     CHECK(broken_when_squeezed((1 - 1e-6) * limit, nu, options) == 0);
     CHECK(broken_when_squeezed((1 + 1e-6) * limit, nu, options) > 0);
   }
   CHECK(broken_when_squeezed(0.5, nu, {.critical_stretch = stretch, .failure = hardening(0.25)}) == 0);
 }
 
-TEST_CASE("failure: compression hardening changes nothing where nothing is pressed") {
+TEST_CASE("failure: compression hardening has no effect without compression") {
   constexpr double stretch = 1e-3;
   const BodyOptions options{.critical_stretch = stretch, .failure = hardening(0.2)};
   CHECK(broken_at((1 - 1e-9) * stretch, options) == 0);
   CHECK(broken_at((1 + 1e-9) * stretch, options) > 0);
 }
 
-TEST_CASE("failure: with compression hardening each bond breaks where the least stretches of its own two particles say, in pass after pass") {
+TEST_CASE("failure: with compression hardening each bond breaks by the minimum stretches of its two particles, in pass after pass") {
   constexpr double stretch = 1e-3, alpha = 0.15;
   for (const auto points : {Points::lattice, Points::shaken})
     for (const bool scatters : {false, true}) {
@@ -244,7 +244,7 @@ TEST_CASE("failure: with compression hardening each bond breaks where the least 
       const auto stretch_of = [&](std::size_t slot, const FamilyBond& bond) {
         return norm(particles.position.at(bond.j) - particles.position.at(slot)) / bond.length - 1;
       };
-      for (unsigned pass = 1; pass <= 6; ++pass) {  // some calm, so that what was pressed is let go
+      for (unsigned pass = 1; pass <= 6; ++pass) {  // some almost undeformed, so that compression is released
         fixtures::deform(solid, [](const Vec3d& X) { return X; });
         fixtures::shake(solid, pass % 3 == 0 ? 1e-9 : 6e-7 * pass, pass);
         std::vector<double> pressed(particles.slots(), 0.0);
@@ -262,13 +262,13 @@ TEST_CASE("failure: with compression hardening each bond breaks where the least 
         solid.internal.evaluate(solid.particles, solid.family);
         for (const std::uint32_t slot : particles.slot_of()) solid.family.for_each_bond(slot, [&](const FamilyBond& bond) { left.emplace_back(slot, bond.j); });
         CHECK(left == expected);
-        CHECK((hardened > 50) == (pass % 3 != 0));  // there is something to tell apart
+        CHECK((hardened > 50) == (pass % 3 != 0));  // the test discriminates
       }
       CHECK(solid.internal.broken_bonds() > 100);
     }
 }
 
-TEST_CASE("failure: with compression hardening forces and energies do not depend on what was pressed in the pass before") {
+TEST_CASE("failure: with compression hardening forces and energies do not depend on the compression in the previous pass") {
   const auto shaken = [](Body& solid, double by) {
     fixtures::deform(solid, [](const Vec3d& X) { return X; });
     fixtures::shake(solid, by, 7);

@@ -7,8 +7,8 @@
 
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/particles/advance.hpp"
-#include "perimpact/simulation/stable_step.hpp"
 
 using namespace perimpact;
 

@@ -1,10 +1,10 @@
-// What breaking bonds takes of the elastic energy, for every material.
+// Elastic energy released by bond failure, for every material.
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <random>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double dt = 1e-7;  // [s]
 
-/// A body out of shape and in motion, of which bonds may break or not.
+/// A deformed body in motion, with or without bond failure.
 Body shaken(fixtures::BodyOptions options, bool breaks) {
   if (breaks) options.critical_stretch = 5e-3;
   Body body = fixtures::body(options);
@@ -38,7 +38,7 @@ constexpr Vec3d size{0.008, 0.007, 0.006};
 
 }  // namespace
 
-TEST_CASE("fracture energy: it is the elastic energy of the same places with and without the bonds that broke, for every material") {
+TEST_CASE("fracture energy: it is the difference of elastic energy at fixed positions with and without the broken bonds, for every material") {
   for (const fixtures::NamedOptions& one : fixtures::every_body(size)) {
     CAPTURE(one.name);
     Body whole = shaken(one.options, false), broken = shaken(one.options, true);
@@ -46,7 +46,7 @@ TEST_CASE("fracture energy: it is the elastic energy of the same places with and
     const double after = broken.internal.evaluate_with_energy(broken.particles, broken.family);
     REQUIRE(broken.internal.broken_bonds() > 0);
     REQUIRE(before - after > 0.001 * before);
-    // rounding of sums over some ten thousand bonds, of which a thousandth is left; the shape tensors of correspondence are inverted twice
+    // rounding of sums over some ten thousand bonds, whose difference is a thousandth; correspondence inverts its shape tensors twice
     CHECK(broken.internal.fracture_energy() == fixtures::relative(before - after, 1e-9));
     CHECK(whole.internal.fracture_energy() == 0);
 
@@ -55,7 +55,7 @@ TEST_CASE("fracture energy: it is the elastic energy of the same places with and
   }
 }
 
-TEST_CASE("fracture energy: of a body that moves it is less by what the lost forces would have done in half a step") {
+TEST_CASE("fracture energy: in motion it is reduced by the work of the lost forces over half a step") {
   for (const fixtures::NamedOptions& one : fixtures::every_body(size)) {
     CAPTURE(one.name);
     Body whole = shaken(one.options, false), broken = shaken(one.options, true);
@@ -67,7 +67,7 @@ TEST_CASE("fracture energy: of a body that moves it is less by what the lost for
   }
 }
 
-TEST_CASE("fracture energy: one particle at a time and many, one thread and several come to the same") {
+TEST_CASE("fracture energy: it is the same for scalar and packed evaluation, one thread and several") {
   const int threads_before = fccda::thread_count();
   for (const fixtures::NamedOptions& one : fixtures::every_body(size)) {
     CAPTURE(one.name);

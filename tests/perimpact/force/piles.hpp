@@ -1,24 +1,24 @@
-/// Bodies whose particles touch, for tests of the short-range force: what they are made of, how their bonds are cut, and one step of them.
+/// Bodies in contact, for tests of the short-range force: their set-up, the cutting of bonds, and one step.
 #pragma once
 
 #include <random>
 #include <vector>
 
 #include "perimpact/bodies.hpp"
-#include "perimpact/force/short_range.hpp"
 #include "perimpact/particles/advance.hpp"
+#include "perimpact/self_contact/short_range.hpp"
 
 namespace fixtures {
 
 using namespace perimpact;
 
-/// Several bodies and what makes them touch; the force sees their states, nothing else.
+/// Several bodies and their contact law; the force depends on their states only.
 struct Pile {
   ShortRangeLaw law;
   std::vector<Body> bodies;
 
-  std::vector<TouchingBody> touching() {
-    std::vector<TouchingBody> all;
+  std::vector<ContactingBody> touching() {
+    std::vector<ContactingBody> all;
     for (Body& body : bodies) {
       const IsotropicElastic& elastic = body.internal.ordinary_state()->law().elastic();
       all.push_back(
@@ -47,7 +47,7 @@ struct Pile {
         sum += cross(body.particles.position.at(slot), body.particles.volume(slot) * body.particles.force_density.at(slot));
     return sum;
   }
-  /// Σ |V f| [N]: what rounding is measured by.
+  /// Σ |V f| [N]: scale of rounding.
   double magnitude() const {
     double sum = 0;
     for (const Body& body : bodies)
@@ -56,7 +56,7 @@ struct Pile {
   }
 };
 
-/// Moves all particles of a body and gives them this velocity.
+/// Displaces all particles of a body and sets their velocity.
 inline void launch(Body& body, const Vec3d& by, const Vec3d& velocity) {
   for (const std::uint32_t slot : body.particles.slot_of()) {
     body.particles.position.set(slot, body.particles.position.at(slot) + by);
@@ -64,7 +64,7 @@ inline void launch(Body& body, const Vec3d& by, const Vec3d& velocity) {
   }
 }
 
-/// Cuts that share of the particles loose of everything.
+/// Cuts all bonds of the given fraction of the particles.
 inline void shatter(Body& body, double share, unsigned seed = 3) {
   std::mt19937_64 random(seed);
   std::vector<std::uint8_t> loose(body.particles.slots());

@@ -1,10 +1,10 @@
-// Boundaries in whole simulations: regions of the deck, columns, contact on held particles, threads.
+// Boundary conditions in whole simulations: particle sets, columns, contact on constrained particles, threads.
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <string>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
 #include "perimpact/simulations.hpp"
@@ -27,28 +27,28 @@ Setup clamped_plate() {
   setup.time = {.end = 20e-6, .step = 2e-7};
   BodySetup plate = fixtures::body_setup({.size = {0.02, 0.01, 0.004}, .spacing = 0.001});
   plate.name = "plate";
-  plate.regions = {region("left", {0.002, 0.01, 0.004}, {-0.009, 0, 0}), region("right", {0.002, 0.01, 0.004}, {0.009, 0, 0})};
-  plate.boundaries = {{"clamp", FixedSetup{.region = "left", .directions = {}}}};
+  plate.particle_sets = {region("left", {0.002, 0.01, 0.004}, {-0.009, 0, 0}), region("right", {0.002, 0.01, 0.004}, {0.009, 0, 0})};
+  plate.boundary_conditions = {{"clamp", FixedSetup{.particle_set = "left", .directions = {}}}};
   setup.bodies = {plate};
-  setup.output.history = 1e-6;
+  setup.output.history_interval = 1e-6;
   return setup;
 }
 
-/// A sphere that strikes the plate from above at x.
+/// A sphere that impacts the plate from above at x.
 ImpactorSetup sphere(double x) {
   ImpactorSetup impactor;
   impactor.name = "sphere";
-  impactor.surface = SphereSurface{.diameter = 0.006, .panel = 0.0008};
+  impactor.surface = SphereSurface{.diameter = 0.006, .edge_length = 0.0008};
   impactor.mass = 0.01;
   impactor.position = {x, 0, 0.0052};
   impactor.velocity = {0, 0, -20};
-  impactor.free = {"z"};
+  impactor.free_dofs = {"z"};
   return impactor;
 }
 
 }  // namespace
 
-TEST_CASE("boundaries: force and work of each are columns of the history, and with the impactor's they balance the momentum") {
+TEST_CASE("boundary conditions: force and work of each are columns of the history, and balance the momentum with those of the impactor") {
   Setup setup = clamped_plate();
   setup.impactors = {sphere(0)};
   Simulation simulation(setup);
@@ -61,17 +61,17 @@ TEST_CASE("boundaries: force and work of each are columns of the history, and wi
     impulse += value(simulation, "plate.clamp.force_z [N]") * 1e-6;
     CHECK(row < value(simulation, "time [s]"));
   }
-  CHECK(value(simulation, "sphere.velocity_z [m/s]") > -19.9);  // it did strike
+  CHECK(value(simulation, "sphere.velocity_z [m/s]") > -19.9);  // contact occurred
   CHECK(impulse > 0);                                           // and the clamp felt it
-  // exact but for rounding: all momentum that leaves goes through the clamp
+  // exact up to rounding: all momentum leaves through the clamp
   CHECK(value(simulation, "total.momentum_z [kg m/s]") - before == fixtures::relative(impulse, 1e-9));
   CHECK(value(simulation, "plate.clamp.work [J]") == 0);
 }
 
-TEST_CASE("boundaries: an impactor does not move particles that are held, and bounces off them as if the clamp were stiff") {
+TEST_CASE("boundary conditions: an impactor does not move constrained particles, and rebounds as from a stiff clamp") {
   Setup setup = clamped_plate();
   setup.impactors = {sphere(-0.009)};  // above the clamped layers, whose contact is the whole of it
-  setup.impactors[0].surface = SphereSurface{.diameter = 0.001, .panel = 0.0002};
+  setup.impactors[0].surface = SphereSurface{.diameter = 0.001, .edge_length = 0.0002};
   setup.impactors[0].position = {-0.009, 0, 0.0026};
   setup.time.end = 40e-6;
   Simulation simulation(setup);
@@ -91,17 +91,17 @@ TEST_CASE("boundaries: an impactor does not move particles that are held, and bo
   CHECK(value(simulation, "total.momentum_z [kg m/s]") - before == fixtures::relative(impulse, 1e-9));
 }
 
-TEST_CASE("boundaries: one, two and four threads end in the same state to the last bit, with one of each kind") {
+TEST_CASE("boundary conditions: one, two and four threads end in the bitwise identical state, with one of each kind") {
   const auto hash = [](int threads) {
     fccda::use_threads(threads);
     Setup setup = clamped_plate();
     setup.time.end = 4e-6;
-    CourseSetup course;
+    DisplacementSetup course;
     course.velocity = 2;
-    setup.bodies[0].boundaries.push_back({"pull", PrescribedSetup{.region = "right", .x = course}});
-    setup.bodies[0].boundaries.push_back({"weight", BodyForceSetup{.force_density = {0, 0, -1e7}}});
-    setup.bodies[0].boundaries.push_back({"push", PressureSetup{.face = Choice{face_words, 2}, .value = 1e7}});
-    setup.bodies[0].boundaries.push_back({"sink", AbsorbingSetup{.region = "right", .face = Choice{face_words, 0}}});
+    setup.bodies[0].boundary_conditions.push_back({"pull", PrescribedSetup{.particle_set = "right", .x = course}});
+    setup.bodies[0].boundary_conditions.push_back({"weight", BodyForceSetup{.force_density = {0, 0, -1e7}}});
+    setup.bodies[0].boundary_conditions.push_back({"push", PressureSetup{.face = Choice{face_words, 2}, .value = 1e7}});
+    setup.bodies[0].boundary_conditions.push_back({"sink", AbsorbingSetup{.particle_set = "right", .face = Choice{face_words, 0}}});
     setup.impactors = {sphere(0)};
     Simulation simulation(setup);
     run(simulation);
@@ -112,20 +112,20 @@ TEST_CASE("boundaries: one, two and four threads end in the same state to the la
   CHECK(hash(4) == one);
 }
 
-TEST_CASE("boundaries: a region that the body does not have is refused with its key") {
+TEST_CASE("boundary conditions: an unknown particle set is refused with its key") {
   Setup setup = clamped_plate();
-  setup.bodies[0].boundaries[0].kind = FixedSetup{.region = "lefft"};
+  setup.bodies[0].boundary_conditions[0].kind = FixedSetup{.particle_set = "lefft"};
   std::string key;
-  CHECK(complaint(setup, key) == "body plate has no region lefft; did you mean left?");
-  CHECK(key == "bodies.plate.boundaries.clamp.fixed.region");
+  CHECK(complaint(setup, key) == "body plate has no particle set lefft; did you mean left?");
+  CHECK(key == "bodies.plate.boundary_conditions.clamp.fixed.particle_set");
 }
 
 TEST_CASE("relax: each increment is a row with its residual and iterations, and loads follow their factors") {
   Setup setup = clamped_plate();
   setup.time = {.end = 2, .relax = RelaxSetup{.increments = 4, .tolerance = 1e-5}};
-  setup.output.history.reset();
-  setup.bodies[0].boundaries.push_back(
-      {"pull", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = -1e6, .times = {0, 2}, .factors = {0, 1}}});
+  setup.output.history_interval.reset();
+  setup.bodies[0].boundary_conditions.push_back(
+      {"pull", PressureSetup{.particle_set = "right", .face = Choice{face_words, 0}, .value = -1e6, .times = {0, 2}, .factors = {0, 1}}});
   setup.output.probes = {{"end", "plate", {0.0095, 0, 0}}};
   fccda::use_threads(1);
   Simulation simulation(setup);
@@ -150,19 +150,19 @@ TEST_CASE("relax: each increment is a row with its residual and iterations, and 
 TEST_CASE("relax: impactors are refused") {
   Setup setup = clamped_plate();
   setup.time = {.end = 1, .relax = RelaxSetup{}};
-  setup.output.history.reset();
+  setup.output.history_interval.reset();
   setup.impactors = {sphere(0)};
   std::string key;
   CHECK(complaint(setup, key) ==
-        "impactor sphere cannot take part where bodies are relaxed; lead the particles it would touch with a boundary, or remove time.relax.");
+        "impactor sphere is not supported with time.relax; prescribe the displacement of the particles in contact instead, or remove time.relax.");
   CHECK(key == "impactors.sphere");
 }
 
-TEST_CASE("boundaries: a load that begins at nothing is not taken for an unstable step") {
+TEST_CASE("boundary conditions: a load that starts from zero is not mistaken for an unstable step") {
   Setup setup = clamped_plate();
-  setup.bodies[0].boundaries = {
-      {"push", PressureSetup{.region = "right", .face = Choice{face_words, 0}, .value = 2e5, .times = {0, 80e-6}, .factors = {0, 1}}}};
-  setup.output.history = 2e-7;  // a row a step: in the first ones the load has pushed, but nothing has gone anywhere
+  setup.bodies[0].boundary_conditions = {
+      {"push", PressureSetup{.particle_set = "right", .face = Choice{face_words, 0}, .value = 2e5, .times = {0, 80e-6}, .factors = {0, 1}}}};
+  setup.output.history_interval = 2e-7;  // a row a step: in the first ones the load has pushed, but nothing has gone anywhere
   Simulation simulation(setup);
   CHECK_NOTHROW(run(simulation));
   CHECK(value(simulation, "plate.push.work [J]") > 0);

@@ -9,8 +9,8 @@
 
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/boundary/floating.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/boundary_conditions/floating.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/simulations.hpp"
 
 using namespace perimpact;
@@ -19,9 +19,9 @@ using fixtures::value;
 
 namespace {
 
-constexpr double ice = 900, sea = 1025, gravity = 9.81;  // [kg/m³], [m/s²]
-constexpr double side = 2, spacing = 0.5;                // [m]
-constexpr double afloat = side / 2 - side * ice / sea;   // [m] z of the middle of a block of that height whose water is at 0
+constexpr double ice = 900, sea = 1025, gravity = 9.81;       // [kg/m³], [m/s²]
+constexpr double side = 2, spacing = 0.5;                     // [m]
+constexpr double hydrostatics = side / 2 - side * ice / sea;  // [m] z of the middle of a block of that height whose water is at 0
 
 /// A block of soft ice, so that few steps make a second, with its middle at z.
 Setup block(double z, const FloatingSetup& water, double end, double density = ice) {
@@ -31,9 +31,9 @@ Setup block(double z, const FloatingSetup& water, double end, double density = i
   body.name = "ice";
   body.position = {0, 0, z};
   body.material = OrdinaryStateSetup{ElasticSetup{.youngs_modulus = 2e6, .poissons_ratio = 0.25, .density = density}};
-  body.boundaries = {{"sea", water}};
+  body.boundary_conditions = {{"sea", water}};
   setup.bodies = {body};
-  setup.output.history = 0.01;
+  setup.output.history_interval = 0.01;
   return setup;
 }
 
@@ -46,7 +46,7 @@ double middle(const Simulation& simulation) {
   return sum / static_cast<double>(particles.size());
 }
 
-/// [s] between the first and the last time that the middle goes up through z, over the number of bobs between.
+/// [s] between the first and the last upward crossing of z by the centre, over the number of oscillations between.
 double period(Simulation& simulation, double z) {
   std::vector<double> times;
   double before = middle(simulation);
@@ -62,7 +62,7 @@ double period(Simulation& simulation, double z) {
 
 }  // namespace
 
-TEST_CASE("floating: as long as the level is inside a sheet, its columns are Winkler springs of the modulus ρ g, whatever the number of layers") {
+TEST_CASE("floating: while the level is inside a sheet, its columns are Winkler springs of the modulus ρ g, for any number of layers") {
   for (const double layer : {2.0, 1.0, 0.5, 0.25}) {
     const Body body = fixtures::body({.size = {2, 2, 2}, .spacing = layer});
     const std::vector<std::uint32_t> slots(body.particles.slot_of().begin(), body.particles.slot_of().end());
@@ -76,45 +76,45 @@ TEST_CASE("floating: as long as the level is inside a sheet, its columns are Win
   }
 }
 
-TEST_CASE("floating: the level at which bodies float is that of Archimedes, exactly for a box, to the lattice for a sphere, and none for iron") {
+TEST_CASE("floating: the equilibrium level is that of Archimedes, exact for a box, to the lattice for a sphere, and none for iron") {
   Simulation box(block(0.4, {.density = sea, .gravity = gravity}, 0.1));
-  const auto& water = std::get<Floating>(box.boundaries()[0].all()[0].boundary);
-  CHECK(water.water().level == fixtures::relative(0.4 - afloat, 1e-12));
+  const auto& water = std::get<Floating>(box.boundary_conditions()[0].all()[0].boundary);
+  CHECK(water.water().level == fixtures::relative(0.4 - hydrostatics, 1e-12));
   CHECK(water.floats_at() == fixtures::relative(water.water().level, 1e-12));
 
   Setup setup = block(0, {.density = 2 * ice, .gravity = gravity}, 0.1);
   setup.bodies[0].shape = SphereSolid{.diameter = 4};
   setup.bodies[0].spacing = 0.2;
   Simulation sphere(setup);
-  CHECK(std::fabs(std::get<Floating>(sphere.boundaries()[0].all()[0].boundary).water().level) < 1e-12);  // of half the density: to its middle
+  CHECK(std::fabs(std::get<Floating>(sphere.boundary_conditions()[0].all()[0].boundary).water().level) < 1e-12);  // of half the density: to its middle
 
   std::string key;
   const std::string sentence = complaint(block(0, {.density = sea}, 0.1, 7800), key);
-  CHECK(key == "bodies.ice.boundaries.sea.floating");
+  CHECK(key == "bodies.ice.boundary_conditions.sea.floating");
   CHECK(sentence.find("body ice of 7800 kg/m3 sinks in water of 1025 kg/m3") != std::string::npos);
 }
 
-TEST_CASE("floating: a block put where it floats stays there, and one let go beside it bobs with the period of its hydrostatic stiffness") {
-  Simulation still(block(afloat, calm(), 0.5));
+TEST_CASE("floating: a block in equilibrium stays there, and one released from another position oscillates with the period of its hydrostatic stiffness") {
+  Simulation still(block(hydrostatics, calm(), 0.5));
   while (!still.clock().is_finished()) still.step();
   // layers settle on one another by ρ g H²/(2 E) = 9 mm of 2 m at this modulus; of the middle a quarter of that, both ways
-  CHECK(std::fabs(middle(still) - afloat) < 0.005);
+  CHECK(std::fabs(middle(still) - hydrostatics) < 0.005);
 
-  Simulation bobs(block(afloat + 0.05, calm(), 8));
+  Simulation bobs(block(hydrostatics + 0.05, calm(), 8));
   const double expected = 2 * std::numbers::pi * std::sqrt(side * ice / (sea * gravity));
   // 1 %: the block's own springs, ω² of its first mode being 400 times that of the bob, and a step of its period/1000
-  CHECK(period(bobs, afloat) == fixtures::relative(expected, 0.01));
+  CHECK(period(bobs, hydrostatics) == fixtures::relative(expected, 0.01));
 }
 
-TEST_CASE("floating: added mass makes the bob slower by the root of one and its coefficient") {
+TEST_CASE("floating: added mass reduces the frequency by the root of one plus its coefficient") {
   FloatingSetup water = calm();
   water.added_mass = 0.8;
-  Simulation bobs(block(afloat + 0.05, water, 10));
+  Simulation bobs(block(hydrostatics + 0.05, water, 10));
   const double expected = 2 * std::numbers::pi * std::sqrt(side * ice / (sea * gravity)) * std::sqrt(1.8);
-  CHECK(period(bobs, afloat) == fixtures::relative(expected, 0.01));  // as above
+  CHECK(period(bobs, hydrostatics) == fixtures::relative(expected, 0.01));  // as above
 }
 
-TEST_CASE("floating: a heavy block sinks at the speed at which drag on the particles of its surface carries the rest of its weight") {
+TEST_CASE("floating: a heavy block sinks at the speed at which drag on its surface particles balances its submerged weight") {
   constexpr double heavy = 2000;
   FloatingSetup water = calm();
   water.drag = 1.2;
@@ -130,7 +130,7 @@ TEST_CASE("floating: a heavy block sinks at the speed at which drag on the parti
   CHECK(speed == fixtures::relative(expected, 0.005));
 }
 
-TEST_CASE("floating: what weight, buoyancy, drag, damping and added mass do to a body is its boundary's work, and its impulse the change of momentum") {
+TEST_CASE("floating: the work of weight, buoyancy, drag, damping and added mass is that of the boundary condition, and their impulse the change of momentum") {
   FloatingSetup water = calm();
   water.drag = 1, water.damping = 0.3, water.added_mass = 0.5;
   Simulation splash(block(1.5, water, 3));
@@ -151,34 +151,34 @@ TEST_CASE("floating: what weight, buoyancy, drag, damping and added mass do to a
   CHECK(value(splash, "total.momentum_z [kg m/s]") == fixtures::relative(impulse, 1e-9));  // it began at rest
 }
 
-TEST_CASE("floating: in search of equilibrium a block comes to float where Archimedes says, from above and from below") {
+TEST_CASE("floating: relaxation of a block converges to the level of Archimedes, from above and from below") {
   for (const double away : {0.15, -0.1}) {
-    Setup setup = block(afloat + away, calm(), 1);
+    Setup setup = block(hydrostatics + away, calm(), 1);
     setup.time.relax = RelaxSetup{.increments = 1, .tolerance = 1e-6};
-    setup.output.history.reset();
+    setup.output.history_interval.reset();
     Simulation simulation(setup);
     while (!simulation.clock().is_finished()) simulation.step();
-    CHECK(std::fabs(middle(simulation) - afloat) < 0.005);  // the layers' own settlement, as above
+    CHECK(std::fabs(middle(simulation) - hydrostatics) < 0.005);  // the layers' own settlement, as above
   }
 }
 
-TEST_CASE("floating: weight and water that would count twice are refused") {
+TEST_CASE("floating: two floating boundary conditions on the same particles are refused") {
   Setup setup = block(0, calm(), 0.1);
-  setup.bodies[0].boundaries.push_back({"lake", calm()});
+  setup.bodies[0].boundary_conditions.push_back({"lake", calm()});
   std::string key;
   const std::string sentence = complaint(setup, key);
-  CHECK(key == "bodies.ice.boundaries.lake");
-  CHECK(sentence.starts_with("lake gives particles of body ice weight and water that another floating boundary gives them already"));
+  CHECK(key == "bodies.ice.boundary_conditions.lake");
+  CHECK(sentence.starts_with("lake applies weight and buoyancy to particles of body ice that another floating boundary condition includes"));
 }
 
-TEST_CASE("floating: held particles neither drag nor sink, and their holder carries them") {
-  Setup setup = block(afloat + 0.3, calm(), 0.2);
-  FloatingSetup& water = std::get<FloatingSetup>(setup.bodies[0].boundaries[0].kind);
+TEST_CASE("floating: constrained particles neither drag nor sink, and their reaction supports them") {
+  Setup setup = block(hydrostatics + 0.3, calm(), 0.2);
+  FloatingSetup& water = std::get<FloatingSetup>(setup.bodies[0].boundary_conditions[0].kind);
   water.damping = 2, water.drag = 1;
-  setup.bodies[0].boundaries.push_back({"crane", FixedSetup{}});
+  setup.bodies[0].boundary_conditions.push_back({"crane", FixedSetup{}});
   Simulation held(setup);
   while (!held.clock().is_finished()) held.step();
-  CHECK(middle(held) == fixtures::relative(afloat + 0.3, 1e-14));
+  CHECK(middle(held) == fixtures::relative(hydrostatics + 0.3, 1e-14));
   CHECK(value(held, "ice.sea.work [J]") == fixtures::absolute(0, 1e-9, "J"));
   const double out_of_water = sea * gravity * side * side * 0.3;
   CHECK(value(held, "ice.crane.force_z [N]") == fixtures::relative(out_of_water, 1e-9));

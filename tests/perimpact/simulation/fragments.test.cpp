@@ -9,12 +9,12 @@
 #include <span>
 #include <type_traits>
 
-#include "fccda/core/parallel.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/snapshot.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
+#include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/simulation/short_range_of.hpp"
-#include "perimpact/simulation/stable_step.hpp"
 #include "perimpact/simulations.hpp"
 
 namespace perimpact {
@@ -81,7 +81,7 @@ double nearest(const Body& body) {
 
 }  // namespace
 
-TEST_CASE("fragments: two equal bars that meet head on exchange their velocities, keep momentum and the energy to one per cent, in space and in the plane") {
+TEST_CASE("fragments: two equal bars in head-on impact exchange their velocities, conserve momentum and the energy to one per cent, in 3-D and 2-D") {
   for (const PlaneState plane : {PlaneState::none, PlaneState::stress}) {
     CAPTURE(static_cast<int>(plane));
     Setup setup = two_bars(plane, 10, 30e-6);  // the wave needs 10 µs to the far end and back
@@ -93,7 +93,7 @@ TEST_CASE("fragments: two equal bars that meet head on exchange their velocities
       simulation.step();
       most = std::max(most, simulation.fragments()->energy());
     }
-    CHECK(most > 0.01 * energy);                                // they did touch
+    CHECK(most > 0.01 * energy);                                // contact occurred
     CHECK(value(simulation, "total.contact_energy [J]") == 0);  // and have parted
     CHECK(value(simulation, "total.energy [J]") == fixtures::relative(energy, 0.01));
     CHECK(std::fabs(value(simulation, "total.momentum_x [kg m/s]")) <= 1e-12 * mass * 10);
@@ -130,15 +130,15 @@ TEST_CASE(
       }
       CHECK(value(simulation, "block.broken_bonds [-]") > 1000);
       CHECK(most > 30);
-      CHECK(simulation.fragments()->friction_work() > 0);
+      CHECK(simulation.fragments()->friction_dissipation() > 0);
       hashes.push_back(simulation.state_hash());
     }
   fccda::use_threads(before);
   for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
 }
 
-TEST_CASE("fragments: what friction and dashpots take is what rubble loses when it collides") {
-  // no bonds: the springs alone hold energy, and the works are those of the scheme, so only its ripple of (ω dt)² is left
+TEST_CASE("fragments: the dissipation by friction and dashpots is the energy loss of colliding rubble") {
+  // no bonds: only the springs store energy, and the works are those of the scheme, so only its ripple of (ω dt)² is left
   Setup setup = with_contact(
       {block("left", {0.006, 0.006, 0.006}, {-0.0035, 0.0004, 0}, {40, 3, 0}), block("right", {0.006, 0.006, 0.006}, {0.0035, 0, 0.0003}, {-40, 0, 5})}, 3e-5);
   setup.contact.fragments.friction = 0.3;
@@ -151,23 +151,23 @@ TEST_CASE("fragments: what friction and dashpots take is what rubble loses when 
     simulation.step();
     const ShortRange& contact = *simulation.fragments();
     if (!simulation.monitors().is_due(simulation.clock())) continue;
-    const double left = value(simulation, "total.energy [J]") + contact.friction_work() + contact.restitution_work();
+    const double left = value(simulation, "total.energy [J]") + contact.friction_dissipation() + contact.dashpot_dissipation();
     furthest = std::max(furthest, std::fabs(left / first - 1));
   }
   CHECK(furthest <= 0.02);
-  CHECK(simulation.fragments()->friction_work() > 0.01 * first);
-  CHECK(simulation.fragments()->restitution_work() > 0.05 * first);
+  CHECK(simulation.fragments()->friction_dissipation() > 0.01 * first);
+  CHECK(simulation.fragments()->dashpot_dissipation() > 0.05 * first);
 }
 
-TEST_CASE("fragments: a pressed slider is braked by µ times the pressure, and stays where it stops") {
-  // particles right above one another, and a way so short that they stay so; the slab below is held
+TEST_CASE("fragments: a slider under pressure is braked by µ times the pressure, and comes to rest") {
+  // particles right above one another, and a displacement so short that they stay so; the slab below is constrained
   const double spacing = 0.001, acceleration = 3e4, friction = 0.3, speed = 0.3;
   Setup setup = with_contact({block("slab", {0.004, 0.004, 0.003}, {0, 0, -0.0015}, {}), block("slider", {0.004, 0.004, 0.002}, {0, 0, 0.001}, {})}, 1);
   setup.contact.fragments.friction = friction;
   std::vector<Body> bodies;
   for (const BodySetup& body : setup.bodies) bodies.push_back(make_body(body));
   Particles &slab = bodies[0].particles, &slider = bodies[1].particles;
-  const auto touching = touching_bodies(setup, bodies);
+  const auto touching = contacting_bodies(setup, bodies);
   ShortRange contact = *short_range_of(setup, bodies);
   const double dt = 0.3 * silling_askari_step(bodies[1], contact.bound(touching, 1));
   std::vector<double> travel(std::max(travel_blocks(slab), travel_blocks(slider)));
@@ -230,11 +230,12 @@ struct Rebound {
 /// Two cubes of 8³ particles that meet face to face at ±speed, the second moved sideways by parts of a spacing and turned about the normal.
 Rebound rebound(double speed, double along_y, double along_z, double angle) {
   const double spacing = 0.05;
-  const Vec3d place{0.23, along_y * spacing, along_z * spacing};
-  Setup setup = with_contact({soft_block("a", {0.4, 0.4, 0.4}, {-0.23, 0, 0}, {speed, 0, 0}), soft_block("b", {0.4, 0.4, 0.4}, place, {-speed, 0, 0})},
-                             0.03 / speed + 4e-3);
+  const Vec3d set_initial_state{0.23, along_y * spacing, along_z * spacing};
+  Setup setup =
+      with_contact({soft_block("a", {0.4, 0.4, 0.4}, {-0.23, 0, 0}, {speed, 0, 0}), soft_block("b", {0.4, 0.4, 0.4}, set_initial_state, {-speed, 0, 0})},
+                   0.03 / speed + 4e-3);
   Simulation simulation(setup);
-  turn(simulation, "b", place, 0, angle);
+  turn(simulation, "b", set_initial_state, 0, angle);
   run(simulation);
   CHECK(value(simulation, "total.contact_energy [J]") == 0);  // they have parted
   const Vec3d a = mean_velocity(simulation, 0), b = mean_velocity(simulation, 1);
@@ -243,7 +244,7 @@ Rebound rebound(double speed, double along_y, double along_z, double angle) {
 
 }  // namespace
 
-TEST_CASE("fragments: blocks that meet face to face do not feel the phase of their lattices, nor how they are turned") {
+TEST_CASE("fragments: face-to-face contact of blocks depends neither on the phase nor on the rotation of their lattices") {
   for (const double speed : {1.0, 5.0}) {
     const Rebound plain = rebound(speed, 0, 0, 0);
     CAPTURE(speed);
@@ -258,18 +259,18 @@ TEST_CASE("fragments: blocks that meet face to face do not feel the phase of the
   }
 }
 
-TEST_CASE("fragments: a block that slides on another without friction keeps its speed, whatever its lattice's angle") {
+TEST_CASE("fragments: a block that slides on another without friction keeps its speed, for any angle of its lattice") {
   for (const double angle : {0.0, 0.35}) {
     CAPTURE(angle);
     const Vec3d start{-0.4, 0.01, 0.1};
     Setup setup = with_contact({soft_block("floor", {1.6, 0.6, 0.2}, {0, 0, -0.1}, {}), soft_block("slider", {0.3, 0.3, 0.2}, start, {4, 0, 0})}, 0.2);
     BodyForceSetup weight;
     weight.force_density = {0, 0, -1e4};
-    setup.bodies[1].boundaries.push_back({"weight", weight});
+    setup.bodies[1].boundary_conditions.push_back({"weight", weight});
     SolidSetup bottom;
     bottom.name = "bottom", bottom.shape = BoxSolid{{2, 2, 0.11}}, bottom.position = {0, 0, -0.1};
-    setup.bodies[0].regions = {bottom};
-    setup.bodies[0].boundaries.push_back({"bottom", FixedSetup{"bottom", {}}});
+    setup.bodies[0].particle_sets = {bottom};
+    setup.bodies[0].boundary_conditions.push_back({"bottom", FixedSetup{"bottom", {}}});
     Simulation simulation(setup);
     turn(simulation, "slider", start, 2, angle);
     double pushed = 0;
@@ -283,18 +284,18 @@ TEST_CASE("fragments: a block that slides on another without friction keeps its 
   }
 }
 
-TEST_CASE("fragments: friction and dashpots take in every step of confined crushing, and the balance closes") {
-  // a heavy sphere into a block in a rigid mould: rubble is pressed and rubs against what boundaries hold
+TEST_CASE("fragments: friction and dashpots dissipate in every step of confined crushing, and the energy balance closes") {
+  // a heavy sphere into a block in a rigid mould: rubble is compressed and slides against constrained particles
   fixtures::BodyOptions ice{.spacing = 0.1, .model = fixtures::Model::bond_based};
   BodySetup body = block("ice", {1.2, 1.2, 0.6}, {0, 0, -0.3}, {}, ice);
   BondBasedSetup material;
   material.youngs_modulus = 1.8e9, material.density = 900, material.critical_stretch = 3.2e-4;
   body.material = material;
-  const auto mould = [&](const std::string& name, const Vec3d& size, const Vec3d& place) {
+  const auto mould = [&](const std::string& name, const Vec3d& size, const Vec3d& set_initial_state) {
     SolidSetup region;
-    region.name = name, region.shape = BoxSolid{size}, region.position = place;
-    body.regions.push_back(region);
-    body.boundaries.push_back({name, FixedSetup{name, {}}});
+    region.name = name, region.shape = BoxSolid{size}, region.position = set_initial_state;
+    body.particle_sets.push_back(region);
+    body.boundary_conditions.push_back({name, FixedSetup{name, {}}});
   };
   mould("bottom", {2, 2, 0.21}, {0, 0, -0.2});
   mould("west", {0.21, 2, 0.39}, {-0.5, 0, 0.1}), mould("east", {0.21, 2, 0.39}, {0.5, 0, 0.1});
@@ -302,7 +303,7 @@ TEST_CASE("fragments: friction and dashpots take in every step of confined crush
   Setup setup = with_contact({body}, 0.02);
   ImpactorSetup ball;
   ball.name = "ball";
-  ball.surface = SphereSurface{.diameter = 0.9, .panel = 0.1};
+  ball.surface = SphereSurface{.diameter = 0.9, .edge_length = 0.1};
   ball.mass = 1000;
   ball.position = {0, 0, 0.450001};
   ball.velocity = {0, 0, -5};
@@ -315,25 +316,25 @@ TEST_CASE("fragments: friction and dashpots take in every step of confined crush
   while (!simulation.clock().is_finished()) {
     simulation.step();
     const ShortRange& contact = *simulation.fragments();
-    falls = falls || contact.friction_work() < friction || contact.restitution_work() < restitution;
-    friction = contact.friction_work(), restitution = contact.restitution_work();
+    falls = falls || contact.friction_dissipation() < friction || contact.dashpot_dissipation() < restitution;
+    friction = contact.friction_dissipation(), restitution = contact.dashpot_dissipation();
   }
   CHECK(!falls);
   const double work = std::fabs(value(simulation, "ball.contact_work [J]"));
   CHECK(friction > 0.005 * work);
-  CHECK(std::fabs(value(simulation, "total.closing_error [J]")) <= 0.005 * work);  // what is asked of contact
+  CHECK(std::fabs(value(simulation, "total.energy_balance_error [J]")) <= 0.005 * work);  // what is asked of contact
 }
 
-TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart, and all together keep their momentum") {
+TEST_CASE("fragments: the fragments of a block under impact separate, and conserve their total momentum") {
   fixtures::BodyOptions brittle{.critical_stretch = 1e-3};
   Setup setup = with_contact({block("block", {0.010, 0.008, 0.005}, {}, {}, brittle)}, 2e-5);
   ImpactorSetup ball;
   ball.name = "ball";
-  ball.surface = SphereSurface{.diameter = 0.006, .panel = 0.0007};
+  ball.surface = SphereSurface{.diameter = 0.006, .edge_length = 0.0007};
   ball.mass = 2e-3;
   ball.position = {0, 0.0071, 0};
   ball.velocity = {0, -200, 0};
-  ball.free = {"x", "y", "z"};
+  ball.free_dofs = {"x", "y", "z"};
   setup.impactors = {ball};
   double apart[2];
   for (const bool touches : {false, true}) {
@@ -346,10 +347,10 @@ TEST_CASE("fragments: the shards of a block that an impactor strikes keep apart,
     apart[touches] = nearest(simulation.bodies()[0]);
   }
   CHECK(apart[0] < 0.5 * apart[1]);
-  CHECK(apart[1] > 0.4);  // of a spacing; contact begins at 0.9 and gives way
+  CHECK(apart[1] > 0.4);  // of a spacing; contact begins at 0.9 and is compliant
 }
 
-TEST_CASE("fragments: a run left off and taken up by a simulation made anew goes on with the same bits and works") {
+TEST_CASE("fragments: a restart is bitwise exact, also in the works") {
   const Setup setup = shattering();
   Simulation whole(setup);
   std::optional<Simulation> resumed(std::in_place, setup);
@@ -361,33 +362,34 @@ TEST_CASE("fragments: a run left off and taken up by a simulation made anew goes
     }
     whole.step(), resumed->step();
     REQUIRE(resumed->state_hash() == whole.state_hash());
-    REQUIRE(resumed->fragments()->friction_work() == whole.fragments()->friction_work());
+    REQUIRE(resumed->fragments()->friction_dissipation() == whole.fragments()->friction_dissipation());
   }
-  CHECK(whole.fragments()->friction_work() > 0);
+  CHECK(whole.fragments()->friction_dissipation() > 0);
 }
 
-TEST_CASE("fragments: bodies of two dimensions touch others in their plane, and nothing else") {
+TEST_CASE("fragments: 2-D bodies have contact within their plane only") {
   std::string key;
   Setup mixed = two_bars(PlaneState::none, 10, 1e-6);
   mixed.bodies[1].plane.index = static_cast<int>(PlaneState::stress);
   CHECK(fixtures::complaint(mixed, key) ==
-        "body right is plane and body left is not, but only bodies of the same dimension can touch; write law: none, or give both the same plane.");
+        "body right is plane and body left is not, but contact is supported between bodies of the same dimension only; set law: none, or give both the same "
+        "plane.");
   CHECK(key == "contact.fragments.law");
   Setup apart = two_bars(PlaneState::stress, 10, 1e-6);
   apart.bodies[1].position.z = 0.001;
   CHECK(fixtures::complaint(apart, key) ==
-        "the plane bodies left and right lie at z = 0 m and 0.001 m, but only bodies in one plane can touch; give them the same z, or write law: none.");
+        "the plane bodies left and right lie at z = 0 m and 0.001 m, but contact is supported within one plane only; give them the same z, or set law: none.");
 }
 
-TEST_CASE("fragments: bodies that start nearer than they may are told of in a warning") {
+TEST_CASE("fragments: bodies initially closer than the contact distance yield a warning") {
   Setup setup = two_bars(PlaneState::none, 0, 1e-6);
   setup.bodies[1].position.x = 0.0116;
   const std::vector<std::string> warnings = Simulation(setup).warnings();
   REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].find(" pairs of particles start nearer to one another than their contact distance, and the ") != std::string::npos);
+  CHECK(warnings[0].find(" pairs of particles are initially closer than their contact distance, and ") != std::string::npos);
 }
 
-TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap of rubble is quiet at it") {
+TEST_CASE("stable step: contact shortens it, and dashpots more so; a pile of rubble is stable at it") {
   Setup setup = two_bars(PlaneState::none, 10, 30e-6);
   const auto step = [&] { return Simulation(setup).stability().estimate; };
   const double with = step();
@@ -397,7 +399,7 @@ TEST_CASE("stable step: contact makes it shorter, and dashpots more so; a heap o
   const double without = step();
   // 1/dt² is a sum: what contact adds is 12 · 15 c V/(2 ρ δ)
   const Body body = make_body(setup.bodies[0]);
-  const double k = touching_bodies(setup, std::span(const_cast<Body*>(&body), 1)).front().stiffness, volume = 1e-9;
+  const double k = contacting_bodies(setup, std::span(const_cast<Body*>(&body), 1)).front().stiffness, volume = 1e-9;
   CHECK(1 / (with * with) == fixtures::relative(1 / (without * without) + 12 * k * volume / (2 * fixtures::density), 1e-9));
   CHECK(damped < with);
 }

@@ -7,7 +7,7 @@
 
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 using namespace perimpact;
 
@@ -21,7 +21,7 @@ std::vector<Discretisation> discretised(const Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("memory: a set-up is said to take more than its bodies name, and a distance and a guess a slot for each impactor") {
+TEST_CASE("memory: the estimate exceeds the sum over bodies, and includes distance and guess per slot and impactor") {
   for (const SurfaceCorrection correction : {SurfaceCorrection::energy, SurfaceCorrection::volume, SurfaceCorrection::none}) {
     Setup setup;
     setup.bodies = {fixtures::body_setup({.size = {0.021, 0.015, 0.009}, .correction = correction})};
@@ -33,7 +33,7 @@ TEST_CASE("memory: a set-up is said to take more than its bodies name, and a dis
   }
 }
 
-TEST_CASE("memory: a set-up larger than the machine is refused at its largest body, with the numbers and a spacing that fits") {
+TEST_CASE("memory: a set-up larger than the machine is refused at its largest body, with the numbers and a suitable spacing") {
   Setup setup;
   setup.bodies = {fixtures::body_setup({.size = {1, 1, 0.1}}), fixtures::body_setup({.size = {2, 1, 0.1}})};
   setup.bodies[0].name = "small", setup.bodies[1].name = "large";

@@ -8,11 +8,11 @@
 #include <string>
 #include <type_traits>
 
-#include "fccda/core/error.hpp"
-#include "fccda/core/parallel.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/simulations.hpp"
 
 using namespace perimpact;
@@ -22,7 +22,7 @@ using fixtures::value;
 
 namespace {
 
-/// A small plate struck on its edge by a cylinder that touches it at t = 0.
+/// A small plate with a cylinder in contact with its edge at t = 0.
 Setup struck_plate(double nu = 0.25) {
   Setup setup;
   setup.time = {.end = 40e-6, .step = 2e-7};
@@ -31,20 +31,20 @@ Setup struck_plate(double nu = 0.25) {
   setup.bodies = {plate};
   ImpactorSetup cylinder;
   cylinder.name = "cylinder";
-  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.02, .panel = 0.001};
+  cylinder.surface = CylinderSurface{.diameter = 0.02, .height = 0.02, .edge_length = 0.001};
   cylinder.mass = 0.1;
   cylinder.position = {0.003, 0.02, 0};
   cylinder.velocity = {0, -32, 0};
-  cylinder.free = {"x", "y", "z", "rx", "ry", "rz"};
+  cylinder.free_dofs = {"x", "y", "z", "rx", "ry", "rz"};
   setup.impactors = {cylinder};
-  setup.output.history = 2e-6;
+  setup.output.history_interval = 2e-6;
   setup.output.probes = {{"centre", "plate", {0, 0, 0}}};
   return setup;
 }
 
 }  // namespace
 
-TEST_CASE("simulation: plate and cylinder together keep their linear momentum to 1e-10, struck off-centre and free to turn") {
+TEST_CASE("simulation: plate and cylinder conserve their linear momentum to 1e-10, in off-centre impact with free rotation") {
   for (const double friction : {0.0, 0.2}) {
     Setup setup = struck_plate();
     setup.contact.impactors.friction = friction;
@@ -54,11 +54,11 @@ TEST_CASE("simulation: plate and cylinder together keep their linear momentum to
     CHECK(before == fixtures::relative(-3.2, 1e-12));  // 0.1 kg at 32 m/s
     CHECK(std::fabs(value(simulation, "total.momentum_y [kg m/s]") / before - 1) <= 1e-10);
     CHECK(std::fabs(value(simulation, "total.momentum_x [kg m/s]")) <= 1e-10 * 3.2);
-    CHECK(std::fabs(value(simulation, "cylinder.velocity_y [m/s]")) < 30);  // it did strike
+    CHECK(std::fabs(value(simulation, "cylinder.velocity_y [m/s]")) < 30);  // contact occurred
   }
 }
 
-TEST_CASE("simulation: one, two and four threads end in the same state to the last bit, with a dilatation, breaking bonds and a turning impactor") {
+TEST_CASE("simulation: one, two and four threads end in the bitwise identical state, with a dilatation, breaking bonds and a rotating impactor") {
   const int before = fccda::thread_count();
   Setup setup = struck_plate(0.3);
   std::get<OrdinaryStateSetup>(setup.bodies[0].material).critical_stretch = 2e-3;
@@ -79,7 +79,7 @@ TEST_CASE("simulation: one, two and four threads end in the same state to the la
   CHECK(hashes[0] == hashes[2]);
 }
 
-TEST_CASE("simulation: the hash sees a single changed bit of the state") {
+TEST_CASE("simulation: the hash detects a single changed bit of the state") {
   Simulation simulation(struck_plate());
   const std::uint64_t hash = simulation.state_hash();
   std::span<double> velocity;
@@ -87,13 +87,13 @@ TEST_CASE("simulation: the hash sees a single changed bit of the state") {
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<double>>)
       if (name == "plate.velocity_z") velocity = values;
   });
-  velocity[17] = 5e-324;  // the smallest number there is, in place of 0
+  velocity[17] = 5e-324;  // the smallest positive number, in place of 0
   CHECK(simulation.state_hash() != hash);
 }
 
-TEST_CASE("simulation: a fine mesh and the analytic cylinder do the same within three times the facet error") {
+TEST_CASE("simulation: a fine mesh and the analytic cylinder agree within three times the facet error") {
   Setup meshed = struck_plate(), analytic = struck_plate();
-  for (Setup* setup : {&meshed, &analytic}) setup->impactors[0].position.x = 0, setup->impactors[0].free = {"y"};
+  for (Setup* setup : {&meshed, &analytic}) setup->impactors[0].position.x = 0, setup->impactors[0].free_dofs = {"y"};
   analytic.contact.impactors.detector.index = static_cast<int>(DetectorKind::analytic);
   Simulation a(meshed), b(analytic);
   run(a), run(b);
@@ -103,24 +103,24 @@ TEST_CASE("simulation: a fine mesh and the analytic cylinder do the same within 
   CHECK(std::fabs(value(a, "centre.displacement_y [m]")) > 10 * facet);
 }
 
-TEST_CASE("simulation: a region exactly as wide as the cylinder changes no force") {
+TEST_CASE("simulation: contact bounds exactly as wide as the cylinder change no force") {
   Setup without = struck_plate(), with = struck_plate();
-  with.impactors[0].region = {BoxRegionSetup{.size = {0.02, 0.02, 0.01}}, Choice{beyond_region_words, 1}};
+  with.impactors[0].contact_bounds = {BoxRegionSetup{.size = {0.02, 0.02, 0.01}}, Choice{on_exceed_words, 1}};
   Simulation a(without), b(with);
   while (!a.clock().is_finished()) {
     a.step(), b.step();
-    // the plate is thinner than the region, so nothing that touches is cut off: the same contacts, to the bit
+    // the plate is thinner than the bounds, so that no contact is clipped: bitwise the same contacts
     REQUIRE(a.monitors().row().size() == b.monitors().row().size());
     REQUIRE(value(a, "cylinder.force_y [N]") == value(b, "cylinder.force_y [N]"));
   }
   CHECK(a.state_hash() != 0);
 }
 
-TEST_CASE("simulation: what cannot run is refused with its key: a step beyond the stable one, an impactor that starts inside") {
+TEST_CASE("simulation: an unstable step and an impactor that starts inside are refused with their key") {
   std::string key;
   Setup too_long = struck_plate();
   too_long.time.step = 2e-6;
-  CHECK(complaint(too_long, key).find("times the longest stable one") != std::string::npos);
+  CHECK(complaint(too_long, key).find("times the critical time step") != std::string::npos);
   CHECK(key == "time.step");
   Setup inside = struck_plate();
   inside.impactors[0].position.y = 0.018;
@@ -128,22 +128,22 @@ TEST_CASE("simulation: what cannot run is refused with its key: a step beyond th
   CHECK(key == "impactors.cylinder.position");
 }
 
-TEST_CASE("simulation: held degrees of freedom keep their velocity, and the holder's work balances the energy") {
+TEST_CASE("simulation: constrained degrees of freedom keep their velocity, and constraint work balances the energy") {
   Setup setup = struck_plate();
-  setup.impactors[0].free = {};
+  setup.impactors[0].free_dofs = {};
   setup.impactors[0].position.x = 0;
   Simulation simulation(setup);
   run(simulation);
   CHECK(value(simulation, "cylinder.velocity_y [m/s]") == -32);
-  const double work = simulation.impactors()[0].work_of_holder();
+  const double work = simulation.impactors()[0].constraint_work();
   CHECK(work > 0);
-  // relocation is plastic, so a little of the work is lost at first touch; none may appear
+  // relocation is plastic, so that a little work is dissipated at first contact; none may be created
   const double gained = value(simulation, "total.energy [J]") - 0.5 * 0.1 * 32 * 32;
   CHECK(gained <= 1.01 * work);
   CHECK(gained >= 0.8 * work);
 }
 
-TEST_CASE("simulation: energy that appears from nowhere ends the run with a sentence") {
+TEST_CASE("simulation: an energy increase without a source ends the run with a message") {
   Simulation simulation(struck_plate());
   for (int step = 0; step < 20; ++step) simulation.step();
   simulation.visit_state([&](const std::string& name, auto&& values) {  // what an unstable step would do
@@ -157,5 +157,5 @@ TEST_CASE("simulation: energy that appears from nowhere ends the run with a sent
   } catch (const fccda::RunError& error) {
     sentence = error.what();
   }
-  CHECK(sentence.find("make it smaller") != std::string::npos);
+  CHECK(sentence.find("is unstable for this run; reduce it") != std::string::npos);
 }

@@ -16,7 +16,7 @@ using fixtures::complaint;
 
 namespace {
 
-/// A ball of 16 mm with a bore along z, cut along y = 0 from its rim to the bore's axis.
+/// A ball of 16 mm with a bore along z, cut along y = 0 from its surface to the bore's axis.
 BodySetup ball() {
   BodySetup setup = fixtures::body_setup({.spacing = 0.001});
   setup.shape = SphereSolid{0.016};
@@ -35,7 +35,7 @@ Setup run_of(BodySetup body) { return {.time = {.end = 1e-6, .step = {}}, .bodie
 
 }  // namespace
 
-TEST_CASE("solid bodies: a ball has particles where it should, none in its bore, and no bond over its crack") {
+TEST_CASE("solid bodies: a ball has the expected particles, none in its bore, and no bond across its crack") {
   const BodySetup setup = ball();
   const Body body = make_body(setup);
   const double radius = 0.008, bore = 0.002;
@@ -56,7 +56,7 @@ TEST_CASE("solid bodies: a ball has particles where it should, none in its bore,
     const Vec3d Xi = whole.particles.reference(i) - setup.position;
     whole.family.for_each_bond(i, [&](const FamilyBond& bond) {
       const Vec3d Xj = whole.particles.reference(bond.j) - setup.position;
-      if (Xi.y < 0 && Xj.y > 0 && Xi.x + Xi.y / (Xi.y - Xj.y) * (Xj.x - Xi.x) > -1e-9) ++over;  // those that touch the end of the crack are cut
+      if (Xi.y < 0 && Xj.y > 0 && Xi.x + Xi.y / (Xi.y - Xj.y) * (Xj.x - Xi.x) > -1e-9) ++over;  // bonds through the end of the crack are cut
     });
   }
   REQUIRE(body.cracks.size() == 1);
@@ -66,21 +66,21 @@ TEST_CASE("solid bodies: a ball has particles where it should, none in its bore,
   CHECK(body.family.initial_bonds() == whole.family.initial_bonds());  // cut bonds count as damage
 }
 
-TEST_CASE("solid bodies: the mass of the solid is known, and a lattice too coarse for it is told") {
+TEST_CASE("solid bodies: the mass of the solid is known, and a lattice too coarse for it is reported") {
   BodySetup setup = ball();
   setup.holes.clear(), setup.cracks.clear();
   const Simulation fine(run_of(setup));
   REQUIRE(fine.filled_mass(0).has_value());
   CHECK(fine.filled_mass(0)->solid == fixtures::relative(fixtures::density * std::numbers::pi / 6 * 0.016 * 0.016 * 0.016, 1e-12));
   CHECK(fine.filled_mass(0)->particles == fixtures::relative(fine.bodies()[0].particles.total_mass(), 1e-12));
-  CHECK(!warns_of(fine, "against its solid"));
+  CHECK(!warns_of(fine, "relative to its solid"));
   setup.spacing = 0.0065;  // two by two by two cells, 2197 mm³ of 3217 mm³
   setup.shape = CylinderSolid{0.016, 0.016, {axis_words, 2}};
-  CHECK(warns_of(Simulation(run_of(setup)), "-31.7 % against its solid of 0.02574 kg: the lattice is coarse for it. Take a smaller spacing."));
+  CHECK(warns_of(Simulation(run_of(setup)), "-31.7 % relative to its solid of 0.02574 kg: the lattice is too coarse. Use a smaller spacing."));
   CHECK(!Simulation(run_of(ball())).filled_mass(0).has_value());
 }
 
-TEST_CASE("solid bodies: a body without particles is refused, particles without bonds are told") {
+TEST_CASE("solid bodies: a body without particles is refused, particles without bonds are reported") {
   BodySetup setup = ball();
   std::string key;
   setup.holes = {{"all", BoxSolid{{1, 1, 1}}, {}, {}}};
@@ -89,24 +89,24 @@ TEST_CASE("solid bodies: a body without particles is refused, particles without 
   CHECK(key == "bodies.body.spacing");
   setup = ball();
   setup.cracks.clear();
-  setup.parts = {{"crumb", BoxSolid{{0.001, 0.001, 0.001}}, {0.0205, 0.0005, 0.0005}, {}}};
-  CHECK(warns_of(Simulation(run_of(setup)), "1 particles of body body have no bond, the solid is too thin there"));
+  setup.add = {{"crumb", BoxSolid{{0.001, 0.001, 0.001}}, {0.0205, 0.0005, 0.0005}, {}}};
+  CHECK(warns_of(Simulation(run_of(setup)), "1 particles of body body have no bonds, because the solid is too thin there"));
 }
 
-TEST_CASE("solid bodies: cracks that are none, or nowhere, are refused at their polygon") {
+TEST_CASE("solid bodies: invalid cracks and cracks outside the body are refused at their polygon") {
   std::string key;
   BodySetup setup = ball();
   setup.cracks[0].polygon.resize(2);
-  CHECK(complaint(run_of(setup), key).starts_with("the crack has 2 corners, but a polygon needs three or more"));
+  CHECK(complaint(run_of(setup), key).starts_with("the crack has 2 corners, but a polygon needs at least three"));
   CHECK(key == "bodies.body.cracks.notch.polygon");
   setup = ball();
   for (Vec3d& corner : setup.cracks[0].polygon) corner.y = 1;
   CHECK(complaint(run_of(setup), key) ==
-        "the crack notch cuts no bond of body body: it is outside of it, or another crack is there already; its corners are from the body's position, in "
-        "metres.");
+        "the crack notch cuts no bond of body body: it lies outside the body, or coincides with another crack; its corners are relative to the body's "
+        "position, in metres.");
 }
 
-TEST_CASE("solid bodies: a crack in a layer of particles parts it from the one below, and says so") {
+TEST_CASE("solid bodies: a crack in a layer of particles separates it from the one below, with a warning") {
   BodySetup setup = fixtures::body_setup({.size = {0.005, 0.005, 0.005}, .spacing = 0.001});  // the middle layer is at z = 0
   setup.cracks = {{"middle", {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}};              // normal up
   const Simulation simulation(run_of(setup));
@@ -116,7 +116,7 @@ TEST_CASE("solid bodies: a crack in a layer of particles parts it from the one b
       const auto is_above = [&](std::size_t slot) { return body.particles.reference(slot).z > -1e-6; };
       CHECK(is_above(i) == is_above(bond.j));
     });
-  CHECK(warns_of(simulation, "25 particles of body body lie in the plane of crack middle and count as on the side of its normal."));
+  CHECK(warns_of(simulation, "25 particles of body body lie in the plane of crack middle and are assigned to the side of its normal."));
 }
 
 TEST_CASE("solid bodies: a plane disc with a hole and a crack is one layer as thick as its cylinder") {
@@ -128,12 +128,12 @@ TEST_CASE("solid bodies: a plane disc with a hole and a crack is one layer as th
   CHECK(body.particles.thickness() == fixtures::relative(0.003, 1e-12));
   CHECK(body.particles.lattice()->cells[2] == 1);
   for (const std::uint32_t slot : body.particles.slot_of()) CHECK(body.particles.reference(slot).z == 0);
-  // π (10² - 2²) cells, to a tenth of those on the rims of 2 π 12
+  // π (10² - 2²) cells, to a tenth of those on the circumferences of 2 π 12
   CHECK(static_cast<double>(body.particles.size()) == fixtures::relative(std::numbers::pi * 96, 0.025));
   CHECK(body.cracks[0].bonds > 0);
 }
 
-TEST_CASE("solid bodies: the cells of a Gmsh mesh are a body that flies as it is thrown, with regions by place") {
+TEST_CASE("solid bodies: the cells of a Gmsh mesh form a body in free flight, with particle sets by position") {
   const ::fixtures::TemporaryFolder folder;
   const fccda::Elements block = ::fixtures::block_of(fccda::ElementKind::tetrahedron, 4);
   ::fixtures::GmshMesh mesh;

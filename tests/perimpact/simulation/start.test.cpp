@@ -8,7 +8,7 @@
 
 #include "fixtures/tolerance.hpp"
 #include "perimpact/bodies.hpp"
-#include "perimpact/setup/setup_error.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/simulation/simulation.hpp"
 #include "perimpact/simulations.hpp"
 
@@ -19,7 +19,7 @@ using fixtures::value;
 namespace {
 
 /// A block with a ball sunk into its upper face; the ball rests unless it is given a velocity.
-Setup sunk_ball(StartingInside choice) {
+Setup sunk_ball(InitialOverlap choice) {
   Setup setup;
   setup.time = {.end = 10e-6, .step = 2e-7};
   BodySetup block = fixtures::body_setup({.size = {0.032, 0.02, 0.02}, .spacing = 0.002});
@@ -27,17 +27,17 @@ Setup sunk_ball(StartingInside choice) {
   setup.bodies = {block};
   ImpactorSetup ball;
   ball.name = "ball";
-  ball.surface = SphereSurface{.diameter = 0.012, .panel = 0.001};
+  ball.surface = SphereSurface{.diameter = 0.012, .edge_length = 0.001};
   ball.mass = 0.01;
   ball.position = {0.001, 0.012, 0};
-  ball.free = {"x", "y", "z"};
+  ball.free_dofs = {"x", "y", "z"};
   setup.impactors = {ball};
-  setup.contact.impactors.starting_inside.index = static_cast<int>(choice);
-  setup.output.history = 2e-6;
+  setup.contact.impactors.initial_overlap.index = static_cast<int>(choice);
+  setup.output.history_interval = 2e-6;
   return setup;
 }
 
-/// Particles that a ball of that radius about the ball's centre holds, from the coordinates alone.
+/// Particles within that radius of the ball's centre, from the coordinates alone.
 std::size_t particles_within(double radius) {
   std::size_t count = 0;
   for (double x = -0.015; x < 0.016; x += 0.002)
@@ -53,26 +53,26 @@ bool warns_of(const Simulation& simulation, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("start: particles inside are an error by default, which names the two ways out") {
-  const std::string sentence = complaint(sunk_ball(StartingInside::error));
+TEST_CASE("start: initial penetration is an error by default, which names the two remedies") {
+  const std::string sentence = complaint(sunk_ball(InitialOverlap::error));
   CHECK(sentence.find("impactors.ball.position: impactor ball starts inside body block: ") == 0);
-  CHECK(sentence.find("contact.impactors.starting_inside: remove or project.") != std::string::npos);
+  CHECK(sentence.find("contact.impactors.initial_overlap: remove or project.") != std::string::npos);
 }
 
-TEST_CASE("start: removed particles do not exist, so the body is at rest with a hole, its bonds, mass and corrections those of what is left") {
-  Simulation simulation(sunk_ball(StartingInside::remove));
-  REQUIRE(simulation.inside_at_start().size() == 1);
-  const std::size_t removed = simulation.inside_at_start()[0].slots.size();
+TEST_CASE("start: with removed particles the body is at rest with a hole; bonds, mass and corrections are those of the rest") {
+  Simulation simulation(sunk_ball(InitialOverlap::remove));
+  REQUIRE(simulation.initial_penetrations().size() == 1);
+  const std::size_t removed = simulation.initial_penetrations()[0].slots.size();
   // within R + Δ/2 of the centre; the faceted ball lies up to Δm²/(8R) < 0.03 mm inside the round one
   CHECK(removed >= particles_within(0.007 - 3e-5));
   CHECK(removed <= particles_within(0.007));
   const Body& block = simulation.bodies()[0];
   CHECK(block.particles.size() == 16 * 10 * 10 - removed);
-  CHECK(block.family.initial_bonds() < make_body(sunk_ball(StartingInside::remove).bodies[0]).family.initial_bonds());
+  CHECK(block.family.initial_bonds() < make_body(sunk_ball(InitialOverlap::remove).bodies[0]).family.initial_bonds());
   CHECK(warns_of(simulation, std::to_string(removed) + " particles that were inside its surface, or nearer to it than the contact radius, were removed"));
 
   // every particle beside the hole is stiffened as one at a surface is: a particle that keeps all its neighbours has the factor 1
-  const Body hole_free = make_body(sunk_ball(StartingInside::remove).bodies[0]);
+  const Body hole_free = make_body(sunk_ball(InitialOverlap::remove).bodies[0]);
   std::size_t stiffened = 0;
   for (const std::uint32_t slot : block.particles.slot_of())
     if (norm(block.internal.ordinary_state()->correction().stretch().at(slot) - hole_free.internal.ordinary_state()->correction().stretch().at(slot)) > 0.01)
@@ -86,12 +86,12 @@ TEST_CASE("start: removed particles do not exist, so the body is at rest with a 
   CHECK(value(simulation, "total.energy [J]") < 1e-12);  // rounding of coordinates, far below a nanometre of strain
 }
 
-TEST_CASE("start: projected particles begin on the surface with their velocity, no force counted, and the strain of their bonds is warned of") {
-  Setup setup = sunk_ball(StartingInside::project);
+TEST_CASE("start: projected particles start on the surface with their velocity and without contact force, and a warning gives the strain of their bonds") {
+  Setup setup = sunk_ball(InitialOverlap::project);
   setup.bodies[0].velocity = {0, 1, 0};
   Simulation simulation(setup);
-  REQUIRE(simulation.inside_at_start().size() == 1);
-  const InsideAtStart& inside = simulation.inside_at_start()[0];
+  REQUIRE(simulation.initial_penetrations().size() == 1);
+  const InitialPenetration& inside = simulation.initial_penetrations()[0];
   const Body& block = simulation.bodies()[0];
   CHECK(block.particles.size() == 16 * 10 * 10);
   CHECK(block.family.initial_bonds() == make_body(setup.bodies[0]).family.initial_bonds());
@@ -109,7 +109,7 @@ TEST_CASE("start: projected particles begin on the surface with their velocity, 
   CHECK(value(simulation, "total.momentum_y [kg m/s]") == fixtures::relative(block.particles.mass(0) * 1600, 1e-12));
   CHECK(value(simulation, "block.elastic_energy [J]") > 0);
   CHECK(simulation.contacts() == 0);
-  CHECK(warns_of(simulation, "were put on it, the furthest moved by "));
+  CHECK(warns_of(simulation, "were projected onto it, by at most "));
 
   double stretch = 0;  // over all pairs, from positions alone
   const auto& slots = block.particles.slot_of();
@@ -122,34 +122,34 @@ TEST_CASE("start: projected particles begin on the surface with their velocity, 
   CHECK(largest_stretch(block, inside.slots) == fixtures::relative(stretch, 1e-12));
 }
 
-TEST_CASE("start: projected out of two balls that overlap, no particle is inside either") {
-  Setup setup = sunk_ball(StartingInside::project);
+TEST_CASE("start: after projection out of two overlapping balls, no particle is inside either") {
+  Setup setup = sunk_ball(InitialOverlap::project);
   setup.impactors.push_back(setup.impactors[0]);
   setup.impactors[1].name = "second";
   setup.impactors[1].position = {0.006, 0.012, 0};
   const Start start(setup);
-  for (const InsideAtStart& inside : start.inside) CHECK(inside.slots.size() > 10);
+  for (const InitialPenetration& inside : start.inside) CHECK(inside.slots.size() > 10);
   CHECK(start.inside.size() == 2);
   Start again = start;
-  for (const Impactor& impactor : again.impactors) CHECK(impactor.starting_inside(0, StruckParticles(again.particles[0], {}, 0)).empty());
+  for (const Impactor& impactor : again.impactors) CHECK(impactor.initial_overlap(0, ContactParticles(again.particles[0], {}, 0)).empty());
 }
 
-TEST_CASE("start: an impactor that holds the whole body leaves nothing to remove, and particles between two faces have no place") {
-  Setup setup = sunk_ball(StartingInside::remove);
-  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.1, 0.1}, .panel = 0.1};
+TEST_CASE("start: an impactor that contains the whole body leaves no particles to keep, and particles between two faces cannot be projected") {
+  Setup setup = sunk_ball(InitialOverlap::remove);
+  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.1, 0.1}, .edge_length = 0.1};
   CHECK(complaint(setup).find("leaves nothing of it") != std::string::npos);
 
-  setup = sunk_ball(StartingInside::project);
-  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.02, 0.1}, .panel = 0.1};
+  setup = sunk_ball(InitialOverlap::project);
+  setup.impactors[0].surface = BoxSurface{.size = {0.1, 0.02, 0.1}, .edge_length = 0.1};
   setup.impactors[0].position = {0, 0.0101, 0};  // upper half of the block
   setup.impactors.push_back(setup.impactors[0]);
   setup.impactors[1].name = "second";
   setup.impactors[1].position = {0, -0.0099, 0};  // lower half, half a millimetre further in than there is room
-  CHECK(complaint(setup).find("no place near them is clear of all impactors") != std::string::npos);
+  CHECK(complaint(setup).find("no position near them is outside all impactors") != std::string::npos);
 }
 
-TEST_CASE("start: a moving body is looked at where it is at t = 0, not a step before") {
-  Setup setup = sunk_ball(StartingInside::error);
+TEST_CASE("start: a moving body is evaluated at its position at t = 0, not a step before") {
+  Setup setup = sunk_ball(InitialOverlap::error);
   setup.impactors[0].position = {0.001, 0.0161, 0};  // 0.1 mm clear of contact
   setup.bodies[0].velocity = {0, -2000, 0};          // 0.4 mm a step
   CHECK(complaint(setup).empty());

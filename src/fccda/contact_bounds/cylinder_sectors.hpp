@@ -1,0 +1,74 @@
+/// Contact bounds of a propeller: a cylinder about its axis, and within it a fan of a hub and equal sectors that rotate with the blades (Zhang
+/// et al., section 3.1, example 3). The fan is at rest in the body frame. It gives the guarantees of all contact bounds
+/// (all_contact_bounds.hpp).
+///
+/// The test has two stages, as in the paper: first the cylinder, then the fan. A fan without gaps (sectors that cover the circle, or of half a
+/// turn or more) is the whole cylinder.
+///
+/// Whether a panel lies in the fan is determined by halving its triangles until each piece lies in the hub or in one sector, or is shorter than
+/// a slack of a thousandth of the radius. Queries of hub and sectors add that slack, so nothing between them is missed.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "base/vec3.hpp"
+#include "fccda/contact_bounds/cylinder_frame.hpp"
+#include "fccda/contact_bounds/exceeding_panels.hpp"
+#include "fccda/contact_bounds/path.hpp"
+#include "fccda/contact_bounds/wedge.hpp"
+#include "mesh/surface.hpp"
+
+namespace fccda {
+
+class CylinderSectors {
+ public:
+  static constexpr std::string_view name = "cylinder_sectors";
+
+  struct Shape {
+    Vec3d axis{0, 0, 1};
+    Vec3d point{};            ///< [m] centre of the cylinder
+    double radius = 0;        ///< [m]
+    double length = 0;        ///< [m]
+    double hub_radius = 0;    ///< [m] occupied at all angles
+    int blades = 1;           ///< sectors at equal angles
+    double sector_angle = 0;  ///< [rad] of each
+    double start_angle = 0;   ///< [rad] begin of the first; see CylinderFrame
+
+    bool has_gaps() const;
+  };
+
+  /// Throws InputError if the surface extends beyond the bounds and `beyond` is error, or if no panel reaches into them.
+  CylinderSectors(const Shape& shape, const Surface& surface, Beyond beyond);
+
+  bool clips() const { return clips_; }                   ///< part of the surface lies outside, where contact is ignored
+  bool contains(const Vec3d& point) const;                ///< contact counts at this position
+  bool may_touch(const Path& path, double margin) const;  ///< false: the path certainly stays farther than `margin` [m] from the bounds
+  double distance_at_least(const Vec3d& point) const;     ///< a lower bound [m]; 0 inside
+  double volume() const { return volume_of(shape_); }     ///< [m³]
+
+  const Shape& shape() const { return shape_; }
+  static double volume_of(const Shape& shape);  ///< [m³]
+
+ private:
+  using Corners = std::array<Vec3d, 3>;  // of a triangle, in the frame of the cylinder
+
+  bool contains_in_frame(const Vec3d& place, double slack) const;
+  double distance_in_frame(const Vec3d& place, double slack) const;
+  bool is_in_one_part(const Corners& corners) const;
+  bool is_in_fan(const Corners& corners) const;
+  bool reaches_in(const Corners& corners) const;
+
+  Shape shape_;
+  CylinderFrame frame_;
+  double widening_;     // [m]
+  double slack_;        // [m]
+  double radius_;       // [m] widened
+  double half_length_;  // [m] likewise
+  double hub_;          // [m] of the hub; of the cylinder if the fan has no gaps
+  std::vector<Wedge> sectors_;
+  bool clips_ = false;
+};
+
+}  // namespace fccda

@@ -1,9 +1,0 @@
-#include "fccda/inspect/volume_below.hpp"
-
-#include "fccda/surface/submerged.hpp"
-
-namespace fccda {
-
-double volume_below(const Surface& surface, double height) { return submerged(surface, {.height = height}).volume; }
-
-}  // namespace fccda

@@ -1,0 +1,67 @@
+#include "io/results/contact_bounds_report.hpp"
+
+#include <vector>
+
+#include "fccda/contact_bounds/boxes.hpp"
+#include "io/results/json_vector.hpp"
+
+namespace perimpact {
+
+using output::Json;
+
+namespace {
+
+void describe(const fccda::Unbounded&, Json&) {}
+
+void describe(const fccda::BoxUnion& region, Json& json) {
+  std::size_t number = 0;
+  for (const fccda::Box& box : region.boxes()) {
+    Json& its = json["boxes"][std::to_string(++number)];
+    its["low [m]"] = json_vector(box.low);
+    its["high [m]"] = json_vector(box.high);
+  }
+}
+
+void describe(const fccda::CylinderSectors& region, Json& json) {
+  const fccda::CylinderSectors::Shape& shape = region.shape();
+  json["axis"] = json_vector(shape.axis);
+  json["point [m]"] = json_vector(shape.point);
+  json["radius [m]"] = shape.radius;
+  json["length [m]"] = shape.length;
+  json["gaps"] = shape.has_gaps();
+  if (!shape.has_gaps()) return;
+  json["hub_radius [m]"] = shape.hub_radius;
+  json["blades"] = shape.blades;
+  json["sector_angle [rad]"] = shape.sector_angle;
+  json["start_angle [rad]"] = shape.start_angle;
+}
+
+}  // namespace
+
+std::string bounds_kind(const fccda::ContactBounds& region) {
+  if (std::holds_alternative<fccda::Unbounded>(region)) return "none";
+  if (const auto* boxes = std::get_if<fccda::BoxUnion>(&region); boxes && boxes->boxes().size() == 1) return "box";
+  return std::visit([](const auto& its) { return std::string(its.name); }, region);
+}
+
+std::optional<double> share_of_bounding_box(const Impactor& impactor) {
+  const fccda::ContactBounds& region = impactor.region().region;
+  const double whole = fccda::volume_of(impactor.surface().report().bounds);
+  if (std::holds_alternative<fccda::Unbounded>(region) || whole == 0) return std::nullopt;
+  return std::visit([](const auto& its) { return its.volume(); }, region) / whole;
+}
+
+Json contact_bounds_report(const Impactor& impactor) {
+  const fccda::ContactBounds& region = impactor.region().region;
+  Json json = Json::object();
+  json["kind"] = bounds_kind(region);
+  if (std::holds_alternative<fccda::Unbounded>(region)) return json;
+  if (!impactor.region().fitted.empty()) json["fitted"] = impactor.region().fitted;
+  json["clips"] = std::visit([](const auto& its) { return its.clips(); }, region);
+  json["volume [m3]"] = std::visit([](const auto& its) { return its.volume(); }, region);
+  if (const auto share = share_of_bounding_box(impactor)) json["share_of_bounding_box"] = *share;
+  std::visit([&](const auto& its) { describe(its, json); }, region);
+  return json;
+}
+
+}  // namespace perimpact

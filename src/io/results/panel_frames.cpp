@@ -1,0 +1,45 @@
+#include "io/results/panel_frames.hpp"
+
+#include "io/output/vtp.hpp"
+
+namespace perimpact {
+
+namespace {
+
+void write(const std::filesystem::path& path, const Impactor& impactor, std::vector<output::VtpArray> arrays, std::optional<double> time) {
+  const fccda::Panels& panels = impactor.surface().panels();
+  std::vector<Vec3d> moved;
+  moved.reserve(panels.vertices.size());
+  for (const Vec3d& vertex : panels.vertices) moved.push_back(impactor.body().pose().to_world(vertex));
+  output::write_vtp(path, {.points = output::coordinates(moved), .panels = panels.panels, .cell_arrays = std::move(arrays), .time = time},
+                    output::Compression::zlib);
+}
+
+}  // namespace
+
+void write_impactor(const std::filesystem::path& path, const Impactor& impactor) { write(path, impactor, {}, std::nullopt); }
+
+void PanelFrames::write(const std::filesystem::path& path, const Impactor& impactor, double time) {
+  if (!impactor.names_panels()) return perimpact::write(path, impactor, {}, time);
+  const fccda::PanelLoads& loads = impactor.record().panels();
+  const std::vector<fccda::PanelLoad> since_start = loads.since_start();
+  normal_impulse_.resize(since_start.size(), 0);
+
+  std::vector<float> pressure, peak, impulse;
+  for (std::size_t panel = 0; panel < since_start.size(); ++panel) {
+    const double area = loads.faces()[panel].area, gained = since_start[panel].normal_impulse - normal_impulse_[panel];
+    pressure.push_back(area > 0 && time > time_ ? static_cast<float>(gained / (area * (time - time_))) : 0);
+    peak.push_back(static_cast<float>(loads.peak_pressure()[panel]));
+    const Vec3d& J = since_start[panel].impulse;
+    impulse.insert(impulse.end(), {static_cast<float>(J.x), static_cast<float>(J.y), static_cast<float>(J.z)});
+    normal_impulse_[panel] = since_start[panel].normal_impulse;
+  }
+  time_ = time;
+  perimpact::write(path, impactor,
+                   {{"contact_pressure", 1, std::span<const float>(pressure)},
+                    {"peak_pressure", 1, std::span<const float>(peak)},
+                    {"contact_impulse", 3, std::span<const float>(impulse)}},
+                   time);
+}
+
+}  // namespace perimpact

@@ -1,0 +1,36 @@
+/// Contact loads on the panels of an impactor, as cell arrays of its frames:
+///
+///   contact_pressure [Pa]   normal, mean over the time since the previous frame
+///   peak_pressure [Pa]      the largest mean over one load interval so far (docs/guide/results.md)
+///   contact_impulse [N s]   since the start, in the global axes
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "perimpact/impactor/impactor.hpp"
+
+namespace perimpact {
+
+class PanelFrames {
+ public:
+  /// Writes the impactor at its current position. Call in the order of `time` [s]. An impactor whose detector does not resolve panels
+  /// (analytic) is written without arrays.
+  void write(const std::filesystem::path& path, const Impactor& impactor, double time);
+
+  /// State visitor (base/state.hpp).
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit("normal_impulse", normal_impulse_);
+    visit("time", time_);
+  }
+
+ private:
+  std::vector<double> normal_impulse_;  // [N s] of each panel at the previous frame
+  double time_ = 0;                     // [s] of the previous frame
+};
+
+/// Writes the panels of an impactor at its current position, without arrays.
+void write_impactor(const std::filesystem::path& path, const Impactor& impactor);
+
+}  // namespace perimpact

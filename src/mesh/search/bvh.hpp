@@ -1,0 +1,155 @@
+/// Bounding volume hierarchy (BVH) over the triangles of a surface, for closest-point queries and path intersection.
+///
+/// Four boxes per node, leaves of four triangles. Boxes are floats, rounded outward by enough to cover every rounding error of a query. So a
+/// query returns exactly the minimum over all triangles, whatever the order of the search: a guess changes the cost, never the answer. Ties
+/// go to the lowest panel, then the lowest triangle. Queries with not-a-number return nothing.
+///
+/// Immutable after construction, so any number of threads may query it concurrently.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/aligned.hpp"
+#include "mesh/search/closest_point.hpp"
+#include "mesh/surface.hpp"
+
+namespace fccda {
+
+struct ClosestPoint {
+  int triangle;
+  Feature feature;
+  Vec3d point;      ///< [m] of the surface
+  double distance;  ///< [m]
+};
+
+struct Crossing {
+  int triangle;
+  double fraction;  ///< of the path from start to end
+};
+
+class Bvh {
+ public:
+  static constexpr double no_cap = std::numeric_limits<double>::infinity();
+
+  /// Cached surroundings of a search: further searches nearby need no traversal of the tree. The results are the same.
+  struct Nearby {
+    Vec3d centre{};
+    double reach = 0;  ///< [m] radius about the centre in which the cache is valid
+    std::size_t count = 0;
+    std::array<std::int32_t, 16> leaves{};  ///< leaves that may contain the closest point for any point within reach
+
+    void add(std::int32_t leaf) {
+      if (count == leaves.size()) reach = 0;  // too many for the cache to pay off
+      if (reach > 0) leaves[count++] = leaf;
+    }
+  };
+
+  /// `surface` must outlive the object.
+  explicit Bvh(const Surface& surface);
+
+  /// Over a subset of the triangles, in ascending order. Guesses are ignored.
+  Bvh(const Surface& surface, std::span<const std::int32_t> triangles);
+
+  /// The closest point of the surface within `cap` [m]. `guess` is a triangle expected to be near, or -1. `asked` counts the triangles
+  /// evaluated.
+  std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, std::size_t& asked) const;
+  std::optional<ClosestPoint> closest(const Vec3d& point, double cap = no_cap) const;
+
+  /// The same, and collects the surroundings for queries at other points within `reach` [m] of this one.
+  std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& asked) const;
+
+  /// The closest point of the surface, found with the cached surroundings.
+  std::optional<ClosestPoint> closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& asked) const;
+
+  /// The closest point within `cap` [m] among the triangles whose front faces `viewer`.
+  std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const;
+
+  /// The first triangle that the segment crosses from its front.
+  std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, std::size_t& asked) const;
+
+  /// First contact of a ball of `radius` [m] whose centre moves along the segment: the triangle and the fraction, at most `tolerance` [m]
+  /// early. A triangle in contact at the start counts only if the ball moves towards it.
+  std::optional<Crossing> first_touch(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& asked) const;
+
+  /// Distance between the segment and the surface if it is at most `cap` [m].
+  std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& asked) const;
+
+  /// Winding number of the triangles of one solid about the point: the sum over the crossings of a ray along x (ray_crossing.hpp).
+  int enclosures(const Vec3d& point, int solid) const;
+
+  /// Calls visit(triangle) for all triangles of leaves whose box intersects this one, and possibly for some nearby.
+  template <class Visit>
+  void visit_box(const Box& box, const Visit& visit) const;
+
+ private:
+  static constexpr std::size_t width = 4;
+  // Three siblings wait at each level, and there are at most 116 levels (bvh_build.cpp).
+  static constexpr std::size_t stack_size = 512;
+
+  /// Boxes of the children by coordinate, relative to origin_; an absent child has low > high.
+  struct alignas(64) Node {
+    std::array<std::array<float, width>, 3> low, high;
+    std::array<std::int32_t, width> child;  ///< a node, or ~leaf
+  };
+
+  /// Four triangles by coordinate; a leaf of fewer repeats the last one, without a number of its own.
+  struct Leaf {
+    std::array<std::array<double, width>, 3> a, ab, ac;
+    std::array<double, width> inverse_ab, inverse_bc, inverse_ca, inverse_normal;  ///< 1/|edge|² and 1/|ab × ac|²
+    std::array<std::int32_t, width> triangle;
+    std::int32_t count;
+  };
+
+  class Builder;
+
+  class Closest;
+
+  template <class Accept>
+  std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, Nearby* nearby, const Accept& accept) const;
+  template <class Visit>
+  void visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
+  static std::array<double, width> squared_distances(const Leaf& leaf, const Vec3d& point);
+  Corners corners(std::size_t triangle) const { return {surface_->corner(triangle, 0), surface_->corner(triangle, 1), surface_->corner(triangle, 2)}; }
+
+  const Surface* surface_;
+  Vec3d origin_;  // centre of the surface, where floats are finest
+  AlignedVector<Node> nodes_;
+  AlignedVector<Leaf> leaves_;
+  std::vector<std::int32_t> leaf_of_;  // by triangle; empty for a subset of the triangles
+};
+
+template <class Visit>
+void Bvh::visit_box(const Box& box, const Visit& visit) const {
+  std::array<std::array<float, 3>, 2> reach;  // rounding is covered by the slack of the tree's own boxes
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    reach[0][axis] = static_cast<float>(box.low[axis] - origin_[axis]), reach[1][axis] = static_cast<float>(box.high[axis] - origin_[axis]);
+  std::array<std::int32_t, stack_size> stack;
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const std::int32_t next = stack[--depth];
+    if (next < 0) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(~next)];
+      for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) visit(leaf.triangle[l]);
+      continue;
+    }
+    const Node& node = nodes_[static_cast<std::size_t>(next)];
+    std::array<bool, width> meets;
+#pragma omp simd
+    for (std::size_t c = 0; c < width; ++c) {
+      bool in = true;
+      for (std::size_t axis = 0; axis < 3; ++axis) in &= node.low[axis][c] <= reach[1][axis] && node.high[axis][c] >= reach[0][axis];
+      meets[c] = in;
+    }
+    for (std::size_t c = 0; c < width; ++c)
+      if (meets[c] && node.low[0][c] <= node.high[0][c]) stack[depth++] = node.child[c];
+  }
+}
+
+}  // namespace fccda

@@ -1,0 +1,240 @@
+#include "perimpact/body/body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "perimpact/body/bending.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/discretisation/particle_set.hpp"
+#include "perimpact/materials/ordinary_state/stencil_sums.hpp"
+
+namespace perimpact {
+
+namespace {
+
+Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
+  return Stencil(setup.family.as<FamilyRule>(), lattice.spacing, setup.horizon_ratio, lattice.thickness);
+}
+
+int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
+
+/// One particle in each cell of the lattice whose centre is inside the solid.
+Particles filled(const BodySetup& setup, const BodySolid& solid) {
+  const Lattice lattice = lattice_that_fills(setup, solid);
+  const std::vector<std::uint8_t> inside = cells_inside(lattice, solid);
+  if (std::find(inside.begin(), inside.end(), 1) == inside.end())
+    throw SetupError("bodies." + setup.name + ".spacing",
+                     fmt::format("no particle of a lattice of {} m is inside body {}; take a smaller spacing, or check the units of its shape and holes.",
+                                 lattice.spacing, setup.name));
+  const auto number = [&](double x, std::size_t axis) { return static_cast<int>(std::lround((x - lattice.origin[axis]) / lattice.spacing)); };
+  return Particles(lattice, stencil_of(setup, lattice).reach(), setup.elastic().density,
+                   [&](const Vec3d& X) { return inside[lattice.slot(number(X.x, 0), number(X.y, 1), number(X.z, 2))] != 0; });
+}
+
+/// Bond-based materials have a fixed Poisson's ratio.
+double poissons_ratio_of(const BodySetup& setup) {
+  if (!std::holds_alternative<BondBasedSetup>(setup.material)) return setup.elastic().poissons_ratio;
+  return setup.plane.as<PlaneState>() == PlaneState::stress ? 1.0 / 3 : 0.25;
+}
+
+Influences influences_of(const BodySetup& setup) {
+  const auto both = [](const fccda::Choice& influence) { return Influences{influence.as<Influence>(), influence.as<Influence>()}; };
+  if (const auto* solid = std::get_if<LinearSolidSetup>(&setup.material)) return both(solid->influence);
+  if (const auto* solid = std::get_if<CorrespondenceSetup>(&setup.material)) return both(solid->influence);
+  return madenci_oterkus_influences;
+}
+
+CorrectionKind correction_of(const BodySetup& setup) {
+  if (std::holds_alternative<LinearSolidSetup>(setup.material)) return CorrectionKind::family;
+  switch (setup.surface_correction.as<SurfaceCorrection>()) {
+    case SurfaceCorrection::volume:
+      return CorrectionKind::volume;
+    case SurfaceCorrection::none:
+      return CorrectionKind::none;
+    default:
+      return CorrectionKind::energy;
+  }
+}
+
+CorrespondenceOptions options_of(const CorrespondenceSetup& setup) {
+  return {setup.law.as<StressLaw>(), setup.stabilisation.as<Stabilisation>(), setup.stabilisation_factor, setup.influence.as<Influence>()};
+}
+
+Plasticity plasticity_of(const PlasticitySetup& setup) {
+  const auto surface = setup.surface.as<YieldSurface>();
+  const YieldEllipse ellipse = setup.compressive_strength ? YieldEllipse::of_strength(surface, *setup.compressive_strength) : YieldEllipse::published(surface);
+  return {ellipse, {setup.failure_strain, setup.failure_width, setup.failure_pressure}};
+}
+
+/// Throws SetupError if no particle has a deformation gradient.
+template <std::size_t D>
+CorrespondenceForce<D> require_full_rank(CorrespondenceForce<D> force, const Particles& particles, const BodySetup& setup) {
+  const auto slots = particles.slot_of();
+  if (std::any_of(slots.begin(), slots.end(), [&](std::size_t slot) { return force.remaining(slot) > 0; })) return force;
+  throw SetupError("bodies." + setup.name + ".material.model",
+                   fmt::format("body {} is too thin for the model correspondence: its particles have neighbours in one {} only, which define no deformation "
+                               "gradient; use a smaller spacing{}.",
+                               setup.name, D == 3 ? "plane" : "line", D == 3 ? ", or plane: stress" : ""));
+}
+
+InternalForce::Kind correspondence_force(const Correspondence& law, Breaking breaking, Family& family, const Particles& particles, const BodySetup& setup) {
+  if (particles.is_plane()) return require_full_rank(CorrespondenceForce<2>(law, std::move(breaking), family, particles), particles, setup);
+  return require_full_rank(CorrespondenceForce<3>(law, std::move(breaking), family, particles), particles, setup);
+}
+
+/// Sums f(slot) over the particles in blocks, so that rounding does not grow with their number.
+template <class Value, class F>
+Value sum_over(const Particles& particles, Value total, const F& f) {
+  constexpr std::size_t block = 256;
+  const auto slots = particles.slot_of();
+  for (std::size_t begin = 0; begin < slots.size(); begin += block) {
+    Value part = f(slots[begin]);
+    for (std::size_t i = begin + 1; i < std::min(begin + block, slots.size()); ++i) part += f(slots[i]);
+    total += part;
+  }
+  return total;
+}
+
+constexpr int most_layers_that_bend = 40;  // beyond, the deficit is below 1 %
+
+double relative_bending_stiffness(const BodySetup& setup, std::size_t axis, int layers) {
+  const IsotropicElastic elastic = elastic_of(setup);
+  const std::optional<double> thickness = setup.is_plane() ? std::optional(1.0) : std::nullopt;  // cancels
+  const ThinLattice plate{*setup.spacing, thickness, axis, layers};
+  const Stencil stencil(setup.family.as<FamilyRule>(), plate.spacing, setup.horizon_ratio, thickness);
+  std::optional<FamilySums> sums;
+  if (setup.normalisation.as<Normalisation>() == Normalisation::lattice) sums = sums_of(stencil, influences_of(setup), elastic.poissons_ratio);
+  const OrdinaryState law(elastic, influences_of(setup), stencil.horizon(), thickness.value_or(1), sums);
+  return perimpact::relative_bending_stiffness(plate, law, correction_of(setup), stencil);
+}
+
+/// Stiffness factor of bending_calibration. Throws SetupError if the layers across its axis cannot be calibrated.
+double bending_calibration(const BodySetup& setup, const Particles& particles) {
+  const std::size_t axis = static_cast<std::size_t>(setup.bending_calibration.index) - 1;
+  const int layers = layers_along(axis, particles);
+  const auto refuse = [&](const std::string& reason) { throw SetupError("bodies." + setup.name + ".bending_calibration", reason); };
+  if (layers < 2 || layers > most_layers_that_bend)
+    refuse(fmt::format("body {} has {} layers of particles along {}, but bending_calibration is for plates of 2 to {} layers; {}.", setup.name, layers,
+                       setup.bending_calibration.word(), most_layers_that_bend,
+                       layers < 2 ? "take a smaller spacing" : "remove it, or name the thin direction"));
+  const double relative = relative_bending_stiffness(setup, axis, layers);
+  constexpr double least = 0.2;  // two layers have 0.11
+  if (relative < least)
+    refuse(fmt::format("{} layers of body {} have only {:.2g} of the bending stiffness of a plate, too little for calibration; use three layers or more.",
+                       layers, setup.name, relative));
+  return 1 / relative;
+}
+
+std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& particles) {
+  std::vector<std::size_t> slots;
+  if (!setup.failure) return slots;
+  for (const std::string& region : setup.failure->no_fail) {
+    const auto more = slots_in(region, setup, particles, "bodies." + setup.name + ".failure.no_fail");
+    slots.insert(slots.end(), more.begin(), more.end());
+  }
+  return slots;
+}
+
+}  // namespace
+
+std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Particles& particles) {
+  if (!particles.lattice() || std::holds_alternative<CorrespondenceSetup>(setup.material)) return {};
+  const Vec3d size = extent(particles);
+  std::size_t thin = 0;
+  for (std::size_t axis = 1; axis < (particles.is_plane() ? 2u : 3u); ++axis)
+    if (size[axis] < size[thin]) thin = axis;
+  double next = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < (particles.is_plane() ? 2u : 3u); ++axis)
+    if (axis != thin) next = std::min(next, size[axis]);
+  constexpr double slender = 4;  // less slender bodies hardly bend
+  const int layers = layers_along(thin, particles);
+  if (layers < 2 || layers > most_layers_that_bend || next < slender * size[thin]) return {};
+  return BendingOfLayers{thin, layers, relative_bending_stiffness(setup, thin, layers)};
+}
+
+IsotropicElastic elastic_of(const BodySetup& setup) {
+  const std::optional<double> modulus = setup.elastic().youngs_modulus;
+  if (!modulus) throw SetupError("bodies." + setup.name + ".material.youngs_modulus", fmt::format("body {} has no Young's modulus; give it.", setup.name));
+  return IsotropicElastic::in(setup.plane.as<Plane>(), *modulus, poissons_ratio_of(setup));
+}
+
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation) {
+  const auto* cloud = std::get_if<Cloud>(&discretisation);
+  Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation));
+  for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
+  return particles;
+}
+
+Body make_body(const BodySetup& setup, Particles particles) {
+  IsotropicElastic elastic = elastic_of(setup);
+  const Influences influences = influences_of(setup);
+  const double horizon = setup.horizon_ratio * particles.spacing();
+
+  std::optional<FamilySums> lattice;
+  std::optional<Family> family;
+  if (particles.lattice()) {
+    Stencil stencil = stencil_of(setup, *particles.lattice());
+    if (setup.normalisation.as<Normalisation>() == Normalisation::lattice) lattice = sums_of(stencil, influences, elastic.poissons_ratio);
+    family.emplace(std::move(stencil), particles);
+  } else {
+    family.emplace(find_bonds(setup.family.as<FamilyRule>(), horizon, particles), particles);
+  }
+  std::optional<double> bending;
+  if (setup.bending_calibration.as<ThinAxis>() != ThinAxis::none) elastic.youngs_modulus *= bending.emplace(bending_calibration(setup, particles));
+  const OrdinaryState law(elastic, influences, horizon, particles.thickness().value_or(1), lattice);
+
+  const auto failure = failure_criterion(setup, law, *family, particles);
+  Breaking breaking;
+  if (failure)
+    breaking = Breaking(breaking_rule(setup.failure, *failure), strength_of(setup.failure, particles, never_failing(setup, particles)), *family, particles);
+
+  if (const auto* correspondence = std::get_if<CorrespondenceSetup>(&setup.material)) {
+    InternalForce internal(correspondence_force({elastic, options_of(*correspondence), horizon, particles.thickness().value_or(1)}, std::move(breaking),
+                                                *family, particles, setup),
+                           particles);
+    std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);  // after construction: stress fades as along growing cracks
+    return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks)};
+  }
+  CorrectionFactors correction(correction_of(setup), basis_of(law), *family, particles);
+  std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);
+  if (setup.elastic().plasticity) {
+    std::optional<BreakingRule> rule;
+    if (failure) rule = breaking_rule(setup.failure, *failure);
+    InternalForce internal(PlasticForce(law, plasticity_of(*setup.elastic().plasticity), rule,
+                                        strength_of(setup.failure, particles, never_failing(setup, particles)), std::move(correction), *family, particles),
+                           particles);
+    return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks), bending};
+  }
+  InternalForce internal(OrdinaryStateForce(law, std::move(breaking), std::move(correction), *family, particles), particles);
+  return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks), bending};
+}
+
+Vec3d Body::momentum() const {
+  return sum_over(particles, Vec3d{}, [&](std::size_t slot) { return particles.mass(slot) * particles.velocity.at(slot); });
+}
+
+double Body::kinetic_energy(double dt) const {
+  const double half_kick = 0.5 * dt / particles.density();
+  return 0.5 * sum_over(particles, 0.0, [&](std::size_t slot) {
+           return particles.mass(slot) * fccda::squared_norm(particles.velocity.at(slot) + half_kick * particles.force_density.at(slot));
+         });
+}
+
+double Body::kinetic_energy_of_scheme(double dt) const {
+  const double kick = dt / particles.density();
+  return 0.5 * sum_over(particles, 0.0, [&](std::size_t slot) {
+           const Vec3d velocity = particles.velocity.at(slot);
+           return particles.mass(slot) * dot(velocity, velocity + kick * particles.force_density.at(slot));
+         });
+}
+
+double Body::memory() const {
+  const double arrays = static_cast<double>(particles.slots() * 3 * sizeof(Vec3d) + particles.size() * sizeof(std::uint32_t));
+  return arrays + family.bytes() + internal.bytes();
+}
+
+}  // namespace perimpact

@@ -1,0 +1,72 @@
+/// A deformable body: particles, bonds and internal forces.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "perimpact/body/failure.hpp"
+#include "perimpact/body/initial_cracks.hpp"
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/discretisation/discretise.hpp"
+#include "perimpact/family/family.hpp"
+#include "perimpact/materials/internal_force.hpp"
+#include "perimpact/particles/particles.hpp"
+
+namespace perimpact {
+
+struct Body {
+  std::string name;
+  Particles particles;
+  Family family;
+  InternalForce internal;
+  std::optional<FailureCriterion> failure = {};  ///< empty if bonds never break
+  std::vector<CrackCut> cracks = {};             ///< initial cracks
+  std::optional<double> bending = {};            ///< factor k_b of all bond stiffnesses, with bending_calibration
+
+  /// Linear momentum [kg m/s], summed in blocks, in order.
+  Vec3d momentum() const;
+  /// [J] with velocities advanced from the middle of the step to its end by the current forces: v + f dt/(2ρ).
+  double kinetic_energy(double dt) const;
+  /// [J] ½ Σ m v_{n-1/2}·v_{n+1/2}: its sum with the elastic energy of linear bonds is constant to rounding, while that of kinetic_energy()
+  /// oscillates by (ω dt)² (docs/theory/energy.md).
+  double kinetic_energy_of_scheme(double dt) const;
+  double memory() const;  ///< [bytes] of its arrays
+
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    particles.visit_state(name, visit);
+    family.visit_state(name, visit);
+    internal.visit_state(name, visit);
+  }
+
+  /// Recorded data that do not affect any step.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    internal.visit_record(name, visit);
+  }
+};
+
+/// Particles that fill the solid, or those of the cloud, with their initial velocities. Throws SetupError if there are none, or more than can be
+/// indexed.
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation);
+inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
+
+/// Elastic constants of its material, 3-D or 2-D.
+IsotropicElastic elastic_of(const BodySetup& setup);
+
+/// Bending of a body that is thin along an axis, before calibration.
+struct BendingOfLayers {
+  std::size_t axis;
+  int layers;
+  double relative;  ///< bending stiffness over that of a plate
+};
+
+/// For a body on a lattice at least four times as wide as thick; empty for others and for the model correspondence.
+std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Particles& particles);
+
+/// Builds the body of these particles: bonds and surface correction first, then initial cracks. Throws SetupError if a crack cannot be cut.
+Body make_body(const BodySetup& setup, Particles particles);
+inline Body make_body(const BodySetup& setup) { return make_body(setup, make_particles(setup)); }
+
+}  // namespace perimpact

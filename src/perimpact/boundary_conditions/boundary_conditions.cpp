@@ -1,0 +1,157 @@
+#include "perimpact/boundary_conditions/boundary_conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "perimpact/deck_model/setup_error.hpp"
+
+namespace perimpact {
+
+template <class Kind, class Act>
+void BoundaryConditions::for_each(const Act& act) {
+  for (NamedBoundaryCondition& one : all_)
+    if (auto* boundary = std::get_if<Kind>(&one.boundary)) act(*boundary);
+}
+
+BoundaryConditions::BoundaryConditions(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of) {
+  for (const BoundaryConditionSetup& boundary : body.boundary_conditions) all_.push_back(boundary_condition_of(boundary, {body, elastic, particles, slots_of}));
+  refuse_constrained_twice(body, particles);
+  refuse_floating_twice(body, particles);
+  for_each<PrescribedDisplacement>([&](const PrescribedDisplacement& constraint) {
+    for_each<Absorbing>([&](Absorbing& layer) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (constraint.constrains(axis)) layer.leave_out(constraint.slots(), axis);
+    });
+    for_each<Floating>([&](Floating& water) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (constraint.constrains(axis)) water.leave_out(constraint.slots(), axis);
+    });
+  });
+}
+
+void BoundaryConditions::add(NamedBoundaryCondition boundary) {
+  for (const NamedBoundaryCondition& one : all_)
+    if (one.name == boundary.name)
+      throw SetupError(
+          "bodies." + boundary.name,
+          fmt::format("{} is already the name of a boundary condition, whose columns in history.csv it would share; choose another.", boundary.name));
+  all_.push_back(std::move(boundary));
+}
+
+void BoundaryConditions::refuse_constrained_twice(const BodySetup& body, const Particles& particles) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<int> constrained_by(particles.slots(), -1);
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      const auto* constraint = std::get_if<PrescribedDisplacement>(&all_[k].boundary);
+      if (!constraint || !constraint->constrains(axis)) continue;
+      for (const std::uint32_t slot : constraint->slots()) {
+        if (constrained_by[slot] < 0) {
+          constrained_by[slot] = static_cast<int>(k);
+          continue;
+        }
+        const std::string& name = body.boundary_conditions[k].name;
+        throw SetupError(fmt::format("bodies.{}.boundary_conditions.{}", body.name, name),
+                         fmt::format("{} constrains particles of body {} in direction {} that {} constrains too; separate their particle sets, or remove the "
+                                     "direction from one of the two.",
+                                     name, body.name, axis_words[axis], body.boundary_conditions[static_cast<std::size_t>(constrained_by[slot])].name));
+      }
+    }
+  }
+}
+
+void BoundaryConditions::refuse_floating_twice(const BodySetup& body, const Particles& particles) const {
+  std::vector<std::uint8_t> hydrostatics(particles.slots(), 0);
+  for (std::size_t k = 0; k < all_.size(); ++k) {
+    const auto* water = std::get_if<Floating>(&all_[k].boundary);
+    if (!water) continue;
+    for (const std::uint32_t slot : water->slots()) {
+      if (hydrostatics[slot] != 0)
+        throw SetupError(fmt::format("bodies.{}.boundary_conditions.{}", body.name, body.boundary_conditions[k].name),
+                         fmt::format("{} applies weight and buoyancy to particles of body {} that another floating boundary condition includes; separate their "
+                                     "particle sets, or remove one of the two.",
+                                     body.boundary_conditions[k].name, body.name));
+      hydrostatics[slot] = 1;
+    }
+  }
+}
+
+void BoundaryConditions::set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace) {
+  for_each<PrescribedDisplacement>([&](const PrescribedDisplacement& constraint) { constraint.set_initial_state(particles, time, pace); });
+}
+
+void BoundaryConditions::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
+  for_each<Floating>([&](Floating& water) { water.update_exposed_surface(particles, family, broken_ends); });
+}
+
+void BoundaryConditions::add_forces(Particles& particles, const fccda::Step& next) {
+  for_each<Load>([&](Load& load) { load.account.record_force(load.add_to(particles, next.t0).force, load.displacement(particles)); });
+  for_each<UserForce>([&](UserForce& user_force) { user_force.add_to(particles, next); });
+  std::vector<Vec3d> lifts;
+  for_each<Floating>([&](Floating& water) { lifts.push_back(water.add_to(particles).force); });
+  for_each<Absorbing>([&](Absorbing& layer) { layer.damp(particles, next.dt); });
+  auto lift = lifts.begin();
+  for_each<Floating>([&](Floating& water) { water.account.record_force(*lift++ + water.resist(particles, next.dt), {}); });
+  for_each<PrescribedDisplacement>([&](PrescribedDisplacement& constraint) {
+    constraint.account.record_force(constraint.constrain(particles, next).force, constraint.displacement(next.t0));
+  });
+}
+
+void BoundaryConditions::impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel) {
+  for (NamedBoundaryCondition& one : all_) one.account().accumulate_impulse(step.dt);
+  for_each<PrescribedDisplacement>([&](const PrescribedDisplacement& constraint) { constraint.impose_displacements(particles, step, travel); });
+}
+
+std::vector<std::uint32_t> BoundaryConditions::reimpose_after_contact(Particles& particles, const fccda::Step& step) {
+  std::vector<std::uint32_t> displaced;
+  for_each<PrescribedDisplacement>([&](PrescribedDisplacement& constraint) { constraint.reimpose_after_contact(particles, step, displaced); });
+  return displaced;
+}
+
+double BoundaryConditions::balance(Particles& particles, double time) {
+  balanced_.assign(all_.size(), {});
+  for (std::size_t k = 0; k < all_.size(); ++k)
+    if (const auto* load = std::get_if<Load>(&all_[k].boundary)) balanced_[k] = load->add_to(particles, time);
+  for (std::size_t k = 0; k < all_.size(); ++k)
+    if (auto* water = std::get_if<Floating>(&all_[k].boundary)) balanced_[k] = water->add_to(particles);
+  for (std::size_t k = 0; k < all_.size(); ++k)
+    if (const auto* constraint = std::get_if<PrescribedDisplacement>(&all_[k].boundary)) balanced_[k] = constraint->constrain_statically(particles);
+  double squared = 0;
+  for (const ForceSum& sum : balanced_) squared += sum.squared;
+  return std::sqrt(squared);
+}
+
+void BoundaryConditions::accept_equilibrium(const Particles& particles, double time, double dt) {
+  for (std::size_t k = 0; k < all_.size(); ++k) {
+    ReactionLedger& account = all_[k].account();
+    if (auto* load = std::get_if<Load>(&all_[k].boundary)) account.record_force(balanced_[k].force, load->displacement(particles));
+    if (std::holds_alternative<Floating>(all_[k].boundary)) account.record_force(balanced_[k].force, {});
+    if (auto* constraint = std::get_if<PrescribedDisplacement>(&all_[k].boundary)) account.record_force(balanced_[k].force, constraint->displacement(time));
+    account.accumulate_impulse(dt);
+  }
+}
+
+double BoundaryConditions::half_kick(double time, double dt) const {
+  double energy = 0;
+  for (const NamedBoundaryCondition& one : all_) {
+    if (const auto* load = std::get_if<Load>(&one.boundary)) energy += load->half_kick(time, dt);
+    if (const auto* user_force = std::get_if<UserForce>(&one.boundary)) energy += user_force->half_kick(dt);
+  }
+  return energy;
+}
+
+double BoundaryConditions::work() const {
+  double work = 0;
+  for (const NamedBoundaryCondition& one : all_) work += one.account().work();
+  return work;
+}
+
+double BoundaryConditions::constraint_work_correction() const {
+  double sum = 0;
+  for (const NamedBoundaryCondition& one : all_)
+    if (const auto* constraint = std::get_if<PrescribedDisplacement>(&one.boundary)) sum += constraint->constraint_work_correction();
+  return sum;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,73 @@
+/// All boundary conditions of one body, in the order in which they act: loads, damping, constraints, because reactions balance all other
+/// forces (docs/theory/boundary_conditions.md).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fccda/rigid_body/step.hpp"
+#include "perimpact/boundary_conditions/all_boundary_conditions.hpp"
+#include "perimpact/boundary_conditions/boundary_condition_of.hpp"
+
+namespace perimpact {
+
+class BoundaryConditions {
+ public:
+  /// None.
+  BoundaryConditions() = default;
+  /// Throws SetupError, also if two constrain the same direction of the same particles.
+  BoundaryConditions(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of);
+
+  /// Adds a user-defined boundary condition. Throws SetupError if the name is in use.
+  void add(NamedBoundaryCondition boundary);
+
+  bool is_empty() const { return all_.empty(); }
+  std::span<const NamedBoundaryCondition> all() const { return all_; }
+  std::span<NamedBoundaryCondition> all() { return all_; }
+
+  /// Sets positions and velocities of constrained particles at that time.
+  void set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace);
+
+  /// Updates exposed particles after bond failure; `broken_ends` as in InternalForce. To be called before add_forces().
+  void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+
+  /// Adds forces at the beginning of the next step to those of the bonds.
+  void add_forces(Particles& particles, const fccda::Step& next);
+
+  /// Imposes prescribed displacements after the particles were advanced. `travel`: of advance().
+  void impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel);
+
+  /// Reimposes prescribed displacements after contact. Returns the slots that contact had displaced, ascending per boundary condition.
+  std::vector<std::uint32_t> reimpose_after_contact(Particles& particles, const fccda::Step& step);
+
+  /// For relaxation: adds the loads of that time to the forces of the bonds, and removes the forces on constrained directions. Returns the
+  /// 2-norm [N] of loads and reactions.
+  double balance(Particles& particles, double time);
+
+  /// Accepts the equilibrium after dt [s]: records the forces of the latest balance().
+  void accept_equilibrium(const Particles& particles, double time, double dt);
+
+  /// [J] of all loads and user forces, see Load::half_kick().
+  double half_kick(double time, double dt) const;
+
+  double work() const;                        ///< [J] cumulative, done on the body
+  double constraint_work_correction() const;  ///< [J] of all constraints
+
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    for (NamedBoundaryCondition& one : all_) std::visit([&](auto& boundary) { boundary.visit_record(one.name, visit); }, one.boundary);
+  }
+
+ private:
+  template <class Kind, class Act>
+  void for_each(const Act& accumulate_impulse);
+  void refuse_floating_twice(const BodySetup& body, const Particles& particles) const;
+  void refuse_constrained_twice(const BodySetup& body, const Particles& particles) const;
+
+  std::vector<NamedBoundaryCondition> all_;
+  std::vector<ForceSum> balanced_;  // of each, of the latest balance()
+};
+
+}  // namespace perimpact

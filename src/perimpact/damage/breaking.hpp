@@ -1,0 +1,230 @@
+/// Bond failure of a body: the rule, the limits of its bonds, and their evaluation in the loop over bonds.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "perimpact/damage/breaking_rule.hpp"
+#include "perimpact/family/family.hpp"
+#include "perimpact/force/bond_loop.hpp"
+#include "perimpact/force/pass.hpp"
+
+namespace perimpact {
+
+/// Tensile limits of bonds, the same for all particles.
+struct TensionOnStencil {
+  std::span<const double> squared_limits;  ///< [m²] of each bond of the stencil
+  template <class Pack>
+  Pack squared_limit(std::size_t index) const {
+    return Pack(squared_limits[index]);
+  }
+};
+struct TensionOnList {
+  const double* length;  ///< [m] |ξ| of each entry
+  double longest;        ///< 1 + s_c
+  template <class Pack>
+  Pack squared_limit(std::size_t index) const {
+    const Pack limit = Pack(longest) * fccda::load<Pack>(length + index);
+    return limit * limit;
+  }
+};
+
+/// Failure in tension only: breaks bonds longer than their limit.
+template <class Limits>
+struct BreakInTension {
+  static constexpr bool is_armed = true;
+  Limits limits;
+  BeyondLimit beyond{};
+
+  BreakInTension with(const BeyondLimit& what) const { return {limits, what}; }
+  template <class Pack>
+  Pack of(std::size_t) const {
+    return Pack(0.0);
+  }
+  template <class Pack, class Neighbour>
+  unsigned bits(std::size_t index, Pack squared_length, Pack, const Neighbour&) const {
+    return fccda::bits_where_greater(squared_length, limits.template squared_limit<Pack>(index));
+  }
+};
+
+struct LengthOnStencil {
+  std::span<const double> lengths;
+  template <class Pack>
+  Pack length(std::size_t index) const {
+    return Pack(lengths[index]);
+  }
+};
+struct LengthOnList {
+  const double* lengths;
+  template <class Pack>
+  Pack length(std::size_t index) const {
+    return fccda::load<Pack>(lengths + index);
+  }
+};
+
+/// The full rule, with the strength of the two particles: |η + ξ| > (1 + s_c k) |ξ|, or < (1 - s_m k) |ξ| if this is positive; k = (k_i + k_j)/2.
+template <class Lengths, bool in_compression>
+struct BreakByStrength {
+  static constexpr bool is_armed = true;
+  Lengths lengths;
+  double stretch, compression;
+  const double* half_strength;
+  BeyondLimit beyond{};
+
+  BreakByStrength with(const BeyondLimit& what) const { return {lengths, stretch, compression, half_strength, what}; }
+  template <class Pack>
+  Pack of(std::size_t slot) const {
+    return fccda::load<Pack>(half_strength + slot);
+  }
+  template <class Pack, class Neighbour>
+  unsigned bits(std::size_t index, Pack squared_length, Pack of_i, const Neighbour& j) const {
+    using namespace fccda;
+    const Pack strength = of_i + j.of(half_strength), length = lengths.template length<Pack>(index);
+    const Pack longest = fused_multiply_add(Pack(stretch), strength, Pack(1.0)) * length;
+    unsigned broken_bits = bits_where_greater(squared_length, longest * longest);
+    if constexpr (in_compression) {
+      const Pack shortest = larger(fused_multiply_add(Pack(-compression), strength, Pack(1.0)), Pack(0.0)) * length;
+      broken_bits |= bits_where_greater(shortest * shortest, squared_length);
+    }
+    return broken_bits;
+  }
+};
+
+/// Bond failure of one body.
+class Breaking {
+ public:
+  /// Bonds never break.
+  Breaking() = default;
+  /// `strength` [-] of each slot (damage/strength.hpp); where empty, 1 everywhere.
+  Breaking(const BreakingRule& rule, const std::vector<double>& strength, const Family& family, const Particles& particles);
+
+  /// Pass over the bonds in which they break, if options.may_break. per_pack(row, slot, breaker) visits the bonds of a pack of particles with the breaker,
+  /// writes the results of the pack, and returns its energy [J]. Counts broken ends, and sums the energy of each row if options.with_energy.
+  ///
+  /// With hardening, the critical stretch depends on compression, but this matters only for bonds beyond their unconfined limit. Packs with such a bond
+  /// are postponed: their strength is evaluated after all other packs. Packs postponed in the previous pass are postponed at once, so that little is
+  /// evaluated twice; not so where energies are summed, since the order of summation would then depend on the previous pass.
+  template <class Pack, class Bonds, class PerPack>
+  void for_each_pack(const Bonds& bonds, const Particles& particles, Family& family, const PassOptions& options, RowSums& rows, const PerPack& per_pack);
+
+  bool is_armed() const { return rule_.has_value(); }
+  const std::optional<BreakingRule>& rule() const { return rule_; }
+  double bytes() const {
+    return static_cast<double>(sizeof(double) * (half_strength_.slots() + pressed_half_strength_.slots() + squared_limits_.size() + lengths_.size()) +
+                               postponed_.size() + row_has_postponed_.size() + is_asked_.size());
+  }
+
+ private:
+  template <class Bonds>
+  using Lengths = std::conditional_t<std::is_same_v<Bonds, StencilBonds>, LengthOnStencil, LengthOnList>;
+  template <class Bonds>
+  Lengths<Bonds> lengths(const Family& family) const {
+    if constexpr (std::is_same_v<Bonds, StencilBonds>)
+      return {lengths_};
+    else
+      return {family.list()->length.data()};
+  }
+
+  /// Calls f(breaker) with the cheapest breaker for the rule, for unconfined particles.
+  template <class Bonds, class F>
+  void choose(const Family& family, bool may_break, const F& f) const {
+    if (!rule_ || !may_break) return f(Unbreakable{});
+    if (half_strength_.slots() != 0) return choose_by_strength<Bonds>(family, half_strength_, f);
+    if constexpr (std::is_same_v<Bonds, StencilBonds>)
+      f(BreakInTension<TensionOnStencil>{{squared_limits_}});
+    else
+      f(BreakInTension<TensionOnList>{{family.list()->length.data(), 1 + rule_->stretch}});
+  }
+  template <class Bonds, class F>
+  void choose_by_strength(const Family& family, const ScalarArray& half_strength, const F& f) const {
+    if (rule_->compression)
+      f(BreakByStrength<Lengths<Bonds>, true>{lengths<Bonds>(family), rule_->stretch, *rule_->compression, half_strength.component(0)});
+    else
+      f(BreakByStrength<Lengths<Bonds>, false>{lengths<Bonds>(family), rule_->stretch, 0, half_strength.component(0)});
+  }
+
+  /// Calls f(row, slot) for the postponed packs.
+  template <class Pack, class F>
+  void for_each_postponed(const Particles& particles, const F& f) const {
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t r) {
+      const auto row = static_cast<std::size_t>(r);
+      if (!row_has_postponed_[row]) return;
+      for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) {
+        if (postponed_[slot / fccda::lanes<Pack>]) f(row, slot);
+      });
+    });
+  }
+
+  /// Computes the strength of the requested particles at their current positions.
+  template <class Pack>
+  void find_pressed_strength(const Particles& particles, Family& family);
+
+  static constexpr std::uint8_t no = 0, yes = 1, needlessly = 2;
+
+  std::optional<BreakingRule> rule_;
+  std::vector<double> squared_limits_, lengths_;  // [m²] [m] of each bond of the stencil
+  ScalarArray half_strength_;                     // [-] k/2 of unconfined particles; empty if all are 1 and there is no compressive limit
+  // with hardening:
+  ScalarArray pressed_half_strength_;    // [-] k/2 under the compression of the last request
+  std::vector<std::uint8_t> is_asked_;   // of each eight slots: their strength is requested
+  std::vector<std::uint8_t> postponed_;  // of each pack
+  std::vector<std::uint8_t> row_has_postponed_;
+};
+
+template <class Pack, class Bonds, class PerPack>
+void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Family& family, const PassOptions& options, RowSums& rows,
+                             const PerPack& per_pack) {
+  const bool hardens = options.may_break && rule_ && rule_->hardening > 0;
+  if (hardens && options.with_energy) std::fill(postponed_.begin(), postponed_.end(), no);
+  choose<Bonds>(family, options.may_break, [&](const auto& breaker) {
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t r) {
+      const auto row = static_cast<std::size_t>(r);
+      double energy = 0;
+      for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) {
+        bool is_postponed = hardens && postponed_[slot / fccda::lanes<Pack>] != no;
+        if (!is_postponed) {
+          const double of_pack = per_pack(row, slot, breaker.with({&rows.broken_ends[row], hardens ? &is_postponed : nullptr}));
+          if (!is_postponed) energy += of_pack;
+        }
+        if (is_postponed) postponed_[slot / fccda::lanes<Pack>] = row_has_postponed_[row] = yes;
+      });
+      if (options.with_energy) rows.energy[row] = energy;
+    });
+  });
+  if (!hardens || std::find(row_has_postponed_.begin(), row_has_postponed_.end(), yes) == row_has_postponed_.end()) return;
+
+  choose<Bonds>(family, true, [&](const auto& breaker) {
+    using Breaker = std::decay_t<decltype(breaker)>;
+    if constexpr (Breaker::is_armed)
+      for_each_postponed<Pack>(particles, [&](std::size_t, std::size_t slot) {
+        const Pack of_i = breaker.template of<Pack>(slot);
+        unsigned beyond = 0;
+        for_each_bond<Pack>(bonds, particles.position.pointers(), slot, Unbreakable{}, [&](const auto& bond) {
+          const unsigned bits = bond.intact & breaker.bits(bond.index, bond.squared_length, of_i, bond.neighbour);
+          for (unsigned left = bits; left != 0; left &= left - 1) {  // of the neighbours alone: they request that of this particle
+            const std::size_t j = bond.neighbour.slot_of(static_cast<std::size_t>(std::countr_zero(left)));
+            std::atomic_ref(is_asked_[j / fccda::byte_lanes]).store(yes, std::memory_order_relaxed);
+          }
+          beyond |= bits;
+        });
+        if (beyond == 0) postponed_[slot / fccda::lanes<Pack>] = needlessly;
+      });
+  });
+  find_pressed_strength<Pack>(particles, family);
+  choose_by_strength<Bonds>(family, pressed_half_strength_, [&](const auto& breaker) {
+    for_each_postponed<Pack>(particles, [&](std::size_t row, std::size_t slot) {
+      const double of_pack = per_pack(row, slot, breaker.with({&rows.broken_ends[row]}));
+      if (options.with_energy) rows.energy[row] += of_pack;
+      std::uint8_t& postponed = postponed_[slot / fccda::lanes<Pack>];
+      if (postponed == needlessly) postponed = no;
+    });
+  });
+  std::fill(row_has_postponed_.begin(), row_has_postponed_.end(), no);
+}
+
+}  // namespace perimpact

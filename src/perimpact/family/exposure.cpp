@@ -1,0 +1,89 @@
+#include "perimpact/family/exposure.hpp"
+
+#include <array>
+
+#include "base/parallel.hpp"
+
+namespace perimpact {
+
+using fccda::byte_lanes;
+
+namespace {
+
+/// Bits 0 … 7 as bytes 0 … 7, each 0 or 1.
+constexpr std::array<std::uint64_t, 256> spread_bits() {
+  std::array<std::uint64_t, 256> spread{};
+  for (std::size_t byte = 0; byte < 256; ++byte)
+    for (std::size_t bit = 0; bit < 8; ++bit) spread[byte] |= static_cast<std::uint64_t>((byte >> bit) & 1u) << (8 * bit);
+  return spread;
+}
+constexpr std::array<std::uint64_t, 256> spread = spread_bits();
+
+bool is_at_surface(const Particles& particles, std::size_t slot) {
+  const Lattice* lattice = particles.lattice();
+  if (!lattice) return true;
+  const auto [i, j, k] = lattice->cell(slot);
+  const auto is_filled = [&](int ni, int nj, int nk) { return lattice->contains(ni, nj, nk) && particles.is_occupied(lattice->slot(ni, nj, nk)); };
+  const bool is_enclosed = is_filled(i - 1, j, k) && is_filled(i + 1, j, k) && is_filled(i, j - 1, k) && is_filled(i, j + 1, k);
+  return !is_enclosed || !(particles.is_plane() || (is_filled(i, j, k - 1) && is_filled(i, j, k + 1)));
+}
+
+}  // namespace
+
+std::array<std::uint16_t, byte_lanes> count_bonds(const Family& family, std::size_t eight) {
+  std::array<std::uint16_t, byte_lanes> counts{};
+  constexpr std::size_t most = 255;  // maximum count in a byte
+  const std::uint8_t* bytes = family.bytes(eight);
+  const std::size_t rows = family.begin(eight + 1) - family.begin(eight);
+  for (std::size_t begin = 0; begin < rows; begin += most) {
+    std::uint64_t sums = 0;
+    for (std::size_t row = begin; row < std::min(begin + most, rows); ++row) sums += spread[bytes[row]];
+    for (std::size_t lane = 0; lane < byte_lanes; ++lane) counts[lane] = static_cast<std::uint16_t>(counts[lane] + ((sums >> (8 * lane)) & 0xff));
+  }
+  return counts;
+}
+
+Exposure::Exposure(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends)
+    : marks_(particles.slots(), 0), first_bonds_(particles.slots(), 0), broken_ends_(broken_ends.begin(), broken_ends.end()) {
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.slots() / byte_lanes), [&](std::ptrdiff_t e) {
+    const std::size_t eight = static_cast<std::size_t>(e);
+    const auto counts = count_bonds(family, eight);
+    for (std::size_t lane = 0; lane < byte_lanes; ++lane) {
+      const std::size_t slot = eight * byte_lanes + lane;
+      first_bonds_[slot] = counts[lane];
+      if (!particles.is_occupied(slot)) continue;
+      if (is_at_surface(particles, slot)) marks_[slot] = surface;
+      if (family.damage(slot) > 0) marks_[slot] = static_cast<std::uint8_t>(marks_[slot] | lost);
+    }
+  });
+}
+
+std::vector<std::uint32_t> Exposure::update(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < broken_ends.size(); ++row)
+    if (broken_ends[row] != broken_ends_[row]) rows.push_back(row);
+  std::vector<std::vector<std::uint32_t>> found(rows.size());
+  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(rows.size()), [&](std::ptrdiff_t r) {
+    const std::size_t row = rows[static_cast<std::size_t>(r)];
+    broken_ends_[row] = broken_ends[row];
+    const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
+    for (std::size_t first = begin; first < end; first += byte_lanes) {
+      const auto is_settled = [&](std::size_t slot) { return has_lost(slot) || first_bonds_[slot] == 0; };
+      std::size_t lane = 0;
+      while (lane < byte_lanes && is_settled(first + lane)) ++lane;
+      if (lane == byte_lanes) continue;
+      const auto counts = count_bonds(family, first / byte_lanes);
+      for (; lane < byte_lanes; ++lane) {
+        const std::size_t slot = first + lane;
+        if (has_lost(slot) || counts[lane] == first_bonds_[slot]) continue;
+        marks_[slot] = static_cast<std::uint8_t>(marks_[slot] | lost);
+        found[static_cast<std::size_t>(r)].push_back(static_cast<std::uint32_t>(slot));
+      }
+    }
+  });
+  std::vector<std::uint32_t> all;
+  for (const std::vector<std::uint32_t>& of_row : found) all.insert(all.end(), of_row.begin(), of_row.end());
+  return all;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,264 @@
+#include "perimpact/history/monitors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "perimpact/deck_model/setup_error.hpp"
+
+namespace perimpact {
+
+namespace {
+
+/// Energy from rounding in bodies at rest [J]: velocities of a hundred units in the last place of positions per step.
+double energy_of_rounding(std::span<const Body> bodies, double dt) {
+  double energy = 0;
+  for (const Body& body : bodies) {
+    double furthest = 0;
+    for (const std::uint32_t slot : body.particles.slot_of()) furthest = std::max(furthest, largest_magnitude(body.particles.reference(slot)));
+    const double speed = 100 * std::numeric_limits<double>::epsilon() * furthest / dt;
+    energy += 0.5 * body.particles.total_mass() * speed * speed;
+  }
+  return energy;
+}
+
+/// [J] with the mid-step velocities.
+double kinetic_energy_amid_step(const Particles& particles) {
+  double energy = 0;
+  for (const std::uint32_t slot : particles.slot_of()) energy += 0.5 * particles.mass(slot) * squared_norm(particles.velocity.at(slot));
+  return energy;
+}
+
+/// Limits the work of a long run after it has become invalid.
+constexpr long most_steps_unchecked = 200;
+
+constexpr ColumnKind instantaneous = ColumnKind::instantaneous, interval_mean = ColumnKind::interval_mean, cumulative = ColumnKind::cumulative;
+/// [J] contribution of contact to the kinetic energy of a body at the end of the step, not included in its forces: half of the impulse,
+/// assumed constant.
+double contact_share(std::size_t body, const Particles& particles, std::span<const Impactor> impactors, double dt) {
+  struct Push {
+    std::size_t slot;
+    Vec3d impulse;  // [N s]
+  };
+  std::vector<Push> pushes;
+  for (const Impactor& impactor : impactors)
+    for (const ContactImpulse& contact_impulse : impactor.contact_impulses_now())
+      if (contact_impulse.body == body) pushes.push_back({contact_impulse.contact.point, -contact_impulse.impulse});
+  std::stable_sort(pushes.begin(), pushes.end(), [](const Push& a, const Push& b) { return a.slot < b.slot; });
+  double energy = 0;
+  for (auto push = pushes.begin(); push != pushes.end();) {
+    const std::size_t slot = push->slot;
+    Vec3d impulse{};
+    for (; push != pushes.end() && push->slot == slot; ++push) impulse += push->impulse;
+    const Vec3d velocity = particles.velocity.at(slot) + (0.5 * dt / particles.density()) * particles.force_density.at(slot);
+    energy += 0.5 * dot(impulse, velocity + 0.25 * (impulse / particles.mass(slot)));
+  }
+  return energy;
+}
+
+}  // namespace
+
+Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock)
+    : interval_(std::max(
+          1L, setup.history_interval ? std::lround(std::min(*setup.history_interval / clock.dt, static_cast<double>(clock.steps))) : clock.steps / 100)),
+      check_interval_(std::clamp(clock.steps / 100, 1L, most_steps_unchecked)),
+      elastic_(bodies.size(), 0.0),
+      kinetic_(bodies.size(), 0.0) {
+  for (const ProbeSetup& probe : setup.probes) {
+    const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const Body& candidate) { return candidate.name == probe.body; });
+    const std::string key = "output.probes." + probe.name;
+    if (body == bodies.end()) throw SetupError(key + ".body", fmt::format("probe {} refers to body {}, which does not exist.", probe.name, probe.body));
+    probes_.push_back({probe.name, static_cast<std::size_t>(body - bodies.begin()), Sample(*body, probe.at)});
+    const double away = probes_.back().sample.distance(*body), spacing = body->particles.spacing();
+    if (away > spacing)
+      throw SetupError(key + ".at",
+                       fmt::format("probe {} lies {:.3g} m from the nearest particle of body {}, more than its spacing of {:.3g} m; move it into the body.",
+                                   probe.name, away, probe.body, spacing));
+  }
+}
+
+void Monitors::add(std::string_view owner, const Of& of, double value) {
+  if (is_first_) {
+    const std::string name = owner.empty() ? std::string(of.name) : fmt::format("{}.{}", owner, of.name);
+    columns_.push_back({name, std::string(of.unit), of.kind, std::string(of.meaning), of.is_load});
+  }
+  row_.push_back(value);
+}
+
+void Monitors::add(std::string_view owner, const Of& of, const Vec3d& value) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::string name = is_first_ ? fmt::format("{}_{}", of.name, "xyz"[c]) : std::string();
+    add(owner, {name, of.unit, of.kind, of.meaning, of.is_load}, value[c]);
+  }
+}
+
+void Monitors::add_mean(std::string_view owner, const Of& of, double sum) {
+  if (is_first_) sums_.push_back(sum);
+  double& before = sums_[next_sum_++];
+  add(owner, of, per_second_ * (sum - before));
+  before = sum;
+}
+
+void Monitors::add_mean(std::string_view owner, const Of& of, const Vec3d& sum) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::string name = is_first_ ? fmt::format("{}_{}", of.name, "xyz"[c]) : std::string();
+    add_mean(owner, {name, of.unit, of.kind, of.meaning, of.is_load}, sum[c]);
+  }
+}
+
+void Monitors::watch(const Scene& scene) {
+  const Balance balance = balance_of(scene);
+  if (is_first_) first_energy_ = balance.energy - balance.work, first_balance_ = balance.sum();
+  if (is_checked(scene.clock) || scene.relaxed) {
+    check_numbers(scene, balance.energy);
+    // The forces lack the contribution of an impactor, so that the half kick adds spurious energy; an unstable step increases both.
+    if (!scene.relaxed) check_energy(scene, balance.energy - std::max(0.0, balance.since_amid), balance.work, balance.unpaid, balance.contact);
+    sound_until_ = scene.clock.step;
+  }
+  if (is_due(scene.clock)) make_row(scene, balance);
+  is_first_ = false;
+}
+
+Monitors::Balance Monitors::balance_of(const Scene& scene) {
+  Balance of;
+  const double dt = scene.clock.dt;
+  for (const Impactor& impactor : scene.impactors) {
+    of.momentum += impactor.body().momentum();
+    const double kinetic = impactor.kinetic_energy();
+    of.energy += kinetic;
+    of.ripple += kinetic - impactor.body().kinetic_energy();
+    of.work += impactor.constraint_work() + impactor.load_work() + impactor.water_work();
+    of.contact -= impactor.contact_work() + impactor.work_on_particles();
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    const BoundaryConditions& boundary_conditions = scene.boundary_conditions[b];
+    const double kinetic = kinetic_[b] = scene.relaxed ? 0 : body.kinetic_energy(dt) + contact_share(b, body.particles, scene.impactors, dt);
+    of.momentum += body.momentum();
+    of.energy += kinetic + elastic_[b];
+    of.work += boundary_conditions.work();
+    of.unpaid += boundary_conditions.half_kick(scene.clock.time(), dt);
+    of.ripple += scene.relaxed ? 0 : kinetic - body.kinetic_energy_of_scheme(dt);
+    of.since_amid += scene.relaxed ? 0 : kinetic - kinetic_energy_amid_step(body.particles);
+    of.taken += body.internal.fracture_energy() + body.internal.plastic_dissipation();
+    of.contact -= boundary_conditions.constraint_work_correction();
+  }
+  if (scene.fragments) {
+    of.energy += scene.fragments->energy();
+    of.taken += scene.fragments->friction_dissipation() + scene.fragments->dashpot_dissipation();
+  }
+  return of;
+}
+
+void Monitors::make_row(const Scene& scene, const Balance& balance) {
+  row_.clear();
+  next_sum_ = 0;
+  const double time = scene.clock.time(), interval = time - row_time_;
+  per_second_ = interval > 0 ? 1 / interval : 0;  // no action before the first row
+  row_time_ = time;
+  add("", {"time", "s", instantaneous, "end of the step"}, time);
+  for (const Impactor& impactor : scene.impactors) add_impactor(impactor);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) add_body(scene, b);
+  if (scene.fragments) {
+    add("total", {"contact_energy", "J", instantaneous, "of the penalty springs between particles in contact"}, scene.fragments->energy());
+    add("total", {"friction_dissipation", "J", cumulative, "dissipated by friction between particles in contact"}, scene.fragments->friction_dissipation());
+    add("total", {"dashpot_dissipation", "J", cumulative, "dissipated by dashpots between particles in contact"}, scene.fragments->dashpot_dissipation());
+  }
+  add("total", {"momentum", "kg m/s", instantaneous, "of all bodies and impactors"}, balance.momentum);
+  add("total", {"energy", "J", instantaneous, "kinetic and elastic energy, and contact energy between fragments"}, balance.energy);
+  if (!scene.impactors.empty())
+    add("total", {"contact_dissipation", "J", cumulative, "dissipated by contact with impactors, of impactors and bodies together"}, balance.contact);
+  if (!scene.relaxed)
+    add("total", {"energy_balance_error", "J", instantaneous, "current energy plus dissipation, minus initial energy and external work"},
+        balance.sum() - first_balance_);
+  if (scene.relaxed) {
+    add("total", {"residual", "-", instantaneous, "residual at the end of the increment"}, scene.relaxed->residual);
+    add("total", {"iterations", "-", instantaneous, "iterations of the increment"}, static_cast<double>(scene.relaxed->iterations));
+  }
+  for (const Probe& probe : probes_)
+    add(probe.name, {"displacement", "m", instantaneous, "mean of the particles nearest to the point"}, probe.sample.displacement(scene.bodies[probe.body]));
+}
+
+void Monitors::add_impactor(const Impactor& impactor) {
+  const fccda::RigidBody& body = impactor.body();
+  const Account& account = impactor.account();
+  const std::string& name = impactor.name();
+  add(name, {"position", "m", instantaneous, "of its centre of mass"}, body.position_of_com());
+  add(name, {"velocity", "m/s", instantaneous, "of its centre of mass"}, body.velocity());
+  add(name, {"angular_velocity", "rad/s", instantaneous, "in global axes"}, body.angular_velocity());
+  add_mean(name, {"force", "N", interval_mean, "of contact on it", true}, account.impulse);
+  add_mean(name, {"moment", "N m", interval_mean, "of contact on it about its centre of mass"}, account.angular_impulse);
+  add(name, {"contacts", "-", instantaneous, "particles in contact in the last step"}, static_cast<double>(account.contacts));
+  add(name, {"contact_work", "J", cumulative, "done on it by contact"}, impactor.contact_work());
+  if (impactor.water()) {
+    add_mean(name, {"water_force_z", "N", interval_mean, "of weight, buoyancy and their damping"}, account.water_impulse);
+    add_mean(name, {"water_moment_x", "N m", interval_mean, "of buoyancy and damping about its centre of mass"}, account.water_angular_impulse.x);
+    add_mean(name, {"water_moment_y", "N m", interval_mean, "of buoyancy and damping about its centre of mass"}, account.water_angular_impulse.y);
+    add(name, {"displaced_mass", "kg", instantaneous, "of the water that it displaces"}, impactor.water()->density * impactor.hydrostatics().volume);
+  }
+  for (const NamedGauge& named : impactor.gauges()) {
+    const fccda::Gauge::Reading& reading = named.gauge.reading();
+    add_mean(named.name, {"force", "N", interval_mean, "of contact on the parts of the gauge", true}, reading.impulse);
+    add_mean(named.name, {"moment", "N m", interval_mean, "of that about the point of the gauge"}, reading.angular_impulse);
+    if (named.gauge.has_axis()) add_mean(named.name, {"torque", "N m", interval_mean, "of that about the axis of the gauge", true}, reading.about_axis);
+  }
+}
+
+void Monitors::add_body(const Scene& scene, std::size_t b) {
+  const Body& body = scene.bodies[b];
+  add(body.name, {"kinetic_energy", "J", instantaneous, "of its particles"}, kinetic_[b]);
+  add(body.name, {"elastic_energy", "J", instantaneous, "of its bonds"}, elastic_[b]);
+  add(body.name, {"broken_bonds", "-", cumulative, "each counted once"}, static_cast<double>(body.internal.broken_bonds()));
+  add(body.name, {"fracture_energy", "J", cumulative, "energy of the broken bonds at failure"}, body.internal.fracture_energy());
+  if (body.internal.plastic()) add(body.name, {"plastic_dissipation", "J", cumulative, "dissipated by plastic flow"}, body.internal.plastic_dissipation());
+  for (const NamedBoundaryCondition& named : scene.boundary_conditions[b].all()) {
+    const ReactionLedger& account = named.account();
+    if (scene.relaxed)
+      add(named.name, {"force", "N", instantaneous, "on the body"}, account.force());
+    else
+      add_mean(named.name, {"force", "N", interval_mean, "on the body"}, account.impulse());
+    add(named.name, {"work", "J", cumulative, "done on the body"}, account.work());
+    if (const auto* water = std::get_if<Floating>(&named.boundary)) {
+      add(named.name, {"weight_buoyancy_work", "J", cumulative, "done on the body by these"}, water->weight_buoyancy_work());
+      add(named.name, {"drag_work", "J", cumulative, "done on the body by drag, damping and added mass"}, water->drag_work());
+    }
+  }
+}
+
+void Monitors::check_numbers(const Scene& scene, double energy) const {
+  const Clock& clock = scene.clock;
+  if (std::isfinite(energy)) return;
+  for (const Body& body : scene.bodies)
+    for (std::size_t i = 0; i < body.particles.size(); ++i) {
+      const std::uint32_t slot = body.particles.slot_of()[i];
+      if (!is_finite(body.particles.position.at(slot)) || !is_finite(body.particles.force_density.at(slot)))
+        throw fccda::RunError(fmt::format(
+            "At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. Output up to step {} is valid; use a smaller time step.",
+            clock.step, clock.time(), i, body.name, sound_until_));
+    }
+  throw fccda::RunError(fmt::format("At step {} ({:.6g} s) the energy is not a number. Output up to step {} is valid; use a smaller time step.", clock.step,
+                                    clock.time(), sound_until_));
+}
+
+void Monitors::check_energy(const Scene& scene, double energy, double work, double unpaid, double contact_dissipation) const {
+  const Clock& clock = scene.clock;
+  // Contact and fracture only dissipate. Interpolated velocities cause a ripple of (ω dt)² on the energy of the shortest waves, which is small.
+  const double available = first_energy_ + std::fabs(work) + energy_of_rounding(scene.bodies, clock.dt) + unpaid;
+  const double excess = energy - work - first_energy_ - unpaid;
+  if (!(excess > 0.05 * available)) return;
+  std::string sentence = fmt::format(
+      "At step {} ({:.6g} s) the energy is {:.4g} J, {:.3g} J more than the initial {:.4g} J plus {:.4g} J of external work: the time step of {:.3g} s is "
+      "unstable for this run; reduce it.",
+      clock.step, clock.time(), energy, energy - work - first_energy_, first_energy_, work, clock.dt);
+  if (-contact_dissipation > 0.5 * excess)
+    sentence += fmt::format(
+        " Contact with impactors added {:.3g} J: particles slide over an edge or tip that is sharper than their spacing, and move too far per step. Use a "
+        "time.step of {:.2g} s, and smaller ones until total.contact_dissipation stays above 0.",
+        -contact_dissipation, clock.dt / 4);
+  throw fccda::RunError(sentence);
+}
+
+}  // namespace perimpact

@@ -1,0 +1,116 @@
+/// Monitors of a run: rows of history.csv, and checks of finite values and energy balance that end an invalid run. Both take differences of
+/// cumulative ledgers, do not modify the state, and are independent of each other.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "perimpact/body/body.hpp"
+#include "perimpact/body/sample.hpp"
+#include "perimpact/boundary_conditions/boundary_conditions.hpp"
+#include "perimpact/history/column.hpp"
+#include "perimpact/impactor/impactor.hpp"
+#include "perimpact/integrate/clock.hpp"
+#include "perimpact/integrate/relax.hpp"
+#include "perimpact/self_contact/short_range.hpp"
+
+namespace perimpact {
+
+class Monitors {
+ public:
+  /// Throws SetupError if a probe lies outside its body.
+  Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock);
+
+  /// True if a row ends with this step.
+  bool is_due(const Clock& clock) const { return clock.step % interval_ == 0 || clock.is_finished(); }
+  /// True if this step is checked, independent of output settings.
+  bool is_checked(const Clock& clock) const { return clock.step % check_interval_ == 0 || clock.is_finished(); }
+  /// True if either applies, so that the elastic energy is needed.
+  bool samples_step(const Clock& clock) const { return is_due(clock) || is_checked(clock); }
+
+  /// Elastic energy [J] of each body, for a sampled step.
+  std::vector<double>& elastic_energy() { return elastic_; }
+
+  /// Objects to be sampled.
+  struct Scene {
+    std::span<const Body> bodies;
+    std::span<const BoundaryConditions> boundary_conditions;  // of each body
+    std::span<const Impactor> impactors;
+    const Clock& clock;
+    const std::optional<ShortRange>& fragments;  // if contact of fragments is enabled
+    const Relaxed* relaxed;                      // convergence of the increment, with time.relax
+  };
+
+  /// Samples a step: checks it and creates a row if these are due. Throws RunError if values are not finite or energy increases without a
+  /// source.
+  void watch(const Scene& scene);
+
+  const std::vector<Column>& columns() const { return columns_; }
+  std::span<const double> row() const { return row_; }  ///< the latest
+  double row_time() const { return row_time_; }         ///< [s] of the latest row
+
+  /// See base/state.hpp. Requires the first row.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit("row_time", row_time_);
+    visit("first_energy", first_energy_);
+    visit("first_balance", first_balance_);
+    visit("row", std::span<double>(row_));
+    visit("sums", std::span<double>(sums_));
+    visit("sound_until", sound_until_);
+  }
+
+ private:
+  /// Energy and momentum at the latest step.
+  struct Balance {
+    Vec3d momentum{};
+    double energy = 0, work = 0;    // [J] current, and external work
+    double taken = 0, contact = 0;  // [J] dissipated by fracture and friction of fragments, and by contact with impactors
+    double unpaid = 0;              // [J] BoundaryConditions::half_kick()
+    double ripple = 0;              // [J] of interpolated velocities
+    double since_amid = 0;          // [J] of the half kick to this instant
+
+    double sum() const { return energy - ripple + taken + contact - work; }  // constant up to the order of the scheme
+  };
+  /// Description of a column.
+  struct Of {
+    std::string_view name, unit;
+    ColumnKind kind;
+    std::string_view meaning;
+    bool is_load = false;
+  };
+  Balance balance_of(const Scene& scene);
+  void make_row(const Scene& scene, const Balance& balance);
+  void add_impactor(const Impactor& impactor);
+  void add_body(const Scene& scene, std::size_t body);
+  void add(std::string_view owner, const Of& of, double value);
+  void add(std::string_view owner, const Of& of, const Vec3d& value);
+  void add_mean(std::string_view owner, const Of& of, double sum);
+  void add_mean(std::string_view owner, const Of& of, const Vec3d& sum);
+  void check_numbers(const Scene& scene, double energy) const;
+  void check_energy(const Scene& scene, double energy, double work, double unpaid, double contact_dissipation) const;
+
+  long interval_, check_interval_;  // steps between rows, and between checks
+  double row_time_ = 0;
+  double per_second_ = 0;     // one over the interval of the current row
+  std::vector<double> sums_;  // of interval means, at the previous row
+  std::size_t next_sum_ = 0;  // in the current row
+  long sound_until_ = 0;      // step of the latest check
+  struct Probe {
+    std::string name;
+    std::size_t body;
+    Sample sample;
+  };
+  std::vector<Probe> probes_;
+  std::vector<double> elastic_, kinetic_;  // [J] of each body, at the sampled step
+  std::vector<Column> columns_;
+  std::vector<double> row_;
+  bool is_first_ = true;
+  double first_energy_ = 0;   // [J]
+  double first_balance_ = 0;  // [J]
+};
+
+}  // namespace perimpact

@@ -1,0 +1,57 @@
+#include "perimpact/impactor/contact_ledger.hpp"
+
+#include <algorithm>
+
+namespace perimpact {
+
+namespace {
+
+std::vector<double> squares(std::span<const double> spacings) {
+  std::vector<double> faces;
+  for (const double spacing : spacings) faces.push_back(spacing * spacing);
+  return faces;
+}
+
+}  // namespace
+
+ContactRecord::ContactRecord(const fccda::Surface& surface, std::span<const double> spacings) : panels_(surface, squares(spacings)) {
+  for (const double spacing : spacings) in_contact_.push_back({.face = spacing * spacing});
+}
+
+bool ContactRecord::touched() const {
+  return std::any_of(in_contact_.begin(), in_contact_.end(), [](const Resolved& body) { return body.ever; });
+}
+
+void ContactRecord::add(std::size_t body, const fccda::Contact& contact, const fccda::Vec3d& impulse) {
+  panels_.add(body, contact, impulse);
+  const double normal = -dot(impulse, contact.normal);
+  normal_impulse_ += normal, load_impulse_ += normal;
+  Resolved& resolved = in_contact_[body];
+  resolved.ever = true;
+  if (contact.point >= resolved.last.size()) resolved.last.resize(std::max(contact.point + 1, 2 * resolved.last.size()), 0);
+  if (resolved.last[contact.point] != number_) ++resolved.particles;
+  resolved.last[contact.point] = number_;
+}
+
+void ContactRecord::end_interval(double time, double duration) {
+  interval_ = {.time = time, .normal_force = duration > 0 ? normal_impulse_ / duration : 0};
+  for (Resolved& body : in_contact_) {
+    interval_.contact_area += static_cast<double>(body.particles) * body.face;
+    if (steps_ > 0) interval_.mean_contact_area += static_cast<double>(body.contacts) * body.face / static_cast<double>(steps_);
+    body.contacts = body.particles = 0;
+  }
+  ++number_;
+  steps_ = 0;
+  normal_impulse_ = 0;
+}
+
+void ContactRecord::end_load_interval(double time, double duration) {
+  panels_.end_interval(duration);
+  if (const double force = load_impulse_ / duration; force > peak_.normal_force) {
+    const auto pressure = panels_.interval_pressure();
+    peak_ = {time, force, {pressure.begin(), pressure.end()}};
+  }
+  load_impulse_ = 0;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,68 @@
+/// Adapter of a body's particles to the Points interface of the contact library, without copies.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "perimpact/particles/advance.hpp"
+#include "perimpact/particles/particles.hpp"
+
+namespace perimpact {
+
+/// Point i is slot i. Positions are at the end of the step, velocities those of the step.
+class ContactParticles {
+ public:
+  /// `travel`: of advance() for this step.
+  ContactParticles(Particles& particles, std::span<const double> travel, double dt) : particles_(particles), travel_(travel), dt_(dt) {}
+
+  std::size_t size() const { return particles_.slots(); }
+  bool occupied(std::size_t slot) const { return particles_.is_occupied(slot); }
+  Vec3d position_t1(std::size_t slot) const { return particles_.position.at(slot); }
+  Vec3d position_t0(std::size_t slot) const { return particles_.position.at(slot) - dt_ * particles_.velocity.at(slot); }
+  Vec3d velocity(std::size_t slot) const { return particles_.velocity.at(slot); }
+  double mass(std::size_t slot) const { return particles_.mass(slot); }
+  /// [J] work of an impulse [N s] that led to the current velocity, paired with the mean of this velocity and that of the previous step. It
+  /// includes the work of all other forces on the displacement by contact (docs/theory/energy.md).
+  double work_of(std::size_t slot, const Vec3d& impulse) const {
+    const Vec3d kick = (dt_ / particles_.density()) * particles_.force_density.at(slot);
+    return dot(impulse, particles_.velocity.at(slot) - 0.5 * (impulse / particles_.mass(slot) + kick));
+  }
+
+  std::size_t block_count() const { return travel_.size(); }
+  std::size_t block_begin(std::size_t block) const { return block * travel_block; }
+  std::size_t block_end(std::size_t block) const { return std::min((block + 1) * travel_block, size()); }
+  double block_travel(std::size_t block) const { return travel_[block]; }
+
+  /// Particles of a plane body stay in the plane: surfaces in contact are prismatic (in_plane.hpp); rounding along z is discarded.
+  void set(std::size_t slot, Vec3d position, Vec3d velocity) {
+    before_.push_back({slot, particles_.position.at(slot), particles_.velocity.at(slot)});
+    if (particles_.is_plane()) position.z = particles_.position.at(slot).z, velocity.z = particles_.velocity.at(slot).z;
+    particles_.position.set(slot, position);
+    particles_.velocity.set(slot, velocity);
+  }
+
+  /// Reverts all changes, and calls visit(slot) for each.
+  template <class Visit>
+  void undo(const Visit& visit) {
+    for (auto set = before_.rbegin(); set != before_.rend(); ++set) {
+      particles_.position.set(set->slot, set->position);
+      particles_.velocity.set(set->slot, set->velocity);
+      visit(set->slot);
+    }
+    before_.clear();
+  }
+
+ private:
+  struct Before {
+    std::size_t slot;
+    Vec3d position, velocity;
+  };
+
+  Particles& particles_;
+  std::span<const double> travel_;
+  double dt_;
+  std::vector<Before> before_;  // in order of the changes
+};
+
+}  // namespace perimpact

@@ -1,0 +1,259 @@
+#include "perimpact/impactor/impactor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/impactor/rigid_body_of.hpp"
+#include "perimpact/impactor/surface_of.hpp"
+
+namespace perimpact {
+
+using namespace fccda;
+
+namespace {
+
+AnalyticShape shape_of(const ImpactorSetup& setup) {
+  if (const auto* sphere = std::get_if<SphereSurface>(&setup.surface)) return Sphere{.radius = sphere->diameter / 2};
+  const auto* cylinder = std::get_if<CylinderSurface>(&setup.surface);
+  if (!cylinder)
+    throw SetupError("impactors." + setup.name + ".surface",
+                     "the analytic detector supports cylinders and spheres only; use detector: swept for any other surface.");
+  Vec3d axis{};
+  axis[static_cast<std::size_t>(cylinder->axis.index)] = 1;
+  return InfiniteCylinder{.radius = cylinder->diameter / 2, .axis = axis};
+}
+
+/// `shared`: search structure of this impactor's detectors, built by the first that needs it.
+Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& contact, const std::shared_ptr<const Surface>& surface, SharedSurface& shared,
+                       const ContactBounds& region, double spacing) {
+  const double radius = contact.radius_ratio * spacing;
+  switch (contact.detector.as<DetectorKind>()) {
+    case DetectorKind::analytic:
+      return Analytic(shape_of(setup), region, radius);
+    case DetectorKind::published:
+      return Published(surface, region, contact.variant.as<Published::Variant>());
+    case DetectorKind::swept:
+      break;
+  }
+  if (!shared) shared = share(surface);
+  return Swept(shared, region, radius);
+}
+
+/// During a run, an impulse or rotation out of range is a RunError, not an error of the deck.
+template <class Act>
+auto in_run(const std::string& impactor, const Act& act) {
+  try {
+    return act();
+  } catch (const InputError& error) {
+    throw RunError(fmt::format("impactors.{}: {} The run has become unstable; use a smaller time.step.", impactor, error.what()));
+  }
+}
+
+std::optional<PlacedInWater> how_placed(const std::optional<StillWater>& water, const RigidBody& body, const Surface& surface) {
+  if (!water) return std::nullopt;
+  PlacedInWater placed{hydrostatics(body, surface, *water), water->level - keel(body, surface), std::nullopt};
+  if (const std::optional<double> level = level_at_rest(body, surface, *water)) placed.rise = water->level - *level;
+  return placed;
+}
+
+std::vector<double> spacings_of(std::span<Particles* const> bodies) {
+  std::vector<double> spacings;
+  for (const Particles* particles : bodies) spacings.push_back(particles->spacing());
+  return spacings;
+}
+
+}  // namespace
+
+Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies)
+    : Impactor(setup, contact, bodies, surface_of(setup.surface, setup.name)) {}
+
+Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, GivenSurface given)
+    : Impactor(setup, contact, bodies, given.crossing_panels, remeshed(std::move(given.surface), setup)) {}
+
+Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, std::size_t crossing_panels,
+                   Remeshed remeshed)
+    : name_(setup.name),
+      crossing_panels_(crossing_panels),
+      remeshing_(std::move(remeshed.remeshing)),
+      surface_(std::make_shared<const Surface>(std::move(remeshed.surface))),
+      region_(contact_bounds_of(setup.contact_bounds, *surface_, setup.name)),
+      prescribed_(motion_of(setup)),
+      loads_(loads_of(setup)),
+      body_(rigid_body_of(setup, *surface_, prescribed_)),
+      radius_(surface_->radius_about(body_.properties().centre_of_mass)),
+      friction_(contact.friction),
+      unresolved_(bodies.size()),
+      coupling_(body_),
+      is_coupled_(contact.detector.as<DetectorKind>() != DetectorKind::published),
+      gauges_(gauges_of(setup, *surface_, body_)),
+      water_(water_of(setup)),
+      placed_in_water_(how_placed(water_, body_, *surface_)),
+      record_(*surface_, spacings_of(bodies)) {
+  SharedSurface shared;
+  for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, shared, region_.region, particles->spacing()));
+}
+
+std::vector<std::size_t> Impactor::initial_overlap(std::size_t body, const ContactParticles& particles) const {
+  return std::visit([&](const auto& detector) { return detector.initial_overlap(particles, body_.pose()); }, detectors_[body]);
+}
+
+std::vector<std::optional<Vec3d>> Impactor::nearest_outside(std::size_t body, std::span<const Vec3d> places) const {
+  return std::visit([&](const auto& detector) { return detector.nearest_outside(places, body_.pose()); }, detectors_[body]);
+}
+
+std::uint64_t Impactor::entered_inside(std::size_t body) const {
+  const auto* swept = std::get_if<Swept>(&detectors_[body]);
+  return swept ? swept->entered_inside() : 0;
+}
+
+std::size_t Impactor::buried_triangles() const {
+  const auto* swept = detectors_.empty() ? nullptr : std::get_if<Swept>(&detectors_.front());
+  return swept ? swept->buried_triangles() : 0;
+}
+
+fccda::Effort Impactor::effort(std::size_t body) const {
+  return std::visit([](const auto& detector) { return detector.effort(); }, detectors_[body]);
+}
+
+void Impactor::advance(const Step& step) {
+  prescribed_.impose(body_, step);
+  if (water_) float_in_water(step);  // before the loads: otherwise damping would reduce their impulse, and shift the equilibrium by c Δt
+  load_work_ += apply(loads_, body_, step);
+  coupling_ = Coupling(body_);
+  motion_ = in_run(name_, [&] { return coupling_.advance(body_, step.dt); });
+  is_first_pass_ = true;
+  pending_.clear();
+  put_back_.clear();
+  account_.contacts = 0;
+  last_step_.impulse = last_step_.angular_impulse = {};
+  last_step_.contact_impulses.clear();
+  record_.begin_step();
+}
+
+void Impactor::float_in_water(const Step& step) {
+  const WaterSum tally = apply(*water_, *surface_, body_, step);
+  account_.water_impulse += tally.impulse;
+  account_.water_angular_impulse += tally.angular_impulse;
+  water_work_ += tally.work;
+}
+
+Vec3d Impactor::fastest_velocity() const {
+  Vec3d velocity = body_.velocity();
+  for (std::size_t axis = 0; axis < 3; ++axis) velocity[axis] = prescribed_.largest_velocity(axis, velocity[axis]);
+  return velocity;
+}
+
+Vec3d Impactor::fastest_angular_velocity() const {
+  Vec3d spin = body_.angular_velocity();
+  for (std::size_t axis = 0; axis < 3; ++axis) spin[axis] = prescribed_.largest_velocity(3 + axis, spin[axis]);
+  return spin;
+}
+
+std::span<const Contact> Impactor::resolve_contact(std::size_t body, ContactParticles& particles) {
+  contacts_.clear();
+  const double travel = body_.travel_bound(motion_, radius_);
+  std::visit(
+      [&](auto& detector) {
+        if (is_first_pass_)
+          detector.detect(particles, motion_, travel, contacts_);
+        else
+          detector.redetect(particles, motion_, travel, coupling_.correction(), contacts_);
+      },
+      detectors_[body]);
+  return in_run(name_, [&] { return respond_to_contacts(body, particles); });
+}
+
+std::span<const Contact> Impactor::resolve_contact_again(std::size_t body, ContactParticles& particles, std::span<const std::size_t> which) {
+  contacts_.clear();
+  const double travel = body_.travel_bound(motion_, radius_);
+  std::visit([&](auto& detector) { detector.detect_again(particles, motion_, travel, which, contacts_); }, detectors_[body]);
+  return in_run(name_, [&] { return respond_to_contacts(body, particles); });
+}
+
+std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, ContactParticles& particles) {
+  resolve_points(particles, contacts_, motion_, body_.position_of_com(), friction_, [&](const Contact& contact, const Vec3d& impulse) {
+    const Vec3d place = place_of_push(contact, particles.position_t0(contact.point), particles.position_t1(contact.point), motion_);
+    coupling_.add(contact, particles.mass(contact.point), place, impulse, friction_);
+    pending_.push_back({{body, contact, impulse}, place, particles.work_of(contact.point, -impulse)});
+  });
+  return contacts_;
+}
+
+bool Impactor::moved_with_contact() const { return !is_coupled_ || coupling_.agrees(radius_); }
+
+void Impactor::repeat_step(bool last) {
+  constexpr double near = 0.1;
+  const bool leads_nowhere = last && !coupling_.agrees(radius_, near);
+  motion_ = leads_nowhere ? coupling_.retreat(body_, radius_) : coupling_.correct(body_, radius_);
+  is_first_pass_ = false;
+  pending_.clear();
+}
+
+void Impactor::finish_step() {
+  for (const Pending& pending : pending_) {
+    for (NamedGauge& named : gauges_) named.gauge.add(pending.contact_impulse.contact, pending.place, pending.contact_impulse.impulse, motion_);
+    record_.add(pending.contact_impulse.body, pending.contact_impulse.contact, pending.contact_impulse.impulse);
+    work_on_particles_ += pending.work_on_particle;
+    last_step_.contact_impulses.push_back(pending.contact_impulse);
+  }
+  count_in_contact();
+  contact_work_ += coupling_.finish(body_);
+  last_step_.impulse = coupling_.found().linear;
+  last_step_.angular_impulse = coupling_.found().angular;
+  account_.impulse += last_step_.impulse;
+  account_.angular_impulse += last_step_.angular_impulse;
+}
+
+// Counts particles, not impulses: several impactors may act on one within a step.
+void Impactor::count_in_contact() {
+  std::vector<std::size_t> points;
+  for (auto contact_impulse = pending_.begin(); contact_impulse != pending_.end();) {
+    const std::size_t body = contact_impulse->contact_impulse.body;
+    points.clear();
+    for (; contact_impulse != pending_.end() && contact_impulse->contact_impulse.body == body; ++contact_impulse)
+      points.push_back(contact_impulse->contact_impulse.contact.point);
+    std::sort(points.begin(), points.end());
+    const auto resolved = static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
+    account_.contacts += resolved;
+    record_.count_in_contact(body, resolved);
+  }
+}
+
+std::vector<std::size_t> Impactor::still_inside(std::size_t body, const ContactParticles& particles, std::span<const std::size_t> which) {
+  return std::visit([&](auto& detector) { return detector.still_inside(particles, motion_, which); }, detectors_[body]);
+}
+
+void Impactor::record_unresolved(std::size_t body, std::size_t particles, double time) {
+  if (particles > 0 && unresolved_[body].count == 0) unresolved_[body].first = time;
+  unresolved_[body].count += particles;
+}
+
+void Impactor::moved(std::size_t body, std::size_t particle) {
+  std::visit([&](auto& detector) { detector.moved(particle); }, detectors_[body]);
+}
+
+void Impactor::put_back(std::size_t body, std::size_t particle) {
+  moved(body, particle);
+  put_back_.emplace_back(body, particle);
+}
+
+std::vector<ContactImpulse> Impactor::contact_impulses_now() const {
+  std::vector<ContactImpulse> contact_impulses;
+  if (!is_coupled_) return contact_impulses;
+  std::vector<std::pair<std::size_t, std::size_t>> left_out = put_back_;
+  std::sort(left_out.begin(), left_out.end());
+  for (const ContactImpulse& contact_impulse : last_step_.contact_impulses)
+    if (!std::binary_search(left_out.begin(), left_out.end(), std::pair(contact_impulse.body, contact_impulse.contact.point)))
+      contact_impulses.push_back(contact_impulse);
+  return contact_impulses;
+}
+
+double Impactor::kinetic_energy() const {
+  RigidBody later = body_;
+  if (is_coupled_) later.add_impulse(0.5 * last_step_.impulse, 0.5 * last_step_.angular_impulse);
+  return later.kinetic_energy();
+}
+
+}  // namespace perimpact

@@ -1,0 +1,72 @@
+/// Internal forces of a body, for any material.
+#pragma once
+
+#include <variant>
+
+#include "perimpact/materials/correspondence/correspondence_force.hpp"
+#include "perimpact/materials/ordinary_state/ordinary_state_force.hpp"
+#include "perimpact/materials/ordinary_state/plastic_force.hpp"
+
+namespace perimpact {
+
+/// Internal force density from the bonds, with bond failure.
+class InternalForce {
+ public:
+  using Kind = std::variant<OrdinaryStateForce, CorrespondenceForce<3>, CorrespondenceForce<2>, PlasticForce>;  // by material
+
+  InternalForce(Kind kind, const Particles& particles);
+
+  /// Writes particles.force_density [N/m³], the sum over intact bonds at the current positions. Each particle sums in the order of its family, so that
+  /// results are bitwise reproducible across thread counts. Bonds beyond their limit break in this pass. `dt` [s]: last step, in whose middle they are
+  /// assumed to break; 0 if there was none.
+  void evaluate(Particles& particles, Family& family, double dt = 0);
+
+  /// The same; returns the elastic energy at these positions [J].
+  double evaluate_with_energy(Particles& particles, Family& family, double dt = 0);
+
+  /// The same as evaluate(), without bond failure.
+  void evaluate_unbroken(Particles& particles, Family& family);
+
+  /// The same as evaluate(), one particle at a time: reference for the tests.
+  void evaluate_scalar(Particles& particles, Family& family, double dt = 0);
+
+  std::size_t broken_bonds() const;                                               ///< since construction, each counted once
+  std::span<const std::size_t> broken_ends() const { return rows_.broken_ends; }  ///< since construction, by row of particles
+
+  /// [J] elastic energy released by bond failure since construction (docs/theory/energy.md).
+  double fracture_energy() const;
+
+  /// [N/m⁷] derivative of a bond's force density with respect to its length, without the contribution of its family.
+  double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {
+    return std::visit([&](const auto& force) { return force.bond_stiffness(slot, bond); }, kind_);
+  }
+
+  const Breaking& breaking() const {
+    return std::visit([](const auto& force) -> const Breaking& { return force.breaking(); }, kind_);
+  }
+  const OrdinaryStateForce* ordinary_state() const { return std::get_if<OrdinaryStateForce>(&kind_); }
+  const Correspondence* correspondence() const;  ///< null for other materials
+  const PlasticForce* plastic() const { return std::get_if<PlasticForce>(&kind_); }
+  PlasticForce* plastic() { return std::get_if<PlasticForce>(&kind_); }
+  double plastic_dissipation() const { return plastic() ? plastic()->dissipation() : 0; }  ///< [J] since construction
+  double bytes() const;                                                                    ///< [bytes] of memory
+
+  template <class Visitor>
+  void visit_state(const std::string& name, Visitor&& visit) {
+    visit(name + ".broken_ends_of_row", std::span<std::size_t>(rows_.broken_ends));
+    if (plastic()) plastic()->visit_state(name, visit);
+  }
+
+  /// Accumulated energies; they do not affect any step.
+  template <class Visitor>
+  void visit_record(const std::string& name, Visitor&& visit) {
+    visit(name + ".fracture_energy_of_row", std::span<double>(rows_.fracture_energy));
+    if (plastic()) plastic()->visit_record(name, visit);
+  }
+
+ private:
+  Kind kind_;
+  RowSums rows_;
+};
+
+}  // namespace perimpact

@@ -1,0 +1,57 @@
+/// Forces of an ordinary state-based material: one pass over all bonds, two with a dilatation term.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "perimpact/damage/breaking.hpp"
+#include "perimpact/family/family.hpp"
+#include "perimpact/family/surface_correction.hpp"
+#include "perimpact/force/pass.hpp"
+#include "perimpact/materials/ordinary_state/ordinary_state.hpp"
+
+namespace perimpact {
+
+/// Basis of the surface correction for this law.
+CorrectionBasis basis_of(const OrdinaryState& law);
+
+/// Force kernel of one body.
+class OrdinaryStateForce {
+ public:
+  OrdinaryStateForce(OrdinaryState law, Breaking breaking, CorrectionFactors correction, const Family& family, const Particles& particles);
+
+  /// Writes particles.force_density and the sums of the rows.
+  template <class Pack>
+  void pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
+
+  const Breaking& breaking() const { return breaking_; }
+  const OrdinaryState& law() const { return law_; }
+  const CorrectionFactors& correction() const { return correction_; }
+  /// [N/m⁷] derivative of a bond's force density with respect to its length, without the dilatation term.
+  double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {
+    return law_.bond_stiffness(bond.length) * correction_.stretch_factor(slot, bond.j, interpolation_weights(bond.direction));
+  }
+  /// [1/m⁴] derivative of the sum θ of the particle with respect to a bond's length, per unit volume of the bond.
+  double dilatation_slope(std::size_t slot, const FamilyBond& bond) const {
+    return law_.d() * law_.weights(bond.length).dilatation / bond.length * correction_.dilatation_factor(slot, bond.j, interpolation_weights(bond.direction));
+  }
+  /// g_i [-] of the linear peridynamic solid, whose θ is g_i times that sum and enters the force with another factor g_i; else 1.
+  double family_factor(std::size_t slot) const { return correction_.kind() == CorrectionKind::family ? 2 * correction_.own_family().component(0)[slot] : 1; }
+  double bytes() const;  ///< [bytes] of memory
+
+ private:
+  OrdinaryState law_;
+  Breaking breaking_;
+  CorrectionFactors correction_;
+  ScalarArray theta_;  // [-] of each particle; empty without a dilatation term
+
+  // of each bond of the stencil
+  std::vector<OrdinaryState::Folded<double>> folded_;  // for each table of factors
+  std::vector<Vec3d> half_squares_;
+
+  // of each entry of the list [m⁵], with the factors of the surface correction
+  fccda::AlignedVector<double> stretch_;     // ω_e |ξ|² v V
+  fccda::AlignedVector<double> dilatation_;  // ω_θ |ξ|² v V; empty without a dilatation term
+};
+
+}  // namespace perimpact

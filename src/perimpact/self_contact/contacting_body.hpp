@@ -1,0 +1,18 @@
+/// View of a body for the short-range force.
+#pragma once
+
+#include <span>
+
+#include "perimpact/family/family.hpp"
+#include "perimpact/particles/particles.hpp"
+
+namespace perimpact {
+
+struct ContactingBody {
+  Particles& particles;
+  const Family& family;
+  std::span<const std::size_t> broken_ends;  ///< broken bond ends of each row so far
+  double stiffness;                          ///< [N/m⁷] k of its springs (ShortRangeLaw::stiffness)
+};
+
+}  // namespace perimpact

@@ -1,0 +1,108 @@
+/// Verlet list (neighbour list with a skin) of particle pairs for short-range contact. It is a cache: results do not depend on it.
+///
+/// A pair is in contact if its particles are nearer than their contact distance, have no intact bond, and at least one of them is exposed
+/// (family/exposure.hpp). The list contains every such pair as long as
+///   no two particles have approached by more than the skin: every displacement since the list was built is within half a skin of a common
+///     drift, so that rigid translation does not invalidate the list;
+///   bonds broke only near particles that had lost one before, where the list contains bonded pairs too.
+/// It is rebuilt in the step in which either condition fails. Surplus pairs do not affect results: pairs out of contact are skipped, and
+/// those in contact are summed in the order of body and slot.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/aligned.hpp"
+#include "perimpact/family/exposure.hpp"
+#include "perimpact/self_contact/contacting_body.hpp"
+#include "perimpact/self_contact/short_range_law.hpp"
+#include "perimpact/self_contact/wrapped_cells.hpp"
+
+namespace perimpact {
+
+/// Resizes without keeping the values. If the capacity is too small, the old array is freed first: arrays of pairs are the largest of a run with
+/// rubble, and old and new ones together would determine its peak memory. An eighth more is reserved for the next list.
+template <class T, class Allocator>
+void resize_to(std::vector<T, Allocator>& values, std::size_t count) {
+  if (values.capacity() < count) {
+    values = std::vector<T, Allocator>();
+    values.reserve(count + count / 8);
+  }
+  values.resize(count);
+}
+
+class NearPairs {
+ public:
+  /// A particle with pairs in the list.
+  struct Member {
+    std::uint32_t body, slot;
+    Vec3d reference;         ///< [m] X
+    double size;             ///< [m] Δ_i
+    double volume;           ///< [m³]
+    std::uint32_t particle;  ///< index among all particles of all bodies
+  };
+  /// The possible contacts of a member, by body and slot. Packs of eight may be read.
+  struct Pairs {
+    std::size_t count;
+    const std::int32_t* others;  ///< members
+    const std::uint32_t* bonds;  ///< row of the bond in the family of the member's eight slots if it was intact; else no_bond
+    bool has_bonds;              ///< not all are no_bond
+  };
+  static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max();
+
+  NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
+
+  /// Returns whether the list is out of date; to be called once per step. make() rebuilds it.
+  bool needs_new_list(std::span<const ContactingBody> bodies);
+  void make(std::span<const ContactingBody> bodies);
+  /// Forces a rebuild in the next step.
+  void forget() { is_known_ = false; }
+
+  std::span<const Member> members() const { return members_; }  ///< by body and slot
+  Pairs pairs_of(std::size_t member) const {
+    const std::size_t first = first_pair_[member];
+    return {pair_counts_[member], others_.data() + first, bonds_.data() + first, has_bonds_[member] != 0};
+  }
+  std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< index of its first pair among all pairs, a multiple of eight
+  std::size_t pair_count() const { return first_pair_.back(); }                     ///< including the padding after each member's pairs
+  std::size_t particle_count() const { return particles_.size(); }
+  bool is_exposed(const Member& member) const { return exposures_[member.body].is_exposed(member.slot); }
+  std::size_t times_made() const { return times_made_; }
+
+ private:
+  struct Found {
+    std::uint32_t particle, bond;
+  };
+  bool has_moved_by_skin(std::span<const ContactingBody> bodies);
+  void mark_cells();
+  double reach_of(const Member& i, const Member& j) const { return weight_reach * (law_.distance_ratio * (0.5 * (i.size + j.size))); }
+  void find_of(std::size_t particle, std::span<const ContactingBody> bodies, std::vector<Found>& found) const;
+  void name_bonds(std::size_t particle, std::span<const ContactingBody> bodies, std::span<Found> found) const;
+
+  ShortRangeLaw law_;
+  double skin_ = 0, longest_ = 0;  // [m] skin, contact distance
+  std::vector<Exposure> exposures_;
+
+  // of all particles of all bodies, by body and slot
+  std::vector<Member> particles_;
+  VectorArray reference_positions_;                      // [m] positions when the list was built
+  Vec3d drift_{};                                        // [m] approximate common displacement since
+  std::vector<std::uint8_t> near_damage_;                // near a particle that has lost a bond
+  std::vector<std::vector<std::uint32_t>> particle_at_;  // of body and slot
+
+  WrappedCells cells_;
+  std::vector<std::uint8_t> cell_marks_;
+
+  std::vector<Member> members_;
+  std::vector<std::size_t> first_pair_;
+  std::vector<std::uint32_t> pair_counts_;  // of each member
+  std::vector<std::uint8_t> has_bonds_;     // likewise
+  fccda::AlignedVector<std::int32_t> others_;
+  std::vector<std::uint32_t> bonds_;
+  bool is_known_ = false;
+  std::size_t times_made_ = 0;
+};
+
+}  // namespace perimpact

@@ -1,0 +1,412 @@
+#include "perimpact/self_contact/short_range.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+
+namespace perimpact {
+
+using namespace fccda;
+
+namespace {
+
+/// Calls f(lane) for each set bit, in ascending order.
+template <class F>
+void for_each_bit(unsigned bits, const F& f) {
+  for (; bits != 0; bits &= bits - 1) f(static_cast<std::size_t>(__builtin_ctz(bits)));
+}
+
+template <class Pack>
+Vec3<Pack> scaled(Pack by, const Vec3<Pack>& a) {
+  return {by * a.x, by * a.y, by * a.z};
+}
+template <class Pack>
+Vec3<Pack> difference(const Vec3<Pack>& a, const Vec3<Pack>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// W as a function of q², for q² below 4.
+template <class Pack>
+Pack weight_within(Pack q_squared) {
+  const Pack x = larger(Pack(1.0) - Pack(0.25) * q_squared, Pack(0.0)), cube = x * x * x;
+  return cube * cube;
+}
+/// -W'(q)/q, likewise.
+template <class Pack>
+Pack slope_within(Pack q_squared) {
+  const Pack x = larger(Pack(1.0) - Pack(0.25) * q_squared, Pack(0.0)), square = x * x;
+  return Pack(3.0) * square * square * x;
+}
+
+/// Stiffness of each body for contact with itself and with others. Springs of two bodies are in series. Since the density of others has one stiffness,
+/// whatever their bodies, it is that of the softest possible pair.
+std::vector<std::array<double, 2>> stiffness_of(std::span<const ContactingBody> bodies) {
+  std::vector<std::array<double, 2>> all;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    double softest = std::numeric_limits<double>::infinity();
+    for (std::size_t other = 0; other < bodies.size(); ++other)
+      if (other != b) softest = std::min(softest, in_series(bodies[b].stiffness, bodies[other].stiffness));
+    all.push_back({bodies[b].stiffness, bodies.size() > 1 ? softest : bodies[b].stiffness});
+  }
+  return all;
+}
+
+}  // namespace
+
+ShortRange::ShortRange(const ShortRangeLaw& law, std::span<const ContactingBody> bodies)
+    : law_(law),
+      face_(bodies.front().particles.is_plane() ? face_in_plane : face_in_space),
+      is_plane_(bodies.front().particles.is_plane()),
+      near_pairs_(law, bodies),
+      stiffness_(stiffness_of(bodies)),
+      threshold_(near_pairs_.particle_count(), face_.density) {}
+
+void ShortRange::forget() {
+  keep_pairs();
+  near_pairs_.forget();
+}
+
+void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
+  if (near_pairs_.needs_new_list(bodies)) {
+    keep_pairs();
+    near_pairs_.make(bodies);
+    take_up_pairs();
+  }
+  const auto members = near_pairs_.members();
+  const auto for_each_member = [&](const auto& f) {
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(members.size()), [&](std::ptrdiff_t m) { f(static_cast<std::size_t>(m)); });
+  };
+  for_each_member([&](std::size_t m) {
+    const Particles& particles = bodies[members[m].body].particles;
+    position_.set(m, particles.position.at(members[m].slot));
+    velocity_.set(m, particles.velocity.at(members[m].slot));
+  });
+  for_each_member([&](std::size_t m) { look_at(m, bodies, dt); });
+  for_each_member([&](std::size_t m) { pair_sums_[m] = add_to(m, bodies, dt); });
+
+  // serially: partial sums would depend on the members of the list
+  double energy = 0;
+  std::array<double, 2> work{};
+  std::size_t touching = 0;
+  for (const PairSum& got : pair_sums_) energy += got.energy, work[0] += got.friction_dissipation, work[1] += got.damped_work, touching += got.touching;
+  energy_ = energy;
+  in_contact_now_ = touching / 2;
+  for (std::size_t k = 0; k < 2; ++k) work_[k] += work[k];
+}
+
+ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others) const {
+  using Pack = NativePack;
+  const std::array<const double*, 3> x = position_.pointers();
+  const Vec3d place = position_.at(m);
+  const Pack size(size_[m]);
+  Eight eight{0, {}};
+  for (std::size_t first = 0; first < byte_lanes; first += lanes<Pack>) {
+    const std::int32_t* those = others + first;
+    const Pack dx = gather<Pack>(x[0], those) - Pack(place.x), dy = gather<Pack>(x[1], those) - Pack(place.y), dz = gather<Pack>(x[2], those) - Pack(place.z);
+    const Pack squared = dx * dx + dy * dy + dz * dz, its = gather<Pack>(size_.data(), those), a = distance_of(size, its), reach = Pack(weight_reach) * a;
+    eight.near |= bits_where_greater(reach * reach, squared) << first;
+    store(eight.densities.data() + first, weight_of(its, a) * weight_within(squared / (a * a)));
+  }
+  return eight;
+}
+
+/// Density around a member, and its pressure.
+void ShortRange::look_at(std::size_t m, std::span<const ContactingBody> bodies, double dt) {
+  const NearPairs::Member& i = near_pairs_.members()[m];
+  const ContactingBody& body = bodies[i.body];
+  const std::uint8_t* bonds = body.family.bytes(i.slot / byte_lanes);
+  const bool exposed = near_pairs_.is_exposed(i);
+  const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
+  const std::size_t first_pair = near_pairs_.first_pair(m);
+  std::int32_t* near_others = near_.data() + first_pair;
+  std::int32_t* near_numbers = law_.friction > 0 ? near_number_.data() + first_pair : nullptr;
+  const std::size_t own_begin = first_member_[i.body], own_count = first_member_[i.body + 1] - own_begin;
+  std::uint32_t count = 0;
+  double own = 0, fresh = 0, others = 0;
+  for (std::size_t first = 0; first < pairs.count; first += byte_lanes) {
+    const std::int32_t* those = pairs.others + first;
+    const Eight eight = eight_of(m, those);
+    unsigned near = eight.near;
+    if (pairs.count - first < byte_lanes) near &= (1u << (pairs.count - first)) - 1u;
+    if (pairs.has_bonds)
+      for_each_bit(near, [&](std::size_t lane) {
+        const std::uint32_t bond = pairs.bonds[first + lane];
+        if (bond != NearPairs::no_bond && ((bonds[bond] >> (i.slot % byte_lanes)) & 1u)) near &= ~(1u << lane);
+      });
+    if (!exposed)
+      for_each_bit(near, [&](std::size_t lane) {
+        if (!near_pairs_.is_exposed(near_pairs_.members()[static_cast<std::size_t>(those[lane])])) near &= ~(1u << lane);
+      });
+    const std::size_t byte = (first_pair + first) / byte_lanes;
+    const unsigned entered = near & ~static_cast<unsigned>(is_near_[byte]);
+    is_near_[byte] = static_cast<std::uint8_t>(near);
+    for_each_bit(near, [&](std::size_t lane) {
+      if (law_.friction > 0) near_numbers[count] = static_cast<std::int32_t>(first + lane);
+      near_others[count++] = those[lane];
+      (static_cast<std::size_t>(those[lane]) - own_begin < own_count ? own : others) += eight.densities[lane];
+    });
+    if (entered == 0) continue;
+    for_each_bit(entered, [&](std::size_t lane) {
+      const std::size_t other = static_cast<std::size_t>(those[lane]);
+      if (law_.friction > 0) set_slip(first_pair + first + lane, {});
+      if (!(other - own_begin < own_count)) return;
+      // pairs that did not move into range, but lost their bond there
+      const double reach = weight_reach * distance_of(size_[m], size_[other]);
+      if (squared_norm(position_.at(other) - position_.at(m) - dt * (velocity_.at(other) - velocity_.at(m))) < reach * reach) fresh += eight.densities[lane];
+    });
+  }
+  near_count_[m] = count;
+
+  // bond failure causes no repulsion: the threshold increases with the density. It decreases with the density, never below that of two faces.
+  double& threshold = threshold_[i.particle];
+  const double old = own - fresh;
+  threshold = std::max(face_.density, std::min(threshold, old));
+  const double overlap = std::max(0.0, old - threshold);
+  if (fresh > 0) threshold = std::max(threshold, own - overlap);
+
+  const double beyond = std::max(0.0, others - face_.density);
+  pressure_[0][m] = density_stiffness_[0][m] * overlap, pressure_[1][m] = density_stiffness_[1][m] * beyond;
+  energy_of_[m] = 0.5 * (pressure_[0][m] * overlap + pressure_[1][m] * beyond);
+}
+
+ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const ContactingBody> bodies, double dt) {
+  PairSum got;
+  const std::size_t count = near_count_[m];
+  if (count == 0) return got;
+  const NearPairs::Member& i = near_pairs_.members()[m];
+  got.energy = energy_of_[m];
+  Vec3d force{};
+  // in the order of body and slot, those of the member's own body are contiguous
+  const std::int32_t* near = near_.data() + near_pairs_.first_pair(m);
+  const auto before = [&](std::size_t member) {
+    return static_cast<std::size_t>(std::lower_bound(near, near + count, static_cast<std::int32_t>(member)) - near);
+  };
+  const std::size_t begin = bodies.size() > 1 ? before(first_member_[i.body]) : 0, end = bodies.size() > 1 ? before(first_member_[i.body + 1]) : count;
+  add_pairs(m, 0, begin, bodies, dt, force, got);
+  add_pairs(m, begin, end, bodies, dt, force, got);
+  add_pairs(m, end, count, bodies, dt, force, got);
+  if (got.touching == 0) return got;
+  Particles& particles = bodies[i.body].particles;
+  particles.force_density.set(i.slot, particles.force_density.at(i.slot) + force / i.volume);
+  return got;
+}
+
+void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, std::span<const ContactingBody> bodies, double dt, Vec3d& force, PairSum& got) {
+  if (first == last) return;
+  using Pack = NativePack;
+  const auto members = near_pairs_.members();
+  const std::size_t first_pair = near_pairs_.first_pair(m);
+  const std::int32_t* near = near_.data() + first_pair;
+  const std::size_t whose = members[static_cast<std::size_t>(near[first])].body == members[m].body ? 0 : 1;
+  const std::array<const double*, 3> x = position_.pointers(), v = velocity_.pointers();
+  const Vec3d place = position_.at(m), speed = velocity_.at(m);
+  const Pack mine(pressure_[whose][m]), size(size_[m]), spring_constant(spring_[whose][m]), volume(volume_[m]);
+  const bool slides = law_.friction > 0, is_damped = law_.damping_ratio > 0;
+  Vec3<Pack> sum{};
+  Pack stored(0.0), rubbed(0.0);
+  for (; first < last; first += lanes<Pack>) {
+    const std::int32_t* those = near + first;
+    const std::int32_t* numbers = slides ? near_number_.data() + first_pair + first : nullptr;
+    const unsigned all = last - first < lanes<Pack> ? (1u << (last - first)) - 1u : (1u << lanes<Pack>)-1u;
+    const Pack its = gather<Pack>(pressure_[whose].data(), those);
+    unsigned pushes = all & bits_where_greater(mine + its, Pack(0.0));
+    if (pushes == 0 && !slides) continue;
+    const Vec3<Pack> between{gather<Pack>(x[0], those) - Pack(place.x), gather<Pack>(x[1], those) - Pack(place.y), gather<Pack>(x[2], those) - Pack(place.z)};
+    const Pack squared = between.x * between.x + between.y * between.y + between.z * between.z;
+    pushes &= bits_where_greater(squared, Pack(0.0));  // coincident particles have no direction of repulsion
+    got.touching += static_cast<std::uint32_t>(__builtin_popcount(pushes));
+    Vec3<Pack> slip{};
+    if (slides) {
+      for (std::size_t c = 0; c < 3; ++c) slip[c] = gather<Pack>(slip_[c].data() + first_pair, numbers);
+      const unsigned released = all & ~pushes & bits_where_greater(slip.x * slip.x + slip.y * slip.y + slip.z * slip.z, Pack(0.0));
+      for_each_bit(released, [&](std::size_t lane) {
+        let_go(first_pair + static_cast<std::size_t>(numbers[lane]), tangential_stiffness(members[m], members[static_cast<std::size_t>(those[lane])]), got);
+      });
+    }
+    if (pushes == 0) continue;
+    if (is_damped) {
+      for_each_bit(pushes, [&](std::size_t lane) {
+        const std::size_t pair = slides ? first_pair + static_cast<std::size_t>(numbers[lane]) : 0;
+        Vec3d its_slip = slides ? slip_of(pair) : Vec3d{};
+        const TouchForce touch = force_of_pair(m, static_cast<std::size_t>(those[lane]), whose, bodies, dt, its_slip);
+        if (slides) set_slip(pair, its_slip);
+        force += touch.normal + touch.friction;
+        got.energy += 0.5 * touch.tangential_energy;
+        got.friction_dissipation += 0.5 * touch.friction_dissipation, got.damped_work += 0.5 * touch.damped_work;
+      });
+      continue;
+    }
+    const Pack its_size = gather<Pack>(size_.data(), those), a = distance_of(size, its_size), a_squared = a * a;
+    const Pack spring = (mine * weight_of(its_size, a) + its * weight_of(size, a)) * (slope_within(squared / a_squared) / a_squared);  // S/r
+    const Pack push = select(pushes, spring);
+    sum = difference(sum, scaled(push, between));
+    if (!slides) continue;
+
+    // as in force_of()
+    const Pack inverse = inverse_square_root(squared);
+    const Vec3<Pack> n = scaled(inverse, between);
+    const Vec3<Pack> w{gather<Pack>(v[0], those) - Pack(speed.x), gather<Pack>(v[1], those) - Pack(speed.y), gather<Pack>(v[2], those) - Pack(speed.z)};
+    const Vec3<Pack> across = difference(slip, scaled(dot(slip, n), n));
+    const Pack length_squared = dot(slip, slip), across_squared = dot(across, across);
+    const Pack turned = select(bits_where_greater(across_squared, Pack(0.0)), length_of(length_squared) * inverse_square_root(across_squared));
+    const Vec3<Pack> before = scaled(turned, across), reached = before + scaled(Pack(dt), difference(w, scaled(dot(n, w), n)));
+    const Pack stiffness =
+        Pack(tangential_share) * (Pack(0.5) * (spring_constant + gather<Pack>(spring_[whose].data(), those))) * (volume * gather<Pack>(volume_.data(), those));
+    const Pack reached_squared = dot(reached, reached), most = Pack(law_.friction * face_.oblique_share) * (spring * squared * inverse);
+    const unsigned exceeds = bits_where_greater(stiffness * stiffness * reached_squared, most * most);
+    const Pack kept = select(exceeds, most / stiffness * inverse_square_root(reached_squared)) + select(~exceeds, Pack(1.0));
+    const Vec3<Pack> after = scaled(kept, reached);
+    const Pack pull = select(pushes, stiffness);
+    for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + select(pushes, pull * after[c]);
+    stored += select(pushes, pull * dot(after, after));
+    rubbed += select(pushes, larger(pull * dot(before + after, difference(reached, after)), Pack(0.0)));
+    std::array<std::array<double, lanes<Pack>>, 3> slips;
+    for (std::size_t c = 0; c < 3; ++c) store(slips[c].data(), after[c]);
+    for_each_bit(pushes, [&](std::size_t lane) {
+      set_slip(first_pair + static_cast<std::size_t>(numbers[lane]), {slips[0][lane], slips[1][lane], slips[2][lane]});
+    });
+  }
+  const auto total = [](Pack pack) {
+    std::array<double, lanes<Pack>> of_lane;
+    store(of_lane.data(), pack);
+    double all = 0;
+    for (const double part : of_lane) all += part;
+    return all;
+  };
+  force += Vec3d{total(sum.x), total(sum.y), total(sum.z)};
+  // half of each pair belongs to this member
+  got.energy += 0.25 * total(stored);
+  got.friction_dissipation += 0.25 * total(rubbed);
+}
+
+/// Dissipates the energy of the tangential spring of a pair out of contact.
+void ShortRange::let_go(std::size_t pair, double stiffness, PairSum& got) {
+  got.friction_dissipation += 0.25 * stiffness * squared_norm(slip_of(pair));
+  set_slip(pair, {});
+}
+
+TouchForce ShortRange::force_of_pair(std::size_t m, std::size_t other, std::size_t whose, std::span<const ContactingBody> bodies, double dt,
+                                     Vec3d& slip) const {
+  const NearPairs::Member &i = near_pairs_.members()[m], &j = near_pairs_.members()[other];
+  const Vec3d between = position_.at(other) - position_.at(m);
+  const double length = norm(between), distance = distance_of(i.size, j.size), q = length / distance;
+  const double slope = q * contact_weight_slope(q * q) / distance, weight_i = weight_of(i.size, distance), weight_j = weight_of(j.size, distance);
+  Touch touch{.direction = between / length,
+              .velocity = velocity_.at(other) - velocity_.at(m),
+              .spring = (pressure_[whose][m] * weight_j + pressure_[whose][other] * weight_i) * slope,
+              .stiffness = 0,
+              .reduced_mass = 0,
+              .tangential_stiffness = tangential_stiffness(i, j),
+              .oblique_share = face_.oblique_share};
+  if (law_.damping_ratio > 0) {
+    const double of_i = density_stiffness_[whose][m] * (weight_j * weight_j), of_j = density_stiffness_[whose][other] * (weight_i * weight_i);
+    const double mass_i = bodies[i.body].particles.density() * i.volume, mass_j = bodies[j.body].particles.density() * j.volume;
+    touch.stiffness = (of_i + of_j) * (slope * slope);
+    touch.reduced_mass = mass_i * mass_j / (mass_i + mass_j);
+  }
+  return force_of(touch, law_, dt, slip);
+}
+
+double ShortRange::tangential_stiffness(const NearPairs::Member& i, const NearPairs::Member& j) const {
+  const std::size_t whose = i.body == j.body ? 0 : 1;
+  return tangential_share * (0.5 * (stiffness_[i.body][whose] + stiffness_[j.body][whose])) * (i.volume * j.volume);
+}
+
+/// Stores the state of the pairs, before the list is rebuilt or the state is visited.
+void ShortRange::keep_pairs() {
+  if (is_kept_) return;
+  is_kept_ = true;
+  kept_ = {};
+  const auto members = near_pairs_.members();
+  if (is_near_.size() * byte_lanes < near_pairs_.pair_count()) return;  // none has been evaluated
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
+    const std::size_t first = near_pairs_.first_pair(m);
+    for (std::size_t n = 0; n < pairs.count; ++n) {
+      const std::uint32_t particle = members[m].particle, other = members[static_cast<std::size_t>(pairs.others[n])].particle;
+      if (!((is_near_[(first + n) / byte_lanes] >> (n % byte_lanes)) & 1u) || other < particle) continue;
+      kept_.ends.push_back(particle), kept_.ends.push_back(other);
+      if (law_.friction > 0)
+        for (std::size_t c = 0; c < 3; ++c) kept_.slips.push_back(slip_[c][first + n]);
+    }
+  }
+}
+
+/// Assigns the stored state to the pairs of a new list.
+void ShortRange::take_up_pairs() {
+  const auto members = near_pairs_.members();
+  position_ = velocity_ = VectorArray(members.size(), 0);
+  for (auto* numbers : {&size_, &volume_, &pressure_[0], &pressure_[1], &spring_[0], &spring_[1], &density_stiffness_[0], &density_stiffness_[1]})
+    numbers->assign(members.size(), 0);
+  first_member_.assign(stiffness_.size() + 1, members.size());
+  for (std::size_t m = members.size(); m-- > 0;) {
+    const NearPairs::Member& i = members[m];
+    size_[m] = i.size, volume_[m] = i.volume;
+    for (std::size_t whose = 0; whose < 2; ++whose)
+      spring_[whose][m] = stiffness_[i.body][whose],
+      density_stiffness_[whose][m] = density_stiffness(face_, stiffness_[i.body][whose], i.volume, law_.distance_ratio * i.size);
+    first_member_[i.body] = m;
+  }
+  for (std::size_t b = stiffness_.size(); b-- > 0;) first_member_[b] = std::min(first_member_[b], first_member_[b + 1]);  // of a body without members
+  energy_of_.assign(members.size(), 0);
+  pair_sums_.assign(members.size(), {});
+  near_count_.assign(members.size(), 0);
+  const std::size_t count = near_pairs_.pair_count();
+  resize_to(near_, count + byte_lanes);
+  std::fill(near_.begin(), near_.end(), 0);  // packs of eight are read
+  is_near_.assign(count / byte_lanes, 0);
+  if (law_.friction > 0) {
+    resize_to(near_number_, count + byte_lanes);
+    std::fill(near_number_.begin(), near_number_.end(), 0);
+    for (fccda::AlignedVector<double>& component : slip_) {
+      resize_to(component, count);
+      std::fill(component.begin(), component.end(), 0.0);
+    }
+  }
+
+  std::vector<std::uint32_t> member_of(threshold_.size(), std::numeric_limits<std::uint32_t>::max());
+  for (std::size_t m = 0; m < members.size(); ++m) member_of[members[m].particle] = static_cast<std::uint32_t>(m);
+  for (std::size_t p = 0; p < threshold_.size(); ++p)
+    if (member_of[p] == std::numeric_limits<std::uint32_t>::max()) threshold_[p] = face_.density;  // no particle in range
+  const auto give = [&](std::uint32_t from, std::uint32_t to, const Vec3d& slip) {
+    const std::uint32_t m = member_of[from], other = member_of[to];
+    if (m == std::numeric_limits<std::uint32_t>::max() || other == std::numeric_limits<std::uint32_t>::max()) return;
+    const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
+    const std::int32_t* end = pairs.others + pairs.count;
+    const std::int32_t* found = std::lower_bound(pairs.others, end, static_cast<std::int32_t>(other));
+    if (found == end || *found != static_cast<std::int32_t>(other)) return;
+    const std::size_t pair = near_pairs_.first_pair(m) + static_cast<std::size_t>(found - pairs.others);
+    const auto bit = static_cast<std::uint8_t>(1u << pair % byte_lanes);
+    is_near_[pair / byte_lanes] = static_cast<std::uint8_t>(is_near_[pair / byte_lanes] | bit);
+    if (law_.friction > 0) set_slip(pair, slip);
+  };
+  for (std::size_t k = 0; 2 * k < kept_.ends.size(); ++k) {
+    const Vec3d slip = law_.friction > 0 ? Vec3d{kept_.slips[3 * k], kept_.slips[3 * k + 1], kept_.slips[3 * k + 2]} : Vec3d{};
+    give(kept_.ends[2 * k], kept_.ends[2 * k + 1], slip), give(kept_.ends[2 * k + 1], kept_.ends[2 * k], -slip);
+  }
+  kept_ = {};
+  is_kept_ = false;
+}
+
+ShortRange::Bound ShortRange::bound(std::span<const ContactingBody> bodies, std::size_t b) const {
+  struct Largest {
+    double volume = 0, mass = 0;
+  };
+  const auto largest = [](const Particles& particles) {
+    Largest found;
+    for (const std::uint32_t slot : particles.slot_of()) found = {std::max(found.volume, particles.volume(slot)), std::max(found.mass, particles.mass(slot))};
+    return found;
+  };
+  const Largest own = largest(bodies[b].particles);
+  Bound bound{};
+  for (std::size_t other = 0; other < bodies.size(); ++other) {
+    const Largest its = largest(bodies[other].particles);
+    const double k = in_series(bodies[b].stiffness, bodies[other].stiffness);
+    const double mass = own.mass * its.mass / (own.mass + its.mass);
+    bound.stiffness = std::max(bound.stiffness, most_touching * k * its.volume);
+    bound.damping = std::max(bound.damping, most_touching * 2 * law_.damping_ratio * std::sqrt(k * its.volume * mass / own.volume));
+  }
+  return bound;
+}
+
+}  // namespace perimpact

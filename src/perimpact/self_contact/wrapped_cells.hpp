@@ -1,0 +1,64 @@
+/// Linked cells (cell list) with periodic indices, for neighbour search. The indices of the cubes wrap around a table of fixed size, so that
+/// distant fragments cost no memory. Distant cubes may share a cell of the table; the search compares distances in any case.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/pack.hpp"
+#include "base/vec3.hpp"
+#include "perimpact/particles/slot_array.hpp"
+
+namespace perimpact {
+
+using fccda::Vec3d;
+
+class WrappedCells {
+ public:
+  /// `edge` [m]: points nearer than this lie in the same cell or in cells around it.
+  void sort(const VectorArray& points, double edge);
+
+  std::size_t size() const { return first_.empty() ? 0 : first_.size() - 1; }  ///< cells of the table
+  std::uint32_t cell_of(std::size_t point) const { return cell_of_[point]; }   ///< cell that contains the point
+  std::span<const std::uint32_t> points_in(std::size_t cell) const { return {points_.data() + first_[cell], first_[cell + 1] - first_[cell]}; }  ///< ascending
+
+  /// Calls visit(point) for the points in the cell with a squared distance below `squared` [m²] from `place`, in ascending order.
+  template <class Visit>
+  void for_each_within(std::size_t cell, const Vec3d& place, double squared, const Visit& visit) const {
+    using Pack = fccda::NativePack;
+    const std::array<const double*, 3> x = sorted_.pointers();
+    const fccda::Vec3<Pack> at{Pack(place.x), Pack(place.y), Pack(place.z)};
+    for (std::size_t first = first_[cell]; first < first_[cell + 1]; first += fccda::lanes<Pack>) {
+      const fccda::Vec3<Pack> between{fccda::load<Pack>(x[0] + first) - at.x, fccda::load<Pack>(x[1] + first) - at.y, fccda::load<Pack>(x[2] + first) - at.z};
+      const Pack distance = fccda::fused_multiply_add(between.z, between.z, fccda::fused_multiply_add(between.y, between.y, between.x * between.x));
+      unsigned near = fccda::bits_where_greater(Pack(squared), distance);
+      if (first_[cell + 1] - first < fccda::lanes<Pack>) near &= (1u << (first_[cell + 1] - first)) - 1u;
+      for (; near != 0; near &= near - 1) visit(points_[first + static_cast<std::size_t>(__builtin_ctz(near))]);
+    }
+  }
+
+  /// Calls visit(cell) for the cell and its neighbours, each once.
+  template <class Visit>
+  void for_each_around(std::size_t cell, const Visit& visit) const {
+    const std::array<std::size_t, 3> at = {cell & mask(0), (cell >> bits_[0]) & mask(1), cell >> (bits_[0] + bits_[1])};
+    for (std::size_t dz = 0; dz < steps(2); ++dz)
+      for (std::size_t dy = 0; dy < steps(1); ++dy)
+        for (std::size_t dx = 0; dx < steps(0); ++dx) {
+          const std::size_t x = (at[0] + dx - 1 + (bits_[0] == 0)) & mask(0), y = (at[1] + dy - 1 + (bits_[1] == 0)) & mask(1),
+                            z = (at[2] + dz - 1 + (bits_[2] == 0)) & mask(2);
+          visit((z << (bits_[0] + bits_[1])) | (y << bits_[0]) | x);
+        }
+  }
+
+ private:
+  std::size_t mask(std::size_t axis) const { return (std::size_t{1} << bits_[axis]) - 1; }
+  std::size_t steps(std::size_t axis) const { return bits_[axis] == 0 ? 1 : 3; }
+
+  std::array<unsigned, 3> bits_{};  // of the number of cells along each axis: 0, or 2 at least, so that the neighbours of a cell are distinct
+  std::vector<std::uint32_t> cell_of_, first_, points_;
+  VectorArray sorted_;  // [m] the points, cell by cell
+};
+
+}  // namespace perimpact

@@ -1,0 +1,367 @@
+// The short-range force on particles at given positions: against a sum over all pairs, and cases without force.
+#include "perimpact/self_contact/short_range.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "fixtures/tolerance.hpp"
+#include "perimpact/force/piles.hpp"
+
+using namespace perimpact;
+using fixtures::launch;
+using fixtures::Pile;
+using fixtures::shatter;
+
+namespace {
+
+/// Reference: the law of the theory page over all pairs, with its history variables; bonds and surfaces are found independently of the code.
+class AllPairs {
+ public:
+  std::vector<std::vector<Vec3d>> force;  // [N] of each body and slot, of the last evaluation
+  double energy = 0, friction_dissipation = 0, damped_work = 0;
+  std::size_t touching = 0;
+
+  void evaluate(const Pile& pile, double dt) {
+    const std::vector<Particle> particles = particles_of(pile);
+    const bool plane = pile.bodies[0].particles.is_plane();
+    const double dimension = plane ? 2 : 3, face = (1 + 1e-9) * (plane ? 0.2112735 : 0.241455078125), slope = plane ? 0.911014 : 1.118272,
+                 oblique = plane ? 1 : 0.9;
+    const ShortRangeLaw& law = pile.law;
+    std::vector<double> k;
+    for (const Body& body : pile.bodies)
+      k.push_back(law.stiffness(body.internal.ordinary_state()->law().elastic(), body.family.horizon(), body.particles.thickness().value_or(1)));
+    const double together = pile.bodies.size() > 1 ? 2 / (1 / k[0] + 1 / k[1]) : k[0];
+    const auto stiffness = [&](const Particle& i, const Particle& j) { return i.body == j.body ? k[i.body] : together; };
+    const auto distance = [&](const Particle& i, const Particle& j) { return law.distance_ratio * (i.size + j.size) / 2; };
+    const auto share = [&](const Particle& i, double a) { return std::pow(i.size / a, dimension - 1); };
+    const auto W = [](double q) { return q < 2 ? std::pow(1 - q * q / 4, 6) : 0; };
+    const auto W_slope = [](double q) { return q < 2 ? 3 * q * std::pow(1 - q * q / 4, 5) : 0; };
+
+    // densities
+    std::vector<double> own(particles.size()), fresh(particles.size()), others(particles.size());
+    std::map<Ends, Vec3d> pairs;
+    for (std::size_t a = 0; a < particles.size(); ++a)
+      for (std::size_t b = a + 1; b < particles.size(); ++b) {
+        const Particle &i = particles[a], &j = particles[b];
+        const double d = distance(i, j), r = norm(j.x - i.x);
+        if (r >= 2 * d || !(i.exposed || j.exposed) || (i.body == j.body && i.bonds.contains(j.slot))) continue;
+        const auto known = slips_.find({a, b});
+        pairs[{a, b}] = known == slips_.end() ? Vec3d{} : known->second;
+        const double of_j = share(j, d) * W(r / d), of_i = share(i, d) * W(r / d);
+        if (i.body != j.body) {
+          others[a] += of_j, others[b] += of_i;
+          continue;
+        }
+        own[a] += of_j, own[b] += of_i;
+        if (known == slips_.end() && norm(j.x - i.x - dt * (j.v - i.v)) < 2 * d) fresh[a] += of_j, fresh[b] += of_i;
+      }
+    slips_ = pairs;
+    thresholds_.resize(particles.size(), face);
+    std::vector<double> own_push(particles.size()), other_push(particles.size()), own_B(particles.size()), other_B(particles.size());
+    energy = 0;
+    for (std::size_t a = 0; a < particles.size(); ++a) {
+      const Particle& i = particles[a];
+      const double reach = law.distance_ratio * i.size, unit = i.volume * i.volume * reach * reach / (2 * slope * slope);
+      double& threshold = thresholds_[a];
+      threshold = std::max(face, std::min(threshold, own[a] - fresh[a]));
+      const double overlap = std::max(0.0, own[a] - fresh[a] - threshold), beyond = std::max(0.0, others[a] - face);
+      if (own[a] - overlap > threshold && fresh[a] > 0) threshold = own[a] - overlap;
+      own_B[a] = k[i.body] * unit, other_B[a] = together * unit;
+      own_push[a] = own_B[a] * overlap, other_push[a] = other_B[a] * beyond;
+      energy += own_B[a] * overlap * overlap / 2 + other_B[a] * beyond * beyond / 2;
+    }
+
+    // forces
+    force.clear();
+    for (const Body& body : pile.bodies) force.emplace_back(body.particles.slots());
+    touching = 0;
+    for (auto& [ends, slip] : slips_) {
+      const auto [a, b] = ends;
+      const Particle &i = particles[a], &j = particles[b];
+      const bool same = i.body == j.body;
+      const double push_i = same ? own_push[a] : other_push[a], push_j = same ? own_push[b] : other_push[b];
+      const double k_t = stiffness(i, j) * i.volume * j.volume / 6, d = distance(i, j), r = norm(j.x - i.x);
+      if (push_i == 0 && push_j == 0) {
+        friction_dissipation += k_t * dot(slip, slip) / 2;
+        slip = {};
+        continue;
+      }
+      ++touching;
+      const double steep = W_slope(r / d) / d, spring = (push_i * share(j, d) + push_j * share(i, d)) * steep;
+      const double K = ((same ? own_B[a] : other_B[a]) * std::pow(share(j, d), 2) + (same ? own_B[b] : other_B[b]) * std::pow(share(i, d), 2)) * steep * steep;
+      const Vec3d n = (j.x - i.x) / r, w = j.v - i.v;
+      const double apart = dot(w, n), normal = std::max(0.0, spring - 2 * law.damping_ratio * std::sqrt(K / (1 / i.mass + 1 / j.mass)) * apart);
+      damped_work += (spring - normal) * apart * dt;
+      Vec3d turned = slip - dot(slip, n) * n;
+      if (norm(turned) > 0) turned = norm(slip) / norm(turned) * turned;
+      const Vec3d reached = turned + dt * (w - apart * n);
+      const double most = law.friction * oblique * normal / k_t;
+      const Vec3d held = norm(reached) > most ? most / norm(reached) * reached : reached;
+      friction_dissipation += std::max(0.0, k_t * dot(turned + held, reached - held) / 2);
+      energy += k_t * dot(held, held) / 2;
+      slip = held;
+      const Vec3d f = k_t * held - normal * n;
+      force[i.body][i.slot] += f;
+      force[j.body][j.slot] += -f;
+    }
+  }
+
+ private:
+  struct Particle {
+    std::size_t body, slot;
+    Vec3d X, x, v;
+    double size, volume, mass;
+    std::set<std::size_t> bonds;
+    bool exposed;
+  };
+  using Ends = std::pair<std::size_t, std::size_t>;
+
+  static std::vector<Particle> particles_of(const Pile& pile) {
+    std::vector<Particle> particles;
+    for (std::size_t b = 0; b < pile.bodies.size(); ++b) {
+      const Body& body = pile.bodies[b];
+      const Particles& p = body.particles;
+      for (const std::uint32_t slot : p.slot_of()) {
+        Particle one{b, slot, p.reference(slot), p.position.at(slot), p.velocity.at(slot), 0, p.volume(slot), p.mass(slot), {}, true};
+        one.size = p.is_plane() ? std::sqrt(one.volume / *p.thickness()) : std::cbrt(one.volume);
+        body.family.for_each_bond(slot, [&](const FamilyBond& bond) { one.bonds.insert(bond.j); });
+        if (p.lattice()) {
+          int nearest = 0;
+          for (const std::uint32_t other : p.slot_of()) nearest += std::fabs(norm(p.reference(other) - one.X) / p.spacing() - 1) < 1e-6;
+          one.exposed = nearest < (p.is_plane() ? 4 : 6) || body.family.damage(slot) > 0;
+        }
+        particles.push_back(one);
+      }
+    }
+    return particles;
+  }
+
+  std::map<Ends, Vec3d> slips_;     // [m] of the pairs that were near
+  std::vector<double> thresholds_;  // of each particle
+};
+
+/// Largest difference of forces, over the largest force.
+double difference(const Pile& pile, const AllPairs& expected) {
+  double largest = 0, apart = 0;
+  for (std::size_t b = 0; b < pile.bodies.size(); ++b)
+    for (const std::uint32_t slot : pile.bodies[b].particles.slot_of()) {
+      const Particles& particles = pile.bodies[b].particles;
+      largest = std::max(largest, norm(expected.force[b][slot]));
+      apart = std::max(apart, norm(particles.volume(slot) * particles.force_density.at(slot) - expected.force[b][slot]));
+    }
+  return apart == 0 ? 0 : apart / largest;
+}
+
+constexpr double spacing = 0.001;
+
+/// A partly fragmented block, and another of different spacing and material that penetrates it; all with random velocities.
+Pile wreck(fixtures::Points points, PlaneState plane, double share) {
+  const Vec3d size = plane == PlaneState::none ? Vec3d{0.008, 0.006, 0.005} : Vec3d{0.016, 0.012, 0.002};
+  Pile pile{.law = {.friction = 0.3, .damping_ratio = 0.2}, .bodies = {}};
+  pile.bodies.push_back(fixtures::body({.size = size, .spacing = spacing, .plane = plane, .points = points}));
+  fixtures::BodyOptions finer{.size = 0.5 * size, .spacing = 0.5 * spacing, .poissons_ratio = 0.3, .plane = plane, .points = points};
+  if (plane != PlaneState::none) finer.size.z = size.z;
+  pile.bodies.push_back(fixtures::body(finer));
+  shatter(pile.bodies[0], share);
+  shatter(pile.bodies[1], 0.5 * share);
+  launch(pile.bodies[1], {0.7 * size.x, 0.2 * size.y, 0}, {});
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> speed(-30, 30);
+  for (Body& body : pile.bodies) {
+    fixtures::shake(body, 0.35 * body.particles.spacing(), 13);
+    for (const std::uint32_t slot : body.particles.slot_of())
+      body.particles.velocity.set(slot, {speed(random), speed(random), body.particles.is_plane() ? 0 : speed(random)});
+  }
+  return pile;
+}
+
+/// Moves all particles with their velocities.
+void drift(Pile& pile, double dt) {
+  for (Body& body : pile.bodies)
+    for (const std::uint32_t slot : body.particles.slot_of())
+      body.particles.position.set(slot, body.particles.position.at(slot) + dt * body.particles.velocity.at(slot));
+}
+
+}  // namespace
+
+TEST_CASE("short range: forces are those of a sum over all pairs, for lattices and clouds, in 3-D and 2-D, intact to fully fragmented") {
+  constexpr double dt = 1e-6;  // particles go 0.03 of a spacing a step
+  for (const auto points : {fixtures::Points::lattice, fixtures::Points::listed, fixtures::Points::shaken})
+    for (const auto plane : {PlaneState::none, PlaneState::stress})
+      for (const double share : {0.0, 0.05, 1.0}) {
+        CAPTURE(static_cast<int>(points));
+        CAPTURE(static_cast<int>(plane));
+        CAPTURE(share);
+        Pile pile = wreck(points, plane, share);
+        const auto bodies = pile.touching();
+        ShortRange contact(pile.law, bodies);
+        AllPairs expected;
+        for (int step = 0; step < 6; ++step) {
+          pile.clear_forces();
+          contact.add_forces(bodies, step > 0 ? dt : 0);
+          expected.evaluate(pile, step > 0 ? dt : 0);
+          REQUIRE(expected.touching > 20);
+          CHECK(contact.touching() == expected.touching);
+          CHECK(difference(pile, expected) <= 1e-10);  // sums of some twenty forces in another order, of overlaps that are small differences
+          CHECK(contact.energy() == fixtures::relative(expected.energy, 1e-10));
+          if (step > 0) {
+            CHECK(contact.friction_dissipation() == fixtures::relative(expected.friction_dissipation, 1e-9));
+            CHECK(contact.dashpot_dissipation() == fixtures::relative(expected.damped_work, 1e-9));
+          }
+          drift(pile, dt);
+        }
+      }
+}
+
+TEST_CASE("short range: bond failure and motion take effect in the same step, with and without the list") {
+  constexpr double dt = 1e-8;
+  Pile pile = wreck(fixtures::Points::lattice, PlaneState::none, 0.02);
+  const auto bodies = pile.touching();
+  ShortRange contact(pile.law, bodies);
+  AllPairs expected;
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> move(-1, 1);
+  for (int round = 0; round < 12; ++round) {
+    const double way = (round % 3 == 0 ? 0.4 : 0.03) * spacing;  // beyond the skin, and within it
+    for (Body& body : pile.bodies)
+      for (const std::uint32_t slot : body.particles.slot_of())
+        body.particles.position.set(slot, body.particles.position.at(slot) + way * Vec3d{move(random), move(random), move(random)});
+    if (round % 4 == 2) {  // everything about one particle breaks, as the bond pass would have it
+      Body& body = pile.bodies[0];
+      const std::size_t where = body.particles.slot_of()[static_cast<std::size_t>(round) * 17];
+      body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
+      body.internal.visit_state("", [&](const std::string&, auto values) {
+        if constexpr (std::is_same_v<decltype(values), std::span<std::size_t>>)
+          for (std::size_t& end : values) ++end;
+      });
+    }
+    pile.clear_forces();
+    contact.add_forces(bodies, dt);
+    expected.evaluate(pile, dt);
+    REQUIRE(difference(pile, expected) <= 1e-10);
+  }
+  CHECK(contact.near_pairs().times_made() < 12);
+}
+
+TEST_CASE("short range: bond failure in place causes no repulsion, and contact acts from that distance on, from the step of failure") {
+  for (const double squeeze : {1.0, 0.7}) {
+    CAPTURE(squeeze);
+    Pile pile{.law = {}, .bodies = {}};
+    pile.bodies.push_back(fixtures::body({.size = {0.011, 0.009, 0.009}, .spacing = spacing}));
+    Body& body = pile.bodies[0];
+    fixtures::deform(body, [&](const Vec3d& X) { return Vec3d{squeeze * X.x, X.y, X.z}; });
+    const auto bodies = pile.touching();
+    ShortRange contact(pile.law, bodies);
+    AllPairs expected;
+    contact.add_forces(bodies, 0), expected.evaluate(pile, 0);
+    REQUIRE(contact.touching() == 0);
+    const Lattice& lattice = *body.particles.lattice();
+    const std::size_t where = lattice.slot(5, 4, 4);  // deep inside, where nothing is listed yet
+    body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
+    body.internal.visit_state("", [&](const std::string&, auto values) {
+      if constexpr (std::is_same_v<decltype(values), std::span<std::size_t>>)
+        for (std::size_t& end : values) ++end;  // as the bond pass counts them
+    });
+    const auto evaluate = [&] {
+      pile.clear_forces();
+      contact.add_forces(bodies, 1e-8), expected.evaluate(pile, 1e-8);
+      CHECK(difference(pile, expected) <= 1e-10);
+    };
+    contact.add_forces(bodies, 1e-8), expected.evaluate(pile, 1e-8);
+    CHECK(contact.touching() == 0);
+    CHECK(contact.energy() == 0);
+    const auto shift = [&](double by) { body.particles.position.set(where, body.particles.position.at(where) + Vec3d{by * spacing, 0, 0}); };
+    // closer to one and farther from the other: the densities of both ends increase
+    shift(0.2);
+    evaluate();
+    CHECK(contact.touching() >= 1);
+    CHECK(contact.energy() > 0);
+  }
+}
+
+TEST_CASE("short range: linear momentum is conserved to rounding, angular momentum only without friction") {
+  for (const double friction : {0.0, 0.3}) {
+    Pile pile = wreck(fixtures::Points::shaken, PlaneState::none, 0.5);
+    pile.law.friction = friction;
+    const auto bodies = pile.touching();
+    ShortRange contact(pile.law, bodies);
+    for (int step = 0; step < 6; ++step) {
+      pile.clear_forces();
+      contact.add_forces(bodies, step > 0 ? 1e-6 : 0);
+      if (step < 5) drift(pile, 1e-6);
+    }
+    CHECK(norm(pile.force()) <= 1e-14 * pile.magnitude());
+    const double arm = 0.008, moment = norm(pile.moment()) / (pile.magnitude() * arm);
+    if (friction == 0)
+      CHECK(moment <= 1e-14);
+    else
+      CHECK(moment > 1e-6);  // opposite forces with a lever of up to one contact distance between them
+  }
+}
+
+TEST_CASE("short range: no force acts between neighbours with an intact bond, stretched or compressed") {
+  for (const auto points : {fixtures::Points::lattice, fixtures::Points::shaken})
+    for (const double stretch : {1.3, 0.7, 0.4}) {
+      CAPTURE(stretch);
+      Pile pile{.law = {}, .bodies = {}};
+      pile.bodies.push_back(fixtures::body({.size = {0.008, 0.006, 0.005}, .points = points}));
+      fixtures::deform(pile.bodies[0], [&](const Vec3d& X) { return Vec3d{stretch * X.x, X.y, X.z}; });
+      const auto bodies = pile.touching();
+      ShortRange contact(pile.law, bodies);
+      contact.add_forces(bodies, 1e-8);
+      CHECK(contact.touching() == 0);
+      CHECK(pile.magnitude() == 0);
+    }
+}
+
+TEST_CASE("short range: a thin plate folded onto itself is in self-contact, without a broken bond") {
+  Pile pile{.law = {}, .bodies = {}};
+  pile.bodies.push_back(fixtures::body({.size = {0.04, 0.004, 0.002}, .spacing = spacing}));
+  const double radius = 0.0022;  // of the fold: the two halves lie 4.4 mm apart but for the thickness, and are pressed further
+  fixtures::deform(pile.bodies[0], [&](const Vec3d& X) {
+    const double angle = X.x / radius, half = 0.5 * std::numbers::pi;
+    if (std::fabs(angle) < half) return Vec3d{(radius + X.z) * std::cos(angle), X.y, (radius + X.z) * std::sin(angle)};
+    const double side = X.x > 0 ? 1 : -1, along = std::fabs(X.x) - radius * half;
+    return Vec3d{-along, X.y, side * (radius + X.z - 0.1 * along)};
+  });
+  const auto bodies = pile.touching();
+  ShortRange contact(pile.law, bodies);
+  contact.add_forces(bodies, 1e-8);
+  // initially there is no force; further compression makes the halves repel
+  AllPairs expected;
+  expected.evaluate(pile, 1e-8);
+  CHECK(difference(pile, expected) <= 1e-10);
+  Body& body = pile.bodies[0];
+  for (const std::uint32_t slot : body.particles.slot_of()) {
+    const Vec3d x = body.particles.position.at(slot);
+    if (x.x < 0) body.particles.position.set(slot, x - Vec3d{0, 0, (x.z > 0 ? 0.3 : -0.3) * spacing});
+  }
+  pile.clear_forces();
+  contact.add_forces(bodies, 1e-8), expected.evaluate(pile, 1e-8);
+  CHECK(contact.touching() > 10);
+  CHECK(difference(pile, expected) <= 1e-10);
+}
+
+TEST_CASE("short range: bodies in common translation need no new list, however far") {
+  Pile pile = wreck(fixtures::Points::lattice, PlaneState::none, 0.3);
+  const auto bodies = pile.touching();
+  ShortRange contact(pile.law, bodies);
+  for (int step = 0; step < 20; ++step) {
+    contact.add_forces(bodies, 1e-8);
+    for (Body& body : pile.bodies) launch(body, {0.01, -0.02, 0.03}, {});
+  }
+  CHECK(contact.near_pairs().times_made() == 1);
+}
+
+TEST_CASE("short range: coincident particles are not repelled, and all values stay finite") {
+  Pile pile{.law = {.friction = 0.3}, .bodies = {}};
+  pile.bodies.push_back(fixtures::lone_particle(spacing, {}, {1, 0, 0}));
+  pile.bodies.push_back(fixtures::lone_particle(spacing, {}, {-1, 0, 0}));
+  const auto bodies = pile.touching();
+  ShortRange contact(pile.law, bodies);
+  contact.add_forces(bodies, 1e-8);
+  CHECK(pile.magnitude() == 0);
+}
