@@ -23,8 +23,8 @@ volatile std::sig_atomic_t stop_signal = 0;
 extern "C" void remember_signal(int signal) { stop_signal = signal; }
 
 void print_timers(const fccda::Timers& timers) {
-  fmt::print("\n{:<12}{:>10}{:>9}\n", "where", "seconds", "share");
-  for (const auto& row : timers.rows()) fmt::print("{:<12}{:>10.2f}{:>8.1f} %\n", row.name, row.seconds, 100 * row.seconds / timers.total());
+  fmt::print("\n{:<20}{:>10}{:>9}\n", "where", "seconds", "share");
+  for (const auto& row : timers.rows()) fmt::print("{:<20}{:>10.2f}{:>8.1f} %\n", row.name, row.seconds, 100 * row.seconds / timers.total());
 }
 
 /// A command-line word, quoted for the shell.
