@@ -76,13 +76,13 @@ class Flag {
 
 }  // namespace
 
-std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<OwnForceFunction>& forces) {
+std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<UserForceFunction>& forces) {
   auto run = std::make_shared<Run>(std::move(deck));
   const Setup& setup = run->setup();
   std::vector<std::string> names;
   for (const BodySetup& body : setup.bodies) names.push_back(body.name);
   std::vector<UserForceOnBody> given;
-  for (const OwnForceFunction& force : forces) {
+  for (const UserForceFunction& force : forces) {
     const auto body = std::find(names.begin(), names.end(), force.body);
     if (body == names.end())
       throw InputError(fmt::format("forces refers to body {}, which does not exist; {}", force.body, deck::suggestion(force.body, names)));
@@ -98,13 +98,13 @@ std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<OwnForceFunction
   return run;
 }
 
-UserForceOnBody Run::given(std::size_t body, const OwnForceFunction& force) {
+UserForceOnBody Run::given(std::size_t body, const UserForceFunction& force) {
   return {body, force.name, [this, body, name = force.name, function = kept(force.function)](double time, const Body& particles, VectorArray& density) {
-            add_own_force(body, name, *function, time, particles, density);
+            add_user_force(body, name, *function, time, particles, density);
           }};
 }
 
-void Run::add_own_force(std::size_t index, const std::string& name, const py::function& function, double time, const Body& body, VectorArray& density) {
+void Run::add_user_force(std::size_t index, const std::string& name, const py::function& function, double time, const Body& body, VectorArray& density) {
   const py::gil_scoped_acquire acquire;
   if (!is_made()) being_made_[index] = &body;
   try {

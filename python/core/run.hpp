@@ -17,7 +17,7 @@
 namespace perimpact::python {
 
 /// The argument `forces`: {"plate": {"spring": function}}.
-struct OwnForceFunction {
+struct UserForceFunction {
   std::string body, name;
   py::function function;
 };
@@ -25,7 +25,7 @@ struct OwnForceFunction {
 class Run : public std::enable_shared_from_this<Run> {
  public:
   /// Throws InputError with the location in the deck, and whatever the functions throw.
-  static std::shared_ptr<Run> of(deck::Deck deck, const std::vector<OwnForceFunction>& forces);
+  static std::shared_ptr<Run> of(deck::Deck deck, const std::vector<UserForceFunction>& forces);
   explicit Run(deck::Deck deck) : deck_(std::move(deck)) {}
 
   const Setup& setup() const { return deck_.setup; }
@@ -48,8 +48,8 @@ class Run : public std::enable_shared_from_this<Run> {
  private:
   using Instant = std::chrono::steady_clock::time_point;
 
-  UserForceOnBody given(std::size_t body, const OwnForceFunction& force);
-  void add_own_force(std::size_t index, const std::string& name, const py::function& function, double time, const Body& body, VectorArray& density);
+  UserForceOnBody given(std::size_t body, const UserForceFunction& force);
+  void add_user_force(std::size_t index, const std::string& name, const py::function& function, double time, const Body& body, VectorArray& density);
   void expect_usable() const;
   bool is_there(std::optional<double> until) const;
   void advance(std::optional<double> until, long most);

@@ -47,8 +47,8 @@ deck::Deck deck_of_dict(const py::dict& setup, const std::filesystem::path& fold
 
 py::object dict_of(const Setup& setup) { return py::module_::import("json").attr("loads")(deck::setup_to_text(setup)); }
 
-std::vector<OwnForceFunction> user_forces(const py::object& forces) {
-  std::vector<OwnForceFunction> all;
+std::vector<UserForceFunction> user_forces(const py::object& forces) {
+  std::vector<UserForceFunction> all;
   if (forces.is_none()) return all;
   for (const auto& [body, of_body] : py::cast<py::dict>(forces))
     for (const auto& [name, function] : py::cast<py::dict>(of_body))

@@ -138,7 +138,7 @@ def interrupted(test):
 
     for forces in (None, {"plate": {"busy": busy}}):
         simulation = perimpact.Simulation(setup, forces=forces)
-        folder = test.folder / ("with_own_force" if forces else "alone")
+        folder = test.folder / ("with_user_force" if forces else "alone")
         simulation.write_results(str(folder))
         ticks = []
 

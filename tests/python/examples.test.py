@@ -29,9 +29,9 @@ def strike(test):
     test.assertGreater(number_before(printed, " mm, and"), 0.5)
 
 
-@claim("example own_force: the springs return the plate, and the energy balance closes")
-def own_force(test):
-    printed = run_example(test, "own_force")
+@claim("example user_force: the springs return the plate, and the energy balance closes")
+def user_force(test):
+    printed = run_example(test, "user_force")
     free, on_springs = (float(line.split(" is at ")[1].split(" mm")[0]) for line in printed.splitlines()[:2])
     test.assertLess(free, 2 * on_springs)
     test.assertLess(free, 0)

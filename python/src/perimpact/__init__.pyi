@@ -8,7 +8,7 @@ from . import fccda as fccda
 
 __version__: str
 
-OwnForce = Callable[[float, "Body"], ArrayLike]
+UserForce = Callable[[float, "Body"], ArrayLike]
 
 class InputError(ValueError): ...
 class RunError(RuntimeError): ...
@@ -98,11 +98,11 @@ class Impactor:
 
 class Simulation:
     def __init__(
-        self, setup: dict[str, Any], *, folder: Union[str, PathLike[str]] = ".", forces: Optional[Mapping[str, Mapping[str, OwnForce]]] = None
+        self, setup: dict[str, Any], *, folder: Union[str, PathLike[str]] = ".", forces: Optional[Mapping[str, Mapping[str, UserForce]]] = None
     ) -> None: ...
     @staticmethod
     def from_deck(
-        file: Union[str, PathLike[str]], *, set: Optional[dict[str, Any]] = None, forces: Optional[Mapping[str, Mapping[str, OwnForce]]] = None
+        file: Union[str, PathLike[str]], *, set: Optional[dict[str, Any]] = None, forces: Optional[Mapping[str, Mapping[str, UserForce]]] = None
     ) -> Simulation: ...
     def step(self) -> None: ...
     def run(self, until: Optional[float] = None, callback: Optional[Callable[[Simulation], Optional[bool]]] = None, every: int = 1) -> None: ...

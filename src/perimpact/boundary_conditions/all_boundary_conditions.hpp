@@ -17,7 +17,7 @@ using Boundary = std::variant<PrescribedDisplacement, Load, Floating, Absorbing,
 
 struct NamedBoundaryCondition {
   std::string name;       ///< "plate.grip"
-  std::string_view kind;  ///< "fixed", as in the deck; "own_force" for a user force
+  std::string_view kind;  ///< "fixed", as in the deck; "user_force" for a user force
   Boundary boundary;
 
   std::size_t particles() const {

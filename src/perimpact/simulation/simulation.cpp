@@ -40,7 +40,7 @@ std::vector<BoundaryConditions> make_boundary_conditions(const Setup& setup, std
           "time.relax",
           fmt::format("user forces such as {} are not supported with time.relax; remove time.relax, or use boundary conditions of the deck.", given.name));
     const Body& body = bodies[given.body];  // has a stable address for the lifetime of the simulation
-    boundary_conditions[given.body].add({body.name + "." + given.name, "own_force",
+    boundary_conditions[given.body].add({body.name + "." + given.name, "user_force",
                                          UserForce(body.name + "." + given.name, body.particles,
                                                    [act = std::move(given.function), &body](double time, VectorArray& density) { act(time, body, density); })});
   }

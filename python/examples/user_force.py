@@ -1,6 +1,6 @@
 """A user force: a ball hits a plate on springs (Winkler foundation), and the plate rebounds.
 
-    PYTHONPATH=build/release/python /usr/bin/python3 python/examples/own_force.py [figure.png]
+    PYTHONPATH=build/release/python /usr/bin/python3 python/examples/user_force.py [figure.png]
 """
 
 # %% The plate and the ball
