@@ -34,7 +34,7 @@ struct Grains {
   }
 };
 
-/// Access for fccda: Points (detect/points.hpp) and StruckPoints (respond/respond.hpp).
+/// Access for fccda: Points (detect/points.hpp) and PointsInContact (respond/respond.hpp).
 struct GrainPoints {
   Grains& grains;
   double dt;

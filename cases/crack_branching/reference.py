@@ -8,7 +8,7 @@ Bond-based peridynamics in plane stress on whole arrays: all bonds of one offset
 fraction of the stable step; stretch s, force density c s along the deformed bond; a bond breaks irreversibly beyond s_0; pressure on the outermost
 row; no surface correction. The printed quantities are measured by measure.py.
 
-    family      hu-ha-bobaru: |xi| < delta + dx/2, partial volumes within dx/2 of delta; madenci-oterkus: |xi| <= delta, likewise
+    family      hu-ha-bobaru: |xi| < delta + dx/2, partial volumes within dx/2 of delta; madenci-oterkus: |xi| <= delta, partial volumes too
     constants   lattice: c such that the energy at equal stretch in all directions is exact, s_0 such that a plane between two rows takes exactly G_0;
                 continuum: c = 9 E/(pi h delta^3), s_0 = sqrt(4 pi G_0/(9 E delta))
 """

@@ -6,6 +6,7 @@
 /// comparison.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -47,6 +48,12 @@ inline double select(unsigned bits, double a) { return (bits & 1u) ? a : 0.0; }
 inline unsigned bits_where_greater(double a, double b) { return a > b ? 1u : 0u; }
 inline double larger(double a, double b) { return a > b ? a : b; }
 
+/// Calls f(lane) for each set bit, in ascending order.
+template <class F>
+void for_each_bit(unsigned bits, const F& f) {
+  for (; bits != 0; bits &= bits - 1) f(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
 #if defined(__AVX512F__) && !defined(FCCDA_SCALAR_PACK)
 
 /// Eight doubles in an AVX-512 register.
@@ -60,6 +67,8 @@ struct Pack8 {
   friend Pack8 operator*(Pack8 a, Pack8 b) { return _mm512_mul_pd(a.v, b.v); }
   friend Pack8 operator/(Pack8 a, Pack8 b) { return _mm512_div_pd(a.v, b.v); }
   Pack8& operator+=(Pack8 b) { return *this = *this + b; }
+  Pack8& operator-=(Pack8 b) { return *this = *this - b; }
+  Pack8& operator*=(Pack8 b) { return *this = *this * b; }
 };
 using NativePack = Pack8;
 template <>
@@ -100,6 +109,8 @@ struct Pack4 {
   friend Pack4 operator*(Pack4 a, Pack4 b) { return _mm256_mul_pd(a.v, b.v); }
   friend Pack4 operator/(Pack4 a, Pack4 b) { return _mm256_div_pd(a.v, b.v); }
   Pack4& operator+=(Pack4 b) { return *this = *this + b; }
+  Pack4& operator-=(Pack4 b) { return *this = *this - b; }
+  Pack4& operator*=(Pack4 b) { return *this = *this * b; }
 };
 using NativePack = Pack4;
 template <>

@@ -8,7 +8,7 @@
 ///   section   b(z) = B/2 + z tan γ                     above the bilge, which begins at z = R - T; γ is the flare of the sides
 ///                  = that - R + sqrt(R² - (z + T - R)²)  in the bilge, down to the flat bottom z = -T
 ///   bow       W_b(t) = 1 - (1 - t)^p, t = (x - x_b)/l_b from 0 to 1; beyond, 1.   l_b = p (B/2)/tan α
-///   stern     W_s(u) = 1 - (1 - u)², u = (x_e - x)/l_s likewise.                  l_s = 2 (B/2)/tan α_s
+///   stern     W_s(u) = 1 - (1 - u)², u = (x_e - x)/l_s as for t.                  l_s = 2 (B/2)/tan α_s
 ///   hull      y(x, z) = b(z) W_b W_s
 ///
 /// Consequences, without flare: every waterline above the bilge meets the centreline at exactly the angle α (α_s at the stern); the buttocks of

@@ -65,7 +65,7 @@ class CylinderSectors {
   double widening_;     // [m]
   double slack_;        // [m]
   double radius_;       // [m] widened
-  double half_length_;  // [m] likewise
+  double half_length_;  // [m] as above
   double hub_;          // [m] of the hub; of the cylinder if the fan has no gaps
   std::vector<Wedge> sectors_;
   bool clips_ = false;

@@ -43,7 +43,7 @@ struct ContactSum {
 
 /// Requirements on points in contact.
 template <class P>
-concept StruckPoints = requires(P& points, std::size_t i, Vec3d vector) {
+concept PointsInContact = requires(P& points, std::size_t i, Vec3d vector) {
   { points.position_t0(i) } -> std::convertible_to<Vec3d>;
   { points.velocity(i) } -> std::convertible_to<Vec3d>;  // [m/s] between t0 and t1
   { points.mass(i) } -> std::convertible_to<double>;     // [kg]
@@ -55,6 +55,11 @@ struct Resolved {
   Vec3d position, velocity;
 };
 
+/// Position reached on the way from `from` to `wanted` along the surface [m]: `wanted` unless the surface obstructs the point.
+inline Vec3d slid(const Contact& contact, const Motion& motion, const Vec3d& from, const Vec3d& wanted) {
+  return contact.sliding ? contact.sliding->slide(motion.t1, from, wanted, contact.radius) : wanted;
+}
+
 /// Response of one point: relocation and friction.
 inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Motion& motion, double friction) {
   Resolved after{contact.relocation, (contact.relocation - position_t0) / motion.dt};
@@ -63,8 +68,7 @@ inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const
     const Vec3d push = after.position - (position_t0 + motion.dt * velocity);
     const Vec3d turn = (dot(push, contact.normal) / along) * contact.normal_t0 - push;
     if (norm(turn) > straight * norm(push)) {
-      const Vec3d wanted = after.position + turn;
-      after.position = contact.sliding ? contact.sliding->slide(motion.t1, after.position, wanted, contact.radius) : wanted;
+      after.position = slid(contact, motion, after.position, after.position + turn);
       after.velocity = (after.position - position_t0) / motion.dt;
     }
   }
@@ -76,7 +80,7 @@ inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const
   if (speed == 0) return after;
   const Vec3d change = (std::min(friction * pushed, speed) / speed) * sliding;
   const Vec3d wanted = after.position - motion.dt * change;
-  const Vec3d place = contact.sliding ? contact.sliding->slide(motion.t1, after.position, wanted, contact.radius) : wanted;
+  const Vec3d place = slid(contact, motion, after.position, wanted);
   if (place == wanted)
     after.velocity -= change;
   else
@@ -86,14 +90,14 @@ inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const
 }
 
 /// Point of application of a contact impulse [m]: end of its lever arm from the centre of mass at t1. `position`: of the point after contact.
-inline Vec3d place_of_push(const Contact& contact, const Vec3d& position_t0, const Vec3d& position, const Motion& motion) {
+inline Vec3d point_of_application(const Contact& contact, const Vec3d& position_t0, const Vec3d& position, const Motion& motion) {
   if (contact.normal_t0 == Vec3d{}) return position;
   return position_t0 + (motion.t1.to_world(motion.centre) - motion.t0.to_world(motion.centre));
 }
 
 /// Relocates the points and sets their velocities. Returns the impulse due to the body, whose centre of mass is at `centre_of_mass` at t1.
 /// Calls `report(contact, impulse)` for each contact, in order, with the impulse on the body [N s]. `motion`: of the body in this step.
-template <StruckPoints P, class Report>
+template <PointsInContact P, class Report>
 ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Motion& motion, const Vec3d& centre_of_mass, double friction, Report&& report) {
   expect_friction(friction);
   ContactSum tally;
@@ -104,7 +108,7 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
     const Vec3d impulse = -points.mass(i) * (after.velocity - before);
     points.set(i, after.position, after.velocity);
     tally.impulse += impulse;
-    tally.angular_impulse_about_com += cross(place_of_push(contact, start, after.position, motion) - centre_of_mass, impulse);
+    tally.angular_impulse_about_com += cross(point_of_application(contact, start, after.position, motion) - centre_of_mass, impulse);
     ++tally.contacts;
     report(contact, impulse);
   }
@@ -112,14 +116,14 @@ ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Mo
 }
 
 /// The same, and applies the impulse to the body.
-template <StruckPoints P, class Report>
+template <PointsInContact P, class Report>
 ContactSum respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
   const ContactSum tally = resolve_points(points, contacts, motion, body.position_of_com(), friction, report);
   body.add_impulse(tally.impulse, tally.angular_impulse_about_com);
   return tally;
 }
 
-template <StruckPoints P>
+template <PointsInContact P>
 ContactSum respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction) {
   return respond(points, contacts, motion, body, friction, [](const Contact&, const Vec3d&) {});
 }

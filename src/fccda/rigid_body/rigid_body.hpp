@@ -8,7 +8,7 @@
 /// (docs/theory/contact_response.md).
 ///
 /// The reaction of a constraint takes the impulse that would change the component. Its work, v·(change of momentum - external impulse) and
-/// likewise for rotations, closes the energy balance.
+/// the same for rotations, closes the energy balance.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@ class TimeTable {
   double at(double time) const;
 
   double largest_value() const;  ///< the value of the largest magnitude
-  double largest_slope() const;  ///< likewise, of the derivative; 0 if there is only one point
+  double largest_slope() const;  ///< the derivative of the largest magnitude; 0 if there is only one point
 
   /// Mean over t0 <= t <= t1, exact for the linear pieces; at(t0) if t1 = t0.
   double mean(double t0, double t1) const;

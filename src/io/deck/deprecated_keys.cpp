@@ -67,10 +67,8 @@ bool matches(std::string_view pattern, std::span<const std::string> path) {
   return false;
 }
 
-bool is_override(const YamlNode& node) { return node.place.starts_with("--set "); }
-
 /// True where `--set` gave the value itself, not only something inside it.
-bool is_whole_override(const YamlNode& node, std::string_view name) { return is_override(node) && node.place.ends_with("." + std::string(name)); }
+bool is_whole_override(const YamlNode& node, std::string_view name) { return node.is_override() && node.place.ends_with("." + std::string(name)); }
 
 class Renamer {
  public:
@@ -125,8 +123,8 @@ class Renamer {
       }
       return;
     }
-    if (is_override(into)) return;
-    if (!is_override(from))
+    if (into.is_override()) return;
+    if (!from.is_override())
       refuse(place, fmt::format("`{}` is the former name of `{}`, and the deck gives both; keep `{}`.", key.old_name, key.name, key.name));
     into = std::move(from);
   }

@@ -33,7 +33,7 @@ void set_value(YamlNode& tree, const std::string& path, YamlNode value, const st
 void apply_override(YamlNode& deck, const std::string& override_text) {
   const std::size_t equals = override_text.find('=');
   const std::string path = override_text.substr(0, equals);
-  const std::string place = "--set " + path;
+  const std::string place = std::string(override_mark) + path;
   const std::vector<std::string_view> keys = keys_of(path);
   const bool has_empty_part = std::find(keys.begin(), keys.end(), std::string_view()) != keys.end();
   if (equals == std::string::npos || has_empty_part) refuse("--set " + override_text, "expected key.path=value, for example --set output.frames=0.");

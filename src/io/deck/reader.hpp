@@ -51,7 +51,7 @@ class Reader {
       element.name = item.key;
       names.places_.add(names.path_of(item.key), item.place);
       Reader contents = names.inner(item);
-      contents.may_be_misnamed_ = item.place.starts_with("--set ") ? names.other_names(item.key) : std::string();
+      contents.may_be_misnamed_ = item.place.starts_with(override_mark) ? names.other_names(item.key) : std::string();
       contents.read(element);
     }
   }

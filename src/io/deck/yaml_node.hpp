@@ -9,6 +9,9 @@
 
 namespace perimpact::deck {
 
+/// Begins the place of each value that `--set` gave.
+inline constexpr std::string_view override_mark = "--set ";
+
 struct YamlNode {
   enum class Kind { nothing, word, list, map };
   struct Entry;
@@ -21,6 +24,7 @@ struct YamlNode {
 
   Entry* find(std::string_view key);
   const Entry* find(std::string_view key) const;
+  bool is_override() const { return place.starts_with(override_mark); }  ///< given by `--set`
   /// For messages: 0.6, "5 kg", a list, a map, nothing. Long text is cut.
   std::string in_words() const;
 };

@@ -206,10 +206,9 @@ void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Fam
         unsigned beyond = 0;
         for_each_bond<Pack>(bonds, particles.position.pointers(), slot, Unbreakable{}, [&](const auto& bond) {
           const unsigned bits = bond.intact & breaker.bits(bond.index, bond.squared_length, of_i, bond.neighbour);
-          for (unsigned left = bits; left != 0; left &= left - 1) {  // of the neighbours alone: they request that of this particle
-            const std::size_t j = bond.neighbour.slot_of(static_cast<std::size_t>(std::countr_zero(left)));
-            std::atomic_ref(is_asked_[j / fccda::byte_lanes]).store(yes, std::memory_order_relaxed);
-          }
+          fccda::for_each_bit(bits, [&](std::size_t lane) {  // of the neighbours alone: they request that of this particle
+            std::atomic_ref(is_asked_[bond.neighbour.slot_of(lane) / fccda::byte_lanes]).store(yes, std::memory_order_relaxed);
+          });
           beyond |= bits;
         });
         if (beyond == 0) postponed_[slot / fccda::lanes<Pack>] = needlessly;

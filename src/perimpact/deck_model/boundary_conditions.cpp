@@ -27,18 +27,12 @@ std::span<const Field<DisplacementSetup>> DisplacementSetup::fields() {
   static const Field<S> all[] = {
       {"velocity", &S::velocity, "m/s", any_number(), optional, "Constant velocity from t = 0 on."},
       {"displacement", &S::displacement, "m", any_number(), optional, "Constant displacement from t = 0 on."},
-      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing; values between them are interpolated linearly."},
+      {"times", &S::times, "s", any_number(), optional, table_times_sentence},
       {"velocities", &S::velocities, "m/s", any_number(), optional,
        "Velocity at each time; the displacement is zero at t = 0. Constant before the first time and after the last."},
       {"displacements", &S::displacements, "m", any_number(), optional,
        "In place of velocities: displacement from the undeformed position at each time. Constant before the first time and after the last."},
-      {"file",
-       &S::file,
-       "",
-       {},
-       optional,
-       "In place of the lists: a CSV file with two columns and a header line with units, \"time [s], velocity [m/s]\" or \"time [s], displacement [m]\"; a "
-       "relative path starts at the deck's folder."}};
+      {"file", &S::file, "", {}, optional, table_file_sentence}};
   return all;
 }
 

@@ -365,25 +365,19 @@ std::span<const Field<GaugeSetup>> GaugeSetup::fields() {
 std::span<const Field<TranslationTable>> TranslationTable::fields() {
   using S = TranslationTable;
   static const Field<S> all[] = {
-      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing; values between them are interpolated linearly."},
+      {"times", &S::times, "s", any_number(), optional, table_times_sentence},
       {"velocities", &S::velocities, "m/s", any_number(), optional, "Velocity at each time; constant before the first time and after the last."},
       {"displacements", &S::displacements, "m", any_number(), optional,
        "In place of velocities: displacement at each time. Only differences matter: at t = 0 the impactor is at its position. It is at rest before the first "
        "time and after the last."},
-      {"file",
-       &S::file,
-       "",
-       {},
-       optional,
-       "In place of the lists: a CSV file with two columns and a header line with units, \"time [s], velocity [m/s]\" or \"time [s], displacement [m]\"; a "
-       "relative path starts at the deck's folder."}};
+      {"file", &S::file, "", {}, optional, table_file_sentence}};
   return all;
 }
 
 std::span<const Field<RotationTable>> RotationTable::fields() {
   using S = RotationTable;
   static const Field<S> all[] = {
-      {"times", &S::times, "s", any_number(), optional, "Times of the points, increasing; values between them are interpolated linearly."},
+      {"times", &S::times, "s", any_number(), optional, table_times_sentence},
       {"velocities", &S::velocities, "rad/s", any_number(), optional, "Angular velocity at each time; constant before the first time and after the last."},
       {"displacements", &S::displacements, "rad", any_number(), optional,
        "In place of velocities: angle at each time, for the only axis about which the impactor rotates. Only differences matter. It is at rest before the "

@@ -12,7 +12,7 @@
 namespace perimpact {
 
 /// Tolerance of the inside test, in spacings: particles this close to the surface of a solid count as inside, independent of rounding. Holes
-/// and particle sets likewise include the particles on their surface.
+/// and particle sets also include the particles on their surface.
 inline constexpr double surface_share = 1e-6;
 
 /// Local frame of the body.

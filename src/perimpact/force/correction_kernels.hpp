@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "base/contract.hpp"
 #include "base/pack.hpp"
 #include "perimpact/family/surface_correction.hpp"
 
@@ -100,5 +101,27 @@ struct Corrections {
 };
 
 using NoCorrections = Corrections<PlainBonds, PlainBonds>;
+
+/// Calls f(corrections) with those of the bonds of a stencil. `half_squares`: n_p²/2 of each. Not for CorrectionKind::family, which acts on the sums of
+/// particles too.
+template <class F>
+void with_bond_corrections(const CorrectionFactors& correction, std::span<const Vec3d> half_squares, const F& f) {
+  EXPECTS(correction.kind() != CorrectionKind::family);
+  if (correction.kind() == CorrectionKind::energy) {
+    f(Corrections<EnergyFactor, EnergyFactor>{{correction.stretch().pointers(), half_squares}, {correction.dilatation().pointers(), half_squares}});
+  } else if (correction.kind() == CorrectionKind::volume) {
+    const VolumeFactor factor{correction.volume().component(0)};
+    f(Corrections<VolumeFactor, VolumeFactor>{factor, factor});
+  } else {
+    f(NoCorrections{});
+  }
+}
+
+/// Calls per_pack(body, slot, corrections) for a pack; with a table of factors these are in the constants, and there are no corrections.
+template <class View, class Correction, class PerPack>
+auto with_factors(const View& body, std::size_t slot, const Correction& corrections, const PerPack& per_pack) {
+  const std::int32_t table = body.correction.table_of(slot / fccda::byte_lanes);
+  return table == CorrectionFactors::no_table ? per_pack(body, slot, corrections) : per_pack(body.with(body.constants.of_table(table)), slot, NoCorrections{});
+}
 
 }  // namespace perimpact

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/pack.hpp"
+#include "base/parallel.hpp"
 #include "perimpact/particles/particles.hpp"
 
 namespace perimpact {
@@ -30,6 +31,15 @@ template <class Pack, class F>
 void for_each_pack_of_row(const Particles& particles, std::size_t row, const F& f) {
   const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
   for (std::size_t slot = begin; slot < end; slot += fccda::lanes<Pack>) f(slot);
+}
+
+/// Calls f(row, slot) for all packs of a body, rows in parallel.
+template <class Pack, class F>
+void for_each_pack(const Particles& particles, const F& f) {
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
+    const auto row = static_cast<std::size_t>(number);
+    for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) { f(row, slot); });
+  });
 }
 
 /// Energy of a pack [J]: Σ of energy density times volume over its particles.

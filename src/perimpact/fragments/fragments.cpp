@@ -44,13 +44,13 @@ void for_each_intact_bond(const Family& family, std::size_t slots, const Visit& 
     const std::size_t first = family.begin(eight), rows = family.begin(eight + 1) - first;
     for (std::size_t r = 0; r < rows; ++r) {
       if (family.stencil() && offsets[r] < 0) continue;
-      for (unsigned byte = bytes[r]; byte != 0; byte &= byte - 1) {
-        const std::size_t lane = static_cast<std::size_t>(std::countr_zero(byte)), i = eight * byte_lanes + lane;
+      fccda::for_each_bit(bytes[r], [&](std::size_t lane) {
+        const std::size_t i = eight * byte_lanes + lane;
         if (family.stencil())
           visit(i, i + static_cast<std::size_t>(offsets[r]));
         else
           visit(i, static_cast<std::size_t>(family.list()->neighbour[(first + r) * byte_lanes + lane]));
-      }
+      });
     }
   }
 }

@@ -174,7 +174,7 @@ std::span<const Contact> Impactor::resolve_contact_again(std::size_t body, Conta
 
 std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, ContactParticles& particles) {
   resolve_points(particles, contacts_, motion_, body_.position_of_com(), friction_, [&](const Contact& contact, const Vec3d& impulse) {
-    const Vec3d place = place_of_push(contact, particles.position_t0(contact.point), particles.position_t1(contact.point), motion_);
+    const Vec3d place = point_of_application(contact, particles.position_t0(contact.point), particles.position_t1(contact.point), motion_);
     coupling_.add(contact, particles.mass(contact.point), place, impulse, friction_);
     pending_.push_back({{body, contact, impulse}, place, particles.work_of(contact.point, -impulse)});
   });

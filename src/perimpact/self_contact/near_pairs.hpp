@@ -98,7 +98,7 @@ class NearPairs {
   std::vector<Member> members_;
   std::vector<std::size_t> first_pair_;
   std::vector<std::uint32_t> pair_counts_;  // of each member
-  std::vector<std::uint8_t> has_bonds_;     // likewise
+  std::vector<std::uint8_t> has_bonds_;     // of each member
   fccda::AlignedVector<std::int32_t> others_;
   std::vector<std::uint32_t> bonds_;
   bool is_known_ = false;

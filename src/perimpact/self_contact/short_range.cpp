@@ -10,34 +10,6 @@ using namespace fccda;
 
 namespace {
 
-/// Calls f(lane) for each set bit, in ascending order.
-template <class F>
-void for_each_bit(unsigned bits, const F& f) {
-  for (; bits != 0; bits &= bits - 1) f(static_cast<std::size_t>(__builtin_ctz(bits)));
-}
-
-template <class Pack>
-Vec3<Pack> scaled(Pack by, const Vec3<Pack>& a) {
-  return {by * a.x, by * a.y, by * a.z};
-}
-template <class Pack>
-Vec3<Pack> difference(const Vec3<Pack>& a, const Vec3<Pack>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-/// W as a function of q², for q² below 4.
-template <class Pack>
-Pack weight_within(Pack q_squared) {
-  const Pack x = larger(Pack(1.0) - Pack(0.25) * q_squared, Pack(0.0)), cube = x * x * x;
-  return cube * cube;
-}
-/// -W'(q)/q, likewise.
-template <class Pack>
-Pack slope_within(Pack q_squared) {
-  const Pack x = larger(Pack(1.0) - Pack(0.25) * q_squared, Pack(0.0)), square = x * x;
-  return Pack(3.0) * square * square * x;
-}
-
 /// Stiffness of each body for contact with itself and with others. Springs of two bodies are in series. Since the density of others has one stiffness,
 /// whatever their bodies, it is that of the softest possible pair.
 std::vector<std::array<double, 2>> stiffness_of(std::span<const ContactingBody> bodies) {
@@ -105,7 +77,7 @@ ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others
     const Pack dx = gather<Pack>(x[0], those) - Pack(place.x), dy = gather<Pack>(x[1], those) - Pack(place.y), dz = gather<Pack>(x[2], those) - Pack(place.z);
     const Pack squared = dx * dx + dy * dy + dz * dz, its = gather<Pack>(size_.data(), those), a = distance_of(size, its), reach = Pack(weight_reach) * a;
     eight.near |= bits_where_greater(reach * reach, squared) << first;
-    store(eight.densities.data() + first, weight_of(its, a) * weight_within(squared / (a * a)));
+    store(eight.densities.data() + first, weight_of(its, a) * contact_weight(squared / (a * a)));
   }
   return eight;
 }
@@ -237,29 +209,29 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
       continue;
     }
     const Pack its_size = gather<Pack>(size_.data(), those), a = distance_of(size, its_size), a_squared = a * a;
-    const Pack spring = (mine * weight_of(its_size, a) + its * weight_of(size, a)) * (slope_within(squared / a_squared) / a_squared);  // S/r
+    const Pack spring = (mine * weight_of(its_size, a) + its * weight_of(size, a)) * (contact_weight_slope(squared / a_squared) / a_squared);  // S/r
     const Pack push = select(pushes, spring);
-    sum = difference(sum, scaled(push, between));
+    sum -= push * between;
     if (!slides) continue;
 
     // as in force_of()
     const Pack inverse = inverse_square_root(squared);
-    const Vec3<Pack> n = scaled(inverse, between);
+    const Vec3<Pack> n = inverse * between;
     const Vec3<Pack> w{gather<Pack>(v[0], those) - Pack(speed.x), gather<Pack>(v[1], those) - Pack(speed.y), gather<Pack>(v[2], those) - Pack(speed.z)};
-    const Vec3<Pack> across = difference(slip, scaled(dot(slip, n), n));
+    const Vec3<Pack> across = slip - dot(slip, n) * n;
     const Pack length_squared = dot(slip, slip), across_squared = dot(across, across);
     const Pack turned = select(bits_where_greater(across_squared, Pack(0.0)), length_of(length_squared) * inverse_square_root(across_squared));
-    const Vec3<Pack> before = scaled(turned, across), reached = before + scaled(Pack(dt), difference(w, scaled(dot(n, w), n)));
+    const Vec3<Pack> before = turned * across, reached = before + Pack(dt) * (w - dot(n, w) * n);
     const Pack stiffness =
         Pack(tangential_share) * (Pack(0.5) * (spring_constant + gather<Pack>(spring_[whose].data(), those))) * (volume * gather<Pack>(volume_.data(), those));
     const Pack reached_squared = dot(reached, reached), most = Pack(law_.friction * face_.oblique_share) * (spring * squared * inverse);
     const unsigned exceeds = bits_where_greater(stiffness * stiffness * reached_squared, most * most);
     const Pack kept = select(exceeds, most / stiffness * inverse_square_root(reached_squared)) + select(~exceeds, Pack(1.0));
-    const Vec3<Pack> after = scaled(kept, reached);
+    const Vec3<Pack> after = kept * reached;
     const Pack pull = select(pushes, stiffness);
     for (std::size_t c = 0; c < 3; ++c) sum[c] = sum[c] + select(pushes, pull * after[c]);
     stored += select(pushes, pull * dot(after, after));
-    rubbed += select(pushes, larger(pull * dot(before + after, difference(reached, after)), Pack(0.0)));
+    rubbed += select(pushes, larger(pull * dot(before + after, reached - after), Pack(0.0)));
     std::array<std::array<double, lanes<Pack>>, 3> slips;
     for (std::size_t c = 0; c < 3; ++c) store(slips[c].data(), after[c]);
     for_each_bit(pushes, [&](std::size_t lane) {

@@ -18,6 +18,7 @@
 
 #include <cmath>
 
+#include "base/pack.hpp"
 #include "base/vec3.hpp"
 #include "perimpact/materials/elastic/isotropic.hpp"
 
@@ -41,14 +42,16 @@ struct ShortRangeLaw {
 inline constexpr double weight_reach = 2;
 
 /// Weight W as a function of q².
-inline double contact_weight(double q_squared) {
-  const double x = 1 - 0.25 * q_squared, cube = x * x * x;
-  return x > 0 ? cube * cube : 0;
+template <class Number>
+Number contact_weight(Number q_squared) {
+  const Number x = fccda::larger(Number(1.0) - Number(0.25) * q_squared, Number(0.0)), cube = x * x * x;
+  return cube * cube;
 }
 /// -W'(q)/q as a function of q².
-inline double contact_weight_slope(double q_squared) {
-  const double x = 1 - 0.25 * q_squared, square = x * x;
-  return x > 0 ? 3 * square * square * x : 0;
+template <class Number>
+Number contact_weight_slope(Number q_squared) {
+  const Number x = fccda::larger(Number(1.0) - Number(0.25) * q_squared, Number(0.0)), square = x * x;
+  return Number(3.0) * square * square * x;
 }
 
 /// Constants of two opposite faces of particles.

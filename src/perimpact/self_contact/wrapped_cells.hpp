@@ -35,7 +35,7 @@ class WrappedCells {
       const Pack distance = fccda::fused_multiply_add(between.z, between.z, fccda::fused_multiply_add(between.y, between.y, between.x * between.x));
       unsigned near = fccda::bits_where_greater(Pack(squared), distance);
       if (first_[cell + 1] - first < fccda::lanes<Pack>) near &= (1u << (first_[cell + 1] - first)) - 1u;
-      for (; near != 0; near &= near - 1) visit(points_[first + static_cast<std::size_t>(__builtin_ctz(near))]);
+      fccda::for_each_bit(near, [&](std::size_t lane) { visit(points_[first + lane]); });
     }
   }
 

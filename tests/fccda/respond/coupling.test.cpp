@@ -62,7 +62,7 @@ int resolve_contact(Detector& detector, RigidBody& body, fixtures::TestPoints& p
     else
       detector.redetect(points, motion, travel, coupling.correction(), contacts);
     resolve_points(points, contacts, motion, body.position_of_com(), friction, [&](const Contact& contact, const Vec3d& impulse) {
-      const Vec3d place = place_of_push(contact, points.x0[contact.point], points.x1[contact.point], motion);
+      const Vec3d place = point_of_application(contact, points.x0[contact.point], points.x1[contact.point], motion);
       coupling.add(contact, points.m[contact.point], place, impulse, friction);
     });
     if (coupling.agrees(radius) || pass == Coupling::max_passes) {

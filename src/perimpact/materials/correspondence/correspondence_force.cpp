@@ -462,17 +462,15 @@ template <class Pack, class View>
       if (broken_[eight] < from) continue;
       for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; slot += lanes<Pack>)
         for_each_bond<Pack>(before.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
-          for (unsigned left = bond.intact; left != 0; left &= left - 1) {
-            std::uint8_t& of_j = broken_[bond.neighbour.slot_of(static_cast<std::size_t>(std::countr_zero(left))) / byte_lanes];
+          for_each_bit(bond.intact, [&](std::size_t lane) {
+            std::uint8_t& of_j = broken_[bond.neighbour.slot_of(lane) / byte_lanes];
             of_j = std::max(of_j, static_cast<std::uint8_t>(from - 1));
-          }
+          });
         });
     }
   const auto for_each = [&](Nearness least, const auto& f) {
-    parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t row) {
-      for_each_pack_of_row<Pack>(particles, static_cast<std::size_t>(row), [&](std::size_t slot) {
-        if (broken_[slot / byte_lanes] >= least) f(static_cast<std::size_t>(row), slot);
-      });
+    for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
+      if (broken_[slot / byte_lanes] >= least) f(row, slot);
     });
   };
   const auto make_gradient = [](const auto& view, std::size_t slot) { store_gradient<D, Pack>(view, slot, moment_of_pack<D, Pack>(view, slot, view.x)); };
@@ -504,17 +502,12 @@ void CorrespondenceForce<D>::bond_level_pass(const View& body, Particles& partic
     return 0.0;
   });
   if (std::find(broken_.begin(), broken_.end(), broke_here) != broken_.end()) account_for_broken<Pack>(body, particles, options.dt, rows);
-  const auto for_each = [&](const auto& f) {
-    parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t row) {
-      for_each_pack_of_row<Pack>(particles, static_cast<std::size_t>(row), [&](std::size_t slot) { f(static_cast<std::size_t>(row), slot); });
-    });
-  };
-  for_each([&](std::size_t row, std::size_t slot) {
+  for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
     bond_level_stress<D, Pack>(body, slot);
     if (options.with_energy) rows.energy[row] += energy_of_pack(bond_level_energy<D, Pack, false>(body, slot, 0), particles, slot);
   });
-  for_each([&](std::size_t, std::size_t slot) { bond_level_return<D, Pack>(body, slot); });
-  for_each([&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
+  for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { bond_level_return<D, Pack>(body, slot); });
+  for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
 }
 
 template <std::size_t D>
@@ -526,10 +519,7 @@ void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const Pa
       const Pack density = response_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), options, rows.fracture_energy[row]);
       return options.with_energy ? energy_of_pack(density, particles, slot) : 0.0;
     });
-    parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t row) {
-      for_each_pack_of_row<Pack>(particles, static_cast<std::size_t>(row),
-                                 [&](std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
-    });
+    for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
   });
 }
 

@@ -156,13 +156,6 @@ double force_of_pack(const View& body, std::size_t slot, const Breaker& breaking
   return with_energy ? energy_of_pack(energy, body.particles, slot) : 0.0;
 }
 
-/// Calls per_pack(body, slot, corrections) for a pack; with a table of factors these are in the constants, and there are no corrections.
-template <class View, class Correction, class PerPack>
-auto with_factors(const View& body, std::size_t slot, const Correction& corrections, const PerPack& per_pack) {
-  const std::int32_t table = body.correction.table_of(slot / byte_lanes);
-  return table == CorrectionFactors::no_table ? per_pack(body, slot, corrections) : per_pack(body.with(body.constants.of_table(table)), slot, NoCorrections{});
-}
-
 template <class Pack, bool has_dilatation, bool with_energy, class View, class Correction>
 void all_packs(const View& body, Breaking& breaking, Family& family, const PassOptions& options, const Correction& corrections) {
   PassOptions forces = options;
@@ -248,23 +241,10 @@ void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOp
   }
   const StencilBonds bonds(family);
   const StencilConstants constants{folded_, family.stencil()->size()};
-  switch (correction_.kind()) {
-    case CorrectionKind::none:
-      over(bonds, constants, NoCorrections{});
-      break;
-    case CorrectionKind::energy:
-      over(bonds, constants,
-           Corrections<EnergyFactor, EnergyFactor>{{correction_.stretch().pointers(), half_squares_}, {correction_.dilatation().pointers(), half_squares_}});
-      break;
-    case CorrectionKind::volume: {
-      const VolumeFactor factor{correction_.volume().component(0)};
-      over(bonds, constants, Corrections<VolumeFactor, VolumeFactor>{factor, factor});
-      break;
-    }
-    case CorrectionKind::family:
-      over(bonds, constants, by_family);
-      break;
-  }
+  if (correction_.kind() == CorrectionKind::family)
+    over(bonds, constants, by_family);
+  else
+    with_bond_corrections(correction_, half_squares_, [&](const auto& corrections) { over(bonds, constants, corrections); });
 }
 
 template void OrdinaryStateForce::pass<double>(Particles&, Family&, const PassOptions&, RowSums&);

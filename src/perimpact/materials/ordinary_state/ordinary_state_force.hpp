@@ -8,6 +8,7 @@
 #include "perimpact/family/family.hpp"
 #include "perimpact/family/surface_correction.hpp"
 #include "perimpact/force/pass.hpp"
+#include "perimpact/materials/ordinary_state/corrected_bond.hpp"
 #include "perimpact/materials/ordinary_state/ordinary_state.hpp"
 
 namespace perimpact {
@@ -28,13 +29,9 @@ class OrdinaryStateForce {
   const OrdinaryState& law() const { return law_; }
   const CorrectionFactors& correction() const { return correction_; }
   /// [N/m⁷] derivative of a bond's force density with respect to its length, without the dilatation term.
-  double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {
-    return law_.bond_stiffness(bond.length) * correction_.stretch_factor(slot, bond.j, interpolation_weights(bond.direction));
-  }
+  double bond_stiffness(std::size_t slot, const FamilyBond& bond) const { return corrected_stiffness(law_, correction_, slot, bond); }
   /// [1/m⁴] derivative of the sum θ of the particle with respect to a bond's length, per unit volume of the bond.
-  double dilatation_slope(std::size_t slot, const FamilyBond& bond) const {
-    return law_.d() * law_.weights(bond.length).dilatation / bond.length * correction_.dilatation_factor(slot, bond.j, interpolation_weights(bond.direction));
-  }
+  double dilatation_slope(std::size_t slot, const FamilyBond& bond) const { return corrected_dilatation_slope(law_, correction_, slot, bond); }
   /// g_i [-] of the linear peridynamic solid, whose θ is g_i times that sum and enters the force with another factor g_i; else 1.
   double family_factor(std::size_t slot) const { return correction_.kind() == CorrectionKind::family ? 2 * correction_.own_family().component(0)[slot] : 1; }
   double bytes() const;  ///< [bytes] of memory

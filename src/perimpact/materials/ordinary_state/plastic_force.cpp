@@ -18,6 +18,13 @@ namespace {
 template <class Pack>
 using PackTensor = std::array<Pack, 6>;
 
+/// ½ n·A·n of a tensor A, as factors of its components.
+template <class Number>
+std::array<Number, 6> projection_of(const Vec3<Number>& n) {
+  const Number half(0.5);
+  return {half * n.x * n.x, half * n.y * n.y, half * n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
+}
+
 /// The constants of the bonds of a stencil: those of whole families, and of any other table of factors.
 struct StencilConstants {
   std::span<const PlasticForce::Constants<double>> all;  // table after table
@@ -48,9 +55,7 @@ struct ListConstants {
   }
   template <class Pack>
   PackTensor<Pack> projection(std::size_t index) const {
-    const Vec3<Pack> n{load<Pack>(direction[0] + index), load<Pack>(direction[1] + index), load<Pack>(direction[2] + index)};
-    const Pack half(0.5);
-    return {half * n.x * n.x, half * n.y * n.y, half * n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z};
+    return projection_of(Vec3<Pack>{load<Pack>(direction[0] + index), load<Pack>(direction[1] + index), load<Pack>(direction[2] + index)});
   }
 };
 
@@ -251,21 +256,6 @@ OfPack<Pack> force_of_pack(const View& body, std::size_t slot, const BeyondLimit
   return {force, energy, Pack(-1.0 / 6) * virial};
 }
 
-/// per_pack(body, slot, corrections) of a pack; where factors have a table, they are in the constants and there are no corrections.
-template <class View, class Correction, class PerPack>
-auto with_factors(const View& body, std::size_t slot, const Correction& corrections, const PerPack& per_pack) {
-  const std::int32_t table = body.correction.table_of(slot / byte_lanes);
-  return table == CorrectionFactors::no_table ? per_pack(body, slot, corrections) : per_pack(body.with(body.constants.of_table(table)), slot, NoCorrections{});
-}
-
-/// Calls f(row, slot) for all packs, rows in parallel.
-template <class Pack, class F>
-void for_each_pack(const Particles& particles, const F& f) {
-  parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t row) {
-    for_each_pack_of_row<Pack>(particles, static_cast<std::size_t>(row), [&](std::size_t slot) { f(static_cast<std::size_t>(row), slot); });
-  });
-}
-
 constexpr double yields_before_it_breaks = 1e30;  // [1/Pa] slope of the limit of particles that have yielded: no bond breaks under pressure
 
 }  // namespace
@@ -306,9 +296,8 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
 
   if (const Stencil* stencil = family.stencil()) {
     for (const StencilBond& bond : stencil->bonds()) {
-      const Vec3d n = bond.direction;
-      half_squares_.push_back(interpolation_weights(n));
-      projection_.push_back({0.5 * n.x * n.x, 0.5 * n.y * n.y, 0.5 * n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z});
+      half_squares_.push_back(interpolation_weights(bond.direction));
+      projection_.push_back(projection_of(bond.direction));
     }
     for (const std::vector<BondFactors>& factors : correction_.tables())
       for (std::size_t b = 0; b < stencil->size(); ++b) {
@@ -402,20 +391,7 @@ void PlasticForce::pass(Particles& particles, Family& family, const PassOptions&
   } else {
     const StencilBonds bonds(family);
     const StencilConstants constants{constants_, projection_};
-    switch (correction_.kind()) {
-      case CorrectionKind::energy:
-        over(bonds, constants,
-             Corrections<EnergyFactor, EnergyFactor>{{correction_.stretch().pointers(), half_squares_}, {correction_.dilatation().pointers(), half_squares_}});
-        break;
-      case CorrectionKind::volume: {
-        const VolumeFactor factor{correction_.volume().component(0)};
-        over(bonds, constants, Corrections<VolumeFactor, VolumeFactor>{factor, factor});
-        break;
-      }
-      default:
-        over(bonds, constants, NoCorrections{});
-        break;
-    }
+    with_bond_corrections(correction_, half_squares_, [&](const auto& corrections) { over(bonds, constants, corrections); });
   }
   if (options.may_break) flow(particles, family);
 }

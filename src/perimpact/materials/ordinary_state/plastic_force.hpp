@@ -24,6 +24,7 @@
 #include "perimpact/family/family.hpp"
 #include "perimpact/family/surface_correction.hpp"
 #include "perimpact/force/pass.hpp"
+#include "perimpact/materials/ordinary_state/corrected_bond.hpp"
 #include "perimpact/materials/ordinary_state/ordinary_state.hpp"
 #include "perimpact/materials/plasticity/plasticity.hpp"
 
@@ -54,13 +55,9 @@ class PlasticForce {
   const CorrectionFactors& correction() const { return correction_; }
   const ReturnModuli& moduli() const { return moduli_; }
   /// [N/m⁷] what the force density of a bond gains by each metre of its length at no strain, its dilatation left aside.
-  double bond_stiffness(std::size_t slot, const FamilyBond& bond) const {
-    return law_.bond_stiffness(bond.length) * correction_.stretch_factor(slot, bond.j, interpolation_weights(bond.direction));
-  }
+  double bond_stiffness(std::size_t slot, const FamilyBond& bond) const { return corrected_stiffness(law_, correction_, slot, bond); }
   /// [1/m⁴] what each metre of a bond's length, and cubic metre of its volume, adds to the dilatation of the particle.
-  double dilatation_slope(std::size_t slot, const FamilyBond& bond) const {
-    return law_.d() * law_.weights(bond.length).dilatation / bond.length * correction_.dilatation_factor(slot, bond.j, interpolation_weights(bond.direction));
-  }
+  double dilatation_slope(std::size_t slot, const FamilyBond& bond) const { return corrected_dilatation_slope(law_, correction_, slot, bond); }
   double family_factor(std::size_t) const { return 1; }
 
   double equivalent_strain(std::size_t slot) const { return equivalent_.component(0)[slot]; }  ///< [-] Σ √(2/3 Δε^p:Δε^p)
@@ -96,7 +93,7 @@ class PlasticForce {
     visit(name + ".pending_dissipation_of_row", std::span<double>(pending_));
   }
 
-  /// The constants of a bond, or of a pack of bonds of a list (perimpact/force/plastic_kernels.hpp).
+  /// The constants of a bond, or of a pack of bonds of a list.
   template <class Number>
   struct Constants {
     Number spring;        ///< 4 b ω_e v V            [N/m⁴]
@@ -133,7 +130,7 @@ class PlasticForce {
   ReturnModuli moduli_;
   double elastic_limit_;     // [J/m³] below it no particle can be outside of the surface
   double largest_pressure_;  // [Pa] p₂
-  Breaking breaking_;        // what the rule is; bonds are asked in force/plastic_force.cpp
+  Breaking breaking_;        // the rule; it is evaluated under pressure, in plastic_force.cpp
   CorrectionFactors correction_;
 
   // of each bond of the stencil
