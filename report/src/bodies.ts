@@ -90,16 +90,19 @@ export class BodyData {
     return out;
   }
 
-  /** Over all decoded frames. */
+  /** Over all decoded frames. That of damage is 0 to 1, or 0 where nothing is damaged. */
   rangeOfRun(key: string): Range {
     const found = this.array(key);
-    if (key === "damage") return { low: 0, high: 1 };
-    if (found) return { low: found.about.low, high: found.about.high };
+    if (found && key !== "damage") return { low: found.about.low, high: found.about.high };
     let range = this.ranges.get(key);
     if (!range) {
       for (let picture = 0; picture < this.pictures.length; ++picture) {
         const { low, high } = rangeOf(this.values(key, picture, 0));
         range = include(range, low, high);
+        if (key === "damage" && high > 0) {
+          this.ranges.set(key, { low: 0, high: 1 });
+          return { low: 0, high: 1 };
+        }
       }
       range ??= { low: 0, high: 0 };
       if (this.pictures.length === this.about.pictures.length) this.ranges.set(key, range);

@@ -32,17 +32,19 @@ export function table(kind: Kind): Uint8Array<ArrayBuffer> {
   return out;
 }
 
+/** The colours of a map from its lowest to its highest value, equally spaced. */
+export function stops(kind: Kind): string[] {
+  return points[kind].split(" ").map((hex) => `#${hex}`);
+}
+
 /** The same as a CSS gradient from bottom to top. */
 export function gradient(kind: Kind): string {
-  return `linear-gradient(to top, ${points[kind]
-    .split(" ")
-    .map((hex) => `#${hex}`)
-    .join(", ")})`;
+  return `linear-gradient(to top, ${stops(kind).join(", ")})`;
 }
 
 export function colourOfNumber(number: number): string {
-  const given = points.number.split(" ");
-  return `#${number === 0 ? given[0] : given[1 + ((number - 1) % (given.length - 1))]}`;
+  const given = stops("number");
+  return number === 0 ? given[0] : given[1 + ((number - 1) % (given.length - 1))];
 }
 
 /** Line colours that are distinguishable on light and dark backgrounds. */

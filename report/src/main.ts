@@ -1,11 +1,15 @@
 // Report of a run: decodes the embedded data, and synchronises 3-D view, curves and controls in time.
 import "./style.css";
 import { BodyData, ImpactorData, Quantity, Range, joined, quantitiesOf, rangeOf } from "./bodies";
-import { Kind, colourOfNumber, gradient } from "./colours";
 import { Curves } from "./curves";
 import { Description, json, unpacked } from "./data";
-import { Json, showChecks, showDeck, showNotes, showRun } from "./pages";
+import { Legend, colouredRange, elementOf } from "./legend";
+import { Json, showChecks, showDeck, showHeader, showNotes, showRun } from "./pages";
+import { film, pictureWith, plainName, save } from "./save";
+import { SheetMap } from "./sheet_map";
 import { Stage, View } from "./stage";
+import { bindTabs } from "./tabs";
+import { drawTriad } from "./triad";
 import { scaled, text, withUnit } from "./units";
 
 function byId<T extends HTMLElement>(id: string): T {
@@ -21,6 +25,9 @@ const quantities = quantitiesOf(bodies);
 
 let stage: Stage | undefined;
 let curves: Curves | undefined;
+let map: SheetMap | undefined;
+let legends: Legend[] = [];
+let isFilming = false;
 let ready = 0; // number of decoded frames
 let current = 0; // index of the shown frame
 let playing = 0; // timer handle; 0 while paused
@@ -46,58 +53,22 @@ function warp(): number {
   return Number.isFinite(value) && value >= 0 ? value : 1;
 }
 
-/** Colour range of the particles: as selected, symmetric about 0 for signed quantities. */
+/** Colour range of the particles: as selected, symmetric about 0 for signed quantities. Displacements along an axis that are only rounding are 0. */
 function rangeShown(values: Float32Array[]): Range {
   if (range.value === "given" && low.value !== "" && high.value !== "") return { low: Number(low.value), high: Number(high.value) };
   const { key, kind } = quantity();
-  const found = range.value === "picture" ? joined(values.map(rangeOf)) : joined(bodies.map((body) => body.rangeOfRun(key)));
+  const ofRun = (name: string) => joined(bodies.map((body) => body.rangeOfRun(name)));
+  const found = range.value === "picture" ? joined(values.map(rangeOf)) : ofRun(key);
   if (kind === "magnitude" && range.value === "run") return { low: 0, high: found.high };
   if (kind !== "signed") return found;
   const largest = Math.max(Math.abs(found.low), Math.abs(found.high));
-  return { low: -largest, high: largest };
-}
-
-function scale(title: string, unit: string, shown: Range, kind: Kind): HTMLElement {
-  const home = document.createElement("figure");
-  const { factor, unit: short } = scaled(unit, Math.max(Math.abs(shown.low), Math.abs(shown.high)));
-  const caption = document.createElement("figcaption");
-  caption.textContent = `${title} [${short || "–"}]`;
-  const strip = document.createElement("div");
-  strip.className = "strip";
-  strip.style.background = gradient(kind);
-  const ticks = document.createElement("div");
-  ticks.className = "ticks";
-  for (let k = 4; k >= 0; --k) {
-    const tick = document.createElement("span");
-    tick.textContent = text((shown.low + ((shown.high - shown.low) * k) / 4) / factor, 3);
-    ticks.append(tick);
-  }
-  home.append(caption, strip, ticks);
-  return home;
-}
-
-/** Legend of the colours of labels. */
-function legend(title: string, names: string[]): HTMLElement {
-  const home = document.createElement("figure");
-  home.className = "legend";
-  const caption = document.createElement("figcaption");
-  caption.textContent = title;
-  home.append(caption);
-  names.forEach((name, number) => {
-    const row = document.createElement("div");
-    const patch = document.createElement("span");
-    patch.className = "patch";
-    patch.style.background = colourOfNumber(number);
-    row.append(patch, name);
-    home.append(row);
-  });
-  return home;
+  return largest < 1e-9 * ofRun("displacement").high ? { low: 0, high: 0 } : { low: -largest, high: largest };
 }
 
 function show(): void {
   if (times.length === 0) return;
   const { key, kind, label, unit } = quantity();
-  const scales: HTMLElement[] = [];
+  legends = [];
   if (bodies.length > 0) {
     const values = bodies.map((body, number) => body.values(key, body.shownAt(current), number));
     const shown = rangeShown(values);
@@ -105,25 +76,27 @@ function show(): void {
       low.value = String(Number(shown.low.toPrecision(4)));
       high.value = String(Number(shown.high.toPrecision(4)));
     }
-    bodies.forEach((body, number) => stage?.showBody(number, body.shownAt(current), values[number], kind, shown));
-    if (key === "body") scales.push(legend("body", bodies.map((body) => body.about.name)));
-    else if (key === "fragment") scales.push(legend("fragment", ["0, the heaviest", "1", "2", "3 and so on, cyclic"]));
-    else scales.push(scale(label, unit, shown, kind));
+    bodies.forEach((body, number) => stage?.showBody(number, body.shownAt(current), values[number], kind, colouredRange(shown, kind)));
+    if (key === "body") legends.push({ title: "body", names: bodies.map((body) => body.about.name) });
+    else if (key === "fragment") legends.push({ title: "fragment", names: ["0, the heaviest", "1", "2", "3 and so on, cyclic"] });
+    else legends.push({ title: label, unit, range: shown, kind, where: range.value === "picture" ? "in this frame" : "throughout" });
   }
   if (impactors.length > 0) {
     const name = panels.value;
     const values = impactors.map((impactor) => (name && impactor.rangeOfRun(name) ? impactor.values(name, impactor.shownAt(current)) : undefined));
     const known = values.filter((each) => each !== undefined);
     const shown = range.value === "picture" ? joined(known.map(rangeOf)) : joined(impactors.map((impactor) => impactor.rangeOfRun(name)));
-    impactors.forEach((impactor, number) => stage?.showImpactor(number, impactor.shownAt(current), values[number], shown));
-    if (known.length > 0) scales.push(scale(name.replaceAll("_", " "), impactors[0].about.arrays.find((array) => array.name === name)?.unit ?? "", shown, "increase"));
+    impactors.forEach((impactor, number) => stage?.showImpactor(number, impactor.shownAt(current), values[number], colouredRange(shown, "increase")));
+    const unit = impactors[0].about.arrays.find((array) => array.name === name)?.unit ?? "";
+    if (known.length > 0) legends.push({ title: name.replaceAll("_", " "), unit, range: shown, kind: "increase", where: range.value === "picture" ? "in this frame" : "throughout" });
   }
-  byId("scales").replaceChildren(...scales);
+  byId("scales").replaceChildren(...legends.map(elementOf));
   slider.value = String(current);
   const { factor, unit: timeUnit } = scaled("s", times[times.length - 1]);
   byId("now").textContent = `t = ${text(times[current] / factor)} ${timeUnit} · frame ${current + 1} of ${times.length}`;
   slider.setAttribute("aria-valuetext", byId("now").textContent ?? "");
   curves?.setTime(times[current]);
+  map?.setFrame(current);
   tell();
 }
 
@@ -163,6 +136,7 @@ function tell(): void {
     `displacement ${withUnit(Math.hypot(...u), "m")}`,
     `speed ${withUnit(value("speed"), "m/s")}`,
   ];
+  if (data.array("plastic_strain")) lines.push(`plastic strain ${text(value("plastic_strain"), 3)}`);
   if (data.array("fragment")) lines.push(`fragment ${value("fragment")}`);
   home.textContent = lines.join("\n");
 }
@@ -182,53 +156,66 @@ function showClip(): void {
   stage.setClip(axis, clip.value[0] === "+" ? 1 : -1, at);
 }
 
-function drawTriad(): void {
-  if (!stage) return;
-  const { elements } = stage.camera.matrixWorldInverse;
-  const parts = [0, 1, 2].map((axis) => {
-    const [x, y, depth] = [elements[4 * axis], elements[4 * axis + 1], elements[4 * axis + 2]];
-    const name = "xyz"[axis];
-    return { depth, svg: `<g class="axis-${name}"><line x2="${24 * x}" y2="${-24 * y}"/><text x="${33 * x}" y="${-33 * y}">${name}</text></g>` };
-  });
-  byId("triad").innerHTML = parts
-    .sort((a, b) => a.depth - b.depth)
-    .map(({ svg }) => svg)
-    .join("");
-}
-
-function setTheme(dark: boolean): void {
+/** `paper`: width in pixels of the charts and the map on paper. */
+function setTheme(dark: boolean, paper?: number): void {
   document.documentElement.dataset.theme = dark ? "dark" : "light";
   byId("theme").textContent = dark ? "Light" : "Dark";
-  stage?.setGround(getComputedStyle(document.documentElement).getPropertyValue("--ground").trim());
-  curves?.draw();
+  const style = getComputedStyle(document.documentElement);
+  stage?.setGround(style.getPropertyValue(paper ? "--paper" : "--ground").trim());
+  curves?.draw(paper);
+  map?.draw(paper);
 }
 
 function isDark(): boolean {
   return document.documentElement.dataset.theme === "dark";
 }
 
-function selectTab(tab: HTMLElement): void {
-  for (const each of document.querySelectorAll<HTMLElement>("[role=tab]")) {
-    const chosen = each === tab;
-    each.setAttribute("aria-selected", String(chosen));
-    each.tabIndex = chosen ? 0 : -1;
-    byId(each.getAttribute("aria-controls")!).hidden = !chosen;
-  }
+/** On paper everything is light, and a copy replaces the view, which would show what was drawn before. */
+function bindPrinter(): void {
+  let wasDark = false;
+  window.addEventListener("beforeprint", () => {
+    wasDark = isDark();
+    setTheme(false, 640);
+    if (stage) byId("space").prepend(stage.copy(2));
+  });
+  window.addEventListener("afterprint", () => {
+    document.querySelector("#space > canvas:not(#canvas)")?.remove();
+    setTheme(wasDark);
+  });
 }
 
-function bindTabs(): void {
-  const tabs = [...document.querySelectorAll<HTMLElement>("[role=tab]")];
-  tabs.forEach((tab, k) => {
-    tab.addEventListener("click", () => selectTab(tab));
-    tab.addEventListener("keydown", (event) => {
-      const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-      if (by === 0) return;
-      const next = tabs[(k + by + tabs.length) % tabs.length];
-      event.stopPropagation();
-      selectTab(next);
-      next.focus();
+function pictureNow(ratio: number): Promise<Blob> {
+  const overlay = { title: document.title, time: byId("now").textContent ?? "", legends, triad: document.querySelector<SVGElement>("#triad")! };
+  return pictureWith(stage!.copy(ratio), ratio, overlay);
+}
+
+/** Saves the frames as pictures; a second call stops that. Pictures rather than a video: every browser gives every frame, at the same size, without loss. */
+async function saveFilm(): Promise<void> {
+  if (!stage || ready === 0 || isFilming) {
+    isFilming = false;
+    return;
+  }
+  play(false);
+  isFilming = true;
+  const before = current;
+  const button = byId("save-film");
+  button.textContent = "Stop";
+  byId("loading").hidden = false;
+  try {
+    const frames = ready;
+    const pictures = await film(frames, async (frame) => {
+      byId<HTMLProgressElement>("progress").value = frame;
+      byId("doing").textContent = `Picture ${frame + 1} of ${frames}`;
+      goTo(frame);
+      return isFilming ? pictureNow(1) : undefined;
     });
-  });
+    if (pictures) save(pictures, `${plainName(document.title)}_frames.zip`);
+  } finally {
+    isFilming = false;
+    button.textContent = "Film";
+    byId("loading").hidden = true;
+    goTo(before);
+  }
 }
 
 const viewOfKey: { [key: string]: View } = { "1": "+x", "2": "-x", "3": "+y", "4": "-y", "5": "+z", "6": "-z", "7": "iso", f: "fit" };
@@ -280,6 +267,9 @@ function bindControls(): void {
   speed.addEventListener("change", () => play(playing !== 0));
   byId("theme").addEventListener("click", () => setTheme(!isDark()));
   byId("help").addEventListener("click", () => byId<HTMLDialogElement>("keys").showModal());
+  byId("save").hidden = !stage || bodies.length + impactors.length === 0;
+  byId("save-picture").addEventListener("click", async () => save(await pictureNow(2), `${plainName(document.title)}_frame_${current + 1}.png`));
+  byId("save-film").addEventListener("click", saveFilm);
   let pressed = { x: 0, y: 0 };
   canvas.addEventListener("pointerdown", (event) => (pressed = { x: event.clientX, y: event.clientY }));
   canvas.addEventListener("click", (event) => {
@@ -294,30 +284,17 @@ function bindControls(): void {
   });
 }
 
-function showHeader(): void {
-  const title = typeof run?.title === "string" && run.title ? run.title : (about?.folder ?? "perimpact report");
-  document.title = title;
-  byId("title").textContent = title;
-  const outcome = byId("outcome");
-  outcome.hidden = false;
-  outcome.textContent = typeof run?.outcome === "string" ? run.outcome : "unfinished";
-  outcome.dataset.outcome = outcome.textContent;
-  const particles = bodies.reduce((sum, body) => sum + body.about.particles, 0);
-  const count = (number: number) => number.toLocaleString("en").replaceAll(",", " ");
-  const facts: string[] = [];
-  if (typeof run?.["time [s]"] === "number") facts.push(withUnit(run["time [s]"], "s"));
-  if (typeof run?.steps === "number") facts.push(`${count(run.steps)} steps`);
-  if (particles > 0) facts.push(`${count(particles)} particles`);
-  if (impactors.length > 0) facts.push(`${count(impactors.reduce((sum, impactor) => sum + impactor.about.panels, 0))} panels`);
-  const warnings = Array.isArray(run?.warnings) ? run.warnings.length : 0;
-  if (warnings > 0) facts.push(`${warnings} warning${warnings > 1 ? "s" : ""}`);
-  byId("facts").textContent = facts.join(" · ");
+/** Largest diagonal of a body [m]; 1 without bodies. */
+function sizeOfBodies(): number {
+  return Math.max(0, ...bodies.map((body) => Math.hypot(...body.about.undeformed.map(({ low, high }) => high - low)))) || 1;
 }
 
 /** Decodes frame by frame; decoded frames can be viewed meanwhile. */
 async function load(): Promise<void> {
   const progress = byId<HTMLProgressElement>("progress");
-  if (about?.history) curves = new Curves(byId("curves"), about.history.columns, about.history.rows, await unpacked("history"), goToTime);
+  if (about?.history) curves = new Curves(byId("curves"), about.history.columns, about.history.rows, await unpacked("history"), sizeOfBodies(), goToTime, (table) =>
+      save(new Blob([table], { type: "text/csv" }), `${plainName(document.title)}_curves.csv`),
+    );
   else byId("curves").append(Object.assign(document.createElement("p"), { textContent: "No curves: history.csv was missing or damaged." }));
   if (bodies.length + impactors.length === 0) byId("nothing").hidden = false;
   for (const body of bodies) {
@@ -328,6 +305,9 @@ async function load(): Promise<void> {
     await impactor.readSurface();
     stage?.addImpactor(impactor);
   }
+  map = new SheetMap(byId("map"), bodies, impactors);
+  byId("tab-map").hidden = map.isEmpty;
+  byId("map").classList.toggle("absent", map.isEmpty);
   slider.max = String(Math.max(times.length - 1, 0));
   progress.max = times.length;
   for (let time = 0; time < times.length; ++time) {
@@ -355,19 +335,22 @@ function start(): void {
     byId("progress").hidden = true;
     return;
   }
-  showHeader();
+  showHeader(run, about, bodies, impactors);
   showRun(byId("run-page"), run);
   showChecks(byId("checks"), run);
   showDeck(byId("deck"), run);
   showNotes(byId("notes"), about);
   try {
-    stage = new Stage(canvas, drawTriad);
+    stage = new Stage(canvas, (camera) => drawTriad(byId("triad"), camera.matrixWorldInverse));
   } catch {
     byId("nothing").hidden = false;
     byId("nothing").textContent = "No 3-D view: WebGL 2 is disabled in this browser. Curves and the other pages are available.";
   }
   bindControls();
-  bindTabs();
+  bindTabs((page) => {
+    if (page.id === "map") map?.draw();
+  });
+  bindPrinter();
   bindKeys();
   setTheme(window.matchMedia("(prefers-color-scheme: dark)").matches);
   load().catch((fault: unknown) => {

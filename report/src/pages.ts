@@ -54,6 +54,35 @@ function tree(value: Members): HTMLElement {
   return out;
 }
 
+function byId(id: string): HTMLElement {
+  return document.getElementById(id)!;
+}
+
+interface Counts {
+  about: { particles?: number; panels?: number };
+}
+
+export function showHeader(run: Members | undefined, about: Description, bodies: Counts[], impactors: Counts[]): void {
+  const title = typeof run?.title === "string" && run.title ? run.title : about.folder || "perimpact report";
+  document.title = title;
+  byId("title").textContent = title;
+  const outcome = byId("outcome");
+  outcome.hidden = false;
+  outcome.textContent = typeof run?.outcome === "string" ? run.outcome : "unfinished";
+  outcome.dataset.outcome = outcome.textContent;
+  const count = (number: number) => number.toLocaleString("en").replaceAll(",", " ");
+  const sum = (numbers: (number | undefined)[]) => numbers.reduce<number>((all, each) => all + (each ?? 0), 0);
+  const facts: string[] = [];
+  if (typeof run?.["time [s]"] === "number") facts.push(withUnit(run["time [s]"], "s"));
+  if (typeof run?.steps === "number") facts.push(`${count(run.steps)} steps`);
+  const particles = sum(bodies.map((body) => body.about.particles));
+  if (particles > 0) facts.push(`${count(particles)} particles`);
+  if (impactors.length > 0) facts.push(`${count(sum(impactors.map((impactor) => impactor.about.panels)))} panels`);
+  const warnings = Array.isArray(run?.warnings) ? run.warnings.length : 0;
+  if (warnings > 0) facts.push(`${warnings} warning${warnings > 1 ? "s" : ""}`);
+  byId("facts").textContent = facts.join(" · ");
+}
+
 function list(sentences: string[]): HTMLUListElement {
   return element("ul", { className: "sentences" }, ...sentences.map((sentence) => element("li", { textContent: sentence })));
 }

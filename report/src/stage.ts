@@ -162,7 +162,7 @@ export class Stage {
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
-    private readonly afterDrawing: () => void,
+    private readonly afterDrawing: (camera: PerspectiveCamera) => void,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
@@ -380,7 +380,7 @@ export class Stage {
 
   private fitCanvas(): void {
     const { clientWidth, clientHeight } = this.canvas.parentElement!;
-    if (clientWidth === 0 || clientHeight === 0) return;
+    if (clientWidth === 0 || clientHeight === 0 || window.matchMedia("print").matches) return;
     this.renderer.setSize(clientWidth, clientHeight);
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
@@ -394,6 +394,20 @@ export class Stage {
     requestAnimationFrame(() => this.drawNow());
   }
 
+  /** A copy of what is shown now, with `ratio` pixels per one of the page. The canvas itself changes only when the browser composes the page. */
+  copy(ratio: number): HTMLCanvasElement {
+    const before = this.renderer.getPixelRatio();
+    this.renderer.setPixelRatio(ratio);
+    this.drawNow();
+    const out = document.createElement("canvas");
+    out.width = this.canvas.width & ~1; // even, as encoders of films require
+    out.height = this.canvas.height & ~1;
+    out.getContext("2d")!.drawImage(this.canvas, 0, 0);
+    this.renderer.setPixelRatio(before);
+    this.drawNow();
+    return out;
+  }
+
   private drawNow(): void {
     this.isDrawing = false;
     const away = this.camera.position.distanceTo(this.turning.target);
@@ -403,7 +417,7 @@ export class Stage {
     const size = this.renderer.getDrawingBufferSize(new Vector2());
     for (const { points } of this.bodies) points.material.uniforms.pixels.value = 0.5 * size.y * this.camera.projectionMatrix.elements[5];
     this.renderer.render(this.scene, this.camera);
-    this.afterDrawing();
+    this.afterDrawing(this.camera);
   }
 
   /** The frontmost particle at a point of the canvas, in the given frames. */

@@ -19,6 +19,7 @@ def columns_of_the_deck():
         *vector("cylinder", "position", "m"),
         *vector("cylinder", "velocity", "m/s"),
         *vector("cylinder", "angular_velocity", "rad/s"),
+        "cylinder.kinetic_energy [J]",
         *vector("cylinder", "force", "N"),
         *vector("cylinder", "moment", "N m"),
         "cylinder.contacts [-]",
@@ -72,6 +73,16 @@ def _(t):
         t.assertAlmostEqual(force[k] * (time[k] - time[k - 1]), gained, delta=1e-12 * 32)  # rounding of velocities of 32 m/s
     for momentum in history["total.momentum_y [kg m/s]"]:
         t.assertAlmostEqual(momentum, -32, delta=1e-12 * 32)  # contact keeps it to rounding
+
+
+@claim("results: the kinetic energy of an impactor is that of its translation and rotation")
+def _(t):
+    # beyond reach of the plate, so that the velocities are those of the deck
+    far = ("position: [0, 50 mm, 0]", "position: [0, 150 mm, 0]\n    angular_velocity: [0, 0, 100]")
+    t.expect_success("run", t.deck(far, ("free_dofs: [y]", "free_dofs: [y, rz]\n    inertia: [1e-3, 1e-3, 2e-3]")), "--out", "r", "--no-report")
+    mass = t.report("r")["impactors"]["cylinder"]["mass [kg]"]
+    for energy in t.history("r")["cylinder.kinetic_energy [J]"]:
+        t.assertAlmostEqual(energy, mass * 32**2 / 2 + 2e-3 * 100**2 / 2, delta=1e-9 * energy)  # rounding
 
 
 @claim("results: gauges have columns behind those of their impactor, the torque where they have an axis, and add up to its force")

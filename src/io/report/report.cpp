@@ -139,6 +139,17 @@ void write_blob(output::WholeFile& file, std::string_view id, std::string_view b
   file.write("</script>\n");
 }
 
+/// The notes with paths relative to the results folder: the report may be read elsewhere.
+Json relative(const std::vector<std::string>& notes, const fs::path& folder) {
+  const std::string prefix = (folder / "").string();
+  Json out = Json::array();
+  for (std::string note : notes) {
+    for (std::size_t at = 0; !prefix.empty() && (at = note.find(prefix, at)) != std::string::npos;) note.erase(at, prefix.size());
+    out.push_back(std::move(note));
+  }
+  return out;
+}
+
 std::string name_of(const fs::path& folder) {
   const fs::path whole = fs::absolute(folder).lexically_normal();
   return (whole.has_filename() ? whole.filename() : whole.parent_path().filename()).string();
@@ -188,7 +199,7 @@ Report write_report(const fs::path& folder, const Limits& limits) {
   Json description = Json::object();
   description["format"] = 1;
   description["folder"] = name_of(folder);
-  description["notes"] = report.notes.empty() ? Json::array() : Json(report.notes);
+  description["notes"] = relative(report.notes, folder);
   description["times [s]"] = choice.times.empty() ? Json::array() : Json(choice.times);
   description["bodies"] = std::move(packed.bodies);
   description["impactors"] = std::move(packed.impactors);

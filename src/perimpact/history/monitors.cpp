@@ -189,6 +189,7 @@ void Monitors::add_impactor(const Impactor& impactor) {
   add(name, {"position", "m", instantaneous, "of its centre of mass"}, body.position_of_com());
   add(name, {"velocity", "m/s", instantaneous, "of its centre of mass"}, body.velocity());
   add(name, {"angular_velocity", "rad/s", instantaneous, "in global axes"}, body.angular_velocity());
+  add(name, {"kinetic_energy", "J", instantaneous, "of translation and rotation"}, impactor.kinetic_energy());
   add_mean(name, {"force", "N", interval_mean, "of contact on it", true}, account.impulse);
   add_mean(name, {"moment", "N m", interval_mean, "of contact on it about its centre of mass"}, account.angular_impulse);
   add(name, {"contacts", "-", instantaneous, "particles in contact in the last step"}, static_cast<double>(account.contacts));
