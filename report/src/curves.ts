@@ -158,9 +158,10 @@ export class Curves {
     if (this.chosen.size === 0) this.charts.append(element("p", { textContent: "No column is selected." }));
     for (const [unit, numbers] of units) this.plots.push(this.chart(unit, numbers));
     this.charts.append(...zeros.map((zero) => element("p", { className: "zero", textContent: zero })));
-    if (min !== undefined && max !== undefined && (min > this.time[0] / this.timeScale.factor || max < this.time[this.time.length - 1] / this.timeScale.factor))
+    if (typeof min === "number" && typeof max === "number" && (min > this.time[0] / this.timeScale.factor || max < this.time[this.time.length - 1] / this.timeScale.factor))
       for (const plot of this.plots) plot.setScale("x", { min, max });
-    queueMicrotask(() => this.setTime(this.now)); // a new chart draws itself in a microtask of its own, with an empty legend
+    for (const plot of this.plots) plot.batch(() => {}); // draws at once: otherwise a later microtask would, too late for paper, and empty the legend
+    this.setTime(this.now);
   }
 
   private chart(unit: string, numbers: number[]): uPlot {
@@ -233,9 +234,10 @@ export class Curves {
       if (this.time[middle] <= time * (1 + 1e-6)) row = middle; // times are single precision here
       else behind = middle;
     }
-    for (const plot of this.plots) {
-      plot.redraw(false);
-      plot.setLegend({ idx: row }, false);
-    }
+    for (const plot of this.plots)
+      plot.batch(() => {
+        plot.redraw(false);
+        plot.setLegend({ idx: row }, false);
+      });
   }
 }

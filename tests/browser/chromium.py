@@ -115,6 +115,15 @@ class Page:
         for kind in ("mousePressed", "mouseReleased"):
             self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
+    def downloads(self, folder):
+        """Where files that the page saves come to."""
+        self.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+
+    def paper(self, path, landscape=False):
+        """Prints to PDF, A4."""
+        answer = self.ask("Page.printToPDF", landscape=landscape, printBackground=True, paperWidth=8.27, paperHeight=11.69)
+        Path(path).write_bytes(base64.b64decode(answer["data"]))
+
     def picture(self, path, width=None, height=None):
         """Of all that is seen, or of its upper left corner."""
         # one more turn of the screen first: what was asked to be drawn is

@@ -1,4 +1,5 @@
-"""A report as Chromium shows it: it loads, plays, answers to keys and controls, asks for nothing from outside, complains of nothing, and looks as it did.
+"""A report as Chromium shows it: it loads, plays, answers to keys and controls, saves and prints, asks for nothing from outside, complains of nothing, and
+looks as it did.
 
     report_in_chromium.py PROGRAM [--write-picture]
 
@@ -16,6 +17,7 @@ import numpy
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 from chromium import Page
 from claims import DECK, changed
+from saved import expect_paper, expect_saved
 
 PICTURE = Path(__file__).with_name("plate.png")
 # The view in space without letters on it, in a place of its own, for letters and what they need of room differ by fonts. Edges of discs may
@@ -34,6 +36,79 @@ def check(page, what, is_so):
 
 def differing(first, second):
     return numpy.mean(numpy.any(numpy.abs(first[..., :3] - second[..., :3]) > DIFFERENT, axis=-1))
+
+
+def select(page, control, value):
+    page.value(f"(e => {{ e.value = '{value}'; e.dispatchEvent(new Event('change')); }})(document.getElementById('{control}'))")
+
+
+def text(page, selector):
+    return page.value(f"[...document.querySelectorAll('{selector}')].map(each => each.innerText).join('; ')")
+
+
+def expect_zero(page):
+    """This plate has no damage, and nothing acts on the cylinder but along y."""
+    select(page, "colour", "damage")
+    check(page, "damage that is zero is stated, without a colour bar", text(page, "#scales") == "damage: 0 throughout" and page.value("document.querySelectorAll('#scales .strip').length") == 0)
+    select(page, "colour", "speed")
+    select(page, "range", "picture")
+    page.press("Home")
+    check(page, "so is a quantity that is zero in a frame", text(page, "#scales") == "speed: 0 m/s in this frame")
+    select(page, "range", "run")
+    columns = "[...document.querySelectorAll('#curves .columns label')]"
+    for name in ("force_z", "angular_velocity_x"):
+        page.value(f"{columns}.find(each => each.textContent.includes('cylinder.{name}')).click()")
+    zeros = text(page, "#curves .zero")
+    check(page, f"curves of rounding and of zero are stated: {zeros}", "cylinder.force_z is 0 but for rounding" in zeros and "cylinder.angular_velocity_x is 0 throughout." in zeros)
+    check(page, "they have no chart", "force_z" not in text(page, ".u-legend") and "angular_velocity" not in text(page, ".u-legend"))
+    page.value("[...document.querySelectorAll('#curves .bar button')].find(each => each.textContent === 'Energy').click()")
+    legend = text(page, ".u-legend")
+    check(page, "the energies are those of plate, cylinder and their total", all(name in legend for name in ("cylinder.kinetic_energy", "plate.kinetic_energy", "plate.elastic_energy", "total.energy")))
+    page.press("End")
+    legend = text(page, ".u-legend")
+    page.press("d")
+    check(page, "the legends of curves keep their values when the theme changes", " J" in legend and text(page, ".u-legend") == legend)
+    ink = page.value("getComputedStyle(document.documentElement).getPropertyValue('--ink').trim()")
+    axes = """(() => {
+      const chart = document.querySelector('.uplot canvas'), pixels = chart.getContext('2d').getImageData(0, 0, chart.width, chart.height).data;
+      let found = 0;
+      for (let k = 0; k < pixels.length; k += 4) if (pixels[k + 3] === 255 && '#' + [0, 1, 2].map(c => pixels[k + c].toString(16).padStart(2, '0')).join('') === '%s') ++found;
+      return found;
+    })()"""
+    check(page, "the numbers at the axes have the colour of the theme", page.value(axes % ink) > 20)
+    page.press("d")
+    check(page, "and change back with it", page.value(axes % ink) == 0)
+
+
+def expect_map(page):
+    page.value("document.getElementById('tab-map').click()")
+    page.press("Home")
+    check(page, "the map states that there is no damage at first", "damage, largest: 0 in this frame" in text(page, "#map .scale"))
+    check(page, "the map names the impactor whose outline it shows", "outline: cylinder at z = " in text(page, "#map .sheet p"))
+    page.press("End")
+    largest = page.value("Number(document.querySelector('#map canvas').dataset.largest)")
+    select(page, "through", "mean")
+    mean = page.value("Number(document.querySelector('#map canvas').dataset.largest)")
+    check(page, f"the largest mean through the thickness, {mean}, is damage, and less than the largest damage, {largest}", 0 < mean < largest <= 1)
+    reddish = """(() => {
+      const map = document.querySelector('#map canvas'), pixels = map.getContext('2d').getImageData(0, 0, map.width, map.height).data;
+      let found = 0;
+      for (let k = 0; k < pixels.length; k += 4) if (pixels[k] > pixels[k + 2] + 40) ++found;
+      return found / (pixels.length / 4);
+    })()"""
+    share = page.value(reddish)
+    check(page, f"damage is on the map, on {100 * share:.1f} % of it", 0.005 < share < 0.9)
+
+
+def phone(page):
+    """Nothing is wider than a telephone, and the view is not a slit."""
+    page.ask("Emulation.setDeviceMetricsOverride", width=400, height=800, deviceScaleFactor=1, mobile=True)
+    page.value("new Promise(done => setTimeout(() => done(true), 300))")
+    for tab in page.value("[...document.querySelectorAll('[role=tab]:not([hidden])')].map(each => each.id)"):
+        page.value(f"document.getElementById('{tab}').click()")
+        wide = page.value("document.documentElement.scrollWidth")
+        check(page, f"{tab} is {wide} pixels wide on a telephone of 400", wide <= 400)
+    check(page, "the view is as tall as half of the telephone", page.value("document.getElementById('canvas').clientHeight") >= 400)
 
 
 def main():
@@ -61,21 +136,35 @@ def main():
             page.value("new Promise(done => setTimeout(() => done(true), 400))")
             check(page, "space plays and pauses", picture() == stopped and page.value("document.getElementById('play').textContent") == "Play")
             for colour in page.value("[...document.getElementById('colour').options].map(each => each.value)"):
-                page.value(f"(e => {{ e.value = '{colour}'; e.dispatchEvent(new Event('change')); }})(document.getElementById('colour'))")
-            page.value("(e => { e.value = '+z'; e.dispatchEvent(new Event('change')); })(document.getElementById('clip'))")
+                select(page, "colour", colour)
+            select(page, "clip", "+z")
             check(page, "the position of the clipping plane is shown", "z =" in page.value("document.getElementById('place').textContent"))
-            page.value("(e => { e.value = ''; e.dispatchEvent(new Event('change')); })(document.getElementById('clip'))")
+            select(page, "clip", "")
+            expect_zero(page)
             for tab in ("run", "checks", "deck", "notes", "curves"):
                 page.value(f"document.getElementById('tab-{tab}').click()")
                 check(page, f"the page {tab} has content", page.value(f"document.getElementById(document.getElementById('tab-{tab}').getAttribute('aria-controls')).innerText.length") > 40)
             check(page, "there are curves", page.value("document.querySelectorAll('.uplot').length") > 0)
-            page.value("(e => { e.value = 'speed'; e.dispatchEvent(new Event('change')); })(document.getElementById('colour'))")
+            select(page, "colour", "speed")
             page.press("End")
             page.value(f"document.head.append(Object.assign(document.createElement('style'), {{textContent: '{ALONE}'}}))")
             page.value("new Promise(done => setTimeout(() => done(true), 200))")  # until the canvas has found its size
             page.press("7")
             shown = PICTURE if "--write-picture" in sys.argv else folder / "plate.png"
             page.picture(shown, width=800, height=500)
+
+            # the same with cracks
+            (folder / "deck.yaml").write_text(changed(DECK, ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0001}")))
+            subprocess.run([Path(sys.argv[1]).resolve(), "run", "deck.yaml"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+            page.open(folder / "results/report.html")
+            page.wait_for("document.documentElement?.dataset.state === 'ready'")
+            expect_map(page)
+            check(page, "pieces can be colours", "fragment" in page.value("[...document.getElementById('colour').options].map(each => each.value)"))
+            (folder / "downloads").mkdir()
+            page.downloads(folder / "downloads")
+            expect_saved(page, folder / "downloads", folder / "results", frames=5)
+            expect_paper(page, folder)
+            phone(page)
             check(page, f"no errors on the console: {page.complaints}", not page.complaints)
         finally:
             page.close()
