@@ -118,7 +118,23 @@ def _(t):
     t.expect_success("report", "r")
     t.assertEqual((t.folder / "r/report.html").read_bytes(), written)  # the same folder gives the same file
     t.assertNotIn("report.html", t.expect_success("run", t.deck(), "--out", "r", "--no-report").out)
-    t.assertNotIn("report.html", t.files("r"))
+    t.assertEqual([name for name in t.files("r") if name in ("report.html", "open_in_paraview.py")], [])
+
+
+@claim("report: open_in_paraview.py names the bodies with their spacing, and the impactors, without the path of the folder")
+def _(t):
+    t.expect_success("run", t.deck(*TWO), "--out", "r", "--no-report")
+    report_of(t, "r")
+    script = (t.folder / "r/open_in_paraview.py").read_text()
+    compile(script, "open_in_paraview.py", "exec")
+    lists = {}
+    exec(script.split("\nfrom paraview import simple\n")[1].split("\n# ")[0], lists)
+    t.assertEqual(lists["BODIES"], [("plate", 0.005, "damage"), ("stone", 0.005, "velocity")])
+    t.assertEqual(lists["IMPACTORS"], ["cylinder"])
+    t.assertNotIn(str(t.folder), script)
+    shutil.rmtree(t.folder / "r/frames")
+    t.expect_success("run", t.deck(*TWO, ("frames: 4", "frames: 0")), "--out", "r")
+    t.assertNotIn("open_in_paraview.py", t.files("r"))  # that of the earlier run
 
 
 @claim("report: without disk space for it the run still finishes, with a warning")

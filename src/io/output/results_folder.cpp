@@ -28,6 +28,8 @@ bool is_series(const fs::path& folder, std::string_view name) {  // <body>.pvd n
   return name.ends_with(".pvd") && fs::exists(folder / (std::string(name.substr(0, name.size() - 4)) + "_00000.vtp"));
 }
 
+bool is_of_report(std::string_view name) { return name == "report.html" || name == "open_in_paraview.py"; }
+
 bool is_line(std::string_view name) {  // <line>_t<seconds>.csv
   if (!name.ends_with(".csv")) return false;
   name.remove_suffix(4);
@@ -75,13 +77,13 @@ ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std:
   const auto remove_from = [earlier](const fs::path& from, const auto& is_ours) {
     std::vector<fs::path> files = our_files(from, is_ours);
     if (earlier == EarlierRun::continued)
-      std::erase_if(files,
-                    [](const fs::path& file) { return file.extension() != ".part" && file.filename() != "run.json" && file.filename() != "report.html"; });
+      std::erase_if(
+          files, [](const fs::path& file) { return file.extension() != ".part" && file.filename() != "run.json" && !is_of_report(file.filename().string()); });
     remove(files);
   };
   // the checkpoint first: it must not remain without the results that it resumes
   remove_from(folder_, [](std::string_view name) { return name == "checkpoint.h5"; });
-  remove_from(folder_, [](std::string_view name) { return name == "run.json" || name == "report.html" || name == "history.csv" || name == "history.json"; });
+  remove_from(folder_, [](std::string_view name) { return name == "run.json" || is_of_report(name) || name == "history.csv" || name == "history.json"; });
   remove_from(folder_, [](std::string_view name) { return name == "statistics.csv" || name == "windows.csv" || name == "spectrum.csv"; });
   remove_from(frames(), [&](std::string_view name) { return is_series(frames(), name); });
   remove_from(frames(), is_frame);

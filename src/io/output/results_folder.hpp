@@ -2,6 +2,7 @@
 ///
 ///   run.json   history.csv   history.json   lines/<line>_t<seconds>.csv   frames/<body>_00000.vtp, …   frames/<body>.pvd
 ///   pressure_area/<impactor>.csv, <impactor>_at_peak.csv   fragments/<body>.csv, <body>_end.csv   checkpoint.h5   report.html
+///   open_in_paraview.py
 ///
 /// `perimpact statistics` adds statistics.csv, windows.csv, spectrum.csv and fragments/<body>_channel_x.csv, which are removed with the run that
 /// they describe. `check` writes to check/, which runs leave unchanged.
@@ -18,7 +19,7 @@ void prepare_folder(const std::filesystem::path& folder);
 enum class EarlierRun { removed, continued };
 
 /// A prepared results folder without the files of an earlier run, so that two runs never mix. Files of any other name are kept. For a
-/// restart, the files of the run are kept except partial ones, run.json and report.html, which describe how a run ended.
+/// restart, the files of the run are kept except partial ones, run.json, report.html and open_in_paraview.py, which describe how a run ended.
 class ResultsFolder {
  public:
   explicit ResultsFolder(std::filesystem::path folder, EarlierRun earlier = EarlierRun::removed);
@@ -43,6 +44,7 @@ class ResultsFolder {
   static std::filesystem::path fragments_in(const std::filesystem::path& folder) { return folder / "fragments"; }
   static std::filesystem::path checkpoint_in(const std::filesystem::path& folder) { return folder / "checkpoint.h5"; }
   static std::filesystem::path report_in(const std::filesystem::path& folder) { return folder / "report.html"; }
+  static std::filesystem::path paraview_in(const std::filesystem::path& folder) { return folder / "open_in_paraview.py"; }
 
  private:
   std::filesystem::path folder_;

@@ -16,6 +16,7 @@
 #include "io/report/frames.hpp"
 #include "io/report/kept_particles.hpp"
 #include "io/report/page_template.hpp"
+#include "io/report/paraview_script.hpp"
 #include "mesh_io/file/contents.hpp"
 
 namespace perimpact::report {
@@ -217,6 +218,7 @@ Report write_report(const fs::path& folder, const Limits& limits) {
   file.write(page.substr(mark + data_mark.size()));
   file.finish();
   report.bytes = fs::file_size(report.file);
+  if (!choice.times.empty()) output::write_whole_file(output::ResultsFolder::paraview_in(folder), paraview_script(frames));
   return report;
 }
 

@@ -1,4 +1,5 @@
-/// Report of a results folder as a self-contained HTML file: report.html, the page of report/ with embedded data.
+/// Report of a results folder as a self-contained HTML file: report.html, the page of report/ with embedded data. With frames also
+/// open_in_paraview.py (paraview_script.hpp).
 ///
 /// Larger runs are thinned to the file size limit: frames first, evenly and down to 40; then particles (kept_particles.hpp). The report states
 /// what was omitted. docs/guide/report.md describes its contents and data layout.
