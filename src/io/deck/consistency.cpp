@@ -16,6 +16,7 @@
 #include "io/deck/deck_file.hpp"
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/yaml_node.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact::deck {
 
@@ -57,17 +58,6 @@ void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
   apply_published(body, path, places);
   make_material_consistent(body, places);
   make_shape_consistent(body, folder, places);
-  const SurfaceCorrection correction = body.surface_correction.as<SurfaceCorrection>();
-  const bool is_correspondence = std::holds_alternative<CorrespondenceSetup>(body.material);
-  if ((is_correspondence || std::holds_alternative<LinearSolidSetup>(body.material)) &&
-      (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
-    refuse(places.of(path + ".surface_correction"),
-           fmt::format("surface_correction is {}, but the model {} needs none, since it normalises each particle by its own family; remove surface_correction.",
-                       body.surface_correction.word(), is_correspondence ? CorrespondenceSetup::name : LinearSolidSetup::name));
-  if (is_correspondence && !body.published && body.normalisation.as<Normalisation>() == Normalisation::continuum)
-    refuse(places.of(path + ".normalisation"),
-           "normalisation is continuum, but the model correspondence has the exact energy of uniform strain on every lattice and needs no normalisation; "
-           "remove normalisation.");
 }
 
 bool is_fitted(const ContactBoundsSetup& region) {
@@ -164,7 +154,7 @@ void check_output(const Setup& setup, const Places& places) {
 
 }  // namespace
 
-void make_consistent(Setup& setup, const Places& places, const fs::path& folder) {
+void make_consistent(Setup& setup, const Places& places, const fs::path& folder) try {
   check_time(setup.time, places);
   check_names(setup, places);
   for (BodySetup& body : setup.bodies) check_body(body, folder, places);
@@ -175,6 +165,8 @@ void make_consistent(Setup& setup, const Places& places, const fs::path& folder)
   check_contact(setup, places);
   check_fragments(setup.contact.fragments, places);
   check_output(setup, places);
+} catch (const SetupError& error) {
+  refuse(places.of(error.key()), error.what());
 }
 
 }  // namespace perimpact::deck

@@ -24,7 +24,7 @@ struct Context {
   const std::filesystem::path& folder;
   const Places& places;
 
-  bool is_plane() const { return body.plane.as<PlaneState>() != PlaneState::none; }
+  bool is_plane() const { return body.plane.as<Plane>() != Plane::none; }
   std::string place(std::string_view key) const { return places.of(fmt::format("{}.{}", path, key)); }
   void refuse_along_z(std::string_view key) const {
     if (is_plane()) refuse(place(key), fmt::format("{} acts along z, but body {} is 2-D and its particles stay in the plane; remove it.", key, body.name));

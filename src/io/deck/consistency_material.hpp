@@ -1,7 +1,7 @@
 /// Consistency of a body's material, failure and bending calibration.
 #pragma once
 
-#include "io/deck/places.hpp"
+#include "perimpact/deck_model/places.hpp"
 #include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {

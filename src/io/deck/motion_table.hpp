@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/deck/places.hpp"
 #include "perimpact/deck_model/motion_table.hpp"
+#include "perimpact/deck_model/places.hpp"
 
 namespace perimpact::deck {
 

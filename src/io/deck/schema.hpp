@@ -28,9 +28,11 @@ concept Described = requires {
   { T::fields() } -> std::convertible_to<std::span<const Field<T>>>;
 };
 
-/// Most structs contain no nested maps.
+/// Most structs contain no nested maps. Materials and boundary conditions list theirs in their own folder.
 template <class Walker, class T>
-void sections(Walker&, T&) {}
+void sections(Walker& walk, T& one) {
+  if constexpr (requires { T::sections(walk, one); }) T::sections(walk, one);
+}
 
 template <class Walker>
 void sections(Walker& walk, Setup& setup) {
@@ -77,15 +79,6 @@ void sections(Walker& walk, PrescribedSetup& prescribed) {
 template <class Walker>
 void sections(Walker& walk, SolidSetup& solid) {
   walk.one_of("shape", solid.shape, Presence::required, "Shape of the solid.");
-}
-
-template <class Walker, std::derived_from<ElasticSetup> Material>
-void sections(Walker& walk, Material& material) {
-  walk.section("ice", material.ice, Presence::optional,
-               "Ice given by temperature and salinity: sets youngs_modulus and, where no other criterion is given, flexural_strength.");
-  walk.section("plasticity", material.plasticity, Presence::optional,
-               "Yields under pressure: a pressure-dependent yield surface with associated flow, for bond-based and ordinary state-based materials. {} takes "
-               "every default.");
 }
 
 template <class Walker>

@@ -15,6 +15,7 @@
 #include "perimpact/deck_model/generated_surfaces.hpp"
 #include "perimpact/deck_model/motion_table.hpp"
 #include "perimpact/deck_model/solids.hpp"
+#include "perimpact/materials/all_setups.hpp"
 
 namespace perimpact {
 
@@ -34,17 +35,10 @@ enum class Normalisation { lattice, continuum };
 inline constexpr std::string_view thin_axis_words[] = {"none", "x", "y", "z"};
 enum class ThinAxis { none, x, y, z };
 
-inline constexpr std::string_view plane_words[] = {"none", "stress", "strain"};
-enum class PlaneState { none, stress, strain };  // as perimpact::Plane
+inline constexpr std::string_view plane_words[] = {"none", "stress", "strain"};  // as perimpact::Plane
 
 inline constexpr std::string_view compression_words[] = {"none", "symmetric", "limit"};
 enum class CompressionFailure { none, symmetric, limit };
-
-inline constexpr std::string_view influence_words[] = {"constant", "inverse", "inverse-square", "parabolic", "gaussian"};  // as perimpact::Influence
-
-inline constexpr std::string_view stress_law_words[] = {"hencky", "st-venant-kirchhoff"};  // as perimpact::StressLaw
-
-inline constexpr std::string_view stabilisation_words[] = {"bond-level", "wan", "silling"};  // as perimpact::Stabilisation
 
 inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
 enum class PanelKind { triangles, quads };
@@ -83,72 +77,6 @@ struct TimeSetup {
 
 // ---- bodies ----
 
-/// Ice by temperature and salinity, in place of modulus and strength (docs/theory/ice.md).
-struct IceSetup {
-  std::optional<double> temperature;   ///< [°C] mean over the thickness
-  std::optional<double> salinity;      ///< [g/kg]
-  std::optional<double> brine_volume;  ///< [-] brine volume fraction; in place of the other two
-  std::optional<double> thickness;     ///< [m] in bending; determines the number of layers
-  static std::span<const Field<IceSetup>> fields();
-};
-
-inline constexpr std::string_view yield_surface_words[] = {"riska-frederking", "derradji-aouat", "kierkegaard", "von-mises"};  // as perimpact::YieldSurface
-
-/// Plastic flow under pressure (docs/theory/ice_plasticity.md).
-struct PlasticitySetup {
-  Choice surface{yield_surface_words};
-  std::optional<double> compressive_strength;  ///< [Pa] uniaxial, to which the surface is scaled
-  double failure_strain = 0.01;                ///< [-] ε0
-  double failure_width = 1;                    ///< [-] M
-  double failure_pressure = 0.75;              ///< [-] N
-  static std::span<const Field<PlasticitySetup>> fields();
-};
-
-/// Parameters common to all materials.
-struct ElasticSetup {
-  std::optional<double> youngs_modulus;  ///< [Pa] required
-  double poissons_ratio = 0.25;
-  double density{};  ///< [kg/m³]
-  // failure criterion: at most one of these three; bonds never break where all are absent
-  std::optional<double> critical_stretch;   ///< [-]
-  std::optional<double> fracture_energy;    ///< [J/m²]
-  std::optional<double> flexural_strength;  ///< [Pa]
-  std::optional<int> layers;                ///< of particles through the thickness in bending
-  std::optional<IceSetup> ice;              ///< source of the values that the deck does not give
-  std::optional<PlasticitySetup> plasticity;
-};
-
-/// Ordinary state-based material, linear and isotropic, after Madenci and Oterkus (docs/theory/ordinary_state.md).
-struct OrdinaryStateSetup : ElasticSetup {
-  static constexpr std::string_view name = "ordinary-state";
-  static std::span<const Field<OrdinaryStateSetup>> fields();
-};
-
-/// Linear peridynamic solid after Silling et al.: ordinary state-based, normalised by each particle's own weighted volume.
-struct LinearSolidSetup : ElasticSetup {
-  static constexpr std::string_view name = "linear-peridynamic-solid";
-  Choice influence{influence_words, 1};
-  static std::span<const Field<LinearSolidSetup>> fields();
-};
-
-/// Bond-based material: independent bonds (micromodulus c); ν is 1/4, in plane stress 1/3.
-struct BondBasedSetup : ElasticSetup {
-  static constexpr std::string_view name = "bond-based";
-  static std::span<const Field<BondBasedSetup>> fields();
-};
-
-/// Correspondence (non-ordinary state-based) material: a classical stress law on the deformation gradient (docs/theory/correspondence.md).
-struct CorrespondenceSetup : ElasticSetup {
-  static constexpr std::string_view name = "correspondence";
-  Choice law{stress_law_words};
-  Choice stabilisation{stabilisation_words};
-  double stabilisation_factor = 1;
-  Choice influence{influence_words, 1};
-  static std::span<const Field<CorrespondenceSetup>> fields();
-};
-
-using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBasedSetup, CorrespondenceSetup>;  // chosen by the key `model`
-
 /// Bond failure in addition to the material's critical stretch.
 struct FailureSetup {
   Choice compression{compression_words};
@@ -183,7 +111,7 @@ struct BodySetup {
   std::vector<BoundaryConditionSetup> boundary_conditions;
   static std::span<const Field<BodySetup>> fields();
 
-  bool is_plane() const { return plane.as<PlaneState>() != PlaneState::none; }
+  bool is_plane() const { return plane.as<Plane>() != Plane::none; }
   const ElasticSetup& elastic() const {
     return std::visit([](const auto& one) -> const ElasticSetup& { return one; }, material);
   }

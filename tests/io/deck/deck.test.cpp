@@ -76,7 +76,7 @@ TEST_CASE("deck: messages name the file, and folders and missing files are refus
 }
 
 TEST_CASE("places: a value has its position, an absent one that of its map") {
-  const deck::Places places = read(fixtures::plate).places;
+  const Places places = read(fixtures::plate).places;
   CHECK(places.of("time.step") == fixtures::place_of(fixtures::plate, "0.1 us"));
   CHECK(places.of("bodies.plate.material.density") == fixtures::place_of(fixtures::plate, "8000"));
   CHECK(places.of("bodies.plate") == fixtures::place_of(fixtures::plate, "plate:"));

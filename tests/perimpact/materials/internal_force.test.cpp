@@ -234,7 +234,7 @@ TEST_CASE("internal force: forces and moments sum to zero, to rounding") {
 TEST_CASE("internal force: a 2-D body has no out-of-plane force") {
   for (const fixtures::NamedOptions& one : fixtures::every_body()) {
     const BodyOptions& options = one.options;
-    if (options.plane == PlaneState::none) continue;
+    if (options.plane == Plane::none) continue;
     Body solid = body(options);
     fixtures::shake(solid, 1e-5);
     solid.internal.evaluate(solid.particles, solid.family);

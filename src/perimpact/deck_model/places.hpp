@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace perimpact::deck {
+namespace perimpact {
 
 class Places {
  public:
@@ -32,4 +32,4 @@ class Places {
   std::map<std::string, std::string, std::less<>> by_path_;
 };
 
-}  // namespace perimpact::deck
+}  // namespace perimpact
