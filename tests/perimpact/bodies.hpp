@@ -151,7 +151,7 @@ inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.010, 0.007, 0
       for (const double nu : {0.1, 0.25, 0.4})
         for (const SurfaceCorrection correction : {SurfaceCorrection::none, SurfaceCorrection::energy, SurfaceCorrection::volume})
           add("ordinary state", {.poissons_ratio = nu, .correction = correction});
-      for (const Influence influence : {Influence::one, Influence::inverse, Influence::inverse_square, Influence::parabolic, Influence::gaussian})
+      for (const Influence influence : {Influence::constant, Influence::inverse, Influence::inverse_square, Influence::parabolic, Influence::gaussian})
         add("linear solid", {.poissons_ratio = 0.3, .model = Model::linear_solid, .influence = influence});
       add("bond-based", {.model = Model::bond_based});
       for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff})

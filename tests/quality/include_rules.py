@@ -42,7 +42,8 @@ LAYERS = {
     "perimpact/materials/plasticity": ["base"],
     "perimpact/self_contact": ["base", *DECK, "perimpact/particles", "perimpact/family"],
     "perimpact/discretisation": ["base", "mesh", "mesh_io", *DECK, "perimpact/particles"],
-    "perimpact/impactor": ["base", "mesh", "mesh_io", "marine", "fccda", *DECK, "perimpact/particles", "perimpact/discretisation"],
+    "perimpact/impactor": ["base", "mesh", "mesh_io", "marine", "fccda", *DECK, "perimpact/contact_bounds", "perimpact/particles", "perimpact/discretisation"],
+    "perimpact/contact_bounds": ["base", "mesh", "fccda", *DECK],
     "io": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact"],
     "io/deck": ["base", "mesh", *DECK],
     "io/statistics": ["base", "mesh", "mesh_io", *DECK, "io/output", "io/deck"],
@@ -55,8 +56,8 @@ LIBRARIES = {"fmt/": "fmt::fmt", "yaml-cpp/": "yaml-cpp", "udunits2.h": "${UDUNI
 ONLY_IN = {"omp.h": "base/parallel.hpp", "CLI/": "cli/main.cpp"}  # the one home of loops over threads, and a header that is slow to compile
 
 # Features: a line add_material(name …) declares the module in this folder. Its setup.hpp and setup.cpp are part of the deck model.
-FEATURES = {"material": "perimpact/materials", "boundary_condition": "perimpact/boundary_conditions"}
-DECK_PART = re.compile(r"perimpact/(materials|boundary_conditions)/\w+/setup\.[ch]pp$")
+FEATURES = {"material": "perimpact/materials", "boundary_condition": "perimpact/boundary_conditions", "contact_bounds": "perimpact/contact_bounds"}
+DECK_PART = re.compile(r"perimpact/(materials|boundary_conditions|contact_bounds)/\w+/setup\.[ch]pp$")
 GENERATED = {f"{folder}/all_{of}.hpp": owner or folder for folder in FEATURES.values() for of, owner in (("setups", "perimpact/deck_model"), (folder.split("/")[-1], None))}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
@@ -74,7 +75,7 @@ def read_modules(src):
                 registered.setdefault(FEATURES[command], []).append(path)
             elif command != "module":
                 continue
-            depends = [each for word in named.get("DEPENDS", []) for each in (registered[f"perimpact/{word[2:-9]}"] if word.endswith("_modules}") else [word])]
+            depends = [each for word in named.get("DEPENDS", []) for each in (registered[f"perimpact/{word[2:-len('_modules}')]}"] if word.endswith("_modules}") else [word])]
             modules[path] = (depends, named.get("LINK", []))
     commands = re.search(r"target_link_libraries\(perimpact PRIVATE ([^)]*)\)", (src / "cli/CMakeLists.txt").read_text())[1].split()
     targets = {path.replace("/", "_"): path for path in modules}

@@ -15,6 +15,7 @@
 #include "io/deck/consistency_solid.hpp"
 #include "io/deck/deck_file.hpp"
 #include "io/deck/did_you_mean.hpp"
+#include "io/deck/schema.hpp"
 #include "io/deck/yaml_node.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 
@@ -53,44 +54,33 @@ void apply_published(BodySetup& body, const std::string& path, const Places& pla
   body.surface_correction.index = static_cast<int>(SurfaceCorrection::none);
 }
 
-void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
+void check_body(BodySetup& body, bool is_quasi_static, const fs::path& folder, const Places& places) {
   const std::string path = "bodies." + body.name;
   apply_published(body, path, places);
-  make_material_consistent(body, places);
+  make_material_consistent(body, is_quasi_static, places);
   make_shape_consistent(body, folder, places);
 }
 
-bool is_fitted(const ContactBoundsSetup& region) {
-  const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape);
-  return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsBoundsSetup>(region.shape) ||
-         std::holds_alternative<AutoBoundsSetup>(region.shape);
+void check_bounds(const ContactBoundsSetup& bounds, const std::string& path, const Places& places) {
+  if (bounds.on_exceed.word() == "clip" && std::holds_alternative<std::monostate>(bounds.shape))
+    refuse(places.of(path + ".on_exceed"), "on_exceed is clip, but there are no contact bounds that the surface could exceed; give them, or remove on_exceed.");
+  for_each_alternative(bounds.shape, [&]<class Shape>(const Shape&) {
+    if (const auto* shape = std::get_if<Shape>(&bounds.shape)) shape->check({fmt::format("{}.{}", path, Shape::name), places});
+  });
 }
 
-void check_region(const ContactBoundsSetup& region, const std::string& path, const Places& places) {
-  if (region.on_exceed.as<BeyondBounds>() == BeyondBounds::clip && std::holds_alternative<std::monostate>(region.shape))
-    refuse(places.of(path + ".on_exceed"), "on_exceed is clip, but there are no contact bounds that the surface could exceed; give them, or remove on_exceed.");
-  if (const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape)) {
-    for (const char* key : {"count", "gain"})
-      if (!boxes->boxes.empty() && places.has(fmt::format("{}.box_union.{}", path, key)))
-        refuse(places.of(fmt::format("{}.box_union.{}", path, key)),
-               fmt::format("{} is given together with boxes, but applies to fitted boxes only; remove one of the two.", key));
-  }
-  const auto* sectors = std::get_if<CylinderSectorsBoundsSetup>(&region.shape);
-  if (!sectors) return;
-  const std::string its = path + ".cylinder_sectors.";
-  if (sectors->axis && *sectors->axis == fccda::Vec3d{})
-    refuse(places.of(its + "axis"), "axis is [0, 0, 0], which has no direction; give one, such as [0, 0, 1], or omit it to have it fitted.");
-  if (sectors->start_angle && !sectors->sector_angle)
-    refuse(places.of(its + "start_angle"), "start_angle is given without sector_angle; give both, or omit both to have them fitted.");
-  if (sectors->radius && sectors->hub_radius && *sectors->hub_radius > *sectors->radius)
-    refuse(places.of(its + "hub_radius"),
-           fmt::format("hub_radius is {} m, but the radius of the cylinder is {} m; reduce hub_radius.", *sectors->hub_radius, *sectors->radius));
+bool is_fitted(const ContactBoundsSetup& bounds) {
+  bool is = false;
+  for_each_alternative(bounds.shape, [&]<class Shape>(const Shape&) {
+    if (const auto* shape = std::get_if<Shape>(&bounds.shape)) is = shape->is_fitted();
+  });
+  return is;
 }
 
 void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Places& places) {
   const std::string path = "impactors." + impactor.name;
   if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = full_path_of_surface(file->file, folder, places.of(path + ".surface.file"));
-  check_region(impactor.contact_bounds, path + ".contact_bounds", places);
+  check_bounds(impactor.contact_bounds, path + ".contact_bounds", places);
   std::set<std::string> seen;
   for (const std::string& direction : impactor.free_dofs) {
     if (std::find(std::begin(degree_words), std::end(degree_words), direction) == std::end(degree_words))
@@ -114,7 +104,7 @@ void check_contact(Setup& setup, const Places& places) {
       refuse(places.of(path + "friction"),
              fmt::format("friction is {}, but the published detector is frictionless, as in the FCCDA paper; set friction: 0, or detector: swept.",
                          contact.friction));
-  } else if (contact.variant.as<PublishedVariant>() != PublishedVariant::corrected) {
+  } else if (contact.variant.word() != "corrected") {
     refuse(places.of(path + "variant"),
            fmt::format("variant is {}, but only the published detector has variants, and detector is {}; remove variant, or set detector: published.",
                        contact.variant.word(), contact.detector.word()));
@@ -157,8 +147,9 @@ void check_output(const Setup& setup, const Places& places) {
 void make_consistent(Setup& setup, const Places& places, const fs::path& folder) try {
   check_time(setup.time, places);
   check_names(setup, places);
-  for (BodySetup& body : setup.bodies) check_body(body, folder, places);
-  for (BodySetup& body : setup.bodies) make_boundary_conditions_consistent(body, folder, places);
+  const bool is_quasi_static = setup.time.relax.has_value();
+  for (BodySetup& body : setup.bodies) check_body(body, is_quasi_static, folder, places);
+  for (BodySetup& body : setup.bodies) make_boundary_conditions_consistent(body, is_quasi_static, folder, places);
   check_relaxation(setup, places);
   for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
   for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);

@@ -41,9 +41,9 @@ void check_failure(const BodySetup& body, const std::string& path, const Places&
 
 }  // namespace
 
-void make_material_consistent(BodySetup& body, const Places& places) {
+void make_material_consistent(BodySetup& body, bool is_quasi_static, const Places& places) {
   const std::string path = "bodies." + body.name;
-  DeckContext deck{body, path + ".material", path, places, {}};
+  BodyContext deck{{path + ".material", places}, body, path, is_quasi_static, {}};
   std::visit([&](auto& material) { material.check(deck); }, body.material);
   check_bending(body, path, places);
   check_failure(body, path, places);

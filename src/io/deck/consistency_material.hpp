@@ -7,6 +7,6 @@
 namespace perimpact::deck {
 
 /// Sets the values that follow from `ice` and are not given in the deck. Throws InputError.
-void make_material_consistent(BodySetup& body, const Places& places);
+void make_material_consistent(BodySetup& body, bool is_quasi_static, const Places& places);
 
 }  // namespace perimpact::deck

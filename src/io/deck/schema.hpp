@@ -70,13 +70,6 @@ void sections(Walker& walk, BoundaryConditionSetup& boundary) {
 }
 
 template <class Walker>
-void sections(Walker& walk, PrescribedSetup& prescribed) {
-  walk.section("x", prescribed.x, Presence::optional, "Prescribed motion of the particles along x.");
-  walk.section("y", prescribed.y, Presence::optional, "Prescribed motion of the particles along y.");
-  walk.section("z", prescribed.z, Presence::optional, "Prescribed motion of the particles along z.");
-}
-
-template <class Walker>
 void sections(Walker& walk, SolidSetup& solid) {
   walk.one_of("shape", solid.shape, Presence::required, "Shape of the solid.");
 }
@@ -121,11 +114,6 @@ void sections(Walker& walk, MotionSetup& motion) {
 template <class Walker>
 void sections(Walker& walk, ContactBoundsSetup& region) {
   walk.alternatives(region.shape);
-}
-
-template <class Walker>
-void sections(Walker& walk, BoxUnionBoundsSetup& region) {
-  walk.named("boxes", region.boxes, Presence::optional, "Given boxes, each under a name of your choice, instead of count and gain.");
 }
 
 template <class Walker>

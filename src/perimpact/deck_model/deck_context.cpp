@@ -6,7 +6,7 @@
 
 namespace perimpact {
 
-void refuse_surface_correction(std::string_view model, const DeckContext& deck) {
+void refuse_surface_correction(std::string_view model, const BodyContext& deck) {
   const SurfaceCorrection correction = deck.body.surface_correction.as<SurfaceCorrection>();
   if (correction != SurfaceCorrection::energy && correction != SurfaceCorrection::volume) return;
   deck.refuse_body("surface_correction",

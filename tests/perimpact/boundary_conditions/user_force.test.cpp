@@ -1,4 +1,4 @@
-#include "perimpact/boundary_conditions/user_force.hpp"
+#include "perimpact/boundary_conditions/actions/user_force.hpp"
 
 #include <doctest/doctest.h>
 

@@ -32,7 +32,7 @@ std::span<const Field<CorrespondenceSetup>> CorrespondenceSetup::fields() {
   return all;
 }
 
-void CorrespondenceSetup::check(DeckContext& deck) {
+void CorrespondenceSetup::check(BodyContext& deck) {
   ElasticSetup::check(deck);
   if (deck.body.bending_calibration.as<ThinAxis>() != ThinAxis::none)
     deck.refuse_body("bending_calibration",

@@ -5,9 +5,13 @@
 
 namespace perimpact {
 
-inline constexpr std::string_view stress_law_words[] = {"hencky", "st-venant-kirchhoff"};  // as perimpact::StressLaw
+inline constexpr std::string_view stress_law_words[] = {"hencky", "st-venant-kirchhoff"};
+enum class StressLaw { hencky, st_venant_kirchhoff };
+static_assert(fccda::are_enumerators<StressLaw>(stress_law_words));
 
-inline constexpr std::string_view stabilisation_words[] = {"bond-level", "wan", "silling"};  // as perimpact::Stabilisation
+inline constexpr std::string_view stabilisation_words[] = {"bond-level", "wan", "silling"};
+enum class Stabilisation { bond_level, wan, silling };
+static_assert(fccda::are_enumerators<Stabilisation>(stabilisation_words));
 
 /// Correspondence (non-ordinary state-based) material: a classical stress law on the deformation gradient (docs/theory/correspondence.md).
 struct CorrespondenceSetup : ElasticSetup {
@@ -17,7 +21,7 @@ struct CorrespondenceSetup : ElasticSetup {
   double stabilisation_factor = 1;
   Choice influence{influence_words, 1};
   static std::span<const Field<CorrespondenceSetup>> fields();
-  void check(DeckContext& deck);
+  void check(BodyContext& deck);
 };
 
 }  // namespace perimpact

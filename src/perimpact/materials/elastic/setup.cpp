@@ -31,7 +31,7 @@ std::span<const Field<ElasticSetup>> ElasticSetup::fields() {
 
 namespace {
 
-void check_criterion(const ElasticSetup& material, const DeckContext& deck) {
+void check_criterion(const ElasticSetup& material, const BodyContext& deck) {
   const std::pair<const char*, bool> criteria[] = {{"critical_stretch", material.critical_stretch.has_value()},
                                                    {"fracture_energy", material.fracture_energy.has_value()},
                                                    {"flexural_strength", material.flexural_strength.has_value()}};
@@ -49,7 +49,7 @@ void check_criterion(const ElasticSetup& material, const DeckContext& deck) {
 
 }  // namespace
 
-void ElasticSetup::check(DeckContext& deck) {
+void ElasticSetup::check(BodyContext& deck) {
   if (ice) ice->apply(*this, deck);
   if (!youngs_modulus) deck.refuse("youngs_modulus is missing; give it, or ice with temperature and salinity or with brine_volume.");
   check_criterion(*this, deck);

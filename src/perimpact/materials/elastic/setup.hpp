@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/parameter.hpp"
+#include "perimpact/materials/elastic/influence.hpp"
 #include "perimpact/materials/elastic/isotropic.hpp"
 #include "perimpact/materials/ice/setup.hpp"
 #include "perimpact/materials/plasticity/setup.hpp"
@@ -17,9 +18,10 @@ namespace perimpact {
 using fccda::Choice;
 using fccda::Field;
 
-struct DeckContext;
+struct BodyContext;
 
-inline constexpr std::string_view influence_words[] = {"constant", "inverse", "inverse-square", "parabolic", "gaussian"};  // as perimpact::Influence
+inline constexpr std::string_view influence_words[] = {"constant", "inverse", "inverse-square", "parabolic", "gaussian"};
+static_assert(fccda::are_enumerators<Influence>(influence_words));
 
 /// Parameters common to all materials.
 struct ElasticSetup {
@@ -48,7 +50,7 @@ struct ElasticSetup {
   // A material that differs hides these.
   static constexpr bool may_yield = false;                          ///< supports plasticity
   double poissons_ratio_in(Plane) const { return poissons_ratio; }  ///< of a 3-D or 2-D body
-  void check(DeckContext& deck);                                    ///< sets what follows from ice; throws SetupError for values that exclude each other
+  void check(BodyContext& deck);                                    ///< sets what follows from ice; throws SetupError for values that exclude each other
 
   bool may_fail() const { return critical_stretch || fracture_energy || flexural_strength; }
 };
@@ -79,7 +81,7 @@ std::vector<Field<S>> with_elastic_fields(const std::vector<Field<S>>& own = {})
   std::vector<Field<S>> all;
   for (const Field<ElasticSetup>& field : ElasticSetup::fields())
     std::visit([&](auto member) { all.push_back({field.name, member, field.unit, field.range, field.presence, field.sentence}); }, field.member);
-  all.insert(all.end(), own.begin(), own.end());
+  for (const Field<S>& field : own) all.insert(field.name == "poissons_ratio" ? all.begin() + 1 : all.end(), field);  // beside Young's modulus
   return all;
 }
 

@@ -26,7 +26,7 @@ std::span<const Field<IceSetup>> IceSetup::fields() {
   return all;
 }
 
-void IceSetup::apply(ElasticSetup& material, const DeckContext& deck) const {
+void IceSetup::apply(ElasticSetup& material, const BodyContext& deck) const {
   const bool is_whole = temperature && salinity, is_half = temperature.has_value() != salinity.has_value();
   if (is_half || (brine_volume && is_whole) || (!brine_volume && !is_whole))
     deck.refuse("ice", "ice needs either brine_volume or both temperature and salinity; give one or the other.");

@@ -10,7 +10,7 @@ namespace perimpact {
 
 using fccda::Field;
 
-struct DeckContext;
+struct BodyContext;
 struct ElasticSetup;
 
 /// Ice by temperature and salinity, in place of modulus and strength (docs/theory/ice.md).
@@ -22,7 +22,7 @@ struct IceSetup {
   static std::span<const Field<IceSetup>> fields();
 
   /// Sets modulus, strength and layers of the material where the deck gives none.
-  void apply(ElasticSetup& material, const DeckContext& deck) const;
+  void apply(ElasticSetup& material, const BodyContext& deck) const;
 };
 
 }  // namespace perimpact

@@ -9,7 +9,7 @@ std::span<const Field<LinearSolidSetup>> LinearSolidSetup::fields() {
   return all;
 }
 
-void LinearSolidSetup::check(DeckContext& deck) {
+void LinearSolidSetup::check(BodyContext& deck) {
   ElasticSetup::check(deck);
   refuse_surface_correction(name, deck);
 }

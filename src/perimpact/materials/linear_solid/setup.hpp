@@ -10,7 +10,7 @@ struct LinearSolidSetup : ElasticSetup {
   static constexpr std::string_view name = "linear-peridynamic-solid";
   Choice influence{influence_words, 1};
   static std::span<const Field<LinearSolidSetup>> fields();
-  void check(DeckContext& deck);
+  void check(BodyContext& deck);
 };
 
 }  // namespace perimpact

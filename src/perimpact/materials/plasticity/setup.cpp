@@ -38,7 +38,7 @@ namespace {
 
 /// The models that support plasticity, and that of the body.
 template <class... Materials>
-void refuse_model(const std::variant<Materials...>& material, const DeckContext& deck) {
+void refuse_model(const std::variant<Materials...>& material, const BodyContext& deck) {
   std::vector<std::string_view> yielding;
   ((Materials::may_yield ? yielding.push_back(Materials::name) : void()), ...);
   const auto is_among_them = [](const auto& one) { return std::decay_t<decltype(one)>::may_yield; };
@@ -50,7 +50,7 @@ void refuse_model(const std::variant<Materials...>& material, const DeckContext&
 
 }  // namespace
 
-void PlasticitySetup::check(const ElasticSetup& material, const DeckContext& deck) const {
+void PlasticitySetup::check(const ElasticSetup& material, const BodyContext& deck) const {
   refuse_model(deck.body.material, deck);
   if (deck.body.is_plane())
     deck.refuse("plasticity", fmt::format("plasticity needs all three normal stresses, but the body is of plane {}; write plane: none, or remove plasticity.",
@@ -68,6 +68,8 @@ void PlasticitySetup::check(const ElasticSetup& material, const DeckContext& dec
     deck.refuse("plasticity", fmt::format("the compressive strength of {:.4g} Pa is not above the flexural_strength of {:.4g} Pa, so the body would yield "
                                           "before it breaks in bending; give a larger compressive_strength, or a smaller flexural_strength.",
                                           strength, *material.flexural_strength));
+  if (deck.is_quasi_static)
+    deck.refuse("plasticity", "plasticity depends on the path, but relax computes equilibrium states without a path; remove one of the two.");
   const std::optional<FailureSetup>& failure = deck.body.failure;
   if (!failure) return;
   if (failure->compression.as<CompressionFailure>() != CompressionFailure::none)

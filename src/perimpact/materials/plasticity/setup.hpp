@@ -6,16 +6,18 @@
 #include <string_view>
 
 #include "base/parameter.hpp"
+#include "perimpact/materials/plasticity/plasticity.hpp"
 
 namespace perimpact {
 
 using fccda::Choice;
 using fccda::Field;
 
-struct DeckContext;
+struct BodyContext;
 struct ElasticSetup;
 
-inline constexpr std::string_view yield_surface_words[] = {"riska-frederking", "derradji-aouat", "kierkegaard", "von-mises"};  // as perimpact::YieldSurface
+inline constexpr std::string_view yield_surface_words[] = {"riska-frederking", "derradji-aouat", "kierkegaard", "von-mises"};
+static_assert(fccda::are_enumerators<YieldSurface>(yield_surface_words));
 
 /// Plastic flow under pressure (docs/theory/ice_plasticity.md).
 struct PlasticitySetup {
@@ -27,7 +29,7 @@ struct PlasticitySetup {
   static std::span<const Field<PlasticitySetup>> fields();
 
   /// Throws SetupError unless the material, and the failure of its body, permit it.
-  void check(const ElasticSetup& material, const DeckContext& deck) const;
+  void check(const ElasticSetup& material, const BodyContext& deck) const;
 };
 
 }  // namespace perimpact

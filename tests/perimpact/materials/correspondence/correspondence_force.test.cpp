@@ -229,7 +229,7 @@ TEST_CASE("correspondence: Wan's constant equals his tensor in a complete family
       CHECK(2 * mu * inverse.m[r][s] + (r == s ? lambda * trace(inverse) : 0) ==
             fixtures::absolute(r == s ? law.stabilisation(trace(inverse)) : 0, 1e-12 * kappa * trace(inverse), "N/m7"));
   const double delta = 0.003;
-  const Correspondence silling({1.0, 0.3, 3}, {.stabilisation = Stabilisation::silling, .influence = Influence::one}, delta, 1);
+  const Correspondence silling({1.0, 0.3, 3}, {.stabilisation = Stabilisation::silling, .influence = Influence::constant}, delta, 1);
   CHECK(silling.stabilisation(1e20) == fixtures::relative(9 * silling.elastic().bulk_modulus() / (3.14159265358979 * std::pow(delta, 5)), 1e-12));
   CHECK(law.stabilisation(trace(inverse)) == fixtures::relative(kappa * trace(inverse), 1e-12));
 }
