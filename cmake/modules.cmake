@@ -26,6 +26,7 @@ target_compile_definitions(build_flags INTERFACE
 target_link_libraries(build_flags INTERFACE OpenMP::OpenMP_CXX)
 
 # add_module(mesh DEPENDS base): the sources of src/mesh (not of its sub-folders) as target mesh.
+# The deck part of a material or boundary condition, setup.cpp in its folder, belongs to perimpact/deck_model (features.cmake).
 # With PERIMPACT_GROUPED, GROUPED modules are compiled eight sources at a time: those that take long, have no kernels (what is inlined where
 # depends on what is compiled with it) and name their helpers apart.
 function(add_module path)
@@ -33,6 +34,13 @@ function(add_module path)
   string(REPLACE "/" "_" target ${path})
   get_filename_component(source_root "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src" ABSOLUTE)
   file(GLOB sources CONFIGURE_DEPENDS ${source_root}/${path}/*.cpp)
+  if(path STREQUAL "perimpact/deck_model")
+    file(GLOB features CONFIGURE_DEPENDS ${source_root}/perimpact/materials/*/setup.cpp ${source_root}/perimpact/boundary_conditions/*/setup.cpp
+      ${source_root}/perimpact/contact_bounds/*/setup.cpp)
+    list(APPEND sources ${features})
+  elseif(path MATCHES "^perimpact/(materials|boundary_conditions|contact_bounds)/")
+    list(FILTER sources EXCLUDE REGEX "/setup\\.cpp$")
+  endif()
   if(sources)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)

@@ -41,12 +41,12 @@ std::vector<Case> cases() {
            {.poissons_ratio = 0.3, .model = Model::correspondence, .law = StressLaw::st_venant_kirchhoff, .stabilisation = Stabilisation::wan}}};
 }
 
-void measure(const Arguments& arguments, const Case& which, PlaneState plane, bool as_lattice) {
+void measure(const Arguments& arguments, const Case& which, Plane plane, bool as_lattice) {
   BodyOptions options = which.options;
   options.plane = plane;
   options.critical_stretch = 0.5;  // checked at every bond, never exceeded
   const auto length = [&](int axis) { return options.spacing * arguments.cells[static_cast<std::size_t>(axis)]; };
-  options.size = {length(0), plane == PlaneState::none ? length(1) : length(1) * arguments.cells[2], plane == PlaneState::none ? length(2) : options.spacing};
+  options.size = {length(0), plane == Plane::none ? length(1) : length(1) * arguments.cells[2], plane == Plane::none ? length(2) : options.spacing};
   Setup setup;
   setup.bodies.push_back(fixtures::body_setup(options));
   setup.time.end = 1;
@@ -62,7 +62,7 @@ void measure(const Arguments& arguments, const Case& which, PlaneState plane, bo
   }
   const Body& body = simulation.bodies().front();
   const double bonds = 2.0 * static_cast<double>(body.family.intact_bonds());
-  fmt::print("\"{}\",{},{},{},{},{:.0f},{:.4g},{}\n", which.material, plane == PlaneState::none ? "space" : "plane", as_lattice ? "lattice" : "cloud",
+  fmt::print("\"{}\",{},{},{},{},{:.0f},{:.4g},{}\n", which.material, plane == Plane::none ? "space" : "plane", as_lattice ? "lattice" : "cloud",
              arguments.threads, body.particles.size(), bonds, 1e9 * best / bonds, body.internal.bytes() + body.family.bytes());
 }
 
@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   fccda::use_threads(arguments.threads);
   fmt::print("material,dimensions,points,threads,particles,directed_bonds,ns/directed_bond,bytes\n");
-  for (const PlaneState plane : {PlaneState::none, PlaneState::stress})
+  for (const Plane plane : {Plane::none, Plane::stress})
     for (const bool as_lattice : {true, false})
       for (const Case& which : cases()) measure(arguments, which, plane, as_lattice);
 }

@@ -19,6 +19,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -50,7 +51,38 @@ constexpr Range strictly_between(double low, double high) { return {low, high, f
 
 enum class Presence { required, optional };
 
-/// A selection from a few words. `index` selects from `words`; `as` converts it to an enum.
+namespace detail {
+
+/// The name of an enumerator, or a number where `value` is none: "… [with auto value = perimpact::Plane::stress]" of GCC, "[value = …]" of Clang.
+template <auto value>
+constexpr std::string_view enumerator_name() {
+  std::string_view name = __PRETTY_FUNCTION__;
+  name.remove_suffix(1);
+  const std::size_t semicolon = name.find(';');
+  if (semicolon != std::string_view::npos) name = name.substr(0, semicolon);
+  return name.substr(name.find_last_of(":) ") + 1);
+}
+
+template <auto value>
+constexpr bool is_spelt(std::string_view word) {
+  const std::string_view name = enumerator_name<value>();
+  if (name.size() != word.size()) return false;
+  for (std::size_t k = 0; k < name.size(); ++k)
+    if (name[k] != (word[k] == '-' ? '_' : word[k])) return false;
+  return true;
+}
+
+}  // namespace detail
+
+/// True if the words are the enumerators 0, 1, … of the enum, all of them and in their order, with `-` for `_`: then Choice::as<Enum>() is what the word says.
+template <class Enum, std::size_t count>
+constexpr bool are_enumerators(const std::string_view (&words)[count]) {
+  const auto agree = [&]<std::size_t... k>(std::index_sequence<k...>) { return (detail::is_spelt<static_cast<Enum>(k)>(words[k]) && ...); };
+  const bool is_whole = detail::enumerator_name<static_cast<Enum>(count)>()[0] <= '9';  // there is none of this number
+  return is_whole && agree(std::make_index_sequence<count>());
+}
+
+/// A selection from a few words. `index` selects from `words`; `as` converts it to the enum beside whose words are_enumerators() is asserted.
 struct Choice {
   std::span<const std::string_view> words;
   int index = 0;
@@ -58,6 +90,12 @@ struct Choice {
   std::string_view word() const { return words[static_cast<std::size_t>(index)]; }
   template <class Enum>
   Enum as() const {
+    return static_cast<Enum>(index);
+  }
+  /// The same for an enum that the deck model does not know, of another library.
+  template <class Enum, const auto& its_words>
+  Enum as() const {
+    static_assert(are_enumerators<Enum>(its_words));
     return static_cast<Enum>(index);
   }
 };

@@ -13,7 +13,19 @@ namespace {
 
 std::string place(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
-std::string details(const fccda::Unbounded&) { return ""; }
+std::string text(double value) { return fmt::format("{:.4g}", value); }
+std::string text(int value) { return fmt::format("{}", value); }
+std::string text(bool value) { return value ? "yes" : "no"; }
+std::string text(const Vec3d& value) { return place(value); }
+
+/// One row for each fact.
+template <class Bounds>
+std::string details(const Bounds& bounds) {
+  std::string rows;
+  if constexpr (requires { bounds.visit_facts([](std::string_view, const auto&) {}); })
+    bounds.visit_facts([&](std::string_view name, const auto& value) { rows += row(fmt::format("bounds {}", name).c_str(), text(value)); });
+  return rows;
+}
 
 std::string details(const fccda::BoxUnion& region) { return region.boxes().size() > 1 ? row("boxes of bounds", fmt::format("{}", region.boxes().size())) : ""; }
 

@@ -53,7 +53,7 @@ deck::YamlNode map_of(const ShapeArguments& arguments) {
 
 SurfaceSetup setup_of(const ShapeArguments& arguments) {
   const deck::YamlNode map = map_of(arguments);
-  deck::Places places("perimpact shape " + arguments.shape);
+  Places places("perimpact shape " + arguments.shape);
   SurfaceSetup setup;
   deck::for_each_alternative(SurfaceSetup{}, [&]<class T>(const T& alternative) {
     if (T::name == arguments.shape) deck::Reader(map, arguments.shape, map.place, places).read(setup.emplace<T>(alternative));

@@ -35,9 +35,10 @@ struct Format {
   std::string_view extension;
   std::variant<PanelsParser, ElementsParser> parse;
 };
-const Format formats[] = {{".stl", parse_stl},    {".obj", parse_obj},  {".ply", parse_ply},    {".off", parse_off},
-                          {".vtk", parse_vtk},    {".vtp", parse_vtp},  {".vtu", parse_vtp},    {".msh", parse_gmsh},
-                          {".inp", parse_abaqus}, {".k", parse_lsdyna}, {".key", parse_lsdyna}, {".dyn", parse_lsdyna}};
+const Format formats[] = {
+    {".stl", parse_stl}, {".obj", parse_obj},  {".ply", parse_ply},    {".off", parse_off},  {".vtk", parse_vtk},    {".vtp", parse_vtp},
+    {".vtu", parse_vtp}, {".msh", parse_gmsh}, {".inp", parse_abaqus}, {".k", parse_lsdyna}, {".key", parse_lsdyna}, {".dyn", parse_lsdyna},
+};
 
 /// Formats that an external program meshes.
 constexpr std::string_view cad_extensions[] = {".step", ".stp", ".iges", ".igs"};

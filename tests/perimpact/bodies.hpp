@@ -26,7 +26,7 @@ struct BodyOptions {
   Influence influence = Influence::inverse;  ///< of the linear solid and of correspondence
   StressLaw law = StressLaw::hencky;
   Stabilisation stabilisation = Stabilisation::bond_level;
-  PlaneState plane = PlaneState::none;
+  Plane plane = Plane::none;
   Points points = Points::lattice;
   std::optional<FailureSetup> failure = {};
 };
@@ -141,7 +141,7 @@ struct NamedOptions {
 inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.010, 0.007, 0.006}) {
   std::vector<NamedOptions> all;
   const std::pair<const char*, Points> points[] = {{"lattice", Points::lattice}, {"listed", Points::listed}, {"shaken cloud", Points::shaken}};
-  const std::pair<const char*, PlaneState> planes[] = {{"space", PlaneState::none}, {"plane stress", PlaneState::stress}, {"plane strain", PlaneState::strain}};
+  const std::pair<const char*, Plane> planes[] = {{"space", Plane::none}, {"plane stress", Plane::stress}, {"plane strain", Plane::strain}};
   for (const auto& [where, plane] : planes)
     for (const auto& [kind, on] : points) {
       const auto add = [&, place = std::string(where), grid = std::string(kind), on = on, plane = plane](const std::string& model, BodyOptions options) {
@@ -151,7 +151,7 @@ inline std::vector<NamedOptions> every_body(const Vec3d& size = {0.010, 0.007, 0
       for (const double nu : {0.1, 0.25, 0.4})
         for (const SurfaceCorrection correction : {SurfaceCorrection::none, SurfaceCorrection::energy, SurfaceCorrection::volume})
           add("ordinary state", {.poissons_ratio = nu, .correction = correction});
-      for (const Influence influence : {Influence::one, Influence::inverse, Influence::inverse_square, Influence::parabolic, Influence::gaussian})
+      for (const Influence influence : {Influence::constant, Influence::inverse, Influence::inverse_square, Influence::parabolic, Influence::gaussian})
         add("linear solid", {.poissons_ratio = 0.3, .model = Model::linear_solid, .influence = influence});
       add("bond-based", {.model = Model::bond_based});
       for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff})

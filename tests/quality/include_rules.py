@@ -11,6 +11,10 @@ import re
 import sys
 from pathlib import Path
 
+# Constants and setups of what several materials share, and all of the deck model
+CONSTANTS = ["perimpact/materials/elastic", "perimpact/materials/ice", "perimpact/materials/plasticity"]
+DECK = ["perimpact/deck_model", *CONSTANTS]
+
 # The layers: module or folder → what it may depend on, at most. A folder stands for all modules in it.
 LAYERS = {
     "base": [],
@@ -26,23 +30,24 @@ LAYERS = {
     "fccda/respond": ["base", "mesh", "fccda"],
     "marine": ["base", "mesh", "fccda/rigid_body"],
     "perimpact": ["base", "mesh", "mesh_io", "marine", "fccda"],
-    "perimpact/deck_model": ["base"],
+    "perimpact/deck_model": ["base", *CONSTANTS],
     "perimpact/particles": ["base"],
-    "perimpact/family": ["base", "perimpact/deck_model", "perimpact/particles"],
-    "perimpact/fragments": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family"],
-    "perimpact/force": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family"],
-    "perimpact/damage": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family", "perimpact/force"],
-    "perimpact/materials": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family", "perimpact/force", "perimpact/damage"],
+    "perimpact/family": ["base", *DECK, "perimpact/particles"],
+    "perimpact/fragments": ["base", *DECK, "perimpact/particles", "perimpact/family"],
+    "perimpact/force": ["base", *DECK, "perimpact/particles", "perimpact/family"],
+    "perimpact/damage": ["base", *DECK, "perimpact/particles", "perimpact/family", "perimpact/force"],
+    "perimpact/materials": ["base", *DECK, "perimpact/particles", "perimpact/family", "perimpact/force", "perimpact/damage"],
     "perimpact/materials/elastic": ["base"],
     "perimpact/materials/ice": ["base"],
     "perimpact/materials/plasticity": ["base"],
-    "perimpact/self_contact": ["base", "perimpact/deck_model", "perimpact/particles", "perimpact/family", "perimpact/materials/elastic"],
-    "perimpact/discretisation": ["base", "mesh", "mesh_io", "perimpact/deck_model", "perimpact/particles"],
-    "perimpact/impactor": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact/deck_model", "perimpact/particles", "perimpact/discretisation"],
+    "perimpact/self_contact": ["base", *DECK, "perimpact/particles", "perimpact/family"],
+    "perimpact/discretisation": ["base", "mesh", "mesh_io", *DECK, "perimpact/particles"],
+    "perimpact/impactor": ["base", "mesh", "mesh_io", "marine", "fccda", *DECK, "perimpact/contact_bounds", "perimpact/particles", "perimpact/discretisation"],
+    "perimpact/contact_bounds": ["base", "mesh", "fccda", *DECK],
     "io": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact"],
-    "io/deck": ["base", "mesh", "perimpact/materials/plasticity", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model"],
-    "io/statistics": ["base", "mesh", "mesh_io", "perimpact/materials/plasticity", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model", "io/output", "io/deck"],
-    "io/report": ["base", "mesh", "mesh_io", "perimpact/materials/plasticity", "perimpact/materials/ice", "perimpact/materials/elastic", "perimpact/deck_model", "io/output", "io/deck", "io/statistics"],
+    "io/deck": ["base", "mesh", *DECK],
+    "io/statistics": ["base", "mesh", "mesh_io", *DECK, "io/output", "io/deck"],
+    "io/report": ["base", "mesh", "mesh_io", *DECK, "io/output", "io/deck", "io/statistics"],
     "io/output": ["base", "mesh"],
 }
 
@@ -50,17 +55,28 @@ LAYERS = {
 LIBRARIES = {"fmt/": "fmt::fmt", "yaml-cpp/": "yaml-cpp", "udunits2.h": "${UDUNITS2_LIBRARY}", "zlib.h": "ZLIB::ZLIB", "hdf5.h": "${HDF5_LIBRARY}", "CLI/": "CLI11::CLI11"}
 ONLY_IN = {"omp.h": "base/parallel.hpp", "CLI/": "cli/main.cpp"}  # the one home of loops over threads, and a header that is slow to compile
 
+# Features: a line add_material(name …) declares the module in this folder. Its setup.hpp and setup.cpp are part of the deck model.
+FEATURES = {"material": "perimpact/materials", "boundary_condition": "perimpact/boundary_conditions", "contact_bounds": "perimpact/contact_bounds"}
+DECK_PART = re.compile(r"perimpact/(materials|boundary_conditions|contact_bounds)/\w+/setup\.[ch]pp$")
+GENERATED = {f"{folder}/all_{of}.hpp": owner or folder for folder in FEATURES.values() for of, owner in (("setups", "perimpact/deck_model"), (folder.split("/")[-1], None))}
+
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
 
 
 def read_modules(src):
     """Modules as CMake knows them: path → (DEPENDS, LINK)."""
-    modules = {}
+    modules, registered = {}, {}
     for file in sorted(src.glob("*/CMakeLists.txt")):
-        for path, arguments in re.findall(r"^add_module\(([\w/]+)([^)]*)\)", file.read_text(), re.MULTILINE):
+        for command, path, arguments in re.findall(r"^add_(\w+)\(([\w/]+)([^)]*)\)", file.read_text(), re.MULTILINE):
             parts = re.split(r"\b(DEPENDS|LINK)\b", arguments)
             named = {key: words.split() for key, words in zip(parts[1::2], parts[2::2])}
-            modules[path] = (named.get("DEPENDS", []), named.get("LINK", []))
+            if command in FEATURES:
+                path = f"{FEATURES[command]}/{path}"
+                registered.setdefault(FEATURES[command], []).append(path)
+            elif command != "module":
+                continue
+            depends = [each for word in named.get("DEPENDS", []) for each in (registered[f"perimpact/{word[2:-len('_modules}')]}"] if word.endswith("_modules}") else [word])]
+            modules[path] = (depends, named.get("LINK", []))
     commands = re.search(r"target_link_libraries\(perimpact PRIVATE ([^)]*)\)", (src / "cli/CMakeLists.txt").read_text())[1].split()
     targets = {path.replace("/", "_"): path for path in modules}
     modules["cli"] = ([targets[word] for word in commands if word in targets], [word for word in commands if word not in targets])
@@ -79,7 +95,9 @@ def reachable(modules, path):
 
 
 def module_of(path, modules):
-    """The module that owns src/<path>: the longest that is a folder above it."""
+    """The module that owns src/<path>: the longest that is a folder above it; of a feature's deck part, the deck model."""
+    if DECK_PART.match(path):
+        return "perimpact/deck_model"
     owners = [module for module in modules if path.startswith(module + "/")]
     return max(owners, key=len, default=None)
 
@@ -114,8 +132,8 @@ def include_faults(src, modules):
         below = reachable(modules, module)
         links = set(modules[module][1]).union(*(modules[each][1] for each in below))
         for mark, include in INCLUDE.findall(file.read_text()):
-            if (src / include).is_file():
-                owner = module_of(include, modules)
+            if (src / include).is_file() or include in GENERATED:
+                owner = GENERATED.get(include) or module_of(include, modules)
                 if owner != module and owner not in below:
                     yield f"{name} includes {include}, but {module} does not depend on {owner}"
             elif mark == '"':

@@ -10,7 +10,8 @@
 ///   may_touch(path, margin)    false: the path certainly stays farther than margin [m] away
 ///   distance_at_least(point)   [m] a lower bound of the distance from the bounds
 ///   volume()                   [m³]
-/// bounds_panels.hpp gives their faces for output; fit_contact_bounds.hpp fits them to a surface.
+///   visit_facts(visit)         optional: visit("radius [m]", radius) for each number that reports show
+/// and a function panels_of(bounds), their picture. bounds_panels.hpp gives their faces for output; fit_contact_bounds.hpp fits them to a surface.
 #pragma once
 
 #include <variant>

@@ -49,6 +49,14 @@ class CylinderSectors {
   double volume() const { return volume_of(shape_); }     ///< [m³]
 
   const Shape& shape() const { return shape_; }
+  template <class Visit>
+  void visit_facts(const Visit& visit) const {
+    visit("axis", shape_.axis), visit("point [m]", shape_.point), visit("radius [m]", shape_.radius), visit("length [m]", shape_.length);
+    visit("gaps", shape_.has_gaps());
+    if (!shape_.has_gaps()) return;
+    visit("hub_radius [m]", shape_.hub_radius), visit("blades", shape_.blades);
+    visit("sector_angle [rad]", shape_.sector_angle), visit("start_angle [rad]", shape_.start_angle);
+  }
   static double volume_of(const Shape& shape);  ///< [m³]
 
  private:

@@ -15,7 +15,9 @@
 #include "io/deck/consistency_solid.hpp"
 #include "io/deck/deck_file.hpp"
 #include "io/deck/did_you_mean.hpp"
+#include "io/deck/schema.hpp"
 #include "io/deck/yaml_node.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact::deck {
 
@@ -52,55 +54,33 @@ void apply_published(BodySetup& body, const std::string& path, const Places& pla
   body.surface_correction.index = static_cast<int>(SurfaceCorrection::none);
 }
 
-void check_body(BodySetup& body, const fs::path& folder, const Places& places) {
+void check_body(BodySetup& body, bool is_quasi_static, const fs::path& folder, const Places& places) {
   const std::string path = "bodies." + body.name;
   apply_published(body, path, places);
-  make_material_consistent(body, places);
+  make_material_consistent(body, is_quasi_static, places);
   make_shape_consistent(body, folder, places);
-  const SurfaceCorrection correction = body.surface_correction.as<SurfaceCorrection>();
-  const bool is_correspondence = std::holds_alternative<CorrespondenceSetup>(body.material);
-  if ((is_correspondence || std::holds_alternative<LinearSolidSetup>(body.material)) &&
-      (correction == SurfaceCorrection::energy || correction == SurfaceCorrection::volume))
-    refuse(places.of(path + ".surface_correction"),
-           fmt::format("surface_correction is {}, but the model {} needs none, since it normalises each particle by its own family; remove surface_correction.",
-                       body.surface_correction.word(), is_correspondence ? CorrespondenceSetup::name : LinearSolidSetup::name));
-  if (is_correspondence && !body.published && body.normalisation.as<Normalisation>() == Normalisation::continuum)
-    refuse(places.of(path + ".normalisation"),
-           "normalisation is continuum, but the model correspondence has the exact energy of uniform strain on every lattice and needs no normalisation; "
-           "remove normalisation.");
 }
 
-bool is_fitted(const ContactBoundsSetup& region) {
-  const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape);
-  return (boxes && boxes->boxes.empty()) || std::holds_alternative<CylinderSectorsBoundsSetup>(region.shape) ||
-         std::holds_alternative<AutoBoundsSetup>(region.shape);
-}
-
-void check_region(const ContactBoundsSetup& region, const std::string& path, const Places& places) {
-  if (region.on_exceed.as<BeyondBounds>() == BeyondBounds::clip && std::holds_alternative<std::monostate>(region.shape))
+void check_bounds(const ContactBoundsSetup& bounds, const std::string& path, const Places& places) {
+  if (bounds.on_exceed.word() == "clip" && std::holds_alternative<std::monostate>(bounds.shape))
     refuse(places.of(path + ".on_exceed"), "on_exceed is clip, but there are no contact bounds that the surface could exceed; give them, or remove on_exceed.");
-  if (const auto* boxes = std::get_if<BoxUnionBoundsSetup>(&region.shape)) {
-    for (const char* key : {"count", "gain"})
-      if (!boxes->boxes.empty() && places.has(fmt::format("{}.box_union.{}", path, key)))
-        refuse(places.of(fmt::format("{}.box_union.{}", path, key)),
-               fmt::format("{} is given together with boxes, but applies to fitted boxes only; remove one of the two.", key));
-  }
-  const auto* sectors = std::get_if<CylinderSectorsBoundsSetup>(&region.shape);
-  if (!sectors) return;
-  const std::string its = path + ".cylinder_sectors.";
-  if (sectors->axis && *sectors->axis == fccda::Vec3d{})
-    refuse(places.of(its + "axis"), "axis is [0, 0, 0], which has no direction; give one, such as [0, 0, 1], or omit it to have it fitted.");
-  if (sectors->start_angle && !sectors->sector_angle)
-    refuse(places.of(its + "start_angle"), "start_angle is given without sector_angle; give both, or omit both to have them fitted.");
-  if (sectors->radius && sectors->hub_radius && *sectors->hub_radius > *sectors->radius)
-    refuse(places.of(its + "hub_radius"),
-           fmt::format("hub_radius is {} m, but the radius of the cylinder is {} m; reduce hub_radius.", *sectors->hub_radius, *sectors->radius));
+  for_each_alternative(bounds.shape, [&]<class Shape>(const Shape&) {
+    if (const auto* shape = std::get_if<Shape>(&bounds.shape)) shape->check({fmt::format("{}.{}", path, Shape::name), places});
+  });
+}
+
+bool is_fitted(const ContactBoundsSetup& bounds) {
+  bool is = false;
+  for_each_alternative(bounds.shape, [&]<class Shape>(const Shape&) {
+    if (const auto* shape = std::get_if<Shape>(&bounds.shape)) is = shape->is_fitted();
+  });
+  return is;
 }
 
 void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Places& places) {
   const std::string path = "impactors." + impactor.name;
   if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = full_path_of_surface(file->file, folder, places.of(path + ".surface.file"));
-  check_region(impactor.contact_bounds, path + ".contact_bounds", places);
+  check_bounds(impactor.contact_bounds, path + ".contact_bounds", places);
   std::set<std::string> seen;
   for (const std::string& direction : impactor.free_dofs) {
     if (std::find(std::begin(degree_words), std::end(degree_words), direction) == std::end(degree_words))
@@ -124,7 +104,7 @@ void check_contact(Setup& setup, const Places& places) {
       refuse(places.of(path + "friction"),
              fmt::format("friction is {}, but the published detector is frictionless, as in the FCCDA paper; set friction: 0, or detector: swept.",
                          contact.friction));
-  } else if (contact.variant.as<PublishedVariant>() != PublishedVariant::corrected) {
+  } else if (contact.variant.word() != "corrected") {
     refuse(places.of(path + "variant"),
            fmt::format("variant is {}, but only the published detector has variants, and detector is {}; remove variant, or set detector: published.",
                        contact.variant.word(), contact.detector.word()));
@@ -164,17 +144,20 @@ void check_output(const Setup& setup, const Places& places) {
 
 }  // namespace
 
-void make_consistent(Setup& setup, const Places& places, const fs::path& folder) {
+void make_consistent(Setup& setup, const Places& places, const fs::path& folder) try {
   check_time(setup.time, places);
   check_names(setup, places);
-  for (BodySetup& body : setup.bodies) check_body(body, folder, places);
-  for (BodySetup& body : setup.bodies) make_boundary_conditions_consistent(body, folder, places);
+  const bool is_quasi_static = setup.time.relax.has_value();
+  for (BodySetup& body : setup.bodies) check_body(body, is_quasi_static, folder, places);
+  for (BodySetup& body : setup.bodies) make_boundary_conditions_consistent(body, is_quasi_static, folder, places);
   check_relaxation(setup, places);
   for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
   for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);
   check_contact(setup, places);
   check_fragments(setup.contact.fragments, places);
   check_output(setup, places);
+} catch (const SetupError& error) {
+  refuse(places.of(error.key()), error.what());
 }
 
 }  // namespace perimpact::deck

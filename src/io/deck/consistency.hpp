@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "io/deck/places.hpp"
+#include "perimpact/deck_model/places.hpp"
 #include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {

@@ -1,7 +1,7 @@
 /// Consistency of contact.fragments.
 #pragma once
 
-#include "io/deck/places.hpp"
+#include "perimpact/deck_model/places.hpp"
 #include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {

@@ -63,8 +63,8 @@ void check_motion(ImpactorSetup& impactor, const std::string& path, const std::f
 void check_load(const LoadSetup& load, const std::string& path, const Places& places) {
   if (load.force == Vec3d{} && load.moment == Vec3d{})
     refuse(places.of(path), fmt::format("{} has neither a force [N] nor a moment [N m]; give one, or remove the load.", path));
-  check_as_many(load.factors.size(), load.times.size(), "factors", places.of(path + (load.factors.empty() ? ".times" : ".factors")));
-  check_increasing(load.times, places.of(path + ".times"));
+  check_as_many(load.factors.size(), load.times.size(), "factors", path + (load.factors.empty() ? ".times" : ".factors"));
+  check_increasing(load.times, path + ".times");
 }
 
 void check_gauge(const GaugeSetup& gauge, DetectorKind detector, const std::string& path, const Places& places) {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "io/deck/places.hpp"
+#include "perimpact/deck_model/places.hpp"
 #include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {

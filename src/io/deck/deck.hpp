@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/deck/places.hpp"
 #include "io/deck/yaml_node.hpp"
+#include "perimpact/deck_model/places.hpp"
 #include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact::deck {

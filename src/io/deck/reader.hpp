@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "io/deck/did_you_mean.hpp"
-#include "io/deck/places.hpp"
 #include "io/deck/schema.hpp"
 #include "io/deck/value.hpp"
 #include "io/deck/yaml_node.hpp"
+#include "perimpact/deck_model/places.hpp"
 
 namespace perimpact::deck {
 

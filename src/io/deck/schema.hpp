@@ -28,9 +28,11 @@ concept Described = requires {
   { T::fields() } -> std::convertible_to<std::span<const Field<T>>>;
 };
 
-/// Most structs contain no nested maps.
+/// Most structs contain no nested maps. Materials and boundary conditions list theirs in their own folder.
 template <class Walker, class T>
-void sections(Walker&, T&) {}
+void sections(Walker& walk, T& one) {
+  if constexpr (requires { T::sections(walk, one); }) T::sections(walk, one);
+}
 
 template <class Walker>
 void sections(Walker& walk, Setup& setup) {
@@ -68,24 +70,8 @@ void sections(Walker& walk, BoundaryConditionSetup& boundary) {
 }
 
 template <class Walker>
-void sections(Walker& walk, PrescribedSetup& prescribed) {
-  walk.section("x", prescribed.x, Presence::optional, "Prescribed motion of the particles along x.");
-  walk.section("y", prescribed.y, Presence::optional, "Prescribed motion of the particles along y.");
-  walk.section("z", prescribed.z, Presence::optional, "Prescribed motion of the particles along z.");
-}
-
-template <class Walker>
 void sections(Walker& walk, SolidSetup& solid) {
   walk.one_of("shape", solid.shape, Presence::required, "Shape of the solid.");
-}
-
-template <class Walker, std::derived_from<ElasticSetup> Material>
-void sections(Walker& walk, Material& material) {
-  walk.section("ice", material.ice, Presence::optional,
-               "Ice given by temperature and salinity: sets youngs_modulus and, where no other criterion is given, flexural_strength.");
-  walk.section("plasticity", material.plasticity, Presence::optional,
-               "Yields under pressure: a pressure-dependent yield surface with associated flow, for bond-based and ordinary state-based materials. {} takes "
-               "every default.");
 }
 
 template <class Walker>
@@ -128,11 +114,6 @@ void sections(Walker& walk, MotionSetup& motion) {
 template <class Walker>
 void sections(Walker& walk, ContactBoundsSetup& region) {
   walk.alternatives(region.shape);
-}
-
-template <class Walker>
-void sections(Walker& walk, BoxUnionBoundsSetup& region) {
-  walk.named("boxes", region.boxes, Presence::optional, "Given boxes, each under a name of your choice, instead of count and gain.");
 }
 
 template <class Walker>

@@ -11,7 +11,17 @@ using output::Json;
 
 namespace {
 
-void describe(const fccda::Unbounded&, Json&) {}
+/// The facts of all bounds but boxes, which may be many.
+Json json_of(double value) { return value; }
+Json json_of(int value) { return value; }
+Json json_of(bool value) { return value; }
+Json json_of(const Vec3d& value) { return json_vector(value); }
+
+template <class Bounds>
+void describe(const Bounds& bounds, Json& json) {
+  if constexpr (requires { bounds.visit_facts([](std::string_view, const auto&) {}); })
+    bounds.visit_facts([&](std::string_view name, const auto& value) { json[std::string(name)] = json_of(value); });
+}
 
 void describe(const fccda::BoxUnion& region, Json& json) {
   std::size_t number = 0;
@@ -20,20 +30,6 @@ void describe(const fccda::BoxUnion& region, Json& json) {
     its["low [m]"] = json_vector(box.low);
     its["high [m]"] = json_vector(box.high);
   }
-}
-
-void describe(const fccda::CylinderSectors& region, Json& json) {
-  const fccda::CylinderSectors::Shape& shape = region.shape();
-  json["axis"] = json_vector(shape.axis);
-  json["point [m]"] = json_vector(shape.point);
-  json["radius [m]"] = shape.radius;
-  json["length [m]"] = shape.length;
-  json["gaps"] = shape.has_gaps();
-  if (!shape.has_gaps()) return;
-  json["hub_radius [m]"] = shape.hub_radius;
-  json["blades"] = shape.blades;
-  json["sector_angle [rad]"] = shape.sector_angle;
-  json["start_angle [rad]"] = shape.start_angle;
 }
 
 }  // namespace

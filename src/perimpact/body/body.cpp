@@ -35,55 +35,12 @@ Particles filled(const BodySetup& setup, const BodySolid& solid) {
                    [&](const Vec3d& X) { return inside[lattice.slot(number(X.x, 0), number(X.y, 1), number(X.z, 2))] != 0; });
 }
 
-/// Bond-based materials have a fixed Poisson's ratio.
-double poissons_ratio_of(const BodySetup& setup) {
-  if (!std::holds_alternative<BondBasedSetup>(setup.material)) return setup.elastic().poissons_ratio;
-  return setup.plane.as<PlaneState>() == PlaneState::stress ? 1.0 / 3 : 0.25;
-}
-
 Influences influences_of(const BodySetup& setup) {
-  const auto both = [](const fccda::Choice& influence) { return Influences{influence.as<Influence>(), influence.as<Influence>()}; };
-  if (const auto* solid = std::get_if<LinearSolidSetup>(&setup.material)) return both(solid->influence);
-  if (const auto* solid = std::get_if<CorrespondenceSetup>(&setup.material)) return both(solid->influence);
-  return madenci_oterkus_influences;
+  return with_material(setup, [](const auto& its, auto kind) { return kind.influences(its); });
 }
 
 CorrectionKind correction_of(const BodySetup& setup) {
-  if (std::holds_alternative<LinearSolidSetup>(setup.material)) return CorrectionKind::family;
-  switch (setup.surface_correction.as<SurfaceCorrection>()) {
-    case SurfaceCorrection::volume:
-      return CorrectionKind::volume;
-    case SurfaceCorrection::none:
-      return CorrectionKind::none;
-    default:
-      return CorrectionKind::energy;
-  }
-}
-
-CorrespondenceOptions options_of(const CorrespondenceSetup& setup) {
-  return {setup.law.as<StressLaw>(), setup.stabilisation.as<Stabilisation>(), setup.stabilisation_factor, setup.influence.as<Influence>()};
-}
-
-Plasticity plasticity_of(const PlasticitySetup& setup) {
-  const auto surface = setup.surface.as<YieldSurface>();
-  const YieldEllipse ellipse = setup.compressive_strength ? YieldEllipse::of_strength(surface, *setup.compressive_strength) : YieldEllipse::published(surface);
-  return {ellipse, {setup.failure_strain, setup.failure_width, setup.failure_pressure}};
-}
-
-/// Throws SetupError if no particle has a deformation gradient.
-template <std::size_t D>
-CorrespondenceForce<D> require_full_rank(CorrespondenceForce<D> force, const Particles& particles, const BodySetup& setup) {
-  const auto slots = particles.slot_of();
-  if (std::any_of(slots.begin(), slots.end(), [&](std::size_t slot) { return force.remaining(slot) > 0; })) return force;
-  throw SetupError("bodies." + setup.name + ".material.model",
-                   fmt::format("body {} is too thin for the model correspondence: its particles have neighbours in one {} only, which define no deformation "
-                               "gradient; use a smaller spacing{}.",
-                               setup.name, D == 3 ? "plane" : "line", D == 3 ? ", or plane: stress" : ""));
-}
-
-InternalForce::Kind correspondence_force(const Correspondence& law, Breaking breaking, Family& family, const Particles& particles, const BodySetup& setup) {
-  if (particles.is_plane()) return require_full_rank(CorrespondenceForce<2>(law, std::move(breaking), family, particles), particles, setup);
-  return require_full_rank(CorrespondenceForce<3>(law, std::move(breaking), family, particles), particles, setup);
+  return with_material(setup, [&](const auto&, auto kind) { return kind.correction(setup); });
 }
 
 /// Sums f(slot) over the particles in blocks, so that rounding does not grow with their number.
@@ -142,7 +99,8 @@ std::vector<std::size_t> never_failing(const BodySetup& setup, const Particles& 
 }  // namespace
 
 std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Particles& particles) {
-  if (!particles.lattice() || std::holds_alternative<CorrespondenceSetup>(setup.material)) return {};
+  const bool has_bonds = with_material(setup, [](const auto&, auto kind) { return kind.has_bonds; });
+  if (!particles.lattice() || !has_bonds) return {};
   const Vec3d size = extent(particles);
   std::size_t thin = 0;
   for (std::size_t axis = 1; axis < (particles.is_plane() ? 2u : 3u); ++axis)
@@ -159,7 +117,8 @@ std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Par
 IsotropicElastic elastic_of(const BodySetup& setup) {
   const std::optional<double> modulus = setup.elastic().youngs_modulus;
   if (!modulus) throw SetupError("bodies." + setup.name + ".material.youngs_modulus", fmt::format("body {} has no Young's modulus; give it.", setup.name));
-  return IsotropicElastic::in(setup.plane.as<Plane>(), *modulus, poissons_ratio_of(setup));
+  const Plane plane = setup.plane.as<Plane>();
+  return IsotropicElastic::in(plane, *modulus, std::visit([&](const auto& material) { return material.poissons_ratio_in(plane); }, setup.material));
 }
 
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation) {
@@ -188,28 +147,18 @@ Body make_body(const BodySetup& setup, Particles particles) {
   const OrdinaryState law(elastic, influences, horizon, particles.thickness().value_or(1), lattice);
 
   const auto failure = failure_criterion(setup, law, *family, particles);
-  Breaking breaking;
-  if (failure)
-    breaking = Breaking(breaking_rule(setup.failure, *failure), strength_of(setup.failure, particles, never_failing(setup, particles)), *family, particles);
-
-  if (const auto* correspondence = std::get_if<CorrespondenceSetup>(&setup.material)) {
-    InternalForce internal(correspondence_force({elastic, options_of(*correspondence), horizon, particles.thickness().value_or(1)}, std::move(breaking),
-                                                *family, particles, setup),
-                           particles);
-    std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);  // after construction: stress fades as along growing cracks
-    return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks)};
-  }
-  CorrectionFactors correction(correction_of(setup), basis_of(law), *family, particles);
-  std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);
-  if (setup.elastic().plasticity) {
-    std::optional<BreakingRule> rule;
-    if (failure) rule = breaking_rule(setup.failure, *failure);
-    InternalForce internal(PlasticForce(law, plasticity_of(*setup.elastic().plasticity), rule,
-                                        strength_of(setup.failure, particles, never_failing(setup, particles)), std::move(correction), *family, particles),
-                           particles);
-    return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks), bending};
-  }
-  InternalForce internal(OrdinaryStateForce(law, std::move(breaking), std::move(correction), *family, particles), particles);
+  const MaterialParts parts{.body = setup,
+                            .elastic = elastic,
+                            .linear_law = law,
+                            .correction = correction_of(setup),
+                            .particles = particles,
+                            .family = *family,
+                            .rule = failure ? std::optional(breaking_rule(setup.failure, *failure)) : std::nullopt,
+                            .strength = strength_of(setup.failure, particles, never_failing(setup, particles))};
+  InternalForce::Kind force = with_material(
+      setup, [&](const auto& its, auto kind) { return std::visit([](auto one) { return InternalForce::Kind(std::move(one)); }, kind.make_force(its, parts)); });
+  InternalForce internal(std::move(force), particles);
+  std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);  // after the force: initial cracks act as cracks that grow
   return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks), bending};
 }
 

@@ -4,30 +4,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact {
 
-template <class Kind, class Act>
+namespace {
+
+NamedBoundaryCondition make_named(const BoundaryConditionSetup& boundary, const BoundedParticles& of) {
+  return std::visit(
+      [&]<class Kind>(const Kind& kind) {
+        const BoundarySite site{of, fmt::format("bodies.{}.boundary_conditions.{}.{}", of.body.name, boundary.name, Kind::name)};
+        return NamedBoundaryCondition{fmt::format("{}.{}", of.body.name, boundary.name), Kind::name, make_boundary(kind, site)};
+      },
+      boundary.kind);
+}
+
+}  // namespace
+
+/// Calls act(action) for the actions for which it can be called.
+template <class Act>
 void BoundaryConditions::for_each(const Act& act) {
   for (NamedBoundaryCondition& one : all_)
-    if (auto* boundary = std::get_if<Kind>(&one.boundary)) act(*boundary);
+    std::visit(
+        [&](auto& boundary) {
+          if constexpr (std::is_invocable_v<const Act&, decltype(boundary)>) act(boundary);
+        },
+        one.boundary);
 }
 
 BoundaryConditions::BoundaryConditions(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of) {
-  for (const BoundaryConditionSetup& boundary : body.boundary_conditions) all_.push_back(boundary_condition_of(boundary, {body, elastic, particles, slots_of}));
+  for (const BoundaryConditionSetup& boundary : body.boundary_conditions) all_.push_back(make_named(boundary, {body, elastic, particles, slots_of}));
   refuse_constrained_twice(body, particles);
   refuse_floating_twice(body, particles);
-  for_each<PrescribedDisplacement>([&](const PrescribedDisplacement& constraint) {
-    for_each<Absorbing>([&](Absorbing& layer) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (constraint.constrains(axis)) layer.leave_out(constraint.slots(), axis);
-    });
-    for_each<Floating>([&](Floating& water) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (constraint.constrains(axis)) water.leave_out(constraint.slots(), axis);
-    });
+  for_each([&](const PrescribedDisplacement& constraint) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (constraint.constrains(axis))
+        for_each([&](auto& other) {
+          if constexpr (requires { other.leave_out(constraint.slots(), axis); }) other.leave_out(constraint.slots(), axis);
+        });
   });
 }
 
@@ -78,45 +94,58 @@ void BoundaryConditions::refuse_floating_twice(const BodySetup& body, const Part
 }
 
 void BoundaryConditions::set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace) {
-  for_each<PrescribedDisplacement>([&](const PrescribedDisplacement& constraint) { constraint.set_initial_state(particles, time, pace); });
+  for_each([&](const PrescribedDisplacement& constraint) { constraint.set_initial_state(particles, time, pace); });
 }
 
 void BoundaryConditions::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
-  for_each<Floating>([&](Floating& water) { water.update_exposed_surface(particles, family, broken_ends); });
+  for_each([&](auto& one) {
+    if constexpr (requires { one.update_exposed_surface(particles, family, broken_ends); }) one.update_exposed_surface(particles, family, broken_ends);
+  });
 }
 
 void BoundaryConditions::add_forces(Particles& particles, const fccda::Step& next) {
-  for_each<Load>([&](Load& load) { load.account.record_force(load.add_to(particles, next.t0).force, load.displacement(particles)); });
-  for_each<UserForce>([&](UserForce& user_force) { user_force.add_to(particles, next); });
-  std::vector<Vec3d> lifts;
-  for_each<Floating>([&](Floating& water) { lifts.push_back(water.add_to(particles).force); });
-  for_each<Absorbing>([&](Absorbing& layer) { layer.damp(particles, next.dt); });
-  auto lift = lifts.begin();
-  for_each<Floating>([&](Floating& water) { water.account.record_force(*lift++ + water.resist(particles, next.dt), {}); });
-  for_each<PrescribedDisplacement>([&](PrescribedDisplacement& constraint) {
-    constraint.account.record_force(constraint.constrain(particles, next).force, constraint.displacement(next.t0));
+  for_each([&](auto& one) {
+    if constexpr (requires { one.apply_load(particles, next); }) one.apply_load(particles, next);
+  });
+  for_each([&](auto& one) {
+    if constexpr (requires { one.apply_hydrostatics(particles); }) one.apply_hydrostatics(particles);
+  });
+  for_each([&](auto& one) {
+    if constexpr (requires { one.damp(particles, next.dt); }) one.damp(particles, next.dt);
+  });
+  for_each([&](auto& one) {
+    if constexpr (requires { one.apply_resistance(particles, next.dt); }) one.apply_resistance(particles, next.dt);
+  });
+  for_each([&](auto& one) {
+    if constexpr (requires { one.apply_constraint(particles, next); }) one.apply_constraint(particles, next);
   });
 }
 
 void BoundaryConditions::impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel) {
   for (NamedBoundaryCondition& one : all_) one.account().accumulate_impulse(step.dt);
-  for_each<PrescribedDisplacement>([&](const PrescribedDisplacement& constraint) { constraint.impose_displacements(particles, step, travel); });
+  for_each([&](const PrescribedDisplacement& constraint) { constraint.impose_displacements(particles, step, travel); });
 }
 
 std::vector<std::uint32_t> BoundaryConditions::reimpose_after_contact(Particles& particles, const fccda::Step& step) {
   std::vector<std::uint32_t> displaced;
-  for_each<PrescribedDisplacement>([&](PrescribedDisplacement& constraint) { constraint.reimpose_after_contact(particles, step, displaced); });
+  for_each([&](PrescribedDisplacement& constraint) { constraint.reimpose_after_contact(particles, step, displaced); });
   return displaced;
 }
 
 double BoundaryConditions::balance(Particles& particles, double time) {
   balanced_.assign(all_.size(), {});
-  for (std::size_t k = 0; k < all_.size(); ++k)
-    if (const auto* load = std::get_if<Load>(&all_[k].boundary)) balanced_[k] = load->add_to(particles, time);
-  for (std::size_t k = 0; k < all_.size(); ++k)
-    if (auto* water = std::get_if<Floating>(&all_[k].boundary)) balanced_[k] = water->add_to(particles);
-  for (std::size_t k = 0; k < all_.size(); ++k)
-    if (const auto* constraint = std::get_if<PrescribedDisplacement>(&all_[k].boundary)) balanced_[k] = constraint->constrain_statically(particles);
+  const auto phase = [&](const auto& set_force) {
+    for (std::size_t k = 0; k < all_.size(); ++k) std::visit([&](auto& one) { set_force(one, balanced_[k]); }, all_[k].boundary);
+  };
+  phase([&](auto& one, ForceSum& force) {
+    if constexpr (requires { one.static_load(particles, time); }) force = one.static_load(particles, time);
+  });
+  phase([&](auto& one, ForceSum& force) {
+    if constexpr (requires { one.static_hydrostatics(particles); }) force = one.static_hydrostatics(particles);
+  });
+  phase([&](auto& one, ForceSum& force) {
+    if constexpr (requires { one.constrain_statically(particles); }) force = one.constrain_statically(particles);
+  });
   double squared = 0;
   for (const ForceSum& sum : balanced_) squared += sum.squared;
   return std::sqrt(squared);
@@ -124,20 +153,24 @@ double BoundaryConditions::balance(Particles& particles, double time) {
 
 void BoundaryConditions::accept_equilibrium(const Particles& particles, double time, double dt) {
   for (std::size_t k = 0; k < all_.size(); ++k) {
-    ReactionLedger& account = all_[k].account();
-    if (auto* load = std::get_if<Load>(&all_[k].boundary)) account.record_force(balanced_[k].force, load->displacement(particles));
-    if (std::holds_alternative<Floating>(all_[k].boundary)) account.record_force(balanced_[k].force, {});
-    if (auto* constraint = std::get_if<PrescribedDisplacement>(&all_[k].boundary)) account.record_force(balanced_[k].force, constraint->displacement(time));
-    account.accumulate_impulse(dt);
+    std::visit(
+        [&](auto& one) {
+          if constexpr (requires { one.conjugate_displacement(particles, time); })
+            one.account.record_force(balanced_[k].force, one.conjugate_displacement(particles, time));
+        },
+        all_[k].boundary);
+    all_[k].account().accumulate_impulse(dt);
   }
 }
 
 double BoundaryConditions::half_kick(double time, double dt) const {
   double energy = 0;
-  for (const NamedBoundaryCondition& one : all_) {
-    if (const auto* load = std::get_if<Load>(&one.boundary)) energy += load->half_kick(time, dt);
-    if (const auto* user_force = std::get_if<UserForce>(&one.boundary)) energy += user_force->half_kick(dt);
-  }
+  for (const NamedBoundaryCondition& one : all_)
+    std::visit(
+        [&](const auto& boundary) {
+          if constexpr (requires { boundary.half_kick(time, dt); }) energy += boundary.half_kick(time, dt);
+        },
+        one.boundary);
   return energy;
 }
 

@@ -1,5 +1,15 @@
-/// All boundary conditions of one body, in the order in which they act: loads, damping, constraints, because reactions balance all other
-/// forces (docs/theory/boundary_conditions.md).
+/// All boundary conditions of one body (docs/theory/boundary_conditions.md). An action has `account`, slots() and visit_record(), and takes part in
+/// those phases of a step for which it has the member, in this order:
+///
+///   apply_load(particles, next)              forces that do not depend on the deformation, and user forces
+///   apply_hydrostatics(particles)            forces of the position
+///   damp(particles, dt)                      damping of the velocities by all forces so far
+///   apply_resistance(particles, dt)          drag, and added mass, which scales all forces so far
+///   apply_constraint(particles, next)        reactions, which balance all other forces
+///
+/// In relaxation they are static_load(particles, time), static_hydrostatics(particles) and constrain_statically(particles), each of which returns its
+/// force; an action without them exerts none. conjugate_displacement(particles, time) is that with which the force does work.
+/// leave_out(slots, axis) excludes directions that another boundary condition constrains.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +18,7 @@
 #include <vector>
 
 #include "fccda/rigid_body/step.hpp"
-#include "perimpact/boundary_conditions/all_boundary_conditions.hpp"
-#include "perimpact/boundary_conditions/boundary_condition_of.hpp"
+#include "perimpact/boundary_conditions/named_boundary_condition.hpp"
 
 namespace perimpact {
 
@@ -61,8 +70,8 @@ class BoundaryConditions {
   }
 
  private:
-  template <class Kind, class Act>
-  void for_each(const Act& accumulate_impulse);
+  template <class Act>
+  void for_each(const Act& act);
   void refuse_floating_twice(const BodySetup& body, const Particles& particles) const;
   void refuse_constrained_twice(const BodySetup& body, const Particles& particles) const;
 

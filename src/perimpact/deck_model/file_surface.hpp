@@ -17,9 +17,8 @@ using fccda::Field;
 using fccda::Vec3d;
 
 inline constexpr std::string_view open_side_words[] = {"undeclared", "normals", "reversed"};
-enum class OpenSide { undeclared, normals, reversed };
 
-inline constexpr std::string_view mirror_plane_words[] = {"none", "x", "y", "z"};  // as fccda::MirrorPlane
+inline constexpr std::string_view mirror_plane_words[] = {"none", "x", "y", "z"};
 
 /// `surface: {file: hull.stl, scale: 0.001}`
 struct FileSurface {

@@ -33,7 +33,7 @@ struct PropellerSectionsSetup {
   static std::span<const Field<PropellerSectionsSetup>> fields();
 };
 
-inline constexpr std::string_view hand_words[] = {"right", "left"};  // as fccda::Hand
+inline constexpr std::string_view hand_words[] = {"right", "left"};
 
 /// Propeller. The positive direction of the shaft axis is ahead; the centre of the hub is the origin.
 struct PropellerSurface {

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "perimpact/deck_model/places.hpp"
+
 namespace perimpact {
 
 inline constexpr std::string_view table_times_sentence = "Times of the points, increasing; values between them are interpolated linearly.";
@@ -19,5 +21,12 @@ struct MotionTable {
   std::vector<double> velocities, displacements;  ///< [m/s] and [m], or [rad/s] and [rad]
   std::string file;
 };
+
+// Each throws SetupError with the key unless the condition in its name is met.
+void check_increasing(const std::vector<double>& times, const std::string& key);
+void check_as_many(std::size_t values, std::size_t times, std::string_view name, const std::string& key);
+
+/// Requires times with one of the lists, or a file, but not both.
+void check_table(const MotionTable& table, const std::string& key, const Places& places);
 
 }  // namespace perimpact

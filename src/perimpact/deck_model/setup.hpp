@@ -11,10 +11,12 @@
 
 #include "base/parameter.hpp"
 #include "base/vec3.hpp"
-#include "perimpact/deck_model/boundary_conditions.hpp"
+#include "perimpact/boundary_conditions/all_setups.hpp"
+#include "perimpact/contact_bounds/all_setups.hpp"
 #include "perimpact/deck_model/generated_surfaces.hpp"
 #include "perimpact/deck_model/motion_table.hpp"
 #include "perimpact/deck_model/solids.hpp"
+#include "perimpact/materials/all_setups.hpp"
 
 namespace perimpact {
 
@@ -24,45 +26,44 @@ using fccda::Vec3d;
 
 inline constexpr std::string_view surface_correction_words[] = {"automatic", "energy", "volume", "none"};
 enum class SurfaceCorrection { automatic, energy, volume, none };
+static_assert(fccda::are_enumerators<SurfaceCorrection>(surface_correction_words));
 
 inline constexpr std::string_view family_words[] = {"hu-ha-bobaru", "madenci-oterkus"};
 enum class FamilyRule { hu_ha_bobaru, madenci_oterkus };
+static_assert(fccda::are_enumerators<FamilyRule>(family_words));
 
 inline constexpr std::string_view normalisation_words[] = {"lattice", "continuum"};
 enum class Normalisation { lattice, continuum };
+static_assert(fccda::are_enumerators<Normalisation>(normalisation_words));
 
 inline constexpr std::string_view thin_axis_words[] = {"none", "x", "y", "z"};
 enum class ThinAxis { none, x, y, z };
+static_assert(fccda::are_enumerators<ThinAxis>(thin_axis_words));
 
 inline constexpr std::string_view plane_words[] = {"none", "stress", "strain"};
-enum class PlaneState { none, stress, strain };  // as perimpact::Plane
+static_assert(fccda::are_enumerators<Plane>(plane_words));
 
 inline constexpr std::string_view compression_words[] = {"none", "symmetric", "limit"};
 enum class CompressionFailure { none, symmetric, limit };
-
-inline constexpr std::string_view influence_words[] = {"constant", "inverse", "inverse-square", "parabolic", "gaussian"};  // as perimpact::Influence
-
-inline constexpr std::string_view stress_law_words[] = {"hencky", "st-venant-kirchhoff"};  // as perimpact::StressLaw
-
-inline constexpr std::string_view stabilisation_words[] = {"bond-level", "wan", "silling"};  // as perimpact::Stabilisation
+static_assert(fccda::are_enumerators<CompressionFailure>(compression_words));
 
 inline constexpr std::string_view panel_words[] = {"triangles", "quads"};
-enum class PanelKind { triangles, quads };
 
 inline constexpr std::string_view detector_words[] = {"swept", "published", "analytic"};
 enum class DetectorKind { swept, published, analytic };
+static_assert(fccda::are_enumerators<DetectorKind>(detector_words));
 
 inline constexpr std::string_view variant_words[] = {"corrected", "literal"};
-enum class PublishedVariant { corrected, literal };
 
 inline constexpr std::string_view initial_overlap_words[] = {"error", "remove", "project"};
 enum class InitialOverlap { error, remove, project };
+static_assert(fccda::are_enumerators<InitialOverlap>(initial_overlap_words));
 
 inline constexpr std::string_view on_exceed_words[] = {"error", "clip"};
-enum class BeyondBounds { error, clip };
 
 inline constexpr std::string_view fragment_law_words[] = {"none", "repulsive"};
 enum class FragmentLaw { none, repulsive };
+static_assert(fccda::are_enumerators<FragmentLaw>(fragment_law_words));
 
 // ---- time ----
 
@@ -83,72 +84,6 @@ struct TimeSetup {
 
 // ---- bodies ----
 
-/// Ice by temperature and salinity, in place of modulus and strength (docs/theory/ice.md).
-struct IceSetup {
-  std::optional<double> temperature;   ///< [°C] mean over the thickness
-  std::optional<double> salinity;      ///< [g/kg]
-  std::optional<double> brine_volume;  ///< [-] brine volume fraction; in place of the other two
-  std::optional<double> thickness;     ///< [m] in bending; determines the number of layers
-  static std::span<const Field<IceSetup>> fields();
-};
-
-inline constexpr std::string_view yield_surface_words[] = {"riska-frederking", "derradji-aouat", "kierkegaard", "von-mises"};  // as perimpact::YieldSurface
-
-/// Plastic flow under pressure (docs/theory/ice_plasticity.md).
-struct PlasticitySetup {
-  Choice surface{yield_surface_words};
-  std::optional<double> compressive_strength;  ///< [Pa] uniaxial, to which the surface is scaled
-  double failure_strain = 0.01;                ///< [-] ε0
-  double failure_width = 1;                    ///< [-] M
-  double failure_pressure = 0.75;              ///< [-] N
-  static std::span<const Field<PlasticitySetup>> fields();
-};
-
-/// Parameters common to all materials.
-struct ElasticSetup {
-  std::optional<double> youngs_modulus;  ///< [Pa] required
-  double poissons_ratio = 0.25;
-  double density{};  ///< [kg/m³]
-  // failure criterion: at most one of these three; bonds never break where all are absent
-  std::optional<double> critical_stretch;   ///< [-]
-  std::optional<double> fracture_energy;    ///< [J/m²]
-  std::optional<double> flexural_strength;  ///< [Pa]
-  std::optional<int> layers;                ///< of particles through the thickness in bending
-  std::optional<IceSetup> ice;              ///< source of the values that the deck does not give
-  std::optional<PlasticitySetup> plasticity;
-};
-
-/// Ordinary state-based material, linear and isotropic, after Madenci and Oterkus (docs/theory/ordinary_state.md).
-struct OrdinaryStateSetup : ElasticSetup {
-  static constexpr std::string_view name = "ordinary-state";
-  static std::span<const Field<OrdinaryStateSetup>> fields();
-};
-
-/// Linear peridynamic solid after Silling et al.: ordinary state-based, normalised by each particle's own weighted volume.
-struct LinearSolidSetup : ElasticSetup {
-  static constexpr std::string_view name = "linear-peridynamic-solid";
-  Choice influence{influence_words, 1};
-  static std::span<const Field<LinearSolidSetup>> fields();
-};
-
-/// Bond-based material: independent bonds (micromodulus c); ν is 1/4, in plane stress 1/3.
-struct BondBasedSetup : ElasticSetup {
-  static constexpr std::string_view name = "bond-based";
-  static std::span<const Field<BondBasedSetup>> fields();
-};
-
-/// Correspondence (non-ordinary state-based) material: a classical stress law on the deformation gradient (docs/theory/correspondence.md).
-struct CorrespondenceSetup : ElasticSetup {
-  static constexpr std::string_view name = "correspondence";
-  Choice law{stress_law_words};
-  Choice stabilisation{stabilisation_words};
-  double stabilisation_factor = 1;
-  Choice influence{influence_words, 1};
-  static std::span<const Field<CorrespondenceSetup>> fields();
-};
-
-using MaterialSetup = std::variant<OrdinaryStateSetup, LinearSolidSetup, BondBasedSetup, CorrespondenceSetup>;  // chosen by the key `model`
-
 /// Bond failure in addition to the material's critical stretch.
 struct FailureSetup {
   Choice compression{compression_words};
@@ -158,6 +93,12 @@ struct FailureSetup {
   std::optional<int> seed;                     ///< of the scatter; 1 where absent
   std::vector<std::string> no_fail;            ///< names of particle sets
   static std::span<const Field<FailureSetup>> fields();
+};
+
+/// `boundary_conditions: {grip: {fixed: {particle_set: left}}}`
+struct BoundaryConditionSetup {
+  std::string name;
+  BoundaryConditionKind kind;
 };
 
 struct BodySetup {
@@ -183,7 +124,7 @@ struct BodySetup {
   std::vector<BoundaryConditionSetup> boundary_conditions;
   static std::span<const Field<BodySetup>> fields();
 
-  bool is_plane() const { return plane.as<PlaneState>() != PlaneState::none; }
+  bool is_plane() const { return plane.as<Plane>() != Plane::none; }
   const ElasticSetup& elastic() const {
     return std::visit([](const auto& one) -> const ElasticSetup& { return one; }, material);
   }
@@ -218,51 +159,9 @@ struct BoxSurface {
 
 using SurfaceSetup = std::variant<CylinderSurface, SphereSurface, BoxSurface, HullSurface, PropellerSurface, FileSurface>;
 
-/// One box fixed to the impactor, outside which contact is not searched (Zhang et al., section 3.1, example 1).
-struct BoxRegionSetup {
-  static constexpr std::string_view name = "box";
-  Vec3d size{};    ///< [m]
-  Vec3d centre{};  ///< [m] from the surface's origin
-  static std::span<const Field<BoxRegionSetup>> fields();
-};
-
-/// One box of a union.
-struct BoundsBoxSetup {
-  std::string name;
-  Vec3d size{};    ///< [m]
-  Vec3d centre{};  ///< [m] from the surface's origin
-  static std::span<const Field<BoundsBoxSetup>> fields();
-};
-
-/// Union of boxes (example 2), given by name or fitted to the surface.
-struct BoxUnionBoundsSetup {
-  static constexpr std::string_view name = "box_union";
-  std::optional<int> count;    ///< maximum number of fitted boxes
-  std::optional<double> gain;  ///< [-] share of the bounding box that a further fitted box must save
-  std::vector<BoundsBoxSetup> boxes;
-  static std::span<const Field<BoxUnionBoundsSetup>> fields();
-};
-
-/// Cylinder with a fan of sectors that rotates with the impactor (example 3). Absent values are fitted to the surface.
-struct CylinderSectorsBoundsSetup {
-  static constexpr std::string_view name = "cylinder_sectors";
-  std::optional<Vec3d> axis;
-  std::optional<Vec3d> point;                        ///< [m] from the surface's origin
-  std::optional<double> radius, length, hub_radius;  ///< [m]
-  std::optional<int> blades;
-  std::optional<double> sector_angle, start_angle;  ///< [rad]
-  static std::span<const Field<CylinderSectorsBoundsSetup>> fields();
-};
-
-/// Contact bounds chosen automatically for the surface.
-struct AutoBoundsSetup {
-  static constexpr std::string_view name = "auto";
-  static std::span<const Field<AutoBoundsSetup>> fields();
-};
-
 struct ContactBoundsSetup {
   /// monostate: no bounds, the whole surface
-  std::variant<std::monostate, BoxRegionSetup, BoxUnionBoundsSetup, CylinderSectorsBoundsSetup, AutoBoundsSetup> shape;
+  ContactBoundsShape shape;
   Choice on_exceed{on_exceed_words};
   static std::span<const Field<ContactBoundsSetup>> fields();
 };

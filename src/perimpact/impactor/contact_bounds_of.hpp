@@ -5,14 +5,10 @@
 
 #include "fccda/contact_bounds/all_contact_bounds.hpp"
 #include "mesh/surface.hpp"
+#include "perimpact/contact_bounds/impactor_bounds.hpp"
 #include "perimpact/deck_model/setup.hpp"
 
 namespace perimpact {
-
-struct ImpactorBounds {
-  fccda::ContactBounds region;
-  std::string fitted;  ///< description of fitted values; empty if the bounds were given
-};
 
 /// `impactor`: its name. Throws SetupError with the key of the bounds if the surface exceeds them, or is entirely outside.
 ImpactorBounds contact_bounds_of(const ContactBoundsSetup& setup, const fccda::Surface& surface, const std::string& impactor);

@@ -38,8 +38,8 @@ fccda::PropellerShape shape_of(const PropellerSurface& s) {
                               .skew = s.skew,
                               .thickness_factor = s.thickness_factor,
                               .edge_thickness = s.edge_thickness,
-                              .hand = s.hand.as<fccda::Hand>(),
-                              .axis = s.axis.as<fccda::Axis>(),
+                              .hand = s.hand.as<fccda::Hand, hand_words>(),
+                              .axis = s.axis.as<fccda::Axis, axis_words>(),
                               .sections = {},
                               .edge_length = s.edge_length,
                               .blade_edge_length = s.blade_edge_length.value_or(s.edge_length)};

@@ -33,7 +33,7 @@ Detector make_detector(const ImpactorSetup& setup, const ImpactorContactSetup& c
     case DetectorKind::analytic:
       return Analytic(shape_of(setup), region, radius);
     case DetectorKind::published:
-      return Published(surface, region, contact.variant.as<Published::Variant>());
+      return Published(surface, region, contact.variant.as<Published::Variant, variant_words>());
     case DetectorKind::swept:
       break;
   }

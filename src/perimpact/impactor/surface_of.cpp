@@ -11,10 +11,10 @@ namespace perimpact {
 
 namespace {
 
-fccda::PanelKind kind(const Choice& panels) { return panels.as<fccda::PanelKind>(); }
+fccda::PanelKind kind(const Choice& panels) { return panels.as<fccda::PanelKind, panel_words>(); }
 
 fccda::Panels panels_of(const CylinderSurface& s) {
-  return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis>(), s.edge_length, kind(s.panel_shape)});
+  return fccda::make_cylinder({s.diameter, s.height, s.axis.as<fccda::Axis, axis_words>(), s.edge_length, kind(s.panel_shape)});
 }
 fccda::Panels panels_of(const SphereSurface& s) { return fccda::make_sphere({s.diameter, s.edge_length}); }
 fccda::Panels panels_of(const BoxSurface& s) { return fccda::make_box({s.size, s.edge_length, kind(s.panel_shape)}); }
@@ -25,7 +25,7 @@ fccda::Panels panels_of(const FileSurface& s) { return panels_of_file(s); }
 /// Generated surfaces are closed; for a file the deck declares the orientation.
 fccda::Orientation orientation(const SurfaceSetup& setup) {
   const auto* file = std::get_if<FileSurface>(&setup);
-  return file ? file->orientation.as<fccda::Orientation>() : fccda::Orientation::undeclared;
+  return file ? file->orientation.as<fccda::Orientation, open_side_words>() : fccda::Orientation::undeclared;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "perimpact/boundary_conditions/slot_sum.hpp"
+#include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/integrate/stiffest_mode.hpp"
 
 namespace perimpact {

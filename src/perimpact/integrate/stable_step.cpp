@@ -97,12 +97,14 @@ double step_of(double springs, const Body& body, const ShortRange::Bound& contac
 double silling_askari_step(const Body& body, const ShortRange::Bound& contact) { return step_of(stiffest_springs(body), body, contact); }
 
 double safe_stable_step(const Body& body, const ShortRange::Bound& contact) {
-  const auto stiffest = [&](const auto* force) {
-    // for a < 0 the dilatation reduces the energy of the bonds, which alone are a bound
-    return force && force->law().a() > 0 ? stiffest_with_dilatation(body, *force) : stiffest_springs(body);
-  };
-  const PlasticForce* plastic = body.internal.plastic();
-  return step_of(plastic ? stiffest(plastic) : stiffest(body.internal.ordinary_state()), body, contact);
+  const double springs = body.internal.with_kernel([&](const auto& force) {
+    if constexpr (requires(const FamilyBond& bond) { force.dilatation_slope(0, bond); }) {
+      // for a < 0 the dilatation reduces the energy of the bonds, which alone are a bound
+      if (force.law().a() > 0) return stiffest_with_dilatation(body, force);
+    }
+    return stiffest_springs(body);
+  });
+  return step_of(springs, body, contact);
 }
 
 double exact_stable_step(const Body& body) { return exact_stable_step(stiffest_mode(body)); }

@@ -3,16 +3,24 @@
 
 #include <variant>
 
-#include "perimpact/materials/correspondence/correspondence_force.hpp"
-#include "perimpact/materials/ordinary_state/ordinary_state_force.hpp"
-#include "perimpact/materials/ordinary_state/plastic_force.hpp"
+#include "base/typelist.hpp"
+#include "perimpact/materials/all_materials.hpp"
 
 namespace perimpact {
+
+/// The force kernels of all materials. Each has pass<Pack>(particles, family, options, rows), breaking(), bond_stiffness(slot, bond) and bytes(); visit_state
+/// if the next step depends on more than particles and bonds, and visit_record for what is only summed.
+template <class Setups>
+struct ForcesOf;
+template <class... Setups>
+struct ForcesOf<std::variant<Setups...>> {
+  using type = fccda::JoinedVariant<typename Material<Setups>::Force...>;
+};
 
 /// Internal force density from the bonds, with bond failure.
 class InternalForce {
  public:
-  using Kind = std::variant<OrdinaryStateForce, CorrespondenceForce<3>, CorrespondenceForce<2>, PlasticForce>;  // by material
+  using Kind = ForcesOf<MaterialSetup>::type;
 
   InternalForce(Kind kind, const Particles& particles);
 
@@ -41,6 +49,12 @@ class InternalForce {
     return std::visit([&](const auto& force) { return force.bond_stiffness(slot, bond); }, kind_);
   }
 
+  /// f(kernel) with the force kernel of the material.
+  template <class F>
+  auto with_kernel(const F& f) const {
+    return std::visit(f, kind_);
+  }
+
   const Breaking& breaking() const {
     return std::visit([](const auto& force) -> const Breaking& { return force.breaking(); }, kind_);
   }
@@ -54,14 +68,22 @@ class InternalForce {
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
     visit(name + ".broken_ends_of_row", std::span<std::size_t>(rows_.broken_ends));
-    if (plastic()) plastic()->visit_state(name, visit);
+    std::visit(
+        [&](auto& force) {
+          if constexpr (requires { force.visit_state(name, visit); }) force.visit_state(name, visit);
+        },
+        kind_);
   }
 
   /// Accumulated energies; they do not affect any step.
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     visit(name + ".fracture_energy_of_row", std::span<double>(rows_.fracture_energy));
-    if (plastic()) plastic()->visit_record(name, visit);
+    std::visit(
+        [&](auto& force) {
+          if constexpr (requires { force.visit_record(name, visit); }) force.visit_record(name, visit);
+        },
+        kind_);
   }
 
  private:

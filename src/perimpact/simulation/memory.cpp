@@ -15,19 +15,11 @@
 #include "base/parallel.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/family/stencil.hpp"
-#include "perimpact/materials/correspondence/correspondence.hpp"
+#include "perimpact/materials/internal_force.hpp"
 
 namespace perimpact {
 
 namespace {
-
-/// Number of doubles per slot in CorrespondenceForce.
-double numbers_of_gradients(const BodySetup& setup, const CorrespondenceSetup& material) {
-  const int dimension = setup.is_plane() ? 2 : 3, square = dimension * dimension;
-  const bool breaks = material.critical_stretch || material.fracture_energy || material.flexural_strength;
-  const int bond_level = material.stabilisation.as<Stabilisation>() == Stabilisation::bond_level ? square * (breaks ? 3 : 2) : 0;
-  return dimension * (dimension + 1) / 2 + 3 + square + 1 + bond_level;
-}
 
 using fccda::squared_norm;
 
@@ -40,15 +32,6 @@ std::array<double, 3> cells_of(const BodySetup& setup, const BodySolid& solid, d
   const Lattice lattice = lattice_that_fills(setup, solid);
   return {static_cast<double>(lattice.cells[0]), static_cast<double>(lattice.cells[1]), static_cast<double>(lattice.cells[2])};
 }
-
-/// Lengths of the arrays of a body.
-struct Lengths {
-  double slots;        // of arrays without slack
-  double with_slack;   // of arrays with slack for a stencil (SlotArray)
-  double rows;         // bonds of eight slots: bytes of the bits
-  double entries = 0;  // of a list
-  double tables = 0;   // numbers of the constants of shared surface factors
-};
 
 /// Mean number of rows per pack of eight in the bond list of a point cloud, from a sample.
 double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
@@ -75,7 +58,7 @@ double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
   return std::accumulate(longest.begin(), longest.end(), 0.0) / static_cast<double>(asked);
 }
 
-Lengths lengths_of(const BodySetup& setup, const Discretisation& discretisation) {
+ArrayLengths lengths_of(const BodySetup& setup, const Discretisation& discretisation) {
   const double slots = std::ceil(slots_of(setup, discretisation) / lanes) * lanes;
   if (const auto* cloud = std::get_if<Cloud>(&discretisation)) {
     const double rows = slots / lanes * rows_of_eight(setup, *cloud);
@@ -111,41 +94,24 @@ double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) 
 }
 
 BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisation, const FragmentContactSetup& fragments, std::size_t impactors) {
-  const Lengths length = lengths_of(setup, discretisation);
+  const ArrayLengths length = lengths_of(setup, discretisation);
   const double n = length.slots, with_slack = length.with_slack;
-  const bool is_list = length.entries > 0;
-  const bool own_family = std::holds_alternative<LinearSolidSetup>(setup.material),
-             correspondence = std::holds_alternative<CorrespondenceSetup>(setup.material);
-  const bool has_dilatation = own_family || std::holds_alternative<OrdinaryStateSetup>(setup.material);
-  const SurfaceCorrection correction = setup.surface_correction.as<SurfaceCorrection>();
-  const bool by_energy = !own_family && !correspondence && correction <= SurfaceCorrection::energy;
-  const bool by_volume = !correspondence && (own_family || correction == SurfaceCorrection::volume);
-
   double arrays = 9 * number * with_slack + n / 8 + 3 * slot_number * n;  // particles and the family's numbers of their slots, grown one by one
   arrays += length.rows + number * n;                                     // bonds, volumes of families
-  if (is_list) arrays += 2 * vector * n + number * n + slot_number * n + length.rows + length.entries * (sizeof(std::int32_t) + 2 * number);
-  if (correspondence) {
-    const double of_slot = numbers_of_gradients(setup, std::get<CorrespondenceSetup>(setup.material));
-    arrays += number * of_slot * with_slack + length.rows + (is_list ? vector * n + number * length.entries : 0);
-  } else {
-    arrays += (by_energy ? 2 * vector : by_volume ? number : 0) * with_slack + n / 2 + (has_dilatation ? number * with_slack : 0);
-    arrays += is_list ? (has_dilatation ? 2 : 1) * number * length.entries : by_energy ? number * length.tables : 0;
-  }
-  if (setup.elastic().plasticity)  // force/plastic_force.hpp: three tensors and five numbers a slot, directions of the entries of a list
-    arrays += 23 * number * with_slack + n + n / 4 + (is_list ? (has_dilatation ? 3 : 4) * number * length.entries : 0);
+  if (length.is_list()) arrays += 2 * vector * n + number * n + slot_number * n + length.rows + length.entries * (sizeof(std::int32_t) + 2 * number);
+  // of the copy on which the stiffest mode is sought, for a given step alone, nothing is counted
+  const MaterialMemory material = with_material(setup, [&](const auto& its, auto kind) { return kind.memory(its, {setup, kind.correction(setup), length}); });
+  arrays += material.at_rest;
   double at_rest = arrays + static_cast<double>(impactors) * (number + sizeof(int)) * n;  // a due distance and a guess for each slot
   if (const auto* points = std::get_if<PointsShape>(&setup.shape))                        // of the deck, and of the simulation's own set-up
     at_rest += 2 * (vector + number) * static_cast<double>(points->points.size());
-  // each sweep of the energy correction makes new factors beside the old ones; of the copy on which the stiffest mode is sought, for a given step alone,
-  // nothing is counted
-  const double setting_up = by_energy ? 2 * vector * with_slack + 3 * n : 0;
   const double pictures = 56 * n;  // measured: arrays in single precision and their compressed form
   double rubble = 0;
   if (fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
     at_rest += 132 * n;  // measured: particles, positions and cells of self_contact/near_pairs.hpp
     rubble = rubble_of(setup, fragments) * n;
   }
-  return {at_rest, setting_up, pictures, rubble};
+  return {at_rest, material.setting_up, pictures, rubble};
 }
 
 constexpr double program = 21e6;  // [bytes] measured: the program with its libraries

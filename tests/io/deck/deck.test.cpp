@@ -37,7 +37,7 @@ TEST_CASE("deck: the plate example is read into the expected Setup") {
   CHECK(cylinder.velocity == Vec3d{0, -32, 0});
   CHECK(cylinder.free_dofs == std::vector<std::string>{"y"});
   CHECK(std::get<BoxRegionSetup>(cylinder.contact_bounds.shape).size == Vec3d{0.05, 0.05, 0.01});
-  CHECK(cylinder.contact_bounds.on_exceed.as<BeyondBounds>() == BeyondBounds::clip);
+  CHECK(cylinder.contact_bounds.on_exceed.word() == "clip");
 
   CHECK(setup.contact.impactors.detector.as<DetectorKind>() == DetectorKind::swept);
   CHECK(setup.contact.impactors.radius_ratio == 0.5);
@@ -76,7 +76,7 @@ TEST_CASE("deck: messages name the file, and folders and missing files are refus
 }
 
 TEST_CASE("places: a value has its position, an absent one that of its map") {
-  const deck::Places places = read(fixtures::plate).places;
+  const Places places = read(fixtures::plate).places;
   CHECK(places.of("time.step") == fixtures::place_of(fixtures::plate, "0.1 us"));
   CHECK(places.of("bodies.plate.material.density") == fixtures::place_of(fixtures::plate, "8000"));
   CHECK(places.of("bodies.plate") == fixtures::place_of(fixtures::plate, "plate:"));

@@ -51,7 +51,7 @@ TEST_CASE("overrides: errors are reported at their --set") {
 }
 
 TEST_CASE("overrides: positions name the --set for the values it sets only") {
-  const deck::Places places = read(plate, {"time.step=1 us"}).places;
+  const Places places = read(plate, {"time.step=1 us"}).places;
   CHECK(places.of("time.step") == "--set time.step");
   CHECK(places.of("time.end") == fixtures::place_of(plate, "200 us"));
   CHECK(places.of("time") == fixtures::place_of(plate, "time:"));

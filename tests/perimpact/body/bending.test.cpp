@@ -17,8 +17,8 @@ namespace {
 
 constexpr double E = 2e9, nu = 0.25, spacing = 0.5;
 
-double relative(int layers, const PlaneState plane = PlaneState::none, double poissons_ratio = nu) {
-  const bool is_plane = plane != PlaneState::none;
+double relative(int layers, const Plane plane = Plane::none, double poissons_ratio = nu) {
+  const bool is_plane = plane != Plane::none;
   const std::optional<double> thickness = is_plane ? std::optional(1.0) : std::nullopt;
   const Stencil stencil(FamilyRule::hu_ha_bobaru, spacing, 3.015, thickness);
   const IsotropicElastic elastic = IsotropicElastic::in(static_cast<Plane>(plane), E, poissons_ratio);
@@ -64,9 +64,9 @@ Setup cantilever(int layers, int width, int length, const char* calibration, dou
 TEST_CASE("bending: many layers have the stiffness of a plate") {
   // bonds between interior and surface, 1 to 2 % off after the correction, count less the thicker the body is
   CHECK(relative(24) == fixtures::relative(1, 0.015));
-  CHECK(relative(24, PlaneState::stress) == fixtures::relative(1, 0.015));
-  CHECK(relative(24, PlaneState::strain, 0.3) == fixtures::relative(1, 0.015));
-  CHECK(relative(24, PlaneState::none, 0.35) == fixtures::relative(1, 0.02));
+  CHECK(relative(24, Plane::stress) == fixtures::relative(1, 0.015));
+  CHECK(relative(24, Plane::strain, 0.3) == fixtures::relative(1, 0.015));
+  CHECK(relative(24, Plane::none, 0.35) == fixtures::relative(1, 0.02));
 }
 
 TEST_CASE("bending: fewer layers are softer") {

@@ -1,4 +1,4 @@
-#include "perimpact/boundary_conditions/absorbing.hpp"
+#include "perimpact/boundary_conditions/absorbing/absorbing.hpp"
 
 #include <doctest/doctest.h>
 

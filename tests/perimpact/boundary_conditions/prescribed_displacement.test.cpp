@@ -1,4 +1,4 @@
-#include "perimpact/boundary_conditions/prescribed_displacement.hpp"
+#include "perimpact/boundary_conditions/actions/prescribed_displacement.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "perimpact/boundary_conditions/user_force.hpp"
+#include "perimpact/boundary_conditions/actions/user_force.hpp"
 
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ Setup block(bool is_plane = false) {
   body.spacing = 0.01;
   OrdinaryStateSetup material;
   material.youngs_modulus = 1e9, material.density = 1000;
-  if (is_plane) material.poissons_ratio = 1.0 / 3, body.plane.index = static_cast<int>(PlaneState::stress);
+  if (is_plane) material.poissons_ratio = 1.0 / 3, body.plane.index = static_cast<int>(Plane::stress);
   body.material = material;
   body.velocity = {1, 0, 0};
   Setup setup;

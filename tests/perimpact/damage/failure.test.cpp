@@ -59,15 +59,15 @@ TEST_CASE("failure: the fracture energy of the continuum is that of the literatu
 }
 
 TEST_CASE("failure: the lattice has the tabulated fracture energy, so that a crack along its cells costs exactly the given energy") {
-  for (const auto& [plane, ratio] : {std::pair(PlaneState::none, 1.07), std::pair(PlaneState::stress, 1.04)}) {
-    BodyOptions options{.size = {0.02, 0.02, plane == PlaneState::none ? 0.008 : thickness},
-                        .poissons_ratio = plane == PlaneState::none ? 0.25 : 1.0 / 3,
+  for (const auto& [plane, ratio] : {std::pair(Plane::none, 1.07), std::pair(Plane::stress, 1.04)}) {
+    BodyOptions options{.size = {0.02, 0.02, plane == Plane::none ? 0.008 : thickness},
+                        .poissons_ratio = plane == Plane::none ? 0.25 : 1.0 / 3,
                         .normalisation = Normalisation::continuum,
                         .critical_stretch = 1e-3,
                         .plane = plane};
     const Body solid = body(options);
     // table 1.9: 1.07 in 3-D, 1.03 to 1.05 in 2-D, two digits, for constants of the continuum
-    CHECK(solid.failure->fracture_energy / (1e-6 * unit_energy(options.plane == PlaneState::none ? Plane::none : Plane::stress, options.poissons_ratio)) ==
+    CHECK(solid.failure->fracture_energy / (1e-6 * unit_energy(options.plane == Plane::none ? Plane::none : Plane::stress, options.poissons_ratio)) ==
           fixtures::relative(ratio, 0.011));
   }
 }

@@ -30,9 +30,9 @@ std::map<std::size_t, std::size_t> found_by_search(const Body& body) {
 
 std::vector<fixtures::BodyOptions> kinds_of_bodies() {
   std::vector<fixtures::BodyOptions> all;
-  for (const PlaneState plane : {PlaneState::none, PlaneState::stress})
+  for (const Plane plane : {Plane::none, Plane::stress})
     for (const fixtures::Points points : {fixtures::Points::lattice, fixtures::Points::listed, fixtures::Points::shaken})
-      all.push_back({.size = {0.019, 0.014, plane == PlaneState::none ? 0.006 : 0.001}, .critical_stretch = 0.01, .plane = plane, .points = points});
+      all.push_back({.size = {0.019, 0.014, plane == Plane::none ? 0.006 : 0.001}, .critical_stretch = 0.01, .plane = plane, .points = points});
   return all;
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("fragments: a body cut twice has three, with masses, positions, extent
 }
 
 TEST_CASE("fragments: particles without a bond are counted apart from fragments") {
-  Body body = fixtures::body({.size = {0.020, 0.010, 0.001}, .plane = PlaneState::stress});
+  Body body = fixtures::body({.size = {0.020, 0.010, 0.001}, .plane = Plane::stress});
   const std::size_t lost[] = {body.particles.slot_of()[0], body.particles.slot_of()[77], body.particles.slot_of()[150]};
   body.family.cut(
       [&](std::size_t i, std::size_t j) { return std::any_of(std::begin(lost), std::end(lost), [&](std::size_t slot) { return slot == i || slot == j; }); });

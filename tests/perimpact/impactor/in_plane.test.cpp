@@ -20,7 +20,7 @@ constexpr double spacing = 0.002, height = 0.03;  // [m]; `height`: of the plane
 Setup struck_plate() {
   Setup setup;
   setup.time = {.end = 30e-6, .step = 1e-7};
-  BodySetup plate = fixtures::body_setup({.size = {0.04, 0.02, 0.003}, .spacing = spacing, .plane = PlaneState::stress});
+  BodySetup plate = fixtures::body_setup({.size = {0.04, 0.02, 0.003}, .spacing = spacing, .plane = Plane::stress});
   plate.name = "plate";
   plate.position = {0, 0, height};
   setup.bodies = {plate};

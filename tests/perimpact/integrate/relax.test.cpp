@@ -150,9 +150,9 @@ TEST_CASE("relax: the equilibrium is that of the stiffness matrix, for any mater
   const fixtures::BodyOptions all[] = {{},
                                        {.poissons_ratio = 0.4},
                                        {.poissons_ratio = 0.3, .model = Model::linear_solid, .points = Points::shaken},
-                                       {.poissons_ratio = 0.1, .plane = PlaneState::strain},
+                                       {.poissons_ratio = 0.1, .plane = Plane::strain},
                                        {.poissons_ratio = 0.3, .model = Model::correspondence},
-                                       {.model = Model::bond_based, .plane = PlaneState::stress, .points = Points::listed}};
+                                       {.model = Model::bond_based, .plane = Plane::stress, .points = Points::listed}};
   for (fixtures::BodyOptions options : all) {
     options.size = {0.006, 0.003, 0.003};
     BodySetup setup = fixtures::body_setup(options);

@@ -40,7 +40,7 @@ std::vector<fixtures::NamedOptions> some_bodies() {
                                  ? options.points != Points::listed && options.law == StressLaw::hencky
                                  : options.points == Points::shaken && options.poissons_ratio > 0.2 && options.correction != SurfaceCorrection::volume &&
                                        options.influence == Influence::inverse;
-    if (in_question && options.plane != PlaneState::strain) all.push_back(std::move(one));
+    if (in_question && options.plane != Plane::strain) all.push_back(std::move(one));
   }
   return all;
 }
@@ -113,9 +113,9 @@ TEST_CASE("stable step: at 0.9 of the estimate a perturbed block of corresponden
 }
 
 TEST_CASE("stable step: for any bond failure in a body of correspondence, the initial estimate stays below the exact limit") {
-  for (const PlaneState plane : {PlaneState::none, PlaneState::stress})
+  for (const Plane plane : {Plane::none, Plane::stress})
     for (const Stabilisation stabilisation : {Stabilisation::bond_level, Stabilisation::wan, Stabilisation::silling}) {
-      const Body whole = fixtures::body({.size = plane == PlaneState::none ? Vec3d{0.008, 0.007, 0.006} : Vec3d{0.016, 0.016, 0.001},
+      const Body whole = fixtures::body({.size = plane == Plane::none ? Vec3d{0.008, 0.007, 0.006} : Vec3d{0.016, 0.016, 0.001},
                                          .poissons_ratio = 0.3,
                                          .model = Model::correspondence,
                                          .stabilisation = stabilisation,
@@ -133,7 +133,7 @@ TEST_CASE("stable step: for any bond failure in a body of correspondence, the in
         CAPTURE(cracks);
         Body cracked = whole;
         for (int crack = 0; crack < cracks; ++crack) {
-          const Vec3d normal = fccda::normalised({number(random), number(random), plane == PlaneState::none ? number(random) : 0});
+          const Vec3d normal = fccda::normalised({number(random), number(random), plane == Plane::none ? number(random) : 0});
           const double at = 0.002 * number(random);
           const auto side = [&](std::size_t slot) { return dot(normal, whole.particles.reference(slot)) > at; };
           cracked.family.cut([&](std::size_t i, std::size_t j) { return side(i) != side(j); });

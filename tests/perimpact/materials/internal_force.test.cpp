@@ -109,7 +109,7 @@ struct PairSums {
         volume_strain += strain, squares += strain * strain;
       }
       const double inverse_trace = all.inverse[i].row[0].x + all.inverse[i].row[1].y + (plane ? 0 : all.inverse[i].row[2].z);
-      const double m1_over_m = weighted_volume(Influence::one, delta, dimension, thickness) / m;
+      const double m1_over_m = weighted_volume(Influence::constant, delta, dimension, thickness) / m;
       const double silling = 0.5 * m1_over_m * kappa / std::numbers::pi * (plane ? 12 / (thickness * std::pow(delta, 4)) : 18 / std::pow(delta, 5));
       const double c = bond_level ? 2 * dimension * mu / m : law.options().stabilisation == Stabilisation::wan ? kappa * inverse_trace : silling;
       total += (0.5 * lambda * volume_strain * volume_strain + mu * squares + 0.5 * c * left) * body.particles.volume(slots[i]);
@@ -234,7 +234,7 @@ TEST_CASE("internal force: forces and moments sum to zero, to rounding") {
 TEST_CASE("internal force: a 2-D body has no out-of-plane force") {
   for (const fixtures::NamedOptions& one : fixtures::every_body()) {
     const BodyOptions& options = one.options;
-    if (options.plane == PlaneState::none) continue;
+    if (options.plane == Plane::none) continue;
     Body solid = body(options);
     fixtures::shake(solid, 1e-5);
     solid.internal.evaluate(solid.particles, solid.family);

@@ -158,12 +158,12 @@ double difference(const Pile& pile, const AllPairs& expected) {
 constexpr double spacing = 0.001;
 
 /// A partly fragmented block, and another of different spacing and material that penetrates it; all with random velocities.
-Pile wreck(fixtures::Points points, PlaneState plane, double share) {
-  const Vec3d size = plane == PlaneState::none ? Vec3d{0.008, 0.006, 0.005} : Vec3d{0.016, 0.012, 0.002};
+Pile wreck(fixtures::Points points, Plane plane, double share) {
+  const Vec3d size = plane == Plane::none ? Vec3d{0.008, 0.006, 0.005} : Vec3d{0.016, 0.012, 0.002};
   Pile pile{.law = {.friction = 0.3, .damping_ratio = 0.2}, .bodies = {}};
   pile.bodies.push_back(fixtures::body({.size = size, .spacing = spacing, .plane = plane, .points = points}));
   fixtures::BodyOptions finer{.size = 0.5 * size, .spacing = 0.5 * spacing, .poissons_ratio = 0.3, .plane = plane, .points = points};
-  if (plane != PlaneState::none) finer.size.z = size.z;
+  if (plane != Plane::none) finer.size.z = size.z;
   pile.bodies.push_back(fixtures::body(finer));
   shatter(pile.bodies[0], share);
   shatter(pile.bodies[1], 0.5 * share);
@@ -190,7 +190,7 @@ void drift(Pile& pile, double dt) {
 TEST_CASE("short range: forces are those of a sum over all pairs, for lattices and clouds, in 3-D and 2-D, intact to fully fragmented") {
   constexpr double dt = 1e-6;  // particles go 0.03 of a spacing a step
   for (const auto points : {fixtures::Points::lattice, fixtures::Points::listed, fixtures::Points::shaken})
-    for (const auto plane : {PlaneState::none, PlaneState::stress})
+    for (const auto plane : {Plane::none, Plane::stress})
       for (const double share : {0.0, 0.05, 1.0}) {
         CAPTURE(static_cast<int>(points));
         CAPTURE(static_cast<int>(plane));
@@ -218,7 +218,7 @@ TEST_CASE("short range: forces are those of a sum over all pairs, for lattices a
 
 TEST_CASE("short range: bond failure and motion take effect in the same step, with and without the list") {
   constexpr double dt = 1e-8;
-  Pile pile = wreck(fixtures::Points::lattice, PlaneState::none, 0.02);
+  Pile pile = wreck(fixtures::Points::lattice, Plane::none, 0.02);
   const auto bodies = pile.touching();
   ShortRange contact(pile.law, bodies);
   AllPairs expected;
@@ -284,7 +284,7 @@ TEST_CASE("short range: bond failure in place causes no repulsion, and contact a
 
 TEST_CASE("short range: linear momentum is conserved to rounding, angular momentum only without friction") {
   for (const double friction : {0.0, 0.3}) {
-    Pile pile = wreck(fixtures::Points::shaken, PlaneState::none, 0.5);
+    Pile pile = wreck(fixtures::Points::shaken, Plane::none, 0.5);
     pile.law.friction = friction;
     const auto bodies = pile.touching();
     ShortRange contact(pile.law, bodies);
@@ -346,7 +346,7 @@ TEST_CASE("short range: a thin plate folded onto itself is in self-contact, with
 }
 
 TEST_CASE("short range: bodies in common translation need no new list, however far") {
-  Pile pile = wreck(fixtures::Points::lattice, PlaneState::none, 0.3);
+  Pile pile = wreck(fixtures::Points::lattice, Plane::none, 0.3);
   const auto bodies = pile.touching();
   ShortRange contact(pile.law, bodies);
   for (int step = 0; step < 20; ++step) {

@@ -40,8 +40,8 @@ Setup with_contact(std::vector<BodySetup> bodies, double end) {
 }
 
 /// Two bars end to end that fly at one another, apart by a hundredth of a spacing.
-Setup two_bars(PlaneState plane, double speed, double end) {
-  const Vec3d size = plane == PlaneState::none ? Vec3d{0.024, 0.004, 0.004} : Vec3d{0.024, 0.004, 0.002};
+Setup two_bars(Plane plane, double speed, double end) {
+  const Vec3d size = plane == Plane::none ? Vec3d{0.024, 0.004, 0.004} : Vec3d{0.024, 0.004, 0.002};
   return with_contact(
       {block("left", size, {-0.012005, 0, 0}, {speed, 0, 0}, {.plane = plane}), block("right", size, {0.012005, 0, 0}, {-speed, 0, 0}, {.plane = plane})}, end);
 }
@@ -82,7 +82,7 @@ double nearest(const Body& body) {
 }  // namespace
 
 TEST_CASE("fragments: two equal bars in head-on impact exchange their velocities, conserve momentum and the energy to one per cent, in 3-D and 2-D") {
-  for (const PlaneState plane : {PlaneState::none, PlaneState::stress}) {
+  for (const Plane plane : {Plane::none, Plane::stress}) {
     CAPTURE(static_cast<int>(plane));
     Setup setup = two_bars(plane, 10, 30e-6);  // the wave needs 10 µs to the far end and back
     Simulation simulation(setup);
@@ -104,7 +104,7 @@ TEST_CASE("fragments: two equal bars in head-on impact exchange their velocities
 }
 
 TEST_CASE("fragments: without contact the same bars pass through one another, and history has no columns of it") {
-  Setup setup = two_bars(PlaneState::none, 10, 30e-6);
+  Setup setup = two_bars(Plane::none, 10, 30e-6);
   setup.contact.fragments.law.index = static_cast<int>(FragmentLaw::none);
   Simulation simulation(setup);
   run(simulation);
@@ -369,20 +369,20 @@ TEST_CASE("fragments: a restart is bitwise exact, also in the works") {
 
 TEST_CASE("fragments: 2-D bodies have contact within their plane only") {
   std::string key;
-  Setup mixed = two_bars(PlaneState::none, 10, 1e-6);
-  mixed.bodies[1].plane.index = static_cast<int>(PlaneState::stress);
+  Setup mixed = two_bars(Plane::none, 10, 1e-6);
+  mixed.bodies[1].plane.index = static_cast<int>(Plane::stress);
   CHECK(fixtures::complaint(mixed, key) ==
         "body right is plane and body left is not, but contact is supported between bodies of the same dimension only; set law: none, or give both the same "
         "plane.");
   CHECK(key == "contact.fragments.law");
-  Setup apart = two_bars(PlaneState::stress, 10, 1e-6);
+  Setup apart = two_bars(Plane::stress, 10, 1e-6);
   apart.bodies[1].position.z = 0.001;
   CHECK(fixtures::complaint(apart, key) ==
         "the plane bodies left and right lie at z = 0 m and 0.001 m, but contact is supported within one plane only; give them the same z, or set law: none.");
 }
 
 TEST_CASE("fragments: bodies initially closer than the contact distance yield a warning") {
-  Setup setup = two_bars(PlaneState::none, 0, 1e-6);
+  Setup setup = two_bars(Plane::none, 0, 1e-6);
   setup.bodies[1].position.x = 0.0116;
   const std::vector<std::string> warnings = Simulation(setup).warnings();
   REQUIRE(warnings.size() == 1);
@@ -390,7 +390,7 @@ TEST_CASE("fragments: bodies initially closer than the contact distance yield a 
 }
 
 TEST_CASE("stable step: contact shortens it, and dashpots more so; a pile of rubble is stable at it") {
-  Setup setup = two_bars(PlaneState::none, 10, 30e-6);
+  Setup setup = two_bars(Plane::none, 10, 30e-6);
   const auto step = [&] { return Simulation(setup).stability().estimate; };
   const double with = step();
   setup.contact.fragments.restitution = 0.5;

@@ -34,13 +34,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "perimpact/materials/correspondence/setup.hpp"
 #include "perimpact/materials/correspondence/stress_law.hpp"
 #include "perimpact/materials/elastic/influence.hpp"
 #include "perimpact/materials/elastic/isotropic.hpp"
 
 namespace perimpact {
-
-enum class Stabilisation { bond_level, wan, silling };
 
 struct CorrespondenceOptions {
   StressLaw law = StressLaw::hencky;
@@ -67,7 +66,7 @@ class Correspondence {
       uniform_ = options.stabilisation_factor * 2 * elastic.dimension * elastic.shear_modulus() / m(options.influence);
       return;
     }
-    uniform_ = options.stabilisation_factor * G * micromodulus / horizon * m(Influence::one) / m(options.influence);
+    uniform_ = options.stabilisation_factor * G * micromodulus / horizon * m(Influence::constant) / m(options.influence);
   }
 
   const IsotropicElastic& elastic() const { return elastic_; }

@@ -20,8 +20,6 @@
 
 namespace perimpact {
 
-enum class StressLaw { hencky, st_venant_kirchhoff };
-
 /// Second Piola-Kirchhoff stress S [Pa] and energy ψ [J/m³].
 template <class T, std::size_t D>
 struct Stress {

@@ -6,15 +6,15 @@
 
 namespace perimpact {
 
-/// one: 1.  inverse: δ/|ξ|.  inverse_square: (δ/|ξ|)².  parabolic: 1 up to δ/2, then 4 (r - r²), r = |ξ|/δ.  gaussian: exp(-(r/0.4)²).
+/// constant: 1.  inverse: δ/|ξ|.  inverse_square: (δ/|ξ|)².  parabolic: 1 up to δ/2, then 4 (r - r²), r = |ξ|/δ.  gaussian: exp(-(r/0.4)²).
 /// Beyond δ, where the family of Hu, Ha and Bobaru still has bonds, parabolic is 0; the others continue.
-enum class Influence { one, inverse, inverse_square, parabolic, gaussian };
+enum class Influence { constant, inverse, inverse_square, parabolic, gaussian };
 
 /// ω |ξ|² [m²], the weight in family sums; finite at |ξ| = 0.
 inline double weight_of(Influence influence, double length, double horizon) {
   const double r = length / horizon;
   switch (influence) {
-    case Influence::one:
+    case Influence::constant:
       return length * length;
     case Influence::inverse:
       return horizon * length;

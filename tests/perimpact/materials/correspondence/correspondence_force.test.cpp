@@ -178,16 +178,16 @@ TEST_CASE("correspondence: uniform strain of any size has exactly the energy of 
 }
 
 TEST_CASE("correspondence: under uniform strain no force acts on interior particles of a lattice") {
-  for (const PlaneState plane : {PlaneState::none, PlaneState::stress})
+  for (const Plane plane : {Plane::none, Plane::stress})
     for (const StressLaw law : {StressLaw::hencky, StressLaw::st_venant_kirchhoff}) {
-      BodyOptions options = correspondence(plane == PlaneState::none ? Vec3d{0.021, 0.021, 0.021} : Vec3d{0.023, 0.022, 0.001});
+      BodyOptions options = correspondence(plane == Plane::none ? Vec3d{0.021, 0.021, 0.021} : Vec3d{0.023, 0.022, 0.001});
       options.plane = plane, options.law = law;
       Body solid = body(options);
       fixtures::deform(solid, [](const Vec3d& X) { return Vec3d{1.02 * X.x + 0.03 * X.y, 0.99 * X.y, X.z}; });
       solid.internal.evaluate(solid.particles, solid.family);
       const Lattice& lattice = *solid.particles.lattice();
       const std::size_t middle =
-          lattice.slot(10, 10, plane == PlaneState::none ? 10 : 0);  // three horizons from the surface: families of its neighbours' neighbours are complete
+          lattice.slot(10, 10, plane == Plane::none ? 10 : 0);  // three horizons from the surface: families of its neighbours' neighbours are complete
       // at the surface the stress of 0.03 E ends within a spacing; inside it is rounding of that
       CHECK(largest_force(solid) > 1e-3 * fixtures::youngs_modulus / options.spacing);
       CHECK(fccda::largest_magnitude(solid.particles.force_density.at(middle)) < 1e-14 * fixtures::youngs_modulus / options.spacing);
@@ -229,7 +229,7 @@ TEST_CASE("correspondence: Wan's constant equals his tensor in a complete family
       CHECK(2 * mu * inverse.m[r][s] + (r == s ? lambda * trace(inverse) : 0) ==
             fixtures::absolute(r == s ? law.stabilisation(trace(inverse)) : 0, 1e-12 * kappa * trace(inverse), "N/m7"));
   const double delta = 0.003;
-  const Correspondence silling({1.0, 0.3, 3}, {.stabilisation = Stabilisation::silling, .influence = Influence::one}, delta, 1);
+  const Correspondence silling({1.0, 0.3, 3}, {.stabilisation = Stabilisation::silling, .influence = Influence::constant}, delta, 1);
   CHECK(silling.stabilisation(1e20) == fixtures::relative(9 * silling.elastic().bulk_modulus() / (3.14159265358979 * std::pow(delta, 5)), 1e-12));
   CHECK(law.stabilisation(trace(inverse)) == fixtures::relative(kappa * trace(inverse), 1e-12));
 }
@@ -314,6 +314,6 @@ TEST_CASE("correspondence: a body one particle thick is rejected unless it is 2-
   } catch (const std::exception& error) {
     CHECK(std::string(error.what()).find("its particles have neighbours in one plane only") != std::string::npos);
   }
-  sheet.plane = PlaneState::stress;
+  sheet.plane = Plane::stress;
   CHECK(body(sheet).particles.size() == 70);
 }

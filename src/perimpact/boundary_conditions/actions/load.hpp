@@ -1,0 +1,59 @@
+/// Dead load distributed over particles: the boundary conditions `body_force` and `pressure`.
+///
+///   F_i(t) = q f(t) w_i        [N]
+///
+///   body_force   q = force density [N/m³]                  w_i = volume [m³]
+///   pressure     q = -p n, n the face's normal [Pa]        w_i = area of the face [m²]
+///
+/// Direction and areas of the load do not follow the deformation.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fccda/rigid_body/step.hpp"
+#include "fccda/rigid_body/time_table.hpp"
+#include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
+#include "perimpact/boundary_conditions/actions/slot_sum.hpp"
+#include "perimpact/particles/particles.hpp"
+
+namespace perimpact {
+
+class Load {
+ public:
+  /// `weights`: w_i of each slot; `factor`: f [-].
+  Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const Particles& particles, const Vec3d& intensity, fccda::TimeTable factor);
+
+  std::span<const std::uint32_t> slots() const { return slots_; }
+  std::span<const double> weights() const { return weights_; }
+  Vec3d force(double time) const { return total_weight_ * factor_.at(time) * intensity_; }  ///< [N] the sum over the particles
+
+  /// Adds the load at that time to the force densities.
+  ForceSum static_load(Particles& particles, double time) const;
+  void apply_load(Particles& particles, const fccda::Step& next) { account.record_force(static_load(particles, next.t0).force, displacement(particles)); }
+
+  /// [J] kinetic energy from the load alone in the half step before `time`, for which no work has been recorded yet: Σ m (a dt/2)²/2.
+  double half_kick(double time, double dt) const;
+
+  /// [m] Σ w u/Σ w
+  Vec3d displacement(const Particles& particles) const;
+  Vec3d conjugate_displacement(const Particles& particles, double) const { return displacement(particles); }
+
+  ReactionLedger account;
+
+  template <class Visitor>
+  void visit_record(const std::string& name, Visitor&& visit) {
+    account.visit_record(name, visit);
+  }
+
+ private:
+  std::vector<std::uint32_t> slots_;
+  std::vector<double> weights_;
+  double total_weight_, squared_weights_, weights_by_mass_;  // Σ w, Σ w², Σ w²/m
+  Vec3d intensity_;
+  fccda::TimeTable factor_;
+};
+
+}  // namespace perimpact

@@ -1,0 +1,92 @@
+#include "perimpact/boundary_conditions/actions/prescribed_displacement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "perimpact/particles/advance.hpp"
+
+namespace perimpact {
+
+void PrescribedDisplacement::set_initial_state(Particles& particles, double time, Regime pace) const {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!histories_[c]) continue;
+    const double displacement = histories_[c]->displacement(time), velocity = pace == Regime::quasi_static ? 0 : histories_[c]->velocity(time, time);
+    for (const std::uint32_t slot : slots_) {
+      particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement;
+      particles.velocity.component(c)[slot] = velocity;
+    }
+  }
+}
+
+void PrescribedDisplacement::impose_displacements(Particles& particles, const fccda::Step& step, std::span<double> travel) const {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!histories_[c]) continue;
+    const double displacement = histories_[c]->displacement(step.t1), velocity = histories_[c]->velocity(step.t0, step.t1);
+    for (const std::uint32_t slot : slots_) {
+      particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement;
+      particles.velocity.component(c)[slot] = velocity;
+    }
+  }
+  for (const std::uint32_t slot : slots_) {
+    double& furthest = travel[slot / travel_block];
+    furthest = std::max(furthest, norm(particles.velocity.at(slot)) * step.dt);
+  }
+}
+
+void PrescribedDisplacement::reimpose_after_contact(Particles& particles, const fccda::Step& step, std::vector<std::uint32_t>& displaced) {
+  Vec3d displacement{}, velocity{};
+  for (std::size_t c = 0; c < 3; ++c)
+    if (histories_[c]) displacement[c] = histories_[c]->displacement(step.t1), velocity[c] = histories_[c]->velocity(step.t0, step.t1);
+  for (const std::uint32_t slot : slots_) {
+    Vec3d change{}, unbalanced{};  // [m/s]
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!histories_[c]) continue;
+      change[c] = velocity[c] - particles.velocity.component(c)[slot];
+      unbalanced[c] = -0.5 * (change[c] + step.dt / particles.density() * particles.force_density.component(c)[slot]);
+      particles.velocity.component(c)[slot] = velocity[c];
+      particles.position.component(c)[slot] = particles.reference(slot)[c] + displacement[c];
+    }
+    if (change == Vec3d{}) continue;
+    const Vec3d impulse = particles.mass(slot) * change;
+    account.add(impulse, dot(impulse, velocity));
+    constraint_work_correction_ += dot(impulse, unbalanced);
+    displaced.push_back(slot);
+  }
+}
+
+template <class Target>
+ForceSum PrescribedDisplacement::take_over(Particles& particles, const Target& target) const {
+  return sum_in_blocks<ForceSum>(slots_.size(), [&](std::size_t k) {
+    const std::size_t slot = slots_[k];
+    Vec3d force{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!histories_[c]) continue;
+      double& density = particles.force_density.component(c)[slot];
+      const double wanted = target(slot, c);
+      force[c] = particles.volume(slot) * (wanted - density);
+      density = wanted;
+    }
+    return ForceSum{force, squared_norm(force)};
+  });
+}
+
+ForceSum PrescribedDisplacement::constrain(Particles& particles, const fccda::Step& next) const {
+  Vec3d velocity{};
+  for (std::size_t c = 0; c < 3; ++c)
+    if (histories_[c]) velocity[c] = histories_[c]->velocity(next.t0, next.t1);
+  const double scale = particles.density() / next.dt;
+  return take_over(particles, [&](std::size_t slot, std::size_t c) { return scale * (velocity[c] - particles.velocity.component(c)[slot]); });
+}
+
+ForceSum PrescribedDisplacement::constrain_statically(Particles& particles) const {
+  return take_over(particles, [](std::size_t, std::size_t) { return 0.0; });
+}
+
+Vec3d PrescribedDisplacement::displacement(double time) const {
+  Vec3d displacement{};
+  for (std::size_t c = 0; c < 3; ++c)
+    if (histories_[c]) displacement[c] = histories_[c]->displacement(time);
+  return displacement;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,29 @@
+#include "perimpact/boundary_conditions/floating/setup.hpp"
+
+#include "perimpact/deck_model/deck_context.hpp"
+#include "perimpact/deck_model/setup.hpp"
+
+namespace perimpact {
+
+using namespace fccda;  // the ranges
+using enum Presence;
+
+std::span<const Field<FloatingSetup>> FloatingSetup::fields() {
+  using S = FloatingSetup;
+  static const Field<S> all[] = {
+      {"particle_set", &S::particle_set, "", {}, optional, particle_set_sentence},
+      {"level", &S::level, "m", any_number(), optional,
+       "Height z of the free water surface. Where absent, the level at which the particles float in their initial position, reported in run.json."},
+      {"density", &S::density, "kg/m3", positive(), optional, "Density of the water."},
+      {"gravity", &S::gravity, "m/s2", positive(), optional, "Acceleration of gravity, along -z; it also gives the particles their weight."},
+      {"drag", &S::drag, "1", at_least(0), optional,
+       "Drag coefficient C_d of submerged particles at the body's surface, referred to one face of a cube of the particle's volume."},
+      {"added_mass", &S::added_mass, "1", at_least(0), optional,
+       "Added-mass coefficient for vertical motion: entrained mass over the mass of water that the particle displaces."},
+      {"damping", &S::damping, "1/s", at_least(0), optional, "Mass-proportional damping of all velocities v: force density -ρ damping v, in air as in water."}};
+  return all;
+}
+
+void FloatingSetup::check(BodyContext& deck) { refuse_along_z("gravity", deck); }
+
+}  // namespace perimpact

@@ -1,0 +1,13 @@
+/// Union of boxes, from the setup.
+#pragma once
+
+#include "mesh/surface.hpp"
+#include "perimpact/contact_bounds/box_union/setup.hpp"
+#include "perimpact/contact_bounds/impactor_bounds.hpp"
+
+namespace perimpact {
+
+/// Throws InputError if the surface exceeds the bounds and `beyond` is error, or is entirely outside.
+ImpactorBounds make_bounds(const BoxUnionBoundsSetup& setup, const fccda::Surface& surface, fccda::Beyond beyond);
+
+}  // namespace perimpact
