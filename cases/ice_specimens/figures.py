@@ -70,7 +70,7 @@ def edge_from_above(axes, folder):
     axes.set_xlim(-0.01, 0.25)
     axes.set_ylim(-0.2, 0.2)
     axes.set_aspect("equal")
-    axes.set_title(f"{folder.name}: plastic strain; red: a third of the bonds broken", fontsize=9)
+    axes.set_title(f"{folder.name}: plastic strain, 0 to 5 %", fontsize=10)
 
 
 def specimens(folder):
@@ -99,7 +99,7 @@ def specimens(folder):
 def edges_and_impacts(folder):
     figure, ((a, b, c, d), (e, f, g, h)) = plt.subplots(2, 4, figsize=(17, 7.8))
     line(a, [(1e3 * s, p / 1e6) for s, p, _ in splitting(folder / "brazilian")], "splitting of a disc, tension of the prism (dashed)", "shortening [mm]", "stress [MPa]",
-         0.8 * TENSION / 1e6, "0.8 E s_c")
+         0.8 * TENSION / 0.918 / 1e6, "0.8 E s_c/0.918")
     a.plot(*np.array([(190 * s, p / 1e6) for s, p in tension(folder / "tension")]).T, "--", color="C1")
     half_of_disc(b, folder / "brazilian")
     for name, (thickness, _, width) in EDGES.items():

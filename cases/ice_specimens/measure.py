@@ -12,7 +12,7 @@ flexural strength      largest load of both lines before the first bond breaks, 
 punch                  mean pressure under the punch over the compressive strength, at the end
 indentation            contact force over the area of the sphere's cap below the first surface, mean over the rows in which that is 0.3 to 0.8 m²
 edge                   force over the area of the indenter below the first edge, over the compressive strength; mean over the second half of the run
-ball                   largest force; over v √(2πR p m) with the mean pressure p over the contact area until the ball stops; time of the largest force; impulse over m v
+ball                   largest force; over v √(2πR p m) with the mean pressure p over the contact area until the ball stops; time until it stops over that of theory; impulse over m v
 drop                   largest force over the area of the cap below the first surface; largest mean pressure over 9 spacings squared and more, at the largest force
 energy error           largest total.energy_balance_error over the external work
 """
@@ -125,19 +125,26 @@ def ball(folder):
     return [(row["time"], -row["plate.force_z"]) for row in history(folder)]
 
 
+def stopping_time(folder):
+    """[s] at which the ball's momentum vanishes; the end of the run if it does not."""
+    rows = history(folder)
+    return next((row["time"] for row in rows if row["total.momentum_z"] >= 0), rows[-1]["time"])
+
+
 def crushing_pressure(folder):
     """[Pa] impulse until the ball's centre of mass stops over the integral of the contact area."""
     with open(Path(folder) / "pressure_area/plate.csv", newline="") as file:
         areas = [{key.split(" [")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-    stop = next(row["time"] for row in history(folder) if row["total.momentum_z"] >= 0)
+    stop = stopping_time(folder)
     loading = [row for row in areas if row["time"] <= stop]
     return sum(row["normal_force"] for row in loading) / sum(row["contact_area"] for row in loading)
 
 
 def plastic_sphere(pressure):
-    """[N] v √(2πR p m): largest force of a plastic sphere under a crushing pressure [Pa]."""
+    """(largest force [N], time until it stops [s]) of a plastic sphere under a crushing pressure [Pa]: v √(k m), π/2 √(m/k), k = 2πR p."""
     diameter, density, speed = BALL
-    return speed * math.sqrt(math.pi * diameter * pressure * density * math.pi / 6 * diameter**3)
+    stiffness, mass = math.pi * diameter * pressure, density * math.pi / 6 * diameter**3
+    return speed * math.sqrt(stiffness * mass), 0.5 * math.pi * math.sqrt(mass / stiffness)
 
 
 def drop(folder):
@@ -207,9 +214,11 @@ def of_impacts(folder):
         diameter, density, speed = BALL
         momentum = density * math.pi / 6 * diameter**3 * speed
         found["ball force [MN]"] = max(force for _, force in curve) / 1e6
-        found["ball crushing pressure [MPa]"] = crushing_pressure(folder / "ball") / 1e6
-        found["ball force over plastic sphere [-]"] = found["ball force [MN]"] * 1e6 / plastic_sphere(crushing_pressure(folder / "ball"))
-        found["ball time to the largest force [ms]"] = 1e3 * max(curve, key=lambda row: row[1])[0]
+        pressure = crushing_pressure(folder / "ball")
+        force, time = plastic_sphere(pressure)
+        found["ball crushing pressure [MPa]"] = pressure / 1e6
+        found["ball force over plastic sphere [-]"] = found["ball force [MN]"] * 1e6 / force
+        found["ball time over plastic sphere [-]"] = stopping_time(folder / "ball") / time
         found["ball impulse [-]"] = sum(force for _, force in curve) * (curve[1][0] - curve[0][0]) / momentum
         found["ball energy error [-]"] = max(abs(row["total.energy_balance_error"]) for row in rows) / (0.5 * momentum * speed)
     if (folder / "drop").is_dir():
