@@ -3,12 +3,17 @@
 
     cases/ice_specimens/measure.py results/ice_specimens      prints the rows of expected.csv, and more
 
-The folder contains the results of any of the decks compression, bending, indentation, punch; missing ones are skipped.
+The folder contains the results of any of the decks, each in a folder of its name; missing ones are skipped.
 
 compressive strength   largest mean force on both platens over the first cross-section
+tensile strength       largest mean pull of both platens over the first cross-section
+splitting              2 P/(π D t) of the last row before the first bond breaks
 flexural strength      largest load of both lines before the first bond breaks, as the stress at the surface of a beam: 3 F a/(b h²), a from support to load
 punch                  mean pressure under the punch over the compressive strength, at the end
 indentation            contact force over the area of the sphere's cap below the first surface, mean over the rows in which that is 0.3 to 0.8 m²
+edge                   force over the area of the indenter below the first edge, over the compressive strength; mean over the second half of the run
+ball                   largest force; over v √(2πR p m) with the mean pressure p over the contact area until the ball stops; time until it stops over that of theory; impulse over m v
+drop                   largest force over the area of the cap below the first surface; largest mean pressure over 9 spacings squared and more, at the largest force
 energy error           largest total.energy_balance_error over the external work
 """
 
@@ -17,12 +22,24 @@ import math
 import sys
 from pathlib import Path
 
-STRENGTH = 2.3e6  # [Pa] of all decks
+STRENGTH = 2.3e6  # [Pa] of all decks but ball and drop
+TENSION = 0.576e6  # [Pa] E s_c
 SIDE = 0.1  # [m] of the prism
+DISC = 0.32, 0.08  # [m] diameter, thickness
 ARM, WIDTH, HEIGHT = 0.6, 0.2, 0.2  # [m] of the beam
 PUNCH = 0.16, 0.07  # [m] width, depth of the block
 RADIUS, SPEED, GAP = 0.6, 2.0, 0.001  # [m] [m/s] [m] of the sphere
 AREAS = 0.3, 0.8  # [m²]
+DROP_RADIUS, DROP_SPACING = 0.2, 0.01285  # [m]
+BALL = 1.0, 900.0, 20.0  # [m] [kg/m³] [m/s]
+
+# of the indenters of a sheet's edge: thickness of the sheet [m], speed [m/s], width [m] at a depth [m]
+EDGES = {
+    "edge_narrow": (0.06, 0.16, lambda depth: 0.12),
+    "edge_wide": (0.04, 0.16, lambda depth: 0.32),
+    "edge_wedge": (0.06, 0.5, lambda depth: 2 * depth * math.sqrt(3)),
+    "edge_cylinder": (0.06, 0.2, lambda depth: 2 * math.sqrt(0.24 * depth - depth**2)),
+}
 
 
 def history(folder):
@@ -36,15 +53,31 @@ def energy_error(rows, *works):
     return max(abs(row["total.energy_balance_error"]) for row in rows) / work
 
 
+def ramped(time, ramp, speed):
+    """Distance [m] at this time of an end whose speed rises linearly to `speed` at `ramp`."""
+    return speed * (time - ramp / 2 if time > ramp else time * time / (2 * ramp))
+
+
 def compression(folder):
     """(strain [-] of the whole prism, mean stress [Pa]) of each row."""
     ends = 0.19  # [m] between the layers that are moved
-    ramp, end_speed = 2.4e-3, 0.035
+    return [(2 * ramped(row["time"], 2.4e-3, 0.035) / ends, platens(row) / SIDE**2) for row in history(folder)]
 
-    def travel(time):
-        return 2 * end_speed * (time - ramp / 2 if time > ramp else time * time / (2 * ramp))
 
-    return [(travel(row["time"]) / ends, 0.5 * (row["ice.bottom.force_z"] - row["ice.top.force_z"]) / SIDE**2) for row in history(folder)]
+def platens(row):
+    """[N] mean force of top and bottom towards each other."""
+    return 0.5 * (row["ice.bottom.force_z"] - row["ice.top.force_z"])
+
+
+def tension(folder):
+    """(strain [-] of the whole prism, mean stress [Pa]) of each row."""
+    return [(2 * ramped(row["time"], 2.4e-3, 0.01) / 0.19, -platens(row) / SIDE**2) for row in history(folder)]
+
+
+def splitting(folder):
+    """(shortening of the diameter [m], 2 P/(π D t) [Pa], broken bonds) of each row."""
+    diameter, thickness = DISC
+    return [(2 * ramped(row["time"], 3.2e-3, 0.02), 2 * platens(row) / (math.pi * diameter * thickness), row["ice.broken_bonds"]) for row in history(folder)]
 
 
 def bending(folder):
@@ -56,47 +89,154 @@ def bending(folder):
 def punch(folder):
     """(depth over width [-], mean pressure over the compressive strength [-]) of each row."""
     width, depth = PUNCH
-    ramp, speed = 4e-3, 0.15
-    found = []
-    for row in history(folder):
-        time = row["time"]
-        travel = speed * (time - ramp / 2 if time > ramp else time * time / (2 * ramp))
-        found.append((travel / width, -row["block.punch.force_z"] / (width * depth) / STRENGTH))
-    return found
+    return [(ramped(row["time"], 4e-3, 0.15) / width, -row["block.punch.force_z"] / (width * depth) / STRENGTH) for row in history(folder)]
+
+
+def cap(radius, depth):
+    """[m²] of a sphere's section at the first surface."""
+    return math.pi * (2 * radius * depth - depth**2)
 
 
 def indentation(folder):
     """(area [m²] of the cap, mean pressure [Pa]) of each row in which the sphere is deeper than 2 cm."""
+    depths = [(SPEED * row["time"] - GAP, row["sphere.force_z"]) for row in history(folder)]
+    return [(cap(RADIUS, depth), force / cap(RADIUS, depth)) for depth, force in depths if depth > 0.02]
+
+
+def edge(folder):
+    """(depth [m], contact area [m²] below the first edge, mean pressure [Pa]) of each row with contact."""
+    thickness, speed, width = EDGES[Path(folder).name]
     found = []
-    for row in history(folder):
-        depth = SPEED * row["time"] - GAP
-        if depth > 0.02:
-            area = math.pi * (2 * RADIUS * depth - depth**2)
-            found.append((area, row["sphere.force_z"] / area))
+    for row in history(folder)[1:]:
+        depth = speed * row["time"]
+        area = width(depth) * thickness
+        found.append((depth, area, -row["indenter.force_x"] / area))
     return found
 
 
-def measure(folder):
-    folder, found = Path(folder), {}
+def late(values):
+    """Mean over the second half."""
+    half = values[len(values) // 2 :]
+    return sum(half) / len(half)
+
+
+def ball(folder):
+    """(time [s], force of the plate [N]) of each row."""
+    return [(row["time"], -row["plate.force_z"]) for row in history(folder)]
+
+
+def stopping_time(folder):
+    """[s] at which the ball's momentum vanishes; the end of the run if it does not."""
+    rows = history(folder)
+    return next((row["time"] for row in rows if row["total.momentum_z"] >= 0), rows[-1]["time"])
+
+
+def crushing_pressure(folder):
+    """[Pa] impulse until the ball's centre of mass stops over the integral of the contact area."""
+    with open(Path(folder) / "pressure_area/plate.csv", newline="") as file:
+        areas = [{key.split(" [")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+    stop = stopping_time(folder)
+    loading = [row for row in areas if row["time"] <= stop]
+    return sum(row["normal_force"] for row in loading) / sum(row["contact_area"] for row in loading)
+
+
+def plastic_sphere(pressure):
+    """(largest force [N], time until it stops [s]) of a plastic sphere under a crushing pressure [Pa]: v √(k m), π/2 √(m/k), k = 2πR p."""
+    diameter, density, speed = BALL
+    stiffness, mass = math.pi * diameter * pressure, density * math.pi / 6 * diameter**3
+    return speed * math.sqrt(stiffness * mass), 0.5 * math.pi * math.sqrt(mass / stiffness)
+
+
+def drop(folder):
+    """(time [s], depth [m], force [N]) of each row."""
+    rows = history(folder)
+    return [(row["time"], rows[0]["sphere.position_z"] - row["sphere.position_z"], row["sphere.force_z"]) for row in rows]
+
+
+def nested(folder, name):
+    """(area [m²], mean pressure [Pa]) over nested areas of panels, at the largest force."""
+    with open(Path(folder) / f"pressure_area/{name}_at_peak.csv", newline="") as file:
+        return [tuple(map(float, row)) for row in list(csv.reader(file))[1:]]
+
+
+def iso_global(thickness, width, coefficient=2.8e6):
+    """[Pa] design pressure of ISO 19906 over the width of a structure; the coefficient 2.8 MPa is for the Arctic, 1.8 MPa for the Baltic."""
+    exponent = min(-0.3, 0.2 * thickness - 0.5)
+    return coefficient * thickness**exponent * (width / thickness) ** -0.16
+
+
+def local_design(area):
+    """[Pa] 7.4 A^-0.7 MPa, the curve for local design."""
+    return 7.4e6 * area**-0.7
+
+
+def of_prisms(folder):
+    found = {}
     if (folder / "compression").is_dir():
         found["compressive strength [MPa]"] = max(stress for _, stress in compression(folder / "compression")) / 1e6
         found["compression energy error [-]"] = energy_error(history(folder / "compression"), "ice.top.work", "ice.bottom.work")
+    if (folder / "tension").is_dir():
+        found["tensile strength [MPa]"] = max(stress for _, stress in tension(folder / "tension")) / 1e6
+        found["tension energy error [-]"] = energy_error(history(folder / "tension"), "ice.top.work", "ice.bottom.work")
+    if (folder / "brazilian").is_dir():
+        found["splitting strength [MPa]"] = max(stress for _, stress, broken in splitting(folder / "brazilian") if broken == 0) / 1e6
+        found["splitting energy error [-]"] = energy_error(history(folder / "brazilian"), "ice.top.work", "ice.bottom.work")
     if (folder / "bending").is_dir():
         found["flexural strength [MPa]"] = max(stress for _, stress, broken in bending(folder / "bending") if broken == 0) / 1e6
         found["bending energy error [-]"] = energy_error(history(folder / "bending"), "ice.load_left.work", "ice.load_right.work")
+    return found
+
+
+def of_indenters(folder):
+    found = {}
     if (folder / "punch").is_dir():
         found["punch [-]"] = punch(folder / "punch")[-1][1]
         found["punch energy error [-]"] = energy_error(history(folder / "punch"), "block.punch.work")
     if (folder / "indentation").is_dir():
-        curve = [pressure for area, pressure in indentation(folder / "indentation") if AREAS[0] < area < AREAS[1]]
-        found["indentation pressure [MPa]"] = sum(curve) / len(curve) / 1e6
-        local = [pressure / (7.4e6 * area**-0.7) for area, pressure in indentation(folder / "indentation") if AREAS[0] < area < AREAS[1]]
-        found["indentation over 7.4 A^-0.7 [-]"] = max(local)
+        curve = [(area, pressure) for area, pressure in indentation(folder / "indentation") if AREAS[0] < area < AREAS[1]]
+        found["indentation pressure [MPa]"] = sum(pressure for _, pressure in curve) / len(curve) / 1e6
+        found["indentation over 7.4 A^-0.7 [-]"] = max(pressure / local_design(area) for area, pressure in curve)
         found["indentation energy error [-]"] = energy_error(history(folder / "indentation"), "sphere.contact_work")
+    for name, (thickness, _, width) in EDGES.items():
+        if not (folder / name).is_dir():
+            continue
+        curve = edge(folder / name)
+        found[f"{name} [-]"] = late([pressure for *_, pressure in curve]) / STRENGTH
+        found[f"{name} over ISO [-]"] = late([pressure / iso_global(thickness, width(depth)) for depth, _, pressure in curve])
+        found[f"{name} energy error [-]"] = energy_error(history(folder / name), "indenter.contact_work")
     return found
+
+
+def of_impacts(folder):
+    found = {}
+    if (folder / "ball").is_dir():
+        curve, rows = ball(folder / "ball"), history(folder / "ball")
+        diameter, density, speed = BALL
+        momentum = density * math.pi / 6 * diameter**3 * speed
+        found["ball force [MN]"] = max(force for _, force in curve) / 1e6
+        pressure = crushing_pressure(folder / "ball")
+        force, time = plastic_sphere(pressure)
+        found["ball crushing pressure [MPa]"] = pressure / 1e6
+        found["ball force over plastic sphere [-]"] = found["ball force [MN]"] * 1e6 / force
+        found["ball time over plastic sphere [-]"] = stopping_time(folder / "ball") / time
+        found["ball impulse [-]"] = sum(force for _, force in curve) * (curve[1][0] - curve[0][0]) / momentum
+        found["ball energy error [-]"] = max(abs(row["total.energy_balance_error"]) for row in rows) / (0.5 * momentum * speed)
+    if (folder / "drop").is_dir():
+        curve = drop(folder / "drop")
+        _, depth, force = max(curve, key=lambda row: row[2])
+        found["drop force [MN]"] = force / 1e6
+        found["drop mean pressure [MPa]"] = force / cap(DROP_RADIUS, depth) / 1e6
+        found["drop centre pressure [MPa]"] = max(pressure for area, pressure in nested(folder / "drop", "sphere") if area > 9 * DROP_SPACING**2) / 1e6
+        found["drop energy error [-]"] = energy_error(history(folder / "drop"), "sphere.contact_work")
+    return found
+
+
+def measure(folder):
+    folder = Path(folder)
+    return of_prisms(folder) | of_indenters(folder) | of_impacts(folder)
 
 
 if __name__ == "__main__":
     for path in sys.argv[1:]:
         for name, value in measure(path).items():
-            print(f"{name:36}{value:.6g}")
+            print(f"{name:40}{value:.6g}")

@@ -27,6 +27,19 @@ def youngs_modulus(brine):
     return 10e9 * (1 - 3.51 * brine) - 1e9  # [Pa]
 
 
+# Timco and Frederking (1990): factor [MPa] and the porosity [‰] without strength, by the kind of ice and the direction of the load
+COMPRESSION = {"columnar, along the sheet": (37, 270), "columnar, across the sheet": (160, 200), "granular": (49, 280)}
+SLOWEST, FASTEST = 1e-7, 1e-3  # [1/s] of their fit
+COLUMNS = (("columnar, along the sheet", "1e-4"), ("columnar, along the sheet", "1e-3"), ("granular", "1e-3"), ("columnar, across the sheet", "1e-3"))  # of the table
+
+
+def compressive_strength(porosity, strain_rate, kind="columnar, along the sheet"):
+    """[Pa] from the share of the volume that is brine and air, and the strain rate [1/s]."""
+    assert SLOWEST <= strain_rate <= FASTEST
+    factor, most = COMPRESSION[kind]
+    return 1e6 * factor * strain_rate**0.22 * (1 - sqrt(1e3 * porosity / most))
+
+
 def critical_stretch(strength, young, layers):
     return (1 - 1 / layers) * strength / young
 
@@ -56,10 +69,20 @@ def stretches():
     return lines
 
 
+def compression():
+    lines = ["| T [°C] | S [‰] | ν_b | " + " | ".join(f"{kind}, {rate} 1/s" for kind, rate in COLUMNS) + " |", "|---" * (3 + len(COLUMNS)) + "|"]
+    for temperature in (-2, -5, -10, -20):
+        for salinity in (1, 4, 8):
+            brine = brine_volume(temperature, salinity)
+            strengths = [compressive_strength(brine, float(rate), kind) if 1e3 * brine < COMPRESSION[kind][1] else 0 for kind, rate in COLUMNS]
+            lines.append(f"| −{-temperature} | {salinity} | {brine:.4f} | " + " | ".join(f"{1e-6 * strength:.2f}" for strength in strengths) + " |")
+    return lines
+
+
 def page(text):
     """The page with its tables updated, each between <!-- NAME --> and <!-- end -->."""
-    kinds = {"properties": properties, "stretches": stretches}
-    return re.sub(r"<!-- (properties|stretches) -->\n(?:[^<]*?\n)?<!-- end -->", lambda found: "\n".join([f"<!-- {found[1]} -->", *kinds[found[1]](), "<!-- end -->"]), text)
+    kinds = {"properties": properties, "stretches": stretches, "compression": compression}
+    return re.sub(r"<!-- (properties|stretches|compression) -->\n(?:[^<]*?\n)?<!-- end -->", lambda found: "\n".join([f"<!-- {found[1]} -->", *kinds[found[1]](), "<!-- end -->"]), text)
 
 
 def figure():

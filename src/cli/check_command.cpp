@@ -10,6 +10,7 @@
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
 #include "cli/remesh_text.hpp"
+#include "cli/strength_text.hpp"
 #include "cli/surface_text.hpp"
 #include "fccda/contact_bounds/bounds_panels.hpp"
 #include "io/output/results_folder.hpp"
@@ -36,14 +37,6 @@ std::string advice(const BendingOfLayers& thin) {
   return thin.relative >= good ? "" : fmt::format("; eight have 0.95, or bending_calibration: {} compensates for it", "xyz"[thin.axis]);
 }
 
-void print_yielding(const PlasticForce& plastic, const std::optional<FailureCriterion>& failure) {
-  const double strength = plastic.plasticity().ellipse.compressive_strength(), modulus = plastic.law().elastic().youngs_modulus;
-  fmt::print("  {:<18}at {:.4g} Pa in uniaxial compression", "yields", strength);
-  // at free faces of a lattice with ν = 1/4 bonds stretch by 0.37 of the compression σ/E, and their limit is s_c + 0.25 σ/E (docs/theory/ice_plasticity.md)
-  const double most = failure ? failure->stretch * modulus / (0.37 - 0.25) : std::numeric_limits<double>::infinity();
-  fmt::print("{}\n", strength > most ? fmt::format("; specimens with free faces split before, at about {:.3g} Pa", most) : "");
-}
-
 void print_body(const BodySetup& setup, const Body& body, const std::optional<FilledMass>& filled) {
   fmt::print("body {}\n", body.name);
   if (const Lattice* lattice = body.particles.lattice())
@@ -58,10 +51,7 @@ void print_body(const BodySetup& setup, const Body& body, const std::optional<Fi
   else if (const auto thin = bending_of_thin(setup, body.particles))
     fmt::print("  {:<18}{} layers along {} have {:.2f} of a plate's stiffness{}\n", "bending", thin->layers, "xyz"[thin->axis], thin -> relative,
                advice(*thin));
-  if (const auto& failure = body.failure)
-    fmt::print("  {:<18}above a stretch of {:.4g}: fracture energy {:.4g} J/m2, flexural strength {:.4g} Pa with {} layers\n", "bond failure", failure->stretch,
-               failure->fracture_energy, failure->flexural_strength, failure->layers);
-  if (const PlasticForce* plastic = body.internal.plastic()) print_yielding(*plastic, body.failure);
+  fmt::print("{}", strength_text(setup, body));
   const bool is_exact = !filled || std::fabs(filled->excess()) < 1e-9;  // a box of whole spacings
   fmt::print("  {:<18}{:.5g} kg{}\n", "mass", body.particles.total_mass(),
              is_exact ? "" : fmt::format("; {:+.2g} % relative to the solid ({:.5g} kg)", 100 * filled->excess(), filled->solid));
