@@ -17,7 +17,10 @@ NAVIGATION = {
         "guide/getting_started", "guide/install", "guide/tutorials/1_plate", "guide/tutorials/2_your_part", "guide/tutorials/3_ice_and_hull", "guide/comparison",
         "guide/units_and_axes", "guide/solids", "guide/user_materials", "guide/surface_meshes", "guide/shapes", "guide/surface_formats",
         "guide/real_surfaces", "guide/spacing_and_layers", "guide/contact_bounds", "guide/results", "guide/loads", "guide/report", "guide/restart", "guide/cluster", "guide/python", "guide/python_reference",
-        "guide/troubleshooting", "guide/diagnoses", "guide/errors", "guide/deck_reference"],
+        "guide/troubleshooting", "guide/diagnoses", "guide/errors"],
+    "Deck reference": ["guide/deck/index"] + [f"guide/deck/{name}" for name in (
+        "time", "bodies", "shapes", "cracks", "particle_sets", "materials", "ice", "plasticity", "failure", "boundary_conditions", "impactors", "surfaces",
+        "remeshing", "contact_bounds", "motion", "gauges", "contact", "output")],
     "Cases": [
         f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_specimens", "ice_paddle", "floating_strip",
                                              "crack_branching", "kalthoff_winkler")],
