@@ -54,6 +54,7 @@ html_show_sphinx = False
 def setup(app):
     app.connect("source-read", add_navigation)
     app.connect("source-read", show_headers)
+    app.connect("source-read", link_cpp_reference)
 
 
 def add_navigation(app, page, source):
@@ -68,6 +69,12 @@ def add_navigation(app, page, source):
         headings["More"] = [f"/{each}" for each in rest]
     for heading, pages in headings.items():
         source[0] += f"\n\n```{{toctree}}\n:hidden:\n:caption: {heading}\n\n" + "\n".join(pages) + "\n```\n"
+
+
+def link_cpp_reference(app, page, source):
+    """Pages name the C++ reference by its place in the built site, which Markdown cannot link to: the site links there."""
+    up = "../" * page.count("/")
+    source[0] = re.sub(r"`build/docs/(cpp/\w+/index\.html)`", lambda found: f'<a href="{up}{found[1]}"><code>{found[1]}</code></a>', source[0])
 
 
 def show_headers(app, page, source):

@@ -21,6 +21,7 @@
 
 namespace fccda {
 
+/// Contact bounds of any kind.
 using ContactBounds = std::variant<Unbounded, BoxUnion, CylinderSectors>;
 
 }  // namespace fccda
