@@ -55,6 +55,7 @@ def setup(app):
     app.connect("source-read", add_navigation)
     app.connect("source-read", show_headers)
     app.connect("source-read", link_cpp_reference)
+    app.connect("build-finished", complete_theme)
 
 
 def add_navigation(app, page, source):
@@ -69,6 +70,21 @@ def add_navigation(app, page, source):
         headings["More"] = [f"/{each}" for each in rest]
     for heading, pages in headings.items():
         source[0] += f"\n\n```{{toctree}}\n:hidden:\n:caption: {heading}\n\n" + "\n".join(pages) + "\n```\n"
+
+
+def complete_theme(app, failure):
+    """Debian's furo expects a web server: its style sheet imports another by an absolute path, and its script, which the pages load as a plain one,
+    imports a module. Opened from the disk, pages would have neither dark mode nor a table of contents that follows."""
+    if failure:
+        return
+    static = Path(app.outdir) / "_static"
+    style = static / "styles/furo.css"
+    normalize = "/javascript/normalize.css/normalize.css"
+    style.write_text(style.read_text(encoding="utf-8").replace(f"url({normalize})", "url(normalize.css)"), encoding="utf-8")
+    style.with_name("normalize.css").write_bytes(Path("/usr/share" + normalize).read_bytes())
+    script = static / "scripts/furo.js"
+    module = 'import Gumshoe from "./gumshoe-patched.js";'
+    script.write_text(script.read_text(encoding="utf-8").replace(module, script.with_name("gumshoe-patched.js").read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def link_cpp_reference(app, page, source):
