@@ -43,15 +43,20 @@ def headers_from(header):
 
 def build(name, brief, headers, folder, more):
     (folder / name).mkdir(parents=True)
+    front = folder / f"{name}.dox"
+    front.write_text(f"/** @mainpage {name}\n{brief}: [classes](annotated.html), [functions](namespace{name}.html), [headers](files.html). "
+                     f"Guides and theory are in <a href=\"../../docs/index.html\">the documentation</a>. */\n"
+                     f"/** @namespace {name} {brief}. */\n", encoding="utf-8")
     version = re.search(r"project\(perimpact VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
     settings = {
         "PROJECT_NAME": name, "PROJECT_BRIEF": f'"{brief}"', "PROJECT_NUMBER": version, "OUTPUT_DIRECTORY": folder / name, "HTML_OUTPUT": ".",
         "STRIP_FROM_PATH": SOURCE, "STRIP_FROM_INC_PATH": SOURCE, "INCLUDE_PATH": SOURCE,
-        "INPUT": " ".join(str(SOURCE / each) for each in sorted(headers)),
+        "INPUT": " ".join([str(front)] + [str(SOURCE / each) for each in sorted(headers)]),
         "INPUT_FILTER": f'"/usr/bin/python3 {ROOT / "docs/site/cpp_filter.py"}"', **more}
     text = COMMON + "".join(f"{key} = {value}\n" for key, value in settings.items())
     if subprocess.run(["doxygen", "-"], input=text, text=True, cwd=ROOT).returncode != 0:
         sys.exit(f"doxygen warns about the headers of {name}; correct their comments.")
+    front.unlink()
 
 
 def without_dead_links(folder):
