@@ -9,7 +9,7 @@ build=(g++ cmake ninja-build libfmt-dev libyaml-cpp-dev libudunits2-dev libcli11
 tests=(doctest-dev python3 python3-dev pybind11-dev python3-numpy python3-matplotlib python3-yaml python3-jsonschema gmsh python3-meshio openfoam-examples)
 checks=(clang-14 libclang-rt-14-dev libomp-14-dev clang-format-14 chromium firefox-esr xvfb poppler-utils)
 [[ -n "$(type -P npm)" ]] || checks+=(nodejs npm)
-docs=(python3 python3-sphinx python3-myst-parser furo)
+docs=(python3 python3-sphinx python3-myst-parser furo doxygen)
 case "${1:-}" in
   run) packages=("${build[@]}") ;;
   test) packages=("${build[@]}" "${tests[@]}") ;;

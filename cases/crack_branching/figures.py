@@ -38,7 +38,7 @@ def main():
     for axis in axes[:, 0]:
         axis.set_ylabel("y [mm]")
     figure.colorbar(map_, ax=axes, label="damage: share of the bonds that are broken", shrink=0.85)
-    figure.suptitle("A crack in glass under a sudden pull of 12 MPa up and down", fontsize=12.5)
+    figure.suptitle("A crack in glass under a sudden tension of 12 MPa", fontsize=12.5)
     (CASE / "figures").mkdir(exist_ok=True)
     figure.savefig(CASE / "figures/crack_branching.png", dpi=100)
 

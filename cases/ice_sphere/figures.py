@@ -51,7 +51,7 @@ def draw_hertz(results):
             axis.plot(1e3 * middles, force / 1e6, color=colour, label=f"{across} across")
         times, force = hertz_curve(mass, speed)
         axis.plot(1e3 * times, force / 1e6, color="#b3312c", ls="--", label="Hertz")
-        axis.set(title=title, xlabel="time from the first touch [ms]", xlim=(0, 5), ylim=(0, None))
+        axis.set(title=title, xlabel="time from first contact [ms]", xlim=(0, 5), ylim=(0, None))
         axis.grid(alpha=0.25)
     axes[0].set_ylabel("force on the plate [MN]")
     axes[1].legend(frameon=False)

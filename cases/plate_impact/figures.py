@@ -69,7 +69,7 @@ def fig13(runs, path):
     front.annotate("", (0, 55), (0, 75), arrowprops={"arrowstyle": "-|>", "color": INK, "lw": 1.4}, zorder=4)
     front.text(3, 64, "32 m/s\n1.57 kg", va="center", zorder=4)
     front.text(-98, 56, "plate 200 × 100 × 9 mm, free", va="bottom")
-    front.text(28, 99, "bounding region 50 × 50 × 10 mm", color="#c8102e", va="top")
+    front.text(28, 99, "contact bounds 50 × 50 × 10 mm", color="#c8102e", va="top")
     front.text(28, 75, "rigid cylinder Ø 50 × 25 mm", va="center")
     front.set(xlabel="x [mm]", ylabel="y [mm]", xlim=(-106, 106), ylim=(-56, 106), title="from the front")
     side.set(xlabel="z [mm]", xlim=(-20, 20), title="from the side")

@@ -59,7 +59,7 @@ def fig21(folder):
     region = report(folder)["impactors"]["propeller"]["contact_bounds"]
     figure, axes = plt.subplots(1, 2, figsize=(10.4, 5.2))
     view = {"direction": (0.75, -0.5, 0.35), "up": (0, 0, 1)}
-    for axis, title in zip(axes, ("11 704 panels, finer along edges and tips", "region: cylinder with four sectors, fitted")):
+    for axis, title in zip(axes, ("11 704 panels, finer along edges and tips", "contact bounds: cylinder with four sectors, fitted")):
         picture = scene(view, 500, 480, 105, (0, 0, 0), fold=3)
         picture.add_panels(screw.points, screw.panels, SAND, LINE, 0.004)
         show(axis, picture.picture(3), title)
@@ -125,7 +125,7 @@ def forces(folder):
     axes[2].legend(frameon=False)
     for axis in axes:
         axis.grid(alpha=0.25)
-    axes[0].set_title("One blow, on the back of blade 4 (means over 1 ms)", fontsize=12)
+    axes[0].set_title("One impact, on the back of blade 4 (means over 1 ms)", fontsize=12)
     save(figure, "forces")
 
 

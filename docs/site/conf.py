@@ -17,7 +17,10 @@ NAVIGATION = {
         "guide/getting_started", "guide/install", "guide/tutorials/1_plate", "guide/tutorials/2_your_part", "guide/tutorials/3_ice_and_hull", "guide/comparison",
         "guide/units_and_axes", "guide/solids", "guide/user_materials", "guide/surface_meshes", "guide/shapes", "guide/surface_formats",
         "guide/real_surfaces", "guide/spacing_and_layers", "guide/calibration", "guide/contact_bounds", "guide/results", "guide/loads", "guide/report", "guide/restart", "guide/cluster", "guide/python", "guide/python_reference",
-        "guide/troubleshooting", "guide/diagnoses", "guide/errors", "guide/deck_reference"],
+        "guide/troubleshooting", "guide/diagnoses", "guide/errors"],
+    "Deck reference": ["guide/deck/index"] + [f"guide/deck/{name}" for name in (
+        "time", "bodies", "shapes", "cracks", "particle_sets", "materials", "ice", "plasticity", "failure", "boundary_conditions", "impactors", "surfaces",
+        "remeshing", "contact_bounds", "motion", "gauges", "contact", "output")],
     "Cases": [
         f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_specimens", "ice_paddle", "floating_strip",
                                              "crack_branching", "kalthoff_winkler")],
@@ -51,6 +54,8 @@ html_show_sphinx = False
 def setup(app):
     app.connect("source-read", add_navigation)
     app.connect("source-read", show_headers)
+    app.connect("source-read", link_cpp_reference)
+    app.connect("build-finished", complete_theme)
 
 
 def add_navigation(app, page, source):
@@ -65,6 +70,27 @@ def add_navigation(app, page, source):
         headings["More"] = [f"/{each}" for each in rest]
     for heading, pages in headings.items():
         source[0] += f"\n\n```{{toctree}}\n:hidden:\n:caption: {heading}\n\n" + "\n".join(pages) + "\n```\n"
+
+
+def complete_theme(app, failure):
+    """Debian's furo expects a web server: its style sheet imports another by an absolute path, and its script, which the pages load as a plain one,
+    imports a module. Opened from the disk, pages would have neither dark mode nor a table of contents that follows."""
+    if failure:
+        return
+    static = Path(app.outdir) / "_static"
+    style = static / "styles/furo.css"
+    normalize = "/javascript/normalize.css/normalize.css"
+    style.write_text(style.read_text(encoding="utf-8").replace(f"url({normalize})", "url(normalize.css)"), encoding="utf-8")
+    style.with_name("normalize.css").write_bytes(Path("/usr/share" + normalize).read_bytes())
+    script = static / "scripts/furo.js"
+    module = 'import Gumshoe from "./gumshoe-patched.js";'
+    script.write_text(script.read_text(encoding="utf-8").replace(module, script.with_name("gumshoe-patched.js").read_text(encoding="utf-8")), encoding="utf-8")
+
+
+def link_cpp_reference(app, page, source):
+    """Pages name the C++ reference by its place in the built site, which Markdown cannot link to: the site links there."""
+    up = "../" * page.count("/")
+    source[0] = re.sub(r"`build/docs/(cpp/\w+/index\.html)`", lambda found: f'<a href="{up}{found[1]}"><code>{found[1]}</code></a>', source[0])
 
 
 def show_headers(app, page, source):

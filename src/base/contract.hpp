@@ -13,5 +13,6 @@
     }                                                                                         \
   } while (false)
 #else
+/// Checks a precondition where contracts are on: if it is violated, prints file and line and aborts. Otherwise `condition` is not evaluated.
 #define EXPECTS(condition) static_cast<void>(0)
 #endif

@@ -13,8 +13,9 @@ enum class Advice : std::uint8_t { none, declare_orientation, cut_open, clip };
 
 /// The wording of each remedy in one interface, such as "with `orientation: normals`" in an input file.
 struct AdviceWords {
-  std::string_view declare_orientation, cut_open, clip;
+  std::string_view declare_orientation, cut_open, clip;  ///< of the remedies of the same names in Advice
 
+  /// The wording of one remedy; empty for none.
   constexpr std::string_view of(Advice advice) const {
     switch (advice) {
       case Advice::declare_orientation:
@@ -30,6 +31,7 @@ struct AdviceWords {
   }
 };
 
+/// The wording for C++ programs.
 constexpr AdviceWords library_words{
     .declare_orientation = "with Surface::Options::orientation, Orientation::normals (the one that the normals point to) or Orientation::reversed",
     .cut_open = "with Surface::Options::orientation, Orientation::normals (the side that the normals point to)",
@@ -41,9 +43,11 @@ constexpr AdviceWords library_words{
 /// inserts its own (`in_words_of`).
 class InputError : public std::runtime_error {
  public:
+  /// `sentence`: where, what, why, remedy; `advice`: the remedy inserted for `{}`.
   explicit InputError(const std::string& sentence, Advice advice = Advice::none)
       : std::runtime_error(filled(sentence, advice, library_words)), sentence_(sentence), advice_(advice) {}
 
+  /// The message with the remedy in the words of another interface.
   std::string in_words_of(const AdviceWords& words) const { return filled(sentence_, advice_, words); }
 
  private:
@@ -59,6 +63,7 @@ class InputError : public std::runtime_error {
 /// The simulation cannot continue (not a number, energy growth, disk full). Exit code 3.
 class RunError : public std::runtime_error {
  public:
+  /// `sentence`: where, what, why, remedy.
   explicit RunError(const std::string& sentence) : std::runtime_error(sentence) {}
 };
 

@@ -11,6 +11,7 @@
 
 namespace fccda {
 
+/// "0.5", for messages.
 inline std::string in_words(double number) {
   std::ostringstream text;
   text << number;
@@ -24,6 +25,7 @@ inline std::string in_words(const Vec3d& x) { return '(' + in_words(x.x) + ", " 
 inline void expect_finite(double number, std::string_view what) {
   if (!std::isfinite(number)) throw InputError(std::string(what) + " is " + in_words(number) + ", but it must be finite.");
 }
+/// The same for the three components.
 inline void expect_finite(const Vec3d& vector, std::string_view what) {
   if (!is_finite(vector)) throw InputError(std::string(what) + " is " + in_words(vector) + ", but it must be finite.");
 }

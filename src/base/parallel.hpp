@@ -22,7 +22,9 @@ void parallel_for_uneven(std::ptrdiff_t count, const Body& body) {
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
 
+/// Number of threads of parallel loops.
 inline int thread_count() { return omp_get_max_threads(); }
+/// Sets the number of threads of parallel loops, at least 1.
 inline void use_threads(int count) { omp_set_num_threads(count); }
 
 }  // namespace fccda

@@ -24,6 +24,7 @@
 
 namespace fccda {
 
+/// True for std::vector, whose length a visitor that reads may change.
 template <class Values>
 inline constexpr bool is_list = false;
 template <class T>
@@ -34,10 +35,12 @@ template <class T>
 std::span<T> numbers_in(std::span<T> values) {
   return values;
 }
+/// All values of a vector.
 template <class T>
 std::span<T> numbers_in(std::vector<T>& values) {
   return values;
 }
+/// One number as a span of length 1.
 template <class T>
 requires std::is_arithmetic_v<T> std::span<T> numbers_in(T& value) { return {&value, 1}; }
 
@@ -56,11 +59,13 @@ void visit_members(Visitor& visit, std::string_view name, const std::array<doubl
   for (std::size_t k = 0; k < count; ++k) *members[k] = values[k];
 }
 
+/// Visits a vector as three numbers.
 template <class Visitor>
 void visit_vector(Visitor& visit, std::string_view name, Vec3d& vector) {
   visit_members(visit, name, std::array{&vector.x, &vector.y, &vector.z});
 }
 
+/// Visits a flag as one byte, 0 or 1.
 template <class Visitor>
 void visit_flag(Visitor& visit, std::string_view name, bool& flag) {
   std::uint8_t value = flag;

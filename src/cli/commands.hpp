@@ -29,6 +29,7 @@ enum class DescribeForm { text, markdown, schema };
 struct DescribeArguments {
   std::string key;  ///< to describe; empty: all
   DescribeForm form = DescribeForm::text;
+  std::filesystem::path folder;  ///< of the Markdown pages
 };
 int describe_command(const DescribeArguments& arguments);
 

@@ -66,14 +66,17 @@ void add_statistics(CLI::App& command, StatisticsArguments& arguments) {
 
 void add_describe(CLI::App& command, DescribeArguments& arguments, int& code) {
   CLI::Option* key = command.add_option("key", arguments.key, "Key, such as poissons_ratio or bodies.material");
-  const auto form = [&](const char* name, DescribeForm which, const char* help) {
-    return command
-        .add_flag_callback(
-            name, [&arguments, which] { arguments.form = which; }, help)
-        ->excludes(key);
-  };
-  form("--markdown", DescribeForm::markdown, "The whole reference as a Markdown page (docs/guide/deck_reference.md)")
-      ->excludes(form("--schema", DescribeForm::schema, "The whole reference as a JSON Schema, for editors (docs/guide/deck.schema.json)"));
+  CLI::Option* markdown = command.add_option_function<std::string>(
+      "--markdown",
+      [&arguments](const std::string& folder) {
+        arguments.form = DescribeForm::markdown;
+        arguments.folder = folder;
+      },
+      "Write the whole reference as Markdown pages to this folder (docs/guide/deck)");
+  CLI::Option* schema = command.add_flag_callback(
+      "--schema", [&arguments] { arguments.form = DescribeForm::schema; }, "The whole reference as a JSON Schema, for editors (docs/guide/deck.schema.json)");
+  markdown->excludes(key)->excludes(schema);
+  schema->excludes(key);
   command.callback([&arguments, &code] { code = describe_command(arguments); });
 }
 

@@ -22,6 +22,7 @@
 
 namespace fccda {
 
+/// Main dimensions of a hull.
 struct HullShape {
   double length = 0;                                           ///< L [m] of the waterline
   double breadth = 0;                                          ///< B [m] on the waterline
@@ -53,7 +54,7 @@ class HullForm {
   double stern_share(double u) const { return 1 - (1 - u) * (1 - u); }     ///< W_s
   double bilge_top() const { return shape_.bilge_radius - shape_.draft; }  ///< R - T [m]
   double half_breadth(double x, double z) const;                           ///< y [m], 0 before the stem and behind the stern
-  const HullShape& shape() const { return shape_; }
+  const HullShape& shape() const { return shape_; }                        ///< as given
 
  private:
   HullShape shape_;

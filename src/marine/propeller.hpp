@@ -24,6 +24,7 @@
 
 namespace fccda {
 
+/// Sense of rotation that drives the ship ahead, seen from aft.
 enum class Hand { right, left };
 
 /// Sections at some radii, in place of the Wageningen series; monotone cubics between them. Lists as long as `radius`, or empty where stated.
@@ -37,19 +38,20 @@ struct PropellerSections {
   std::vector<double> camber;     ///< height of the mean line over the chord, a parabola with half the thickness to each side. Empty: the face of the series
 };
 
+/// Main dimensions of a propeller.
 struct PropellerShape {
-  int blades = 4;
-  double diameter = 0;          ///< D [m]
-  double pitch_ratio = 0;       ///< P/D at 0.7 R and, except for four blades, everywhere; not with `sections`
-  double area_ratio = 0;        ///< expanded area ratio; not with `sections`
-  double hub_ratio = 0;         ///< hub diameter over D
-  double hub_length = 0;        ///< [m]
-  double rake = 0;              ///< [rad] of the generator line, aft
-  double skew = 0;              ///< [rad] lag of the tip, growing with the square of the distance from the hub; added to that of the series
-  double thickness_factor = 1;  ///< [-] factor on all thicknesses
-  double edge_thickness = 0.1;  ///< [-] of edges and tip, over the greatest thickness of the section
-  Hand hand = Hand::right;
-  Axis axis = Axis::x;
+  int blades = 4;                             ///< number of blades
+  double diameter = 0;                        ///< D [m]
+  double pitch_ratio = 0;                     ///< P/D at 0.7 R and, except for four blades, everywhere; not with `sections`
+  double area_ratio = 0;                      ///< expanded area ratio; not with `sections`
+  double hub_ratio = 0;                       ///< hub diameter over D
+  double hub_length = 0;                      ///< [m]
+  double rake = 0;                            ///< [rad] of the generator line, aft
+  double skew = 0;                            ///< [rad] lag of the tip, growing with the square of the distance from the hub; added to that of the series
+  double thickness_factor = 1;                ///< [-] factor on all thicknesses
+  double edge_thickness = 0.1;                ///< [-] of edges and tip, over the greatest thickness of the section
+  Hand hand = Hand::right;                    ///< right or left
+  Axis axis = Axis::x;                        ///< of the shaft; its positive direction is ahead
   std::optional<PropellerSections> sections;  ///< none: Wageningen B
   double edge_length = 0;                     ///< [m] longest edge
   double blade_edge_length = 0;               ///< [m] longest edge at leading edge, trailing edge and tip; 0: as edge_length
@@ -61,6 +63,7 @@ class BladeForm {
   /// Throws InputError, one sentence, if the dimensions are inconsistent.
   explicit BladeForm(const PropellerShape& shape);
 
+  /// The blade section at one radius.
   struct Section {
     double radius;                     ///< [m]
     double chord, leading, thickest;   ///< c, a, b [m]
@@ -70,14 +73,15 @@ class BladeForm {
     double rake;                       ///< k [m] aft
     double skew;                       ///< θ [rad]
   };
+  /// The section at a radius [m].
   Section section(double radius) const;
 
   /// Point of the section: `along` from -1 (trailing edge) to 1 (leading edge), `through` from 0 (face) to 1 (back). The shaft is the axis z
   /// here, the generator line of the blade is along +x; right-handed.
   Vec3d place(const Section& section, double along, double through) const;
 
-  double root_radius() const { return root_; }  ///< [m] of the innermost section, inside the hub
-  double tip_radius() const { return 0.5 * shape_.diameter; }
+  double root_radius() const { return root_; }                 ///< [m] of the innermost section, inside the hub
+  double tip_radius() const { return 0.5 * shape_.diameter; }  ///< R [m]
 
   /// Developed area of all blades, from this r/R to the tip, over that of the disc [-].
   double expanded_area_ratio(double from) const;
@@ -91,9 +95,9 @@ class BladeForm {
 
 /// The hub alone, about the axis z: a cylinder with rounded edges.
 struct HubForm {
-  double radius = 0, length = 0;  ///< [m]
-  double rounding() const;        ///< [m] radius of the rounded edges: 0.3 of the radius, at most a quarter of the length
-  double radius_at(double z) const;
+  double radius = 0, length = 0;     ///< [m]
+  double rounding() const;           ///< [m] radius of the rounded edges: 0.3 of the radius, at most a quarter of the length
+  double radius_at(double z) const;  ///< [m] at a position along the axis [m]; smaller in the rounded edges
 };
 
 /// Triangles, oriented outward, with vertices shared within each blade and the hub. Parts `hub`, `blade_1`, `blade_2` and so on. All vertices lie

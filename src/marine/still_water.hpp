@@ -17,6 +17,7 @@
 
 namespace fccda {
 
+/// Water without waves and currents.
 struct StillWater {
   double level = 0;       ///< [m] z of the water surface
   double density = 1025;  ///< [kg/m³]

@@ -14,6 +14,7 @@ namespace fccda {
 /// The declared outside of an open surface.
 enum class Orientation : std::uint8_t { undeclared, normals, reversed };
 
+/// What orient_outward() found and changed.
 struct Outward {
   std::size_t flipped = 0;                ///< closed components flipped as a whole
   std::size_t cavities = 0;               ///< closed components that bound a cavity in another

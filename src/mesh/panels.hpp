@@ -16,10 +16,10 @@ struct Panels {
 
   /// Named parts (part_naming.hpp): the index into `part_names` of each panel. Both empty: all panels form one unnamed part.
   std::vector<int> part;
-  std::vector<std::string> part_names;
+  std::vector<std::string> part_names;  ///< names of the parts
 
-  void add_triangle(int a, int b, int c) { panels.push_back({a, b, c, -1}); }
-  void add_quad(int a, int b, int c, int d) { panels.push_back({a, b, c, d}); }
+  void add_triangle(int a, int b, int c) { panels.push_back({a, b, c, -1}); }    ///< by vertex numbers in order around it
+  void add_quad(int a, int b, int c, int d) { panels.push_back({a, b, c, d}); }  ///< by vertex numbers in order around it
 };
 
 }  // namespace fccda

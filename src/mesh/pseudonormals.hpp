@@ -11,9 +11,9 @@ namespace fccda {
 /// Unit vectors. Bærentzen and Aanæs, IEEE Transactions on Visualization and Computer Graphics 11 (2005) 243: the mean of both faces on
 /// an edge; on a vertex the mean weighted by the angles of the faces there.
 struct Pseudonormals {
-  std::vector<Vec3d> faces;
+  std::vector<Vec3d> faces;                 ///< of each triangle
   std::vector<std::array<Vec3d, 3>> edges;  ///< of each triangle's edges; on a boundary edge that of the face
-  std::vector<Vec3d> vertices;
+  std::vector<Vec3d> vertices;              ///< of each vertex
 };
 
 /// Where the faces cancel, as on the edge of a sheet folded onto itself, the normal points away from them, in their plane: there is no

@@ -20,6 +20,7 @@ struct Level {
   double height = 0;  ///< [m]
 };
 
+/// The part of a volume below a level.
 struct SubmergedVolume {
   double volume = 0;      ///< [m³]
   Vec3d centre{};         ///< [m] of that volume, the centre of buoyancy; 0 if it is empty

@@ -28,40 +28,42 @@ struct PartReport {
 
 /// What construction found and repaired.
 struct SurfaceReport {
-  std::size_t panels = 0;                   ///< as given
-  std::size_t triangles = 0;                ///< kept
-  std::size_t vertices = 0;                 ///< after welding
-  std::size_t welded = 0;                   ///< vertices merged into another
-  std::size_t degenerate = 0;               ///< dropped triangles without area
-  std::size_t duplicate = 0;                ///< dropped triangles that repeat another
-  std::size_t back_to_back = 0;             ///< dropped triangles that lay back to back in pairs (duplicates.hpp)
-  std::size_t non_manifold_edge_count = 0;  ///< edges of more than two triangles, resolved by dihedral angle (connect.hpp)
-  std::size_t cut_edges = 0;                ///< of these, the unresolved ones: an unmatched side is a boundary edge
-  std::size_t rewound = 0;                  ///< triangles flipped to agree with their neighbours
-  std::size_t flipped = 0;                  ///< closed components that pointed inward and were flipped as a whole
-  std::size_t components = 0;               ///< parts connected over edges
-  std::size_t cavities = 0;                 ///< closed components that lie inside another and bound a cavity in it
-  std::size_t solids = 0;                   ///< components other than cavities
-  std::size_t may_overlap = 0;              ///< closed components, except cavities, whose bounding box intersects that of another
-  std::size_t boundary_edges = 0;           ///< edges of one triangle, or cut
-  Closure closure = Closure::closed;
+  std::size_t panels = 0;                      ///< as given
+  std::size_t triangles = 0;                   ///< kept
+  std::size_t vertices = 0;                    ///< after welding
+  std::size_t welded = 0;                      ///< vertices merged into another
+  std::size_t degenerate = 0;                  ///< dropped triangles without area
+  std::size_t duplicate = 0;                   ///< dropped triangles that repeat another
+  std::size_t back_to_back = 0;                ///< dropped triangles that lay back to back in pairs (duplicates.hpp)
+  std::size_t non_manifold_edge_count = 0;     ///< edges of more than two triangles, resolved by dihedral angle (connect.hpp)
+  std::size_t cut_edges = 0;                   ///< of these, the unresolved ones: an unmatched side is a boundary edge
+  std::size_t rewound = 0;                     ///< triangles flipped to agree with their neighbours
+  std::size_t flipped = 0;                     ///< closed components that pointed inward and were flipped as a whole
+  std::size_t components = 0;                  ///< parts connected over edges
+  std::size_t cavities = 0;                    ///< closed components that lie inside another and bound a cavity in it
+  std::size_t solids = 0;                      ///< components other than cavities
+  std::size_t may_overlap = 0;                 ///< closed components, except cavities, whose bounding box intersects that of another
+  std::size_t boundary_edges = 0;              ///< edges of one triangle, or cut
+  Closure closure = Closure::closed;           ///< of the whole surface
   double area = 0;                             ///< [m²]
   double volume = 0;                           ///< [m³] enclosed; 0 if open. The shared volume of overlapping components counts twice
   Vec3d centroid{};                            ///< [m] of the enclosed volume; of the area if open
   Vec3d inertia_diagonal{};                    ///< [m⁵] ∫(y²+z²) dV and so on about the centroid, along the surface's axes
   Vec3d inertia_products{};                    ///< [m⁵] ∫yz dV, ∫zx dV, ∫xy dV about the centroid
   double shortest_edge = 0, longest_edge = 0;  ///< [m]
-  Box bounds;
-  std::vector<PartReport> parts;  ///< at least one, in the order of Surface::part_names()
+  Box bounds;                                  ///< [m]
+  std::vector<PartReport> parts;               ///< at least one, in the order of Surface::part_names()
 };
 
+/// A triangulated surface, ready for contact.
 class Surface {
  public:
+  /// How panels become a surface.
   struct Options {
-    double weld_tolerance = 1e-9;  ///< vertices nearer than this times the size of the surface are merged
-    double weld_distance = 0;      ///< [m] or nearer than this, if larger: closes gaps left by rounding between parts
-    Orientation orientation = Orientation::undeclared;
-    std::string name = "surface";  ///< its name in messages
+    double weld_tolerance = 1e-9;                       ///< vertices nearer than this times the size of the surface are merged
+    double weld_distance = 0;                           ///< [m] or nearer than this, if larger: closes gaps left by rounding between parts
+    Orientation orientation = Orientation::undeclared;  ///< outer side of an open surface
+    std::string name = "surface";                       ///< its name in messages
   };
 
   /// Welds vertices, splits quads (along the shorter diagonal), drops degenerate and duplicate triangles, orients each component
@@ -70,22 +72,23 @@ class Surface {
   /// SurfaceError (defects.hpp), which lists panels, if a component is not orientable or a closed one has no volume. It does so too if the
   /// orientation is undeclared and the surface is open, or has non-manifold edges that must be cut.
   Surface(const Panels& panels, const Options& options);
+  /// With default options.
   explicit Surface(const Panels& panels) : Surface(panels, Options{}) {}
 
-  std::span<const Vec3d> vertices() const { return linked_.vertices; }
-  std::span<const Triangle> triangles() const { return linked_.triangles; }
-  const Panels& panels() const { return panels_; }  ///< as given, for the published detector and for output files
-  const SurfaceReport& report() const { return report_; }
+  std::span<const Vec3d> vertices() const { return linked_.vertices; }       ///< [m] after welding
+  std::span<const Triangle> triangles() const { return linked_.triangles; }  ///< by vertex numbers, outward
+  const Panels& panels() const { return panels_; }                           ///< as given, for the published detector and for output files
+  const SurfaceReport& report() const { return report_; }                    ///< what was found and repaired
 
   /// Names of the parts, indexed by Panels::part; one empty name if the panels have none.
   std::span<const std::string> part_names() const { return part_names_; }
   /// The part of a panel, as an index into part_names(); `panel` is numbered as in Contact and Triangle.
   int part_of_panel(int panel) const { return panels_.part.empty() ? 0 : panels_.part[static_cast<std::size_t>(panel)]; }
 
-  bool is_closed() const { return report_.closure == Closure::closed; }
+  bool is_closed() const { return report_.closure == Closure::closed; }  ///< watertight
 
-  const Vec3d& corner(std::size_t triangle, std::size_t c) const { return linked_.corner(triangle, c); }
-  const Vec3d& normal(std::size_t triangle) const { return normals_.faces[triangle]; }  ///< unit, outward
+  const Vec3d& corner(std::size_t triangle, std::size_t c) const { return linked_.corner(triangle, c); }  ///< [m] corner 0, 1 or 2
+  const Vec3d& normal(std::size_t triangle) const { return normals_.faces[triangle]; }                    ///< unit, outward
 
   /// Unit normal of the feature: of the face; the mean of both faces on an edge; the angle-weighted mean on a vertex. The sign of
   /// (point - closest point)·pseudonormal gives the side of a point (Bærentzen and Aanæs, IEEE TVCG 11 (2005) 243).

@@ -14,8 +14,8 @@ namespace fccda {
 
 /// Half of a quad, or a whole triangular panel. Edge e goes from vertex[e] to vertex[(e + 1) % 3].
 struct Triangle {
-  std::array<int, 3> vertex;
-  int panel;  ///< number of its panel, as in the file
+  std::array<int, 3> vertex;  ///< vertex numbers
+  int panel;                  ///< number of its panel, as in the file
 };
 
 /// The triangles beyond the edges 0, 1, 2; -1 at a boundary edge.
@@ -24,11 +24,13 @@ using Neighbours = std::array<int, 3>;
 /// The feature of a triangle that a closest point lies on.
 enum class Feature : std::uint8_t { face, edge_0, edge_1, edge_2, vertex_0, vertex_1, vertex_2 };
 
+/// Triangles with shared vertices and their neighbours.
 struct LinkedTriangles {
-  std::vector<Vec3d> vertices;  ///< [m]
-  std::vector<Triangle> triangles;
-  std::vector<Neighbours> neighbours;
+  std::vector<Vec3d> vertices;         ///< [m]
+  std::vector<Triangle> triangles;     ///< by vertex numbers
+  std::vector<Neighbours> neighbours;  ///< of each triangle
 
+  /// Corner 0, 1 or 2 of a triangle [m].
   const Vec3d& corner(std::size_t triangle, std::size_t c) const { return vertices[static_cast<std::size_t>(triangles[triangle].vertex[c])]; }
 };
 

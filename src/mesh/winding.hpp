@@ -11,9 +11,9 @@ namespace fccda {
 
 /// Components of triangles connected over edges.
 struct Components {
-  std::vector<int> of_triangle;
-  std::size_t count = 0;
-  std::size_t rewound = 0;  ///< triangles flipped to agree with their component
+  std::vector<int> of_triangle;  ///< component of each triangle
+  std::size_t count = 0;         ///< number of components
+  std::size_t rewound = 0;       ///< triangles flipped to agree with their component
 };
 
 /// Flips, in each component, the triangles that disagree with the majority (in a draw, with the component's first triangle).

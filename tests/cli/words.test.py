@@ -20,6 +20,19 @@ def _(t):
     t.expect_complaint(t.run_program("describe", "poisson_ratio"), 2, "poisson_ratio: ", "did you mean poissons_ratio?")
 
 
+@claim("words: describe writes the pages of the deck reference to a folder, which it creates, and refuses a path that is a file")
+def _(t):
+    t.assertIn("pages/deck/index.md", t.expect_success("describe", "--markdown", "pages/deck").out)
+    index = (t.folder / "pages/deck/index.md").read_text()
+    t.assertIn("[Materials](materials.md)", index)
+    t.assertIn("youngs_modulus", (t.folder / "pages/deck/materials.md").read_text())
+    (t.folder / "taken").write_text("mine")
+    t.expect_complaint(t.run_program("describe", "--markdown", "taken"), 2, "taken", "folder")
+    t.assertEqual((t.folder / "taken").read_text(), "mine")
+    t.expect_complaint(t.run_program("describe", "--markdown"), 2, "--markdown")
+    t.expect_complaint(t.run_program("describe", "time", "--markdown", "pages"), 2, "key excludes --markdown")
+
+
 @claim("words: version and --version print program and version")
 def _(t):
     for arguments in (["version"], ["--version"]):

@@ -25,6 +25,7 @@ namespace fccda {
 /// A detector of contact for one set of points. It caches each point's distance from the surface, so that most points need no evaluation.
 class ContactDetector {
  public:
+  /// What a detector is built with, besides its surface.
   struct Options {
     double radius = 0;                   ///< [m] contact radius: points are balls; 0 for points without extent. Overridden by radii passed to detect()
     ContactBounds region = Unbounded();  ///< contact bounds, in the body frame
@@ -32,8 +33,11 @@ class ContactDetector {
 
   /// Throws InputError if the radius is negative or not finite.
   ContactDetector(SharedSurface surface, const Options& options);
+  /// Without contact radius and contact bounds.
   explicit ContactDetector(SharedSurface surface) : ContactDetector(std::move(surface), Options{}) {}
+  /// With a surface of its own.
   ContactDetector(Surface surface, const Options& options) : ContactDetector(share(std::move(surface)), options) {}
+  /// With a surface of its own, without contact radius and contact bounds.
   explicit ContactDetector(Surface surface) : ContactDetector(std::move(surface), Options{}) {}
 
   /// The contacts of one step, in point order, bitwise identical for any number of threads. x_t0 and x_t1 [m] are positions in the world
@@ -63,6 +67,7 @@ class ContactDetector {
   /// The points that are inside the surface, or nearer than the contact radius, for a check before the first step. Contact alone is not
   /// inside. Throws as detect() does.
   std::vector<std::size_t> points_inside(const Pose& pose, ConstVectors x) const;
+  /// The same with an individual contact radius for each point [m].
   std::vector<std::size_t> points_inside(const Pose& pose, ConstVectors x, const Numbers& radius) const;
 
   /// The state between two steps, besides positions and poses, for a restart. A detector of the same surface, radius and contact bounds that
@@ -73,7 +78,7 @@ class ContactDetector {
     std::uint64_t entered = 0;           ///< number of entries so far
     std::uint64_t renumbered = 0;        ///< 1 after points_changed()
   };
-  State state() const;
+  State state() const;  ///< between two steps
   /// Throws InputError if a list is not in ascending order.
   void resume(const State& state);
 

@@ -9,6 +9,7 @@
 
 namespace fccda {
 
+/// Masses of the points [kg].
 using Masses = Numbers;
 
 /// The solver's arrays, in point order.

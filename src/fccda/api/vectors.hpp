@@ -37,13 +37,16 @@ class VectorView {
 
  public:
   VectorView() = default;
+  /// Copies refer to the same memory.
   VectorView(const VectorView&) = default;
+  /// Copies refer to the same memory.
   VectorView& operator=(const VectorView&) = default;
 
   /// Component c of vector i is at offset i·stride from the pointer to component c of the first vector; the stride counts numbers, and may be
   /// negative.
   VectorView(Number* x, Number* y, Number* z, std::size_t count, std::ptrdiff_t stride = 1)
       : first_{bytes(x), bytes(y), bytes(z)}, count_(count), stride_(stride * static_cast<std::ptrdiff_t>(sizeof(double))) {}
+  /// The same for floats.
   VectorView(Single* x, Single* y, Single* z, std::size_t count, std::ptrdiff_t stride = 1)
       : first_{bytes(x), bytes(y), bytes(z)}, count_(count), stride_(stride * static_cast<std::ptrdiff_t>(sizeof(float))), single_(true) {}
 
@@ -59,6 +62,7 @@ class VectorView {
   template <std::ranges::contiguous_range Range>
   requires std::convertible_to<Range&, std::span<Number>> VectorView(Range&& xyz)
       : VectorView(std::ranges::data(xyz), triples(std::ranges::size(xyz), "doubles")) {}
+  /// The same for floats.
   template <std::ranges::contiguous_range Range>
   requires std::convertible_to<Range&, std::span<Single>> VectorView(Range&& xyz)
       : VectorView(std::ranges::data(xyz), triples(std::ranges::size(xyz), "floats")) {}
@@ -68,11 +72,13 @@ class VectorView {
   requires(is_const&& std::same_as<Other, double>) VectorView(const VectorView<Other>& view)
       : first_{view.first_[0], view.first_[1], view.first_[2]}, count_(view.count_), stride_(view.stride_), single_(view.single_) {}
 
-  std::size_t size() const { return count_; }
-  bool is_single() const { return single_; }  ///< the numbers are floats
+  std::size_t size() const { return count_; }  ///< number of vectors
+  bool is_single() const { return single_; }   ///< the numbers are floats
+  /// Vector i, in double precision.
   Vec3d operator[](std::size_t i) const {
     return single_ ? Vec3d{*at<Single>(0, i), *at<Single>(1, i), *at<Single>(2, i)} : Vec3d{*at<Number>(0, i), *at<Number>(1, i), *at<Number>(2, i)};
   }
+  /// Writes vector i, rounded where the memory has floats.
   void set(std::size_t i, const Vec3d& vector) const requires(!is_const) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (single_)
@@ -108,17 +114,21 @@ class VectorView {
   bool single_ = false;
 };
 
+/// Writable vectors in the memory of the caller.
 using Vectors = VectorView<double>;
+/// Read-only vectors in the memory of the caller.
 using ConstVectors = VectorView<const double>;
 
 /// One number for all points, or one for each.
 class Numbers {
  public:
+  /// One number for all points.
   Numbers(double of_all) : of_all_(of_all) {}
 
   /// The number of point i is at offset i·stride from `first`; the stride counts numbers, and may be negative.
   Numbers(const double* first, std::size_t count, std::ptrdiff_t stride = 1)
       : first_(reinterpret_cast<const std::byte*>(first)), count_(count), stride_(stride * static_cast<std::ptrdiff_t>(sizeof(double))), each_(true) {}
+  /// The same for floats.
   Numbers(const float* first, std::size_t count, std::ptrdiff_t stride = 1)
       : first_(reinterpret_cast<const std::byte*>(first)),
         count_(count),
@@ -131,12 +141,14 @@ class Numbers {
   requires(std::convertible_to<Range&, std::span<const double>> || std::convertible_to<Range&, std::span<const float>>) Numbers(Range&& of_each)
       : Numbers(std::ranges::data(of_each), std::ranges::size(of_each)) {}
 
+  /// The number of point i.
   double operator[](std::size_t i) const {
     if (!each_) return of_all_;
     const std::byte* number = first_ + static_cast<std::ptrdiff_t>(i) * stride_;
     return single_ ? static_cast<double>(*reinterpret_cast<const float*>(number)) : *reinterpret_cast<const double*>(number);
   }
-  bool of_each() const { return each_; }
+  bool of_each() const { return each_; }  ///< each point has its own number
+  /// One for all, or exactly `count` numbers.
   bool are_for(std::size_t count) const { return !each_ || count_ == count; }
 
  private:

@@ -22,6 +22,7 @@
 
 namespace fccda {
 
+/// Contact bounds of any kind.
 using ContactBounds = std::variant<Unbounded, BoxUnion, CylinderSectors>;
 
 }  // namespace fccda

@@ -13,10 +13,12 @@
 
 namespace fccda {
 
+/// Contact bounds of axis-aligned boxes.
 class BoxUnion {
  public:
-  static constexpr std::string_view name = "box_union";
+  static constexpr std::string_view name = "box_union";  ///< its key in a deck
 
+  /// One box as specified.
   struct Shape {
     Vec3d size{};    ///< [m]
     Vec3d centre{};  ///< [m] from the origin of the body frame
@@ -25,6 +27,7 @@ class BoxUnion {
   /// Boxes as specified; they may overlap. A panel partly in one box and partly in its neighbour is inside (exact up to the widening). Throws
   /// InputError if the surface extends beyond them and `beyond` is error, or if no panel reaches into one of the boxes.
   BoxUnion(std::span<const Shape> shapes, const Surface& surface, Beyond beyond);
+  /// The same for a single box.
   BoxUnion(const Shape& shape, const Surface& surface, Beyond beyond) : BoxUnion(std::span(&shape, 1), surface, beyond) {}
 
   /// Boxes that are known to contain the surface (fit_boxes).
@@ -36,7 +39,7 @@ class BoxUnion {
   double distance_at_least(const Vec3d& point) const;     ///< [m] from the nearest box; 0 inside
   double volume() const;                                  ///< [m³]; the shared volume of boxes counts once
 
-  std::span<const Box> boxes() const { return boxes_; }
+  std::span<const Box> boxes() const { return boxes_; }  ///< [m] as specified, slightly widened against rounding
 
  private:
   std::vector<Box> boxes_;  // as specified, widened

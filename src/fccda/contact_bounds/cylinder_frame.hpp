@@ -24,7 +24,7 @@ class CylinderFrame {
     const Vec3d from = point - origin_;
     return {dot(from, u_), dot(from, v_), dot(from, axis_)};
   }
-  Vec3d to_body(const Vec3d& place) const { return origin_ + place.x * u_ + place.y * v_ + place.z * axis_; }
+  Vec3d to_body(const Vec3d& place) const { return origin_ + place.x * u_ + place.y * v_ + place.z * axis_; }  ///< [m] inverse of to_frame()
 
  private:
   Vec3d origin_, axis_, u_, v_;

@@ -22,12 +22,14 @@
 
 namespace fccda {
 
+/// Contact bounds of a cylinder with a hub and equal sectors.
 class CylinderSectors {
  public:
-  static constexpr std::string_view name = "cylinder_sectors";
+  static constexpr std::string_view name = "cylinder_sectors";  ///< its key in a deck
 
+  /// Dimensions, in the body frame.
   struct Shape {
-    Vec3d axis{0, 0, 1};
+    Vec3d axis{0, 0, 1};      ///< direction of the cylinder; need not be a unit vector
     Vec3d point{};            ///< [m] centre of the cylinder
     double radius = 0;        ///< [m]
     double length = 0;        ///< [m]
@@ -36,7 +38,7 @@ class CylinderSectors {
     double sector_angle = 0;  ///< [rad] of each
     double start_angle = 0;   ///< [rad] begin of the first; see CylinderFrame
 
-    bool has_gaps() const;
+    bool has_gaps() const;  ///< the sectors leave part of the circle free
   };
 
   /// Throws InputError if the surface extends beyond the bounds and `beyond` is error, or if no panel reaches into them.
@@ -48,7 +50,7 @@ class CylinderSectors {
   double distance_at_least(const Vec3d& point) const;     ///< a lower bound [m]; 0 inside
   double volume() const { return volume_of(shape_); }     ///< [m³]
 
-  const Shape& shape() const { return shape_; }
+  const Shape& shape() const { return shape_; }  ///< as specified
   template <class Visit>
   void visit_facts(const Visit& visit) const {
     visit("axis", shape_.axis), visit("point [m]", shape_.point), visit("radius [m]", shape_.radius), visit("length [m]", shape_.length);

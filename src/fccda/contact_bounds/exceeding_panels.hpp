@@ -19,10 +19,12 @@ inline double widening(const Surface& surface) {
   return 1e-8 * std::max(largest_magnitude(surface.report().bounds.low), largest_magnitude(surface.report().bounds.high));
 }
 
+/// Panels that extend beyond contact bounds, for the message of the error.
 struct ExceedingPanels {
   std::set<int> panels;  ///< numbered as in the file
   double furthest = 0;   ///< [m] from the bounds
 
+  /// Adds a panel that extends beyond by `distance` [m].
   void add(int panel, double distance) {
     panels.insert(panel);
     furthest = std::max(furthest, distance);

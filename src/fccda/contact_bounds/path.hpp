@@ -9,8 +9,8 @@ namespace fccda {
 struct Path {
   Vec3d start, end;  ///< [m]
 
-  double length() const { return norm(end - start); }
-  Vec3d at(double fraction) const { return start + fraction * (end - start); }
+  double length() const { return norm(end - start); }                           ///< [m]
+  Vec3d at(double fraction) const { return start + fraction * (end - start); }  ///< [m] position at a fraction from 0 to 1
 };
 
 }  // namespace fccda

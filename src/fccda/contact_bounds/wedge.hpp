@@ -11,7 +11,9 @@ struct Flat {
   double x, y;  ///< [m]
 };
 
+/// Scalar product [m²].
 inline double dot(const Flat& a, const Flat& b) { return a.x * b.x + a.y * b.y; }
+/// Distance from the origin [m].
 inline double norm(const Flat& a) { return std::sqrt(dot(a, a)); }
 
 /// Convex: less than half a turn wide.
@@ -25,6 +27,7 @@ class Wedge {
         from_first_{-first_.y, first_.x},  // normals of its two edges, inward
         from_last_{last_.y, -last_.x} {}
 
+  /// True inside the wedge widened by the margin [m].
   bool contains(const Flat& p, double margin) const { return dot(p, from_first_) >= -margin && dot(p, from_last_) >= -margin && dot(p, middle_) >= -margin; }
 
   /// True if a line along one of its edges or across its tip separates the wedge, widened by the margin, from both points.

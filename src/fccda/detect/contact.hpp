@@ -19,7 +19,9 @@ class SlidingSurface {
 
  protected:
   SlidingSurface() = default;
+  /// For derived classes only.
   SlidingSurface(const SlidingSurface&) = default;
+  /// For derived classes only.
   SlidingSurface& operator=(const SlidingSurface&) = default;
   ~SlidingSurface() = default;
 };
@@ -27,7 +29,7 @@ class SlidingSurface {
 /// Contact of one point during a step. Positions and directions are in the world frame, with the surface at its position at the end of the
 /// step.
 struct Contact {
-  std::size_t point = 0;
+  std::size_t point = 0;     ///< number of the point
   int panel = -1;            ///< panel of the relocation, numbered as in the file; -1 if the surface has no panels
   double time_fraction = 0;  ///< time of impact, 0 at t0 to 1 at t1: the ball, or the point, first meets the surface
   Vec3d hit{};               ///< [m] point of the surface first in contact
@@ -49,6 +51,7 @@ struct Effort {
   std::size_t points_asked = 0;      ///< points whose distance to the surface was searched
   std::size_t panels_asked = 0;      ///< pairs of point and triangle (or panel) evaluated
 
+  /// Adds the work of another detection.
   Effort& operator+=(const Effort& b) {
     points_in_bounds += b.points_in_bounds, points_asked += b.points_asked, panels_asked += b.panels_asked;
     return *this;

@@ -39,7 +39,8 @@ class BodyView {
         angle_(rotation_angle(motion)),
         tolerance_(straight_enough * size) {}
 
-  const Motion& motion() const { return *motion_; }
+  const Motion& motion() const { return *motion_; }  ///< of the body
+  /// The path of a point between its positions in the world frame [m] at both ends of the step.
   inline CurvedPath path(const Vec3d& position_t0, const Vec3d& position_t1) const;
 
  private:
@@ -48,9 +49,10 @@ class BodyView {
   double angle_ = 0, tolerance_ = 0;
 };
 
+/// The path of one point in the body frame: a polyline of equal parts of the step.
 class CurvedPath {
  public:
-  const Path& chord() const { return chord_; }
+  const Path& chord() const { return chord_; }           ///< straight from the begin to the end [m]
   int parts() const { return parts_; }                   ///< 1: straight
   double bulge() const { return bulge_; }                ///< [m] bound of the deviation from the chord; 0 if regarded as straight
   double longest_part() const { return way_ / parts_; }  ///< [m]

@@ -18,6 +18,7 @@
 
 namespace fccda {
 
+/// For each point the travel of its block at which its distance must be determined again.
 class DistanceCache {
  public:
   /// `block_begin`: first point of each block, and the number of points at the end. Afterwards everything is due.
@@ -63,6 +64,7 @@ class DistanceCache {
     next = std::min(next, due_at_[point]);
   }
 
+  /// Number of the block that contains the point.
   std::size_t block_of(std::size_t point) const { return static_cast<std::size_t>(std::upper_bound(begin_.begin(), begin_.end(), point) - begin_.begin()) - 1; }
 
   /// Invalidates the known distance of the point.

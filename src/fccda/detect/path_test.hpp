@@ -35,17 +35,18 @@ namespace fccda {
 
 /// A contact in the body frame.
 struct Touch {
-  double time_fraction;
-  Vec3d hit;          ///< [m] point of the surface first in contact
-  Vec3d normal;       ///< unit, out of the surface, at the relocated position
-  Vec3d relocation;   ///< [m]
-  int triangle;       ///< of the relocation
-  Vec3d normal_t0{};  ///< unit, out of the surface, where the ball was in contact at t0; 0 if it was not, or entered another part of the surface
-  bool front = true;  ///< it was in front of the first triangle in contact; false beside the boundary of an open surface, and behind it
+  double time_fraction;  ///< 0 at t0 to 1 at t1
+  Vec3d hit;             ///< [m] point of the surface first in contact
+  Vec3d normal;          ///< unit, out of the surface, at the relocated position
+  Vec3d relocation;      ///< [m]
+  int triangle;          ///< of the relocation
+  Vec3d normal_t0{};     ///< unit, out of the surface, where the ball was in contact at t0; 0 if it was not, or entered another part of the surface
+  bool front = true;     ///< it was in front of the first triangle in contact; false beside the boundary of an open surface, and behind it
 };
 
+/// What is asked of one point in one step.
 struct PathQuestion {
-  CurvedPath path;
+  CurvedPath path;          ///< of the point, in the body frame
   double radius = 0;        ///< [m] of contact
   double offset = 0;        ///< [m]
   double look_ahead = 0;    ///< [m] beyond the contact radius, up to which a distance is worth determining
@@ -54,25 +55,28 @@ struct PathQuestion {
   bool renumbered = false;  ///< neither is known; it is regarded as entered if it starts inside by more than its path length
 };
 
+/// What the surface means for one point in one step.
 struct PathAnswer {
-  std::optional<Touch> touch{};
-  double clearance = 0;        ///< [m] lower bound of the distance beyond the contact radius, at the end of the path
-  bool enters = false;         ///< entered where contact is ignored: no contact before it is outside again
-  bool leaves = false;         ///< was such a point, and is outside again
-  bool is_first_entry = true;  ///< enters for the first time, as far as is known
-  bool held = false;           ///< in contact as a whole ball, not with its centre only
+  std::optional<Touch> touch{};  ///< the contact, if there is one
+  double clearance = 0;          ///< [m] lower bound of the distance beyond the contact radius, at the end of the path
+  bool enters = false;           ///< entered where contact is ignored: no contact before it is outside again
+  bool leaves = false;           ///< was such a point, and is outside again
+  bool is_first_entry = true;    ///< enters for the first time, as far as is known
+  bool held = false;             ///< in contact as a whole ball, not with its centre only
 };
 
+/// Contact of single paths with a surface; many threads may use one object.
 class PathTest {
  public:
   /// The nearest obstacle: the closest point of the surface or, for overlapping solids, of the one it is deepest in.
   struct Nearest {
-    ClosestPoint closest;
-    double distance;  ///< [m] negative inside a closed surface
+    ClosestPoint closest;  ///< of that surface, or of that solid
+    double distance;       ///< [m] negative inside a closed surface
   };
 
   /// `radius` [m]: contact radius of points without an individual one.
   PathTest(SharedSurface surface, ContactBounds region, double radius);
+  /// With search structures of its own.
   PathTest(std::shared_ptr<const Surface> surface, ContactBounds region, double radius) : PathTest(share(std::move(surface)), std::move(region), radius) {}
 
   /// `guess`: a triangle expected to be near, or -1; updated.
@@ -80,6 +84,7 @@ class PathTest {
 
   /// True inside the surface, or nearer to it than the contact radius by more than `tolerance` [m]; for an open surface, in front of it.
   bool is_inside(const Vec3d& point, double tolerance) const { return is_inside(point, tolerance, radius_); }
+  /// The same for a point with its own contact radius [m].
   bool is_inside(const Vec3d& point, double tolerance, double radius) const;
 
   /// `guess`: a triangle expected to be near, or -1. Nothing for a point that is not a number.
@@ -88,10 +93,10 @@ class PathTest {
   /// End position of a point that moves from `from` towards `to`, as SlidingSurface::slide, in the body frame. `offset`: that of the query.
   Vec3d slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const;
 
-  const Surface& surface() const { return *surface_; }
-  const Solids& solids() const { return *solids_; }
-  double radius() const { return radius_; }  ///< [m]
-  double size() const { return size_; }      ///< [m] the largest extent of the surface
+  const Surface& surface() const { return *surface_; }  ///< in the body frame
+  const Solids& solids() const { return *solids_; }     ///< of that surface
+  double radius() const { return radius_; }             ///< [m]
+  double size() const { return size_; }                 ///< [m] the largest extent of the surface
 
  private:
   /// The criterion of contact in one query.

@@ -34,6 +34,7 @@ concept PointsOfOwnRadius = Points<P> && requires(const P& points, std::size_t i
   { points.largest_radius() } -> std::convertible_to<double>;  // [m] upper bound of all radii
 };
 
+/// The contact radius of point i [m]: its own, or that of the detector.
 template <Points P>
 double contact_radius(const P& points, std::size_t i, double of_others) {
   if constexpr (PointsOfOwnRadius<P>)

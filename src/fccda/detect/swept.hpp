@@ -23,12 +23,14 @@
 
 namespace fccda {
 
+/// The swept detector: continuous collision detection of points or balls with a moving surface.
 class Swept final : public SlidingSurface {
  public:
-  static constexpr std::string_view name = "swept";
+  static constexpr std::string_view name = "swept";  ///< its name in a deck
 
   /// `radius`: contact radius [m] of points without an individual one (points.hpp), 0 for points without extent.
   Swept(SharedSurface surface, const ContactBounds& region, double radius) : test_(std::move(surface), region, radius) {}
+  /// With search structures of its own.
   Swept(std::shared_ptr<const Surface> surface, const ContactBounds& region, double radius) : Swept(share(std::move(surface)), region, radius) {}
 
   /// Relative rounding of the stored coordinates of relocated points, if above that of doubles (2^-24 for floats): relocated points keep a
@@ -130,14 +132,15 @@ class Swept final : public SlidingSurface {
 
   const Effort& effort() const { return effort_; }                                ///< of all detections so far
   std::size_t buried_triangles() const { return test_.solids().buried_count(); }  ///< that may lie in another closed part, fully or partly
-  const Surface& surface() const { return test_.surface(); }
-  double radius() const { return test_.radius(); }  ///< [m] of points without an individual one
+  const Surface& surface() const { return test_.surface(); }                      ///< in the body frame
+  double radius() const { return test_.radius(); }                                ///< [m] of points without an individual one
 
   /// Calls visit(name, list of numbers) for the state that the next step depends on; the visitor may write. Cached distances are not state.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit_state_of(*this, visit);
   }
+  /// The same for reading.
   template <class Visitor>
   void visit_state(Visitor&& visit) const {
     visit_state_of(*this, visit);

@@ -33,8 +33,9 @@ namespace fccda {
 struct ContactSum {
   Vec3d impulse{};                    ///< [N s]
   Vec3d angular_impulse_about_com{};  ///< [N m s]
-  std::size_t contacts = 0;
+  std::size_t contacts = 0;           ///< number of contacts
 
+  /// Adds the sum of other contacts.
   ContactSum& operator+=(const ContactSum& b) {
     impulse += b.impulse, angular_impulse_about_com += b.angular_impulse_about_com, contacts += b.contacts;
     return *this;
@@ -52,7 +53,7 @@ concept PointsInContact = requires(P& points, std::size_t i, Vec3d vector) {
 
 /// Position at t1 and velocity of a point after contact.
 struct Resolved {
-  Vec3d position, velocity;
+  Vec3d position, velocity;  ///< [m], [m/s]
 };
 
 /// Position reached on the way from `from` to `wanted` along the surface [m]: `wanted` unless the surface obstructs the point.
@@ -123,6 +124,7 @@ ContactSum respond(P& points, std::span<const Contact> contacts, const Motion& m
   return tally;
 }
 
+/// The same without a report of single contacts.
 template <PointsInContact P>
 ContactSum respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction) {
   return respond(points, contacts, motion, body, friction, [](const Contact&, const Vec3d&) {});

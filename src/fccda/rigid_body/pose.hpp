@@ -17,14 +17,14 @@ class Pose {
   explicit Pose(const Vec3d& position, const Quaternion& attitude = {})
       : position_(position), attitude_(attitude), to_world_(attitude_.matrix()), to_body_(transpose(to_world_)) {}
 
-  const Vec3d& position() const { return position_; }  ///< [m] of the body frame's origin
-  const Quaternion& attitude() const { return attitude_; }
-  const Mat3& rotation() const { return to_world_; }  ///< body to world
+  const Vec3d& position() const { return position_; }       ///< [m] of the body frame's origin
+  const Quaternion& attitude() const { return attitude_; }  ///< rotation from the body frame to the world frame
+  const Mat3& rotation() const { return to_world_; }        ///< body to world
 
-  Vec3d to_world(const Vec3d& point) const { return to_world_ * point + position_; }
-  Vec3d to_body(const Vec3d& point) const { return to_body_ * (point - position_); }
-  Vec3d turn_to_world(const Vec3d& vector) const { return to_world_ * vector; }
-  Vec3d turn_to_body(const Vec3d& vector) const { return to_body_ * vector; }
+  Vec3d to_world(const Vec3d& point) const { return to_world_ * point + position_; }  ///< [m] position in the world frame
+  Vec3d to_body(const Vec3d& point) const { return to_body_ * (point - position_); }  ///< [m] position in the body frame
+  Vec3d turn_to_world(const Vec3d& vector) const { return to_world_ * vector; }       ///< direction in the world frame
+  Vec3d turn_to_body(const Vec3d& vector) const { return to_body_ * vector; }         ///< direction in the body frame
 
  private:
   Vec3d position_;
@@ -36,7 +36,7 @@ class Pose {
 /// A body's motion over one step: from its pose at t0 to that at t1 = t0 + dt. In between it rotates uniformly about its centre by the shorter
 /// angle, and the centre moves straight.
 struct Motion {
-  Pose t0, t1;
+  Pose t0, t1;     ///< at the two ends of the step
   double dt = 0;   ///< [s]
   Vec3d centre{};  ///< [m] in the body frame; for a rigid body its centre of mass
 };

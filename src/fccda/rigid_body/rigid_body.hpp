@@ -20,6 +20,7 @@
 
 namespace fccda {
 
+/// Mass properties of a rigid body.
 struct RigidBodyProperties {
   double mass = 0;         ///< [kg]
   Vec3d centre_of_mass{};  ///< [m] in the body frame
@@ -34,11 +35,11 @@ inline Vec3d products_of_inertia(const RigidBodyProperties& properties) {
 
 /// The degrees of freedom that impulses may change: translation along, then rotation about, the world's x, y and z.
 struct FreeDegrees {
-  std::array<bool, 6> free{};
+  std::array<bool, 6> free{};  ///< translations x, y, z, then rotations about x, y, z; all constrained by default
 
-  bool translation(std::size_t axis) const { return free[axis]; }
-  bool rotation(std::size_t axis) const { return free[3 + axis]; }
-  bool any_rotation() const { return free[3] || free[4] || free[5]; }
+  bool translation(std::size_t axis) const { return free[axis]; }      ///< free along this axis
+  bool rotation(std::size_t axis) const { return free[3 + axis]; }     ///< free about this axis
+  bool any_rotation() const { return free[3] || free[4] || free[5]; }  ///< free about any axis
 };
 
 /// Linear and angular velocity.
@@ -47,6 +48,7 @@ struct Twist {
   Vec3d spin{};      ///< [rad/s] about world axes
 };
 
+/// A rigid body with its pose and velocities.
 class RigidBody {
  public:
   /// `velocity` [m/s] is that of the centre of mass, `angular_velocity` [rad/s] has world axes. Throws InputError if a number is not finite,
@@ -67,18 +69,18 @@ class RigidBody {
   /// Throws InputError if the degree is free or the velocity is not finite.
   void drive(std::size_t degree, double velocity);
 
-  const Pose& pose() const { return pose_; }
-  const Vec3d& position_of_com() const { return com_; }    ///< [m]
-  const Vec3d& velocity() const { return velocity_; }      ///< [m/s] of the centre of mass
-  const Vec3d& angular_velocity() const { return spin_; }  ///< [rad/s] about world axes
-  const RigidBodyProperties& properties() const { return properties_; }
-  const FreeDegrees& degrees() const { return degrees_; }
-  double mass() const { return properties_.mass; }             ///< [kg] without added mass
-  Mat3 inertia() const;                                        ///< [kg m²] about the centre of mass, along world axes
-  double kinetic_energy() const;                               ///< [J]
-  double constraint_work() const { return constraint_work_; }  ///< [J] so far, of the reactions of constrained and prescribed degrees
-  Vec3d momentum() const;                                      ///< [kg m/s] including the added mass, as for energy and angular momentum
-  Vec3d angular_momentum(const Vec3d& point) const;            ///< [kg m²/s] about a point in the world frame
+  const Pose& pose() const { return pose_; }                             ///< of the body frame
+  const Vec3d& position_of_com() const { return com_; }                  ///< [m]
+  const Vec3d& velocity() const { return velocity_; }                    ///< [m/s] of the centre of mass
+  const Vec3d& angular_velocity() const { return spin_; }                ///< [rad/s] about world axes
+  const RigidBodyProperties& properties() const { return properties_; }  ///< as given
+  const FreeDegrees& degrees() const { return degrees_; }                ///< as given
+  double mass() const { return properties_.mass; }                       ///< [kg] without added mass
+  Mat3 inertia() const;                                                  ///< [kg m²] about the centre of mass, along world axes
+  double kinetic_energy() const;                                         ///< [J]
+  double constraint_work() const { return constraint_work_; }            ///< [J] so far, of the reactions of constrained and prescribed degrees
+  Vec3d momentum() const;                                                ///< [kg m/s] including the added mass, as for energy and angular momentum
+  Vec3d angular_momentum(const Vec3d& point) const;                      ///< [kg m²/s] about a point in the world frame
 
   /// `travel_bound` of pose.hpp for the points within `radius` [m] of the centre of mass.
   double travel_bound(const Motion& motion, double radius) const { return fccda::travel_bound(motion, properties_.centre_of_mass, radius); }

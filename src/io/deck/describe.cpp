@@ -71,15 +71,6 @@ std::string as_text(std::string_view name, const Entry& entry, std::ptrdiff_t le
   return entry.sentence.empty() ? line : fmt::format("{}{}    {}\n", line, indent, entry.sentence);
 }
 
-std::string in_table(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '|') out += '\\';
-    out += c;
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string describe(std::string_view key_path) {
@@ -98,29 +89,6 @@ std::string describe(std::string_view key_path) {
     for (const Entry& entry : reference()) {
       if (is_below(entry, *root)) out += as_text(entry.key(), entry, depth(entry) - depth(*root));
     }
-  }
-  return out;
-}
-
-std::string describe_markdown() {
-  std::string out =
-      "# Deck reference\n\nAll keys of the deck. `perimpact describe --markdown` generates this page from the tables that also read the deck; a test keeps it "
-      "up to date.\n\nPlain numbers are in the unit in brackets; text with another unit is converted (`0.5 mm`, `191 GPa`, `3 kn`, `30 rpm`). `<name>` is a "
-      "name of your choice.\n";
-  const auto table_of = [&](std::string_view heading, std::string_view sentence, std::string_view parent) {
-    out += fmt::format("\n## {}\n\n{}{}| key | value | range | | meaning |\n|---|---|---|---|---|\n", heading, sentence, sentence.empty() ? "" : "\n\n");
-    for (const Entry& entry : reference()) {
-      if (entry.parent() != parent) continue;
-      const std::string form = entry.is_map ? fmt::format("map, see `{}`", entry.path) : entry.form;
-      const std::string meaning = entry.condition.empty() ? entry.sentence : fmt::format("({}) {}", entry.condition, entry.sentence);
-      out += fmt::format("| `{}` | {} | {} | {} | {} |\n", entry.key(), form, entry.range, entry.need, in_table(meaning));
-    }
-  };
-  table_of("The deck", "", top_level);
-  for (const Entry& entry : reference()) {
-    const bool holds_names_only = entry.is_map && std::any_of(reference().begin(), reference().end(),
-                                                              [&](const Entry& inner) { return inner.parent() == entry.path && inner.key() == any_name; });
-    if (entry.is_map && !holds_names_only) table_of(fmt::format("`{}`", entry.path), entry.sentence, entry.path);
   }
   return out;
 }

@@ -1,4 +1,4 @@
-/// Deck reference, generated from the tables that also read the deck.
+/// Explains keys on the terminal, from the tables that also read the deck.
 #pragma once
 
 #include <string>
@@ -10,8 +10,5 @@ namespace perimpact::deck {
 /// Names may be omitted or arbitrary: "bodies.material.poissons_ratio", "bodies.plate.material" and "poissons_ratio" all work.
 /// Throws InputError with a suggestion for an unknown key.
 std::string describe(std::string_view key_path);
-
-/// The whole reference in markdown: docs/guide/deck_reference.md.
-std::string describe_markdown();
 
 }  // namespace perimpact::deck

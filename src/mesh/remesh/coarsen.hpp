@@ -6,11 +6,13 @@
 
 namespace fccda {
 
+/// Limits of coarsening.
 struct Coarsening {
   double max_deviation = 0;    ///< [m] bound of the distance from the new surface to the given one, and vice versa
   double max_edge_length = 0;  ///< [m] no longer edge is created
 };
 
+/// A coarsened surface, with its deviation.
 struct Coarsened {
   Panels panels;             ///< triangles between vertices of the given surface, parts kept, oriented outward as by refine()
   double distance = 0;       ///< [m] proven bound of the distance between both surfaces, up to rounding

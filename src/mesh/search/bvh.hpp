@@ -21,29 +21,33 @@
 
 namespace fccda {
 
+/// Result of a closest-point query.
 struct ClosestPoint {
-  int triangle;
-  Feature feature;
+  int triangle;     ///< number of the triangle
+  Feature feature;  ///< of the triangle
   Vec3d point;      ///< [m] of the surface
   double distance;  ///< [m]
 };
 
+/// Where a path crosses a surface.
 struct Crossing {
-  int triangle;
+  int triangle;     ///< number of the triangle
   double fraction;  ///< of the path from start to end
 };
 
+/// Bounding volume hierarchy over triangles.
 class Bvh {
  public:
-  static constexpr double no_cap = std::numeric_limits<double>::infinity();
+  static constexpr double no_cap = std::numeric_limits<double>::infinity();  ///< [m] search without limit
 
   /// Cached surroundings of a search: further searches nearby need no traversal of the tree. The results are the same.
   struct Nearby {
-    Vec3d centre{};
-    double reach = 0;  ///< [m] radius about the centre in which the cache is valid
-    std::size_t count = 0;
+    Vec3d centre{};                         ///< [m] of the first search
+    double reach = 0;                       ///< [m] radius about the centre in which the cache is valid
+    std::size_t count = 0;                  ///< number of leaves
     std::array<std::int32_t, 16> leaves{};  ///< leaves that may contain the closest point for any point within reach
 
+    /// Adds a leaf; a full cache becomes invalid.
     void add(std::int32_t leaf) {
       if (count == leaves.size()) reach = 0;  // too many for the cache to pay off
       if (reach > 0) leaves[count++] = leaf;
@@ -59,6 +63,7 @@ class Bvh {
   /// The closest point of the surface within `cap` [m]. `guess` is a triangle expected to be near, or -1. `asked` counts the triangles
   /// evaluated.
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, std::size_t& asked) const;
+  /// The same without guess.
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap = no_cap) const;
 
   /// The same, and collects the surroundings for queries at other points within `reach` [m] of this one.

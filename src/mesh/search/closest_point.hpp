@@ -13,12 +13,13 @@ namespace fccda {
 
 /// A triangle by its corners.
 struct Corners {
-  Vec3d a, b, c;
+  Vec3d a, b, c;  ///< [m]
 };
 
+/// A point of a triangle.
 struct PointOnTriangle {
-  Vec3d point;
-  Feature feature;
+  Vec3d point;      ///< [m]
+  Feature feature;  ///< of the triangle
 };
 
 /// The point of a triangle that is closest to `point`. On an edge or vertex the feature is that edge or vertex, even if the foot of the

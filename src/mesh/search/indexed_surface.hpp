@@ -15,13 +15,15 @@
 
 namespace fccda {
 
+/// A surface with its search structures.
 class IndexedSurface {
  public:
+  /// Builds the search structures.
   explicit IndexedSurface(std::shared_ptr<const Surface> surface) : surface_(std::move(surface)), bvh_(*surface_), solids_(*surface_) {}
 
-  const Surface& surface() const { return *surface_; }
-  const Bvh& bvh() const { return bvh_; }
-  const Solids& solids() const { return solids_; }
+  const Surface& surface() const { return *surface_; }  ///< in the body frame
+  const Bvh& bvh() const { return bvh_; }               ///< of all triangles
+  const Solids& solids() const { return solids_; }      ///< of overlapping closed parts
 
  private:
   std::shared_ptr<const Surface> surface_;
@@ -29,9 +31,12 @@ class IndexedSurface {
   Solids solids_;
 };
 
+/// What detectors hold of a surface.
 using SharedSurface = std::shared_ptr<const IndexedSurface>;
 
+/// Builds the search structures of a surface once, for any number of detectors.
 inline SharedSurface share(std::shared_ptr<const Surface> surface) { return std::make_shared<const IndexedSurface>(std::move(surface)); }
+/// The same for a surface that only detectors use.
 inline SharedSurface share(Surface surface) { return share(std::make_shared<const Surface>(std::move(surface))); }
 
 }  // namespace fccda

@@ -22,23 +22,24 @@
 
 namespace fccda {
 
+/// The solids of a surface, each with its own search structure where they may overlap.
 class Solids {
  public:
   /// `surface` must outlive the object. For one solid, or an open surface, nothing is built.
   explicit Solids(const Surface& surface);
 
-  bool several() const { return !solids_.empty(); }
+  bool several() const { return !solids_.empty(); }  ///< the surface has more than one solid
 
   /// The triangle may lie in another solid, fully or partly.
   bool may_be_buried(int triangle) const { return several() && buried_[static_cast<std::size_t>(triangle)] != 0; }
-  std::size_t buried_count() const;
+  std::size_t buried_count() const;  ///< number of triangles that may be buried
 
   /// True if the point is inside a solid other than that of the triangle.
   bool another_holds(int triangle, const Vec3d& point, std::size_t& asked) const;
 
   /// The solid that a point is deepest in or, if it is in none, nearest to.
   struct Nearest {
-    ClosestPoint closest;
+    ClosestPoint closest;    ///< of that solid
     double signed_distance;  ///< [m] negative inside
   };
   /// Expects several solids. Nothing for a point that is not a number.

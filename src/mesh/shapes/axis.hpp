@@ -5,6 +5,7 @@
 
 namespace fccda {
 
+/// A coordinate axis.
 enum class Axis { x, y, z };
 
 /// Rotates panels made about the axis z to another axis, by cyclic exchange of the coordinates, which preserves the orientation: +x becomes

@@ -7,12 +7,13 @@
 
 namespace fccda {
 
+/// Dimensions of a cylinder.
 struct CylinderShape {
-  double diameter = 0;  ///< [m]
-  double height = 0;    ///< [m]
-  Axis axis = Axis::z;
+  double diameter = 0;     ///< [m]
+  double height = 0;       ///< [m]
+  Axis axis = Axis::z;     ///< of the cylinder
   double edge_length = 0;  ///< [m] longest edge around, along and between the rings of the caps; diagonals are up to √2 longer. 0: diameter/20
-  PanelKind panels = PanelKind::triangles;
+  PanelKind panels = PanelKind::triangles;  ///< kind of panels
 };
 
 /// Oriented outward, with shared vertices. The lateral vertices lie on the cylinder, in n columns and equal rows. About the axis z, column k is

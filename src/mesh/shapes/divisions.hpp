@@ -6,6 +6,7 @@
 
 namespace fccda {
 
+/// Kind of panels of a generated surface.
 enum class PanelKind { triangles, quads };
 
 /// The smallest number of equal parts of `length` that are at most `panel` long, at least 1. A ratio that is whole up to rounding (lengths

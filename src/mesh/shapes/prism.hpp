@@ -8,6 +8,7 @@
 
 namespace fccda {
 
+/// Dimensions of a prism.
 struct PrismShape {
   std::vector<std::array<double, 2>> outline;  ///< [m] x and y of its corners, in either direction around; may be concave
   double height = 1;                           ///< [m] half of it above the plane. Above two contact radii, points in the plane are unaffected by its ends

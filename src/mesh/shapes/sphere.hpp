@@ -5,6 +5,7 @@
 
 namespace fccda {
 
+/// Dimensions of a sphere.
 struct SphereShape {
   double diameter = 0;     ///< [m]
   double edge_length = 0;  ///< [m] no edge is longer. 0: diameter/20, with a deviation from the sphere of at most 5e-4 of the diameter

@@ -41,6 +41,7 @@ enum class ElementKind : std::uint8_t {
 /// Number of nodes of this kind of element; 0 for polygons.
 std::size_t nodes_of(ElementKind kind);
 
+/// True for tetrahedra, pyramids, wedges and hexahedra.
 bool is_solid(ElementKind kind);
 
 /// Number of corner nodes, which come first. `nodes`: all nodes of the element.
@@ -50,13 +51,14 @@ std::size_t corners_of(ElementKind kind, std::size_t nodes);
 /// inward and the others outward.
 std::span<const std::array<int, 4>> faces_of(ElementKind kind);
 
+/// The elements of a file, in its order.
 struct Elements {
-  std::vector<Vec3d> vertices;     ///< node coordinates, in the file's unit
-  std::vector<ElementKind> kinds;  ///< one per element
-  std::vector<std::size_t> ends;   ///< one per element: end of its range in `nodes`
-  std::vector<int> nodes;          ///< vertex numbers
-  std::vector<int> part;           ///< one per element: index into `part_names`
-  std::vector<std::string> part_names;
+  std::vector<Vec3d> vertices;          ///< node coordinates, in the file's unit
+  std::vector<ElementKind> kinds;       ///< one per element
+  std::vector<std::size_t> ends;        ///< one per element: end of its range in `nodes`
+  std::vector<int> nodes;               ///< vertex numbers
+  std::vector<int> part;                ///< one per element: index into `part_names`
+  std::vector<std::string> part_names;  ///< names of the parts
 
   /// Appends an element with the node count of its kind. `part_of_element`: a number from part_number().
   void add(ElementKind kind, std::span<const int> element_nodes, int part_of_element);
@@ -64,7 +66,8 @@ struct Elements {
   /// The number of the part with that name; adds a part for a new name.
   int part_number(const std::string& name);
 
-  std::size_t size() const { return kinds.size(); }
+  std::size_t size() const { return kinds.size(); }  ///< number of elements
+  /// Vertex numbers of one element.
   std::span<const int> nodes_of_element(std::size_t element) const {
     const std::size_t begin = element == 0 ? 0 : ends[element - 1];
     return std::span(nodes).subspan(begin, ends[element] - begin);

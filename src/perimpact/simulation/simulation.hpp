@@ -33,7 +33,7 @@ struct Stability {
 /// User force on the particles of a body.
 struct UserForceOnBody {
   std::size_t body;
-  std::string name;                                                                   ///< its columns of history.csv are <body>.<name>.force_x … and .work
+  std::string name;                                                                   ///< its columns of history.csv are `<body>.<name>.force_x` … and .work
   std::function<void(double time, const Body& body, VectorArray& density)> function;  ///< see UserForce::Function, at the latest positions
 };
 

@@ -2,9 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "base/error.hpp"
 #include "io/deck/reference.hpp"
 
@@ -66,13 +63,6 @@ TEST_CASE("describe: an unknown key yields a suggestion") {
   CHECK(complaint("bodies.poisson_ratio") == "bodies.poisson_ratio: a deck has no such key; did you mean poissons_ratio?");
   CHECK(complaint("colour") == "colour: a deck has no such key; perimpact describe lists all.");
   CHECK(complaint("..") != "");
-}
-
-TEST_CASE("describe: the deck reference of the guide is up to date (perimpact describe --markdown writes it)") {
-  std::ifstream file(PROJECT_FOLDER "/docs/guide/deck_reference.md", std::ios::binary);
-  const std::string page{std::istreambuf_iterator<char>(file), {}};
-  const bool is_up_to_date = page == perimpact::deck::describe_markdown();
-  CHECK(is_up_to_date);
 }
 
 TEST_CASE("reference: every key except maps has a sentence") {
