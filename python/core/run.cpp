@@ -220,7 +220,7 @@ void Run::write_results(const std::optional<std::string>& folder, bool resume, b
                                               .folder = "choose another folder"},
                                      setup());
     loop_->begin_results(*claimed);
-    folder_ = std::move(claimed);
+    folder_.emplace(std::move(*claimed));
   });
   std::vector<std::string> notes = folder_->notes();
   if (!loop_->note().empty()) notes.push_back(loop_->note());

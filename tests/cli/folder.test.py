@@ -180,7 +180,7 @@ def _(t):
 def _(t):
     t.environment["HOME"] = str(t.folder / "home")
     (t.folder / "home").mkdir()
-    t.expect_success("shape", "sphere", "--diameter", "40 mm", "--edge_length", "8 mm", "--out", "home/ball.stl")
+    t.expect_success("shape", "sphere", "--diameter", "40 mm", "--edge-length", "8 mm", "--out", "home/ball.stl")
     ball = ("cylinder: {diameter: 40 mm, height: 40 mm, axis: z, edge_length: 4 mm}", "file: ~/ball.stl")
     for k, (key, mark) in enumerate((("--out={}", "~"), ("--out={}", "$HOME"), ("--set=output.folder={}", "~"), ("--set=output.folder={}", "${HOME}"))):
         t.expect_success("run", t.deck(ball), key.format(f"{mark}/runs/{k}"))

@@ -9,7 +9,7 @@ SHORT = (
     ("time: {end: 20 us}", "time: {end: 30 us, step: 0.05 us}"),
     ("[100 mm, 60 mm, 20 mm]", "[40 mm, 60 mm, 20 mm]"),
     ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002"),
-    ("  history_interval: 2 us", "  history_interval: 0.7 us\n  checkpoint_interval: 10 ms"),
+    ("  history_interval: 2 us", "  history_interval: 0.7 us\n  checkpoint_interval: 40 ms"),
 )
 LONG = (("end: 20 us", "end: 100 s"), ("frames: 4", "frames: 0"))  # would take hours
 OF_TIMES = ("run.json", "report.html", "checkpoint.h5", "files.txt")  # contain wall-clock times, restarts and checkpoints

@@ -61,12 +61,13 @@ def _(t):
     expect_intact(t, "r", "whole")
 
 
-@claim("full disk: if only the trial file fits, the first file is named")
+@claim("full disk: if only the trial file fits, the folder is refused, and if only the lock fits, the first file is named")
 def _(t):
-    done = run_with_files_up_to(t, 100)
-    t.expect_complaint(done, 3, "r/history.csv cannot be written", "ulimit -f")
-    t.assertEqual([name for name in t.files("r") if name != "history.csv"], [])
-    t.assertEqual((t.folder / "r/history.csv").read_bytes(), b"")
+    t.expect_complaint(run_with_files_up_to(t, 100), 2, "results cannot be written to the folder r: File too large.")
+    t.assertEqual(t.files("r"), [])
+    (t.folder / "r/run.lock").unlink(missing_ok=True)
+    t.expect_complaint(run_with_files_up_to(t, 400), 3, "r/files.txt cannot be written", "ulimit -f")
+    t.assertEqual(t.files("r"), [])
 
 
 @claim("full disk: the same on a small file system that runs full")

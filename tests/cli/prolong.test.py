@@ -1,9 +1,7 @@
 """Longer than planned: a run resumed with a later time.end equals one that had this end from the start."""
 
-import random
 import shutil
 import signal
-import time
 
 from claims import claim, main
 from folders import SHORT, contents, ended, started
@@ -24,10 +22,12 @@ def _(t):
     deck = t.deck(*SHORT, LINE)
     t.expect_success("run", deck, "--out", "whole", *TWICE)
     t.expect_success("run", deck, "--out", "r")
-    t.assertEqual([name for name in t.files("r") if name.startswith("lines/along_y")], ["lines/along_y_t3e-05.csv"])
+    at_end = [name for name in t.files("r") if name.startswith("lines/along_y")]
+    t.assertEqual(len(at_end), 1)
     out = t.expect_success("run", deck, "--out", "r", "--resume", *TWICE).out
     t.assertIn("Resumed at step 599 (t = ", out)  # before the last step, whose row and frame the longer run need not have
     expect_same(t, "r", "whole")
+    t.assertNotIn(at_end[0], t.files("r"))
     t.assertEqual(t.report("r")["resumed_at_steps"], [599])
     t.assertIn("nothing to resume", t.expect_success("run", deck, "--out", "r", "--resume", *TWICE).out)
     slow = ["--set", "output.checkpoint_interval=0"]
@@ -48,7 +48,7 @@ def _(t):
     step, steps = t.report("r")["stability"]["step [s]"], t.report("r")["steps"]
     t.expect_complaint(done, 2, "deck.yaml:2:", "the time step is ", f"resume with --set time.step={step!r}.")
     done = t.run_program("run", deck, "--out", "r", "--resume", "--set", "time.end=23.1 us", "--set", f"time.step={step!r}", "--set", "output.history_interval=0.1 us")
-    t.expect_complaint(done, 2, "--set output.frames" if "--set output.frames" in done.err.split(":")[1] else "", "a multiple of ")
+    t.expect_complaint(done, 2, "", "a multiple of ")
     t.assertEqual(contents(t, "r", ()), before)
     longer += ["--set", f"time.step={step!r}"]
     done = t.run_program("run", deck, "--out", "r", "--resume", *longer)
@@ -99,18 +99,17 @@ output: {frames: 2}
 
 @claim("prolong: the last checkpoints are kept, and --resume takes the newest that is readable and reports an older one")
 def _(t):
-    deck, chance = t.deck(*SHORT), random.Random(3)
-    keep = ["--set", "output.checkpoints_kept=3", "--set", "output.checkpoint_interval=1 ns"]
+    deck = t.deck(*SHORT)
+    keep = ["--set", "output.checkpoints_kept=3", "--set", "output.checkpoint_interval=1 ns", "--set", "time.end=3 us"]  # 60 steps
     t.expect_success("run", deck, "--out", "whole", *keep)
     names = [name for name in t.files("whole") if name.startswith("checkpoint")]
     t.assertEqual(names, ["checkpoint.h5", "checkpoint_1.h5", "checkpoint_2.h5"])
-    for damaged, step in ([], 599), (["checkpoint.h5"], 598), (["checkpoint.h5", "checkpoint_1.h5"], 597):
+    for damaged, step in ([], 59), (["checkpoint.h5"], 58), (["checkpoint.h5", "checkpoint_1.h5"], 57):
         shutil.copytree(t.folder / "whole", t.folder / "r")
         (t.folder / "r/run.json").unlink()
         for name in damaged:
-            content = bytearray((t.folder / "r" / name).read_bytes())
-            content[chance.randrange(len(content) // 2, len(content))] ^= 0xFF
-            (t.folder / "r" / name).write_bytes(content if name == "checkpoint.h5" else content[:-1])
+            content = (t.folder / "r" / name).read_bytes()
+            (t.folder / "r" / name).write_bytes(content[: len(content) // 2])
         out = t.expect_success("run", deck, "--out", "r", "--resume", *keep).out
         t.assertIn(f"Resumed at step {step} (t = ", out)
         if damaged:

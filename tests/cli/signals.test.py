@@ -93,9 +93,9 @@ def _(t):
     begin = time.monotonic()
     t.expect_success("run", deck, "--out", "whole")
     duration = time.monotonic() - begin
-    for attempt in range(6):
+    for attempt in range(4):
         folder, resume = f"r{attempt}", []
-        for _ in range(4):
+        for _ in range(3):
             process = t.start("run", deck, "--out", folder, *resume)
             try:
                 _, err = process.communicate(timeout=chance.uniform(0, 0.8 * duration))

@@ -129,10 +129,10 @@ void Checkpoint::expect_same_steps(const Simulation& simulation) {
   const bool fits = frames == 0 || clock.steps * frames % steps_ == 0;
   throw SetupError(
       "output.frames",
-      fmt::format("frames: {} gives other output frames up to step {} than the run of the checkpoint {} has written, {} in {} s; {}.", setup.output.frames, step_,
+      fmt::format("frames: {} gives other output frames up to step {} than the run of the checkpoint {} has written, {} in {:.6g} s; {}.", setup.output.frames, step_,
                   path_.string(), frames, static_cast<double>(steps_) * dt,
                   fits ? fmt::format("resume with --set output.frames={}", frames == 0 ? 0 : clock.steps * frames / steps_)
-                       : fmt::format("choose a time.end that is a multiple of {} s, the interval of these frames", static_cast<double>(steps_) / frames * dt)));
+                       : fmt::format("choose a time.end that is a multiple of {:.6g} s, the interval of these frames", static_cast<double>(steps_) / frames * dt)));
 }
 
 Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {
