@@ -214,11 +214,10 @@ void Run::write_results(const std::optional<std::string>& folder, bool resume, b
   const std::filesystem::path path = results_path(folder.value_or(setup().output.folder), "write_results");
   const EarlierRun earlier = resume ? EarlierRun::resume : overwrite ? EarlierRun::replace : EarlierRun::keep;
   with_places(deck_, [&] {
-    std::optional<RunFolder> claimed(std::in_place, path, earlier,
-                                     Requests{.resume = fmt::format("write_results(\"{}\", resume=True)", path.string()),
-                                              .replace = "overwrite=True",
-                                              .folder = "choose another folder"},
-                                     setup());
+    std::optional<RunFolder> claimed(
+        std::in_place, path, earlier,
+        Requests{.resume = fmt::format("write_results(\"{}\", resume=True)", path.string()), .replace = "overwrite=True", .folder = "choose another folder"},
+        setup());
     loop_->begin_results(*claimed);
     folder_.emplace(std::move(*claimed));
   });

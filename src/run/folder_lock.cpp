@@ -81,9 +81,10 @@ Owner myself() {
 }
 
 std::string text_of(const Owner& owner) {
-  return fmt::format("# A run writes into this folder; see the guide, restart.md.\nhost: {}\npid: {}\nsince: {}\nprocess_start: {}\npid_namespace: {}\nboot: {}\n"
-                     "machine: {}\n",
-                     owner.host, owner.pid, owner.since, owner.start, owner.names, owner.boot, owner.machine);
+  return fmt::format(
+      "# A run writes into this folder; see the guide, restart.md.\nhost: {}\npid: {}\nsince: {}\nprocess_start: {}\npid_namespace: {}\nboot: {}\n"
+      "machine: {}\n",
+      owner.host, owner.pid, owner.since, owner.start, owner.names, owner.boot, owner.machine);
 }
 
 /// Empty if the file does not exist.
@@ -134,9 +135,9 @@ Life life_of(const Owner& owner, const Owner& me) {
   if (life == Life::runs)
     throw fccda::InputError(fmt::format("another run is writing into the folder {}: {}{}. Wait until it has ended, or choose another folder.", folder.string(),
                                         owner.in_words(), owner.pid == me.pid ? " (this process)" : ""));
-  throw fccda::InputError(fmt::format(
-      "another run has the folder {}: {}. Whether it still runs cannot be determined from here ({}); if it has ended, delete its lock: rm '{}'.",
-      folder.string(), owner.in_words(), owner.boot == me.boot ? "another container" : "host " + me.host, lock.string()));
+  throw fccda::InputError(
+      fmt::format("another run has the folder {}: {}. Whether it still runs cannot be determined from here ({}); if it has ended, delete its lock: rm '{}'.",
+                  folder.string(), owner.in_words(), owner.boot == me.boot ? "another container" : "host " + me.host, lock.string()));
 }
 
 /// The finished file that becomes the lock.
@@ -146,9 +147,11 @@ class Draft {
     ::unlink(path_.c_str());  // of a killed process with this number: another name of its lock
     std::ofstream file(path_, std::ios::binary);
     file << text << std::flush;
-    if (!file)
-      throw fccda::InputError(fmt::format("results cannot be written to the folder {}: {}. Choose another one with --out, or with output.folder in the deck.",
-                                          folder.string(), std::strerror(errno)));
+    if (file) return;
+    const std::string reason = std::strerror(errno);
+    ::unlink(path_.c_str());
+    throw fccda::InputError(fmt::format("results cannot be written to the folder {}: {}. Choose another one with --out, or with output.folder in the deck.",
+                                        folder.string(), reason));
   }
   ~Draft() { ::unlink(path_.c_str()); }
   Draft(const Draft&) = delete;
@@ -172,8 +175,8 @@ bool create(const Draft& draft, const fs::path& lock, const std::string& text) {
   const output::Descriptor file(::open(lock.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (!file.is_open() && errno == EEXIST) return false;
   if (!file.is_open() || ::write(file.number(), text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-    throw fccda::InputError(fmt::format("{} cannot be written: {}. Choose another folder with --out, or with output.folder in the deck.", lock.string(),
-                                        std::strerror(errno)));
+    throw fccda::InputError(
+        fmt::format("{} cannot be written: {}. Choose another folder with --out, or with output.folder in the deck.", lock.string(), std::strerror(errno)));
   return true;
 }
 
@@ -185,7 +188,8 @@ bool replace(const Draft& draft, const fs::path& lock, const std::string& stale)
   if (::flock(file.number(), LOCK_EX) != 0)
     throw fccda::InputError(fmt::format("{} is the lock of a run that has ended, but this file system cannot replace it safely ({}); delete it: rm '{}'.",
                                         lock.string(), std::strerror(errno), lock.string()));
-  struct stat opened {}, present {};
+  struct stat opened {
+  }, present{};
   const bool is_same = ::fstat(file.number(), &opened) == 0 && ::stat(lock.c_str(), &present) == 0 && opened.st_ino == present.st_ino;
   return is_same && contents_of(lock) == stale && ::rename(draft.path().c_str(), lock.c_str()) == 0;
 }

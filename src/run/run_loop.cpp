@@ -23,9 +23,7 @@ void RunLoop::begin_results(const RunFolder& folder) {
   note_ = checkpoints_->note();
 }
 
-double RunLoop::seconds() const {
-  return seconds_before_ + (begin_ ? std::chrono::duration<double>(steady_clock::now() - *begin_).count() : 0);
-}
+double RunLoop::seconds() const { return seconds_before_ + (begin_ ? std::chrono::duration<double>(steady_clock::now() - *begin_).count() : 0); }
 
 void RunLoop::run(const Watch& watch) {
   struct Period {

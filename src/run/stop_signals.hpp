@@ -17,9 +17,9 @@ class StopSignals {
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
-  static int pending();            ///< the first signal to end, or 0
-  static int take();               ///< the same; the record is cleared
-  static bool save_is_pending();   ///< SIGUSR1
+  static int pending();           ///< the first signal to end, or 0
+  static int take();              ///< the same; the record is cleared
+  static bool save_is_pending();  ///< SIGUSR1
   static bool take_save_request();
 };
 

@@ -75,7 +75,7 @@ def _(t):
     t.expect_success("run", t.deck(), "--out", "whole")
     (t.folder / "small").mkdir()
     # A private mount that ends with the shell; results are copied out before.
-    script = 'mount -t tmpfs -o size=64k none small && { "$0" run deck.yaml --out small/r; code=$?; cp -r small/r r; exit $code; }; exit 77'
+    script = 'mount -t tmpfs -o size=72k none small && { "$0" run deck.yaml --out small/r; code=$?; cp -r small/r r; exit $code; }; exit 77'
     shell = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", script, t.program], cwd=t.folder, env=t.environment, text=True,
                            capture_output=True, timeout=60)
     if shell.returncode not in (0, 2, 3):

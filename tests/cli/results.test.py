@@ -45,7 +45,7 @@ def head_of_vtp(path):
 @claim("results: a run writes run.json, history, lines, frames, pressure-area curves and a report, nothing else, and exits with 0")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r")
-    wanted = ["checkpoint.h5", "history.csv", "history.json", "lines/along_y_t2e-05.csv", "pressure_area/cylinder.csv", "pressure_area/cylinder_at_peak.csv", "report.html", "run.json"]
+    wanted = ["checkpoint.h5", "files.txt", "history.csv", "history.json", "lines/along_y_t2e-05.csv", "pressure_area/cylinder.csv", "pressure_area/cylinder_at_peak.csv", "report.html", "run.json"]
     for name in ("plate", "cylinder"):
         wanted += [f"frames/{name}.pvd"] + [f"frames/{name}_{frame:05}.vtp" for frame in range(5)]
     t.assertEqual(t.files("r"), sorted(wanted))

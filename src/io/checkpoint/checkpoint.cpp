@@ -32,8 +32,8 @@ const std::filesystem::path& expect_there(const std::filesystem::path& path) {
 /// Keys that may differ on restart. Input files are compared by contents, not by path. A run can be prolonged: what these keys of time and output
 /// result in is compared when the simulation is built (expect_same_steps).
 bool may_differ(std::string_view key) {
-  constexpr std::string_view keys[] = {"output.folder", "output.checkpoint_interval", "output.checkpoints_kept",  "output.frames",
-                                       "time.end",      "time.step",                  "time.relax.increments",    "output.history_interval"};
+  constexpr std::string_view keys[] = {"output.folder", "output.checkpoint_interval", "output.checkpoints_kept", "output.frames", "time.end",
+                                       "time.step",     "time.relax.increments",      "output.history_interval"};
   return std::ranges::find(keys, key) != std::end(keys) || key.ends_with(".file");
 }
 
@@ -114,8 +114,9 @@ void Checkpoint::expect_same_steps(const Simulation& simulation) {
   const Clock& clock = simulation.clock();
   const double dt = file_.number("step size [s]");
   if (setup.time.relax && clock.dt != dt)
-    throw SetupError("time.relax", fmt::format("an increment is {} s here, but {} s in the run of the checkpoint {}; resume with --set time.relax.increments={}.",
-                                               clock.dt, dt, path_.string(), std::lround(setup.time.end / dt)));
+    throw SetupError("time.relax",
+                     fmt::format("an increment is {} s here, but {} s in the run of the checkpoint {}; resume with --set time.relax.increments={}.", clock.dt,
+                                 dt, path_.string(), std::lround(setup.time.end / dt)));
   if (clock.dt != dt)
     throw SetupError("time", fmt::format("the time step is {} s here, but {} s in the run of the checkpoint {}; resume with --set time.step={}.", clock.dt, dt,
                                          path_.string(), dt));
@@ -127,12 +128,12 @@ void Checkpoint::expect_same_steps(const Simulation& simulation) {
   const int frames = static_cast<int>(file_.integer("frames"));
   if (frame_steps(setup.output.frames, clock.steps, step_) == frame_steps(frames, steps_, step_)) return;
   const bool fits = frames == 0 || clock.steps * frames % steps_ == 0;
-  throw SetupError(
-      "output.frames",
-      fmt::format("frames: {} gives other output frames up to step {} than the run of the checkpoint {} has written, {} in {:.6g} s; {}.", setup.output.frames, step_,
-                  path_.string(), frames, static_cast<double>(steps_) * dt,
-                  fits ? fmt::format("resume with --set output.frames={}", frames == 0 ? 0 : clock.steps * frames / steps_)
-                       : fmt::format("choose a time.end that is a multiple of {:.6g} s, the interval of these frames", static_cast<double>(steps_) / frames * dt)));
+  throw SetupError("output.frames",
+                   fmt::format("frames: {} gives other output frames up to step {} than the run of the checkpoint {} has written, {} in {:.6g} s; {}.",
+                               setup.output.frames, step_, path_.string(), frames, static_cast<double>(steps_) * dt,
+                               fits ? fmt::format("resume with --set output.frames={}", frames == 0 ? 0 : clock.steps * frames / steps_)
+                                    : fmt::format("choose a time.end that is a multiple of {:.6g} s, the interval of these frames",
+                                                  static_cast<double>(steps_) / frames * dt)));
 }
 
 Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {

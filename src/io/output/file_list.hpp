@@ -29,7 +29,7 @@ class FileList {
   void add_frames(const std::string& series, std::size_t last);   ///< "frames/plate": its files 0 … last
   void add(const FileList& other);
 
-  bool contains(std::string_view file) const;         ///< also `<file>.part` of a run that was killed
+  bool contains(std::string_view file) const;                    ///< also `<file>.part` of a run that was killed
   const std::set<std::string>& files() const { return files_; }  ///< without frames
   /// The files of the list that exist in the folder, as paths from it.
   std::vector<std::string> present_in(const std::filesystem::path& folder) const;

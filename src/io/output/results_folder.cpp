@@ -36,9 +36,10 @@ void remove(const fs::path& folder, std::vector<std::string> files) {
 void expect_own(const fs::path& folder, const FileList& planned, const FileList& own) {
   for (const std::string& file : planned.present_in(folder))
     if (!own.contains(file))
-      throw fccda::InputError(fmt::format("{} would be replaced, but {} does not list it as a file of a run; move it, or choose another folder with --out or "
-                                          "output.folder.",
-                                          (folder / file).string(), ResultsFolder::list_in(folder).string()));
+      throw fccda::InputError(
+          fmt::format("{} would be replaced, but {} does not list it as a file of a run; move it, or choose another folder with --out or "
+                      "output.folder.",
+                      (folder / file).string(), ResultsFolder::list_in(folder).string()));
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ TEST_CASE("results: a list of files contains frames by number, partial files, an
 
 TEST_CASE("results: the files that a run has listed are removed, everything else is kept") {
   const TemporaryFolder folder;
-  const Names ours = {"run.json", "run.json.part", "history.csv", "checkpoint.h5", "lines/a_t5e-05.csv", "frames/plate_00001.vtp", "frames/plate_00002.vtp.part"};
+  const Names ours = {
+      "run.json", "run.json.part", "history.csv", "checkpoint.h5", "lines/a_t5e-05.csv", "frames/plate_00001.vtp", "frames/plate_00002.vtp.part"};
   const Names foreign = {"notes.txt", "history.csv.bak", "check/plate.vtp", "lines/reference.csv", "frames/plate_00003.vtp", "frames/sub/plate_00001.vtp"};
   FileList list = list_of({"run.json", "history.csv", "checkpoint.h5", "lines/a_t5e-05.csv"});
   list.add_frames("frames/plate", 2);
