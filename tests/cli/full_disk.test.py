@@ -61,13 +61,13 @@ def _(t):
     expect_intact(t, "r", "whole")
 
 
-@claim("full disk: if only the trial file fits, the folder is refused, and if only the lock fits, the first file is named")
+@claim("full disk: if only the trial file fits, the folder is refused, and if only the lock and the list of files fit, the first file is named")
 def _(t):
     t.expect_complaint(run_with_files_up_to(t, 100), 2, "results cannot be written to the folder r: File too large.")
     t.assertEqual(t.files("r"), [])
-    (t.folder / "r/run.lock").unlink(missing_ok=True)
-    t.expect_complaint(run_with_files_up_to(t, 400), 3, "r/files.txt cannot be written", "ulimit -f")
-    t.assertEqual(t.files("r"), [])
+    t.expect_complaint(run_with_files_up_to(t, 500), 3, "r/history.csv cannot be written", "ulimit -f")
+    t.assertEqual(t.files("r"), ["files.txt", "history.csv"])
+    t.assertEqual((t.folder / "r/history.csv").read_bytes(), b"")
 
 
 @claim("full disk: the same on a small file system that runs full")

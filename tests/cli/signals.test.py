@@ -102,18 +102,20 @@ def _(t):
             except subprocess.TimeoutExpired:
                 process.kill()
                 _, err = process.communicate()
-            if process.returncode == 0:
+            if process.returncode == 0 or (t.folder / folder / "run.json").exists():  # or killed during the report
                 break
             t.assertIn((process.returncode, err), ((-9, ""),))
+            has_begun, has_checkpoint = ((t.folder / folder / name).exists() for name in ("history.csv", "checkpoint.h5"))
             done = t.run_program("run", deck, "--out", folder)  # the same command again
-            if (t.folder / folder / "checkpoint.h5").exists():
+            if not has_begun:  # it was killed before it wrote anything
+                t.assertEqual((done.code, done.err), (0, ""))
+                break
+            if has_checkpoint:
                 t.expect_complaint(done, 2, f"the folder {folder} contains an unfinished run (step ", f"resume it with perimpact run deck.yaml --out {folder} --resume")
                 resume = ["--resume"]
-            elif done.code != 0:  # else it was killed before it wrote anything
+            else:
                 t.expect_complaint(done, 2, f"the folder {folder} contains an unfinished run without a checkpoint, which cannot be resumed; replace it with --force")
                 resume = ["--force"]
-            else:
-                break
         if process.returncode != 0 and not (t.folder / folder / "run.json").exists():
             t.expect_success("run", deck, "--out", folder, *resume)
         t.assertEqual(contents(t, folder), contents(t, "whole"))
