@@ -10,6 +10,6 @@ perimpact=${2:-$case/../../build/release/perimpact}
 variant() {
   local folder="$results/$1" settings=()
   for setting in "${@:2}"; do settings+=(--set "$setting"); done
-  grep -qs '"outcome": "finished"' "$folder/run.json" || nice "$perimpact" run "${deck:-$case/deck.yaml}" --out "$folder" "${settings[@]}"
+  grep -qs '"outcome": "finished"' "$folder/run.json" || nice "$perimpact" run "${deck:-$case/deck.yaml}" --out "$folder" --force "${settings[@]}"
   /usr/bin/python3 "$case/measure.py" "$folder"
 }

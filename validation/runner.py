@@ -28,7 +28,7 @@ class Runner:
         folder.mkdir(parents=True, exist_ok=True)
         noted.unlink(missing_ok=True)
         words = [word for setting in settings for word in ("--set", setting)]
-        done = self.call("run", ROOT / deck, "--out", folder, *words)
+        done = self.call("run", ROOT / deck, "--out", folder, "--force", *words)
         if done.returncode:
             sys.exit(f"error: {topic}/{name} ended with {done.returncode}: {done.stderr.strip()}")
         noted.write_text(wanted)

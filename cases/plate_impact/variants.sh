@@ -17,7 +17,7 @@ variant() {
   fi
   echo "== $folder"
   mkdir -p "$folder"
-  nice "$perimpact" run "$case/deck.yaml" --out "$folder" "$@" | tee "$folder/log.txt"
+  nice "$perimpact" run "$case/deck.yaml" --out "$folder" --force "$@" | tee "$folder/log.txt"
 }
 # the same, with the set-up as frames
 checked() {

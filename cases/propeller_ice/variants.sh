@@ -11,7 +11,7 @@ perimpact=${2:-$case/../../build/release/perimpact}
 variant() {
   local folder="$results/$1" settings=() setting
   for setting in "${@:2}"; do settings+=(--set "$setting"); done
-  grep -qs '"outcome": "finished"' "$folder/run.json" || nice "$perimpact" run "$case/deck.yaml" --threads 1 --out "$folder" "${settings[@]}"
+  grep -qs '"outcome": "finished"' "$folder/run.json" || nice "$perimpact" run "$case/deck.yaml" --threads 1 --out "$folder" --force "${settings[@]}"
   folders+=("$folder")
 }
 stretch=bodies.ice.material.critical_stretch failure=bodies.ice.failure surface=impactors.propeller.surface.propeller

@@ -91,7 +91,7 @@ def measure(program, folder):
         if not (where / "out/run.json").exists() or place.read_text() != text:
             where.mkdir(parents=True, exist_ok=True)
             place.write_text(text)
-            subprocess.run([program, "run", place, "--out", where / "out", "--threads", "1"], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run([program, "run", place, "--out", where / "out", "--force", "--threads", "1"], check=True, stdout=subprocess.DEVNULL)
         return Result(where / "out")
 
     def one(job):

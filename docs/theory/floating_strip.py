@@ -55,7 +55,7 @@ def measure(program, folder):
         if not (done.exists() and '"finished"' in done.read_text() and place.read_text() == text):
             where.mkdir(parents=True, exist_ok=True)
             place.write_text(text)
-            subprocess.run([program, "run", place, "--out", where / "out", "--threads", "1"], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run([program, "run", place, "--out", where / "out", "--force", "--threads", "1"], check=True, stdout=subprocess.DEVNULL)
         run = Run(where / "out")
         keys = {"test": name.split()[0], "series": series(variant), "layers": variant.layers, "length [m]": variant.length}
         if name.startswith("lift"):

@@ -76,7 +76,7 @@ def panels(program, folder, keys):
     """What the program makes of the hull with these keys: the picture of the panels, and how many triangles they are."""
     deck = folder / "deck.yaml"
     deck.write_text(DECK.format(keys=keys))
-    subprocess.run([program, "run", deck, "--out", folder / "run"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program, "run", deck, "--out", folder / "run", "--force"], check=True, stdout=subprocess.DEVNULL)
     subprocess.run([program, "check", deck, "--out", folder / "check"], check=True, stdout=subprocess.DEVNULL)
     report = json.loads((folder / "run/run.json").read_text())["impactors"]["ship"]
     return read_vtp(folder / "check/check/ship_surface.vtp"), report["surface"]["triangles"]

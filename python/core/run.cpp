@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <limits>
 
 #include "base/error.hpp"
-#include "held_interrupts.hpp"
 #include "io/deck/did_you_mean.hpp"
-#include "io/output/results_folder.hpp"
 #include "io/report/report.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
+#include "run/stop_signals.hpp"
 
 namespace perimpact::python {
 
@@ -93,6 +93,7 @@ std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<UserForceFunctio
     const py::gil_scoped_release release;
     with_places(run->deck_, [&] { run->simulation_ = std::make_unique<Simulation>(setup, Start(setup), std::move(given)); });
   }
+  run->loop_.emplace(*run->simulation_);
   const auto row = run->simulation().monitors().row();
   run->rows_.emplace_back(row.begin(), row.end());
   return run;
@@ -139,10 +140,7 @@ void Run::step() {
   const long step = simulation_->clock().step;
   if (simulation_->clock().is_finished())
     throw RunError(fmt::format("the run is over at {:.6g} s, after {} steps; set a later time.end to continue.", simulation_->clock().time(), step));
-  while (simulation_->clock().step == step) {  // an increment of a relaxation is paused to check for signals
-    advance({}, 1);
-    throw_if_interrupted();
-  }
+  while (simulation_->clock().step == step) advance({}, 1);  // an increment of a relaxation is paused to check for signals
 }
 
 void Run::run(std::optional<double> until, const py::object& after_steps, long every, const py::object& self) {
@@ -152,7 +150,6 @@ void Run::run(std::optional<double> until, const py::object& after_steps, long e
   while (!is_there(until)) {
     const long to_call = called_at + every - simulation_->clock().step;
     advance(until, after_steps.is_none() ? std::numeric_limits<long>::max() : to_call);
-    throw_if_interrupted();
     if (after_steps.is_none() || simulation_->clock().step < called_at + every) continue;
     called_at = simulation_->clock().step;
     if (after_steps(self).ptr() == Py_False) return;
@@ -161,78 +158,84 @@ void Run::run(std::optional<double> until, const py::object& after_steps, long e
 }
 
 void Run::advance(std::optional<double> until, long most) {
-  const HeldInterrupts held;
-  const py::gil_scoped_release release;
-  const Flag busy(is_busy_);
-  const auto leave_at = std::chrono::steady_clock::now() + between_looks_for_signals;
-  for (long n = 0; n < most && !is_there(until); ++n)
-    if (!step_once(leave_at) || std::chrono::steady_clock::now() > leave_at) return;
-}
-
-/// Returns false where an increment was paused.
-bool Run::step_once(Instant leave_at) {
-  const auto begin = std::chrono::steady_clock::now();
-  const long step = simulation_->clock().step;
-  is_whole_ = false;
-  try {
-    simulation_->step([&](const Relaxed&) { return std::chrono::steady_clock::now() <= leave_at; });
+  if (is_there(until)) return;
+  {
+    // User forces run Python code, in which Python's handler would raise KeyboardInterrupt and leave the step incomplete. So signals are recorded
+    // during steps, and handed to Python between them.
+    const StopSignals signals(StopSignals::SecondInterrupt::recorded);
+    const py::gil_scoped_release release;
+    const Flag busy(is_busy_);
+    const auto leave_at = std::chrono::steady_clock::now() + between_looks_for_signals;
+    const auto is_on_time = [&] { return std::chrono::steady_clock::now() <= leave_at; };
+    long done = 0;
+    is_whole_ = false;
+    try {
+      loop_->run({.after_step =
+                      [&] {
+                        note_step();
+                        return ++done < most && !is_there(until) && is_on_time();
+                      },
+                  .in_increment = is_on_time});
+    } catch (const RunError&) {
+      folder_.reset();  // the results are closed
+      throw;
+    }
     is_whole_ = true;
-    if (simulation_->clock().step > step) note_step();
-  } catch (const RunError& error) {
-    if (results_) results_->finish(*simulation_, Outcome::failed, error.what(), seconds_);
-    throw;
+    if (folder_ && !loop_->has_results()) close_results();  // finished
   }
-  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (results_ && simulation_->clock().is_finished()) close_results();
-  return simulation_->clock().step > step;
+  throw_if_interrupted();
 }
 
 void Run::note_step() {
   const Monitors& monitors = simulation_->monitors();
   if (monitors.is_due(simulation_->clock())) rows_.emplace_back(monitors.row().begin(), monitors.row().end());
-  if (!results_) return;
-  results_->after_step(*simulation_);
-  checkpoints_->after_step(*simulation_, *results_);
 }
 
 void Run::throw_if_interrupted() {
-  HeldInterrupts::hand_on();
+  const int signal = StopSignals::take();
+  if (signal != 0 && signal != SIGINT) {  // Python would end at once
+    loop_->interrupt();
+    folder_.reset();
+    std::raise(signal);
+  }
+  if (signal == SIGINT) PyErr_SetInterrupt();
   if (PyErr_CheckSignals() == 0) return;
   const py::error_already_set exception;
-  if (results_) checkpoints_->write(*simulation_, *results_);
+  loop_->save();
   throw exception;
 }
 
-void Run::write_results(const std::optional<std::string>& folder, bool resume) {
+void Run::write_results(const std::optional<std::string>& folder, bool resume, bool overwrite) {
   expect_usable();
-  if (results_) throw InputError("results are already being written; call write_results once, before the first step.");
+  if (folder_) throw InputError("results are already being written; call write_results once, before the first step.");
   if (simulation_->clock().step > 0)
     throw InputError(fmt::format("step {} is done, but results begin at t = 0; call write_results before the first step.", simulation_->clock().step));
-  const std::filesystem::path path = folder.value_or(setup().output.folder);
-  if (path.empty()) throw InputError("the results folder has no name; give one, such as \"results\".");
-  const std::filesystem::path checkpoint = output::ResultsFolder::checkpoint_in(path);
+  if (resume && overwrite) throw InputError("write_results was given both resume and overwrite; a run is either resumed or replaced.");
+  const std::filesystem::path path = results_path(folder.value_or(setup().output.folder), "write_results");
+  const EarlierRun earlier = resume ? EarlierRun::resume : overwrite ? EarlierRun::replace : EarlierRun::keep;
   with_places(deck_, [&] {
-    std::optional<Checkpoint> earlier;
-    if (resume) earlier.emplace(checkpoint).expect_deck(setup());
-    output::prepare_folder(path);
-    results_folder_ = path;
-    checkpoints_.emplace(checkpoint, *simulation_);
-    if (!earlier) {
-      results_.emplace(*simulation_, path);
-      return;
-    }
-    results_.emplace(*simulation_, path, checkpoints_->resume(*earlier, *simulation_));
-    const auto row = simulation_->monitors().row();
-    rows_.assign(1, {row.begin(), row.end()});
+    std::optional<RunFolder> claimed(
+        std::in_place, path, earlier,
+        Requests{.resume = fmt::format("write_results(\"{}\", resume=True)", path.string()), .replace = "overwrite=True", .folder = "choose another folder"},
+        setup());
+    loop_->begin_results(*claimed);
+    folder_.emplace(std::move(*claimed));
   });
+  std::vector<std::string> notes = folder_->notes();
+  if (!loop_->note().empty()) notes.push_back(loop_->note());
+  for (const std::string& note : notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+  if (!resume) return;
+  const auto row = simulation_->monitors().row();
+  rows_.assign(1, {row.begin(), row.end()});
 }
 
 void Run::close_results() {
-  if (!results_) return;
-  checkpoints_->write(*simulation_, *results_);
-  results_->finish(*simulation_, simulation_->clock().is_finished() ? Outcome::finished : Outcome::interrupted, "", seconds_);
-  results_.reset();
-  report::write_report(results_folder_);
+  if (!folder_) return;
+  if (is_whole_) loop_->interrupt();  // of a finished run, the results are closed
+  const RunFolder folder = std::move(*folder_);
+  folder_.reset();
+  report::write_report(folder.path());
 }
 
 }  // namespace perimpact::python

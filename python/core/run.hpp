@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "arrays.hpp"
-#include "io/checkpoint/checkpoints.hpp"
 #include "io/deck/deck.hpp"
-#include "io/results/results_writer.hpp"
 #include "perimpact/simulation/simulation.hpp"
+#include "run/run_folder.hpp"
+#include "run/run_loop.hpp"
 
 namespace perimpact::python {
 
@@ -40,20 +40,17 @@ class Run : public std::enable_shared_from_this<Run> {
   /// function returns. On a signal (Ctrl-C) a checkpoint is written if output is enabled, and Python's exception is thrown.
   void run(std::optional<double> until, const py::object& after_steps, long every, const py::object& self);
 
-  void write_results(const std::optional<std::string>& folder, bool resume);
+  void write_results(const std::optional<std::string>& folder, bool resume, bool overwrite);
   void close_results();
 
   const std::vector<std::vector<double>>& rows() const { return rows_; }  ///< rows of the history
 
  private:
-  using Instant = std::chrono::steady_clock::time_point;
-
   UserForceOnBody given(std::size_t body, const UserForceFunction& force);
   void add_user_force(std::size_t index, const std::string& name, const py::function& function, double time, const Body& body, VectorArray& density);
   void expect_usable() const;
   bool is_there(std::optional<double> until) const;
   void advance(std::optional<double> until, long most);
-  bool step_once(Instant leave_at);
   void note_step();
   void throw_if_interrupted();
 
@@ -61,10 +58,8 @@ class Run : public std::enable_shared_from_this<Run> {
   std::vector<const Body*> being_made_;  // bodies so far, while the constructor of the simulation calls user forces
   std::unique_ptr<Simulation> simulation_;
   std::vector<std::vector<double>> rows_;
-  std::optional<Checkpoints> checkpoints_;
-  std::optional<ResultsWriter> results_;
-  std::filesystem::path results_folder_;
-  double seconds_ = 0;    // [s] wall-clock time of the steps
+  std::optional<RunFolder> folder_;  // while results are written
+  std::optional<RunLoop> loop_;
   bool is_busy_ = false;  // during a step
   bool is_whole_ = true;  // false after a step was aborted by an exception
 };

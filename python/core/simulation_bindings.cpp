@@ -338,10 +338,11 @@ forces: as for Simulation.)")
 callback(simulation) is called after every `every` steps; if it returns False, run() returns and may be called again later.
 Other Python threads continue meanwhile, and Ctrl-C ends the run after a complete step.)")
       .def(
-          "write_results", &Run::write_results, "folder"_a = py::none(), "resume"_a = false,
+          "write_results", &Run::write_results, "folder"_a = py::none(), "resume"_a = false, "overwrite"_a = false,
           R"(Enables output to `folder`, or output.folder of the set-up, as by the command line: history, frames, checkpoints, and run.json and report.html at the end.
 
-Call before the first step. resume: restarts from the checkpoint in the folder, as `perimpact run --resume` does.)")
+Call before the first step. resume: restarts from the checkpoint in the folder, as `perimpact run --resume` does. overwrite: replaces the run in the
+folder, as `--force` does; without it a folder that contains a run is refused.)")
       .def("close_results", &Run::close_results,
            "Writes a checkpoint, run.json and report.html of an unfinished run, which `write_results(resume=True)` can resume later.")
       .def_property_readonly(

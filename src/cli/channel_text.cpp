@@ -58,6 +58,7 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
   const std::vector<std::string> names = {fmt::format("along_{} [m]", along), fmt::format("low_{} [m]", across), fmt::format("high_{} [m]", across),
                                           "width [m]", "all_broken [m]"};
   output::write_csv(file, names, rows);
+  output::list_file(arguments.folder, std::filesystem::path("fragments") / file.filename());
 
   std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, frame.time, frame.file.string());
   if (widths.length == 0) {

@@ -171,7 +171,7 @@ void write_frames(const Simulation& simulation, const std::filesystem::path& fol
 int check_command(const DeckArguments& arguments) {
   const deck::Deck deck = open_deck(arguments);
   const std::filesystem::path folder = results_folder(arguments, deck.setup) / "check";
-  return with_places(deck, folder, [&] {
+  return with_places(deck, {folder}, [&] {
     const Memory memory = memory_needed(deck.setup);
     Simulation simulation(deck.setup);
     const std::vector<Line> lines = lines_of(simulation);

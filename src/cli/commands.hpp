@@ -1,4 +1,4 @@
-/// Commands of `perimpact`. Each returns the exit code: 0, or 130 if Ctrl-C ended a run. Errors are thrown (main.cpp turns InputError
+/// Commands of `perimpact`. Each returns the exit code: 0, or 128 and the number of the signal that ended a run. Errors are thrown (main.cpp turns InputError
 /// into exit code 2 and RunError into 3).
 #pragma once
 
@@ -19,6 +19,7 @@ struct DeckArguments {
 
 struct RunArguments : DeckArguments {
   bool resume = false;  ///< restart from the checkpoint in the results folder
+  bool force = false;   ///< replace the run in the results folder
   bool no_report = false;
 };
 

@@ -112,7 +112,9 @@ int run(int argc, char** argv) {
   RunArguments run_arguments;
   CLI::App* run = app.add_subcommand("run", "Run a deck");
   add_deck_arguments(*run, run_arguments);
-  run->add_flag("--resume", run_arguments.resume, "Restart from the checkpoint in the results folder, with the same deck and --set");
+  CLI::Option* resume =
+      run->add_flag("--resume", run_arguments.resume, "Restart from the checkpoint in the results folder, with the same deck and --set, or a later time.end");
+  run->add_flag("--force", run_arguments.force, "Replace the run in the results folder")->excludes(resume);
   run->add_flag("--no-report", run_arguments.no_report, "Omit report.html, which `perimpact report` can write later");
   run->callback([&] { code = run_command(run_arguments); });
 

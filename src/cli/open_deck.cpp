@@ -9,6 +9,7 @@
 #include "io/output/results_folder.hpp"
 #include "io/results/defect_files.hpp"
 #include "perimpact/impactor/surface_of.hpp"
+#include "run/run_folder.hpp"
 
 namespace perimpact {
 
@@ -28,16 +29,17 @@ deck::Deck open_deck(const DeckArguments& arguments) {
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup) {
   if (arguments.out && arguments.out->empty())
     throw fccda::InputError("--out is empty; use --out . for the current folder, or omit it to use output.folder of the deck.");
-  return arguments.out.value_or(setup.output.folder);
+  return arguments.out ? results_path(*arguments.out, "--out") : results_path(setup.output.folder, "output.folder");
 }
 
-void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& folder) {
+void rethrow_with_place(const deck::Deck& deck, const DefectFolder& folder) {
   try {
     throw;
   } catch (const DefectiveSurface& error) {
-    output::prepare_folder(folder);
-    const std::filesystem::path file = defect_file_of(folder, error.impactor());
+    output::prepare_folder(folder.path);
+    const std::filesystem::path file = defect_file_of(folder.path, error.impactor());
     write_defects(file, error.panels(), {&error.defect(), 1});
+    if (folder.lists_files) output::list_file(folder.path, file.filename().string());
     throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), file.string()));
   } catch (const SetupError& error) {
     throw fccda::InputError(deck.places.of(error.key()) + ": " + error.what());

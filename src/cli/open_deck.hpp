@@ -13,16 +13,22 @@ deck::Deck open_deck(const DeckArguments& arguments);
 /// --out, or output.folder of the deck. Throws InputError if --out is empty.
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup);
 
+/// Where the panels of a defective surface are written: to a results folder, which lists its files, or another one.
+struct DefectFolder {
+  const std::filesystem::path& path;
+  bool lists_files = false;
+};
+
 /// Rethrows the current exception, a SetupError as an InputError with file, line and column. For a defective impactor surface, the
 /// panels are written into `folder` and the message names the file.
-[[noreturn]] void rethrow_with_place(const deck::Deck& deck, const std::filesystem::path& folder);
+[[noreturn]] void rethrow_with_place(const deck::Deck& deck, const DefectFolder& folder);
 
 /// Removes defect files of earlier attempts from `folder`.
 void remove_defect_files(const Simulation& simulation, const std::filesystem::path& folder);
 
 /// Calls f() and adds positions to its SetupErrors.
 template <class F>
-auto with_places(const deck::Deck& deck, const std::filesystem::path& folder, const F& f) {
+auto with_places(const deck::Deck& deck, const DefectFolder& folder, const F& f) {
   try {
     return f();
   } catch (...) {

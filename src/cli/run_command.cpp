@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <csignal>
 #include <cstdio>
-#include <optional>
+#include <filesystem>
 #include <string>
 
 #include "base/error.hpp"
@@ -11,16 +10,13 @@
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_command.hpp"
-#include "io/checkpoint/checkpoints.hpp"
-#include "io/results/results_writer.hpp"
+#include "run/run_folder.hpp"
+#include "run/run_loop.hpp"
+#include "run/stop_signals.hpp"
 
 namespace perimpact {
 
 namespace {
-
-volatile std::sig_atomic_t stop_signal = 0;
-
-extern "C" void remember_signal(int signal) { stop_signal = signal; }
 
 void print_timers(const fccda::Timers& timers) {
   fmt::print("\n{:<20}{:>10}{:>9}\n", "where", "seconds", "share");
@@ -43,102 +39,79 @@ std::string resuming(const RunArguments& arguments) {
   return text + " --resume";
 }
 
-/// Sentence about the last checkpoint after an error, with the command to resume if the error was not one of the simulation.
-std::string about_last(const Checkpoints& checkpoints, const std::string& command) {
-  if (!checkpoints.last()) return "";
-  return fmt::format(" The last checkpoint is at step {}{}", *checkpoints.last(), command.empty() ? "." : "; resume from it with " + command);
+/// Performs the steps, with the progress line. The signal that ended the run, or 0.
+int run_steps(Simulation& simulation, RunLoop& loop) {
+  Progress progress(simulation);
+  loop.run({.after_step =
+                [&] {
+                  progress.after_step(simulation);
+                  return StopSignals::pending() == 0;
+                },
+            .in_increment =
+                [&] {
+                  progress.in_increment(simulation);
+                  return StopSignals::pending() == 0;
+                }});
+  progress.finish(simulation);
+  loop.interrupt();  // of a finished run, the results are closed
+  return simulation.clock().is_finished() ? 0 : StopSignals::pending();
 }
 
-/// Reports an unfinished run whose checkpoint is replaced.
-void print_unfinished(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) return;
+void print_start(const Simulation& simulation, const RunFolder& folder) {
+  const Clock& clock = simulation.clock();
+  fmt::print("{}\n{} threads, {} {} of {:.4g} s; results go to {}\n", simulation.setup().title, fccda::thread_count(), clock.steps,
+             simulation.relaxation() ? "increments" : "steps", clock.dt, folder.path().string());
+  if (folder.is_resumed()) fmt::print("Resumed at step {} (t = {:.4g} s).\n", clock.step, clock.time());
+  for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
+}
+
+/// Runs the deck in the folder. The signal that ended the run, or 0.
+int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments& arguments) {
+  Simulation simulation(deck.setup);
+  const StopSignals signals(StopSignals::SecondInterrupt::ends_program);
+  RunLoop loop(simulation);
+  loop.begin_results(folder);
+  if (!loop.note().empty()) fmt::print("{}\n", loop.note());
+  print_start(simulation, folder);
+  int signal = 0;
   try {
-    const Checkpoint earlier(path);
-    if (!earlier.is_finished())
-      fmt::print("The unfinished run in {} (step {} of {}) is replaced; --resume would have continued it.\n", path.parent_path().string(), earlier.step(),
-                 earlier.steps());
-  } catch (const fccda::InputError&) {
-    // not resumable
+    signal = run_steps(simulation, loop);
+  } catch (const fccda::RunError&) {
+    std::fputs("\n", stdout);
+    if (!arguments.no_report) try_report(folder.path());
+    throw;
   }
+  print_timers(simulation.timers());
+  for (const std::string& warning : simulation.closing_warnings()) fmt::print("\nwarning: {}\n", warning);
+  const std::filesystem::path& path = folder.path();
+  if (signal != 0) {
+    fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). The results up to this step are in {}; resume with {}\n", simulation.clock().time(),
+               simulation.clock().step, simulation.clock().steps, path.string(), folder.requests().resume);
+    return signal;
+  }
+  fmt::print("\nResults: {}\n", std::filesystem::absolute(path).lexically_normal().string());
+  fmt::print("  {}  time histories\n  {}  output frames, for ParaView\n  {}  summary of the run\n", (path / "history.csv").string(), (path / "frames").string(),
+             (path / "run.json").string());
+  return 0;
 }
 
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
   const deck::Deck deck = open_deck(arguments);
-  const std::filesystem::path folder = results_folder(arguments, deck.setup);
-  const std::filesystem::path checkpoint = output::ResultsFolder::checkpoint_in(folder);
-
-  bool is_finished = false;
-  const int code = with_places(deck, folder, [&] {
-    std::optional<Checkpoint> earlier;
-    if (arguments.resume) {
-      earlier.emplace(checkpoint).expect_deck(deck.setup);
-      if (earlier->is_finished() && std::filesystem::exists(folder / "run.json")) {
-        fmt::print("The run in {} is finished (step {} of {}); there is nothing to resume.\n", folder.string(), earlier->step(), earlier->steps());
-        return 0;
-      }
+  const std::filesystem::path path = results_folder(arguments, deck.setup);
+  return with_places(deck, {.path = path, .lists_files = true}, [&] {
+    const EarlierRun earlier = arguments.resume ? EarlierRun::resume : arguments.force ? EarlierRun::replace : EarlierRun::keep;
+    const RunFolder folder(path, earlier, {.resume = resuming(arguments), .replace = "--force", .folder = "choose another folder with --out"}, deck.setup);
+    for (const std::string& note : folder.notes()) fmt::print("{}\n", note);
+    if (folder.is_finished()) {
+      fmt::print("The run in {} is finished (step {} of {}); there is nothing to resume.\n", path.string(), folder.steps(), folder.steps());
+      return 0;
     }
-    output::prepare_folder(folder);
-    Simulation simulation(deck.setup);
-    std::signal(SIGINT, remember_signal);
-    std::signal(SIGTERM, remember_signal);
-    Checkpoints checkpoints(checkpoint, simulation);
-    if (!earlier) print_unfinished(checkpoint);
-    ResultsWriter results = earlier ? ResultsWriter(simulation, folder, checkpoints.resume(*earlier, simulation)) : ResultsWriter(simulation, folder);
-    earlier.reset();  // closes the file, which the next checkpoint replaces
-    remove_defect_files(simulation, folder);
-    fmt::print("{}\n{} threads, {} {} of {:.4g} s; results go to {}\n", deck.setup.title, fccda::thread_count(), simulation.clock().steps,
-               simulation.relaxation() ? "increments" : "steps", simulation.clock().dt, folder.string());
-    if (arguments.resume) fmt::print("Resumed at step {} (t = {:.4g} s).\n", simulation.clock().step, simulation.clock().time());
-    for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
-
-    Progress progress(simulation);
-    std::string command;
-    try {
-      while (!simulation.clock().is_finished() && stop_signal == 0) {
-        command = "";
-        const long step = simulation.clock().step;
-        simulation.step([&](const Relaxed&) {
-          progress.in_increment(simulation);
-          return stop_signal == 0;
-        });
-        if (simulation.clock().step == step) break;  // interrupted within an increment
-        command = resuming(arguments);
-        results.after_step(simulation);
-        checkpoints.after_step(simulation, results);
-        progress.after_step(simulation);
-      }
-      progress.finish(simulation);
-      checkpoints.write(simulation, results);
-      results.finish(simulation, simulation.clock().is_finished() ? Outcome::finished : Outcome::interrupted, "", progress.seconds());
-    } catch (const fccda::RunError& error) {
-      std::fputs("\n", stdout);
-      const std::string sentence = error.what() + about_last(checkpoints, command);
-      try {
-        results.finish(simulation, Outcome::failed, sentence, progress.seconds());
-        if (!arguments.no_report) try_report(folder);
-      } catch (const fccda::RunError&) {
-        // nothing more can be written; the first error is the one to report
-      }
-      throw fccda::RunError(sentence);
-    }
-
-    print_timers(simulation.timers());
-    for (const std::string& warning : simulation.closing_warnings()) fmt::print("\nwarning: {}\n", warning);
-    if (!simulation.clock().is_finished()) {
-      fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). The results up to this step are in {}; resume with {}\n", simulation.clock().time(),
-                 simulation.clock().step, simulation.clock().steps, folder.string(), resuming(arguments));
-      return 128 + static_cast<int>(stop_signal);
-    }
-    fmt::print("\nResults: {}\n", std::filesystem::absolute(folder).lexically_normal().string());
-    fmt::print("  {}  time histories\n  {}  output frames, for ParaView\n  {}  summary of the run\n", (folder / "history.csv").string(),
-               (folder / "frames").string(), (folder / "run.json").string());
-    is_finished = true;
+    if (const int signal = run_deck(deck, folder, arguments)) return 128 + signal;
+    if (!arguments.no_report) try_report(path);  // after the memory of the run is released
     return 0;
   });
-  if (is_finished && !arguments.no_report) try_report(folder);  // after the memory of the run is released
-  return code;
 }
 
 }  // namespace perimpact

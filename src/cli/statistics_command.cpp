@@ -219,6 +219,7 @@ void print_columns(const StatisticsArguments& arguments, const Table& table, con
   } else {
     fmt::print("\nspectrum: none, since {} rows are fewer than the required {}\n", intervals_in(window), fewest_for_spectrum);
   }
+  for (const std::string& file : written) output::list_file(arguments.folder, file);
   fmt::print("Written to {}: {}\n", arguments.folder.string(), fmt::join(written, ", "));
 }
 

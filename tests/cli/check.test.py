@@ -44,7 +44,7 @@ def _(t):
     deck = t.deck(("mass: 1 kg", "density: 8000 kg/m3"))
     out = t.expect_success("check", deck, "--out", "r").out
     rows = rows_of(out)
-    t.expect_success("run", deck, "--out", "r")
+    t.expect_success("run", deck, "--out", "r", "--force")
     report = t.report("r")["impactors"]["cylinder"]
     volume = report["surface"]["volume [m3]"]
     t.assertAlmostEqual(report["mass [kg]"], 8000 * volume, delta=1e-15)  # one product
@@ -118,7 +118,7 @@ def _(t):
         deck = t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    contact_bounds: {region}")) if region else t.deck()
         out = t.expect_success("check", deck, "--out", "r").out
         rows = rows_of(out)
-        t.expect_success("run", deck, "--out", "r")
+        t.expect_success("run", deck, "--out", "r", "--force")
         report = t.report("r")["impactors"]["cylinder"]["contact_bounds"]
         t.assertEqual(report["kind"], kind)
         t.assertEqual("cylinder_contact_bounds.vtp" in " ".join(t.files("r/check")), region is not None)
@@ -147,7 +147,7 @@ def _(t):
     given = t.report("plain")["impactors"]["cylinder"]["surface"]
     deck = t.deck(("free_dofs: [y]", f"free_dofs: [y]\n    {keys}"))
     rows = rows_of(t.expect_success("check", deck, "--out", "r").out)
-    t.expect_success("run", deck, "--out", "r")
+    t.expect_success("run", deck, "--out", "r", "--force")
     report = t.report("r")["impactors"]["cylinder"]
     t.assertEqual({**report["surface_as_given"], "buried_triangles": 0}, given)
     surface, coarsened = report["surface"], report["coarsened"]

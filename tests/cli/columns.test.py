@@ -24,7 +24,7 @@ FLOATING = ("    free_dofs: [y]", "    free_dofs: [x, y, z]\n    floating: {leve
 @claim("columns: history.json gives unit and kind of every column of history.csv, during a run, after it was killed, and after a restart")
 def _(t):
     deck = t.deck(FLOATING, ("end: 20 us", "end: 400 us"), ("  history_interval: 2 us", "  history_interval: 2 us\n  checkpoint_interval: 20 us"))
-    going = t.start("run", deck, "--out", "r")
+    going = t.start("run", deck, "--out", "r", "--force")
     history = t.folder / "r/history.csv"
     while not (t.folder / "r/checkpoint.h5").exists() or history.read_bytes().count(b"\n") < 4:
         t.assertIsNone(going.poll())
@@ -76,7 +76,7 @@ def _(t):
     found = []
     for history in ("40 us", "2 us", "0.3 us"):
         deck = t.deck(("end: 20 us", "end: 40 us"), ("history_interval: 2 us", f"history_interval: {history}"))
-        t.expect_success("run", deck, "--out", "r", "--no-report")
+        t.expect_success("run", deck, "--out", "r", "--force", "--no-report")
         found.append({name: (t.folder / "r" / name).read_bytes() for name in t.files("r") if name.startswith("frames/cylinder") or name.endswith("_at_peak.csv")})
     t.assertEqual(len(found[0]), 1 + 5 + 1)  # the list of frames, the frames, the curve
     t.assertGreater(max(table(t.folder / "r/pressure_area/cylinder_at_peak.csv")["mean_pressure [Pa]"]), 0)

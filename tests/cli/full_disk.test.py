@@ -61,11 +61,12 @@ def _(t):
     expect_intact(t, "r", "whole")
 
 
-@claim("full disk: if only the trial file fits, the first file is named")
+@claim("full disk: if only the trial file fits, the folder is refused, and if only the lock and the list of files fit, the first file is named")
 def _(t):
-    done = run_with_files_up_to(t, 100)
-    t.expect_complaint(done, 3, "r/history.csv cannot be written", "ulimit -f")
-    t.assertEqual([name for name in t.files("r") if name != "history.csv"], [])
+    t.expect_complaint(run_with_files_up_to(t, 100), 2, "results cannot be written to the folder r: File too large.")
+    t.assertEqual(t.files("r"), [])
+    t.expect_complaint(run_with_files_up_to(t, 500), 3, "r/history.csv cannot be written", "ulimit -f")
+    t.assertEqual(t.files("r"), ["files.txt", "history.csv"])
     t.assertEqual((t.folder / "r/history.csv").read_bytes(), b"")
 
 
@@ -74,7 +75,7 @@ def _(t):
     t.expect_success("run", t.deck(), "--out", "whole")
     (t.folder / "small").mkdir()
     # A private mount that ends with the shell; results are copied out before.
-    script = 'mount -t tmpfs -o size=64k none small && { "$0" run deck.yaml --out small/r; code=$?; cp -r small/r r; exit $code; }; exit 77'
+    script = 'mount -t tmpfs -o size=72k none small && { "$0" run deck.yaml --out small/r; code=$?; cp -r small/r r; exit $code; }; exit 77'
     shell = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", script, t.program], cwd=t.folder, env=t.environment, text=True,
                            capture_output=True, timeout=60)
     if shell.returncode not in (0, 2, 3):

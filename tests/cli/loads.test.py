@@ -34,9 +34,9 @@ def _(t):
 @claim("loads: without contact there is no curve, and that of an earlier run is removed")
 def _(t):
     deck = t.deck()
-    t.expect_success("run", deck, "--out", "r")
+    t.expect_success("run", deck, "--out", "r", "--force")
     t.assertIn("pressure_area/cylinder.csv", t.files("r"))
-    t.expect_success("run", deck, "--out", "r", "--set", "impactors.cylinder.velocity=[0, 32, 0]")
+    t.expect_success("run", deck, "--out", "r", "--force", "--set", "impactors.cylinder.velocity=[0, 32, 0]")
     t.assertFalse([name for name in t.files("r") if name.startswith("pressure_area")])
 
 

@@ -112,12 +112,12 @@ def _(t):
 
 @claim("report: run writes it at its end and prints the path, --no-report suppresses it, and a new run removes an old one")
 def _(t):
-    out = t.expect_success("run", t.deck(), "--out", "r").out
+    out = t.expect_success("run", t.deck(), "--out", "r", "--force").out
     t.assertRegex(out, r"\n  r/report\.html  report for the browser \(0\.\d MB\)\n$")
     written = (t.folder / "r/report.html").read_bytes()
     t.expect_success("report", "r")
     t.assertEqual((t.folder / "r/report.html").read_bytes(), written)  # the same folder gives the same file
-    t.assertNotIn("report.html", t.expect_success("run", t.deck(), "--out", "r", "--no-report").out)
+    t.assertNotIn("report.html", t.expect_success("run", t.deck(), "--out", "r", "--force", "--no-report").out)
     t.assertEqual([name for name in t.files("r") if name in ("report.html", "open_in_paraview.py")], [])
 
 
@@ -133,7 +133,7 @@ def _(t):
     t.assertEqual(lists["IMPACTORS"], ["cylinder"])
     t.assertNotIn(str(t.folder), script)
     shutil.rmtree(t.folder / "r/frames")
-    t.expect_success("run", t.deck(*TWO, ("frames: 4", "frames: 0")), "--out", "r")
+    t.expect_success("run", t.deck(*TWO, ("frames: 4", "frames: 0")), "--out", "r", "--force")
     t.assertNotIn("open_in_paraview.py", t.files("r"))  # that of the earlier run
 
 

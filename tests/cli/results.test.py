@@ -46,7 +46,7 @@ def head_of_vtp(path):
 @claim("results: a run writes run.json, history, lines, frames, pressure-area curves and a report, nothing else, and exits with 0")
 def _(t):
     t.expect_success("run", t.deck(), "--out", "r")
-    wanted = ["checkpoint.h5", "history.csv", "history.json", "lines/along_y_t2e-05.csv", "open_in_paraview.py", "pressure_area/cylinder.csv", "pressure_area/cylinder_at_peak.csv", "report.html", "run.json"]
+    wanted = ["checkpoint.h5", "files.txt", "history.csv", "history.json", "lines/along_y_t2e-05.csv", "open_in_paraview.py", "pressure_area/cylinder.csv", "pressure_area/cylinder_at_peak.csv", "report.html", "run.json"]
     for name in ("plate", "cylinder"):
         wanted += [f"frames/{name}.pvd"] + [f"frames/{name}_{frame:05}.vtp" for frame in range(5)]
     t.assertEqual(t.files("r"), sorted(wanted))
@@ -152,7 +152,7 @@ def _(t):
 def _(t):
     deck = t.deck(("20 us}", "4 us, step: 0.5 us}"))
     for wanted, steps in (1000, list(range(9))), (8, list(range(9))), (3, [0, 3, 5, 8]), (1, [0, 8]):
-        t.expect_success("run", deck, "--out", "r", "--set", f"output.frames={wanted}")
+        t.expect_success("run", deck, "--out", "r", "--force", "--set", f"output.frames={wanted}")
         times = [float(entry.get("timestep")) for entry in xml.parse(t.folder / "r/frames/plate.pvd").findall("./Collection/DataSet")]
         t.assertEqual([round(time / 0.5e-6) for time in times], steps)
 
@@ -194,7 +194,7 @@ def _(t):
     deck = t.deck()
     t.expect_success("run", deck, "--set", "time.end=5 us", "--set", "output.frames=0", "--set", "output.folder=elsewhere",
                      "--set", "impactors.cylinder.velocity=[0, -10, 0]", "--set", "bodies.plate.material.critical_stretch=0.01")
-    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "fragments/plate_end.csv", "history.csv", "history.json", "lines/along_y_t5e-06.csv", "report.html", "run.json"])
+    t.assertEqual(t.files("elsewhere"), ["checkpoint.h5", "files.txt", "fragments/plate_end.csv", "history.csv", "history.json", "lines/along_y_t5e-06.csv", "report.html", "run.json"])
     setup = t.report("elsewhere")["setup"]
     t.assertEqual((setup["time"]["end"], setup["impactors"]["cylinder"]["velocity"]), (5e-6, [0, -10, 0]))
     t.assertEqual(setup["bodies"]["plate"]["material"]["critical_stretch"], 0.01)
@@ -214,7 +214,7 @@ def _(t):
         (t.folder / "r" / name).write_text("kept")
     (t.folder / "r/frames/plate_00009.vtp.part").write_text("of a run that was killed")
     checked = t.files("r/check")
-    t.expect_success("run", t.deck(), "--out", "r", "--set", "output.frames=1")
+    t.expect_success("run", t.deck(), "--out", "r", "--force", "--set", "output.frames=1")
     t.expect_success("run", t.deck(), "--out", "fresh", "--set", "output.frames=1")
     t.assertEqual(t.files("r"), sorted(t.files("fresh") + foreign + [f"check/{name}" for name in checked]))
     t.assertEqual(t.files("r/check"), ["cylinder_surface.vtp", "plate.vtp"])
@@ -224,11 +224,11 @@ def _(t):
 
 @claim("results: a refused deck leaves the results of an earlier run unchanged")
 def _(t):
-    t.expect_success("run", t.deck(), "--out", "r")
+    t.expect_success("run", t.deck(), "--out", "r", "--force")
     before = {name: (t.folder / "r" / name).read_bytes() for name in t.files("r")}
     for change in [("spacing: 5 mm", "spacing: 5 kg"), ("20 us}", "20 us, step: 5 us}"), ("0, 50 mm, 0", "0, 40 mm, 0"), ("to: [0, 30 mm, 0]", "to: [0, 1, 0]"),
                    ("at: [0, 0, 0]", "at: [1, 0, 0]")]:
-        done = t.run_program("run", t.deck(change), "--out", "r")
+        done = t.run_program("run", t.deck(change), "--out", "r", "--force")
         t.assertEqual(done.code, 2, done)
         t.assertEqual({name: (t.folder / "r" / name).read_bytes() for name in t.files("r")}, before, change)
 
@@ -237,7 +237,7 @@ def _(t):
 def _(t):
     impactors = DECK[DECK.index("impactors:\n") : DECK.index("contact:")]
     for settings in [], ["--set", "bodies.plate.position=[1 km, 0, 0]", "--set", "output.lines={}", "--set", "output.probes={}"]:
-        t.expect_success("run", t.deck((impactors, "")), "--out", "r", *settings)
+        t.expect_success("run", t.deck((impactors, "")), "--out", "r", "--force", *settings)
         t.assertLess(max(t.history("r")["total.energy [J]"]), 1e-12)  # a nanogram dropped from a nanometre; rounding at 1 km gives 1e-15
 
 

@@ -152,7 +152,7 @@ def sheet(t, *changes):
 
 @claim("statistics: the width of a channel between two cracks is their distance, and its edges are theirs")
 def _(t):
-    t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
+    t.expect_success("run", sheet(t), "--out", "r", "--force", "--set", "output.frames=1")
     whole = t.expect_success("statistics", "r", "--channel", "plate:x").out  # the strip is 40 % of the sheet
     t.assertIn("no column is broken through", whole)
     out = t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.41").out
@@ -161,7 +161,7 @@ def _(t):
     t.assertIn("mean 0.3 m", out)
     cut = t.deck(SHEET, BREAKS, ("at: [0, 0, 0]", "at: [1, 0, 0]"), ("from: [0, -30 mm, 0], to: [0, 30 mm, 0]", "from: [1, -0.03, 0], to: [1, 0.03, 0]"),
                  ("-201 mm, 45 mm", "-201 mm, -45 mm"), ("201 mm, 45 mm", "201 mm, -45 mm"))
-    t.expect_success("run", cut, "--out", "r", "--set", "output.frames=1")  # a strip of 30 mm, 10 % of the sheet
+    t.expect_success("run", cut, "--out", "r", "--force", "--set", "output.frames=1")  # a strip of 30 mm, 10 % of the sheet
     out = t.expect_success("statistics", "r", "--channel", "plate:x", "--sheet", "0.2", "--channel-from", "0.9", "--channel-to", "1100 mm").out
     for words in ("channel along x in body plate at 2e-05 s (r/frames/plate_00001.vtp)", "length            0.2 m", "mean 0.03 m, standard deviation ",
                   "narrowest         0.03 m", "0.006 m2 of the channel"):
@@ -211,11 +211,11 @@ def _(t):
 
 @claim("statistics: a new run into the same folder removes the statistics of the earlier one")
 def _(t):
-    t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
+    t.expect_success("run", sheet(t), "--out", "r", "--force", "--set", "output.frames=1")
     before = t.files("r")
     t.expect_success("statistics", "r", "--windows", "2", "--channel", "plate:x")
     t.assertEqual(sorted(set(t.files("r")) - set(before)), ["fragments/plate_channel_x.csv", "statistics.csv", "windows.csv"])
-    t.expect_success("run", sheet(t), "--out", "r", "--set", "output.frames=1")
+    t.expect_success("run", sheet(t), "--out", "r", "--force", "--set", "output.frames=1")
     t.assertEqual(t.files("r"), before)
 
 

@@ -10,7 +10,7 @@ TUMBLING = ["--set", "impactors.cylinder.free_dofs=[x, y, z, rx, ry, rz]", "--se
 
 
 def state_with(t, threads, settings):
-    t.expect_success("run", "deck.yaml", "--threads", threads, "--out", f"r{threads}", *PLATE, *settings)
+    t.expect_success("run", "deck.yaml", "--threads", threads, "--out", f"r{threads}", "--force", *PLATE, *settings)
     report = t.report(f"r{threads}")
     t.assertEqual(report["threads"], threads)
     return report["state_hash"]

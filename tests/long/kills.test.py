@@ -37,7 +37,7 @@ def _(t):
         runs += 1
         folder, code = f"r{runs}", None
         while code != 0:
-            resume = ["--resume"] if (t.folder / folder / "checkpoint.h5").exists() else []
+            resume = ["--resume"] if (t.folder / folder / "checkpoint.h5").exists() else ["--force"]
             t.environment["OMP_NUM_THREADS"] = str(chance.choice((1, 2, 3, 4)))
             process = t.start("run", deck, "--out", folder, *resume)
             try:

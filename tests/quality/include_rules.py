@@ -49,6 +49,7 @@ LAYERS = {
     "io/statistics": ["base", "mesh", "mesh_io", *DECK, "io/output", "io/deck"],
     "io/report": ["base", "mesh", "mesh_io", *DECK, "io/output", "io/deck", "io/statistics"],
     "io/output": ["base", "mesh"],
+    "run": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact", "io/output", "io/deck", "io/results", "io/checkpoint"],
 }
 
 # Headers of other libraries → what a module that includes them must LINK

@@ -56,7 +56,7 @@ def main(program, out, largest=60):
             values += [f"time.end={8e-3 * 20 / speed}", f"output.history_interval={5e-5 * 20 / speed}"]
             values += [f"time.step={step}"] if step else []
             values += [f"bodies.elastic.material={{model: {model}, {MATERIAL}}}"] if model else []
-            command = [program, "run", DECK, "--out", folder, "--threads", "1", "--no-report"]
+            command = [program, "run", DECK, "--out", folder, "--force", "--threads", "1", "--no-report"]
             subprocess.run(command + [word for value in values for word in ("--set", value)], check=True, stdout=subprocess.DEVNULL)
         found = measure(folder)
         print(f"| {name} | " + " | ".join(f"{key} {value:.4g}" for key, value in found.items()) + " |", flush=True)

@@ -21,7 +21,7 @@ def measured(program, folder, friction, divisor, run):
     results = pathlib.Path(folder) / "crushing"
     settings = {"time.step": f"{STEP / divisor} s", "contact.fragments.friction": friction, "impactors.sphere.velocity": f"[0, 0, {-2 * (1 + run * 1e-6)}]",
                 "output.folder": results, "output.frames": 1}
-    subprocess.run([program, "run", HERE / "crushing.yaml", "--threads", "1"] + [part for key, value in settings.items() for part in ("--set", f"{key}={value}")],
+    subprocess.run([program, "run", HERE / "crushing.yaml", "--threads", "1", "--force"] + [part for key, value in settings.items() for part in ("--set", f"{key}={value}")],
                    check=True, stdout=subprocess.DEVNULL)
     with open(results / "history.csv") as file:
         rows = list(csv.DictReader(file))

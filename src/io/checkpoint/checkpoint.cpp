@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <iterator>
 #include <vector>
 
 #include "base/error.hpp"
@@ -10,6 +13,7 @@
 #include "io/deck/difference.hpp"
 #include "io/deck/named_files.hpp"
 #include "io/deck/setup_to_text.hpp"
+#include "io/results/results_writer.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/simulation/state_hash.hpp"
 
@@ -25,10 +29,26 @@ const std::filesystem::path& expect_there(const std::filesystem::path& path) {
   return path;
 }
 
-/// Keys that may differ on restart. Input files are compared by contents, not by path.
-bool may_differ(std::string_view key) { return key == "output.folder" || key == "output.checkpoint_interval" || key.ends_with(".file"); }
+/// Keys that may differ on restart. Input files are compared by contents, not by path. A run can be prolonged: what these keys of time and output
+/// result in is compared when the simulation is built (expect_same_steps).
+bool may_differ(std::string_view key) {
+  constexpr std::string_view keys[] = {"output.folder", "output.checkpoint_interval", "output.checkpoints_kept", "output.frames", "time.end",
+                                       "time.step",     "time.relax.increments",      "output.history_interval"};
+  return std::ranges::find(keys, key) != std::end(keys) || key.ends_with(".file");
+}
 
 std::string in_words(const std::string& value) { return value.empty() ? "not given" : value; }
+
+/// Steps of the output frames up to `last`.
+std::vector<long> frame_steps(int frames, long steps, long last) {
+  std::vector<long> all;
+  for (int frame = 0; frames > 0 && frame <= frames; ++frame) {
+    const long step = step_of_frame(frame, frames, steps);
+    if (step > last) break;
+    if (all.empty() || all.back() != step) all.push_back(step);
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -58,6 +78,10 @@ void write_checkpoint(const std::filesystem::path& path, Simulation& simulation,
   file.number("step", std::int64_t{simulation.clock().step});
   file.number("steps", std::int64_t{simulation.clock().steps});
   file.number("time [s]", simulation.clock().time());
+  file.number("time.end [s]", simulation.setup().time.end);
+  file.number("step size [s]", simulation.clock().dt);
+  file.number("steps per row", std::int64_t{simulation.monitors().interval()});
+  file.number("frames", std::int64_t{simulation.setup().output.frames});
   file.number("fingerprint_at_start", at_start);
   file.number("state_hash", simulation.state_hash());
   file.finish();
@@ -70,6 +94,7 @@ Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(expect_there(p
                     path_.string(), writer, program));
   step_ = static_cast<long>(file_.integer("step"));
   steps_ = static_cast<long>(file_.integer("steps"));
+  end_ = file_.number("time.end [s]");
 }
 
 void Checkpoint::expect_deck(const Setup& setup) {
@@ -78,9 +103,41 @@ void Checkpoint::expect_deck(const Setup& setup) {
     throw SetupError(difference->key,
                      fmt::format("{} is {} here, but {} in the run of the checkpoint {}; resume with the same deck, or start a new run without --resume.",
                                  difference->key, in_words(difference->now), in_words(difference->before), path_.string()));
+  if (setup.time.end < end_)
+    throw SetupError("time.end", fmt::format("time.end is {} here, but {} in the run of the checkpoint {}; a run can be prolonged, but not shortened. Resume "
+                                             "with at least the end of that run, or start a new run without --resume.",
+                                             setup.time.end, end_, path_.string()));
+}
+
+void Checkpoint::expect_same_steps(const Simulation& simulation) {
+  const Setup& setup = simulation.setup();
+  const Clock& clock = simulation.clock();
+  const double dt = file_.number("step size [s]");
+  if (setup.time.relax && clock.dt != dt)
+    throw SetupError("time.relax",
+                     fmt::format("an increment is {} s here, but {} s in the run of the checkpoint {}; resume with --set time.relax.increments={}.", clock.dt,
+                                 dt, path_.string(), std::lround(setup.time.end / dt)));
+  if (clock.dt != dt)
+    throw SetupError("time", fmt::format("the time step is {} s here, but {} s in the run of the checkpoint {}; resume with --set time.step={}.", clock.dt, dt,
+                                         path_.string(), dt));
+  const long per_row = static_cast<long>(file_.integer("steps per row"));
+  if (simulation.monitors().interval() != per_row)
+    throw SetupError("output", fmt::format("history.csv has a row every {} steps here, but every {} in the run of the checkpoint {}; resume with --set "
+                                           "output.history_interval={}.",
+                                           simulation.monitors().interval(), per_row, path_.string(), static_cast<double>(per_row) * dt));
+  const int frames = static_cast<int>(file_.integer("frames"));
+  if (frame_steps(setup.output.frames, clock.steps, step_) == frame_steps(frames, steps_, step_)) return;
+  const bool fits = frames == 0 || clock.steps * frames % steps_ == 0;
+  throw SetupError("output.frames",
+                   fmt::format("frames: {} gives other output frames up to step {} than the run of the checkpoint {} has written, {} in {:.6g} s; {}.",
+                               setup.output.frames, step_, path_.string(), frames, static_cast<double>(steps_) * dt,
+                               fits ? fmt::format("resume with --set output.frames={}", frames == 0 ? 0 : clock.steps * frames / steps_)
+                                    : fmt::format("choose a time.end that is a multiple of {:.6g} s, the interval of these frames",
+                                                  static_cast<double>(steps_) / frames * dt)));
 }
 
 Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {
+  expect_same_steps(simulation);
   if (at_start != file_.natural("fingerprint_at_start"))
     throw fccda::InputError(
         fmt::format("{} was written from a different initial state of the same deck: a file that the deck refers to has changed, or the program was rebuilt. "

@@ -26,10 +26,10 @@ class Checkpoint {
 
   long step() const { return step_; }    ///< number of completed steps
   long steps() const { return steps_; }  ///< number of steps of the entire run
-  bool is_finished() const { return step_ >= steps_; }
+  double end() const { return end_; }    ///< [s] time.end of the run
 
-  /// Throws SetupError with the key where the deck differs from that of the run. The results folder, the checkpoint interval and file paths may
-  /// differ.
+  /// Throws SetupError with the key where the deck differs from that of the run. The results folder, checkpoint settings and file paths may
+  /// differ, and time.end may be later; restore() verifies that steps, rows and output frames up to the checkpoint remain the same.
   void expect_deck(const Setup& setup);
 
   /// Restores the state of the run into a newly built simulation with the hash `at_start`. Throws InputError where the file is damaged, or the
@@ -37,9 +37,12 @@ class Checkpoint {
   Written restore(Simulation& simulation, std::uint64_t at_start);
 
  private:
+  void expect_same_steps(const Simulation& simulation);
+
   std::filesystem::path path_;
   checkpoint::ArraysReader file_;
   long step_ = 0, steps_ = 0;
+  double end_ = 0;
 };
 
 }  // namespace perimpact

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "io/deck/did_you_mean.hpp"
+#include "io/deck/expanded_path.hpp"
 #include "io/deck/units.hpp"
 
 namespace perimpact::deck {
@@ -79,7 +80,10 @@ void read_value(const YamlNode& node, const Rule& rule, bool& into) {
   into = text == "true";
 }
 
-void read_value(const YamlNode& node, const Rule& rule, std::string& into) { into = word(node, rule, "text"); }
+void read_value(const YamlNode& node, const Rule& rule, std::string& into) {
+  into = word(node, rule, "text");
+  if (rule.name == "file" || rule.name == "folder") into = expanded_path(into, node.place);
+}
 
 void read_value(const YamlNode& node, const Rule& rule, Vec3d& into) {
   if (node.kind != YamlNode::Kind::list) refuse_value(node, rule, fmt::format("three numbers are needed: [x, y, z]. {}", rule.sentence));

@@ -19,15 +19,13 @@ Series::Series(std::filesystem::path folder, std::string name, std::vector<doubl
     : folder_(std::move(folder)), name_(std::move(name)), times_(std::move(times)) {
   if (!times_.empty()) write_list();
   std::error_code none_left;
-  for (std::size_t frame = times_.size(); std::filesystem::remove(folder_ / frame_file(frame), none_left);) ++frame;
+  for (std::size_t frame = times_.size(); std::filesystem::remove(folder_ / frame_file(name_, frame), none_left);) ++frame;
 }
-
-std::string Series::frame_file(std::size_t frame) const { return fmt::format("{}_{:05}.vtp", name_, frame); }
 
 void Series::write_list() const {
   std::string entries;
   for (std::size_t frame = 0; frame < times_.size(); ++frame)
-    entries += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", times_[frame], xml_attribute(frame_file(frame)));
+    entries += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", times_[frame], xml_attribute(frame_file(name_, frame)));
   write_whole_file(folder_ / (name_ + ".pvd"),
                    "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + entries + "  </Collection>\n</VTKFile>\n");
 }

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/output/file_list.hpp"
+
 namespace perimpact::output {
 
 /// Adds frames one by one. The list is replaced atomically after each frame, so that it can be opened during the run and never lists a
@@ -20,7 +22,7 @@ class Series {
   /// write_frame throws, and RunError.
   template <class WriteFrame>
   void add(double time, const WriteFrame& write_frame) {
-    const std::string file = frame_file(times_.size());
+    const std::string file = frame_file(name_, times_.size());
     write_frame(folder_ / file);
     list(time, file);
   }
@@ -28,7 +30,6 @@ class Series {
   const std::vector<double>& times() const { return times_; }  ///< [s] of the frames so far
 
  private:
-  std::string frame_file(std::size_t frame) const;
   void list(double time, const std::string& file);
   void write_list() const;
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
+#include <algorithm>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -16,48 +16,30 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_frame(std::string_view name) {  // <body>_00000.vtp
-  if (!name.ends_with(".vtp")) return false;
-  name.remove_suffix(4);
-  std::size_t digits = 0;
-  for (; !name.empty() && std::isdigit(static_cast<unsigned char>(name.back())); ++digits) name.remove_suffix(1);
-  return digits >= 5 && name.size() > 1 && name.ends_with('_');
+/// The rank in the order of removal: a checkpoint must not remain without the results that it resumes.
+int rank(const std::string& file) {
+  if (file.starts_with("checkpoint")) return 0;
+  return file.find('/') == std::string::npos ? 1 : file.ends_with(".pvd") ? 2 : 3;
 }
 
-bool is_series(const fs::path& folder, std::string_view name) {  // <body>.pvd next to the frames that it lists
-  return name.ends_with(".pvd") && fs::exists(folder / (std::string(name.substr(0, name.size() - 4)) + "_00000.vtp"));
-}
-
-bool is_of_report(std::string_view name) { return name == "report.html" || name == "open_in_paraview.py"; }
-
-bool is_line(std::string_view name) {  // <line>_t<seconds>.csv
-  if (!name.ends_with(".csv")) return false;
-  name.remove_suffix(4);
-  const std::size_t time = name.rfind("_t");
-  return time != std::string_view::npos && time > 0 && time + 2 < name.size() && name.find_first_not_of("0123456789.e-+", time + 2) == std::string_view::npos;
-}
-
-/// Files of `folder` that a run writes, complete or partial from a killed run.
-template <class IsOurs>
-std::vector<fs::path> our_files(const fs::path& folder, const IsOurs& is_ours) {
-  std::vector<fs::path> found;
-  std::error_code missing;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing)) {
-    std::string name = entry.path().filename().string();
-    if (name.ends_with(".part")) name.resize(name.size() - 5);
-    if (!entry.is_directory() && is_ours(name)) found.push_back(entry.path());
-  }
-  return found;
-}
-
-void remove(const std::vector<fs::path>& files) {
-  for (const fs::path& file : files) {
+void remove(const fs::path& folder, std::vector<std::string> files) {
+  std::ranges::stable_sort(files, {}, rank);
+  for (const std::string& file : files) {
     std::error_code error;
-    if (!fs::remove(file, error) && error) {
+    if (!fs::remove(folder / file, error) && error) {
       throw fccda::InputError(fmt::format("{} is of an earlier run and cannot be removed: {}. Remove it, or choose another folder with --out or output.folder.",
-                                          file.string(), error.message()));
+                                          (folder / file).string(), error.message()));
     }
   }
+}
+
+void expect_own(const fs::path& folder, const FileList& planned, const FileList& own) {
+  for (const std::string& file : planned.present_in(folder))
+    if (!own.contains(file))
+      throw fccda::InputError(
+          fmt::format("{} would be replaced, but {} does not list it as a file of a run; move it, or choose another folder with --out or "
+                      "output.folder.",
+                      (folder / file).string(), ResultsFolder::list_in(folder).string()));
 }
 
 }  // namespace
@@ -72,25 +54,29 @@ void prepare_folder(const fs::path& folder) {
   }
 }
 
-ResultsFolder::ResultsFolder(fs::path folder, EarlierRun earlier) : folder_(std::move(folder)) {
+ResultsFolder::ResultsFolder(fs::path folder, const FileList& planned) : folder_(std::move(folder)) {
   for (const fs::path& each : {folder_, frames(), lines(), pressure_area(), fragments()}) prepare_folder(each);
-  const auto remove_from = [earlier](const fs::path& from, const auto& is_ours) {
-    std::vector<fs::path> files = our_files(from, is_ours);
-    if (earlier == EarlierRun::continued)
-      std::erase_if(
-          files, [](const fs::path& file) { return file.extension() != ".part" && file.filename() != "run.json" && !is_of_report(file.filename().string()); });
-    remove(files);
-  };
-  // the checkpoint first: it must not remain without the results that it resumes
-  remove_from(folder_, [](std::string_view name) { return name == "checkpoint.h5"; });
-  remove_from(folder_, [](std::string_view name) { return name == "run.json" || is_of_report(name) || name == "history.csv" || name == "history.json"; });
-  remove_from(folder_, [](std::string_view name) { return name == "statistics.csv" || name == "windows.csv" || name == "spectrum.csv"; });
-  remove_from(frames(), [&](std::string_view name) { return is_series(frames(), name); });
-  remove_from(frames(), is_frame);
-  remove_from(lines(), is_line);
-  for (const fs::path& tables : {pressure_area(), fragments()}) remove_from(tables, [](std::string_view name) { return name.ends_with(".csv"); });
+  const FileList earlier = FileList::of(folder_);
+  expect_own(folder_, planned, earlier);
+  remove(folder_, earlier.present_in(folder_));
+  planned.write_to(folder_);
 }
 
-fs::path ResultsFolder::line(std::string_view name, double time) const { return lines() / fmt::format("{}_t{}.csv", name, time); }
+ResultsFolder::ResultsFolder(fs::path folder, const FileList& planned, const FileList& discarded) : folder_(std::move(folder)) {
+  for (const fs::path& each : {folder_, frames(), lines(), pressure_area(), fragments()}) prepare_folder(each);
+  FileList all = FileList::of(folder_);
+  expect_own(folder_, planned, all);
+  std::vector<std::string> unwanted = all.present_in(folder_);
+  std::erase_if(unwanted, [&](const std::string& file) { return !file.ends_with(".part") && !discarded.contains(file); });
+  remove(folder_, unwanted);
+  all.add(planned);
+  all.write_to(folder_);
+}
+
+fs::path ResultsFolder::checkpoint_in(const fs::path& folder, int age) {
+  return folder / (age == 0 ? std::string("checkpoint.h5") : fmt::format("checkpoint_{}.h5", age));
+}
+
+std::string ResultsFolder::line_file(std::string_view name, double time) { return fmt::format("lines/{}_t{}.csv", name, time); }
 
 }  // namespace perimpact::output

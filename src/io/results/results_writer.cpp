@@ -49,20 +49,77 @@ void write_columns(const std::filesystem::path& path, std::span<const Column> co
   output::write_whole_file(path, json.text());
 }
 
-/// Checks that the tables to be resumed contain all that had been written.
-void expect_files(const Simulation& simulation, const std::filesystem::path& folder, const Written& written) {
-  const auto expect = [](const std::filesystem::path& path, std::uint64_t size) {
+double time_of(long step, const Clock& clock) { return static_cast<double>(step) * clock.dt; }
+
+/// All that the run may write.
+output::FileList planned_files(const Simulation& simulation, std::span<const Line> lines) {
+  const OutputSetup& setup = simulation.setup().output;
+  output::FileList list;
+  for (const char* file : {"run.json", "report.html", "open_in_paraview.py", "history.csv", "history.json", "checkpoint.h5"}) list.add(file);
+  for (int age = 1; age < setup.checkpoints_kept; ++age) list.add(output::ResultsFolder::checkpoint_in("", age).string());
+  if (setup.checkpoints_kept > 1) list.add(output::ResultsFolder::next_checkpoint_in("").string());
+  const auto add_series = [&](const std::string& name) {
+    if (setup.frames == 0) return;
+    list.add("frames/" + name + ".pvd");
+    list.add_frames("frames/" + name, static_cast<std::size_t>(setup.frames) + 1);  // an interrupted run has an additional one
+  };
+  for (const Body& body : simulation.bodies()) {
+    add_series(body.name);
+    if (body.failure) list.add("fragments/" + body.name + ".csv"), list.add("fragments/" + body.name + "_end.csv");
+  }
+  for (const Impactor& impactor : simulation.impactors()) {
+    add_series(impactor.name());
+    list.add("pressure_area/" + impactor.name() + ".csv"), list.add("pressure_area/" + impactor.name() + "_at_peak.csv");
+  }
+  for (const Line& line : lines)
+    for (const long step : line.steps) list.add(output::ResultsFolder::line_file(line.name, time_of(step, simulation.clock())));
+  return list;
+}
+
+/// Of a run that is resumed at the current step: what it wrote at its end, or later than this step.
+output::FileList later_files(const Simulation& simulation, const std::filesystem::path& folder, std::span<const Line> lines) {
+  output::FileList later, earlier;
+  for (const Line& line : lines)
+    for (const long step : line.steps)
+      if (step <= simulation.clock().step) earlier.add(output::ResultsFolder::line_file(line.name, time_of(step, simulation.clock())));
+  const output::FileList all = output::FileList::of(folder);
+  for (const std::string& file : all.files())
+    if (file.starts_with("lines/") && !earlier.contains(file)) later.add(file);
+  for (const char* file : {"run.json", "report.html", "open_in_paraview.py"}) later.add(file);
+  for (const Body& body : simulation.bodies()) later.add("fragments/" + body.name + "_end.csv");
+  for (const Impactor& impactor : simulation.impactors()) later.add("pressure_area/" + impactor.name() + "_at_peak.csv");
+  return later;
+}
+
+/// Checks that the files to be resumed contain all that had been written.
+void expect_files(const Simulation& simulation, const std::filesystem::path& folder, std::span<const Line> lines, const Written& written) {
+  const auto refuse = [](const std::filesystem::path& path, std::string_view fault) {
+    throw fccda::InputError(fmt::format("{} {}, so the run cannot be resumed; restore it, or replace the run by a new one.", path.string(), fault));
+  };
+  const auto expect = [&](const std::filesystem::path& path, std::uint64_t size) {
     std::error_code missing;
     const std::uintmax_t there = std::filesystem::file_size(path, missing);
-    if (missing || there < size)
-      throw fccda::InputError(fmt::format("{} {}, so the run cannot be resumed; restore it, or start a new run without --resume.", path.string(),
-                                          missing ? "is missing" : "is shorter than when the checkpoint was written"));
+    if (missing) refuse(path, "is missing");
+    if (there < size) refuse(path, "is shorter than when the checkpoint was written");
   };
   expect(output::ResultsFolder::history_in(folder), written.history);
   for (std::size_t i = 0; i < written.pressure_area.size(); ++i)
     if (written.pressure_area[i] > 0) expect(PressureArea::process_curve(folder, simulation.impactors()[i].name()), written.pressure_area[i]);
   for (std::size_t b = 0; b < written.fragments.size(); ++b)
     if (written.fragments[b] > 0) expect(FragmentTable::table(folder, simulation.bodies()[b].name), written.fragments[b]);
+
+  const std::filesystem::path frames = output::ResultsFolder::frames_in(folder);
+  auto times = written.frame_times.begin();
+  const auto expect_frames = [&](const std::string& series) {
+    if (!times->empty() && !std::filesystem::exists(frames)) refuse(frames, "is missing");
+    for (std::size_t frame = 0; frame < times->size(); ++frame) expect(frames / output::frame_file(series, frame), 1);
+    ++times;
+  };
+  for (const Body& body : simulation.bodies()) expect_frames(body.name);
+  for (const Impactor& impactor : simulation.impactors()) expect_frames(impactor.name());
+  for (const Line& line : lines)
+    for (const long step : line.steps)
+      if (step <= simulation.clock().step) expect(folder / output::ResultsFolder::line_file(line.name, time_of(step, simulation.clock())), 1);
 }
 
 }  // namespace
@@ -93,7 +150,7 @@ void write_particles(const std::filesystem::path& path, const Body& body, std::o
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
     : lines_(lines_of(simulation)),  // first, so that an error leaves the results of an earlier run in the folder
-      folder_(folder),
+      folder_(folder, planned_files(simulation, lines_)),
       history_(folder_.history(), headings_of(simulation.monitors().columns())),
       panel_frames_(simulation.impactors().size()),
       pressure_area_(simulation.impactors().size()),
@@ -107,11 +164,10 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder, Written written)
     : lines_(lines_of(simulation)),
-      folder_((expect_files(simulation, folder, written), folder), output::EarlierRun::continued),
+      folder_((expect_files(simulation, folder, lines_, written), folder), planned_files(simulation, lines_), later_files(simulation, folder, lines_)),
       history_(folder_.history(), simulation.monitors().columns().size(), written.history),
       panel_frames_(std::move(written.panel_frames)),
       frames_wanted_(simulation.setup().output.frames),
-      next_frame_(static_cast<int>(written.next_frame)),
       last_frame_step_(written.last_frame_step),
       resumed_at_(std::move(written.resumed_at)) {
   auto times = written.frame_times.begin();
@@ -120,6 +176,7 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
     pressure_area_.emplace_back(folder_, simulation.impactors()[i].name(), written.pressure_area[i]);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) fragment_tables_.emplace_back(folder_, simulation.bodies()[b].name, written.fragments[b]);
+  skip_frames_until(last_frame_step_, simulation.clock());
   write_columns(folder_.history_columns(), simulation.monitors().columns());
   resumed_at_.push_back(simulation.clock().step);
 }
@@ -138,14 +195,16 @@ Written ResultsWriter::written() {
   auto times = written.frame_times.begin();
   for (const output::Series& series : body_series_) *times++ = series.times();
   for (const output::Series& series : impactor_series_) *times++ = series.times();
-  written.next_frame = next_frame_;
   written.last_frame_step = last_frame_step_;
   written.resumed_at = resumed_at_;
   return written;
 }
 
-long ResultsWriter::step_of_frame(int frame, const Clock& clock) const {
-  return frames_wanted_ == 0 ? -1 : std::lround(static_cast<double>(clock.steps) * frame / frames_wanted_);
+long step_of_frame(int frame, int frames, long steps) { return std::lround(static_cast<double>(steps) * frame / frames); }
+
+void ResultsWriter::skip_frames_until(long step, const Clock& clock) {
+  // where more frames are requested than there are steps, one frame counts for several
+  while (next_frame_ <= frames_wanted_ && frames_wanted_ > 0 && step_of_frame(next_frame_, frames_wanted_, clock.steps) <= step) ++next_frame_;
 }
 
 void ResultsWriter::after_step(const Simulation& simulation) {
@@ -156,7 +215,7 @@ void ResultsWriter::after_step(const Simulation& simulation) {
   }
   for (const Line& line : lines_)
     if (std::find(line.steps.begin(), line.steps.end(), clock.step) != line.steps.end()) write_line(simulation, line);
-  if (frames_wanted_ > 0 && next_frame_ <= frames_wanted_ && clock.step == step_of_frame(next_frame_, clock)) write_frame(simulation);
+  if (frames_wanted_ > 0 && next_frame_ <= frames_wanted_ && clock.step == step_of_frame(next_frame_, frames_wanted_, clock.steps)) write_frame(simulation);
 }
 
 void ResultsWriter::write_frame(const Simulation& simulation) {
@@ -171,8 +230,7 @@ void ResultsWriter::write_frame(const Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
     impactor_series_[i].add(time, [&](const std::filesystem::path& path) { panel_frames_[i].write(path, simulation.impactors()[i], time); });
   last_frame_step_ = simulation.clock().step;
-  // where more frames are requested than there are steps, one frame counts for several
-  while (next_frame_ <= frames_wanted_ && step_of_frame(next_frame_, simulation.clock()) <= last_frame_step_) ++next_frame_;
+  skip_frames_until(last_frame_step_, simulation.clock());
 }
 
 void ResultsWriter::write_line(const Simulation& simulation, const Line& line) const {
@@ -189,10 +247,11 @@ void ResultsWriter::write_line(const Simulation& simulation, const Line& line) c
 
 void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds) {
   if (frames_wanted_ > 0 && last_frame_step_ != simulation.clock().step && outcome != Outcome::failed) write_frame(simulation);
-  output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds, resumed_at_).text());
   for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].finish(folder_, simulation.impactors()[i]);
   for (const Body& body : simulation.bodies())
     if (body.failure) write_last_fragments(folder_, body);
+  // last: a run is finished once this file says so
+  output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds, resumed_at_).text());
 }
 
 }  // namespace perimpact

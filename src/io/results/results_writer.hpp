@@ -23,12 +23,12 @@ enum class Outcome { finished, interrupted, failed };
 
 class ResultsWriter {
  public:
-  /// Prepares the folder (InputError where that fails) and writes the results at t = 0. Throws what lines_of throws, before any file of an
-  /// earlier run is removed, and RunError where a file cannot be written.
+  /// Prepares the folder (InputError where that fails), removes the files of an earlier run, and writes the results at t = 0. Throws what
+  /// lines_of throws, before any file is removed, and RunError where a file cannot be written.
   ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder);
 
   /// Restart: resumes the output at `written` of a run that is now at the step of the checkpoint; later output is removed.
-  /// Throws InputError where the files contain less than that, before anything is changed.
+  /// Throws InputError where files are missing or contain less than that, before anything is changed.
   ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder, Written written);
 
   /// Call after every step.
@@ -45,7 +45,7 @@ class ResultsWriter {
  private:
   void write_frame(const Simulation& simulation);
   void write_line(const Simulation& simulation, const Line& line) const;
-  long step_of_frame(int frame, const Clock& clock) const;
+  void skip_frames_until(long step, const Clock& clock);
 
   std::vector<Line> lines_;
   output::ResultsFolder folder_;
@@ -59,6 +59,9 @@ class ResultsWriter {
   long last_frame_step_ = -1;
   std::vector<std::int64_t> resumed_at_;  // steps
 };
+
+/// The step of an output frame, of `frames` in a run of `steps`.
+long step_of_frame(int frame, int frames, long steps);
 
 /// Writes the particles of a body for ParaView: displacement, velocity, damage and, if given, fragments.
 void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Fragments* fragments = nullptr);

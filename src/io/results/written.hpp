@@ -16,7 +16,6 @@ struct Written {
   std::vector<std::uint64_t> fragments;          ///< [byte] of each body's fragment table; 0: none
   std::vector<PanelFrames> panel_frames;         ///< per impactor
   std::vector<std::vector<double>> frame_times;  ///< [s] per series, bodies before impactors
-  std::int64_t next_frame = 0;                   ///< number of the next frame
   std::int64_t last_frame_step = -1;             ///< step of the previous frame; -1: none
   std::vector<std::int64_t> resumed_at;          ///< steps of the restarts
 
@@ -31,7 +30,6 @@ struct Written {
     visit("fragments", std::span<std::uint64_t>(fragments));
     for (std::size_t i = 0; i < panel_frames.size(); ++i) panel_frames[i].visit_state(fccda::under("panel_pictures." + std::to_string(i), visit));
     for (std::size_t s = 0; s < frame_times.size(); ++s) visit("frame_times." + std::to_string(s), frame_times[s]);
-    visit("next_frame", next_frame);
     visit("last_frame_step", last_frame_step);
     visit("resumed_at", resumed_at);
   }

@@ -180,8 +180,10 @@ std::span<const Field<OutputSetup>> OutputSetup::fields() {
       {"frames", &S::frames, "1", between(0, 100000), optional, "Number of output frames after the one at t = 0. 0: none."},
       {"history_interval", &S::history_interval, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."},
       {"checkpoint_interval", &S::checkpoint_interval, "s", at_least(0), optional,
-       "Wall-clock time between checkpoints, from which a stopped run can be restarted (perimpact run DECK --resume). One is always written at the end and "
-       "when the run is interrupted; 0: no others."}};
+       "Wall-clock time between checkpoints, from which a stopped run can be restarted (perimpact run DECK --resume). One is always written before the last "
+       "step and when the run is interrupted; 0: no others."},
+      {"checkpoints_kept", &S::checkpoints_kept, "1", between(1, 100), optional,
+       "Number of checkpoints kept: checkpoint.h5, the latest, and checkpoint_1.h5, … before it. A restart takes the newest that is readable."}};
   return all;
 }
 

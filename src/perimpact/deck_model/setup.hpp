@@ -302,6 +302,7 @@ struct OutputSetup {
   int frames = 40;                         ///< number of output frames after the one at t = 0; 0: none
   std::optional<double> history_interval;  ///< [s] between rows of history.csv; a hundredth of the run where absent
   double checkpoint_interval = 300;        ///< [s] wall-clock time; 0: only the final one
+  int checkpoints_kept = 1;                ///< number of the latest checkpoints that are kept
   std::vector<ProbeSetup> probes;
   std::vector<LineSetup> lines;
   static std::span<const Field<OutputSetup>> fields();

@@ -24,6 +24,7 @@ class Monitors {
   /// Throws SetupError if a probe lies outside its body.
   Monitors(const OutputSetup& setup, std::span<const Body> bodies, const Clock& clock);
 
+  long interval() const { return interval_; }  ///< steps between rows
   /// True if a row ends with this step.
   bool is_due(const Clock& clock) const { return clock.step % interval_ == 0 || clock.is_finished(); }
   /// True if this step is checked, independent of output settings.

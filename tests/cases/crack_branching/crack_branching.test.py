@@ -23,7 +23,7 @@ def modules():
 def coarse(scene):
     measure, reference = modules()
     spacing, ratio = 0.5e-3, 3
-    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--set", f"bodies.glass.spacing={spacing}", "--set", f"bodies.glass.horizon_ratio={ratio}")
+    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--force", "--set", f"bodies.glass.spacing={spacing}", "--set", f"bodies.glass.horizon_ratio={ratio}")
     found = measure.measure(measure.frames(scene.folder / "out"))
     wanted = measure.measure(reference.simulate(spacing, ratio * spacing, "hu-ha-bobaru", "lattice"))
     measure.show("perimpact", found)

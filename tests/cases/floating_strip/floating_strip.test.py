@@ -96,7 +96,7 @@ def breaks(scene):
 @claim("floating_strip: the deck floats where Archimedes has it, with the load of its table")
 def deck(scene):
     # with water's damping, which a deck may give
-    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--set", "time.end=0.02 s", "--set", "output.frames=0", "--set", "output.history_interval=0.01 s",
+    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--force", "--set", "time.end=0.02 s", "--set", "output.frames=0", "--set", "output.history_interval=0.01 s",
                          "--set", "bodies.ice.boundary_conditions.sea.floating.damping=1 1/s", "--threads", "1")  # fmt: skip
     report, history = scene.report("out"), scene.history("out")
     sea = report["bodies"]["ice"]["boundary_conditions"]["sea"]

@@ -17,7 +17,7 @@ def mean_load(time):
 
 @claim("ice_paddle: the wheel follows its table, the feeder its load, gauges add up, and nothing is left inside")
 def paddle(scene):
-    scene.expect_success("run", DECK, "--out", "out", "--set", "time.end=28 ms", "--set", "output.frames=0")
+    scene.expect_success("run", DECK, "--out", "out", "--force", "--set", "time.end=28 ms", "--set", "output.frames=0")
     columns, report = scene.history("out"), scene.report("out")
     rows = [dict(zip(columns, row)) for row in zip(*columns.values())]
     step = report["stability"]["step [s]"]

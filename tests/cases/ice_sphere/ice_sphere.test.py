@@ -17,7 +17,7 @@ def measured(scene, deck, *settings):
         from measure import measure
     except ImportError as reason:  # numpy is missing
         raise unittest.SkipTest(str(reason)) from reason
-    scene.expect_success("run", CASE / deck, "--out", "out", "--set", "output.frames=0", *(word for setting in settings for word in ("--set", setting)))
+    scene.expect_success("run", CASE / deck, "--out", "out", "--force", "--set", "output.frames=0", *(word for setting in settings for word in ("--set", setting)))
     return measure(scene.folder / "out")
 
 

@@ -17,7 +17,7 @@ def full(scene):
         from measure import measure
     except ImportError as reason:  # numpy is missing
         raise unittest.SkipTest(str(reason)) from reason
-    scene.expect_success("run", CASE / "deck.yaml", "--out", "out")
+    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--force")
     expect_rows(scene, CASE / "expected.csv", measure(scene.folder / "out"))
 
 

@@ -41,7 +41,7 @@ def bonds_through_notch(rows, layers, first_cut_row, ratio=3.015):
 @claim("kalthoff_winkler: each notch cuts exactly the bonds that cross its plane")
 def notches(scene):
     for changes, rows, layers in (([], 100, 9), (COARSE, 50, 4)):
-        scene.expect_success("run", CASE / "deck.yaml", "--out", "out", *changes, "--set", "time.end=0.18 us", "--set", "output.frames=0")
+        scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--force", *changes, "--set", "time.end=0.18 us", "--set", "output.frames=0")
         cracks = scene.report("out")["bodies"]["plate"]["cracks"]
         wanted = bonds_through_notch(rows, layers, first_cut_row=rows // 2)
         scene.assertEqual({name: crack["bonds"] for name, crack in cracks.items()}, {"left": wanted, "right": wanted})
@@ -50,7 +50,7 @@ def notches(scene):
 @claim("kalthoff_winkler: with particles 2 mm apart cracks run from both notches, alike, at an angle between 60 and 75 degrees")
 def coarse(scene):
     measure = module()
-    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", *COARSE)
+    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--force", *COARSE)
     found = measure.measure(scene.folder / "out")
     print(found)
     # the experiment's 70 degrees, Silling's 68 (README.md), and what material and spacing make of it

@@ -37,7 +37,7 @@ def as_printed(scene):
 
 @claim("propeller_ice: the gauges of hub and blades add up, and a spindle torque is the moment about the axis that turns with its blade")
 def gauges(scene):
-    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", *COARSE)
+    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--force", *COARSE)
     column = scene.history("out")
     times, rows = column["time [s]"], range(len(column["time [s]"]))
     largest = max(map(abs, column["propeller.shaft.force_x [N]"]))
@@ -63,7 +63,7 @@ def gauges(scene):
 @claim("propeller_ice: no particle is inside the propeller in any picture, nor nearer to it than half a spacing")
 def inside(scene):
     measure = measures()
-    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", *COARSE, "--set", "output.frames=25")
+    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--force", *COARSE, "--set", "output.frames=25")
     wound, nearest = measure.windings(scene.folder / "out", reach=0.06)
     scene.assertGreater(len(wound), 1000)
     scene.assertEqual(set(wound), {0})
@@ -99,7 +99,7 @@ def regions(scene):
 
 @claim("propeller_ice: a propeller that nothing holds keeps the momentum of both to rounding while it turns and tumbles")
 def momentum(scene):
-    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", *COARSE, "--set", "impactors.propeller.free_dofs=[x, y, z, rx, ry, rz]")
+    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--force", *COARSE, "--set", "impactors.propeller.free_dofs=[x, y, z, rx, ry, rz]")
     column = scene.history("out")
     scene.assertLess(column["propeller.velocity_x [m/s]"][-1], -0.1)
     scene.assertGreater(column["propeller.angular_velocity_x [rad/s]"][-1], -18.8)
@@ -113,7 +113,7 @@ def momentum(scene):
 @claim("propeller_ice: the deck breaks the sphere into three fragments or more above one per cent of its mass")
 def fragments(scene):
     measure = measures()
-    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--set", "output.frames=20", "--set", "time.end=20 ms")
+    scene.expect_success("run", CASE / "deck.yaml", "--out", "out", "--force", "--set", "output.frames=20", "--set", "time.end=20 ms")
     found = measure.fragments(scene.folder / "out", scene.report("out"))
     scene.assertGreaterEqual(found["fragments above 1 % of the mass [-]"], 3)
     scene.assertGreater(found["broken bonds [-]"], 0.5)

@@ -85,7 +85,7 @@ def run(t, path, corners, direction, spacing, outside):
     """What comes of a strike; the program must end well, keep momentum and pinch nothing."""
     scene = Strike(path, corners, direction, spacing, outside)
     (t.folder / "deck.yaml").write_text(scene.text)
-    t.expect_success("run", "deck.yaml", "--threads", 1)
+    t.expect_success("run", "deck.yaml", "--force", "--threads", 1)
     outcome = scene.outcome(t.report("results"), t.history("results"), t.folder / "results/frames")
     t.assertLess(outcome.drift, DRIFT, (path.name, direction))
     t.assertEqual(outcome.pinched, 0, (path.name, direction))

@@ -25,7 +25,7 @@ def short(t, *settings, folder="r"):
         "output={frames: 2, history_interval: 0.02 s}",
     ]
     words = [word for setting in [*fixed, *settings] for word in ("--set", setting)]
-    t.expect_success("run", CASE / "deck.yaml", "--out", folder, *words)
+    t.expect_success("run", CASE / "deck.yaml", "--out", folder, "--force", *words)
     return t.history(folder)
 
 

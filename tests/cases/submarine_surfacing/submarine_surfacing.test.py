@@ -46,7 +46,7 @@ def shape(scene):
     written = subprocess.run([sys.executable, CASE / "make_submarine.py"], capture_output=True, text=True, check=True).stdout
     scene.assertEqual(written, (CASE / "submarine.obj").read_text())
     (scene.folder / "open_water.yaml").write_text(OPEN_WATER.format(file=CASE / "submarine.obj"))
-    scene.expect_success("run", "open_water.yaml", "--out", "out", "--set", "time.end=4 ms")
+    scene.expect_success("run", "open_water.yaml", "--out", "out", "--force", "--set", "time.end=4 ms")
     surface = scene.report("out")["impactors"]["submarine"]["surface"]
     scene.assertEqual((surface["closure"], surface["components"], surface["rewound"], surface["flipped"]), ("closed", 1, 0, 0))
     # half an ellipsoid, a cylinder and a paraboloid (r = R (1 - ξ²), 8/15 of its cylinder)
@@ -62,7 +62,7 @@ def shape(scene):
 @claim("submarine_surfacing: without ice it comes to rest at its draft, and displaces its mass")
 def open_water(scene):
     (scene.folder / "open_water.yaml").write_text(OPEN_WATER.format(file=CASE / "submarine.obj"))
-    scene.expect_success("run", "open_water.yaml", "--out", "out")
+    scene.expect_success("run", "open_water.yaml", "--out", "out", "--force")
     floating, columns = scene.report("out")["impactors"]["submarine"]["floating"], scene.history("out")
     # what is left of 6 m decays with half the damping, e^-0.6 a second over the 9 s since it came out of the water: 0.5 %
     scene.assertAlmostEqual(floating["draft [m]"], floating["draft_at_rest [m]"], delta=0.03)
@@ -84,7 +84,7 @@ def steps(scene):
 
 @claim("submarine_surfacing: at a given speed the sail breaks the sheet before the hull touches, and gauges add up")
 def given(scene):
-    done = scene.run_program("run", DECK, "--out", "out", *coarse())
+    done = scene.run_program("run", DECK, "--out", "out", "--force", *coarse())
     scene.assertEqual(done.code, 0, done.err)
     columns, report = scene.history("out"), scene.report("out")
     scene.assertTrue(all(speed == 2 for speed in columns["submarine.velocity_z [m/s]"]))
@@ -117,7 +117,7 @@ def hardening(scene):
 
 @claim("submarine_surfacing: free to heave, it gains the momentum that water and ice give it")
 def free(scene):
-    done = scene.run_program("run", DECK, "--out", "out", *coarse("impactors.submarine.free_dofs=[z]", "impactors.submarine.velocity=[0, 0, 1]", "time.end=0.5 s"))
+    done = scene.run_program("run", DECK, "--out", "out", "--force", *coarse("impactors.submarine.free_dofs=[z]", "impactors.submarine.velocity=[0, 0, 1]", "time.end=0.5 s"))
     scene.assertEqual(done.code, 0, done.err)
     columns, floating = scene.history("out"), scene.report("out")["impactors"]["submarine"]["floating"]
     times, heavy = columns["time [s]"], floating["mass [kg]"] + floating["added_mass [kg]"]

@@ -50,10 +50,12 @@ struct Scene {
   Scene() { fixtures::put(folder / "block.obj", block(0.02)); }
   Setup setup(const std::vector<std::string>& changes = {}) const { return deck::read_deck_text(small, "deck.yaml", folder.path(), changes).setup; }
 
+  long last_step() const { return newest_checkpoint(results).step; }
+
   /// Runs up to a step and writes a checkpoint.
   void run_to(long step) const {
     Simulation simulation(setup());
-    Checkpoints checkpoints(file, simulation);
+    Checkpoints checkpoints(results, simulation);
     ResultsWriter writer(simulation, results);
     while (simulation.clock().step < step) simulation.step(), writer.after_step(simulation);
     checkpoints.write(simulation, writer);
@@ -96,18 +98,17 @@ TEST_CASE("checkpoint: a restarted simulation reaches the same state bitwise, wi
   Checkpoint checkpoint(parted.file);
   CHECK(checkpoint.step() == 9);
   CHECK(checkpoint.steps() == 20);
-  CHECK(!checkpoint.is_finished());
   checkpoint.expect_deck(parted.setup());
   Simulation simulation(parted.setup());
-  Checkpoints checkpoints(parted.file, simulation);
-  ResultsWriter writer(simulation, parted.results, checkpoints.resume(checkpoint, simulation));
+  Checkpoints checkpoints(parted.results, simulation);
+  ResultsWriter writer(simulation, parted.results, checkpoints.resume(simulation));
   CHECK(checkpoints.last() == 9);
   CHECK(writer.resumed_at() == std::vector<std::int64_t>{9});
   CHECK(simulation.clock().step == 9);
   CHECK(!std::filesystem::exists(parted.results / "frames/plate_00002.vtp"));
   while (!simulation.clock().is_finished()) simulation.step(), writer.after_step(simulation);
   checkpoints.write(simulation, writer);
-  CHECK(Checkpoint(parted.file).is_finished());
+  CHECK(parted.last_step() == 20);
 
   Simulation other(whole.setup());
   while (!other.clock().is_finished()) other.step();
@@ -147,7 +148,7 @@ TEST_CASE("checkpoint: a checkpoint of another deck is refused with the first di
   CHECK(scene.complaint(scene.setup({"bodies.plate.horizon_ratio=4"}), &key).find("is 4 here, but 3.015 in the run") != std::string::npos);
   CHECK(scene.complaint(scene.setup({"output.probes.tip={body: plate, at: [0, 0, 0]}"}), &key).find("but not given in the run") != std::string::npos);
   CHECK(key == "output.probes.tip");
-  CHECK(scene.complaint(scene.setup({"output.folder=elsewhere", "output.checkpoint_interval=7 s"})).empty());
+  CHECK(scene.complaint(scene.setup({"output.folder=elsewhere", "output.checkpoint_interval=7 s", "output.checkpoints_kept=3"})).empty());
 }
 
 TEST_CASE("checkpoint: a changed surface file is detected, and a moved one is accepted") {
@@ -176,7 +177,7 @@ TEST_CASE("checkpoint: shortened tables are refused before anything is changed")
     fixtures::put(table, text.substr(0, text.size() - 1));
     const std::string history = fixtures::text_of(scene.results / "history.csv");
     CHECK(scene.complaint(scene.setup()) ==
-          table.string() + " is shorter than when the checkpoint was written, so the run cannot be resumed; restore it, or start a new run without --resume.");
+          table.string() + " is shorter than when the checkpoint was written, so the run cannot be resumed; restore it, or replace the run by a new one.");
     CHECK(fixtures::text_of(scene.results / "history.csv") == history);
     std::filesystem::remove(table);
     CHECK(scene.complaint(scene.setup()).find("is missing, so the run cannot be resumed") != std::string::npos);
@@ -187,7 +188,7 @@ TEST_CASE("checkpoint: one is written after each interval, and with interval 0 o
   const Scene scene;
   for (const char* every : {"0", "1 h", "1e-9 s"}) {
     Simulation simulation(scene.setup({std::string("output.checkpoint_interval=") + every}));
-    Checkpoints checkpoints(scene.file, simulation);
+    Checkpoints checkpoints(scene.results, simulation);
     ResultsWriter writer(simulation, scene.results);
     simulation.step();
     checkpoints.after_step(simulation, writer);

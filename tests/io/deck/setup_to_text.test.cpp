@@ -30,6 +30,7 @@ void fill(Random& random, const fccda::Range&, std::string& value) {
                                           "é", "∛", "'", "~",  "null", "-",  "&",  "*",    "!",  "%",  "\x7f"};
   value.clear();
   for (std::size_t i = random() % 12; i > 0; --i) value += letters[random() % std::size(letters)];
+  if (value.starts_with('~')) value.insert(0, "a");  // the paths of a resolved deck are expanded
 }
 template <class T>
 void fill(Random& random, const fccda::Range& range, std::optional<T>& value) {

@@ -1,0 +1,48 @@
+/// The files that a run writes: `files.txt` in its results folder.
+///
+/// The names follow from the deck, so the list is complete before the first of the files exists: a run that is killed at any moment leaves a
+/// list of everything it can have written. Only files of the list are removed when a run is replaced.
+///
+///   history.csv
+///   frames/plate.pvd
+///   frames/plate_[00000-00041].vtp
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace perimpact::output {
+
+/// "plate_00007.vtp": a frame of a series.
+std::string frame_file(std::string_view series, std::size_t number);
+
+class FileList {
+ public:
+  /// The list in a folder; empty where there is none. Lines that do not name a file below the folder are ignored.
+  static FileList of(const std::filesystem::path& folder);
+
+  void add(std::string file) { files_.insert(std::move(file)); }  ///< path from the results folder
+  void add_frames(const std::string& series, std::size_t last);   ///< "frames/plate": its files 0 … last
+  void add(const FileList& other);
+
+  bool contains(std::string_view file) const;                    ///< also `<file>.part` of a run that was killed
+  const std::set<std::string>& files() const { return files_; }  ///< without frames
+  /// The files of the list that exist in the folder, as paths from it.
+  std::vector<std::string> present_in(const std::filesystem::path& folder) const;
+
+  /// Replaces the list of the folder. Throws RunError where it cannot be written.
+  void write_to(const std::filesystem::path& folder) const;
+
+ private:
+  std::set<std::string> files_;
+  std::map<std::string, std::size_t, std::less<>> last_frames_;  // of each series
+};
+
+/// Adds a file that another command writes into a results folder to the list of the folder.
+void list_file(const std::filesystem::path& folder, const std::string& file);
+
+}  // namespace perimpact::output
