@@ -67,7 +67,9 @@ CorrespondenceOptions options_of(const CorrespondenceSetup& setup) {
 Plasticity plasticity_of(const PlasticitySetup& setup) {
   const auto surface = setup.surface.as<YieldSurface>();
   const YieldEllipse ellipse = setup.compressive_strength ? YieldEllipse::of_strength(surface, *setup.compressive_strength) : YieldEllipse::published(surface);
-  return {ellipse, {setup.failure_strain, setup.failure_width, setup.failure_pressure}};
+  Plasticity plasticity{ellipse, {setup.failure_strain, setup.failure_width, setup.failure_pressure}};
+  if (setup.friction_angle) plasticity.residual = residual_of_friction_angle(*setup.friction_angle);
+  return plasticity;
 }
 
 /// Throws SetupError if no particle has a deformation gradient.

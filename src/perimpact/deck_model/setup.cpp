@@ -97,7 +97,10 @@ std::span<const Field<PlasticitySetup>> PlasticitySetup::fields() {
        "ε0: a particle loses its cohesion where its equivalent plastic strain exceeds ε0 + ((p/p2 - N)/M)², p its pressure and p2 that at which the surface "
        "closes."},
       {"failure_width", &S::failure_width, "1", positive(), optional, "M in that formula."},
-      {"failure_pressure", &S::failure_pressure, "1", at_least(0), optional, "N in that formula: the share of p2 at which ice fails first."}};
+      {"failure_pressure", &S::failure_pressure, "1", at_least(0), optional, "N in that formula: the share of p2 at which ice fails first."},
+      {"friction_angle", &S::friction_angle, "rad", between(0, 1.4), optional,
+       "Angle of internal friction of ice that has failed: from then on its shear strength is that of a granular material, J2 <= c p², c = 12 sin²φ/(3 - sin φ)². "
+       "Where absent, failed ice keeps its shear strength and loses its tensile strength alone."}};
   return all;
 }
 

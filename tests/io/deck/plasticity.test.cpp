@@ -25,6 +25,10 @@ TEST_CASE("plasticity: a deck gives a surface by name or a strength, and every d
   CHECK(all.failure_strain == 0.02);
   CHECK(all.failure_width == 2);
   CHECK(all.failure_pressure == 0.5);
+  CHECK(!all.friction_angle);
+  const auto angle = of(plate_of("model: bond-based, plasticity: {friction_angle: 30 deg}")).friction_angle;
+  CHECK(angle.value() == fixtures::relative(std::acos(-1.0) / 6, 1e-12));
+  CHECK(complaint(plate_of("model: bond-based, plasticity: {friction_angle: 90 deg}")).find("friction_angle is \"90 deg\", but it must be") != std::string::npos);
   CHECK(complaint(plate_of("model: bond-based, plasticity: {surface: von-mises, compressive_strength: 2 MPa}")) == "");
   CHECK(!read(fixtures::plate).setup.bodies[0].elastic().plasticity);
 }
