@@ -29,3 +29,17 @@ variant hardening_0.2 $sheet.failure.compression_hardening=0.2
 
 # Six layers
 variant six_layers "$sheet.spacing=0.3333333333333333 m" "time.step=0.147 ms"
+
+# Which crack opens first: first metres of the bow in ice that is crushed or flows; the sheet cut along the course, through all layers or all but the top one
+deck="$case/crushing.yaml"
+ductile="$sheet.material.plasticity={compressive_strength: 2.3 MPa}"
+cut() { echo "$sheet.cracks={course: {polygon: [[-24, 0, -2], [24, 0, -2], [24, 0, $1], [-24, 0, $1]]}}"; }
+variant crushing
+variant ductile "$ductile" "time.end=2.1 s" output.frames=21
+variant top_layer_whole "$ductile" "$(cut 0.6)" "time.end=2.1 s" output.frames=21
+variant cut "$ductile" "$(cut 2)" "time.end=2.1 s" output.frames=21
+eight_layers=("$sheet.spacing=0.25 m" "$sheet.shape.box.size=[28 m, 48 m, 2 m]" "$sheet.position=[-14 m, 0, -0.7561 m]" "time.step=0.11 ms"
+  "$ship.position=[0.3 m, 0, 0]" "time.end=1 s" output.frames=10
+  "$sheet.particle_sets={far_end: {shape: {box: {size: [0.7 m, 48 m, 4 m]}}, position: [-13.65 m, 0, 0]}, port: {shape: {box: {size: [27.3 m, 0.7 m, 4 m]}}, position: [0.35 m, -23.65 m, 0]}, starboard: {shape: {box: {size: [27.3 m, 0.7 m, 4 m]}}, position: [0.35 m, 23.65 m, 0]}}")
+variant ductile_8_layers "$ductile" "${eight_layers[@]}"
+variant cut_8_layers "$ductile" "$(cut 2)" "${eight_layers[@]}"

@@ -1,4 +1,7 @@
 // What a deck may say of plasticity, and what contradicts it.
+#include <cmath>
+
+#include "fixtures/tolerance.hpp"
 #include "io/deck/fixtures.hpp"
 
 using fixtures::complaint;
@@ -25,6 +28,11 @@ TEST_CASE("plasticity: a deck gives a surface by name or a strength, and every d
   CHECK(all.failure_strain == 0.02);
   CHECK(all.failure_width == 2);
   CHECK(all.failure_pressure == 0.5);
+  CHECK(!all.friction_angle);
+  const auto angle = of(plate_of("model: bond-based, critical_stretch: 3e-4, plasticity: {friction_angle: 30 deg}")).friction_angle;
+  CHECK(angle.value() == fixtures::relative(std::acos(-1.0) / 6, 1e-12));
+  CHECK(complaint(plate_of("model: bond-based, critical_stretch: 3e-4, plasticity: {friction_angle: 90 deg}"))
+            .find("friction_angle is \"90 deg\", but it must be") != std::string::npos);
   CHECK(complaint(plate_of("model: bond-based, plasticity: {surface: von-mises, compressive_strength: 2 MPa}")) == "");
   CHECK(!read(fixtures::plate).setup.bodies[0].elastic().plasticity);
 }
@@ -43,6 +51,9 @@ TEST_CASE("plasticity: what contradicts it is refused with a sentence") {
   CHECK(complaint(plate_of("model: bond-based, flexural_strength: 3 MPa, plasticity: {compressive_strength: 2 MPa}"))
             .ends_with("the compressive strength of 2e+06 Pa is not above the flexural_strength of 3e+06 Pa, so the body would yield before it breaks in "
                        "bending; give a larger compressive_strength, or a smaller flexural_strength."));
+  CHECK(complaint(plate_of("model: bond-based, plasticity: {friction_angle: 30 deg}"))
+            .ends_with("friction_angle is for ice that has failed, but bonds of this material never break; give critical_stretch, fracture_energy or "
+                       "flexural_strength, or remove friction_angle."));
   CHECK(complaint(plate_of("model: bond-based, plasticity: {}", "    plane: stress\n"))
             .ends_with("plasticity needs all three normal stresses, but the body is of plane stress; write plane: none, or remove plasticity."));
   const std::string breaks = "model: bond-based, critical_stretch: 3e-4, plasticity: {}";

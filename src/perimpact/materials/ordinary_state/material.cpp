@@ -9,7 +9,9 @@ namespace {
 Plasticity plasticity_of(const PlasticitySetup& setup) {
   const auto surface = setup.surface.as<YieldSurface>();
   const YieldEllipse ellipse = setup.compressive_strength ? YieldEllipse::of_strength(surface, *setup.compressive_strength) : YieldEllipse::published(surface);
-  return {ellipse, {setup.failure_strain, setup.failure_width, setup.failure_pressure}};
+  Plasticity plasticity{ellipse, {setup.failure_strain, setup.failure_width, setup.failure_pressure}};
+  if (setup.friction_angle) plasticity.residual = residual_of_friction_angle(*setup.friction_angle);
+  return plasticity;
 }
 
 }  // namespace

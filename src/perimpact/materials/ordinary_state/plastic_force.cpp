@@ -421,8 +421,10 @@ void PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& part
   const double half_volume = 0.5 * particles.volume(slot), p = pressure_of(stress);
   dissipation_[row] += half_volume * double_contraction(before, tensor_at(increment_, slot));
   SymmetricTensor increment{};
-  if (p > 0 && plasticity_.ellipse.function(stress) > 0) {
-    increment = return_to_surface(plasticity_.ellipse, moduli_, stress);
+  const bool is_crushed = has_failed_[slot] && second_invariant(stress) > plasticity_.residual * p * p;
+  if (p > 0 && (is_crushed || plasticity_.ellipse.function(stress) > 0)) {
+    increment = is_crushed ? return_to_residual(plasticity_.ellipse, plasticity_.residual, moduli_, stress)
+                           : return_to_surface(plasticity_.ellipse, moduli_, stress);
     SymmetricTensor sum = tensor_at(strain_, slot);
     for (std::size_t c = 0; c < 6; ++c) sum[c] += increment[c];
     set(strain_, slot, sum);

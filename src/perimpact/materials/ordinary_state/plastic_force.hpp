@@ -10,13 +10,15 @@
 /// ½ (σ_n + σ_{n+1}) : Δε^p V, which closes the balance of the time stepping as the trapezoidal rule does for forces (docs/theory/energy.md).
 ///
 /// A bond breaks where s_e exceeds s_c k + ¾ max(0, p)/E, p the mean pressure of its two particles at the step before; once either has yielded, only where
-/// p <= 0; a particle whose plastic strain has reached ε_f(p) has k = 0. Both ends decide from the same numbers.
+/// p <= 0; a particle whose plastic strain has reached ε_f(p) has k = 0, and its shear strength is that of friction alone. Both ends decide from the same
+/// numbers.
 ///
 /// Cost: packs that know no plastic strain take a kernel without it, and compute their stresses only where their energy may reach the surface,
 /// W > a0/(4 µ): with the stiffness C of a particle J2/(2 µ) + p²/(2 κ) <= ½ σ:C⁻¹:σ <= W (Cauchy-Schwarz).
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,7 @@ namespace perimpact {
 struct Plasticity {
   YieldEllipse ellipse;
   FailureStrain failure = {};
+  double residual = std::numeric_limits<double>::infinity();  ///< [-] J2 <= residual p² of particles beyond ε_f; infinite: cohesion alone is lost
 };
 
 /// Elastic constants of the interior of a lattice, or of the isotropic material where the particles are a cloud.

@@ -101,6 +101,13 @@ struct FailureStrain {
   }
 };
 
+/// c [-] of J2 <= c p² for ice without cohesion of an angle of internal friction [rad]: the cone of Drucker and Prager through the compressive meridian of
+/// Mohr and Coulomb (D. C. Drucker, W. Prager, Q. Appl. Math. 10 (1952) 157), q/p = 6 sin φ/(3 - sin φ), J2 = q²/3.
+inline double residual_of_friction_angle(double angle) {
+  const double ratio = 6 * std::sin(angle) / (3 - std::sin(angle));
+  return ratio * ratio / 3;
+}
+
 /// Elastic constants of a cubic lattice [Pa]; both shear moduli are equal in an isotropic body.
 struct ReturnModuli {
   double bulk;         ///< (C11 + 2 C12)/3
@@ -127,6 +134,24 @@ inline SymmetricTensor return_to_surface(const YieldEllipse& ellipse, const Retu
       stress[c] -= multiplier * (2 * shear * s[c] + (c < 3 ? moduli.bulk * slope : 0));
     }
   }
+  return strain;
+}
+
+/// The same for ice without cohesion, J2 <= `residual` p² and f <= 0: first isochoric flow to the cone, then associated flow to the ellipse. Crushed ice that
+/// dilated as the normal of the cone requires would grow without end.
+inline SymmetricTensor return_to_residual(const YieldEllipse& ellipse, double residual, const ReturnModuli& moduli, SymmetricTensor& stress) {
+  SymmetricTensor strain{};
+  const double p = pressure_of(stress), invariant = second_invariant(stress), limit = residual * p * p;
+  if (invariant > limit) {
+    const double excess = 1 - std::sqrt(limit / invariant);
+    const SymmetricTensor s = deviator_of(stress);
+    for (std::size_t c = 0; c < 6; ++c) {
+      strain[c] = excess * s[c] / (2 * (c < 3 ? moduli.axial_shear : moduli.plane_shear));
+      stress[c] -= excess * s[c];
+    }
+  }
+  const SymmetricTensor of_ellipse = return_to_surface(ellipse, moduli, stress);
+  for (std::size_t c = 0; c < 6; ++c) strain[c] += of_ellipse[c];
   return strain;
 }
 

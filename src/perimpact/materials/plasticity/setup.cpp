@@ -30,7 +30,10 @@ std::span<const Field<PlasticitySetup>> PlasticitySetup::fields() {
        "ε0: a particle loses its cohesion where its equivalent plastic strain exceeds ε0 + ((p/p2 - N)/M)², p its pressure and p2 that at which the surface "
        "closes."},
       {"failure_width", &S::failure_width, "1", positive(), optional, "M in that formula."},
-      {"failure_pressure", &S::failure_pressure, "1", at_least(0), optional, "N in that formula: the share of p2 at which ice fails first."}};
+      {"failure_pressure", &S::failure_pressure, "1", at_least(0), optional, "N in that formula: the share of p2 at which ice fails first."},
+      {"friction_angle", &S::friction_angle, "rad", between(0, 1.4), optional,
+       "Angle of internal friction φ of ice that has failed: its shear strength is then that of a granular material, J2 <= c p², c = 12 sin²φ/(3 - sin φ)². "
+       "Where absent, failed ice keeps its shear strength and loses its tensile strength alone."}};
   return all;
 }
 
@@ -70,6 +73,10 @@ void PlasticitySetup::check(const ElasticSetup& material, const BodyContext& dec
                                           strength, *material.flexural_strength));
   if (deck.is_quasi_static)
     deck.refuse("plasticity", "plasticity depends on the path, but relax computes equilibrium states without a path; remove one of the two.");
+  if (friction_angle && !material.critical_stretch && !material.fracture_energy && !material.flexural_strength)
+    deck.refuse("plasticity.friction_angle",
+                "friction_angle is for ice that has failed, but bonds of this material never break; give critical_stretch, fracture_energy or "
+                "flexural_strength, or remove friction_angle.");
   const std::optional<FailureSetup>& failure = deck.body.failure;
   if (!failure) return;
   if (failure->compression.as<CompressionFailure>() != CompressionFailure::none)

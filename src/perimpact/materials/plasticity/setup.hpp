@@ -26,6 +26,7 @@ struct PlasticitySetup {
   double failure_strain = 0.01;                ///< [-] ε0
   double failure_width = 1;                    ///< [-] M
   double failure_pressure = 0.75;              ///< [-] N
+  std::optional<double> friction_angle;        ///< [rad] φ of ice that has failed
   static std::span<const Field<PlasticitySetup>> fields();
 
   /// Throws SetupError unless the material, and the failure of its body, permit it.

@@ -25,12 +25,13 @@ struct IceOptions {
   std::optional<double> critical_stretch = {};
   bool is_plastic = true;
   double failure_pressure = 0.75;
+  std::optional<double> friction_angle = {};
 };
 
 BodySetup ice_setup(const IceOptions& options) {
   BodySetup setup = fixtures::body_setup({.size = options.size, .spacing = spacing, .correction = options.correction});
   ElasticSetup elastic{modulus, options.poissons_ratio, 900, options.critical_stretch};
-  if (options.is_plastic) elastic.plasticity = PlasticitySetup{.compressive_strength = compressive, .failure_pressure = options.failure_pressure};
+  if (options.is_plastic) elastic.plasticity = PlasticitySetup{.compressive_strength = compressive, .failure_pressure = options.failure_pressure, .friction_angle = options.friction_angle};
   if (options.poissons_ratio == 0.25)
     setup.material = BondBasedSetup{elastic};
   else
@@ -350,6 +351,34 @@ TEST_CASE("plastic force: under pressure the limit of a bond rises by 3/4 p/E, s
   const double p = force.moduli().bulk * -(at + 2 * compression);
   CHECK(at == fixtures::relative(critical + 0.75 * p / modulus, 0.01));  // steps of 1e-6, 0.3 %
   CHECK(at > 1.2 * critical);
+}
+
+TEST_CASE("plastic force: beyond its failure strain ice with a friction_angle carries shear in proportion to the pressure, without it as before") {
+  const double angle = std::acos(-1.0) / 6;
+  const SymmetricTensor path{-1, 0.4, 0.3, 0.2, 0.3, -0.1};
+  Body crushed = ice({.size = {1.3, 1.3, 1.3}, .correction = SurfaceCorrection::none, .critical_stretch = 1, .failure_pressure = 0.2, .friction_angle = angle});
+  Body cohesive = ice({.size = {1.3, 1.3, 1.3}, .correction = SurfaceCorrection::none, .critical_stretch = 1, .failure_pressure = 0.2});
+  const std::size_t middle = middle_slot(crushed);
+  double size = 0;
+  const auto strained = [&](double by) {
+    size += by;
+    SymmetricTensor e = path;
+    for (double& component : e) component *= size;
+    for (Body* body : {&crushed, &cohesive}) {
+      strain_uniformly(*body, e);
+      body->internal.evaluate(body->particles, body->family);
+    }
+  };
+  while (!crushed.internal.plastic()->has_lost_cohesion(middle)) strained(2e-5);
+  for (int step = 0; step < 300; ++step) strained(1e-6);
+  const SymmetricTensor weak = crushed.internal.plastic()->stress(middle), strong = cohesive.internal.plastic()->stress(middle);
+  const double p = pressure_of(weak);
+  CHECK(p > 0);
+  // outside by what a step of strain adds, 2 µ 1e-6, below 1 % of a stress of 0.2 MPa
+  CHECK(second_invariant(weak) == fixtures::relative(residual_of_friction_angle(angle) * p * p, 0.03));
+  CHECK(cohesive.internal.plastic()->has_lost_cohesion(middle));
+  CHECK(cohesive.internal.plastic()->plasticity().ellipse.function(strong) == fixtures::absolute(0, 0.01 * second_invariant(strong), "Pa2"));
+  CHECK(second_invariant(strong) > 1.5 * second_invariant(weak));
 }
 
 TEST_CASE("plastic force: a particle beyond its failure strain keeps its bonds under pressure, and loses them in tension before others do") {

@@ -97,3 +97,38 @@ TEST_CASE("plasticity: the failure strain is least at its pressure and grows wit
   CHECK(failure.at(0) == fixtures::relative(0.01 + 0.5625, 1e-12));
   CHECK(FailureStrain{.least = 0.02, .width = 2, .pressure = 0.5}.at(0.9) == fixtures::relative(0.02 + 0.04, 1e-12));
 }
+
+TEST_CASE("plasticity: ice without cohesion returns to the cone of its friction angle at unchanged pressure and volume, or to the ellipse where that is lower") {
+  // φ = 30 degrees: q/p = 1.2 (triaxial compression, Mohr-Coulomb: σ1/σ3 = 3, so q = 2 σ3 and p = 5/3 σ3)
+  const double residual = residual_of_friction_angle(std::acos(-1.0) / 6);
+  CHECK(3 * residual == fixtures::relative(1.2 * 1.2, 1e-12));
+  const YieldEllipse ellipse = YieldEllipse::of_strength(YieldSurface::riska_frederking, 2.3e6);
+  const ReturnModuli moduli{1.17e9, 0.62e9, 0.76e9};
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> draw(-1, 1);
+  int to_cone = 0, to_ellipse = 0;
+  for (int n = 0; n < 400; ++n) {
+    SymmetricTensor trial;
+    for (double& component : trial) component = 1e6 * draw(random);
+    const double pressure = 2e6 * (1 + draw(random));
+    for (std::size_t c = 0; c < 3; ++c) trial[c] -= pressure;
+    const double p = pressure_of(trial);
+    if (p <= 0 || second_invariant(trial) <= residual * p * p) continue;
+    SymmetricTensor stress = trial;
+    const SymmetricTensor strain = return_to_residual(ellipse, residual, moduli, stress);
+    const SymmetricTensor released = stress_of(moduli, strain);
+    for (std::size_t c = 0; c < 6; ++c) CHECK(trial[c] - stress[c] == fixtures::absolute(released[c], 1e-3, "Pa"));
+    CHECK(double_contraction(stress, strain) >= 0);
+    if (residual * p * p < ellipse.limit(p)) {
+      ++to_cone;
+      CHECK(second_invariant(stress) == fixtures::relative(residual * p * p, 1e-12));
+      CHECK(pressure_of(stress) == fixtures::relative(p, 1e-12));
+      CHECK(strain[0] + strain[1] + strain[2] == fixtures::absolute(0, 1e-15, "-"));
+    } else {
+      ++to_ellipse;
+      CHECK(ellipse.function(stress) == fixtures::absolute(0, 1e-9 * ellipse.a0, "Pa2"));
+    }
+  }
+  CHECK(to_cone > 50);
+  CHECK(to_ellipse > 20);
+}

@@ -1,0 +1,65 @@
+#!/usr/bin/python3
+"""Draws figures/order_of_cracks.png from results of variants.sh: order_of_cracks.py RESULTS
+
+Damage of the bottom and of the top layer in the reference configuration, and the vertical force, since first contact with the ice.
+"""
+
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from figures import COLOURS, spacing_of  # noqa: E402
+from measure import history  # noqa: E402
+from vtp_reader import picture_at  # noqa: E402
+
+SINCE_CONTACT = 0.9  # [s]
+VARIANTS = {  # folder: title, time [s] since contact
+    "ductile": ("flows, whole sheet", SINCE_CONTACT),
+    "top_layer_whole": ("flows, all but the top layer cut", SINCE_CONTACT),
+    "cut": ("flows, cut along the course", SINCE_CONTACT),
+    "crushing": ("is crushed, whole sheet", 2.1),
+    "cut_8_layers": ("flows, cut, eight layers", 0.6),
+}
+
+
+def first_contact(rows):
+    return rows["time [s]"][np.flatnonzero(rows["ship.bow.force_z [N]"])[0]]
+
+
+def main(results):
+    figure, axes = plt.subplots(2, len(VARIANTS), figsize=(3.1 * len(VARIANTS), 4.0), sharex=True, sharey=True)
+    curves = []
+    for (upper, lower), (name, (title, since)) in zip(axes.T, VARIANTS.items()):
+        rows = history(results / name)
+        start = first_contact(rows)
+        curves.append((title, rows["time [s]"] - start, rows["ship.bow.force_z [N]"] / 1e6))
+        at, sheet = picture_at(results / name, "sheet", start + since)
+        reference = sheet.points - sheet.point["displacement"]
+        spacing = spacing_of(sheet)
+        for axis, height in ((upper, reference[:, 2].max()), (lower, reference[:, 2].min())):
+            layer = np.abs(reference[:, 2] - height) < 0.5 * spacing
+            image = axis.scatter(reference[layer, 1], reference[layer, 0], c=sheet.point["damage"][layer], s=9 * spacing, marker="s", cmap=COLOURS, vmin=0, vmax=0.9,
+                                 linewidths=0)
+            axis.set_aspect("equal"), axis.set_xlim(-22, 22), axis.set_ylim(-28, 0.5)
+        upper.set_title(f"{title}\n{at - start:.2g} s after contact", fontsize=9)
+    axes[0, 0].set_ylabel("top layer, x [m]"), axes[1, 0].set_ylabel("bottom layer, x [m]")
+    for axis in axes[1]:
+        axis.set_xlabel("y [m]")
+    figure.colorbar(image, ax=axes, label="damage", shrink=0.7)
+    figure.savefig(Path(__file__).resolve().parent / "figures/order_of_cracks.png", dpi=85, bbox_inches="tight")
+
+    figure, axis = plt.subplots(figsize=(8, 3.2))
+    for title, time, force in curves:
+        axis.plot(time, force, label=title)
+    axis.set_xlim(0, None), axis.set_xlabel("time since contact [s]"), axis.set_ylabel("F_z on the bow [MN]")
+    axis.legend(fontsize=8)
+    figure.tight_layout()
+    figure.savefig(Path(__file__).resolve().parent / "figures/order_of_cracks_forces.png", dpi=85)
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))
