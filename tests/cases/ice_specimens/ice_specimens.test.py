@@ -104,6 +104,20 @@ def indenters(scene):
     scene.assertLess(found["edge_narrow energy error [-]"], 1e-3)
 
 
+@claim("ice_specimens: check says to the deck of the calibration page what the page quotes")
+def calibration(scene):
+    page = (ROOT / "docs/guide/calibration.md").read_text(encoding="utf-8")
+    deck = re.search(r"\n\n((?:    .+\n)*    bodies:\n(?:    .+\n)+)", page)[1]
+    (scene.folder / "sheet.yaml").write_text("".join(line[4:] for line in deck.splitlines(keepends=True)))
+    quoted = re.search(r"reports what this implies .+:\n\n((?: {6}.+\n)+)", page)[1]
+    out = scene.expect_success("check", "sheet.yaml").out
+    scene.assertGreaterEqual(quoted.count("\n"), 3)
+    for line in quoted.splitlines():
+        scene.assertIn(line.strip() + "\n", out)
+    soft = scene.expect_success("check", "sheet.yaml", "--set", "bodies.sheet.bending_calibration=none").out
+    scene.assertIn(re.search(r"\| without `bending_calibration` \| (.+) \|", page)[1] + "\n", soft)
+
+
 @claim("ice_specimens: plasticity that contradicts the deck ends with a sentence and exit code 2")
 def refused(scene):
     for change, sentence in (
