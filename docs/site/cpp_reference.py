@@ -35,7 +35,7 @@ def headers_from(header):
     found, waiting = set(), [header]
     while waiting:
         name = waiting.pop()
-        if name not in found:
+        if name not in found and (SOURCE / name).exists():  # CMake writes the lists of materials and the like to the build folder
             found.add(name)
             waiting += re.findall(r'^#include "([^"]+)"', (SOURCE / name).read_text(encoding="utf-8"), re.MULTILINE)
     return found

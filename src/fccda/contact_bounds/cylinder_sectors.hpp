@@ -51,6 +51,8 @@ class CylinderSectors {
   double volume() const { return volume_of(shape_); }     ///< [m³]
 
   const Shape& shape() const { return shape_; }  ///< as specified
+
+  /// Calls visit(name, value) for each number that reports show.
   template <class Visit>
   void visit_facts(const Visit& visit) const {
     visit("axis", shape_.axis), visit("point [m]", shape_.point), visit("radius [m]", shape_.radius), visit("length [m]", shape_.length);
