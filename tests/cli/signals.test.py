@@ -33,12 +33,17 @@ def _(t):
 def _(t):
     deck = t.deck(*STEPS)
     t.expect_success("run", deck, "--out", "whole")
-    process = started(t, deck, "--out", "r")
-    process.send_signal(signal.SIGUSR1)
-    while not (t.folder / "r/checkpoint.h5").exists():
-        t.assertIsNone(process.poll(), "no checkpoint was written")
-        time.sleep(0.001)
-    rows = len((t.folder / "r/history.csv").read_text().splitlines())
+    for _ in range(10):  # on a busy machine the run may reach its last checkpoint before this is noticed
+        shutil.rmtree(t.folder / "r", ignore_errors=True)
+        process = started(t, deck, "--out", "r")
+        process.send_signal(signal.SIGUSR1)
+        while process.poll() is None and not (t.folder / "r/checkpoint.h5").exists():
+            time.sleep(0.001)
+        rows = len((t.folder / "r/history.csv").read_text().splitlines())
+        if rows < 40:  # of 45
+            break
+        ended(process, signal.SIGKILL)
+    t.assertLess(rows, 40, "no checkpoint was written")
     while process.poll() is None and len((t.folder / "r/history.csv").read_text().splitlines()) <= rows:
         time.sleep(0.001)
     t.assertIn(process.poll(), (None, 0))
@@ -63,17 +68,17 @@ bodies:
 output: {folder: r, frames: 2000}
 """
     (t.folder / "relax.yaml").write_text(relax)
-    process = t.start("run", "relax.yaml", "--out", "r", "--threads", "1")
-    history = t.folder / "r/history.csv"
-    while not history.exists() or b"\n" not in history.read_bytes():
-        t.assertIsNone(process.poll())
-        time.sleep(0.005)
-    process.send_signal(signal.SIGSTOP)  # so that both arrive before the first is acted upon
-    process.send_signal(signal.SIGINT)
-    process.send_signal(signal.SIGCONT)
-    process.send_signal(signal.SIGINT)
-    process.communicate(timeout=60)
-    t.assertIn(process.returncode, (-signal.SIGINT, 130))
+    for _ in range(20):  # the second one must arrive before the first is acted upon, within an iteration
+        shutil.rmtree(t.folder / "r", ignore_errors=True)
+        process = started(t, "relax.yaml", "--out", "r", "--threads", "1", rows=0)
+        time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        time.sleep(0.0005)
+        code, _, _ = ended(process, signal.SIGINT)
+        t.assertIn(code, (-signal.SIGINT, 130))
+        if code == -signal.SIGINT:
+            break
+    t.assertEqual(code, -signal.SIGINT)
 
     shielded = subprocess.Popen(["nohup", t.program, "run", t.deck(*LONG), "--out", "h"], cwd=t.folder, env=t.environment, stdin=subprocess.DEVNULL,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
