@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <string_view>
+#include <type_traits>
 
 #include "cli/row.hpp"
 #include "io/results/contact_bounds_report.hpp"
@@ -13,17 +15,18 @@ namespace {
 
 std::string place(const Vec3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
-std::string text(double value) { return fmt::format("{:.4g}", value); }
-std::string text(int value) { return fmt::format("{}", value); }
-std::string text(bool value) { return value ? "yes" : "no"; }
-std::string text(const Vec3d& value) { return place(value); }
-
 /// One row for each fact.
 template <class Bounds>
 std::string details(const Bounds& bounds) {
   std::string rows;
   if constexpr (requires { bounds.visit_facts([](std::string_view, const auto&) {}); })
-    bounds.visit_facts([&](std::string_view name, const auto& value) { rows += row(fmt::format("bounds {}", name).c_str(), text(value)); });
+    bounds.visit_facts([&]<class Value>(std::string_view name, const Value& value) {
+      const std::string label = fmt::format("bounds {}", name);
+      if constexpr (std::is_same_v<Value, Vec3d>)
+        rows += row(label.c_str(), place(value));
+      else
+        rows += row(label.c_str(), fmt::format("{:.4g}", static_cast<double>(value)));
+    });
   return rows;
 }
 

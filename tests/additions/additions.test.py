@@ -24,7 +24,7 @@ def build(folder):
     tree, binary = grown_tree(folder), folder / "build"
     cache = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
     # optimised little: what counts is that it compiles, and what it computes
-    options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DPERIMPACT_TESTS=OFF", "-DPERIMPACT_WERROR=ON"]
+    options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DPERIMPACT_TESTS=OFF"]
     jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count()))
     for command in (["cmake", "-S", tree, "-B", binary, *options, *cache], ["cmake", "--build", binary, "--target", "perimpact", "-j", jobs]):
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -120,9 +120,10 @@ def check_struck(program, folder):
     # reader: mass from the enclosed volume; column: particles of the lattice; both to rounding
     expect(report["impactors"]["felt"]["mass [kg]"], 3000 * side**3, 1e-12, "mass of the cube")
     expect(rows[-1]["bar.particles [-]"], volume / SPACING**3, 1e-12, "number of particles")
-    # boundary condition: mean forces of the intervals of a ramp, where the sum over steps is the rule of rectangles, and of the constant part
-    steps = report["steps"]
-    expect(rows[1]["bar.push.force_x [N]"], 0.25 * 1e6 * volume, 4 * 4 / steps, "force on the ramp")
+    # boundary condition: each step takes the force at its beginning, so that the mean of N steps on the ramp is that of the arithmetic series
+    dt = rows[-1]["time [s]"] / report["steps"]
+    count = round(rows[1]["time [s]"] / dt)
+    expect(rows[1]["bar.push.force_x [N]"], 1e6 * volume * (count - 1) / 2 * dt / 2e-4, 1e-9, "force on the ramp")
     expect(rows[-1]["bar.push.force_x [N]"], 1e6 * volume, 1e-12, "force after the ramp")
     # contact bounds: the volume, widened by 1e-8 of the size of the surface; contact inside alone
     bounds = report["impactors"]["felt"]["contact_bounds"]
@@ -130,8 +131,8 @@ def check_struck(program, folder):
     expect(bounds["volume [m3]"], 4 * math.pi / 3 * 0.05**3, 1e-6, "volume of the ball")
     expect(bounds["radius [m]"], 0.05, 1e-6, "radius in the report")
     assert report["impactors"]["ignored"]["contact_bounds"]["clips"]
-    assert rows[-1]["felt.velocity_y [m/s]"] > -3.9, "the cube within its bounds was not slowed down"
-    expect(rows[-1]["ignored.velocity_y [m/s]"], 4, 1e-12, "velocity of the cube whose side lies outside its bounds")
+    assert rows[-1]["felt.contacts [-]"] > 0 and rows[-1]["felt.contact_work [J]"] < -1, "the cube within its bounds met nothing"
+    assert all(row["ignored.contacts [-]"] == 0 for row in rows), "the cube whose struck side lies outside its bounds met something"
 
 
 def check_pulled(program, folder):
@@ -139,7 +140,7 @@ def check_pulled(program, folder):
     strain = (rows[-1]["far.displacement_x [m]"] - rows[-1]["near.displacement_x [m]"]) / 0.1
     # the surface correction of a bar of six particles leaves it up to 2 % too stiff or soft
     expect(strain, STRESS / E_MODULUS, 0.02, "strain of the bar in uniaxial tension")
-    assert rows[-1]["grip.force_x [N]" if "grip.force_x [N]" in rows[-1] else "bar.grip.force_x [N]"] < 0
+    expect(rows[-1]["bar.grip.force_x [N]"], -STRESS * 0.06**2, 1e-6, "reaction")  # the relaxation stops at 1e-8
 
 
 def check_refusals(program, folder):

@@ -29,8 +29,8 @@ def names_of(pattern):
 
 
 def insert(lines, new):
-    """The line after the last one that starts alike, up to the first quote or parenthesis."""
-    start = re.match(r'[^"(]*["(]', new.strip())[0]
+    """The line after the last one that starts alike, up to the first quote, or parenthesis where it has none."""
+    start = re.match(r'[^"]*"|[^(]*\(', new.strip())[0]
     alike = [k for k, line in enumerate(lines) if line.strip().startswith(start)]
     assert alike, f"no line starts with {start}, like: {new}"
     lines.insert(alike[-1] + 1, new)

@@ -164,7 +164,7 @@ TEST_CASE("consistency: the path of a surface file is relative to the deck's fol
   const auto surface = std::get<FileSurface>(read_there().setup.impactors[0].surface);
   CHECK(surface.file == hull.string());
   CHECK(surface.scale == 0.001);
-  CHECK(surface.orientation.as<OpenSide>() == OpenSide::normals);
+  CHECK(surface.orientation.word() == "normals");
   std::filesystem::remove_all(folder);
 }
 

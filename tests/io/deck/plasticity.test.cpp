@@ -39,7 +39,7 @@ TEST_CASE("plasticity: a deck gives a surface by name or a strength, and every d
 
 TEST_CASE("plasticity: what contradicts it is refused with a sentence") {
   CHECK(complaint(plate_of("model: correspondence, plasticity: {}"))
-            .ends_with("plasticity is for the models bond-based and ordinary-state, but the model is correspondence; change the model, or remove plasticity."));
+            .ends_with("plasticity is for the models ordinary-state and bond-based, but the model is correspondence; change the model, or remove plasticity."));
   CHECK(complaint(plate_of("model: linear-peridynamic-solid, plasticity: {}")).find("but the model is linear-peridynamic-solid;") != std::string::npos);
   CHECK(complaint(plate_of("model: bond-based, plasticity: {compressive_strength: -2 MPa}"))
             .find("compressive_strength is \"-2 MPa\", but it must be above 0.") != std::string::npos);

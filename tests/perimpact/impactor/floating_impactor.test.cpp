@@ -115,7 +115,7 @@ TEST_CASE("floating impactor: an open surface is refused with its key") {
   Setup setup = block_and_raft();
   ::fixtures::put(folder / "sheet.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
   ImpactorSetup& raft = setup.impactors[0];
-  raft.surface = FileSurface{.file = (folder / "sheet.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
+  raft.surface = FileSurface{.file = (folder / "sheet.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(fccda::Orientation::normals)}};
   raft.density.reset();
   raft.mass = 10;
   std::string key;

@@ -83,7 +83,7 @@ TEST_CASE("in plane: an open surface must extend through the plane") {
     ::fixtures::put(folder / "wall.obj",
                     "v -0.01 0 " + std::to_string(low) + "\nv 0.01 0 " + std::to_string(low) + "\nv 0.01 0 0.04\nv -0.01 0 0.04\nf 1 2 3 4\n");
     setup.impactors[0].surface =
-        FileSurface{.file = (folder / "wall.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
+        FileSurface{.file = (folder / "wall.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(fccda::Orientation::normals)}};
     setup.impactors[0].position = {0, 0.0121, 0};
     setup.impactors[0].inertia = Vec3d{1e-6, 1e-6, 1e-6};
     return complaint(setup);

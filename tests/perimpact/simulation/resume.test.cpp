@@ -48,7 +48,7 @@ Setup lively(const ::fixtures::TemporaryFolder& folder) {
   ImpactorSetup sheet;
   sheet.name = "sheet";
   ::fixtures::put(folder / "sheet.obj", "v -0.01 0 -0.01\nv -0.01 0 0.01\nv 0.01 0 0.01\nv 0.01 0 -0.01\nf 1 2 3 4\n");
-  sheet.surface = FileSurface{.file = (folder / "sheet.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(OpenSide::normals)}};
+  sheet.surface = FileSurface{.file = (folder / "sheet.obj").string(), .orientation = Choice{open_side_words, static_cast<int>(fccda::Orientation::normals)}};
   sheet.mass = 0.01;
   sheet.inertia = Vec3d{1e-6, 1e-6, 1e-6};
   sheet.centre_of_mass = Vec3d{};
