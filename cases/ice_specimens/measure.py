@@ -6,6 +6,7 @@
 The folder contains the results of any of the decks, each in a folder of its name; missing ones are skipped.
 
 compressive strength   largest mean force on both platens over the first cross-section
+crushed                the same strength; mean of that stress from 0.5 % of strain on, over the compressive strength
 tensile strength       largest mean pull of both platens over the first cross-section
 splitting              2 P/(π D t) of the last row before the first bond breaks
 flexural strength      largest load of both lines before the first bond breaks, as the stress at the surface of a beam: 3 F a/(b h²), a from support to load
@@ -25,6 +26,7 @@ from pathlib import Path
 STRENGTH = 2.3e6  # [Pa] of all decks but ball and drop
 TENSION = 0.576e6  # [Pa] E s_c
 SIDE = 0.1  # [m] of the prism
+CRUSHED = 0.005  # [-] strain beyond which the prism is crushed
 DISC = 0.32, 0.08  # [m] diameter, thickness
 ARM, WIDTH, HEIGHT = 0.6, 0.2, 0.2  # [m] of the beam
 PUNCH = 0.16, 0.07  # [m] width, depth of the block
@@ -175,6 +177,13 @@ def of_prisms(folder):
     if (folder / "compression").is_dir():
         found["compressive strength [MPa]"] = max(stress for _, stress in compression(folder / "compression")) / 1e6
         found["compression energy error [-]"] = energy_error(history(folder / "compression"), "ice.top.work", "ice.bottom.work")
+    if (folder / "crushed").is_dir():
+        curve = compression(folder / "crushed")
+        found["crushed strength [MPa]"] = max(stress for _, stress in curve) / 1e6
+        after = [stress for strain, stress in curve if strain > CRUSHED]
+        if after:  # a run of its first part has none
+            found["crushed residual strength [-]"] = sum(after) / len(after) / STRENGTH
+        found["crushed energy error [-]"] = energy_error(history(folder / "crushed"), "ice.top.work", "ice.bottom.work")
     if (folder / "tension").is_dir():
         found["tensile strength [MPa]"] = max(stress for _, stress in tension(folder / "tension")) / 1e6
         found["tension energy error [-]"] = energy_error(history(folder / "tension"), "ice.top.work", "ice.bottom.work")

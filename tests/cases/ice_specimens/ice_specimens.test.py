@@ -25,6 +25,16 @@ def compression(scene):
     scene.assertGreater(scene.history("specimens/compression")["ice.plastic_dissipation [J]"][-1], 0)
 
 
+@claim("ice_specimens: a prism of crushed ice carries its compressive strength once, and little afterwards")
+def crushed(scene):
+    scene.expect_success("run", CASE / "crushed.yaml", "--out", "specimens/crushed", "--set", "output.frames=0", "--set", "time.end=17 ms")
+    found = measure(scene.folder / "specimens")
+    print(found)
+    scene.assertAlmostEqual(found["crushed strength [MPa]"] / 2.3, 1, delta=0.05)  # as expected.csv has it
+    scene.assertLess(found["crushed residual strength [-]"], 0.2)
+    scene.assertLess(found["crushed energy error [-]"], 1e-5)
+
+
 @claim("ice_specimens: scaled constants scale the strength")
 def scaled(scene):
     scene.expect_success("run", CASE / "compression.yaml", "--out", "specimens/compression", "--set", "output.frames=0", "--set", "time.end=8 ms",

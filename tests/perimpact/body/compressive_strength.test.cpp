@@ -26,7 +26,7 @@ struct Options {
 BodySetup prism(const Options& options) {
   BodySetup body{.name = "prism", .spacing = 0.1};
   body.shape = BoxSolid{options.is_plane ? Vec3d{0.4, 0.8, 0.1} : Vec3d{0.4, 0.4, 0.8}};
-  if (options.is_plane) body.plane.index = static_cast<int>(PlaneState::stress);
+  if (options.is_plane) body.plane.index = static_cast<int>(Plane::stress);
   OrdinaryStateSetup material;
   material.youngs_modulus = E, material.poissons_ratio = options.poissons_ratio, material.density = 900;
   if (options.fails) material.critical_stretch = stretch;
