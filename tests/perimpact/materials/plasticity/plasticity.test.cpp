@@ -109,7 +109,7 @@ TEST_CASE("plasticity: ice without cohesion returns to the cone of its friction 
   int to_cone = 0, to_ellipse = 0;
   for (int n = 0; n < 400; ++n) {
     SymmetricTensor trial;
-    for (double& component : trial) component = 1e6 * draw(random);
+    for (double& component : trial) component = 3e6 * draw(random);
     const double pressure = 2e6 * (1 + draw(random));
     for (std::size_t c = 0; c < 3; ++c) trial[c] -= pressure;
     const double p = pressure_of(trial);
