@@ -31,7 +31,7 @@ def run(program, case):
     deck, end = CASES[case]
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run(
-            [program, "run", ROOT / "cases" / deck, "--threads", "1", "--out", folder, "--set", end, "--set", "output.frames=0"],
+            [program, "run", ROOT / "cases" / deck, "--threads", "1", "--out", folder, "--force", "--set", end, "--set", "output.frames=0"],
             check=True, stdout=subprocess.DEVNULL,
         )  # fmt: skip
         return json.loads((Path(folder) / "run.json").read_text())

@@ -40,7 +40,7 @@ def points(t, x, y, z):
 
 def measured(t, name):
     """[byte] VmHWM of a run"""
-    with subprocess.Popen([t.program, "run", name, "--threads", "2"], cwd=t.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+    with subprocess.Popen([t.program, "run", name, "--threads", "2", "--force"], cwd=t.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
         said = process.stderr.read()
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
