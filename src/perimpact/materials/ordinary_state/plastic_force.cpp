@@ -423,8 +423,8 @@ void PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& part
   SymmetricTensor increment{};
   const bool is_crushed = has_failed_[slot] && second_invariant(stress) > plasticity_.residual * p * p;
   if (p > 0 && (is_crushed || plasticity_.ellipse.function(stress) > 0)) {
-    increment = is_crushed ? return_to_residual(plasticity_.ellipse, plasticity_.residual, moduli_, stress)
-                           : return_to_surface(plasticity_.ellipse, moduli_, stress);
+    increment =
+        is_crushed ? return_to_residual(plasticity_.ellipse, plasticity_.residual, moduli_, stress) : return_to_surface(plasticity_.ellipse, moduli_, stress);
     SymmetricTensor sum = tensor_at(strain_, slot);
     for (std::size_t c = 0; c < 6; ++c) sum[c] += increment[c];
     set(strain_, slot, sum);

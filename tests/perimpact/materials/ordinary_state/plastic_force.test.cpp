@@ -31,7 +31,9 @@ struct IceOptions {
 BodySetup ice_setup(const IceOptions& options) {
   BodySetup setup = fixtures::body_setup({.size = options.size, .spacing = spacing, .correction = options.correction});
   ElasticSetup elastic{modulus, options.poissons_ratio, 900, options.critical_stretch};
-  if (options.is_plastic) elastic.plasticity = PlasticitySetup{.compressive_strength = compressive, .failure_pressure = options.failure_pressure, .friction_angle = options.friction_angle};
+  if (options.is_plastic)
+    elastic.plasticity =
+        PlasticitySetup{.compressive_strength = compressive, .failure_pressure = options.failure_pressure, .friction_angle = options.friction_angle};
   if (options.poissons_ratio == 0.25)
     setup.material = BondBasedSetup{elastic};
   else

@@ -98,7 +98,8 @@ TEST_CASE("plasticity: the failure strain is least at its pressure and grows wit
   CHECK(FailureStrain{.least = 0.02, .width = 2, .pressure = 0.5}.at(0.9) == fixtures::relative(0.02 + 0.04, 1e-12));
 }
 
-TEST_CASE("plasticity: ice without cohesion returns to the cone of its friction angle at unchanged pressure and volume, or to the ellipse where that is lower") {
+TEST_CASE(
+    "plasticity: ice without cohesion returns to the cone of its friction angle at unchanged pressure and volume, or to the ellipse where that is lower") {
   // φ = 30 degrees: q/p = 1.2 (triaxial compression, Mohr-Coulomb: σ1/σ3 = 3, so q = 2 σ3 and p = 5/3 σ3)
   const double residual = residual_of_friction_angle(std::acos(-1.0) / 6);
   CHECK(3 * residual == fixtures::relative(1.2 * 1.2, 1e-12));
