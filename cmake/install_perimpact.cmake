@@ -33,9 +33,9 @@ endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME perimpact)
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "breaking bodies struck by rigid ones, and its contact library")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "peridynamic impact and ice-structure interaction, with a contact library")
 set(CPACK_PACKAGE_VENDOR "the perimpact authors")
-set(CPACK_PACKAGE_CONTACT "The perimpact authors <perimpact@localhost>")  # as in packaging/changelog: whoever hands packages out puts an address
+set(CPACK_PACKAGE_CONTACT "The perimpact authors <perimpact@localhost>")  # as in packaging/changelog; distributors give an address
 set(CPACK_COMPONENTS_ALL perimpact fccda)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
@@ -47,9 +47,9 @@ set(CPACK_DEBIAN_PERIMPACT_PACKAGE_NAME perimpact)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_RECOMMENDS "python3, python3-numpy, python3-matplotlib")  # figures of the cases
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "paraview, gmsh, libfccda-dev")
-set(CPACK_COMPONENT_PERIMPACT_DESCRIPTION "Deformable, breaking bodies (ice first) are struck by rigid bodies given as
-surfaces of panels. The material is peridynamic: particles and bonds. Contact
-is found along the whole path of every particle.
+set(CPACK_COMPONENT_PERIMPACT_DESCRIPTION "Impact of peridynamic bodies, ice first, with rigid bodies of any shape given
+as surface meshes. Bonds between particles break. Contact is detected along the
+whole path of every particle.
 .
 The program needs a processor with AVX2 (x86-64-v3).")
 set(CPACK_DEBIAN_FCCDA_PACKAGE_NAME libfccda-dev)

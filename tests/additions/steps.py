@@ -66,10 +66,10 @@ def grown_tree(folder):
     """A copy of the sources to which one of each was added; unchanged files keep their time, so that a second run compiles little."""
     fresh, tree = folder / "fresh", folder / "tree"
     shutil.rmtree(fresh, ignore_errors=True)
-    for part in ("src", "cmake"):
+    for part in ("src", "cmake", "packaging"):
         shutil.copytree(REPOSITORY / part, fresh / part)
     (fresh / "report/dist").mkdir(parents=True)
-    for name in ("CMakeLists.txt", "report/dist/template.html"):
+    for name in ("CMakeLists.txt", "CHANGELOG.md", "report/dist/template.html"):
         shutil.copyfile(REPOSITORY / name, fresh / name)
     steps = sections(GUIDE.read_text())
     assert sorted(steps) == sorted(ADDED), f"the guide has steps for {sorted(steps)}"

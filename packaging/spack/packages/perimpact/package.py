@@ -3,7 +3,7 @@ from spack.package import *
 
 
 class Perimpact(CMakePackage):
-    """Peridynamic bodies struck by rigid bodies of any shape, with continuous contact detection."""
+    """Peridynamic impact with rigid bodies of any shape, with continuous contact detection."""
 
     # not released yet: put the address of your clone or mirror here, or use `spack dev-build` in a clone
     homepage = "https://example.org/perimpact"
