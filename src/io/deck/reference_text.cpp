@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "io/deck/key_path.hpp"
 #include "io/deck/overrides.hpp"
 #include "io/deck/reference.hpp"
 #include "io/deck/reference_pages.hpp"
