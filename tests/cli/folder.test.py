@@ -74,8 +74,15 @@ def _(t):
     t.assertIn("run.lock", t.files("r"))
     out = t.expect_success("run", deck, "--out", "r", "--force").out
     t.assertIn(f"The lock of a run that has ended (process {killed.pid} on host {os.uname().nodename}, since 20", out)
+    identity = Path("/etc/machine-id")
+    knows_itself = identity.exists() and identity.read_text().strip()  # bare containers have none: a restart looks like another machine
     for changes in {"pid": gone_process()}, {"process_start": "1"}, {"boot": "another"}:
         lock_of(t, "r", **changes)
+        if "boot" in changes and not knows_itself:
+            done = t.run_program("run", deck, "--out", "r", "--force")
+            t.assertEqual(done.code, 2)
+            t.assertIn("Whether it still runs cannot be determined from here", done.err)
+            continue
         t.assertIn("since 2026-01-02 03:04:05 UTC) was removed from the folder r.", t.expect_success("run", deck, "--out", "r", "--force").out, changes)
         t.assertNotIn("run.lock", t.files("r"))
 
