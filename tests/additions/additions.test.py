@@ -34,7 +34,7 @@ def build(folder):
 
 def run(program, deck, folder):
     (folder / "deck.yaml").write_text(deck)
-    return subprocess.run([program, "run", "deck.yaml", "--out", "results", "--no-report", "--threads", "1"], cwd=folder, capture_output=True, text=True)
+    return subprocess.run([program, "run", "deck.yaml", "--out", "results", "--force", "--no-report", "--threads", "1"], cwd=folder, capture_output=True, text=True)
 
 
 def results(program, deck, folder):
