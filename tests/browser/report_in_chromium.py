@@ -115,7 +115,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="perimpact-") as folder:
         folder = Path(folder)
         (folder / "deck.yaml").write_text(changed(DECK, ("frames: 4", "frames: 10"), ("spacing: 5 mm", "spacing: 2 mm"), ("{end: 20 us}", "{end: 60 us}")))
-        subprocess.run([Path(sys.argv[1]).resolve(), "run", "deck.yaml"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([Path(sys.argv[1]).resolve(), "run", "deck.yaml", "--force"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
         page = Page(1200, 760)
         try:
             page.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "light"}])
@@ -155,7 +155,7 @@ def main():
 
             # the same with cracks
             (folder / "deck.yaml").write_text(changed(DECK, ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0001}")))
-            subprocess.run([Path(sys.argv[1]).resolve(), "run", "deck.yaml"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+            subprocess.run([Path(sys.argv[1]).resolve(), "run", "deck.yaml", "--force"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
             page.open(folder / "results/report.html")
             page.wait_for("document.documentElement?.dataset.state === 'ready'")
             expect_map(page)

@@ -26,7 +26,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="perimpact-") as folder:
         folder = Path(folder)
         (folder / "deck.yaml").write_text(changed(DECK, ("density: 8000 kg/m3}", "density: 8000 kg/m3, critical_stretch: 0.0001}")))
-        subprocess.run([Path(sys.argv[1]).resolve(), "run", "deck.yaml"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([Path(sys.argv[1]).resolve(), "run", "deck.yaml", "--force"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
         downloads = folder / "downloads"
         downloads.mkdir()
         page = Page(1200, 760, downloads)
