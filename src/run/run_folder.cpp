@@ -29,7 +29,9 @@ std::string outcome_in(const fs::path& folder) {
   return "";
 }
 
-const fs::path& prepared(const fs::path& folder) {
+/// The folder, created where it is missing; not for a run that cannot be resumed.
+const fs::path& prepared(const fs::path& folder, EarlierRun earlier) {
+  if (earlier == EarlierRun::resume && !has_checkpoint(folder)) newest_checkpoint(folder);  // throws, with the reason
   output::prepare_folder(folder);
   return folder;
 }
@@ -45,10 +47,7 @@ fs::path results_path(const std::string& folder, const std::string& place) {
 }
 
 RunFolder::RunFolder(fs::path folder, EarlierRun earlier, Requests requests, const Setup& setup)
-    : folder_(std::move(folder)),
-      earlier_(earlier),
-      requests_(std::move(requests)),
-      lock_((earlier == EarlierRun::resume && !has_checkpoint(folder_) ? void(newest_checkpoint(folder_)) : void(), prepared(folder_))) {
+    : folder_(std::move(folder)), earlier_(earlier), requests_(std::move(requests)), lock_(prepared(folder_, earlier)) {
   if (!lock_.note().empty()) notes_.push_back(lock_.note());
   if (earlier_ == EarlierRun::keep) expect_no_run();
   if (earlier_ == EarlierRun::resume) find_checkpoint(setup);

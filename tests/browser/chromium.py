@@ -9,11 +9,13 @@ import tempfile
 import time
 from pathlib import Path
 
+from waits import Waits
+
 FLAGS = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars", "--force-device-scale-factor=1",
          "--remote-debugging-pipe", "--no-first-run", "--disable-background-networking", "--force-color-profile=srgb"]
 
 
-class Page:
+class Page(Waits):
     """A page of the size. `complaints`: errors and warnings of its console so far, and requests to the network."""
 
     def __init__(self, width, height, program="chromium"):
@@ -94,15 +96,6 @@ class Page:
         if "exceptionDetails" in told:
             raise RuntimeError(f"{expression}: {told['exceptionDetails']}")
         return told["result"].get("value")
-
-    def wait_for(self, expression, seconds=60):
-        """Until it is true; the seconds that took."""
-        begin = time.monotonic()
-        while not self.value(expression):
-            if time.monotonic() - begin > seconds:
-                raise RuntimeError(f"after {seconds} s this is still not so: {expression}")
-            time.sleep(0.05)
-        return time.monotonic() - begin
 
     def press(self, key, code=None):
         text = {"text": key} if len(key) == 1 else {}

@@ -11,6 +11,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from waits import Waits
+
 # WebGL without a graphics card; nothing is asked from outside
 PREFERENCES = {"webgl.force-enabled": True, "webgl.disable-fail-if-major-performance-caveat": True, "gfx.webrender.software": True,
                "browser.shell.checkDefaultBrowser": False, "datareporting.policy.dataSubmissionEnabled": False, "toolkit.telemetry.enabled": False,
@@ -25,7 +27,7 @@ addEventListener('error', each => window.complaints.push(each.message));
 addEventListener('unhandledrejection', each => window.complaints.push(String(each.reason)));"""
 
 
-class Page:
+class Page(Waits):
     """A page of the size; files that it saves come to `downloads`."""
 
     def __init__(self, width, height, downloads, program="firefox-esr"):
@@ -110,14 +112,6 @@ class Page:
     def value(self, expression):
         return self.ask("WebDriver:ExecuteAsyncScript", script=f"Promise.resolve({expression}).then(arguments[0], fault => arguments[0]('fault: ' + fault))", args=[],
                         newSandbox=False, sandbox=None, scriptTimeout=120000)["value"]
-
-    def wait_for(self, expression, seconds=60):
-        begin = time.monotonic()
-        while not self.value(expression):
-            if time.monotonic() - begin > seconds:
-                raise RuntimeError(f"after {seconds} s this is still not so: {expression}")
-            time.sleep(0.05)
-        return time.monotonic() - begin
 
     def press(self, key):
         keys = {"ArrowLeft": "\ue012", "ArrowRight": "\ue014", "Home": "\ue011", "End": "\ue010"}

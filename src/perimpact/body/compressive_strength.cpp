@@ -19,14 +19,14 @@ bool has_measured_faces(const BodySetup& setup) {
   return is_ordinary && setup.spacing && !setup.is_plane() && (correction == SurfaceCorrection::automatic || correction == SurfaceCorrection::energy);
 }
 
-/// Of a specimen that yields: bonds in its faces stretch by 0.37 of the compression σ/E at ν = 1/4, and their limit is s_c + 0.25 σ/E.
-double faces_that_yield(const PlasticForce& plastic, const std::optional<FailureCriterion>& failure) {
-  const double strength = plastic.plasticity().ellipse.compressive_strength();
-  return failure ? std::min(strength, failure->stretch * plastic.law().elastic().youngs_modulus / (0.37 - 0.25)) : strength;
-}
-
 /// E s_c/(stretch - α), the stretch of bonds across the load over the compression.
 double splitting(double tensile_strength, double stretch, double hardening) { return stretch > hardening ? tensile_strength / (stretch - hardening) : never; }
+
+/// Of a specimen that yields: the limit of its bonds rises by 0.25 σ/E, ¾ p/E in uniaxial compression; ν = 1/4, as in that rule.
+double faces_that_yield(const PlasticForce& plastic, const std::optional<FailureCriterion>& failure) {
+  const double strength = plastic.plasticity().ellipse.compressive_strength();
+  return failure ? std::min(strength, splitting(failure->stretch * plastic.law().elastic().youngs_modulus, face_stretch(0.25), 0.25)) : strength;
+}
 
 }  // namespace
 
