@@ -1,31 +1,45 @@
-# What `cmake --install` puts where, beside fccda (install_fccda.cmake), and the Debian packages that CPack makes of it:
+# What `cmake --install` puts where, beside fccda (install_fccda.cmake) and the Python package (python/CMakeLists.txt), and the Debian packages that CPack makes of it:
 #
 #   bin/perimpact
 #   share/perimpact/cases/                          to look at, copy and run
 #   share/perimpact/docs/guide/deck.schema.json     where the first line of each case's deck says
+#   share/perimpact/docs/guide/tutorials/           their decks
 #   share/doc/perimpact/html/index.html             where scripts/build_docs.sh has been run before
 #   share/man/man1/perimpact.1.gz
+#   share/bash-completion/completions/perimpact, share/zsh/vendor-completions/_perimpact, share/fish/vendor_completions.d/perimpact.fish
 include(GNUInstallDirs)
 
 set(shared ${CMAKE_INSTALL_DATADIR}/perimpact)
 install(TARGETS perimpact COMPONENT perimpact)
 install(DIRECTORY cases/ DESTINATION ${shared}/cases COMPONENT perimpact USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 install(FILES docs/guide/deck.schema.json DESTINATION ${shared}/docs/guide COMPONENT perimpact)
+install(DIRECTORY docs/guide/tutorials/ DESTINATION ${shared}/docs/guide/tutorials COMPONENT perimpact FILES_MATCHING PATTERN "*.yaml")
 install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/build/docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/perimpact/html COMPONENT perimpact OPTIONAL
   PATTERN .buildinfo EXCLUDE PATTERN objects.inv EXCLUDE)
 
-# Debian wants manual page and changelog packed, without the time of packing in them.
+set(written ${CMAKE_CURRENT_BINARY_DIR}/share)  # by the program (src/cli/CMakeLists.txt)
+install(FILES ${written}/perimpact.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT perimpact)
+install(FILES ${written}/perimpact.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME perimpact COMPONENT perimpact)
+install(FILES ${written}/perimpact.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _perimpact COMPONENT perimpact)
+install(FILES ${written}/perimpact.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT perimpact)
+
+# Debian wants the changelog packed, without the time of packing in it.
 find_program(GZIP gzip REQUIRED)
 set(packed ${CMAKE_CURRENT_BINARY_DIR}/packed)
 file(MAKE_DIRECTORY ${packed})
-foreach(file packaging/perimpact.1 packaging/changelog CHANGELOG.md)
+foreach(file packaging/changelog CHANGELOG.md)
   get_filename_component(name ${file} NAME)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   execute_process(COMMAND ${GZIP} -9nc ${CMAKE_CURRENT_SOURCE_DIR}/${file} OUTPUT_FILE ${packed}/${name}.gz COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
-install(FILES ${packed}/perimpact.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT perimpact)
-foreach(component perimpact fccda)
-  string(REPLACE fccda libfccda-dev package ${component})
+set(components perimpact fccda)
+if(PERIMPACT_PYTHON)
+  list(APPEND components python)
+endif()
+foreach(component ${components})
+  set(package ${component})
+  string(REGEX REPLACE "^fccda$" libfccda-dev package ${package})
+  string(REGEX REPLACE "^python$" python3-perimpact package ${package})
   install(FILES packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
   install(FILES ${packed}/CHANGELOG.md.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME changelog.gz COMPONENT ${component})
   install(FILES ${packed}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME changelog.Debian.gz COMPONENT ${component})
@@ -36,7 +50,7 @@ set(CPACK_PACKAGE_NAME perimpact)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "peridynamic impact and ice-structure interaction, with a contact library")
 set(CPACK_PACKAGE_VENDOR "the perimpact authors")
 set(CPACK_PACKAGE_CONTACT "The perimpact authors <perimpact@localhost>")  # as in packaging/changelog; distributors give an address
-set(CPACK_COMPONENTS_ALL perimpact fccda)
+set(CPACK_COMPONENTS_ALL ${components})
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -46,7 +60,7 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_NAME perimpact)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_RECOMMENDS "python3, python3-numpy, python3-matplotlib")  # figures of the cases
-set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "paraview, gmsh, libfccda-dev")
+set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "paraview, gmsh, libfccda-dev, python3-perimpact")
 set(CPACK_COMPONENT_PERIMPACT_DESCRIPTION "Impact of peridynamic bodies, ice first, with rigid bodies of any shape given
 as surface meshes. Bonds between particles break. Contact is detected along the
 whole path of every particle.
@@ -60,4 +74,17 @@ points, each with a position at both ends of a time step, against moving rigid
 surfaces of panels. Static library, headers and CMake package.
 .
 The library needs a processor with AVX2 (x86-64-v3).")
+if(PERIMPACT_PYTHON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-perimpact)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${PERIMPACT_PYTHON_ABI}, python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib")  # figures of the examples
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "perimpact")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/packaging/python3-perimpact/postinst;${CMAKE_CURRENT_SOURCE_DIR}/packaging/python3-perimpact/prerm")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python package perimpact: simulations from decks or dicts, with particles and
+impactors as NumPy arrays, user forces, and the contact library fccda alone.
+.
+The package needs a processor with AVX2 (x86-64-v3).")
+endif()
 include(CPack)

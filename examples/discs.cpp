@@ -17,7 +17,7 @@ struct Rank {
   std::vector<Vec3d> x_t0, x_t1, velocity;
   std::vector<double> radius, mass;
   ContactDetector wheel, floor;
-  ContactSum tally{};  // sum of this step, on the wheel
+  ContactSum sum{};  // sum of this step, on the wheel
 };
 
 std::vector<Rank> shared_out(std::size_t ranks, const SharedSurface& wheel, const SharedSurface& floor) {
@@ -65,14 +65,14 @@ Outcome run(std::size_t ranks) {
       }
       const PointArrays points{.x_t0 = rank.x_t0, .x_t1 = rank.x_t1, .velocity = rank.velocity, .mass = rank.mass};
       const std::vector<Contact> on_wheel = rank.wheel.detect(wheel_motion, rank.x_t0, rank.x_t1, rank.radius);
-      rank.tally = respond_without_body(on_wheel, wheel_motion, wheel, points, 0.3);
+      rank.sum = respond_without_body(on_wheel, wheel_motion, wheel, points, 0.3);
       const std::vector<Contact> on_floor = rank.floor.detect(floor_motion, rank.x_t0, rank.x_t1, rank.radius);
       respond(on_floor, floor_motion, floor, points, 0.3);
       for (const Contact& contact : on_wheel) rank.floor.moved(contact.point);  // report points displaced by one body to the detector of the other
       for (const Contact& contact : on_floor) rank.wheel.moved(contact.point);
     }
     ContactSum sum;  // MPI_Allreduce of seven numbers; the body then moves identically in all processes
-    for (const Rank& rank : parts) sum += rank.tally;
+    for (const Rank& rank : parts) sum += rank.sum;
     wheel.add_impulse(sum.impulse, sum.angular_impulse_about_com);
     outcome.angle += dt * wheel.angular_velocity().z;
     outcome.contacts += sum.contacts;

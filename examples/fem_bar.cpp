@@ -116,10 +116,10 @@ struct Bar {
 };
 
 struct Outcome {
-  double first_touch = -1, last_touch = 0;  // [s]
-  double impulse = 0;                       // [N s] on the body, downwards
-  double lost = 0;                          // [J] dissipated by nodes that stop on contact
-  std::vector<double> time, force;          // [s], [N] of each step
+  double first_contact = -1, last_contact = 0;  // [s]
+  double impulse = 0;                           // [N s] on the body, downwards
+  double lost = 0;                              // [J] dissipated by nodes that stop on contact
+  std::vector<double> time, force;              // [s], [N] of each step
 };
 
 /// Simulates the bar and the body for `time` seconds. Writes five frames: name_0.vtk to name_4.vtk, and name_body_0.vtk to
@@ -149,7 +149,7 @@ Outcome resolve_contact(Bar& bar, RigidBody& body, const Panels& panels, double 
 
     const Motion motion = body.advance(dt);
     const std::vector<Contact> contacts = detector.detect(motion, x_t0, bar.x);
-    const ContactSum tally = respond(contacts, motion, body, {.x_t0 = x_t0, .x_t1 = bar.x, .velocity = bar.v, .mass = bar.mass});
+    const ContactSum sum = respond(contacts, motion, body, {.x_t0 = x_t0, .x_t1 = bar.x, .velocity = bar.v, .mass = bar.mass});
 
     // The work of an impulse J is J·(v before + v after)/2, with the velocities before and after the entire step, so that a node at rest on
     // the wall, loaded by its cell and by the wall, has no net work.
@@ -158,12 +158,12 @@ Outcome resolve_contact(Bar& bar, RigidBody& body, const Panels& panels, double 
       const std::size_t i = contact.point;
       outcome.lost -= bar.mass[i] * dot(bar.v[i] - v_pushed[i], 0.5 * (bar.v[i] + v_t0[i]));
     }
-    outcome.impulse -= tally.impulse.z;
+    outcome.impulse -= sum.impulse.z;
     outcome.time.push_back((step + 1) * dt);
-    outcome.force.push_back(-tally.impulse.z / dt);
+    outcome.force.push_back(-sum.impulse.z / dt);
     if (!contacts.empty()) {
-      if (outcome.first_touch < 0) outcome.first_touch = step * dt;
-      outcome.last_touch = (step + 1) * dt;
+      if (outcome.first_contact < 0) outcome.first_contact = step * dt;
+      outcome.last_contact = (step + 1) * dt;
     }
     bar.compute_forces();
   }
@@ -188,7 +188,7 @@ void strike_wall(int cells) {
   const double stress = sum / count / bar.section(), theory = rho * sound * speed;
   std::printf("wall, %zu nodes, %.0f cells along\n", bar.x.size(), length / bar.cell);
   std::printf("  contact stress   %.1f Pa, rho c v = %.1f Pa (%+.2f %%)\n", stress, theory, percent(stress, theory));
-  const double lasted = outcome.last_touch - outcome.first_touch;
+  const double lasted = outcome.last_contact - outcome.first_contact;
   std::printf("  contact lasts    %.4f ms, 2 L/c = %.4f ms (%+.2f %%)\n", 1e3 * lasted, 1e3 * contact, percent(lasted, contact));
   std::printf("  impulse          %.6f N s, 2 m v = %.6f N s (%+.2f %%)\n", outcome.impulse, -2 * before, percent(outcome.impulse, -2 * before));
   std::printf("  momentum balance %.1e of the impulse\n", std::fabs(bar.momentum() - before - outcome.impulse) / outcome.impulse);

@@ -98,7 +98,7 @@ int main() try {
   for (std::size_t i = 0; i < grains.mass.size(); ++i) momentum_of_grains -= grains.mass[i] * GrainPoints{grains, dt}.velocity(i);
 
   std::printf("%zu contacts, the plain call found the same in %zu of 100 steps\n", found, agreed);
-  std::printf("asked of the surface: %.1f of 20000 grains a step\n", double(detector.effort().points_asked) / 100);
+  std::printf("tested against the surface: %.1f of 20000 grains a step\n", double(detector.effort().points_tested) / 100);
   std::printf("momentum the grains lost less what the slab gained: %.1e of what was exchanged\n", norm(momentum_of_grains - slab.momentum()) / exchanged);
   return agreed == 100 ? 0 : 1;
 } catch (const std::exception& error) {

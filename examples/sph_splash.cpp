@@ -169,18 +169,18 @@ int main(int argc, char** argv) try {
     }
     const Motion motion = hull.advance(dt);
     const std::vector<Contact> contacts = detector.detect(motion, before, water.x);
-    const ContactSum tally = respond(contacts, motion, hull, {.x_t0 = before, .x_t1 = water.x, .velocity = water.v, .mass = water.mass});
+    const ContactSum sum = respond(contacts, motion, hull, {.x_t0 = before, .x_t1 = water.x, .velocity = water.v, .mass = water.mass});
 
     contacts_found += contacts.size();
-    impulse += tally.impulse.z;
-    largest_force = std::max(largest_force, -tally.impulse.z / dt);
+    impulse += sum.impulse.z;
+    largest_force = std::max(largest_force, -sum.impulse.z / dt);
     largest_error = std::max(largest_error, std::fabs(water.momentum_z() + impulse - momentum_before + weight * dt * (step + 1)));
     ever_inside += static_cast<std::size_t>(std::ranges::count_if(water.x, is_in_hull));
   }
   write_frame(water, frames);
 
   std::printf("%zu particles, %d steps, %zu contacts; queries of the hull: %.1f particles per step\n", water.x.size(), steps, contacts_found,
-              double(detector.swept().effort().points_asked) / steps);
+              double(detector.swept().effort().points_tested) / steps);
   std::printf("particles ever inside the hull: %zu\n", ever_inside);
   std::printf("vertical impulse on the hull: %.4f N s; largest force %.0f N, the water weighs %.0f N\n", impulse, largest_force, weight);
   std::printf("momentum of the water + impulse on the hull - impulse of gravity: %.1e of the momentum at most\n", largest_error / std::fabs(momentum_before));

@@ -38,8 +38,8 @@ struct Arguments {
 /// Measured cost, for all particles of the sheet.
 struct Cost {
   double seconds_per_step = 0;
-  double asked = 0, contacts = 0;  ///< per step
-  std::size_t timed = 0;           ///< particles actually timed
+  double tested = 0, contacts = 0;  ///< per step
+  std::size_t timed = 0;            ///< particles actually timed
 };
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -54,11 +54,11 @@ Cost swept(Sheet& sheet, const std::shared_ptr<const Surface>& surface, long war
   Swept detector(surface, bounding_box(*surface), 0.5 * sheet.spacing());
   std::vector<Contact> contacts;
   Cost cost{.timed = sheet.size()};
-  std::size_t asked = 0;
+  std::size_t tested = 0;
   for (long k = 0; k < warm_up + steps; ++k) {
     sheet.advance();
     contacts.clear();
-    if (k == warm_up) asked = detector.effort().points_asked;
+    if (k == warm_up) tested = detector.effort().points_tested;
     const double begin = seconds();
     detector.detect(sheet, benchmark::motion(sheet, k), sheet.step_length(), contacts);
     const double took = seconds() - begin;
@@ -67,7 +67,7 @@ Cost swept(Sheet& sheet, const std::shared_ptr<const Surface>& surface, long war
     cost.seconds_per_step += took / static_cast<double>(steps);
     cost.contacts += static_cast<double>(contacts.size()) / static_cast<double>(steps);
   }
-  cost.asked = static_cast<double>(detector.effort().points_asked - asked) / static_cast<double>(steps);
+  cost.tested = static_cast<double>(detector.effort().points_tested - tested) / static_cast<double>(steps);
   return cost;
 }
 
@@ -87,14 +87,14 @@ Cost box_then_bvh(Sheet& sheet, const std::shared_ptr<const Surface>& surface, l
     const BodyView view(motion, test.size());
     for (std::size_t i = 0; i < sheet.size(); ++i) {
       const CurvedPath path = view.path(sheet.position_t0(i), sheet.position_t1(i));
-      const PathAnswer answer = test.ask({.path = path, .radius = test.radius(), .offset = 1e-12}, guess[i], effort);
-      if (answer.touch) contacts.push_back({.point = i, .relocation = motion.t1.to_world(answer.touch->relocation)});
+      const PathResult result = test.evaluate({.path = path, .radius = test.radius(), .offset = 1e-12}, guess[i], effort);
+      if (result.contact) contacts.push_back({.point = i, .relocation = motion.t1.to_world(result.contact->relocation)});
     }
     cost.seconds_per_step += (seconds() - begin) / steps;
     cost.contacts += static_cast<double>(contacts.size()) / steps;
     sheet.relocate(contacts);
   }
-  cost.asked = static_cast<double>(effort.points_asked) / steps;
+  cost.tested = static_cast<double>(effort.points_tested) / steps;
   return cost;
 }
 
@@ -164,19 +164,19 @@ int main(int argc, char** argv) {
 
   const std::size_t particles = sheet.size();
   const double spacing = sheet.spacing();
-  fmt::print("method,scene,particles,panels,spacing,ns/particle/step,us/step,asked/step,contacts/step,timed_particles\n");
+  fmt::print("method,scene,particles,panels,spacing,ns/particle/step,us/step,tested/step,contacts/step,timed_particles\n");
   const auto row = [&](const char* method, const Cost& cost) {
     fmt::print("{},{},{},{},{:.6g},{:.4g},{:.4g},{:.1f},{:.1f},{}\n", method, arguments.scene, particles, surface->report().triangles, spacing,
-               1e9 * cost.seconds_per_step / static_cast<double>(particles), 1e6 * cost.seconds_per_step, cost.asked, cost.contacts, cost.timed);
+               1e9 * cost.seconds_per_step / static_cast<double>(particles), 1e6 * cost.seconds_per_step, cost.tested, cost.contacts, cost.timed);
   };
   row("swept", swept(sheet, surface, arguments.warm_up, arguments.steps));
   if (arguments.swept_alone) return 0;
   const long now = arguments.warm_up + arguments.steps;
   row("box then bvh", box_then_bvh(sheet, surface, now));
   const Sample sample = all_panels(sheet, surface, now + 3);
-  const auto counted = [&](std::size_t asked) {
-    const auto count = static_cast<double>(asked);
-    return Cost{.seconds_per_step = sample.seconds * count, .asked = count, .contacts = sample.contacts, .timed = sample.timed};
+  const auto counted = [&](std::size_t tested) {
+    const auto count = static_cast<double>(tested);
+    return Cost{.seconds_per_step = sample.seconds * count, .tested = count, .contacts = sample.contacts, .timed = sample.timed};
   };
   row("box then all panels", counted(sample.inside));
   row("all panels", counted(particles));

@@ -61,8 +61,8 @@ class Ours {
   explicit Ours(const fccda::Surface& surface) : bvh_(surface) {}
   double distance(const Query& q) { return bvh_.closest(q.point)->distance; }
   bool meets(const Query& q) {
-    std::size_t asked = 0;
-    return bvh_.first_hit(q.point, q.end, asked).has_value();
+    std::size_t tested = 0;
+    return bvh_.first_hit(q.point, q.end, tested).has_value();
   }
 
  private:

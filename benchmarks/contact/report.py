@@ -78,15 +78,15 @@ def sections():
         lines += [f"### {machine}", ""]
         if own["cost"]:
             lines += ["Nanoseconds a particle of the body and step, one core. \\*: 10 000 particles timed, counted for all.", "", *cost_table(own["cost"])]
-            heads = ["scene", "particles", "panels", "ns", "asked a step", "contacts a step"]
+            heads = ["scene", "particles", "panels", "ns", "tested a step", "contacts a step"]
             big = [row for row in own["cost"] if row["panels"] == "200000"]
-            lines += table(heads, [[row[c] for c in ("scene", "particles", "panels", "ns/particle/step", "asked/step", "contacts/step")] for row in big])
+            lines += table(heads, [[row[c] for c in ("scene", "particles", "panels", "ns/particle/step", "tested/step", "contacts/step")] for row in big])
         if own["queries"]:
             heads = ["library", "query", "panels", "ns a query", "times ours", "differs"]
             lines += table(heads, [[row[c] for c in ("library", "query", "panels", "ns/query", "times_ours", "differs")] for row in own["queries"]])
         if own["share"]:
-            heads = ["impactor", "search", "elements", "touching", "contact [ms]", "rest of the step [ms]", "share"]
-            rows = [[*(row[c] for c in ("impactor", "search", "impactor_elements", "touching", "contact_ms", "rest_ms")), f"{float(row['share']):.2%}"] for row in own["share"]]
+            heads = ["impactor", "search", "elements", "contacts", "contact [ms]", "rest of the step [ms]", "share"]
+            rows = [[*(row[c] for c in ("impactor", "search", "impactor_elements", "contacts", "contact_ms", "rest_ms")), f"{float(row['share']):.2%}"] for row in own["share"]]
             lines += table(heads, rows)
     return "\n".join(lines)
 

@@ -191,9 +191,9 @@ int main(int argc, char** argv) {
     const std::vector<Vec3d> impactor = filled(simulation.impactors().front(), spacing);
     std::vector<Vec3d> force(particles.size());
 
-    fmt::print("impactor,search,particles,impactor_elements,touching,contact_ms,rest_ms,share\n");
-    const auto row = [&](const char* made_of, const char* search, std::size_t elements, std::size_t touching, double taken) {
-      fmt::print("{},{},{},{},{},{:.4g},{:.4g},{:.4g}\n", made_of, search, particles.size(), elements, touching, 1e3 * taken, 1e3 * rest,
+    fmt::print("impactor,search,particles,impactor_elements,contacts,contact_ms,rest_ms,share\n");
+    const auto row = [&](const char* made_of, const char* search, std::size_t elements, std::size_t contacts, double taken) {
+      fmt::print("{},{},{},{},{},{:.4g},{:.4g},{:.4g}\n", made_of, search, particles.size(), elements, contacts, 1e3 * taken, 1e3 * rest,
                  taken / (taken + rest));
     };
     row("mesh", "swept", simulation.impactors().front().surface().triangles().size(), simulation.contacts(), contact);

@@ -83,7 +83,7 @@ void loosen(Simulation& simulation, double share) {
 
 struct Times {
   double forces, fragments;  // [s] per step
-  double lists, touching;    // per step
+  double lists, contacts;    // per step
 };
 
 Times measured_once(double share, bool touches, const Arguments& arguments) {
@@ -93,14 +93,14 @@ Times measured_once(double share, bool touches, const Arguments& arguments) {
   const fccda::Timers before = simulation.timers();
   const auto made = [&] { return touches ? static_cast<double>(simulation.fragments()->near_pairs().times_made()) : 0; };
   const double first = made();
-  double touching = 0;
+  double contacts = 0;
   for (int step = 0; step < arguments.steps; ++step) {
     simulation.step();
-    if (touches) touching += static_cast<double>(simulation.fragments()->touching());
+    if (touches) contacts += static_cast<double>(simulation.fragments()->contacts());
   }
   const fccda::Timers& after = simulation.timers();
   const auto of_step = [&](std::string_view name) { return (after.seconds(name) - before.seconds(name)) / arguments.steps; };
-  return {of_step("forces"), of_step("fragments"), (made() - first) / arguments.steps, touching / arguments.steps};
+  return {of_step("forces"), of_step("fragments"), (made() - first) / arguments.steps, contacts / arguments.steps};
 }
 
 /// The minimum of the rounds, since other load on the machine only adds time.
@@ -126,11 +126,11 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   fccda::use_threads(arguments.threads);
   const double whole = measure(0, false, arguments).forces;
-  fmt::print("loose,threads,steps,bonds [ms/step],fragments [ms/step],fragments/bonds of the whole plate,lists/step,touching pairs\n");
+  fmt::print("loose,threads,steps,bonds [ms/step],fragments [ms/step],fragments/bonds of the whole plate,lists/step,contacts pairs\n");
   for (const double share : {0.0, 0.05, 0.25, 1.0}) {
     const Times times = measure(share, true, arguments);
     fmt::print("{},{},{},{:.4g},{:.4g},{:.3g},{:.3g},{:.0f}\n", share, arguments.threads, arguments.steps, 1e3 * times.forces, 1e3 * times.fragments,
-               times.fragments / whole, times.lists, times.touching);
+               times.fragments / whole, times.lists, times.contacts);
   }
   return 0;
 }

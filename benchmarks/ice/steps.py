@@ -8,7 +8,6 @@ Results are those of the fastest round, from the timers of run.json; the final s
 """
 
 import argparse
-import csv
 import json
 import subprocess
 import sys
@@ -17,7 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks/plate"))
-from programs import machine, results_file  # noqa: E402
+from programs import machine, write_results  # noqa: E402
 
 CASES = {  # deck, and simulated time
     "ship": ("ship_ice/deck.yaml", "time.end=0.5 s"),
@@ -67,12 +66,7 @@ def main():
         if given.before:
             rows.append(row(case, "before", others))
         rows.append(row(case, "perimpact", own, others))
-    with open(results_file("ice"), "w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    for line in ([*rows[0]], ["---"] * len(rows[0]), *(list(r.values()) for r in rows)):
-        print("| " + " | ".join(str(cell) for cell in line[1:]) + " |")
+    write_results("ice", rows)
 
 
 if __name__ == "__main__":

@@ -105,3 +105,13 @@ def machine():
 def results_file(kind):
     """The file for results of this kind on this machine."""
     return FOLDER.parent / "results" / f"{kind}_{re.sub('[^a-z0-9]+', '_', machine().lower()).strip('_')}.csv"
+
+
+def write_results(kind, rows):
+    """Writes the rows (dictionaries with the same keys, the first of them the machine) to results_file, and prints them as a table without the machine."""
+    with open(results_file(kind), "w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    for line in ([*rows[0]], ["---"] * len(rows[0]), *(list(row.values()) for row in rows)):
+        print("| " + " | ".join(str(cell) for cell in line[1:]) + " |")

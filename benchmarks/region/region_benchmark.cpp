@@ -66,11 +66,11 @@ void measure(const std::string& name, const Panels& panels) {
   const std::vector<Path> near = paths_in(bounds, length), all = paths_in({bounds.centre() - bounds.size(), bounds.centre() + bounds.size()}, length);
   std::size_t sink = 0;
   int guess = -1;
-  std::size_t asked = 0;
+  std::size_t tested = 0;
   const double look = nanoseconds_each(near.size(), [&](std::size_t i) {
-    if (const std::optional<ClosestPoint> closest = bvh.closest(near[i].end, 64 * length, guess, asked)) guess = closest->triangle;
+    if (const std::optional<ClosestPoint> closest = bvh.closest(near[i].end, 64 * length, guess, tested)) guess = closest->triangle;
   });
-  sink += asked;
+  sink += tested;
 
   std::vector<std::pair<std::string, ContactBounds>> regions;
   for (const int most : {1, 4, 8, 16, 32}) {
@@ -85,9 +85,9 @@ void measure(const std::string& name, const Panels& panels) {
     std::visit(
         [&](const auto& its) {
           std::size_t kept = 0;
-          for (const Path& path : near) kept += its.may_touch(path, length) ? 1 : 0;
-          const double here = nanoseconds_each(near.size(), [&](std::size_t i) { sink += its.may_touch(near[i], length) ? 1 : 0; });
-          const double everywhere = nanoseconds_each(all.size(), [&](std::size_t i) { sink += its.may_touch(all[i], length) ? 1 : 0; });
+          for (const Path& path : near) kept += its.may_contact(path, length) ? 1 : 0;
+          const double here = nanoseconds_each(near.size(), [&](std::size_t i) { sink += its.may_contact(near[i], length) ? 1 : 0; });
+          const double everywhere = nanoseconds_each(all.size(), [&](std::size_t i) { sink += its.may_contact(all[i], length) ? 1 : 0; });
           const double distance = nanoseconds_each(near.size(), [&](std::size_t i) { sink += its.distance_at_least(near[i].end) > 0 ? 1 : 0; });
           fmt::print("{},{},{},{:.3f},{:.3f},{:.1f},{:.1f},{:.1f},{:.0f}\n", name, surface.triangles().size(), kind, its.volume() / volume_of(bounds),
                      1 - static_cast<double>(kept) / static_cast<double>(near.size()), here, everywhere, distance, look);
@@ -101,7 +101,7 @@ void measure(const std::string& name, const Panels& panels) {
 
 int main() {
   fmt::print(
-      "surface,triangles,region,share of the bounding box,rejected in it,may_touch in it [ns],may_touch around it [ns],distance [ns],look at the surface "
+      "surface,triangles,region,share of the bounding box,rejected in it,may_contact in it [ns],may_contact around it [ns],distance [ns],query of the surface "
       "[ns]\n");
   measure("hull", hull());
   measure("propeller", fixtures::propeller({.edge_length = 0.01}));

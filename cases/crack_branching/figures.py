@@ -31,14 +31,14 @@ def main():
         axis.set_title(f"{1e6 * time:.0f} µs", loc="left", fontsize=11)
     split = 1e3 * found["branches at [m]"]
     last = axes.flat[-1]
-    said = f"branches {split:.1f} mm\npast the notch, at {1e6 * found['branches [s]']:.1f} µs"
-    last.annotate(said, (split, 0), (-22, 11), fontsize=9.5, ha="center", va="center", arrowprops={"arrowstyle": "-", "lw": 0.7})
+    label = f"branches {split:.1f} mm\npast the notch, at {1e6 * found['branches [s]']:.1f} µs"
+    last.annotate(label, (split, 0), (-22, 11), fontsize=9.5, ha="center", va="center", arrowprops={"arrowstyle": "-", "lw": 0.7})
     for axis in axes[1]:
         axis.set_xlabel("x [mm]")
     for axis in axes[:, 0]:
         axis.set_ylabel("y [mm]")
     figure.colorbar(map_, ax=axes, label="damage: share of the bonds that are broken", shrink=0.85)
-    figure.suptitle("A crack in glass under a sudden tension of 12 MPa", fontsize=12.5)
+    figure.suptitle("Crack branching in glass under a suddenly applied tension of 12 MPa", fontsize=12.5)
     (CASE / "figures").mkdir(exist_ok=True)
     figure.savefig(CASE / "figures/crack_branching.png", dpi=100)
 

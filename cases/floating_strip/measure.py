@@ -14,7 +14,7 @@ import numpy as np
 from theory import Elements, Strip
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts/pictures"))
-from vtp_reader import read_vtp  # noqa: E402
+from vtp_reader import read_vtp, series  # noqa: E402
 
 CUT = 0.3  # damage of a particle at a crack: a plane through the lattice cuts 0.4 of the bonds of adjacent particles
 
@@ -25,7 +25,7 @@ class Run:
     def __init__(self, folder):
         self.folder = Path(folder)
         self.report = json.loads((self.folder / "run.json").read_text())
-        self.pictures = sorted((self.folder / "frames").glob("ice_*.vtp"))
+        self.pictures = [file for _, file in series(self.folder, "ice")]
         places = read_vtp(self.pictures[0]).points.astype(float)
         body = self.report["setup"]["bodies"]["ice"]
         self.spacing, self.length = body["spacing"], body["shape"]["box"]["size"][0]

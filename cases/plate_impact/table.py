@@ -127,7 +127,7 @@ def detection_table(results):
     lines = ["| detector | particles in the region | particles asked | pairs of particle and panel |", "|---|---|---|---|"]
     for name, called in DETECTION.items():
         effort = json.loads((results / name / "run.json").read_text())["impactors"]["cylinder"]["detection"]["plate"]
-        counts = [effort[key] for key in ("points_in_bounds", "points_asked", "panels_asked")]
+        counts = [effort[key] for key in ("points_in_bounds", "points_tested", "panels_tested")]
         lines.append(f"| {called} | " + " | ".join(f"{count:,}".replace(",", " ") for count in counts) + " |")
     return lines
 

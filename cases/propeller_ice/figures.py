@@ -7,6 +7,7 @@ fig21      panels of the propeller, and the contact bounds (figure 21 of the pap
 fig22      the sphere at four times, from ahead and from the side (figure 22)
 forces     thrust, torque and spindle torques against time, means over a millisecond
 fragments  the fragments at the end for four critical stretches
+crushed    thrust on ice that is crushed and on ice that fails in tension only, and the fragments of both at the end
 """
 
 import sys
@@ -21,9 +22,9 @@ from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
 from measure import BLADES, CASE, WINDOW, history, mean_over, pictures, report  # noqa: E402
 from render import Scene  # noqa: E402
 
-SAND, LINE, REGION = np.array([0.84, 0.74, 0.52]), (0.45, 0.38, 0.24), "#2a6fb0"
+SAND, LINE, BOUNDS = np.array([0.84, 0.74, 0.52]), (0.45, 0.38, 0.24), "#2a6fb0"
 DAMAGE = LinearSegmentedColormap.from_list("damage", ["#dbe9f4", "#8fb8d8", "#e8a15a", "#b3312c"])
-PIECES = ["#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#ee8866", "#77aadd", "#44bb99", "#bbcc33"]
+COLOURS = ["#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#ee8866", "#77aadd", "#44bb99", "#bbcc33"]
 AHEAD, SIDE = {"direction": (0.85, -0.25, -0.45), "up": (0, 0, 1)}, {"direction": (0.05, -1, -0.12), "up": (0, 0, 1)}
 INSTANTS = 0.0, 0.0075, 0.015, 0.040  # [s]
 BALL = 0.027  # [m] a little more than half a spacing
@@ -56,7 +57,7 @@ def save(figure, name):
 
 def fig21(folder):
     _, screw = at(folder, "propeller", 0)
-    region = report(folder)["impactors"]["propeller"]["contact_bounds"]
+    bounds = report(folder)["impactors"]["propeller"]["contact_bounds"]
     figure, axes = plt.subplots(1, 2, figsize=(10.4, 5.2))
     view = {"direction": (0.75, -0.5, 0.35), "up": (0, 0, 1)}
     for axis, title in zip(axes, ("11 704 panels, finer along edges and tips", "contact bounds: cylinder with four sectors, fitted")):
@@ -72,17 +73,17 @@ def fig21(folder):
         angle = np.linspace(low, high, 90)
         return np.column_stack([np.full(90, x), radius * np.cos(angle), radius * np.sin(angle)])
 
-    axis, half, outer, hub = axes[1], region["length [m]"] / 2, region["radius [m]"], region["hub_radius [m]"]
+    axis, half, outer, hub = axes[1], bounds["length [m]"] / 2, bounds["radius [m]"], bounds["hub_radius [m]"]
     for x in (-half, half):
-        ends = region["start_angle [rad]"] + 2 * np.pi / region["blades"] * np.arange(region["blades"])
+        ends = bounds["start_angle [rad]"] + 2 * np.pi / bounds["blades"] * np.arange(bounds["blades"])
         for start in ends:
-            stop = start + region["sector_angle [rad]"]
-            outline = np.concatenate([ring(x, outer, start, stop), ring(x, hub, stop, stop + 2 * np.pi / region["blades"] - region["sector_angle [rad]"])])
-            axis.plot(*page(outline), color=REGION, lw=1.8 if x > 0 else 0.9)
-            axis.plot(*page(np.stack([outline[89], outline[90]])), color=REGION, lw=1.8 if x > 0 else 0.9)
+            stop = start + bounds["sector_angle [rad]"]
+            outline = np.concatenate([ring(x, outer, start, stop), ring(x, hub, stop, stop + 2 * np.pi / bounds["blades"] - bounds["sector_angle [rad]"])])
+            axis.plot(*page(outline), color=BOUNDS, lw=1.8 if x > 0 else 0.9)
+            axis.plot(*page(np.stack([outline[89], outline[90]])), color=BOUNDS, lw=1.8 if x > 0 else 0.9)
     for start in ends:
-        for angle, radius in ((start, outer), (start, hub), (start + region["sector_angle [rad]"], outer), (start + region["sector_angle [rad]"], hub)):
-            axis.plot(*page([[x, radius * np.cos(angle), radius * np.sin(angle)] for x in (-half, half)]), color=REGION, lw=0.9)
+        for angle, radius in ((start, outer), (start, hub), (start + bounds["sector_angle [rad]"], outer), (start + bounds["sector_angle [rad]"], hub)):
+            axis.plot(*page([[x, radius * np.cos(angle), radius * np.sin(angle)] for x in (-half, half)]), color=BOUNDS, lw=0.9)
     figure.subplots_adjust(left=0.005, right=0.995, top=0.93, bottom=0.005, wspace=0.01)
     save(figure, "fig21")
 
@@ -129,25 +130,49 @@ def forces(folder):
     save(figure, "forces")
 
 
+def coloured(ice, screw):
+    """Fragments above 1 % in colours, smaller ones grey; the picture, and how many they are."""
+    fragment = ice.point["fragment"]
+    size = np.bincount(fragment)
+    largest = [number for number in np.argsort(-size) if size[number] > 0.01 * len(fragment)]
+    colours = np.tile([0.62, 0.62, 0.62], (len(fragment), 1))
+    for number, colour in zip(largest, COLOURS * 10):
+        colours[fragment == number] = to_rgb(colour)
+    picture = scene(AHEAD, 270, 290, 88, (0.3, 0, -0.85))
+    picture.add_shells(shells(screw), SAND)
+    picture.add_balls(ice.points, BALL, colours)
+    return picture.picture(2), f"{len(largest)} fragment{'s' if len(largest) != 1 else ''} above 1 %"
+
+
 def fragments(results):
     figure, axes = plt.subplots(1, 4, figsize=(11, 3.5))
     for axis, stretch in zip(axes, ("0.032", "0.01", "0.003", "0.001")):
         folder = results / ("deck" if stretch == "0.003" else f"stretch_{stretch}")
-        time, ice = at(folder, "ice", 1)
+        _, ice = at(folder, "ice", 1)
         _, screw = at(folder, "propeller", 1)
-        fragment = ice.point["fragment"]
-        size = np.bincount(fragment)
-        largest = [number for number in np.argsort(-size) if size[number] > 0.01 * len(fragment)]
-        colours = np.tile([0.62, 0.62, 0.62], (len(fragment), 1))
-        for number, colour in zip(largest, PIECES * 10):
-            colours[fragment == number] = to_rgb(colour)
-        picture = scene(AHEAD, 270, 290, 88, (0.3, 0, -0.85))
-        picture.add_shells(shells(screw), SAND)
-        picture.add_balls(ice.points, BALL, colours)
-        found = f"{len(largest)} fragment{'s' if len(largest) != 1 else ''} above 1 %"
-        show(axis, picture.picture(2), f"critical stretch {stretch}\n{found}")
+        picture, found = coloured(ice, screw)
+        show(axis, picture, f"critical stretch {stretch}\n{found}")
     figure.subplots_adjust(left=0.005, right=0.995, top=0.86, bottom=0.005, wspace=0.02)
     save(figure, "fragments")
+
+
+def crushed(results):
+    figure, axes = plt.subplots(1, 3, figsize=(11, 3.6), width_ratios=(1.5, 1, 1))
+    runs = (("stretch_3.2e-4", "tension only", "#e8a15a"), ("stretch_3.2e-4_fine", "tension only, 40 across", "#b3312c"),
+            ("crushed", "crushed", "#8fb8d8"), ("crushed_fine", "crushed, 40 across", "#12355b"))  # fmt: skip
+    for name, label, colour in runs:
+        column = history(results / name)
+        times = column["time [s]"]
+        impulses = column["propeller.shaft.force_x [N]"] * np.diff(times, prepend=0)
+        axes[0].plot(1e3 * times, mean_over(times, impulses, WINDOW) / 1e6, color=colour, label=label)
+    axes[0].set(xlabel="time [ms]", ylabel="thrust, mean over 1 ms [MN]", xlim=(4, 19))
+    axes[0].grid(alpha=0.25)
+    axes[0].legend(frameon=False, fontsize=9)
+    for axis, (name, label) in zip(axes[1:], (("stretch_3.2e-4", "tension only"), ("crushed", "crushed"))):
+        picture, found = coloured(at(results / name, "ice", 1)[1], at(results / name, "propeller", 1)[1])
+        show(axis, picture, f"{label}, at the end\n{found}")
+    figure.subplots_adjust(left=0.06, right=0.995, top=0.86, bottom=0.14, wspace=0.03)
+    save(figure, "crushed")
 
 
 def main():
@@ -156,6 +181,7 @@ def main():
     forces(results / "deck")
     fig22(results / "deck")
     fragments(results)
+    crushed(results)
 
 
 if __name__ == "__main__":

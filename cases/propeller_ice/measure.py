@@ -11,19 +11,19 @@ inside           particles inside, over all frames, by winding number: along a r
                  smallest distance of any particle from any triangle. Independent of the program: only the positions of particles and
                  panels are read from the frames.
 drift            largest change of the total linear momentum over the initial momentum of the ice (for a free propeller)
+energy           largest energy balance error, and plastic dissipation, both over the initial kinetic energy of the ice
 """
 
 import csv
 import json
 import sys
-import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import numpy as np
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
-from vtp_reader import read_vtp  # noqa: E402
+from vtp_reader import pictures  # noqa: E402
 
 WINDOW = 1e-3  # [s] of the peaks
 BLADES = 1, 2, 3, 4
@@ -38,11 +38,6 @@ def history(folder):
     with open(Path(folder) / "history.csv", newline="") as file:
         names, *rows = csv.reader(file)
     return dict(zip(names, np.array(rows, float).T))
-
-
-def pictures(folder, name):
-    for entry in xml.parse(Path(folder) / f"frames/{name}.pvd").getroot().iter("DataSet"):
-        yield float(entry.get("timestep")), read_vtp(Path(folder) / "frames" / entry.get("file"))
 
 
 # ---- forces
@@ -60,15 +55,15 @@ def forces(column):
     steps = np.diff(times, prepend=0)
     thrust = column["propeller.shaft.force_x [N]"] * steps
     passed = np.cumsum(thrust) / thrust.sum()
-    struck = np.diff(np.interp([0.05, 0.95], passed, times))[0]
-    found = {"thrust: impulse [N s]": thrust.sum(), "thrust: duration [s]": struck}
+    duration = np.diff(np.interp([0.05, 0.95], passed, times))[0]
+    found = {"thrust: impulse [N s]": thrust.sum(), "thrust: duration [s]": duration}
     named = {"thrust": "shaft.force_x [N]", "torque": "shaft.torque [N m]"}
     named |= {f"spindle torque {blade}": f"blade_{blade}.torque [N m]" for blade in BLADES}
     for name, what in named.items():
         means = mean_over(times, column[f"propeller.{what}"] * steps, WINDOW)
         found[f"{name}: peak {what[what.index('['):]}"] = means[np.argmax(np.abs(means))]
         if name in ("thrust", "torque"):
-            found[f"{name}: mean {what[what.index('['):]}"] = 0.9 * (column[f"propeller.{what}"] * steps).sum() / struck
+            found[f"{name}: mean {what[what.index('['):]}"] = 0.9 * (column[f"propeller.{what}"] * steps).sum() / duration
     return found
 
 
@@ -77,22 +72,22 @@ def forces(column):
 
 def fragments(folder, run):
     body = run["bodies"]["ice"]
-    whole, fragments = body["mass [kg]"], body["fragments"]
+    mass, fragments = body["mass [kg]"], body["fragments"]
     with open(Path(folder) / "fragments/ice_end.csv", newline="") as file:
-        masses = [float(row["mass [kg]"]) / whole for row in csv.DictReader(file)]
+        shares = [float(row["mass [kg]"]) / mass for row in csv.DictReader(file)]
     return {
         "fragments above 1 % of the mass [-]": fragments["above_1_percent"],
-        "largest fragment [-]": fragments["largest [kg]"] / whole,
-        "second [-]": fragments["second_largest [kg]"] / whole,
-        "in fragments below 1 % [-]": 1 - sum(mass for mass in masses if mass > 0.01),
+        "largest fragment [-]": fragments["largest [kg]"] / mass,
+        "second [-]": fragments["second_largest [kg]"] / mass,
+        "in fragments below 1 % [-]": 1 - sum(share for share in shares if share > 0.01),
         "broken bonds [-]": 1 - body["intact_bonds"] / body["bonds"],
     }
 
 
-# ---- inside
+# ---- particles inside
 
 
-def turned_back(points, origin, here):
+def rotated_back(points, origin, here):
     """`points` moved as the rigid motion that takes the vertices `here` to `origin` (Kabsch, Acta Cryst. A 32 (1976) 922)."""
     a, b = here.mean(axis=0), origin.mean(axis=0)
     u, _, v = np.linalg.svd((here - a).T @ (origin - b))
@@ -126,11 +121,11 @@ def windings(folder, reach=0.03):
         if origin is None:
             origin, panels = vertices, np.array(screw.panels)
             low, high = origin.min(axis=0) - reach, origin.max(axis=0) + reach
-        here = turned_back(ice.points.astype(float), origin, vertices)
+        here = rotated_back(ice.points.astype(float), origin, vertices)
         near.append(here[((here > low) & (here < high)).all(axis=1)])
     points = np.concatenate(near)
     points = points[np.argsort(points[:, 1])]
-    wound, smallest = np.zeros(len(points), int), np.inf
+    winding, smallest = np.zeros(len(points), int), np.inf
     for corners in origin[panels]:
         below, above = corners.min(axis=0) - reach, corners.max(axis=0) + reach
         first, last = np.searchsorted(points[:, 1], [below[1], above[1]])
@@ -142,19 +137,27 @@ def windings(folder, reach=0.03):
             s = (p[:, 1] * e2[2] - p[:, 2] * e2[1]) / projected
             t = (e1[1] * p[:, 2] - e1[2] * p[:, 1]) / projected
             ahead = (s >= 0) & (t >= 0) & (s + t < 1) & (s * e1[0] + t * e2[0] > p[:, 0])
-            wound[some[ahead]] += int(np.sign(projected))
+            winding[some[ahead]] += int(np.sign(projected))
         close = some[(points[some, 0] > below[0]) & (points[some, 0] < above[0])]
         if len(close):
             smallest = min(smallest, distances(points[close], corners[0], e1, e2).min())
-    return wound, smallest
+    return winding, smallest
 
 
 def inside(folder):
-    wound, smallest = windings(folder)
-    return {"looked at near the propeller [-]": len(wound), "inside [-]": int((wound != 0).sum()), "nearest [m]": smallest}
+    winding, smallest = windings(folder)
+    return {"positions near the propeller [-]": len(winding), "inside [-]": int((winding != 0).sum()), "nearest [m]": smallest}
 
 
 # ---- the rest
+
+
+def energy(column):
+    kinetic = column["ice.kinetic_energy [J]"][0]
+    found = {"energy balance error [-]": np.abs(column["total.energy_balance_error [J]"]).max() / kinetic}
+    if "ice.plastic_dissipation [J]" in column:
+        found["plastic dissipation [-]"] = column["ice.plastic_dissipation [J]"][-1] / kinetic
+    return found
 
 
 def momentum(column):
@@ -165,10 +168,10 @@ def momentum(column):
 def cost(run):
     detection = run["impactors"]["propeller"]["detection"]["ice"]
     return {
-        "region": run["impactors"]["propeller"]["contact_bounds"]["kind"],
-        "points in region [-]": detection["points_in_bounds"],
-        "points asked [-]": detection["points_asked"],
-        "panels asked [-]": detection["panels_asked"],
+        "contact bounds": run["impactors"]["propeller"]["contact_bounds"]["kind"],
+        "points in the bounds [-]": detection["points_in_bounds"],
+        "points tested [-]": detection["points_tested"],
+        "panels tested [-]": detection["panels_tested"],
         "contact [s]": run["timers [s]"]["contact"],
         "state": run["state_hash"],
     }
@@ -176,8 +179,8 @@ def cost(run):
 
 def measure(folder):
     run, column = report(folder), history(folder)
-    found = forces(column) | fragments(folder, run) | inside(folder)
-    if len(run["setup"]["impactors"]["propeller"]["free"]) == 6:
+    found = forces(column) | fragments(folder, run) | energy(column) | inside(folder)
+    if len(run["setup"]["impactors"]["propeller"]["free_dofs"]) == 6:
         ice = run["bodies"]["ice"]["mass [kg]"] * np.linalg.norm(run["setup"]["bodies"]["ice"]["velocity"])
         found["drift [-]"] = momentum(column) / ice
     return found | cost(run)

@@ -1,22 +1,11 @@
 #!/usr/bin/env bash
-# Runs and measures all variants in the tables of README.md: cases/propeller_ice/variants.sh [RESULTS [PERIMPACT]]
-# RESULTS: folder of the results (default: results/propeller_ice); finished variants there are reused.
-# PERIMPACT: the program (default: build/release/perimpact, as run.sh builds it). Each takes 5 to 10 s on one core.
+# Runs and measures all variants in the tables of README.md: cases/propeller_ice/variants.sh [RESULTS [PERIMPACT]], as
+# scripts/variants.bash describes. Each takes 5 to 10 s on one core, those of half the spacing some minutes.
 set -euo pipefail
-case=$(cd "$(dirname "$0")" && pwd)
-results=${1:-results/propeller_ice}
-perimpact=${2:-$case/../../build/release/perimpact}
+source "$(dirname "$0")/../../scripts/variants.bash"
 
-# variant NAME [key=value ...]: results in $results/NAME
-variant() {
-  local folder="$results/$1" settings=() setting
-  for setting in "${@:2}"; do settings+=(--set "$setting"); done
-  grep -qs '"outcome": "finished"' "$folder/run.json" || nice "$perimpact" run "$case/deck.yaml" --threads 1 --out "$folder" --force "${settings[@]}"
-  folders+=("$folder")
-}
 stretch=bodies.ice.material.critical_stretch failure=bodies.ice.failure surface=impactors.propeller.surface.propeller
-region=impactors.propeller.contact_bounds
-folders=()
+bounds=impactors.propeller.contact_bounds
 
 variant deck
 
@@ -26,6 +15,15 @@ for value in 0.032 0.01 0.003 0.001; do
   variant "stretch_${value}_limit" $stretch=$value $failure.compression=limit $failure.critical_compression="$(awk "BEGIN {print 3 * $value}")"
   variant "stretch_${value}_symmetric" $stretch=$value $failure.compression=symmetric
 done
+
+# Ice that is crushed (the constants of cases/ice_specimens/crushed.yaml), beside the same critical stretch in tension only; half the step, half the spacing
+plasticity="{compressive_strength: 2.3 MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}"
+weak=($stretch=3.2e-4) crushed=($stretch=3.2e-4 bodies.ice.material.plasticity="$plasticity")
+variant stretch_3.2e-4 "${weak[@]}"
+variant crushed "${crushed[@]}"
+variant crushed_half_step "${crushed[@]}" time.step=9.5e-6
+variant stretch_3.2e-4_fine "${weak[@]}" bodies.ice.spacing=0.025
+variant crushed_fine "${crushed[@]}" bodies.ice.spacing=0.025 time.end="19.3 ms"
 
 # Position of the sphere around the shaft, panel size, no fragment contact
 variant turned_30 bodies.ice.position="[0.80, 0.721, -1.24881]"
@@ -38,10 +36,8 @@ variant no_fragments contact.fragments="{law: none}"
 variant free impactors.propeller.free_dofs="[x, y, z, rx, ry, rz]"
 
 # Contact bounds
-variant region_none $region=null
-variant region_box $region="{box: {size: [1.236, 4.12, 4.12]}}"
-variant region_cylinder $region.cylinder_sectors.sector_angle="180 deg"
-variant region_box_union $region="{box_union: {}}"
-variant region_auto $region="{auto: {}}"
-
-/usr/bin/python3 "$case/measure.py" "${folders[@]}"
+variant bounds_none $bounds=null
+variant bounds_box $bounds="{box: {size: [1.236, 4.12, 4.12]}}"
+variant bounds_cylinder $bounds.cylinder_sectors.sector_angle="180 deg"
+variant bounds_box_union $bounds="{box_union: {}}"
+variant bounds_auto $bounds="{auto: {}}"

@@ -50,7 +50,7 @@ def finished(folder):
 
 
 def table(folders):
-    print("| run | V [m/s] | H [m] | σ_f [MPa] | first blow [MN] | mean [kN] | largest 1 s [kN] | loads | through-cracks | R_c + R_b | R (Lindqvist) | Riska | H_B |")
+    print("| run | V [m/s] | H [m] | σ_f [MPa] | first peak [MN] | mean [kN] | largest 1 s [kN] | load peaks | through-cracks | R_c + R_b | R (Lindqvist) | Riska | H_B |")
     print("|---|---|---|---|---|---|---|---|---|---|---|---|---|")
     for folder in folders:
         ship, run = ship_of(folder), measure(folder)

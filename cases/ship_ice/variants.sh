@@ -43,3 +43,8 @@ eight_layers=("$sheet.spacing=0.25 m" "$sheet.shape.box.size=[28 m, 48 m, 2 m]" 
   "$sheet.particle_sets={far_end: {shape: {box: {size: [0.7 m, 48 m, 4 m]}}, position: [-13.65 m, 0, 0]}, port: {shape: {box: {size: [27.3 m, 0.7 m, 4 m]}}, position: [0.35 m, -23.65 m, 0]}, starboard: {shape: {box: {size: [27.3 m, 0.7 m, 4 m]}}, position: [0.35 m, 23.65 m, 0]}}")
 variant ductile_8_layers "$ductile" "${eight_layers[@]}"
 variant cut_8_layers "$ductile" "$(cut 2)" "${eight_layers[@]}"
+
+# The paper's sheet of crushed ice, with a rim that does not break
+deck="$case/paper.yaml"
+variant paper_crushed "$sheet.material.plasticity={compressive_strength: 2.3 MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}" \
+  "$sheet.failure={no_fail: [far_end, port, starboard]}"

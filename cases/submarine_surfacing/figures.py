@@ -3,7 +3,7 @@
 
     cases/submarine_surfacing/figures.py results/submarine_surfacing
 
-writes figures/surfacing.png, figures/forces.png, figures/fragments.png and figures/equilibrium.png beside this script.
+writes figures/surfacing.png, forces.png, fragments.png and equilibrium.png beside this script.
 """
 
 import json
@@ -74,7 +74,7 @@ def draw_fragments(runs, spacing):
     figure, axes = plt.subplots(1, len(runs), figsize=(11.5, 3.4), layout="constrained")
     for axis, (folder, title) in zip(axes, runs):
         axis.imshow(scene_at(folder, END, spacing, by_fragment)[1], interpolation="none")
-        axis.set_title(f"{title}: {json.loads((folder / 'run.json').read_text())['bodies']['ice']['fragments']['above_1_percent']} fragments above 1 %")
+        axis.set_title(f"{title}: {json.loads((folder / 'run.json').read_text())['bodies']['ice']['fragments']['above_1_percent']} above 1 %")
         axis.axis("off")
     figure.savefig(CASE / "figures/fragments.png", dpi=95)
     plt.close(figure)
@@ -114,7 +114,7 @@ def main():
     report = json.loads((free / "run.json").read_text())
     mass = report["impactors"]["submarine"]["mass [kg]"]
     draw_forces(history(given), history(unhardened), mass)
-    draw_fragments([(given, "with hardening"), (unhardened, "without")], json.loads((given / "run.json").read_text())["setup"]["bodies"]["ice"]["spacing"])
+    draw_fragments([(given, "hardening"), (unhardened, "without")], json.loads((given / "run.json").read_text())["setup"]["bodies"]["ice"]["spacing"])
     draw_equilibrium(history(free), mass)
     draw_surfacing(free, report["setup"]["bodies"]["ice"]["spacing"])
 

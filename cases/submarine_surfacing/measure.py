@@ -1,5 +1,11 @@
 #!/usr/bin/env python3
-"""Prints the numbers of README.md from a results folder of this case: cases/submarine_surfacing/measure.py FOLDER"""
+"""Prints the numbers of README.md from results folders of this case: cases/submarine_surfacing/measure.py FOLDER [more folders]
+
+sail, hull      largest downward force of the ice, mean over 0.1 s, and the rise of the submarine at that time; that on the hull as it meets the
+                sheet, and later
+fragments       connected components of intact bonds at the end
+energy          largest energy balance error, also over the energy exchanged (docs/theory/energy.md); work of the submarine on the ice
+"""
 
 import csv
 import json
@@ -10,6 +16,7 @@ import numpy as np
 
 LAST = 0.3  # [s] at the end, over which the balance is averaged
 MEAN = 0.1  # [s] averaging time of forces: contacts of single particles are impulses
+MEETS = 4.0  # [m] rise until which the hull meets the sheet: its first peak is before
 GRAVITY = 9.81
 
 
@@ -33,32 +40,56 @@ def energy_balance_error(columns):
     return largest, largest / sum(abs(columns[name]).max() for name in works)
 
 
-def main():
-    folder = Path(sys.argv[1])
+def measure(folder):
+    """Numbers of a run by name."""
     columns, report = history(folder), json.loads((folder / "run.json").read_text())
     time, height = columns["time [s]"], columns["submarine.position_z [m]"]
-    for part in (".sail", ".hull"):
-        force = ice_on(columns, part)
-        most = force.argmax()
-        print(f"{folder.name}: {part[1:]} {force[most] / 1e6:.2f} MN at {time[most]:.2f} s, after a rise of {height[most] - height[0]:.2f} m")
+    rise = height - height[0]
+    found = {}
+    for part, (low, high) in {"sail": (0, np.inf), "hull": (0, MEETS), "hull later": (MEETS, np.inf)}.items():
+        force = np.where((rise >= low) & (rise < high), ice_on(columns, f".{part.split()[0]}"), -np.inf)
+        found |= {f"{part} [N]": force.max(), f"{part}: at a rise of [m]": rise[force.argmax()]}
     ice = report["bodies"]["ice"]
-    fragments, timers = ice["fragments"], sum(report["timers [s]"].values())
-    print(f"{folder.name}: {100 * (1 - ice['intact_bonds'] / ice['bonds']):.1f} % of the bonds broken; {fragments['above_1_percent']} fragments above 1 %, "
-          f"{fragments['fragments']} of two and more particles, {100 * fragments['single_particles'] / ice['particles']:.1f} % of the particles single")
-    error, share = energy_balance_error(columns)
-    print(f"{folder.name}: energy balance error {error:.3g} J at most, {share:.1e} of the energy exchanged; {report['steps']} steps in {timers:.0f} s "
-          f"on {report['threads']} thread")
-    if columns["submarine.velocity_z [m/s]"].ptp() == 0:
-        return
-    floating = report["impactors"]["submarine"]["floating"]
+    fragments = ice["fragments"]
+    found |= {
+        "bonds broken at 1 s [-]": np.interp(1, time, columns["ice.broken_bonds [-]"]) / ice["bonds"],
+        "bonds broken [-]": 1 - ice["intact_bonds"] / ice["bonds"],
+        "fragments above 1 % [-]": fragments["above_1_percent"],
+        "largest fragment [kg]": fragments["largest [kg]"],
+        "fragments of two and more particles [-]": fragments["fragments"],
+        "single particles [-]": fragments["single_particles"] / ice["particles"],
+    }
+    found["energy balance error [J]"], found["over the energy exchanged [-]"] = energy_balance_error(columns)
+    if "ice.plastic_dissipation [J]" in columns:
+        found["plastic dissipation [J]"] = columns["ice.plastic_dissipation [J]"][-1]
+    found |= {"work on the ice [J]": -columns["submarine.contact_work [J]"][-1], "steps [-]": report["steps"], "timers [s]": sum(report["timers [s]"].values())}
+    return found if np.ptp(columns["submarine.velocity_z [m/s]"]) == 0 else found | equilibrium(columns, report)
+
+
+def equilibrium(columns, report):
+    """Of a submarine free in heave, means over the last 0.3 s: displaced mass, mass, force of the ice as a mass, velocity, damping and deceleration."""
+    floating, time = report["impactors"]["submarine"]["floating"], columns["time [s]"]
     last = time > time[-1] - LAST
-    pushed = -columns["submarine.force_z [N]"][last].mean() / GRAVITY
-    displaced, mass = columns["submarine.displaced_mass [kg]"][last].mean(), floating["mass [kg]"]
-    print(f"{folder.name}, last {LAST} s: displaces {displaced / 1e3:.1f} t; mass {mass / 1e3:.1f} t, the ice pushes like {pushed / 1e3:.1f} t, "
-          f"{(displaced - mass - pushed) / 1e3:+.1f} t left over ({100 * (displaced - mass - pushed) / mass:+.2f} %); it rises at "
-          f"{columns['submarine.velocity_z [m/s]'][last].mean() * 1e3:.0f} mm/s")
-    print(f"{folder.name}: draft at the end {floating['draft [m]']:.3f} m, of the submarine alone {floating['draft_at_rest [m]']:.3f} m")
+    mass, setup = floating["mass [kg]"], report["setup"]["impactors"]["submarine"]["floating"]
+    velocity = columns["submarine.velocity_z [m/s]"][last]
+    displaced, load = columns["submarine.displaced_mass [kg]"][last].mean(), -columns["submarine.force_z [N]"][last].mean() / GRAVITY
+    heavy = mass + floating["added_mass [kg]"]
+    return {
+        "displaced mass [kg]": displaced,
+        "mass [kg]": mass,
+        "force of the ice as a mass [kg]": load,
+        "remainder [kg]": displaced - mass - load,
+        "remainder over mass [-]": (displaced - mass - load) / mass,
+        "velocity [m/s]": velocity.mean(),
+        "damping as a mass [kg]": setup["damping"] * heavy * velocity.mean() / GRAVITY,
+        "deceleration as a mass [kg]": -heavy * (velocity[-1] - velocity[0]) / np.ptp(time[last]) / GRAVITY,
+        "draft [m]": floating["draft [m]"],
+        "draft of the submarine alone [m]": floating["draft_at_rest [m]"],
+    }
 
 
 if __name__ == "__main__":
-    main()
+    for folder in map(Path, sys.argv[1:]):
+        print(folder)
+        for name, value in measure(folder).items():
+            print(f"    {name:<42}{value:.6g}")

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the pictures of loads.md: the force on a column that is driven through a sheet of ice, its spectrum, and the channel that it leaves.
 
-    docs/guide/loads_figure.py build/release/perimpact             three minutes on one processor; needs numpy and matplotlib
+    docs/guide/loads_figure.py build/release/perimpact             half a minute on one processor; needs numpy and matplotlib
     docs/guide/loads_figure.py build/release/perimpact RESULTS     draws from the results of an earlier run of the same deck
 """
 
@@ -18,10 +18,10 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "scripts/pictures"))
-from vtp_reader import read_vtp  # noqa: E402
+from vtp_reader import read_vtp, series  # noqa: E402
 
 DECK = """\
-# A column of 2 m across is driven through a sheet of ice, which is held at both sides and at its far end. Plane stress: the ice can be
+# A column of 2 m across is driven through a sheet of ice, which is fixed at both sides and at its far end. Plane stress: the ice can be
 # crushed, not bent.
 title: A column cuts a channel into a sheet of ice
 time: {end: 2 s}
@@ -37,9 +37,9 @@ bodies:
       port: {position: [0, 3.85, 0], shape: {box: {size: [12, 0.3, 1]}}}
       end: {position: [5.85, 0, 0], shape: {box: {size: [0.3, 7.4, 1]}}}
     boundary_conditions:
-      held_starboard: {fixed: {particle_set: starboard}}
-      held_port: {fixed: {particle_set: port}}
-      held_end: {fixed: {particle_set: end}}
+      starboard: {fixed: {particle_set: starboard}}
+      port: {fixed: {particle_set: port}}
+      end: {fixed: {particle_set: end}}
 impactors:
   column:
     surface: {cylinder: {diameter: 2, height: 1, axis: z, edge_length: 0.1}}
@@ -86,7 +86,7 @@ def draw_spectrum(results, file, speed_per_spacing):
 
 
 def draw_channel(results, file):
-    frames = sorted((results / "frames").glob("ice_*.vtp"))
+    frames = [file for _, file in series(results, "ice")]
     places, fragment = read_vtp(frames[0]).points, read_vtp(frames[-1]).point["fragment"].ravel()
     remains = np.bincount(fragment)[fragment] >= 0.1 * len(fragment)
     columns = np.genfromtxt(results / "fragments/ice_channel_x.csv", delimiter=",", skip_header=1)

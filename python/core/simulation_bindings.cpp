@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
+#include "mesh.hpp"
 #include "run.hpp"
 #include "tree.hpp"
 
@@ -36,16 +37,32 @@ deck::Deck with_warnings(deck::Deck deck) {
 
 deck::Deck deck_of_file(const std::filesystem::path& file, const py::object& changes) {
   deck::YamlNode tree = deck::read_deck_tree(file);
-  if (!changes.is_none()) change(tree, py::cast<py::dict>(changes));
-  return with_warnings(deck::deck_of_tree(std::move(tree), file.string(), file.parent_path()));
+  deck::SurfacesInMemory surfaces;
+  if (!changes.is_none()) change(tree, py::cast<py::dict>(changes), surfaces);
+  return with_warnings(deck::deck_of_tree(std::move(tree), file.string(), file.parent_path(), surfaces));
 }
 
 deck::Deck deck_of_dict(const py::dict& setup, const std::filesystem::path& folder) {
   constexpr const char* whole = "the set-up";
-  return with_warnings(deck::deck_of_tree(tree_of(setup, whole), whole, folder));
+  deck::SurfacesInMemory surfaces;
+  deck::YamlNode tree = tree_of(setup, whole, surfaces);
+  return with_warnings(deck::deck_of_tree(std::move(tree), whole, folder, surfaces));
 }
 
-py::object dict_of(const Setup& setup) { return py::module_::import("json").attr("loads")(deck::setup_to_text(setup)); }
+/// Replaces the names of meshes in memory by the meshes.
+void insert_meshes(const py::dict& map, const deck::SurfacesInMemory& meshes) {
+  for (const auto& [key, value] : map) {
+    if (py::isinstance<py::dict>(value)) insert_meshes(py::reinterpret_borrow<py::dict>(value), meshes);
+    if (!py::isinstance<py::str>(value)) continue;
+    if (const auto mesh = meshes.find(py::cast<std::string>(value)); mesh != meshes.end()) map[key] = Mesh(mesh->second);
+  }
+}
+
+py::object dict_of(const Setup& setup) {
+  py::object dict = py::module_::import("json").attr("loads")(deck::setup_to_text(setup));
+  if (const deck::SurfacesInMemory meshes = deck::surfaces_in_memory(setup); !meshes.empty()) insert_meshes(dict, meshes);
+  return dict;
+}
 
 std::vector<UserForceFunction> user_forces(const py::object& forces) {
   std::vector<UserForceFunction> all;

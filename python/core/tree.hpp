@@ -9,10 +9,10 @@
 
 namespace perimpact::python {
 
-/// Throws InputError for types that a set-up does not support.
-deck::YamlNode tree_of(const py::handle& value, const std::string& place);
+/// Adds the meshes of the set-up to `surfaces` and refers to them by name. Throws InputError for types that a set-up does not support.
+deck::YamlNode tree_of(const py::handle& value, const std::string& place, deck::SurfacesInMemory& surfaces);
 
 /// Applies overrides of the form {"key.path": value} in order, as --set does; strings are parsed as YAML.
-void change(deck::YamlNode& tree, const py::dict& changes);
+void change(deck::YamlNode& tree, const py::dict& changes, deck::SurfacesInMemory& surfaces);
 
 }  // namespace perimpact::python

@@ -1,6 +1,8 @@
 """The contact library alone: grains of a particle code in NumPy fall on a paddle wheel and make it turn.
 
     PYTHONPATH=build/release/python /usr/bin/python3 python/examples/grains.py [figure.png]
+
+Without PYTHONPATH where the package is installed. Imports numpy and matplotlib (Debian: python3-numpy, python3-matplotlib).
 """
 
 # %% The wheel: four paddles, each a box, on a shaft along y
@@ -35,8 +37,8 @@ for step in range(1000):
     x += dt * velocity
     motion = wheel.advance(dt)
     contacts = detector.detect(motion, x_t0, x)
-    tally = fccda.respond(contacts, motion, wheel, x_t0=x_t0, x_t1=x, velocity=velocity, mass=mass, friction=0.3, detector=detector)
-    given += tally.impulse[2]
+    sum = fccda.respond(contacts, motion, wheel, x_t0=x_t0, x_t1=x, velocity=velocity, mass=mass, friction=0.3, detector=detector)
+    given += sum.impulse[2]
     times.append((step + 1) * dt)
     spins.append(wheel.angular_velocity[1])
 

@@ -1,6 +1,8 @@
 """A user force: a ball hits a plate on springs (Winkler foundation), and the plate rebounds.
 
     PYTHONPATH=build/release/python /usr/bin/python3 python/examples/user_force.py [figure.png]
+
+Without PYTHONPATH where the package is installed. Imports numpy and matplotlib (Debian: python3-numpy, python3-matplotlib).
 """
 
 # %% The plate and the ball

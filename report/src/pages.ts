@@ -140,11 +140,11 @@ const repairs: [string, string][] = [
   ["degenerate", "degenerate panels, removed"],
   ["duplicate", "duplicate panels, removed"],
   ["back_to_back", "panels back to back"],
-  ["crowded_edges", "non-manifold edges"],
+  ["non_manifold_edges", "non-manifold edges"],
   ["cut_edges", "edges cut open"],
   ["rewound", "panels reoriented"],
   ["flipped", "components oriented outward"],
-  ["rim_edges", "boundary edges"],
+  ["boundary_edges", "boundary edges"],
 ];
 
 function verdict(isGood: boolean, good: string, bad: string): HTMLElement {
@@ -189,7 +189,7 @@ export function showChecks(home: HTMLElement, run: Members | undefined): void {
     );
     for (const [body, found] of Object.entries(members(impactor.detection))) {
       const contact = members(found);
-      const odd = ["initial_overlap", "entered_inside", "pinched"].filter((key) => typeof contact[key] === "number" && (contact[key] as number) > 0);
+      const odd = ["initial_overlap", "entered_inside", "unresolved_penetrations"].filter((key) => typeof contact[key] === "number" && (contact[key] as number) > 0);
       home.append(element("h3", { textContent: `Contact with ${body}` }));
       home.append(
         verdict(odd.length === 0, "no particle started, entered or remained inside", odd.map((key) => `${parted(key).name}: ${inWords(contact[key], "")}`).join(", ")),

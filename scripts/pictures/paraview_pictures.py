@@ -39,10 +39,12 @@ def spacings(report, name, bounds, points):
 
 
 def read(folder, name):
-    path = folder / "frames" / f"{name}.pvd"
+    path = folder / "frames" / f"{name}.vtkhdf"  # from ParaView 5.12 on
+    if not path.exists():
+        path = path.with_suffix(".pvd")
     if not path.exists():
         sys.exit(f"error: {path} is not there: the run left no pictures. Run it with output.frames above 0")
-    reader = simple.PVDReader(FileName=str(path.resolve()))  # a relative name is taken from where ParaView was started
+    reader = simple.OpenDataFile(str(path.resolve()))  # a relative name is taken from where ParaView was started
     reader.UpdatePipeline()
     return reader
 

@@ -65,6 +65,8 @@ def read_vtp(path):
 
 def series(folder, name):
     """(time [s], file) of each picture of a body or impactor, in the results folder of a run."""
+    if (Path(folder) / "frames" / f"{name}.vtkhdf").exists():
+        raise SystemExit(f"error: {folder}/frames/{name}.vtkhdf: only .vtp frames are read here; run the deck with --set output.frame_format=vtp")
     entries = xml.parse(Path(folder) / "frames" / f"{name}.pvd").getroot().iter("DataSet")
     return [(float(entry.get("timestep")), Path(folder) / "frames" / entry.get("file")) for entry in entries]
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace fccda {
@@ -29,5 +30,30 @@ struct CacheLineAllocator {
 /// A vector whose data begin at a cache line.
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
+
+/// The same for arrays that are written before they are read: resize() initialises nothing. The threads that write first also make the operating system
+/// provide and clear the memory, which takes longer than the writing and is otherwise done by one thread.
+template <class T>
+struct UninitialisedAllocator : CacheLineAllocator<T> {
+  UninitialisedAllocator() = default;
+  /// Allocators of all types are interchangeable.
+  template <class U>
+  UninitialisedAllocator(const UninitialisedAllocator<U>&) {}
+
+  /// Default-initialises a value, which leaves a number as it is.
+  template <class U>
+  void construct(U* value) {
+    ::new (static_cast<void*>(value)) U;
+  }
+  /// Constructs a value from arguments.
+  template <class U, class... Arguments>
+  void construct(U* value, Arguments&&... arguments) {
+    ::new (static_cast<void*>(value)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
+/// An AlignedVector that resize() does not initialise.
+template <class T>
+using UninitialisedVector = std::vector<T, UninitialisedAllocator<T>>;
 
 }  // namespace fccda

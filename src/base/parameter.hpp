@@ -111,7 +111,8 @@ struct Field {
   std::string_view unit;  ///< SI unit of numbers ("m", "Pa", "m/s", "1" for pure numbers), empty for words
   Range range;
   Presence presence;
-  std::string_view sentence;  ///< its meaning, for `perimpact describe`
+  std::string_view sentence;                     ///< its meaning, for `perimpact describe`
+  std::span<const std::string_view> words = {};  ///< those that a list of words may contain; any where empty
 };
 
 }  // namespace fccda

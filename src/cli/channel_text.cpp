@@ -60,7 +60,7 @@ std::string channel_text(const StatisticsArguments& arguments, std::optional<dou
   output::write_csv(file, names, rows);
   output::list_file(arguments.folder, std::filesystem::path("fragments") / file.filename());
 
-  std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, frame.time, frame.file.string());
+  std::string text = fmt::format("channel along {} in body {} at {:.6g} s ({})\n", along, body, frame.time, frame.name);
   if (widths.length == 0) {
     text += row("none", fmt::format("no column is broken through; fragments of {:.3g} % of the particles or more form the intact sheet", 100 * wanted.sheet));
   } else {

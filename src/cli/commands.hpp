@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/messages.hpp"
+
 namespace perimpact {
 
 /// Arguments common to commands that read a deck.
@@ -15,22 +17,27 @@ struct DeckArguments {
   std::vector<std::string> set;    ///< key.path=value
   std::optional<std::string> out;  ///< overrides output.folder
   int threads = 0;                 ///< 0: all processors
+  MessageArguments messages;
 };
 
 struct RunArguments : DeckArguments {
   bool resume = false;  ///< restart from the checkpoint in the results folder
   bool force = false;   ///< replace the run in the results folder
   bool no_report = false;
+  std::string progress = "line";  ///< or json
+};
+
+struct CheckArguments : DeckArguments {
+  bool json = false;
 };
 
 int run_command(const RunArguments& arguments);
-int check_command(const DeckArguments& arguments);
+int check_command(const CheckArguments& arguments);
 
-enum class DescribeForm { text, markdown, schema };
 struct DescribeArguments {
-  std::string key;  ///< to describe; empty: all
-  DescribeForm form = DescribeForm::text;
-  std::filesystem::path folder;  ///< of the Markdown pages
+  std::string key;              ///< to describe; empty: all
+  std::filesystem::path pages;  ///< folder of the Markdown pages; empty: none
+  bool is_schema = false;
 };
 int describe_command(const DescribeArguments& arguments);
 

@@ -28,17 +28,12 @@ void write_pages(const std::filesystem::path& folder) {
 }  // namespace
 
 int describe_command(const DescribeArguments& arguments) {
-  switch (arguments.form) {
-    case DescribeForm::text:
-      fmt::print("{}", deck::describe(arguments.key));
-      break;
-    case DescribeForm::markdown:
-      write_pages(arguments.folder);
-      break;
-    case DescribeForm::schema:
-      fmt::print("{}", deck::json_schema());
-      break;
-  }
+  if (!arguments.pages.empty())
+    write_pages(arguments.pages);
+  else if (arguments.is_schema)
+    fmt::print("{}", deck::json_schema());
+  else
+    fmt::print("{}", deck::describe(arguments.key));
   return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <system_error>
 
 #include "base/error.hpp"
@@ -9,7 +10,7 @@
 #include "io/output/results_folder.hpp"
 #include "io/results/defect_files.hpp"
 #include "perimpact/impactor/surface_of.hpp"
-#include "run/run_folder.hpp"
+#include "run/setup_signals.hpp"
 
 namespace perimpact {
 
@@ -19,11 +20,16 @@ std::filesystem::path defect_file_of(const std::filesystem::path& folder, const 
 
 }  // namespace
 
-deck::Deck open_deck(const DeckArguments& arguments) {
+deck::Deck open_deck(const DeckArguments& arguments, Messages& messages) {
   if (arguments.threads > 0) fccda::use_threads(arguments.threads);
   deck::Deck deck = deck::read_deck(arguments.deck, arguments.set);
-  for (const std::string& warning : deck.warnings) fmt::print("warning: {}\n", warning);
+  for (const std::string& warning : deck.warnings) messages.warn(warning);
   return deck;
+}
+
+Simulation set_up(const deck::Deck& deck, Messages& messages, const RunFolder* folder) {
+  const SetupSignals signals(messages.last_words("Interrupted during the set-up; no results were written."), folder);
+  return Simulation(deck.setup, [&](std::string_view stage, std::string_view of) { messages.stage(stage, of); });
 }
 
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup) {

@@ -4,11 +4,15 @@
 #include "cli/commands.hpp"
 #include "io/deck/deck.hpp"
 #include "perimpact/simulation/simulation.hpp"
+#include "run/run_folder.hpp"
 
 namespace perimpact {
 
 /// Reads the deck with its overrides and sets the number of threads.
-deck::Deck open_deck(const DeckArguments& arguments);
+deck::Deck open_deck(const DeckArguments& arguments, Messages& messages);
+
+/// The simulation of the deck; stages of the set-up are messages. A signal meanwhile ends the program, with a sentence; the folder, if any, is unlocked then.
+Simulation set_up(const deck::Deck& deck, Messages& messages, const RunFolder* folder = nullptr);
 
 /// --out, or output.folder of the deck. Throws InputError if --out is empty.
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup);

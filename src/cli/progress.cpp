@@ -1,12 +1,13 @@
 #include "cli/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
+#include <optional>
 
 namespace perimpact {
+
+using output::Json;
 
 std::string duration_in_words(double seconds) {
   const long whole = std::lround(seconds);
@@ -15,39 +16,66 @@ std::string duration_in_words(double seconds) {
   return fmt::format("{} s", whole);
 }
 
-Progress::Progress(const Simulation& simulation) : first_(simulation.clock().step), is_terminal_(isatty(STDOUT_FILENO) != 0) {}
+struct Progress::Reached {
+  Json members;
+  std::vector<Messages::Part> parts;
+};
 
-double Progress::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+Progress::Progress(const Simulation& simulation, Messages& messages) : messages_(messages), first_(simulation.clock().step) {}
 
-void Progress::after_step(const Simulation& simulation) { draw_if_due(simulation, simulation.clock().step); }
+void Progress::after_step(const Simulation& simulation) {
+  if (!messages_.is_progress_due()) return;
+  const Reached now = reached(simulation, simulation.clock().step);
+  messages_.progress(now.members, now.parts);
+}
 
-void Progress::in_increment(const Simulation& simulation) { draw_if_due(simulation, simulation.clock().step - 1); }
-
-void Progress::draw_if_due(const Simulation& simulation, long done) {
-  const double now = seconds();
-  if (now - drawn_ >= (is_terminal_ ? 0.25 : 10.0)) draw(simulation, now, done);
+void Progress::in_increment(const Simulation& simulation) {
+  if (!messages_.is_progress_due()) return;
+  const Reached now = reached(simulation, simulation.clock().step - 1);
+  messages_.progress(now.members, now.parts);
 }
 
 void Progress::finish(const Simulation& simulation) {
-  draw(simulation, seconds(), simulation.clock().step);
-  if (is_terminal_) std::fputs("\n", stdout);
+  const Reached now = reached(simulation, simulation.clock().step);
+  messages_.end_progress(now.members, now.parts);
 }
 
-void Progress::draw(const Simulation& simulation, double now, long done) {
+Progress::Reached Progress::reached(const Simulation& simulation, long done) const {
   const Clock& clock = simulation.clock();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   const double share = static_cast<double>(done) / static_cast<double>(clock.steps);
-  const double rate = now > 0 ? static_cast<double>(done - first_) / now : 0;
-  const double left = rate > 0 ? static_cast<double>(clock.steps - done) / rate : 0;
-  const std::string line = simulation.relaxation()
-                               ? fmt::format("{:5.1f} %  increment {} of {}  t = {:.4g} s  {} iterations  residual {:.2g}{}", 100 * share, clock.step,
-                                             clock.steps, clock.time(), simulation.relaxation()->latest().iterations,
-                                             simulation.relaxation()->latest().residual, rate > 0 ? "  " + duration_in_words(left) + " left" : "")
-                               : fmt::format("{:5.1f} %  step {} of {}  t = {:.4g} s  {:.3g} steps/s  {} left  {} contacts", 100 * share, clock.step,
-                                             clock.steps, clock.time(), rate, duration_in_words(left), simulation.contacts());
-  // unlike fmt::print, fputs does not throw if the output is lost, which must not end a run
-  std::fputs((is_terminal_ ? "\r\033[K" + line : line + "\n").c_str(), stdout);
-  std::fflush(stdout);
-  drawn_ = now;
+  const double rate = seconds > 0 ? static_cast<double>(done - first_) / seconds : 0;
+  std::optional<double> left;  // [s]; unknown before the first step
+  if (rate > 0) left = static_cast<double>(clock.steps - done) / rate;
+
+  Reached now{Json::object(), {{fmt::format("{:5.1f} %", 100 * share), 9}}};
+  now.members["share"] = share;
+  now.members["time [s]"] = clock.time();
+  const auto add = [&](int importance, std::string text) { now.parts.push_back({std::move(text), importance}); };
+  if (const auto& relaxation = simulation.relaxation()) {
+    const Relaxed& latest = relaxation->latest();
+    now.members["increment"] = clock.step;
+    now.members["increments"] = clock.steps;
+    now.members["iterations"] = latest.iterations;
+    now.members["residual"] = latest.residual;
+    add(3, fmt::format("increment {} of {}", clock.step, clock.steps));
+    add(2, fmt::format("t = {:.4g} s", clock.time()));
+    add(1, fmt::format("{} iterations", latest.iterations));
+    add(4, fmt::format("residual {:.2g}", latest.residual));
+    if (left) add(5, duration_in_words(*left) + " left");
+  } else {
+    now.members["step"] = clock.step;
+    now.members["steps"] = clock.steps;
+    now.members["steps_per_second"] = rate;
+    now.members["contacts"] = simulation.contacts();
+    add(4, fmt::format("step {} of {}", clock.step, clock.steps));
+    add(3, fmt::format("t = {:.4g} s", clock.time()));
+    add(2, fmt::format("{:.3g} steps/s", rate));
+    add(5, duration_in_words(left.value_or(0)) + " left");
+    add(1, fmt::format("{} contacts", simulation.contacts()));
+  }
+  now.members["left [s]"] = left ? Json(*left) : Json();
+  return now;
 }
 
 }  // namespace perimpact

@@ -15,18 +15,21 @@ int report_command(const ReportArguments& arguments) {
   return 0;
 }
 
-void try_report(const std::filesystem::path& folder) {
+void try_report(const std::filesystem::path& folder, Messages& messages) {
   std::string fault;
   try {
     const report::Report report = report::write_report(folder);
-    fmt::print("  {}  report for the browser ({:.1f} MB)\n", report.file.string(), 1e-6 * static_cast<double>(report.bytes));
+    output::Json members = output::Json::object();
+    members["file"] = report.file.string();
+    messages.print("report", members,
+                   fmt::format("  {}  report for the browser ({:.1f} MB)\n", report.file.string(), 1e-6 * static_cast<double>(report.bytes)));
     return;
   } catch (const fccda::InputError& error) {
     fault = error.what();
   } catch (const fccda::RunError& error) {
     fault = error.what();
   }
-  fmt::print("warning: the report of this run could not be written: {}\n", fault);
+  messages.warn(fmt::format("the report of this run could not be written: {}", fault));
 }
 
 }  // namespace perimpact

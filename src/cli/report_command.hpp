@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "cli/messages.hpp"
+
 namespace perimpact {
 
 struct ReportArguments {
@@ -13,6 +15,6 @@ struct ReportArguments {
 int report_command(const ReportArguments& arguments);
 
 /// Writes report.html at the end of a run and prints its path, or a warning on failure, since the results are complete.
-void try_report(const std::filesystem::path& folder);
+void try_report(const std::filesystem::path& folder, Messages& messages);
 
 }  // namespace perimpact

@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <csignal>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/error.hpp"
@@ -10,17 +11,26 @@
 #include "cli/open_deck.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_command.hpp"
+#include "cli/setup_text.hpp"
+#include "io/output/results_folder.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_loop.hpp"
 #include "run/stop_signals.hpp"
 
 namespace perimpact {
 
+using output::Json;
+using output::ResultsFolder;
+
 namespace {
 
-void print_timers(const fccda::Timers& timers) {
-  fmt::print("\n{:<20}{:>10}{:>9}\n", "where", "seconds", "share");
-  for (const auto& row : timers.rows()) fmt::print("{:<20}{:>10.2f}{:>8.1f} %\n", row.name, row.seconds, 100 * row.seconds / timers.total());
+/// Set-up is one row; run.json has its stages.
+std::string timers_text(const Simulation& simulation) {
+  const double set_up = simulation.set_up_timers().total(), total = set_up + simulation.timers().total();
+  const auto timer = [&](std::string_view name, double seconds) { return fmt::format("{:<20}{:>10.2f}{:>8.1f} %\n", name, seconds, 100 * seconds / total); };
+  std::string text = fmt::format("\n{:<20}{:>10}{:>9}\n", "where", "seconds", "share") + timer("set-up", set_up);
+  for (const auto& row : simulation.timers().rows()) text += timer(row.name, row.seconds);
+  return text;
 }
 
 /// A command-line word, quoted for the shell.
@@ -40,8 +50,8 @@ std::string resuming(const RunArguments& arguments) {
 }
 
 /// Performs the steps, with the progress line. The signal that ended the run, or 0.
-int run_steps(Simulation& simulation, RunLoop& loop) {
-  Progress progress(simulation);
+int run_steps(Simulation& simulation, RunLoop& loop, Messages& messages) {
+  Progress progress(simulation, messages);
   loop.run({.after_step =
                 [&] {
                   progress.after_step(simulation);
@@ -57,60 +67,93 @@ int run_steps(Simulation& simulation, RunLoop& loop) {
   return simulation.clock().is_finished() ? 0 : StopSignals::pending();
 }
 
-void print_start(const Simulation& simulation, const RunFolder& folder) {
+void print_start(const Simulation& simulation, const RunFolder& folder, Messages& messages) {
   const Clock& clock = simulation.clock();
-  fmt::print("{}\n{} threads, {} {} of {:.4g} s; results go to {}\n", simulation.setup().title, fccda::thread_count(), clock.steps,
-             simulation.relaxation() ? "increments" : "steps", clock.dt, folder.path().string());
-  if (folder.is_resumed()) fmt::print("Resumed at step {} (t = {:.4g} s).\n", clock.step, clock.time());
-  for (const std::string& warning : simulation.warnings()) fmt::print("warning: {}\n", warning);
+  Json members = Json::object();
+  members["schema"] = messages_schema;
+  members["program"] = "perimpact " PERIMPACT_VERSION;
+  members["title"] = simulation.setup().title;
+  members["folder"] = folder.path().string();
+  members["threads"] = fccda::thread_count();
+  members[simulation.relaxation() ? "increments" : "steps"] = clock.steps;
+  members[simulation.relaxation() ? "increment [s]" : "step [s]"] = clock.dt;
+  if (folder.is_resumed()) members["resumed_at"] = clock.step;
+  messages.print("start", members,
+                 fmt::format("{} threads, {} {} of {:.4g} s; results go to {}\n", fccda::thread_count(), clock.steps,
+                             simulation.relaxation() ? "increments" : "steps", clock.dt, folder.path().string()));
+  if (folder.is_resumed()) messages.print(fmt::format("Resumed at step {} (t = {:.4g} s).\n", clock.step, clock.time()));
+  if (messages.is_verbose()) messages.print(setup_text(simulation));
+  for (const std::string& warning : simulation.warnings()) messages.warn(warning);
 }
 
-/// Runs the deck in the folder. The signal that ended the run, or 0.
-int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments& arguments) {
-  Simulation simulation(deck.setup);
-  const StopSignals signals(StopSignals::SecondInterrupt::ends_program);
+/// The end of a run that is finished, or ended by a signal.
+void print_end(const Simulation& simulation, const RunFolder& folder, int signal, Messages& messages) {
+  const Clock& clock = simulation.clock();
+  messages.print(timers_text(simulation));
+  for (const std::string& warning : simulation.closing_warnings()) messages.warn(warning);
+  const std::filesystem::path& path = folder.path();
+  Json members = Json::object();
+  members["outcome"] = signal == 0 ? "finished" : "interrupted";
+  members["time [s]"] = clock.time();
+  members[simulation.relaxation() ? "increment" : "step"] = clock.step;
+  if (signal != 0) members["resume"] = folder.requests().resume;
+  messages.print("end", members,
+                 signal == 0 ? fmt::format("\nResults: {}\n  {}  time histories\n  {}  output frames, for ParaView\n  {}  summary of the run\n",
+                                           std::filesystem::absolute(path).lexically_normal().string(), (path / "history.csv").string(),
+                                           (path / "frames").string(), (path / "run.json").string())
+                             : fmt::format("\nInterrupted at t = {:.4g} s (step {} of {}). The results up to this step are in {}; resume with {}\n",
+                                           clock.time(), clock.step, clock.steps, path.string(), folder.requests().resume));
+}
+
+/// Runs the deck in the folder; signals are recorded from the end of the set-up. The signal that ended the run, or 0.
+int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments& arguments, std::optional<StopSignals>& signals, Messages& messages) {
+  Simulation simulation = set_up(deck, messages, &folder);
+  signals.emplace(StopSignals::SecondInterrupt::ends_program);
   RunLoop loop(simulation);
+  messages.stage("first output frame");
   loop.begin_results(folder);
-  if (!loop.note().empty()) fmt::print("{}\n", loop.note());
-  print_start(simulation, folder);
+  if (!loop.note().empty()) messages.note(loop.note());
+  print_start(simulation, folder, messages);
   int signal = 0;
   try {
-    signal = run_steps(simulation, loop);
-  } catch (const fccda::RunError&) {
-    std::fputs("\n", stdout);
-    if (!arguments.no_report) try_report(folder.path());
+    signal = run_steps(simulation, loop, messages);
+  } catch (const fccda::RunError& error) {
+    messages.end_progress();
+    Json members = Json::object();
+    members["outcome"] = "failed";
+    members["text"] = error.what();
+    messages.print("end", members, "");
+    if (!arguments.no_report) try_report(folder.path(), messages);
     throw;
   }
-  print_timers(simulation.timers());
-  for (const std::string& warning : simulation.closing_warnings()) fmt::print("\nwarning: {}\n", warning);
-  const std::filesystem::path& path = folder.path();
-  if (signal != 0) {
-    fmt::print("\nInterrupted at t = {:.4g} s (step {} of {}). The results up to this step are in {}; resume with {}\n", simulation.clock().time(),
-               simulation.clock().step, simulation.clock().steps, path.string(), folder.requests().resume);
-    return signal;
-  }
-  fmt::print("\nResults: {}\n", std::filesystem::absolute(path).lexically_normal().string());
-  fmt::print("  {}  time histories\n  {}  output frames, for ParaView\n  {}  summary of the run\n", (path / "history.csv").string(), (path / "frames").string(),
-             (path / "run.json").string());
-  return 0;
+  print_end(simulation, folder, signal, messages);
+  return signal;
 }
 
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
-  const deck::Deck deck = open_deck(arguments);
-  const std::filesystem::path path = results_folder(arguments, deck.setup);
-  return with_places(deck, {.path = path, .lists_files = true}, [&] {
-    const EarlierRun earlier = arguments.resume ? EarlierRun::resume : arguments.force ? EarlierRun::replace : EarlierRun::keep;
-    const RunFolder folder(path, earlier, {.resume = resuming(arguments), .replace = "--force", .folder = "choose another folder with --out"}, deck.setup);
-    for (const std::string& note : folder.notes()) fmt::print("{}\n", note);
-    if (folder.is_finished()) {
-      fmt::print("The run in {} is finished (step {} of {}); there is nothing to resume.\n", path.string(), folder.steps(), folder.steps());
+  std::signal(SIGPIPE, SIG_IGN);  // a run does not depend on who reads its messages
+  Messages messages(arguments.messages, arguments.progress == "json" ? Messages::Form::json_lines : Messages::Form::text);
+  return logged(messages, [&] {
+    const deck::Deck deck = open_deck(arguments, messages);
+    const std::filesystem::path path = results_folder(arguments, deck.setup);
+    return with_places(deck, {.path = path, .lists_files = true}, [&] {
+      const EarlierRun earlier = arguments.resume ? EarlierRun::resume : arguments.force ? EarlierRun::replace : EarlierRun::keep;
+      std::optional<StopSignals> signals;  // outlives the lock of the folder: while the report of a finished run is written, a signal leaves no lock behind
+      const RunFolder folder(path, earlier, {.resume = resuming(arguments), .replace = "--force", .folder = "choose another folder with --out"}, deck.setup);
+      for (const std::string& note : folder.notes()) messages.note(note);
+      if (folder.is_finished()) {
+        messages.note(fmt::format("The run in {} is finished (step {} of {}); there is nothing to resume.", path.string(), folder.steps(), folder.steps()));
+        // absent where the run was killed before it was written
+        if (!arguments.no_report && !std::filesystem::exists(ResultsFolder::report_in(path))) try_report(path, messages);
+        return 0;
+      }
+      messages.print(deck.setup.title + '\n');
+      if (const int signal = run_deck(deck, folder, arguments, signals, messages)) return 128 + signal;
+      if (!arguments.no_report) try_report(path, messages);  // after the memory of the run is released
       return 0;
-    }
-    if (const int signal = run_deck(deck, folder, arguments)) return 128 + signal;
-    if (!arguments.no_report) try_report(path);  // after the memory of the run is released
-    return 0;
+    });
   });
 }
 

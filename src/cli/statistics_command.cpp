@@ -13,6 +13,7 @@
 #include "io/output/csv.hpp"
 #include "io/output/file.hpp"
 #include "io/output/results_folder.hpp"
+#include "io/statistics/block_average.hpp"
 #include "io/statistics/series.hpp"
 #include "io/statistics/spectrum.hpp"
 #include "io/statistics/table.hpp"
@@ -40,10 +41,13 @@ struct Part {
 struct Summary {
   std::string name;
   double mean, deviation;
+  std::optional<BlockAverage> blocks;
   Extreme maximum, minimum;
   std::vector<Part> parts;
   std::optional<Spectrum> spectrum;
 
+  /// Of the mean; NaN if there are too few rows.
+  double standard_error() const { return blocks ? blocks->standard_error : std::numeric_limits<double>::quiet_NaN(); }
   /// [s]; NaN if there is none
   double period() const {
     const std::size_t k = spectrum ? spectrum->highest() : 0;
@@ -114,9 +118,11 @@ double edge_of(const Window& window, int windows, int k) { return window.from + 
 Summary summary_of(const Table& table, std::size_t column, const Window& window, int windows, std::size_t segment) {
   expect_finite(table, column, window);
   const Series series(table.columns.front(), table.columns[column], table.facts[column].is_mean ? RowIs::mean_since_row_before : RowIs::value_at_its_time);
+  const std::vector<double> even = series.resampled(window.from, window.interval, intervals_in(window));
   Summary summary{.name = table.names[column],
                   .mean = series.mean(window.from, window.to),
                   .deviation = series.standard_deviation(window.from, window.to),
+                  .blocks = block_average(even),
                   .maximum = series.maximum(window.from, window.to),
                   .minimum = series.minimum(window.from, window.to),
                   .parts = {},
@@ -125,7 +131,7 @@ Summary summary_of(const Table& table, std::size_t column, const Window& window,
     const double begin = edge_of(window, windows, k), end = edge_of(window, windows, k + 1);
     summary.parts.push_back({begin, end, series.mean(begin, end), series.maximum(begin, end).value, series.minimum(begin, end).value});
   }
-  if (segment > 0) summary.spectrum = welch(series.resampled(window.from, window.interval, intervals_in(window)), window.interval, segment);
+  if (segment > 0) summary.spectrum = welch(even, window.interval, segment);
   return summary;
 }
 
@@ -137,10 +143,12 @@ std::string density_column(const std::string& column) {
 }
 
 void write_statistics(const std::filesystem::path& file, const std::vector<Summary>& summaries) {
-  std::string text = "column,unit,mean,standard_deviation,maximum,maximum_at [s],minimum,minimum_at [s],dominant_period [s]\n";
+  std::string text =
+      "column,unit,mean,standard_error,standard_error_is_bound,standard_deviation,maximum,maximum_at [s],minimum,minimum_at [s],dominant_period [s]\n";
   for (const Summary& one : summaries)
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", quantity_of(one.name), unit_of(one.name), one.mean, one.deviation, one.maximum.value, one.maximum.time,
-                        one.minimum.value, one.minimum.time, one.period());
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", quantity_of(one.name), unit_of(one.name), one.mean, one.standard_error(),
+                        one.blocks && !one.blocks->is_resolved ? 1 : 0, one.deviation, one.maximum.value, one.maximum.time, one.minimum.value, one.minimum.time,
+                        one.period());
   output::write_whole_file(file, text);
 }
 
@@ -174,14 +182,19 @@ std::string period_text(const Summary& one) {
   return k == 0 ? "-" : fmt::format("{}{:.4g}", k == 1 ? ">" : "", one.period());  // the lowest frequency includes all slower ones
 }
 
+std::string standard_error_text(const Summary& one) {
+  if (!one.blocks) return "-";
+  return fmt::format("{}{:.3g}", one.blocks->is_resolved ? "" : ">", one.blocks->standard_error);
+}
+
 void print_table(const std::vector<Summary>& summaries) {
   std::size_t widest = 6;
   for (const Summary& one : summaries) widest = std::max(widest, one.name.size());
-  fmt::print("{:<{}} {:>11} {:>11} {:>11} {:>10} {:>11} {:>10} {:>10}\n", "column", widest, "mean", "deviation", "maximum", "at s", "minimum", "at s",
-             "period s");
+  fmt::print("{:<{}} {:>11} {:>11} {:>11} {:>11} {:>10} {:>11} {:>10} {:>10}\n", "column", widest, "mean", "std. error", "deviation", "maximum", "at s",
+             "minimum", "at s", "period s");
   for (const Summary& one : summaries)
-    fmt::print("{:<{}} {:>11.4g} {:>11.4g} {:>11.4g} {:>10.5g} {:>11.4g} {:>10.5g} {:>10}\n", one.name, widest, one.mean, one.deviation, one.maximum.value,
-               one.maximum.time, one.minimum.value, one.minimum.time, period_text(one));
+    fmt::print("{:<{}} {:>11.4g} {:>11} {:>11.4g} {:>11.4g} {:>10.5g} {:>11.4g} {:>10.5g} {:>10}\n", one.name, widest, one.mean, standard_error_text(one),
+               one.deviation, one.maximum.value, one.maximum.time, one.minimum.value, one.minimum.time, period_text(one));
 }
 
 void print_windows(const std::vector<Summary>& summaries) {

@@ -51,9 +51,10 @@ void expect_usable(const Panels& panels, const std::string& name) {
   constexpr double largest = 1e50;
   for (std::size_t v = 0; v < panels.vertices.size(); ++v) {
     if (is_finite(panels.vertices[v]) && largest_magnitude(panels.vertices[v]) < largest) continue;
-    throw InputError(name + ": vertex " + std::to_string(v) + " (counted from 0) is at (" + std::to_string(panels.vertices[v].x) + ", " +
-                     std::to_string(panels.vertices[v].y) + ", " + std::to_string(panels.vertices[v].z) +
-                     "), which is not finite or out of range; each coordinate must be a finite number of metres.");
+    std::ostringstream place;  // at most six digits
+    place << '(' << panels.vertices[v].x << ", " << panels.vertices[v].y << ", " << panels.vertices[v].z << ')';
+    throw InputError(name + ": vertex " + std::to_string(v) + " (counted from 0) is at " + place.str() +
+                     ", which is not finite or out of range; each coordinate must be a finite number of metres.");
   }
 }
 

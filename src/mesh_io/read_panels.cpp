@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "base/nearest_word.hpp"
-#include "mesh/panels_in_memory.hpp"
 #include "mesh_io/choose_parts.hpp"
 #include "mesh_io/file/contents.hpp"
 #include "mesh_io/file/elements.hpp"
@@ -93,7 +92,6 @@ Panels parse_panels(std::string_view contents, const std::filesystem::path& file
 }
 
 Panels read_panels(const std::filesystem::path& path, std::span<const std::string> parts) {
-  if (const auto panels = panels_in_memory(path.string())) return expect_panels(chosen(*panels, parts, path.string()), path.string());
   if (is_cad(path)) return expect_panels(chosen(read_cad(path), parts, path.string()), path.string());
   format_of(path);  // report an unknown format before searching for the file
   return parse_panels(contents_of(path), path, parts);

@@ -11,11 +11,10 @@
 
 namespace fccda {
 
-/// Reads the panels of a file in the format of its extension (followed by `.gz` where compressed), or the panels in memory of that name
-/// (panels_in_memory.hpp), in the file's units and in double precision (CAD files in metres); all parts, or the named ones. Solid elements
-/// contribute their boundary faces. Throws InputError with the file and the line, byte or triangle where there is nothing to read or the
-/// contents are damaged. Memory use is bounded by a few times the (decompressed) file size, whatever counts the file states. Throws RunError
-/// where the CAD mesher cannot be run: no temporary folder, no space in it, or no new process.
+/// Reads the panels of a file in the format of its extension (followed by `.gz` where compressed), in the file's units and in double precision (CAD files in
+/// metres); all parts, or the named ones. Solid elements contribute their boundary faces. Throws InputError with the file and the line, byte or triangle where
+/// there is nothing to read or the contents are damaged. Memory use is bounded by a few times the (decompressed) file size, whatever counts the file states.
+/// Throws RunError where the CAD mesher cannot be run: no temporary folder, no space in it, or no new process.
 Panels read_panels(const std::filesystem::path& path, std::span<const std::string> parts = {});
 
 /// The same for contents in memory; `file` gives the name and format. Not available for CAD files.

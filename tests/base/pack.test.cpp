@@ -44,6 +44,19 @@ TEST_CASE("pack: bits select their lanes, even if the others are not-a-number") 
   }
 }
 
+TEST_CASE("pack: rows of four gathered by their indices are their components, lane by lane") {
+  std::array<double, 4 * 32> rows;
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = 0.5 + static_cast<double>(k * k);
+  std::mt19937_64 random(3);
+  for (int trial = 0; trial < 100; ++trial) {
+    std::array<std::int32_t, width> index;
+    for (std::int32_t& each : index) each = static_cast<std::int32_t>(random() % 32);
+    const std::array<NativePack, 4> gathered = gather_rows<NativePack>(rows.data(), index.data());
+    for (std::size_t c = 0; c < 4; ++c)
+      for (std::size_t l = 0; l < width; ++l) CHECK(unpack(gathered[c])[l] == rows[4 * static_cast<std::size_t>(index[l]) + c]);
+  }
+}
+
 TEST_CASE("pack: a byte of eight lanes splits into the bits of each pack") {
   for (unsigned byte = 0; byte < 256; ++byte) {
     unsigned joined = 0;

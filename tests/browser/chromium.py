@@ -61,8 +61,8 @@ class Page(Waits):
                 raise RuntimeError("Chromium has ended")
             self.buffer += chunk
         text, self.buffer = self.buffer.split(b"\0", 1)
-        told = json.loads(text)
-        what, about = told.get("method"), told.get("params", {})
+        reported = json.loads(text)
+        what, about = reported.get("method"), reported.get("params", {})
         if what == "Runtime.exceptionThrown":
             self.complaints.append(about["exceptionDetails"].get("exception", {}).get("description", about["exceptionDetails"]["text"]))
         elif what == "Runtime.consoleAPICalled" and about["type"] in ("error", "warning", "assert"):
@@ -71,7 +71,7 @@ class Page(Waits):
             self.complaints.append(about["entry"]["text"])
         elif what == "Network.requestWillBeSent" and about["request"]["url"].split(":")[0] not in ("file", "data", "blob"):
             self.complaints.append("asks for " + about["request"]["url"])
-        return told
+        return reported
 
     def ask(self, method, **parameters):
         self.number += 1
@@ -80,22 +80,22 @@ class Page(Waits):
             command["sessionId"] = self.session
         os.write(self.commands, json.dumps(command).encode() + b"\0")
         while True:
-            told = self.message(120)
-            if told is None:
+            reported = self.message(120)
+            if reported is None:
                 raise RuntimeError(f"Chromium does not answer {method}")
-            if told.get("id") == self.number:
-                if "error" in told:
-                    raise RuntimeError(f"{method}: {told['error']['message']}")
-                return told["result"]
+            if reported.get("id") == self.number:
+                if "error" in reported:
+                    raise RuntimeError(f"{method}: {reported['error']['message']}")
+                return reported["result"]
 
     def open(self, file):
         self.ask("Page.navigate", url=Path(file).resolve().as_uri())
 
     def value(self, expression):
-        told = self.ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
-        if "exceptionDetails" in told:
-            raise RuntimeError(f"{expression}: {told['exceptionDetails']}")
-        return told["result"].get("value")
+        reported = self.ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
+        if "exceptionDetails" in reported:
+            raise RuntimeError(f"{expression}: {reported['exceptionDetails']}")
+        return reported["result"].get("value")
 
     def press(self, key, code=None):
         text = {"text": key} if len(key) == 1 else {}

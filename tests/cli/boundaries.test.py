@@ -91,7 +91,7 @@ def _(t):
         process.communicate(timeout=60)
         code = process.returncode
         t.assertIn(code, (0, 130, -signal.SIGINT))
-        if code == 130:
+        if code == 130 and (t.folder / "stopped/checkpoint.h5").exists():  # absent where it was still setting up
             stops += 1
     t.assertGreater(stops, 0)
     t.assertEqual(t.report("stopped")["state_hash"], t.report("whole")["state_hash"])

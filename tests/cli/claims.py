@@ -112,6 +112,12 @@ class Scene(unittest.TestCase):
         self.assertEqual((done.code, done.err), (0, ""), done)
         return done
 
+    def expect_no_warning(self, *arguments):
+        """Success, and no line that is a warning; progress of a long set-up is none."""
+        done = self.expect_success(*arguments)
+        self.assertEqual([line for line in done.out.splitlines() if line.startswith("warning:")], [])
+        return done
+
     def expect_complaint(self, done, code, begins, *words):
         """One line on stderr: error: <begins> … with each of the words, ending in a full stop or a question mark."""
         self.assertEqual(done.code, code, done)

@@ -66,9 +66,9 @@ def _(t):
     (t.folder / "r/history.csv").write_text("time [s],ship.water_force_z [N],ship.force_x [N]\n0,0,0\n1,10,10\n3,40,40\n")
     t.write_kinds("r", ship_water_force_z="interval mean")
     t.expect_success("statistics", "r", "--columns", "ship")
-    told = results_table(t.folder / "r/statistics.csv")
-    t.assertAlmostEqual(float(told["ship.water_force_z"]["mean"]), (10 * 1 + 40 * 2) / 3, delta=1e-12)
-    t.assertAlmostEqual(float(told["ship.force_x"]["mean"]), (5 * 1 + 25 * 2) / 3, delta=1e-12)
+    reported = results_table(t.folder / "r/statistics.csv")
+    t.assertAlmostEqual(float(reported["ship.water_force_z"]["mean"]), (10 * 1 + 40 * 2) / 3, delta=1e-12)
+    t.assertAlmostEqual(float(reported["ship.force_x"]["mean"]), (5 * 1 + 25 * 2) / 3, delta=1e-12)
 
 
 @claim("columns: output.history_interval changes no pressure of a panel, nor the pressures at the peak")

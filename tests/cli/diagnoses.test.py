@@ -26,19 +26,19 @@ def _(t):
 
 @claim("diagnoses: an implausible density of a body or impactor yields a warning, one with its unit does not")
 def _(t):
-    def told(*changes):
+    def reported(*changes):
         return [each for each in warnings(t.expect_success("check", t.deck(*changes), "--out", "r").out) if "density" in each]
 
     steel, mass = "density: 8000 kg/m3", "mass: 1 kg"
     # the numbers of Abaqus's millimetres and tonnes and of handbooks; osmium is the heaviest element
     for written, body in (("7.8e-9", "7.8e-09"), ("7.8", "7.8"), ("22.6", "22.6"), ("78e3", "7.8e+04")):
-        said = told((steel, f"density: {written}"))
-        t.assertEqual(len(said), 1, written)
-        t.assertTrue(said[0].startswith(f"The density of plate is {body} kg/m3, but solids have 23 to 23000 kg/m3. "), said)
+        printed = reported((steel, f"density: {written}"))
+        t.assertEqual(len(printed), 1, written)
+        t.assertTrue(printed[0].startswith(f"The density of plate is {body} kg/m3, but solids have 23 to 23000 kg/m3. "), printed)
     for written in ("7.8e-9 t/mm3", "7.8 g/cm3", "22590", "30"):
-        t.assertEqual(told((steel, f"density: {written}")), [], written)
-    t.assertIn("The density of cylinder is 7.85 kg/m3", told((mass, "density: 7.85"))[0])
-    t.assertEqual(told((mass, "density: 7850")), [])
+        t.assertEqual(reported((steel, f"density: {written}")), [], written)
+    t.assertIn("The density of cylinder is 7.85 kg/m3", reported((mass, "density: 7.85"))[0])
+    t.assertEqual(reported((mass, "density: 7850")), [])
 
 
 @claim("diagnoses: an inward-oriented surface is reversed with a warning, in check, run and run.json")
@@ -51,21 +51,21 @@ def _(t):
     t.assertIn("point inward in 1 of its 1 components", t.expect_success("check", refined, "--out", "r").out)
     deck = t.deck((SURFACE, "surface: {file: cube.obj}"))
     for command in "check", "run":
-        said = warnings(t.expect_success(command, deck, "--out", "r").out)
-        t.assertEqual(len(said), 1)
-        t.assertIn("The normals of impactor cylinder point inward in 1 of its 1 components and were reversed", said[0])
-    t.assertEqual(t.report("r")["warnings"], said)
+        printed = warnings(t.expect_success(command, deck, "--out", "r").out)
+        t.assertEqual(len(printed), 1)
+        t.assertIn("The normals of impactor cylinder point inward in 1 of its 1 components and were reversed", printed[0])
+    t.assertEqual(t.report("r")["warnings"], printed)
     t.assertEqual(t.history("r"), t.history("right"))
 
 
 @claim("diagnoses: an impactor without contact is reported after the timers of a run, and in run.json")
 def _(t):
     out = t.expect_success("run", t.deck(("-32 m/s", "32 m/s")), "--out", "r").out
-    said = warnings(out)
-    t.assertEqual(len(said), 1)
-    t.assertRegex(said[0], r"^Impactor cylinder had no contact with body plate until t = 2e-05 s: the smallest distance was \S+ m, at t = 0 s\.")
-    t.assertGreater(out.index(said[0]), out.index("monitors"))
-    t.assertEqual(t.report("r")["warnings"], said)
+    printed = warnings(out)
+    t.assertEqual(len(printed), 1)
+    t.assertRegex(printed[0], r"^Impactor cylinder had no contact with body plate until t = 2e-05 s: the smallest distance was \S+ m, at t = 0 s\.")
+    t.assertGreater(out.index(printed[0]), out.index("monitors"))
+    t.assertEqual(t.report("r")["warnings"], printed)
 
 
 @claim("diagnoses: initial penetration is removed or projected as requested, and the first row has no force")
@@ -88,6 +88,57 @@ def _(t):
     t.assertGreater(found["remove"], 0)
     done = t.run_program("run", t.deck(sunk), "--out", "error")
     t.expect_complaint(done, 2, "deck.yaml:", f"{found['remove']} particles", "contact.impactors.initial_overlap: remove or project.")
+
+
+def of(t, word, *changes, arguments=()):
+    return [each for each in warnings(t.expect_success("check", t.deck(*changes), "--out", "r", *arguments).out) if word in each]
+
+
+@claim("diagnoses: a modulus outside the range of solids yields a warning with the probable unit, gels and diamond do not")
+def _(t):
+    modulus = "youngs_modulus: 191 GPa"
+    t.assertEqual(
+        of(t, "modulus", (modulus, "youngs_modulus: 70")),
+        ["Young's modulus of body plate is 70 Pa, but solids have 1 kPa to 2 TPa. If it is in another unit, append the unit, as in 70 GPa."])
+    t.assertEqual(
+        of(t, "modulus", (modulus, "youngs_modulus: 191e12")),
+        ["Young's modulus of body plate is 1.91e+14 Pa, but solids have 1 kPa to 2 TPa. If it is in another unit, append the unit, as in 1.91e+11 kPa."])
+    for plausible in "2 kPa", "1.2 TPa":
+        t.assertEqual(of(t, "modulus", (modulus, f"youngs_modulus: {plausible}")), [], plausible)
+
+
+@claim("diagnoses: a body that may break without contact between its fragments yields a warning, unless the deck chooses the law, also none")
+def _(t):
+    breaking = ("density: 8000 kg/m3", "density: 8000 kg/m3, critical_stretch: 0.002")
+    contact = "contact:\n"
+    t.assertEqual(
+        of(t, "fragments", breaking),
+        ["Body plate may break, but there is no contact between its fragments: they pass through one another. Add contact: {fragments: {law: repulsive}}, or "
+         "law: none, if this does not matter."])
+    for law in "none", "repulsive":
+        t.assertEqual(of(t, "fragments", breaking, (contact, f"contact:\n  fragments: {{law: {law}}}\n")), [], law)
+    t.assertEqual(of(t, "fragments"), [])
+
+
+@claim("diagnoses: warnings of one kind are grouped: more than three name the first and the other subjects, and pairs without contact are one line")
+def _(t):
+    plate = "    material: {model: ordinary-state, youngs_modulus: 191 GPa, poissons_ratio: 0.25, density: 8000 kg/m3}\n"
+    body = "  b{0}: {{shape: {{box: {{size: [20 mm, 20 mm, 20 mm]}}}}, spacing: 5 mm, position: [{1}, 1, 0], material: {{model: bond-based, youngs_modulus: 1 GPa, density: 8}}}}\n"
+    many = plate.replace("8000 kg/m3", "8") + "".join(body.format(k, k) for k in range(1, 9))
+    deck = t.deck((plate, many))
+    printed = warnings(t.expect_success("run", deck, "--out", "r").out)
+    density = [each for each in printed if "density" in each]
+    t.assertEqual(density, [
+        "The density of plate is 8 kg/m3, but solids have 23 to 23000 kg/m3. If it is in another unit, append the unit, as in 7.8 g/cm3 or 7.8e-9 t/mm3. The same "
+        "applies to 8 others: b1, b2, b3, b4, b5, …"])
+    apart = [each for each in printed if "no contact until" in each]
+    t.assertEqual(len(apart), 1)
+    t.assertRegex(apart[0], r"^\d of 9 pairs of an impactor and a body had no contact until t = 2e-05 s\. The smallest distance was \S+ m, of impactor cylinder from body \S+ "
+                  r"at t = \S+ s\. Check positions, velocities, units and contact bounds, or run longer\.$")
+    t.assertEqual(t.report("r")["warnings"], printed)
+    # up to three are printed singly
+    three = plate.replace("8000 kg/m3", "8") + "".join(body.format(k, k) for k in range(1, 3))
+    t.assertEqual(len(of(t, "density", (plate, three))), 3)
 
 
 main()

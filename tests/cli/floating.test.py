@@ -1,4 +1,4 @@
-"""Impactors that float: what check foretells, and the results of a run."""
+"""Impactors and sheets that float: what check foretells, and the results of a run."""
 
 import math
 
@@ -69,6 +69,40 @@ def _(t):
     t.assertAlmostEqual(report["work [J]"], start - report["potential [J]"], delta=24.5 * 6.3 * 2e-3)
     t.assertGreater(report["work [J]"], 24)
     t.assertAlmostEqual(report["work [J]"], 250 * history["raft.velocity_z [m/s]"][-1] ** 2, delta=1e-9)
+
+
+SHEET = """\
+title: A sheet on water
+time: {end: 1 ms}
+bodies:
+  sheet:
+    shape: {box: {size: [10 m, 8 m, 2 m]}}
+    spacing: 0.5 m
+    boundary_conditions: {sea: {floating: {entrained_depth: 4.5 m, dry_top: 0.3 m}}}
+    material:
+      model: bond-based
+      density: 910
+      youngs_modulus: 1.8 GPa
+      ice: {temperature: -5 degC, salinity: 5 g/kg, strain_rate: 1e-3}
+      plasticity: {}
+output: {folder: results, frames: 0}
+"""
+
+
+@claim("floating: check reports the characteristic length of a sheet and the strength that a strain rate gives, and run.json is a deck of the same run")
+def _(t):
+    (t.folder / "sheet.yaml").write_text(SHEET)
+    out = t.expect_success("check", "sheet.yaml", "--out", "c").out
+    # D = 1.8e9 8/(12 15/16) = 1.28e9 N m; (1.28e9/(1025 9.81))^(1/4)
+    t.assertIn("  water             characteristic length l = 18.89 m; an entrained depth of l is that of the wave with k = 1/l, 0.64 R that of a patch of radius R; given: 4.5 m\n", out)
+    # 37 MPa 1e-3^0.22 (1 - sqrt(51.845/270))
+    t.assertIn("  yields            at 4.548e+06 Pa in uniaxial compression", out)
+    t.expect_success("run", "sheet.yaml", "--out", "first")
+    report = (t.folder / "first/run.json").read_text()
+    (t.folder / "again.yaml").write_text(report[report.index('"setup":') + len('"setup":') : report.rindex("}")])
+    t.expect_success("run", "again.yaml", "--out", "second")
+    t.assertEqual(t.report("second")["state_hash"], t.report("first")["state_hash"])
+    t.assertEqual(t.history("second")["sheet.sea.flooding_dissipation [J]"][-1], 0)
 
 
 @claim("floating: an open surface is refused at its key")

@@ -1,7 +1,12 @@
 """What `cmake --install` leaves: the program, cases that run from there, and the schema where their first line says."""
 
+import io
 import os
+import shutil
 import subprocess
+import sys
+import tarfile
+import unittest
 from pathlib import Path
 
 from claims import claim, main
@@ -19,10 +24,58 @@ def _(t):
     t.expect_success("check", deck, "--out", "r")
     schema = deck.read_text().splitlines()[0].removeprefix("# yaml-language-server: $schema=")
     t.assertEqual((deck.parent / schema).read_text(), t.expect_success("describe", "--schema").out)
-    for path in ("share/man/man1/perimpact.1.gz", "share/doc/perimpact/copyright", "share/doc/perimpact/changelog.gz"):
+    tutorial = prefix / "share/perimpact/docs/guide/tutorials/1_plate.yaml"
+    t.expect_success("check", tutorial, "--out", "r")
+    t.assertTrue((tutorial.parent / tutorial.read_text().splitlines()[0].removeprefix("# yaml-language-server: $schema=")).is_file())
+    for path in ("share/bash-completion/completions/perimpact", "share/zsh/vendor-completions/_perimpact", "share/fish/vendor_completions.d/perimpact.fish",
+                 "share/man/man1/perimpact.1.gz", "share/doc/perimpact/copyright", "share/doc/perimpact/changelog.gz"):
         t.assertTrue((prefix / path).is_file(), path)
     scripts = [path for path in (prefix / "share/perimpact/cases").rglob("*") if path.suffix in (".py", ".sh")]
     t.assertTrue(all(os.access(path, os.X_OK) == os.access(source_of(path, prefix), os.X_OK) for path in scripts))
+
+
+@claim("install: the Debian packages contain program, completion and manual, and the Python package, which is imported and runs from there")
+def _(t):
+    build = Path(t.program).parent
+    for tool in "cpack", "dpkg-deb", "dpkg-shlibdeps", "file":
+        if not shutil.which(tool):
+            raise unittest.SkipTest(f"{tool} is not installed")
+    if not (build / "python/perimpact").is_dir():
+        raise unittest.SkipTest("the Python package is not built (PERIMPACT_PYTHON)")
+    subprocess.run(["cpack", "--config", build / "CPackConfig.cmake", "-G", "DEB", "-B", t.folder / "made", "-D", "CPACK_COMPONENTS_ALL=perimpact;python"],
+                   check=True, stdout=subprocess.DEVNULL, cwd=t.folder)
+    root = t.folder / "root"
+    packages = {path.name.partition("_")[0]: path for path in (t.folder / "made").glob("*.deb")}
+    t.assertEqual(set(packages), {"perimpact", "python3-perimpact"})
+    for package in packages.values():
+        subprocess.run(["dpkg-deb", "-x", package, root], check=True)
+
+    def field(package, name):
+        return subprocess.run(["dpkg-deb", "-f", packages[package], name], capture_output=True, text=True, check=True).stdout.strip()
+
+    minor = sys.version_info.minor
+    depends = field("python3-perimpact", "Depends").split(", ")
+    for each in f"python3 (>= 3.{minor}~)", f"python3 (<< 3.{minor + 1}~)", "python3-numpy":
+        t.assertIn(each, depends)
+    t.assertTrue(any(each.startswith("libhdf5") for each in depends), depends)
+    t.assertFalse([each for each in field("perimpact", "Depends").split(", ") if each.startswith("python3")])
+    t.assertEqual(field("python3-perimpact", "Section"), "python")
+    scripts = subprocess.run(["dpkg-deb", "--ctrl-tarfile", packages["python3-perimpact"]], capture_output=True, check=True).stdout
+    with tarfile.open(fileobj=io.BytesIO(scripts)) as control:
+        t.assertLessEqual({"./postinst", "./prerm"}, set(control.getnames()))
+
+    modules = [path.parent for path in root.rglob("perimpact/__init__.py")]
+    t.assertEqual(len(modules), 1)
+    t.assertEqual(len(list(modules[0].glob("_core.*.so"))), 1)
+    t.assertTrue((modules[0] / "py.typed").is_file())
+    setup = {"time": {"end": 1e-6}, "bodies": {"b": {"shape": {"box": {"size": [0.04, 0.04, 0.04]}}, "spacing": 0.01,
+             "material": {"model": "bond-based", "youngs_modulus": 1e9, "density": 1000}}}}
+    code = f"import perimpact; s = perimpact.Simulation({setup!r}); s.run(); print(perimpact.__file__, s.time >= 1e-6)"
+    alone = {"PATH": "/usr/bin:/bin", "PYTHONPATH": str(modules[0].parent), "HOME": str(t.folder)}
+    done = subprocess.run(["/usr/bin/python3", "-c", code], cwd=t.folder, env=alone, capture_output=True, text=True)
+    t.assertEqual((done.stdout, done.stderr), (f"{modules[0] / '__init__.py'} True\n", ""))
+    examples = next(root.rglob("doc/python3-perimpact/examples"))
+    t.assertEqual({path.name for path in examples.iterdir()}, {"grains.py", "impact.py", "user_force.py"})
 
 
 def source_of(path, prefix):

@@ -1,9 +1,15 @@
 """perimpact check: the memory that it names is what a run then takes."""
 
+import contextlib
+import json
 import os
 import random
 import re
+import resource
+import shutil
 import subprocess
+import time
+from pathlib import Path
 
 from claims import claim, main
 
@@ -102,6 +108,134 @@ def _(t):
 def _(t):
     expect_near(t, deck(t, points(t, 30, 25, 16), "brittle"))
     expect_near(t, deck(t, points(t, 30, 25, 16), "state"))
+    expect_near(t, deck(t, points(t, 30, 25, 16), "correspondence"))
+
+
+PLATE = "shape: {box: {size: [1, 1, 1]}}, spacing: 0.01"
+
+
+@claim("memory: a limit of ulimit is respected: the run is refused in a sentence that names it, before memory is allocated and a folder is made")
+def _(t):
+    deck(t, PLATE, "state")
+    for limit, option in (resource.RLIMIT_AS, "-v"), (resource.RLIMIT_DATA, "-d"):
+        done = t.run_program("run", "deck.yaml", "--threads", "2", limits={limit: 200_000_000})
+        t.expect_complaint(done, 2, "deck.yaml:4:", "the run needs 0.2", f"ulimit {option} allows 0.2 GB", "use a spacing of at least", "a smaller body, or a higher limit")
+        t.assertEqual(t.files("r"), [])
+
+
+@claim("memory: a surface of a million panels counts towards a limit of ulimit, which refuses it before its searches are built, and the bodies beside it")
+def _(t):
+    deck(t, box(20, 20, 20), "state")
+    text = (t.folder / "deck.yaml").read_text()
+    (t.folder / "deck.yaml").write_text(text.replace("surface: {box: {size: [0.1, 0.1, 0.1], edge_length: 0.02}}", "surface: {sphere: {diameter: 0.2, edge_length: 0.0006}}"))
+    done = t.run_program("run", "deck.yaml", "--threads", "2", "--no-report", limits={resource.RLIMIT_AS: 600_000_000})
+    t.expect_complaint(done, 2, "deck.yaml:5:", "impactor s", "the run needs 0.8", "ulimit -v allows 0.6 GB", "use larger panels, or a higher limit")
+    t.assertEqual(t.files("r"), [])
+
+
+@claim("memory: a run below the limit of ulimit finishes")
+def _(t):
+    deck(t, box(20, 20, 20), "state")
+    done = t.run_program("run", "deck.yaml", "--threads", "2", "--no-report", limits={resource.RLIMIT_AS: 1_000_000_000})
+    t.assertEqual((done.code, done.err), (0, ""))
+
+
+def root_of_groups():
+    """Folder of the control groups of memory and its file of limits, or neither where they cannot be made: for root alone, unless they are delegated."""
+    version_1, version_2 = Path("/sys/fs/cgroup/memory"), Path("/sys/fs/cgroup")
+    if os.access(version_1, os.W_OK) and (version_1 / "memory.limit_in_bytes").exists():
+        return version_1, "memory.limit_in_bytes"
+    controllers = version_2 / "cgroup.subtree_control"
+    if os.access(version_2, os.W_OK) and controllers.exists() and "memory" in controllers.read_text().split():
+        return version_2, "memory.max"
+    return None, None
+
+
+@contextlib.contextmanager
+def control_group(t, limit):
+    """The words before a command that start it in a control group of this limit [byte]: one of systemd, or else one made by hand."""
+    of_systemd = ["systemd-run", "--user", "--scope", "--quiet", "-p", f"MemoryMax={limit}"]
+    if shutil.which(of_systemd[0]) and subprocess.run([*of_systemd, "true"], capture_output=True).returncode == 0:
+        yield of_systemd
+        return
+    root, limit_file = root_of_groups()
+    group = root and root / f"perimpact_test_{os.getpid()}"
+    try:
+        if not group:
+            raise OSError
+        group.mkdir()
+    except OSError:
+        t.skipTest("control groups cannot be made here")
+    try:
+        (group / limit_file).write_text(str(limit))
+        yield ["sh", "-c", 'echo $$ > "$0" && exec "$@"', str(group / "cgroup.procs")]
+    finally:
+        wait_until(lambda: not (group / "cgroup.procs").read_text())
+        group.rmdir()
+
+
+def wait_until(is_so):
+    """A control group is empty shortly after its last process has been waited for."""
+    for _ in range(100):
+        if is_so():
+            return
+        time.sleep(0.05)
+
+
+@claim("memory: a run that needs 500 MB in a control group of 300 MB is refused in a sentence")
+def _(t):
+    with control_group(t, 300 * 2**20) as group:
+        deck(t, box(112, 112, 112), "state", "contact: {fragments: {law: repulsive}}\n")
+        done = subprocess.run([*group, t.program, "run", "deck.yaml", "--threads", "2"], cwd=t.folder, capture_output=True, text=True)
+        t.assertEqual(done.returncode, 2, done.stdout)
+        t.assertIn("the run needs 0.5", done.stderr)
+        t.assertIn("the control group of this process allows 0.315 GB", done.stderr)
+        t.assertEqual(t.files("r"), [])
+
+
+@claim("memory: a run that its control group of 300 MB has room for finishes in it")
+def _(t):
+    with control_group(t, 300 * 2**20) as group:
+        deck(t, box(20, 20, 20), "state")
+        done = subprocess.run([*group, t.program, "run", "deck.yaml", "--threads", "2"], cwd=t.folder, capture_output=True, text=True)
+        t.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
+@claim("memory: check of a hundred million particles answers within 10 s, in less memory than a hundredth of the body")
+def _(t):
+    deck(t, "shape: {box: {size: [4.64, 4.64, 4.64]}}, spacing: 0.01", "elastic")
+    begin = time.monotonic()
+    with subprocess.Popen([t.program, "check", "deck.yaml", "--threads", "2"], cwd=t.folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
+        said = process.stdout.read()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    t.assertIn("  particles         99897344 (464 x 464 x 464 cells of 0.01 m)\n", said)
+    t.assertIn("The bodies are not built", said)
+    t.assertIn(process.returncode, (0, 2))  # the machine may be too small for it
+    t.assertLess(usage.ru_utime + usage.ru_stime, 2 * 10)  # of two threads: the machine may be busy
+    t.assertLess(time.monotonic() - begin, 60)
+    t.assertLess(1024 * usage.ru_maxrss, 200e6)  # mostly the block of its material
+
+
+@claim("memory: check --json of a large body has the counts of the text, and says that they are estimates")
+def _(t):
+    deck(t, "shape: {box: {size: [4.64, 4.64, 4.64]}}, spacing: 0.01", "elastic")
+    said, as_json = t.run_program("check", "deck.yaml").out, json.loads(t.run_program("check", "deck.yaml", "--json").out)
+    (body,) = as_json["bodies"].values()
+    t.assertEqual((as_json["is_estimate"], body["particles"], body["spacing [m]"]), (True, 464**3, 0.01))
+    t.assertEqual(f"{body['mass [kg]']:.5g}", re.search(r"\n  mass +(\S+) kg", said)[1])
+    t.assertAlmostEqual(as_json["memory"]["peak [byte]"] / 1e9, float(re.search(r"\n  peak +about ([\d.]+) GB", said)[1]), delta=0.05)  # one digit
+
+
+@claim("memory: the step that check reports for a large body is that of the body, within 2 %")
+def _(t):
+    def step(shape):
+        deck(t, shape, "state")
+        text = (t.folder / "deck.yaml").read_text().replace(", step: 0.5 us", "").replace("1 us", "1 ms")
+        (t.folder / "deck.yaml").write_text(text)
+        return float(re.search(r"\n  step +(?:about )?([\d.e-]+) s", t.run_program("check", "deck.yaml").out)[1])
+
+    t.assertLess(abs(step(box(300, 200, 200)) / step(box(40, 60, 50)) - 1), 0.02)
 
 
 main()

@@ -44,10 +44,10 @@ def _(t):
 @claim("mesh: panels are compared with a spacing in any unit")
 def _(t):
     box = write(t, "box.obj", grid_box((2, 1, 0.5), (4, 2, 1)))  # squares of half a metre
-    said = rows(t, box, "--spacing", "500 mm")
-    t.assertEqual(said, rows(t, box, "--spacing", "0.5"))
-    t.assertEqual(said["median panel"], "0.5 m, 1 spacings: adequate")
-    t.assertRegex(said["wall thickness"], r"^0\.5 m, 1 spacings, at panel \d+, ")
+    printed = rows(t, box, "--spacing", "500 mm")
+    t.assertEqual(printed, rows(t, box, "--spacing", "0.5"))
+    t.assertEqual(printed["median panel"], "0.5 m, 1 spacings: adequate")
+    t.assertRegex(printed["wall thickness"], r"^0\.5 m, 1 spacings, at panel \d+, ")
     t.assertIn("finer than useful", rows(t, box, "--spacing", "2.01 m")["median panel"])
     t.assertIn("adequate", rows(t, box, "--spacing", "1.99 m")["median panel"])
     t.assertIn("sufficient on flat areas", rows(t, box, "--spacing", "0.249")["median panel"])
@@ -56,9 +56,9 @@ def _(t):
     tube = write(t, "tube.obj", prism([(math.cos(math.pi * k / 6), math.sin(math.pi * k / 6)) for k in range(12)], 4.0))
     sagitta = 2 * math.sin(math.pi / 12) * (math.pi / 6) / 8
     for ratio, verdict in ((0.49, "sufficient"), (0.51, "too coarse there")):
-        said = rows(t, tube, "--spacing", sagitta / ratio)["chord error"]
-        t.assertTrue(said.startswith(f"at most {sagitta:.3g} m, {ratio:.2g} spacings, at panel "), said)
-        t.assertIn(f": {verdict}", said)
+        printed = rows(t, tube, "--spacing", sagitta / ratio)["chord error"]
+        t.assertTrue(printed.startswith(f"at most {sagitta:.3g} m, {ratio:.2g} spacings, at panel "), printed)
+        t.assertIn(f": {verdict}", printed)
 
 
 @claim("mesh: only the named parts are read, and an unknown one is reported")
@@ -96,10 +96,10 @@ def _(t):
 @claim("mesh: a boundary loop is reported with length and position, and that of half a ship with the key that completes it")
 def _(t):
     hull = half_hull()
-    said = rows(t, write(t, "half.obj", hull), "--scale", "0.001")
+    printed = rows(t, write(t, "half.obj", hull), "--scale", "0.001")
     # stem, keel, stem and the middle of the deck, which has as many edges as the keel
-    t.assertTrue(said["boundary loops"].startswith("64 edges, length 27 m, extent 12 x 0 x 1.5 m about (0, 0, -0.75) m"), said["boundary loops"])
-    t.assertIn("`mirror_merge: y`", said["half?"])
+    t.assertTrue(printed["boundary loops"].startswith("64 edges, length 27 m, extent 12 x 0 x 1.5 m about (0, 0, -0.75) m"), printed["boundary loops"])
+    t.assertIn("`mirror_merge: y`", printed["half?"])
     hull.parts["shell"].pop(100)  # a hole besides
     holed = rows(t, write(t, "holed.obj", hull))
     t.assertNotIn("half?", holed)
@@ -125,13 +125,13 @@ def _(t):
     shown = [[tuple(point) for point in picture.points[panel].tolist()] for panel in picture.panels]
     t.assertEqual(shown, [[tuple(0.5 * x for x in corner) for corner in around[k]] for k in beside])
 
-    said = rows(t, write(t, "folded.obj", folded_prism()))
-    t.assertIn("repair the fold", said["inside out"])
+    printed = rows(t, write(t, "folded.obj", folded_prism()))
+    t.assertIn("repair the fold", printed["inside out"])
     # sides 0 and 5 meet at the origin, and side 3 intersects both
     t.assertEqual(defects(t.folder / "folded_defects.vtp"), {"inside out": [0, 3, 5]})
 
-    said = rows(t, write(t, "rooms.obj", two_rooms()))
-    t.assertTrue(said["non-manifold"].startswith("4 edges with more than two panels; on 4 of them a panel could not be paired"), said)
+    printed = rows(t, write(t, "rooms.obj", two_rooms()))
+    t.assertTrue(printed["non-manifold"].startswith("4 edges with more than two panels; on 4 of them a panel could not be paired"), printed)
     t.assertEqual(defects(t.folder / "rooms_defects.vtp"), {"boundary edge": [10]})
 
     write(t, "band.obj", moebius())

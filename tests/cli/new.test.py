@@ -9,8 +9,7 @@ STARTERS = ("plate", "ship", "propeller")
 def _(t):
     for name in STARTERS:
         t.assertIn(f"perimpact run {name}.yaml", t.expect_success("new", name).out)
-        checked = t.expect_success("check", f"{name}.yaml")
-        t.assertNotIn("warning", checked.out)
+        t.expect_no_warning("check", f"{name}.yaml")
         end = {"plate": "4 us", "ship": "20 ms", "propeller": "40 us"}[name]
         t.expect_success("run", f"{name}.yaml", "--threads", "1", "--set", f"time.end={end}", "--set", "output.frames=1", "--set", f"output.history_interval={end}")
         t.assertEqual(t.report(f"results/{name}")["outcome"], "finished", name)

@@ -129,8 +129,8 @@ def _(t):
     compile(script, "open_in_paraview.py", "exec")
     lists = {}
     exec(script.split("\nfrom paraview import simple\n")[1].split("\n# ")[0], lists)
-    t.assertEqual(lists["BODIES"], [("plate", 0.005, "damage"), ("stone", 0.005, "velocity")])
-    t.assertEqual(lists["IMPACTORS"], ["cylinder"])
+    t.assertEqual(lists["BODIES"], [("plate", ".pvd", 0.005, "damage"), ("stone", ".pvd", 0.005, "velocity")])
+    t.assertEqual(lists["IMPACTORS"], [("cylinder", ".pvd")])
     t.assertNotIn(str(t.folder), script)
     shutil.rmtree(t.folder / "r/frames")
     t.expect_success("run", t.deck(*TWO, ("frames: 4", "frames: 0")), "--out", "r", "--force")

@@ -249,9 +249,9 @@ def _(t):
     report = t.report("r")
     t.assertEqual((report["outcome"], f"error: {report['failure']}"), ("failed", done.err.strip()))
     t.assertEqual(len(report["warnings"]), 1)
-    said = int(re.search(r"At step (\d+)", done.err)[1])
-    t.assertEqual(report["steps"], said)
-    t.assertLess(t.history("r")["time [s]"][-1], said * 1.5e-6)
+    printed = int(re.search(r"At step (\d+)", done.err)[1])
+    t.assertEqual(report["steps"], printed)
+    t.assertLess(t.history("r")["time [s]"][-1], printed * 1.5e-6)
 
 
 main()

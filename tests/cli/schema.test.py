@@ -80,6 +80,8 @@ def _(t):
         "half a picture": ("frames: 4", "frames: 4.5"),
         "out of range": ("0.25", "0.6"),
         "at the excluded end of a range": ("mass: 1 kg", "mass: 0"),
+        "no degree of freedom": ("free_dofs: [y]", "free_dofs: [Y]"),
+        "a degree of freedom twice": ("free_dofs: [y]", "free_dofs: [y, y]"),
         "name that is no name": ("  plate:\n", "  a plate:\n"),
     }
     for name, change in mistakes.items():

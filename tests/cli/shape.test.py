@@ -17,25 +17,25 @@ def facts(text):
 @claim("shape: a hull is reported, written and read back as the same closed surface with its parts")
 def _(t):
     made = t.expect_success("shape", "hull", *HULL, "-o", "hull.obj")
-    said = facts(made.out)
-    t.assertEqual(said["closure"], "closed")
-    t.assertEqual(said["bow, stern"], "56.927 and 39.837 m long")  # 23/tan 22° and 23/tan 30°
-    t.assertAlmostEqual(float(said["displacement"].split()[0]), 21630, delta=300)  # chords of 5 m
-    t.assertAlmostEqual(float(said["block coeff."]), 0.674, delta=0.01)
+    printed = facts(made.out)
+    t.assertEqual(printed["closure"], "closed")
+    t.assertEqual(printed["bow, stern"], "56.927 and 39.837 m long")  # 23/tan 22° and 23/tan 30°
+    t.assertAlmostEqual(float(printed["displacement"].split()[0]), 21630, delta=300)  # chords of 5 m
+    t.assertAlmostEqual(float(printed["block coeff."]), 0.674, delta=0.01)
     read = t.expect_success("mesh", "hull.obj").out
     for name in ("panels", "size", "closure", "components", "area", "volume"):
-        t.assertEqual(facts(read)[name], said[name])
+        t.assertEqual(facts(read)[name], printed[name])
     for part in ("bow", "side", "stern", "bilge", "bottom", "deck"):
         t.assertRegex(read, rf"\b{part}: \d+ panels")
 
 
 @claim("shape: a propeller is reported with its area ratio, chord and thickness, and written as STL")
 def _(t):
-    said = facts(t.expect_success("shape", "propeller", *PROPELLER, "--out", "screw.stl").out)
-    t.assertEqual(said["closure"], "closed")
-    t.assertEqual(said["components"], "5")
-    t.assertEqual(said["area ratio"], "expanded 0.6699 outside r/R = 0.167, 0.5701 outside this hub")
-    t.assertEqual(said["at 0.7 R"], f"chord 1.477 m, thickness 0.06427 m, pitch angle {math.degrees(math.atan(0.76 / 0.7 / math.pi)):.4g} deg")
+    printed = facts(t.expect_success("shape", "propeller", *PROPELLER, "--out", "screw.stl").out)
+    t.assertEqual(printed["closure"], "closed")
+    t.assertEqual(printed["components"], "5")
+    t.assertEqual(printed["area ratio"], "expanded 0.6699 outside r/R = 0.167, 0.5701 outside this hub")
+    t.assertEqual(printed["at 0.7 R"], f"chord 1.477 m, thickness 0.06427 m, pitch angle {math.degrees(math.atan(0.76 / 0.7 / math.pi)):.4g} deg")
     t.assertRegex(t.expect_success("mesh", "screw.stl").out, r"blade_4: \d+ panels")
 
 

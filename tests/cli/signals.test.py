@@ -1,10 +1,13 @@
 """Signals: those that end a run leave a checkpoint from which it resumes bitwise, SIGUSR1 writes one and the run continues."""
 
+import json
 import random
+import re
 import shutil
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 from claims import claim, main
 from folders import LONG, SHORT, contents, ended, started
@@ -52,6 +55,41 @@ def _(t):
     (t.folder / "r/run.json").unlink(missing_ok=True)
     t.assertIn("Resumed at step ", t.expect_success("run", deck, "--out", "r", "--resume").out)
     t.assertEqual(contents(t, "r"), contents(t, "whole"))
+
+
+def wait_for_handler(process, which):
+    """Until the program catches the signal (Linux: the mask SigCgt)."""
+    caught = 0
+    while process.poll() is None and not caught >> (which - 1) & 1:
+        status = Path(f"/proc/{process.pid}/status").read_text()
+        caught = int(re.search(r"^SigCgt:\s*(\w+)", status, re.MULTILINE)[1], 16)
+        time.sleep(0.001)
+
+
+@claim("signals: during the set-up they end run and check with 128 + number and a sentence, unlock the folder, and leave an earlier run as it was")
+def _(t):
+    large = ("spacing: 5 mm", "spacing: 1 mm")  # 120 000 particles, whose set-up takes tenths of a second
+    t.expect_success("run", t.deck(*SHORT), "--out", "r")
+    before = contents(t, "r", without=())
+    sentence = "Interrupted during the set-up; no results were written.\n"
+    deck = t.deck(large, name="large.yaml")
+    for which in signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU:
+        for arguments in ["run", "--out", "r", "--force"], ["run", "--out", "new"], ["check", "--out", "new"], ["run", "--out", "r", "--force", "--progress", "json"]:
+            process = t.start(arguments[0], deck, *arguments[1:], "--threads", "1")
+            if "json" in arguments:
+                wait_for_handler(process, which)  # it prints nothing before the set-up
+            else:
+                t.assertEqual(process.stdout.readline(), "Small plate\n")
+            time.sleep(0.02)
+            code, rest, err = ended(process, which)
+            t.assertEqual((code, err), (128 + which, ""), arguments)
+            if "json" in arguments:
+                events = [json.loads(line) for line in rest.splitlines()]
+                t.assertEqual([event for event in events if "stage" not in event], [{"event": "end", "outcome": "interrupted", "text": sentence.strip()}])
+            else:
+                t.assertEqual("".join(line for line in rest.splitlines(keepends=True) if not line.startswith("set-up:")), sentence)  # of a slow machine
+            t.assertEqual(contents(t, "r", without=()), before)
+            t.assertNotIn("run.lock", t.files("new") if (t.folder / "new").exists() else [])
 
 
 @claim("signals: a second SIGINT ends the program at once, and a run started with nohup ignores SIGHUP")
@@ -121,8 +159,9 @@ def _(t):
             else:
                 t.expect_complaint(done, 2, f"the folder {folder} contains an unfinished run without a checkpoint, which cannot be resumed; replace it with --force")
                 resume = ["--force"]
-        if process.returncode != 0 and not (t.folder / folder / "run.json").exists():
-            t.expect_success("run", deck, "--out", folder, *resume)
+        if process.returncode != 0:
+            has_finished = (t.folder / folder / "run.json").exists()  # the report may be missing, which --resume writes
+            t.expect_success("run", deck, "--out", folder, *(["--resume"] if has_finished else resume))
         t.assertEqual(contents(t, folder), contents(t, "whole"))
         t.assertEqual(t.report(folder)["state_hash"], t.report("whole")["state_hash"])
 

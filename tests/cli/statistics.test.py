@@ -35,18 +35,18 @@ def _(t):
     history = t.history("r")
     for limits, (begin, end) in (([], (-math.inf, math.inf)), (["--from", "4.25 us", "--to", "17e-6"], (4.25e-6, 17e-6))):
         t.assertIn("cylinder.force_y [N]", t.expect_success("statistics", "r", *limits).out)
-        told = results_table(t.folder / "r/statistics.csv")
-        t.assertEqual(list(told), [f"cylinder.force_{axis}" for axis in "xyz"])
-        told, rows = told["cylinder.force_y"], list(rows_of(history, FORCE, begin, end))
+        reported = results_table(t.folder / "r/statistics.csv")
+        t.assertEqual(list(reported), [f"cylinder.force_{axis}" for axis in "xyz"])
+        reported, rows = reported["cylinder.force_y"], list(rows_of(history, FORCE, begin, end))
         mean = mean_of(rows)
-        t.assertAlmostEqual(float(told["mean"]) / mean, 1, delta=1e-12)  # sums of 60 numbers, in another order
+        t.assertAlmostEqual(float(reported["mean"]) / mean, 1, delta=1e-12)  # sums of 60 numbers, in another order
         square = sum(length * (value - mean) ** 2 for length, value, _ in rows) / sum(length for length, _, _ in rows)
-        t.assertAlmostEqual(float(told["standard_deviation"]) / math.sqrt(square), 1, delta=1e-12)
+        t.assertAlmostEqual(float(reported["standard_deviation"]) / math.sqrt(square), 1, delta=1e-12)
         for word, choose in (("maximum", max), ("minimum", min)):
             value = choose(value for _, value, _ in rows)
-            t.assertEqual(float(told[word]), value)
-            t.assertEqual(float(told[word + "_at [s]"]), next(time for _, each, time in rows if each == value))
-        t.assertEqual(told["unit"], "N")
+            t.assertEqual(float(reported[word]), value)
+            t.assertEqual(float(reported[word + "_at [s]"]), next(time for _, each, time in rows if each == value))
+        t.assertEqual(reported["unit"], "N")
 
 
 @claim("statistics: windows give mean and extremes of equal parts of the time")
@@ -103,6 +103,44 @@ def _(t):
     t.assertAlmostEqual(1 / period, 2.5, delta=1 / 1.28)  # within the resolution
 
 
+def block_errors(values):
+    """Block length → standard error of the mean from the scatter of the means of such blocks, for at least eight of them."""
+    errors, block = {}, 1
+    while len(values) // block >= 8:
+        means = [sum(values[k * block : (k + 1) * block]) / block for k in range(len(values) // block)]
+        middle = sum(means) / len(means)
+        errors[block] = math.sqrt(sum((mean - middle) ** 2 for mean in means) / len(means) / (len(means) - 1))
+        block *= 2
+    return errors
+
+
+@claim("statistics: the standard error of a mean is from blocks longer than the correlation, and marked as a bound where the run has too few of them")
+def _(t):
+    chance, rows = random.Random(8), 4001
+    noise = [chance.gauss(5, 2) for _ in range(rows)]
+    gusts = [0.0]
+    for _ in range(rows - 1):  # correlated over some ten rows
+        gusts.append(0.9 * gusts[-1] + chance.gauss(0, math.sqrt(1 - 0.9**2)))
+    slow = [math.sin(3 * math.pi * k / rows) for k in range(rows)]
+    write_history(t, [0.25 * k for k in range(rows)], {"ship.force_x [N]": noise, "ship.force_y [N]": gusts, "ship.force_z [N]": slow})
+    t.write_kinds("r", loads=["ship.force_x", "ship.force_y", "ship.force_z"])
+    out = t.expect_success("statistics", "r").out
+    reported = results_table(t.folder / "r/statistics.csv")
+    for axis, values, (fewest, most) in (("x", noise, (8, 32)), ("y", gusts, (32, 256))):
+        found = float(reported[f"ship.force_{axis}"]["standard_error"])
+        errors = block_errors(values[1:])  # the first row has no interval
+        block = next(block for block, error in errors.items() if block**3 > 2 * 4000 * max(1, error / errors[1]) ** 4)
+        t.assertTrue(fewest <= block <= most, block)
+        t.assertAlmostEqual(found / errors[block], 1, delta=1e-9)  # sums of 4000 numbers, in another order
+        t.assertEqual(reported[f"ship.force_{axis}"]["standard_error_is_bound"], "0")
+    # of 4000 independent values; of values that are correlated (1 + 0.9)/(1 - 0.9) times as many are needed; 60 blocks scatter by 9 %
+    t.assertAlmostEqual(float(reported["ship.force_x"]["standard_error"]) * math.sqrt(4000) / 2, 1, delta=0.2)
+    t.assertAlmostEqual(float(reported["ship.force_y"]["standard_error"]) * math.sqrt(4000 / 19), 1, delta=0.3)
+    t.assertEqual(reported["ship.force_z"]["standard_error_is_bound"], "1")
+    t.assertRegex(out, r"\nship.force_z \[N\] +\S+ +>0\.\d+ ")
+    t.assertAlmostEqual(float(reported["ship.force_z"]["standard_error"]), max(block_errors(slow[1:]).values()), delta=1e-9)
+
+
 @claim("statistics: unevenly spaced rows give the same spectral peak as even ones")
 def _(t):
     chance, times = random.Random(6), [0.0]
@@ -115,11 +153,11 @@ def _(t):
     force = [0.0] + [(impulse(b) - impulse(a)) / (b - a) for a, b in zip(times, times[1:])]  # of 5 + sin
     write_history(t, times, {"ship.force_x [N]": force, "ship.contacts [-]": [1.0] * len(times)})
     t.expect_success("statistics", "r", "--to", "50", "--segment", "13")
-    told = results_table(t.folder / "r/statistics.csv")["ship.force_x"]
-    t.assertAlmostEqual(float(told["mean"]), 5, delta=1e-3)  # 40 whole periods, less a part of the row in which the last ends
+    reported = results_table(t.folder / "r/statistics.csv")["ship.force_x"]
+    t.assertAlmostEqual(float(reported["mean"]), 5, delta=1e-3)  # 40 whole periods, less a part of the row in which the last ends
     spectrum = table(t.folder / "r/spectrum.csv")
     resolution = spectrum["frequency [Hz]"][1]
-    t.assertAlmostEqual(1 / float(told["dominant_period [s]"]), 0.8, delta=resolution)
+    t.assertAlmostEqual(1 / float(reported["dominant_period [s]"]), 0.8, delta=resolution)
     # means over 0.06 s and over rows of up to 0.1 s take at most 1 - sinc(0.08)^2 - 1 - sinc(0.05)^2 = 3 % of the power of this sine
     t.assertAlmostEqual(sum(spectrum["ship.force_x [N2/Hz]"]) * resolution, 0.5, delta=0.02)
 

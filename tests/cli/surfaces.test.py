@@ -197,7 +197,7 @@ def _(t):
         for command, folder in (("check", "r/check"), ("run", "r")):
             done = t.run_program(command, deck, "--out", "r")
             t.expect_complaint(done, 2, at, words, f"These panels are in {folder}/cylinder_defects.vtp, for ParaView.")
-            t.assertEqual(done.out, "")
+            t.assertEqual(done.out, "Small plate\n")
             t.assertFalse((t.folder / "r" / "run.json").exists())
             try:
                 found = defects(t.folder / folder / "cylinder_defects.vtp")
@@ -219,9 +219,9 @@ def _(t):
     (t.folder / "rooms.obj").write_text(rooms.obj())
     inertia = ("free_dofs: [y]", "free_dofs: [y]\n    inertia: [1, 1, 1]")
     out = t.expect_success("run", use(t, "file: rooms.obj, scale: 0.001, orientation: normals", BOX_PLACE, inertia), "--out", "r", "--threads", "1").out
-    said = [line for line in out.splitlines() if line.startswith("warning: ")]
-    t.assertEqual(len(said), 1, out)
-    t.assertIn("is cut along 4 non-manifold edges", said[0])
+    warnings = [line for line in out.splitlines() if line.startswith("warning: ")]
+    t.assertEqual(len(warnings), 1, out)
+    t.assertIn("is cut along 4 non-manifold edges", warnings[0])
     t.assertEqual(t.report("r")["impactors"]["cylinder"]["surface"]["cut_edges"], 4)
     rooms.parts[""].pop()  # without the wall it is a box
     (t.folder / "box.obj").write_text(rooms.obj())
@@ -235,8 +235,8 @@ def _(t):
     star = prism([(20 * math.sin(4 * math.pi * k / 5), -20 * math.cos(4 * math.pi * k / 5)) for k in range(5)], 30.0)
     (t.folder / "star.obj").write_text(star.moved(lambda p: (p[0], p[1], p[2] - 15)).obj())
     deck = use(t, "file: star.obj, scale: 0.001", "position: [0, 53 mm, 0]")
-    said = [line for line in t.expect_success("check", deck, "--out", "r").out.splitlines() if line.startswith("warning: ")]
-    t.assertTrue(any("5 panels of impactor cylinder intersect" in line for line in said), said)
+    warnings = [line for line in t.expect_success("check", deck, "--out", "r").out.splitlines() if line.startswith("warning: ")]
+    t.assertTrue(any("5 panels of impactor cylinder intersect" in line for line in warnings), warnings)
 
 
 @claim("surfaces: the hull, decks and reports of the guide are those of the program")

@@ -12,11 +12,11 @@ from claims import claim, main  # noqa: E402
 def in_place(scene):
     out = scene.expect_success().out
     contacts, agreed = map(int, re.match(r"(\d+) contacts, the plain call found the same in (\d+) of 100 steps", out).groups())
-    asked = float(re.search(r"(\S+) of 20000 grains a step", out)[1])
+    tested = float(re.search(r"(\S+) of 20000 grains a step", out)[1])
     error = float(re.search(r"gained: (\S+) of what", out)[1])
     scene.assertGreater(contacts, 10000)
     scene.assertEqual(agreed, 100)
-    scene.assertLess(asked, 2000)
+    scene.assertLess(tested, 2000)
     scene.assertLess(error, 1e-11)  # rounding of 20 000 grains in a sum that cancels to a hundredth
 
 

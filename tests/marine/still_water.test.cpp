@@ -210,8 +210,8 @@ TEST_CASE("still water: constrained degrees do not respond, and their reactions 
   double work = 0, impulse = 0;
   const double before = hydrostatics(held, box, sea).potential, dt = 1e-3;
   for (long n = 0; n < 1000; ++n) {
-    const WaterSum tally = apply(sea, box, held, step_from(n, dt));
-    work += tally.work, impulse += tally.impulse;
+    const WaterSum sum = apply(sea, box, held, step_from(n, dt));
+    work += sum.work, impulse += sum.impulse;
     held.advance(dt);
   }
   CHECK(held.velocity() == Vec3d{0, 0, 0.5});

@@ -137,7 +137,7 @@ TEST_CASE("surface: invalid panels are rejected with one sentence") {
   cube = fixtures::unit_cube();
   cube.vertices[5].y = std::numeric_limits<double>::quiet_NaN();
   check_refused(cube,
-                "hull: vertex 5 (counted from 0) is at (1.000000, nan, 1.000000), which is not finite or out of range; each coordinate must be a finite number "
+                "hull: vertex 5 (counted from 0) is at (1, nan, 1), which is not finite or out of range; each coordinate must be a finite number "
                 "of metres.");
   cube.vertices[5].y = std::numeric_limits<double>::infinity();
   CHECK_THROWS_AS(named(cube), InputError);

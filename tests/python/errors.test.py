@@ -3,6 +3,8 @@
 import copy
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -161,6 +163,53 @@ def interrupted(test):
         simulation.step()
         test.assertEqual(simulation.step_number, stopped_at + 1)
         test.assertEqual(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+
+
+@claim("SIGTERM and SIGHUP end a program during run() by the same signal, with a checkpoint from which the run resumes; SIGINT raises KeyboardInterrupt")
+def ended_by_signal(test):
+    setup = copy.deepcopy(package.SETUP)
+    setup["time"] = {"end": 4e-3, "step": 2e-7}  # 20000 steps, some seconds
+    for which, code in (signal.SIGTERM, -signal.SIGTERM), (signal.SIGHUP, -signal.SIGHUP), (signal.SIGINT, 3):
+        folder = test.folder / which.name
+        program = f"""
+import os, signal, sys, threading, time
+sys.path[:0] = {sys.path[:1]!r}
+import perimpact
+for each in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
+    signal.signal(each, signal.default_int_handler if each == signal.SIGINT else signal.SIG_DFL)  # ignored where the tests run in the background
+simulation = perimpact.Simulation({setup!r})
+simulation.write_results({str(folder)!r})
+def send():
+    while simulation.step_number < 5:
+        time.sleep(0.01)
+    os.kill(os.getpid(), {int(which)})
+threading.Thread(target=send).start()
+try:
+    simulation.run()
+except KeyboardInterrupt:
+    sys.exit(3)
+"""
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+        test.assertEqual((done.returncode, done.stdout, done.stderr), (code, "", ""), which)
+        test.assertTrue((folder / "checkpoint.h5").exists(), which)
+        test.assertFalse((folder / "run.lock").exists() and which == signal.SIGINT)
+        resumed = perimpact.Simulation(setup)
+        resumed.write_results(str(folder), resume=True)
+        test.assertGreater(resumed.step_number, 4)
+        test.assertLess(resumed.step_number, 20000)
+        resumed.close_results()
+
+
+@claim("SIGINT while a simulation is built raises KeyboardInterrupt once it is built, and nothing is written")
+def interrupted_set_up(test):
+    setup = copy.deepcopy(package.SETUP)
+    setup["bodies"]["plate"]["spacing"] = 0.001  # tenths of a second
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    with test.assertRaises(KeyboardInterrupt):
+        perimpact.Simulation(setup)
+        time.sleep(0.2)  # where the machine has built it before the signal
+    test.assertEqual(test.files("."), [])
 
 
 @claim("a user force cannot start another step from within a step")

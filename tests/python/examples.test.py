@@ -1,5 +1,6 @@
 """The examples of the guide run with the results that the guide states; the installed package is complete."""
 
+import ast
 import os
 import re
 import subprocess
@@ -22,9 +23,22 @@ def number_before(text, words):
     return float(re.search(rf"(-?[\d.]+(?:e[-+]\d+)?){re.escape(words)}", text).group(1))
 
 
-@claim("example strike: the cone made with NumPy breaks the ice")
-def strike(test):
-    printed = run_example(test, "strike")
+@claim("examples: each names the packages that it imports, with those of Debian")
+def imports(test):
+    scripts = sorted((package.ROOT / "python" / "examples").glob("*.py"))
+    test.assertGreater(len(scripts), 2)
+    for script in scripts:
+        tree = ast.parse(script.read_text())
+        nodes = [node for node in ast.walk(tree) if isinstance(node, (ast.Import, ast.ImportFrom))]
+        roots = {name.split(".")[0] for node in nodes for name in ([node.module] if isinstance(node, ast.ImportFrom) else [one.name for one in node.names])}
+        others = {root for root in roots if root not in sys.stdlib_module_names and root != "perimpact"}
+        for root in others:
+            test.assertRegex(ast.get_docstring(tree), rf"(?s)Imports .*\b{root}\b.*python3-{root}\b", script.name)
+
+
+@claim("example impact: the cone made with NumPy breaks the ice")
+def impact(test):
+    printed = run_example(test, "impact")
     test.assertGreater(number_before(printed, " bonds broke"), 100)
     test.assertGreater(number_before(printed, " mm, and"), 0.5)
 

@@ -50,9 +50,9 @@ def falling(test):
         motion = body.advance(dt)
         momentum = mass @ velocity
         contacts = detector.detect(motion, x_t0, x)
-        tally = fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x, velocity=velocity, mass=mass, friction=0.3, detector=detector)
-        np.testing.assert_allclose(tally.impulse, momentum - mass @ velocity, rtol=0, atol=1e-13)  # 4000 terms of 1e-3
-        test.assertEqual(tally.contacts, len(contacts))
+        sum = fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x, velocity=velocity, mass=mass, friction=0.3, detector=detector)
+        np.testing.assert_allclose(sum.impulse, momentum - mass @ velocity, rtol=0, atol=1e-13)  # 4000 terms of 1e-3
+        test.assertEqual(sum.contacts, len(contacts))
         in_contact += len(contacts)
     test.assertGreater(in_contact, 1000)
     np.testing.assert_allclose(mass @ velocity + body.momentum, before, rtol=0, atol=1e-12)
@@ -193,7 +193,7 @@ def radii(test):
 
 @claim("with apply=False the body is unchanged, and the summed impulses have the effect of a single call")
 def summed(test):
-    def strike(parts):
+    def collide(parts):
         detector, body = fccda.ContactDetector(fccda.Surface(fccda.Mesh.box([1, 1, 1]))), fccda.RigidBody(mass=4.0, inertia=[1, 1, 1], free_dofs=["z", "rx", "ry"])
         x0, v = np.array([[0.1, 0.2, 0.6], [-0.3, 0, 0.6]]), np.array([[0, 0, -2.0], [0, 0, -3.0]])
         x1, motion = x0 + 0.1 * v, body.advance(0.1)
@@ -204,7 +204,7 @@ def summed(test):
             body.add_impulse(sum(t.impulse for t in tallies), sum(t.angular_impulse for t in tallies))
         return body.velocity.tolist() + body.angular_velocity.tolist()
 
-    test.assertEqual(strike(1), strike(2))
+    test.assertEqual(collide(1), collide(2))
 
 
 @claim("numbers that are not finite, negative friction and rotations beyond half a revolution are refused, in Python terms")

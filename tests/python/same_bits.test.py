@@ -57,6 +57,7 @@ def same_mesh(test):
     from_memory["impactors"]["cylinder"]["surface"] = {"file": perimpact.Mesh(vertices, faces), "rotate": ["0 deg", "0 deg", "10 deg"]}
     wanted = finished(perimpact.Simulation(from_file, folder=test.folder))
     test.assertEqual(finished(perimpact.Simulation(from_memory)), wanted)
+    test.assertEqual(finished(perimpact.Simulation(perimpact.Simulation(from_memory).setup)), wanted)
 
     deck = test.folder / test.deck()
     surface = {"file": perimpact.Mesh(vertices, faces), "rotate": ["0 deg", "0 deg", "10 deg"]}

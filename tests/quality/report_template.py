@@ -24,8 +24,8 @@ def main():
     report = Path(sys.argv[1]) / "report"
     page = (report / "dist/template.html").read_text(encoding="utf-8")
     faults = []
-    told = re.search(r'<meta name="sources" content="(\w+)"', page)
-    if not told or told[1] != fingerprint(report):
+    reported = re.search(r'<meta name="sources" content="(\w+)"', page)
+    if not reported or reported[1] != fingerprint(report):
         faults.append("report/dist/template.html was not built from these sources: npm ci && npm run build in report/, and commit it")
     if page.count(MARK) != 1:
         faults.append(f"report/dist/template.html holds {MARK} {page.count(MARK)} times, but needs it once")

@@ -75,17 +75,17 @@ def links(t):
             t.assertTrue((ROOT / "docs" / target).exists(), target)
 
 
-@claim("a topic that does not exist, one that is long, and a program that is missing are told in a sentence")
+@claim("a topic that does not exist, one that is long, and a program that is missing are reported in a sentence")
 def mistakes(t):
-    def told(*arguments):
-        said = subprocess.run([*RUN, "--results", t.folder / "results", *arguments], capture_output=True, text=True)
-        t.assertEqual(said.returncode, 2, said)
-        t.assertEqual(len(said.stderr.splitlines()), 1, said.stderr)
-        return said.stderr
+    def reported(*arguments):
+        printed = subprocess.run([*RUN, "--results", t.folder / "results", *arguments], capture_output=True, text=True)
+        t.assertEqual(printed.returncode, 2, printed)
+        t.assertEqual(len(printed.stderr.splitlines()), 1, printed.stderr)
+        return printed.stderr
 
-    t.assertIn("error: there is no topic plates; the topics are: plate, ", told("plates"))
-    t.assertIn("error: panels takes long; give --long with it", told("panels", "--perimpact", t.program))
-    t.assertIn("nowhere is not there; ./run.sh or ./test.sh builds it", told("plate", "--perimpact", t.folder / "nowhere"))
+    t.assertIn("error: there is no topic plates; the topics are: plate, ", reported("plates"))
+    t.assertIn("error: panels takes long; give --long with it", reported("panels", "--perimpact", t.program))
+    t.assertIn("nowhere is not there; ./run.sh or ./test.sh builds it", reported("plate", "--perimpact", t.folder / "nowhere"))
 
 
 @claim("a topic that is measured anew writes its numbers and the page into the folder of the results, and nothing into the tree")
@@ -95,8 +95,8 @@ def measured_anew(t):
         import numpy  # noqa: F401  only whether it is there
     except ImportError as missing:
         raise unittest.SkipTest(str(missing)) from missing
-    said = subprocess.run([*RUN, "--results", t.folder / "results", "--perimpact", t.program, "convergence"], capture_output=True, text=True)
-    t.assertEqual((said.returncode, said.stderr), (0, ""), said)
+    printed = subprocess.run([*RUN, "--results", t.folder / "results", "--perimpact", t.program, "convergence"], capture_output=True, text=True)
+    t.assertEqual((printed.returncode, printed.stderr), (0, ""), printed)
     t.assertTrue((t.folder / "results/convergence.csv").exists())
     t.assertIn("Convergence to exact solutions", (t.folder / "results/validation.md").read_text(encoding="utf-8"))
     t.assertEqual({path: path.stat().st_mtime_ns for path in before}, before)

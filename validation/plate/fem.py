@@ -85,7 +85,7 @@ class Plate:
         return nodes[np.argsort(self.X[nodes, axis])]
 
 
-def strike(plate, early, edge, centre, speed, mass, step, late):
+def impact(plate, early, edge, centre, speed, mass, step, late):
     """Resolves overlaps at the end of the step. New velocity of the cylinder, impulse on it along y, loss of energy.
 
     early: velocities half a step before. Forces change them to half a step after; work is the impulse times the mean of both.
@@ -136,7 +136,7 @@ def run(size, gap, late):
             break
         plate.u += step * plate.v
         centre += step * speed
-        after, pushed, lost = strike(plate, early, edge, centre, speed, mass, step, late)
+        after, pushed, lost = impact(plate, early, edge, centre, speed, mass, step, late)
         centre += 0 if late else step * (after - speed)
         speed, impulse, loss = after, impulse + pushed, loss + lost
     momentum = MASS * speed + QUARTER * (plate.m * early)[:, 1].sum()

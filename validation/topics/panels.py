@@ -39,13 +39,13 @@ def measure(runner):
             f"{name} centre": at(history, CENTRE, 200e-6),
             f"{name} off": max(apart(history, exact, column) for column in (CENTRE, Y)),
             f"{name} panels": run["impactors"]["cylinder"]["surface"]["triangles"],
-            f"{name} panels asked": run["impactors"]["cylinder"]["detection"]["plate"]["panels_asked"],
+            f"{name} panels asked": run["impactors"]["cylinder"]["detection"]["plate"]["panels_tested"],
             f"{name} share": timers["contact"] / sum(timers.values()),
         }
     numbers["share"] = max(numbers[f"{size} mm share"] for size in SIZES)
     for name, folder in published.items():
         numbers |= {
-            f"{name} pairs": report(folder)["impactors"]["cylinder"]["detection"]["plate"]["panels_asked"],
+            f"{name} pairs": report(folder)["impactors"]["cylinder"]["detection"]["plate"]["panels_tested"],
             f"{name} force": max(read_columns(folder / "history.csv")["cylinder.force_y [N]"]),
         }
     drawing.panels({size: numbers[f"{size} mm off"] for size in SIZES}, bound, {size: numbers[f"{size} mm share"] for size in SIZES},

@@ -39,7 +39,7 @@ def conclusions(n):
         Conclusion(
             "3. The algorithm has advantages in collisions with objects of complex shapes",
             LIMITS,
-            f"`swept` found all of {count('detection.crossings')} crossings of ten shapes, including hull, blade and torus, and no particle was ever inside the propeller ({count('propeller.looked at')} positions). "
+            f"`swept` found all of {count('detection.crossings')} crossings of ten shapes, including hull, blade and torus, and no particle was ever inside the propeller ({count('propeller.positions')} positions). "
             + f"The corrected variant of the paper's detector achieves this only for steps much shorter than flat panels ({100 * n['detection.repaired, flat panels, least']:.0f} % on its worst such shape); on warped quads it fails.",
             ("detection.missed", "detection.invented", "detection.left inside", "propeller.inside"),
         ),

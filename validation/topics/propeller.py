@@ -8,7 +8,11 @@ from runner import ROOT, report, script_of
 TITLE = "A propeller breaks an ice sphere"
 LONG = False
 DECK = "cases/propeller_ice/deck.yaml"
-SURFACE, REGION = "impactors.propeller.surface.propeller", "impactors.propeller.contact_bounds"
+SURFACE, BOUNDS = "impactors.propeller.surface.propeller", "impactors.propeller.contact_bounds"
+CRUSHED = (
+    "bodies.ice.material.critical_stretch=3.2e-4",
+    "bodies.ice.material.plasticity={compressive_strength: 2.3 MPa, failure_strain: 0.003, failure_pressure: 0.2, failure_width: 3, friction_angle: 30 deg}",
+)
 WHOLE = ("bodies.ice.material.critical_stretch=0.032", "time.end=30 ms", "output.frames=0")  # a sphere that hardly breaks: insensitive to small differences
 
 
@@ -19,14 +23,17 @@ def measure(runner):
     found, freed = script.measure(deck), script.measure(free)
     hashes = {report(folder)["state_hash"] for folder in (
         deck,
-        runner.run("propeller", "region_none", DECK, f"{REGION}=null", "output.frames=0"),
-        runner.run("propeller", "region_auto", DECK, f"{REGION}={{auto: {{}}}}", "output.frames=0"),
+        runner.run("propeller", "bounds_none", DECK, f"{BOUNDS}=null", "output.frames=0"),
+        runner.run("propeller", "bounds_auto", DECK, f"{BOUNDS}={{auto: {{}}}}", "output.frames=0"),
     )}  # fmt: skip
+    crushed = script.measure(runner.run("propeller", "crushed", DECK, *CRUSHED))
     refused = runner.call("check", ROOT / "cases/propeller_ice/as_printed.yaml")
     numbers = {
-        "looked at": float(found["looked at near the propeller [-]"]),
+        "positions": float(found["positions near the propeller [-]"]),
         "inside": float(found["inside [-]"]),
         "drift": freed["drift [-]"],
+        "crushed inside": float(crushed["inside [-]"]),
+        "crushed energy": crushed["energy balance error [-]"],
         "states": float(len(hashes)),
         "printed": float(re.search(r"is (\S+) times the critical time step", refused.stderr)[1]),
     }
@@ -51,6 +58,8 @@ def rows():
     fine = "panels of 50 mm everywhere"
     return [
         Row("particles inside hub or blades, over all frames", "ray casting, independent of the program", "inside", "count", Exactly(0), "a count"),
+        Row("the same with ice that is crushed", "ray casting", "crushed inside", "count", Exactly(0), "a count"),
+        Row("ice that is crushed: energy balance error over the initial kinetic energy of the ice", "energy balance", "crushed energy", "small", AtMost(1e-3), "flow, and contact between fragments, of first order in the step"),
         Row("momentum of ice and free propeller", "initial momentum of the ice", "drift", "small", AtMost(1e-12), "rounding over several thousand steps"),
         Row("distinct final states of runs without contact bounds, with fitted sectors, with fitted boxes", "one: contact bounds reject only particles that cannot be in contact", "states", "count", Exactly(1), "hashes of the whole state"),
         Row("peak thrust: panels of 0.15 m, 0.05 m at edges", fine, "graded off", "%", Within(0, 0.03), "the same blade, meshed differently; 3 % is the effect of panels on a sphere that breaks"),

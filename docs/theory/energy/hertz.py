@@ -3,7 +3,7 @@
 
     docs/theory/energy/hertz.py BINARY FOLDER [LARGEST]    up to LARGEST particles across (60)
 
-Largest force and duration are held against Hertz (K. L. Johnson, Contact Mechanics, 1985, section 11.4): two balls of the radii R1 and R2, one of them
+Largest force and duration are compared with Hertz (K. L. Johnson, Contact Mechanics, 1985, section 11.4): two balls of the radii R1 and R2, one of them
 rigid, with the reduced mass m and the speed v of approach have F = 5/4 m v²/d, t = 2.943 d/v, d = (15 m v²/(16 E* √R))^(2/5), 1/R = 1/R1 + 1/R2,
 E* = E/(1 - ν²). The force is the mean of a row along the line of the blow, the duration that for which it is more than 1 % of the largest.
 """

@@ -88,14 +88,14 @@ void expect_radii(const Numbers& radius, std::size_t points) {
 struct StateReader {
   ContactDetector::State& state;
   void operator()(std::string_view name, const std::vector<std::uint64_t>& numbers) const {
-    (name == "points_inside" ? state.inside : state.touched) = numbers;
+    (name == "points_inside" ? state.inside : state.in_contact) = numbers;
   }
   void operator()(std::string_view name, const std::uint64_t& number) const { (name == "entered_inside" ? state.entered : state.renumbered) = number; }
 };
 
 struct StateWriter {
   const ContactDetector::State& state;
-  void operator()(std::string_view name, std::vector<std::uint64_t>& numbers) const { numbers = name == "points_inside" ? state.inside : state.touched; }
+  void operator()(std::string_view name, std::vector<std::uint64_t>& numbers) const { numbers = name == "points_inside" ? state.inside : state.in_contact; }
   void operator()(std::string_view name, std::uint64_t& number) const { number = name == "entered_inside" ? state.entered : state.renumbered; }
 };
 
@@ -183,7 +183,7 @@ ContactDetector::State ContactDetector::state() const {
 }
 
 void ContactDetector::resume(const State& state) {
-  if (!std::ranges::is_sorted(state.inside) || !std::ranges::is_sorted(state.touched))
+  if (!std::ranges::is_sorted(state.inside) || !std::ranges::is_sorted(state.in_contact))
     throw InputError("contact: the points of a detector's state are not in ascending order; pass what state() returned.");
   swept_.visit_state(StateWriter{state});
   swept_.forget();

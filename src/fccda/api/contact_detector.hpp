@@ -73,10 +73,10 @@ class ContactDetector {
   /// The state between two steps, besides positions and poses, for a restart. A detector of the same surface, radius and contact bounds that
   /// resumes it continues bitwise identically. The numbers are point numbers.
   struct State {
-    std::vector<std::uint64_t> inside;   ///< entered outside the contact bounds, or round the boundary of an open surface
-    std::vector<std::uint64_t> touched;  ///< in contact with an open surface in the last step
-    std::uint64_t entered = 0;           ///< number of entries so far
-    std::uint64_t renumbered = 0;        ///< 1 after points_changed()
+    std::vector<std::uint64_t> inside;      ///< entered outside the contact bounds, or round the boundary of an open surface
+    std::vector<std::uint64_t> in_contact;  ///< in contact with an open surface in the last step
+    std::uint64_t entered = 0;              ///< number of entries so far
+    std::uint64_t renumbered = 0;           ///< 1 after points_changed()
   };
   State state() const;  ///< between two steps
   /// Throws InputError if a list is not in ascending order.

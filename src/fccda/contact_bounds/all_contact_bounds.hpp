@@ -7,7 +7,7 @@
 ///
 ///   clips()                    part of the surface lies outside the bounds, where contact is ignored
 ///   contains(point)            contact counts at this position
-///   may_touch(path, margin)    false: the path certainly stays farther than margin [m] away
+///   may_contact(path, margin)    false: the path certainly stays farther than margin [m] away
 ///   distance_at_least(point)   [m] a lower bound of the distance from the bounds
 ///   volume()                   [m³]
 ///   visit_facts(visit)         optional: visit("radius [m]", radius) for each number that reports show

@@ -55,7 +55,7 @@ BoxUnion::BoxUnion(std::span<const Shape> shapes, const Surface& surface, Beyond
     const Box its = fccda::bounds_of(left.front());
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
       if (are_apart(its, boxes_[b])) continue;
-      if (holds(boxes_[b], its)) {
+      if (fccda::contains(boxes_[b], its)) {
         is_reached[b] = true;
         left.clear();
       }
@@ -89,10 +89,10 @@ BoxUnion::BoxUnion(std::span<const Shape> shapes, const Surface& surface, Beyond
 BoxUnion::BoxUnion(std::vector<Box> boxes) : boxes_(std::move(boxes)), bounds_(bounds_of(boxes_)) { EXPECTS(!boxes_.empty()); }
 
 bool BoxUnion::contains(const Vec3d& point) const {
-  return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return holds(box, point); });
+  return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return fccda::contains(box, point); });
 }
 
-bool BoxUnion::may_touch(const Path& path, double margin) const {
+bool BoxUnion::may_contact(const Path& path, double margin) const {
   const Box reach = widened({min(path.start, path.end), max(path.start, path.end)}, margin);
   if (are_apart(reach, bounds_)) return false;
   return boxes_.size() == 1 || std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return !are_apart(reach, box); });

@@ -33,11 +33,11 @@ class BoxUnion {
   /// Boxes that are known to contain the surface (fit_boxes).
   explicit BoxUnion(std::vector<Box> boxes);
 
-  bool clips() const { return clips_; }                   ///< part of the surface lies outside, where contact is ignored
-  bool contains(const Vec3d& point) const;                ///< contact counts at this position; the boxes' faces belong to them
-  bool may_touch(const Path& path, double margin) const;  ///< false: the path certainly stays farther than `margin` [m] from the boxes
-  double distance_at_least(const Vec3d& point) const;     ///< [m] from the nearest box; 0 inside
-  double volume() const;                                  ///< [m³]; the shared volume of boxes counts once
+  bool clips() const { return clips_; }                     ///< part of the surface lies outside, where contact is ignored
+  bool contains(const Vec3d& point) const;                  ///< contact counts at this position; the boxes' faces belong to them
+  bool may_contact(const Path& path, double margin) const;  ///< false: the path certainly stays farther than `margin` [m] from the boxes
+  double distance_at_least(const Vec3d& point) const;       ///< [m] from the nearest box; 0 inside
+  double volume() const;                                    ///< [m³]; the shared volume of boxes counts once
 
   std::span<const Box> boxes() const { return boxes_; }  ///< [m] as specified, slightly widened against rounding
 

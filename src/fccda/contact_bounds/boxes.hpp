@@ -13,11 +13,11 @@ inline bool are_apart(const Box& a, const Box& b) {
   return a.low.x > b.high.x || a.high.x < b.low.x || a.low.y > b.high.y || a.high.y < b.low.y || a.low.z > b.high.z || a.high.z < b.low.z;
 }
 
-inline bool holds(const Box& box, const Vec3d& point) {
+inline bool contains(const Box& box, const Vec3d& point) {
   return point.x >= box.low.x && point.x <= box.high.x && point.y >= box.low.y && point.y <= box.high.y && point.z >= box.low.z && point.z <= box.high.z;
 }
 
-inline bool holds(const Box& box, const Box& other) { return holds(box, other.low) && holds(box, other.high); }
+inline bool contains(const Box& box, const Box& other) { return contains(box, other.low) && contains(box, other.high); }
 
 /// [m²], 0 inside
 inline double squared_distance(const Box& box, const Vec3d& point) { return squared_norm(max(max(box.low - point, point - box.high), Vec3d{})); }

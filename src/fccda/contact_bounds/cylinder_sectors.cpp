@@ -95,7 +95,7 @@ bool CylinderSectors::contains_in_frame(const Vec3d& place, double slack) const 
 
 bool CylinderSectors::contains(const Vec3d& point) const { return contains_in_frame(frame_.to_frame(point), slack_); }
 
-bool CylinderSectors::may_touch(const Path& path, double margin) const {
+bool CylinderSectors::may_contact(const Path& path, double margin) const {
   const Vec3d start = frame_.to_frame(path.start), end = frame_.to_frame(path.end);
   const double height = half_length_ + margin;
   if ((start.z > height && end.z > height) || (start.z < -height && end.z < -height)) return false;
@@ -119,7 +119,7 @@ double CylinderSectors::distance_in_frame(const Vec3d& place, double slack) cons
 }
 
 bool CylinderSectors::is_in_one_part(const Corners& corners) const {
-  const auto all = [&](const auto& holds) { return holds(flat(corners[0])) && holds(flat(corners[1])) && holds(flat(corners[2])); };
+  const auto all = [&](const auto& condition) { return condition(flat(corners[0])) && condition(flat(corners[1])) && condition(flat(corners[2])); };
   return all([&](const Flat& p) { return norm(p) <= hub_ + widening_; }) ||
          std::any_of(sectors_.begin(), sectors_.end(), [&](const Wedge& sector) { return all([&](const Flat& p) { return sector.contains(p, widening_); }); });
 }

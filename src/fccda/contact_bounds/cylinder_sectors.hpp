@@ -44,11 +44,11 @@ class CylinderSectors {
   /// Throws InputError if the surface extends beyond the bounds and `beyond` is error, or if no panel reaches into them.
   CylinderSectors(const Shape& shape, const Surface& surface, Beyond beyond);
 
-  bool clips() const { return clips_; }                   ///< part of the surface lies outside, where contact is ignored
-  bool contains(const Vec3d& point) const;                ///< contact counts at this position
-  bool may_touch(const Path& path, double margin) const;  ///< false: the path certainly stays farther than `margin` [m] from the bounds
-  double distance_at_least(const Vec3d& point) const;     ///< a lower bound [m]; 0 inside
-  double volume() const { return volume_of(shape_); }     ///< [m³]
+  bool clips() const { return clips_; }                     ///< part of the surface lies outside, where contact is ignored
+  bool contains(const Vec3d& point) const;                  ///< contact counts at this position
+  bool may_contact(const Path& path, double margin) const;  ///< false: the path certainly stays farther than `margin` [m] from the bounds
+  double distance_at_least(const Vec3d& point) const;       ///< a lower bound [m]; 0 inside
+  double volume() const { return volume_of(shape_); }       ///< [m³]
 
   const Shape& shape() const { return shape_; }  ///< as specified
 

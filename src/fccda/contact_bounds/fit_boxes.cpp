@@ -40,7 +40,7 @@ class Inside {
   explicit Inside(const Surface& surface) : surface_(surface) {}
 
   bool contains(const Vec3d& point) const {
-    if (!surface_.is_closed() || !holds(surface_.report().bounds, point)) return false;
+    if (!surface_.is_closed() || !fccda::contains(surface_.report().bounds, point)) return false;
     const RayCrossing crosses(surface_.vertices(), surface_.triangles());
     int bodies = 0;
     for (std::size_t t = 0; t < surface_.triangles().size(); ++t) bodies += crosses(point, t);
@@ -54,7 +54,7 @@ class Inside {
     constexpr double hair = 1e-6;
     for (int c = 0; c < 8; ++c) {
       const Vec3d corner{c & 1 ? cell.high.x : cell.low.x, c & 2 ? cell.high.y : cell.low.y, c & 4 ? cell.high.z : cell.low.z};
-      if (!holds(pieces, corner) && contains(corner + hair * (cell.centre() - corner))) pieces.include(corner);
+      if (!fccda::contains(pieces, corner) && contains(corner + hair * (cell.centre() - corner))) pieces.include(corner);
     }
     return pieces;
   }

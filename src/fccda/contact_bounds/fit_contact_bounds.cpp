@@ -13,7 +13,7 @@ namespace fccda {
 namespace {
 
 // Measured in nanoseconds, see fit_contact_bounds.hpp: including the distance that follows the test. Only their ratios matter.
-constexpr double look_at_surface = 1000;
+constexpr double query_of_surface = 1000;
 constexpr double test_of_box = 3;
 constexpr double test_of_fan = 35;
 
@@ -24,12 +24,12 @@ FittedBounds fit_contact_bounds(const Surface& surface) {
   const auto filled = [&](double volume) { return whole > 0 ? volume / whole : 1; };
 
   const std::vector<Box> one = fit_boxes(surface, {.most = 1});
-  const std::vector<Box> several = fit_boxes(surface, {.gain = test_of_box / look_at_surface});
+  const std::vector<Box> several = fit_boxes(surface, {.gain = test_of_box / query_of_surface});
   const CylinderSectors fan(fit_sectors(surface, {}), surface, Beyond::error);
   const double of_several = filled(volume_of(several)), of_fan = filled(fan.volume());
-  const double cost_of_one = test_of_box + look_at_surface;
-  const double cost_of_several = test_of_box * static_cast<double>(several.size()) + of_several * look_at_surface;
-  const double cost_of_fan = test_of_fan + of_fan * look_at_surface;
+  const double cost_of_one = test_of_box + query_of_surface;
+  const double cost_of_several = test_of_box * static_cast<double>(several.size()) + of_several * query_of_surface;
+  const double cost_of_fan = test_of_fan + of_fan * query_of_surface;
 
   std::ostringstream choice;
   choice << std::fixed << std::setprecision(0) << "of the bounding box, " << several.size() << (several.size() == 1 ? " box fills " : " boxes fill ")

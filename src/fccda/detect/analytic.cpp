@@ -24,13 +24,13 @@ std::vector<std::optional<Vec3d>> Analytic::nearest_outside(std::span<const Vec3
   return places;
 }
 
-void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const {
+void Analytic::evaluate(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const {
   const Path path{motion.t0.to_body(position_t0), motion.t1.to_body(position_t1)};
   const double reach = shape_radius() + radius_;
   const double offset = 1e-12 * reach;
-  if (!std::visit([&](const auto& region) { return region.may_touch(path, radius_ + offset); }, region_)) return;
+  if (!std::visit([&](const auto& region) { return region.may_contact(path, radius_ + offset); }, region_)) return;
   ++found.effort.points_in_bounds;
-  ++found.effort.points_asked;
+  ++found.effort.points_tested;
 
   // |a + f w| <= reach, with a and w the components of the start and of the path off the centre or axis
   const Vec3d a = from_centre(path.start), z = from_centre(path.end), w = z - a;
@@ -44,12 +44,12 @@ void Analytic::look_at(std::size_t point, const Vec3d& position_t0, const Vec3d&
   const double discriminant = aw * aw - ww * before;
   const double first = before > 0 && ww > 0 ? std::clamp((-aw - std::sqrt(std::max(0.0, discriminant))) / ww, 0.0, 1.0) : 0.0;
 
-  const Vec3d touching = normalised(a + first * w);
-  const Vec3d hit = path.at(first) - (norm(a + first * w) - shape_radius()) * touching;
+  const Vec3d contact_direction = normalised(a + first * w);
+  const Vec3d hit = path.at(first) - (norm(a + first * w) - shape_radius()) * contact_direction;
   if (!std::visit([&](const auto& region) { return region.contains(hit); }, region_)) return;
 
   Vec3d normal = normalised(z), place = path.end + (reach + offset - end) * normal;
-  if (dot(a, z) <= 0) normal = touching, place = path.at(first) + offset * touching;
+  if (dot(a, z) <= 0) normal = contact_direction, place = path.at(first) + offset * contact_direction;
   constexpr double in_contact = 0.01;  // of the way, as in relocation.cpp
   const double start = norm(a);
   const bool began = start >= reach - offset && start <= reach + offset + in_contact * path.length() && dot(a, z) > 0;

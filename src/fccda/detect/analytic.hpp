@@ -51,7 +51,7 @@ class Analytic {
   /// Adds the contacts of one step to `out`, in point order. Evaluates every point; the travel of the surface is not needed.
   template <Points P>
   void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
-    look_at_every_point(points, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
+    evaluate_every_point(points, found_, [&](std::size_t i, Found& found) { evaluate(i, points.position_t0(i), points.position_t1(i), motion, found); });
     gather(out);
   }
 
@@ -64,7 +64,7 @@ class Analytic {
   /// The same for selected points, in ascending order, that were displaced since.
   template <Points P>
   void detect_again(const P& points, const Motion& motion, double, std::span<const std::size_t> which, std::vector<Contact>& out) {
-    look_at_points(which, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
+    evaluate_points(which, found_, [&](std::size_t i, Found& found) { evaluate(i, points.position_t0(i), points.position_t1(i), motion, found); });
     gather(out);
   }
 
@@ -120,7 +120,7 @@ class Analytic {
     return std::visit([&](const auto& shape) { return shape.from_centre(point); }, shape_);
   }
   bool is_inside(const Vec3d& point) const;
-  void look_at(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const;
+  void evaluate(std::size_t point, const Vec3d& position_t0, const Vec3d& position_t1, const Motion& motion, Found& found) const;
 
   AnalyticShape shape_;
   ContactBounds region_;

@@ -48,12 +48,12 @@ struct Contact {
 /// Amount of work of detections, for the run report.
 struct Effort {
   std::size_t points_in_bounds = 0;  ///< points whose path may intersect the contact bounds
-  std::size_t points_asked = 0;      ///< points whose distance to the surface was searched
-  std::size_t panels_asked = 0;      ///< pairs of point and triangle (or panel) evaluated
+  std::size_t points_tested = 0;     ///< points whose distance to the surface was searched
+  std::size_t panels_tested = 0;     ///< pairs of point and triangle (or panel) evaluated
 
   /// Adds the work of another detection.
   Effort& operator+=(const Effort& b) {
-    points_in_bounds += b.points_in_bounds, points_asked += b.points_asked, panels_asked += b.panels_asked;
+    points_in_bounds += b.points_in_bounds, points_tested += b.points_tested, panels_tested += b.panels_tested;
     return *this;
   }
 
@@ -61,8 +61,8 @@ struct Effort {
   template <class Visitor>
   void visit(Visitor& visitor) {
     visitor("points_in_bounds", points_in_bounds);
-    visitor("points_asked", points_asked);
-    visitor("panels_asked", panels_asked);
+    visitor("points_tested", points_tested);
+    visitor("panels_tested", panels_tested);
   }
 };
 

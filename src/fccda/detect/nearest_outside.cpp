@@ -12,8 +12,8 @@ std::optional<Vec3d> nearest_outside(const PathTest& test, const Vec3d& point) {
   constexpr int most_projections = 10;
   Vec3d place = point;
   for (int projection = 0; projection < most_projections; ++projection) {
-    std::size_t asked = 0;
-    const std::optional<PathTest::Nearest> nearest = test.nearest(place, -1, asked);
+    std::size_t tested = 0;
+    const std::optional<PathTest::Nearest> nearest = test.nearest(place, -1, tested);
     if (!nearest) return std::nullopt;
     const ClosestPoint& closest = nearest->closest;
     const Vec3d& normal = surface.pseudonormal(static_cast<std::size_t>(closest.triangle), closest.feature);

@@ -8,7 +8,7 @@ namespace fccda {
 
 namespace {
 
-PathAnswer nothing(double clearance) { return {.clearance = clearance}; }
+PathResult nothing(double clearance) { return {.clearance = clearance}; }
 
 }  // namespace
 
@@ -24,37 +24,37 @@ PathTest::PathTest(SharedSurface surface, ContactBounds region, double radius)
 }
 
 // 1 outside, -1 inside (or behind), 0 if undetermined: beyond the boundary of an open surface.
-int PathTest::side(const ClosestPoint& closest, const Vec3d& point, std::size_t& asked) const {
+int PathTest::side(const ClosestPoint& closest, const Vec3d& point, std::size_t& tested) const {
   const auto t = static_cast<std::size_t>(closest.triangle);
   if (!surface_->is_closed() && surface_->is_boundary_edge(t, closest.feature)) return 0;
   if (dot(point - closest.point, surface_->pseudonormal(t, closest.feature)) < 0) return -1;
-  return solids_->may_be_buried(closest.triangle) && solids_->another_holds(closest.triangle, point, asked) ? -1 : 1;
+  return solids_->may_be_buried(closest.triangle) && solids_->another_holds(closest.triangle, point, tested) ? -1 : 1;
 }
 
-bool PathTest::too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& asked) const {
-  if (surface_->is_closed()) return closest.distance < distance || side(closest, point, asked) * closest.distance < distance;
-  return side(closest, point, asked) > 0 && closest.distance < distance;
+bool PathTest::too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& tested) const {
+  if (surface_->is_closed()) return closest.distance < distance || side(closest, point, tested) * closest.distance < distance;
+  return side(closest, point, tested) > 0 && closest.distance < distance;
 }
 
 bool PathTest::is_inside(const Vec3d& point, double tolerance, double radius) const {
-  std::size_t asked = 0;
+  std::size_t tested = 0;
   const std::optional<ClosestPoint> closest = bvh_->closest(point);
   return closest && std::visit([&](const auto& region) { return region.contains(closest->point); }, region_) &&
-         too_near(*closest, point, radius - tolerance, asked);
+         too_near(*closest, point, radius - tolerance, tested);
 }
 
-bool PathTest::leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& asked) const {
-  if (surface_->is_closed() && too_near(at_end, path.end, ball.radius - ball.offset, asked)) return true;
+bool PathTest::leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& tested) const {
+  if (surface_->is_closed() && too_near(at_end, path.end, ball.radius - ball.offset, tested)) return true;
   // No point of the path is nearer than half of the difference between the distances at its ends and its length.
   if (at_start.distance + at_end.distance > 2 * ball.radius + path.length() + ball.offset) return false;
-  if (ball.radius == 0) return bvh_->first_hit(path.start, path.end, asked).has_value();
+  if (ball.radius == 0) return bvh_->first_hit(path.start, path.end, tested).has_value();
   const double limit = ball.radius - ball.offset;
-  const std::optional<double> nearest = bvh_->distance_to_segment(path.start, path.end, limit, asked);
+  const std::optional<double> nearest = bvh_->distance_to_segment(path.start, path.end, limit, tested);
   return nearest && *nearest < limit;
 }
 
 std::optional<PathTest::Leg> PathTest::first_leg(const CurvedPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end,
-                                                 const Ball& ball, std::size_t& asked) const {
+                                                 const Ball& ball, std::size_t& tested) const {
   const int parts = path.parts();
   Leg leg{{start, start}, at_start, 0, 1.0 / parts};
   for (int k = 0; k < parts;) {
@@ -65,108 +65,108 @@ std::optional<PathTest::Leg> PathTest::first_leg(const CurvedPath& path, const V
     leg.path.end = path.place(k);
     ClosestPoint next = at_end;
     if (k < parts) {
-      const std::optional<ClosestPoint> found = bvh_->closest(leg.path.end, Bvh::no_cap, leg.at_start.triangle, asked);
+      const std::optional<ClosestPoint> found = bvh_->closest(leg.path.end, Bvh::no_cap, leg.at_start.triangle, tested);
       if (!found) return std::nullopt;
       next = *found;
     }
-    if (!skips && leads_to_contact(leg.path, leg.at_start, next, ball, asked)) return leg;
+    if (!skips && leads_to_contact(leg.path, leg.at_start, next, ball, tested)) return leg;
     leg = {{leg.path.end, leg.path.end}, next, static_cast<double>(k) / parts, leg.share};
   }
   return std::nullopt;
 }
 
-PathAnswer PathTest::ask(const PathQuestion& question, int& guess, Effort& effort) const {
-  const Path& path = question.path.chord();
-  const double offset = question.offset, reach = question.radius + offset;
-  const double path_length = path.length() + question.path.bulge();  // bounds the distance of any point of the path from its ends
+PathResult PathTest::evaluate(const PathQuery& query, int& guess, Effort& effort) const {
+  const Path& path = query.path.chord();
+  const double offset = query.offset, reach = query.radius + offset;
+  const double path_length = path.length() + query.path.bulge();  // bounds the distance of any point of the path from its ends
   if (!std::isfinite(path_length)) return nothing(0);
 
   // Far from the contact bounds or from the bounding box of the surface.
-  const bool may_touch = std::visit([&](const auto& region) { return region.may_touch(path, reach + question.path.bulge()); }, region_);
-  if (!may_touch) return nothing(question.entered ? 0 : std::visit([&](const auto& region) { return region.distance_at_least(path.end); }, region_) - reach);
+  const bool may_contact = std::visit([&](const auto& region) { return region.may_contact(path, reach + query.path.bulge()); }, region_);
+  if (!may_contact) return nothing(query.entered ? 0 : std::visit([&](const auto& region) { return region.distance_at_least(path.end); }, region_) - reach);
   ++effort.points_in_bounds;
   const double from_bounds = surface_->report().bounds.distance(path.end);
-  if (from_bounds > reach + path_length && !question.entered) return nothing(from_bounds - reach);
+  if (from_bounds > reach + path_length && !query.entered) return nothing(from_bounds - reach);
 
-  ++effort.points_asked;
-  std::size_t& asked = effort.panels_asked;
-  const double cap = reach + path_length + question.look_ahead;
+  ++effort.points_tested;
+  std::size_t& tested = effort.panels_tested;
+  const double cap = reach + path_length + query.look_ahead;
   Bvh::Nearby nearby;  // contains the start, and usually the relocated position
-  const std::optional<ClosestPoint> at_end = bvh_->closest(path.end, cap, guess, 2 * path_length + 4 * offset, nearby, asked);
+  const std::optional<ClosestPoint> at_end = bvh_->closest(path.end, cap, guess, 2 * path_length + 4 * offset, nearby, tested);
   const bool clips = std::visit([](const auto& region) { return region.clips(); }, region_);
-  const bool comes = clips && !std::visit([&](const auto& region) { return region.may_touch({path.start, path.start}, reach); }, region_);
+  const bool comes = clips && !std::visit([&](const auto& region) { return region.may_contact({path.start, path.start}, reach); }, region_);
   if (at_end) guess = at_end->triangle;
-  if (!comes && !question.entered) {
+  if (!comes && !query.entered) {
     if (!at_end) return nothing(cap - reach);
-    const bool may_be_deep = surface_->is_closed() && side(*at_end, path.end, asked) < 0;
+    const bool may_be_deep = surface_->is_closed() && side(*at_end, path.end, tested) < 0;
     if (at_end->distance > reach + path_length && !may_be_deep) return nothing(at_end->distance - reach);
   }
 
   // Near: determine the side of the start.
-  const std::optional<ClosestPoint> found = bvh_->closest(path.start, nearby, guess, asked);
+  const std::optional<ClosestPoint> found = bvh_->closest(path.start, nearby, guess, tested);
   if (!found) return nothing(0);
   ClosestPoint at_start = *found;
-  PathAnswer answer = nothing(at_end ? at_end->distance - reach : cap - reach);
-  bool entered = question.entered;
-  const bool starts_near = too_near(at_start, path.start, question.radius - offset, asked);
+  PathResult result = nothing(at_end ? at_end->distance - reach : cap - reach);
+  bool entered = query.entered;
+  const bool starts_near = too_near(at_start, path.start, query.radius - offset, tested);
   if (entered && !starts_near) {
-    answer.leaves = true;
+    result.leaves = true;
     entered = false;
   }
   // A start inside without a known cause: the point entered where contact is ignored, through a clipped part of a closed surface or round the
   // boundary of an open one. Within the path length of a step, it is a residue of friction or rounding. If an open surface was in contact
   // with it in the previous step, another impactor pushed it there.
-  const auto is_deep = [&] { return too_near(at_start, path.start, question.radius - path_length, asked); };
+  const auto is_deep = [&] { return too_near(at_start, path.start, query.radius - path_length, tested); };
   const auto came_round = [&] {
-    if (surface_->is_closed()) return comes || (clips && question.renumbered && is_deep());
-    return !question.touched && is_deep();
+    if (surface_->is_closed()) return comes || (clips && query.renumbered && is_deep());
+    return !query.in_contact && is_deep();
   };
   if (!entered && starts_near && came_round()) {
-    answer.enters = entered = true;
-    answer.is_first_entry = comes || !question.renumbered;
+    result.enters = entered = true;
+    result.is_first_entry = comes || !query.renumbered;
   }
   if (entered && surface_->is_closed()) {
-    answer.clearance = 0;
-    return answer;
+    result.clearance = 0;
+    return result;
   }
-  if (entered) answer.clearance = 0;
-  if (!at_end) return answer;
+  if (entered) result.clearance = 0;
+  if (!at_end) return result;
 
   // An open surface detects balls from its front only; from elsewhere, and for points that came round its boundary, only centre crossings count.
-  const bool in_front = surface_->is_closed() || side(at_start, path.start, asked) > 0;
-  Ball ball{in_front && !entered ? question.radius : 0, offset};
+  const bool in_front = surface_->is_closed() || side(at_start, path.start, tested) > 0;
+  Ball ball{in_front && !entered ? query.radius : 0, offset};
   Vec3d start = path.start;
   if (starts_near && !entered) {  // pinched between impactors: start from the nearest position outside
-    if (solids_->may_be_buried(at_start.triangle)) at_start = nearest(start, at_start.triangle, asked)->closest;
+    if (solids_->may_be_buried(at_start.triangle)) at_start = nearest(start, at_start.triangle, tested)->closest;
     start = at_start.point + (ball.radius + offset) * outward(at_start, start, 0.5 * offset);
     at_start.distance = ball.radius + offset;
   }
   std::optional<Leg> leg;
-  if (!in_front && !entered && question.radius > 0 && at_start.distance >= question.radius - offset) {
+  if (!in_front && !entered && query.radius > 0 && at_start.distance >= query.radius - offset) {
     // The whole ball is clear beside or behind the surface. It may come round to the front, and counts as a ball if it makes contact there first.
-    const Ball whole{question.radius, offset};
-    leg = first_leg(question.path, start, at_start, *at_end, whole, asked);
-    if (leg && first_touch(*leg, whole, asked).front)
+    const Ball whole{query.radius, offset};
+    leg = first_leg(query.path, start, at_start, *at_end, whole, tested);
+    if (leg && first_contact(*leg, whole, tested).front)
       ball = whole;
     else
       leg.reset();
   }
-  if (!leg) leg = first_leg(question.path, start, at_start, *at_end, ball, asked);
-  if (!leg) return answer;
+  if (!leg) leg = first_leg(query.path, start, at_start, *at_end, ball, tested);
+  if (!leg) return result;
 
-  answer.clearance = 0;
-  Touch touch = first_touch(*leg, ball, asked);
-  if (!std::visit([&](const auto& region) { return region.contains(touch.hit); }, region_)) {
-    answer.enters = surface_->is_closed() && too_near(*at_end, path.end, question.radius - offset, asked);
-    return answer;
+  result.clearance = 0;
+  BodyFrameContact contact = first_contact(*leg, ball, tested);
+  if (!std::visit([&](const auto& region) { return region.contains(contact.hit); }, region_)) {
+    result.enters = surface_->is_closed() && too_near(*at_end, path.end, query.radius - offset, tested);
+    return result;
   }
   const Vec3d& from = leg->path.start;
   const Vec3d viewer = from + offset * outward(leg->at_start, from, offset);  // so that a start on the surface faces its own panel
-  relocate(touch, path.end, *at_end, {nearby, from, viewer, ball}, asked);
-  if (!starts_near) touch.normal_t0 = normal_at_start(*leg, touch, path, ball);
-  answer.touch = touch;
-  answer.held = ball.radius == question.radius;
-  return answer;
+  relocate(contact, path.end, *at_end, {nearby, from, viewer, ball}, tested);
+  if (!starts_near) contact.normal_t0 = normal_at_start(*leg, contact, path, ball);
+  result.contact = contact;
+  result.in_contact_as_ball = ball.radius == query.radius;
+  return result;
 }
 
 }  // namespace fccda

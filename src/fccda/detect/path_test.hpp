@@ -34,7 +34,7 @@
 namespace fccda {
 
 /// A contact in the body frame.
-struct Touch {
+struct BodyFrameContact {
   double time_fraction;  ///< 0 at t0 to 1 at t1
   Vec3d hit;             ///< [m] point of the surface first in contact
   Vec3d normal;          ///< unit, out of the surface, at the relocated position
@@ -44,25 +44,25 @@ struct Touch {
   bool front = true;     ///< it was in front of the first triangle in contact; false beside the boundary of an open surface, and behind it
 };
 
-/// What is asked of one point in one step.
-struct PathQuestion {
+/// The path of one point in one step.
+struct PathQuery {
   CurvedPath path;          ///< of the point, in the body frame
   double radius = 0;        ///< [m] of contact
   double offset = 0;        ///< [m]
   double look_ahead = 0;    ///< [m] beyond the contact radius, up to which a distance is worth determining
   bool entered = false;     ///< the point is known to have entered where contact is ignored
-  bool touched = false;     ///< it was in contact in the previous step: if it starts inside, it was pushed there (for open surfaces only)
+  bool in_contact = false;  ///< it was in contact in the previous step: if it starts inside, it was pushed there (for open surfaces only)
   bool renumbered = false;  ///< neither is known; it is regarded as entered if it starts inside by more than its path length
 };
 
 /// What the surface means for one point in one step.
-struct PathAnswer {
-  std::optional<Touch> touch{};  ///< the contact, if there is one
-  double clearance = 0;          ///< [m] lower bound of the distance beyond the contact radius, at the end of the path
-  bool enters = false;           ///< entered where contact is ignored: no contact before it is outside again
-  bool leaves = false;           ///< was such a point, and is outside again
-  bool is_first_entry = true;    ///< enters for the first time, as far as is known
-  bool held = false;             ///< in contact as a whole ball, not with its centre only
+struct PathResult {
+  std::optional<BodyFrameContact> contact{};  ///< the contact, if there is one
+  double clearance = 0;                       ///< [m] lower bound of the distance beyond the contact radius, at the end of the path
+  bool enters = false;                        ///< entered where contact is ignored: no contact before it is outside again
+  bool leaves = false;                        ///< was such a point, and is outside again
+  bool is_first_entry = true;                 ///< enters for the first time, as far as is known
+  bool in_contact_as_ball = false;            ///< in contact as a whole ball, not with its centre only
 };
 
 /// Contact of single paths with a surface; many threads may use one object.
@@ -80,7 +80,7 @@ class PathTest {
   PathTest(std::shared_ptr<const Surface> surface, ContactBounds region, double radius) : PathTest(share(std::move(surface)), std::move(region), radius) {}
 
   /// `guess`: a triangle expected to be near, or -1; updated.
-  PathAnswer ask(const PathQuestion& question, int& guess, Effort& effort) const;
+  PathResult evaluate(const PathQuery& query, int& guess, Effort& effort) const;
 
   /// True inside the surface, or nearer to it than the contact radius by more than `tolerance` [m]; for an open surface, in front of it.
   bool is_inside(const Vec3d& point, double tolerance) const { return is_inside(point, tolerance, radius_); }
@@ -88,7 +88,7 @@ class PathTest {
   bool is_inside(const Vec3d& point, double tolerance, double radius) const;
 
   /// `guess`: a triangle expected to be near, or -1. Nothing for a point that is not a number.
-  std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& asked) const { return nearest(point, {}, guess, asked); }
+  std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& tested) const { return nearest(point, {}, guess, tested); }
 
   /// End position of a point that moves from `from` towards `to`, as SlidingSurface::slide, in the body frame. `offset`: that of the query.
   Vec3d slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const;
@@ -128,19 +128,20 @@ class PathTest {
   };
 
   ClosestPoint closest_on(int triangle, const Vec3d& point) const;
-  int side(const ClosestPoint& closest, const Vec3d& point, std::size_t& asked) const;
+  int side(const ClosestPoint& closest, const Vec3d& point, std::size_t& tested) const;
   Vec3d outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const;
-  bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& asked) const;
-  std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest, std::size_t& asked) const;
-  std::optional<Nearest> nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& asked) const;
-  bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& asked) const;
+  bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& tested) const;
+  std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest, std::size_t& tested) const;
+  std::optional<Nearest> nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& tested) const;
+  bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& tested) const;
   std::optional<Leg> first_leg(const CurvedPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
-                               std::size_t& asked) const;
-  Touch first_touch(const Leg& leg, const Ball& ball, std::size_t& asked) const;
-  std::optional<Place> first_place(const Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const;
-  std::optional<Place> clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& asked) const;
-  Vec3d normal_at_start(const Leg& leg, const Touch& touch, const Path& path, const Ball& ball) const;
-  void relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const;
+                               std::size_t& tested) const;
+  BodyFrameContact first_contact(const Leg& leg, const Ball& ball, std::size_t& tested) const;
+  std::optional<Place> first_place(const BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around,
+                                   std::size_t& tested) const;
+  std::optional<Place> clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& tested) const;
+  Vec3d normal_at_start(const Leg& leg, const BodyFrameContact& contact, const Path& path, const Ball& ball) const;
+  void relocate(BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& tested) const;
 
   SharedSurface shared_;  // owner of the next three
   const Surface* surface_;

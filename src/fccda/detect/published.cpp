@@ -115,18 +115,18 @@ Vec3d Published::relocated(const Plane& plane, const Vec3d& x_t1) const {
   return best + 1e-12 * largest_magnitude(surface_->report().bounds.size()) * plane.normal;
 }
 
-void Published::look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const {
+void Published::evaluate(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const {
   const Path path{motion.t0.to_body(x_t0), motion.t1.to_body(x_t1)};
-  if (!std::visit([&](const auto& region) { return region.may_touch(path, 0); }, region_)) return;
+  if (!std::visit([&](const auto& region) { return region.may_contact(path, 0); }, region_)) return;
   const Box& bounds = surface_->report().bounds;
   const Vec3d low = min(path.start, path.end), high = max(path.start, path.end);
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!(low[axis] <= bounds.high[axis] && high[axis] >= bounds.low[axis])) return;
   ++found.effort.points_in_bounds;
-  ++found.effort.points_asked;
+  ++found.effort.points_tested;
   for (std::size_t panel = 0; panel < sign_.size(); ++panel) {
     if (sign_[panel] == 0) continue;
-    ++found.effort.panels_asked;
+    ++found.effort.panels_tested;
     const Verdict verdict = judge({at_t0_[panel], at_t1_[panel]}, x_t0, x_t1, motion);
     found.rejections.count(verdict);
     if (verdict != Verdict::accepted) continue;

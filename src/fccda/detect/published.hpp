@@ -67,7 +67,7 @@ class Published {
   template <Points P>
   void detect(const P& points, const Motion& motion, double, std::vector<Contact>& out) {
     place(motion);
-    look_at_every_point(points, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
+    evaluate_every_point(points, found_, [&](std::size_t i, Found& found) { evaluate(i, points.position_t0(i), points.position_t1(i), motion, found); });
     gather(out);
   }
 
@@ -80,7 +80,7 @@ class Published {
   /// The same for selected points, in ascending order, that were displaced after `detect` in this step.
   template <Points P>
   void detect_again(const P& points, const Motion& motion, double, std::span<const std::size_t> which, std::vector<Contact>& out) {
-    look_at_points(which, found_, [&](std::size_t i, Found& found) { look_at(i, points.position_t0(i), points.position_t1(i), motion, found); });
+    evaluate_points(which, found_, [&](std::size_t i, Found& found) { evaluate(i, points.position_t0(i), points.position_t1(i), motion, found); });
     gather(out);
   }
 
@@ -156,7 +156,7 @@ class Published {
   }
   void place(const Motion& motion);
   Plane plane(std::size_t panel, const Pose& pose) const;
-  void look_at(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const;
+  void evaluate(std::size_t point, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion, Found& found) const;
   Verdict judge(const Planes& panel, const Vec3d& x_t0, const Vec3d& x_t1, const Motion& motion) const {
     return variant_ == Variant::literal ? judge_literal(panel, x_t0, x_t1, motion) : judge_corrected(panel, x_t0, x_t1);
   }

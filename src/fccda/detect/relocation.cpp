@@ -17,21 +17,21 @@ Vec3d PathTest::outward(const ClosestPoint& closest, const Vec3d& point, double 
   return dot(line, normal) < 0 ? -line : line;
 }
 
-std::optional<PathTest::Nearest> PathTest::nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& asked) const {
-  const std::optional<ClosestPoint> closest = bvh_->closest(point, nearby, guess, asked);
+std::optional<PathTest::Nearest> PathTest::nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& tested) const {
+  const std::optional<ClosestPoint> closest = bvh_->closest(point, nearby, guess, tested);
   if (!closest) return std::nullopt;
   if (!surface_->is_closed()) return Nearest{*closest, closest->distance};
-  if (!solids_->may_be_buried(closest->triangle)) return Nearest{*closest, side(*closest, point, asked) * closest->distance};
-  const std::optional<Solids::Nearest> deepest = solids_->nearest(point, asked);
+  if (!solids_->may_be_buried(closest->triangle)) return Nearest{*closest, side(*closest, point, tested) * closest->distance};
+  const std::optional<Solids::Nearest> deepest = solids_->nearest(point, tested);
   return Nearest{deepest->closest, deepest->signed_distance};
 }
 
 // The closest point among the triangles that face the viewer. Of overlapping solids only the one that `closest` belongs to is searched, since
 // triangles of the others may be buried in it.
 std::optional<ClosestPoint> PathTest::closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest,
-                                                     std::size_t& asked) const {
-  if (!solids_->several()) return bvh_->closest_facing(point, viewer, cap, asked);
-  return solids_->closest_facing(surface_->solid_of(static_cast<std::size_t>(closest.triangle)), point, viewer, cap, asked);
+                                                     std::size_t& tested) const {
+  if (!solids_->several()) return bvh_->closest_facing(point, viewer, cap, tested);
+  return solids_->closest_facing(surface_->solid_of(static_cast<std::size_t>(closest.triangle)), point, viewer, cap, tested);
 }
 
 ClosestPoint PathTest::closest_on(int triangle, const Vec3d& point) const {
@@ -41,45 +41,45 @@ ClosestPoint PathTest::closest_on(int triangle, const Vec3d& point) const {
 }
 
 // First contact along the path and a position there: the fallback of relocation.
-Touch PathTest::first_touch(const Leg& leg, const Ball& ball, std::size_t& asked) const {
+BodyFrameContact PathTest::first_contact(const Leg& leg, const Ball& ball, std::size_t& tested) const {
   const Path& path = leg.path;
-  Touch touch{.time_fraction = leg.begin,
-              .hit = leg.at_start.point,
-              .normal = outward(leg.at_start, path.start, ball.offset),
-              .relocation = path.start,
-              .triangle = leg.at_start.triangle};
+  BodyFrameContact contact{.time_fraction = leg.begin,
+                           .hit = leg.at_start.point,
+                           .normal = outward(leg.at_start, path.start, ball.offset),
+                           .relocation = path.start,
+                           .triangle = leg.at_start.triangle};
   // At the radius itself, without the offset: where the path grazes an edge, the normal depends on it.
   const double sharp = 1e-3 * ball.offset;
   const std::optional<Crossing> first =
-      ball.radius == 0 ? bvh_->first_hit(path.start, path.end, asked) : bvh_->first_touch(path.start, path.end, ball.radius, sharp, asked);
-  if (!first) return touch;
+      ball.radius == 0 ? bvh_->first_hit(path.start, path.end, tested) : bvh_->first_contact(path.start, path.end, ball.radius, sharp, tested);
+  if (!first) return contact;
   const Vec3d place = path.at(first->fraction);
   const ClosestPoint closest = closest_on(first->triangle, place);
-  touch.time_fraction = leg.begin + leg.share * first->fraction;
-  touch.hit = closest.point;
-  touch.normal = ball.radius == 0 ? surface_->normal(static_cast<std::size_t>(first->triangle)) : outward(closest, place, ball.offset);
-  touch.relocation = closest.point + (ball.radius + ball.offset) * touch.normal;
-  touch.triangle = first->triangle;
-  touch.front = side(closest, place, asked) > 0;
-  return touch;
+  contact.time_fraction = leg.begin + leg.share * first->fraction;
+  contact.hit = closest.point;
+  contact.normal = ball.radius == 0 ? surface_->normal(static_cast<std::size_t>(first->triangle)) : outward(closest, place, ball.offset);
+  contact.relocation = closest.point + (ball.radius + ball.offset) * contact.normal;
+  contact.triangle = first->triangle;
+  contact.front = side(closest, place, tested) > 0;
+  return contact;
 }
 
 // Relocation candidate for the end of the path; it may still penetrate other parts of the surface.
-std::optional<PathTest::Place> PathTest::first_place(const Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around,
-                                                     std::size_t& asked) const {
+std::optional<PathTest::Place> PathTest::first_place(const BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around,
+                                                     std::size_t& tested) const {
   const Ball& ball = around.ball;
   const double reach = ball.radius + ball.offset;
-  if (side(at_end, end, asked) > 0 && at_end.distance >= ball.radius) {
+  if (side(at_end, end, tested) > 0 && at_end.distance >= ball.radius) {
     // The path ends outside, past an edge or on the far side of a blade. Only its motion against the normal after first contact is removed:
     // projection onto the surface would pull the point back, or round to the far side.
-    const Vec3d& normal = touch.normal;
-    return Place{end - std::min(0.0, dot(end - touch.relocation, normal)) * normal, normal, at_end.triangle};
+    const Vec3d& normal = contact.normal;
+    return Place{end - std::min(0.0, dot(end - contact.relocation, normal)) * normal, normal, at_end.triangle};
   }
   ClosestPoint closest = at_end;
-  if (solids_->may_be_buried(at_end.triangle)) closest = nearest(end, at_end.triangle, asked)->closest;
+  if (solids_->may_be_buried(at_end.triangle)) closest = nearest(end, at_end.triangle, tested)->closest;
   const auto t = static_cast<std::size_t>(closest.triangle);
   if (!(dot(around.viewer - surface_->corner(t, 0), surface_->normal(t)) > 0)) {  // else no triangle that faces the start is closer
-    const std::optional<ClosestPoint> facing = closest_facing(end, around.viewer, norm(end - touch.hit) + reach, closest, asked);
+    const std::optional<ClosestPoint> facing = closest_facing(end, around.viewer, norm(end - contact.hit) + reach, closest, tested);
     if (!facing) return std::nullopt;
     closest = *facing;
   }
@@ -91,20 +91,20 @@ std::optional<PathTest::Place> PathTest::first_place(const Touch& touch, const V
 // right angle one projection suffices. In narrower corners the closest features are treated as planes, one more per projection, and the result is
 // the admissible position nearest to `wanted`: in a wedge, however sharp, on the line along its edge; in the tip of a funnel on three of its
 // faces.
-std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& asked) const {
+std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& tested) const {
   constexpr std::size_t most_projections = 16;
   const Ball& ball = around.ball;
   const double reach = ball.radius + ball.offset;
   const double furthest = norm(around.start - wanted) + 2 * reach;  // the start itself is clear
   HalfSpaces<most_projections + 1> before;
   for (std::size_t projection = 0;; ++projection) {
-    const std::optional<Nearest> now = nearest(place.point, around.nearby, place.triangle, asked);
+    const std::optional<Nearest> now = nearest(place.point, around.nearby, place.triangle, tested);
     if (!now) return std::nullopt;
     if (now->distance >= ball.radius + 0.5 * ball.offset) break;
     if (projection == most_projections) return std::nullopt;
     ClosestPoint closest = now->closest;
     if (now->distance < 0 && solids_->several()) {  // inside another solid: avoid leaving a thin one at its far side
-      if (const std::optional<ClosestPoint> facing = closest_facing(place.point, around.viewer, Bvh::no_cap, closest, asked)) closest = *facing;
+      if (const std::optional<ClosestPoint> facing = closest_facing(place.point, around.viewer, Bvh::no_cap, closest, tested)) closest = *facing;
     }
     if (projection == 0 && norm(place.point - wanted) > 0) before.add(place.direction, dot(place.direction, place.point));
     place.direction = outward(closest, place.point, 0.5 * ball.offset);
@@ -117,36 +117,36 @@ std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& w
     const std::optional<Vec3d> common = before.nearest(wanted, 0.25 * ball.offset);
     if (common && norm(*common - wanted) <= furthest) place.point = *common;
   }
-  if (bvh_->first_hit(around.start, place.point, asked)) return std::nullopt;
+  if (bvh_->first_hit(around.start, place.point, tested)) return std::nullopt;
   return place;
 }
 
 // Normal at t0 of a ball that was in contact at the start and slid without hitting another part; else zero. Such a ball is relocated along the normal at
 // the end, which has rotated along the path, as round an edge, or not at all. Where the surface rises ahead of it, it makes first contact with another part.
-Vec3d PathTest::normal_at_start(const Leg& leg, const Touch& touch, const Path& path, const Ball& ball) const {
+Vec3d PathTest::normal_at_start(const Leg& leg, const BodyFrameContact& contact, const Path& path, const Ball& ball) const {
   constexpr double in_contact = 0.01;  // of the path length: clearance that relocation, sliding and rounding leave
   constexpr double rounding = 1e-6, most_turned = 0.5;
   if (ball.radius == 0 || leg.begin > 0 || leg.at_start.distance > ball.radius + ball.offset + in_contact * path.length()) return {};
-  const Vec3d normal = outward(leg.at_start, path.start, ball.offset), travel = touch.relocation - path.start, push = touch.relocation - path.end;
-  if (dot(normal, touch.normal) < most_turned || dot(touch.normal - normal, travel) < -rounding * norm(travel)) return {};
-  if (norm(push - dot(push, touch.normal) * touch.normal) > rounding * norm(push) + 0.1 * ball.offset) return {};
+  const Vec3d normal = outward(leg.at_start, path.start, ball.offset), travel = contact.relocation - path.start, push = contact.relocation - path.end;
+  if (dot(normal, contact.normal) < most_turned || dot(contact.normal - normal, travel) < -rounding * norm(travel)) return {};
+  if (norm(push - dot(push, contact.normal) * contact.normal) > rounding * norm(push) + 0.1 * ball.offset) return {};
   return normal;
 }
 
-void PathTest::relocate(Touch& touch, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& asked) const {
-  std::optional<Place> place = first_place(touch, end, at_end, around, asked);
-  if (place) place = clear_place(*place, end, around, asked);
-  if (!place) place = clear_place({touch.relocation, touch.normal, touch.triangle}, touch.relocation, around, asked);
-  if (!place) place = clear_place({around.start, touch.normal, touch.triangle}, around.start, around, asked);
-  if (!place) place = Place{around.start, touch.normal, touch.triangle};
-  touch.normal = place->direction;
-  touch.relocation = place->point;
-  touch.triangle = place->triangle;
+void PathTest::relocate(BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& tested) const {
+  std::optional<Place> place = first_place(contact, end, at_end, around, tested);
+  if (place) place = clear_place(*place, end, around, tested);
+  if (!place) place = clear_place({contact.relocation, contact.normal, contact.triangle}, contact.relocation, around, tested);
+  if (!place) place = clear_place({around.start, contact.normal, contact.triangle}, around.start, around, tested);
+  if (!place) place = Place{around.start, contact.normal, contact.triangle};
+  contact.normal = place->direction;
+  contact.relocation = place->point;
+  contact.triangle = place->triangle;
 }
 
 Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const {
   constexpr std::size_t max_parts = 8;
-  std::size_t asked = 0;
+  std::size_t tested = 0;
   const Vec3d total = to - from;
   // A ball that entered from behind an open surface is treated as a point until it has clearance.
   const bool is_point = radius > 0 && !surface_->is_closed() && bvh_->closest(from, radius - offset);
@@ -156,15 +156,15 @@ Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double radius, double 
   double left = 1;
   for (std::size_t part = 0; part < max_parts; ++part) {
     const Vec3d end = part == 0 ? to : place + left * direction;
-    const std::optional<Crossing> touch = bvh_->first_touch(place, end, clearance, 0.1 * offset, asked);
-    const Vec3d reached = touch ? place + touch->fraction * (end - place) : end;
+    const std::optional<Crossing> contact = bvh_->first_contact(place, end, clearance, 0.1 * offset, tested);
+    const Vec3d reached = contact ? place + contact->fraction * (end - place) : end;
     // At one offset from an edge, rounding leaves the direction undefined: a path into the edge may be taken for one along it.
-    if (reached != place && bvh_->distance_to_segment(place, reached, clearance - 0.25 * offset, asked)) return place;
-    if (!touch) return end;
+    if (reached != place && bvh_->distance_to_segment(place, reached, clearance - 0.25 * offset, tested)) return place;
+    if (!contact) return end;
     place = reached;
-    left *= 1 - touch->fraction;
+    left *= 1 - contact->fraction;
 
-    const ClosestPoint on = closest_on(touch->triangle, place);
+    const ClosestPoint on = closest_on(contact->triangle, place);
     Vec3d& wall = walls[part];
     wall = place - on.point;
     if (on.feature == Feature::face) {

@@ -17,9 +17,9 @@ bool same(const Pose& a, const Pose& b) {
 
 void Swept::begin_step(std::size_t point_count, double largest_radius, const Motion& motion) {
   expect_usable(motion);
-  touched_before_.swap(touched_);
-  touched_.clear();
-  for (std::vector<std::uint64_t>* numbers : {&entered_, &touched_before_})  // the number of a new point must not refer to a removed one
+  in_contact_before_.swap(in_contact_);
+  in_contact_.clear();
+  for (std::vector<std::uint64_t>* numbers : {&entered_, &in_contact_before_})  // the number of a new point must not refer to a removed one
     numbers->erase(std::lower_bound(numbers->begin(), numbers->end(), point_count), numbers->end());
   if (!same(pose_, motion.t0)) cache_.forget();
   pose_ = motion.t1;
@@ -32,7 +32,7 @@ void Swept::begin_step(std::size_t point_count, double largest_radius, const Mot
 
 // Points in contact have no clearance, so all of them are evaluated again; those that entered or left may have some.
 void Swept::begin_again(double largest_radius, const Motion& motion) {
-  touched_.clear();
+  in_contact_.clear();
   for (const std::uint64_t point : changed_) cache_.forget(point);
   changed_.clear();
   entered_ = entered_at_t0_;
@@ -67,8 +67,8 @@ void Swept::measure(double largest_radius, const Motion& motion) {
 void Swept::grown(std::size_t i) {
   cache_.forget(i);
   if (test_.surface().is_closed()) return;
-  const auto place = std::lower_bound(touched_.begin(), touched_.end(), i);
-  if (place == touched_.end() || *place != i) touched_.insert(place, i);
+  const auto place = std::lower_bound(in_contact_.begin(), in_contact_.end(), i);
+  if (place == in_contact_.end() || *place != i) in_contact_.insert(place, i);
 }
 
 void Swept::forget() {
@@ -79,39 +79,39 @@ void Swept::forget() {
 void Swept::renumbered() {
   forget();
   entered_.clear();
-  touched_.clear();
+  in_contact_.clear();
   renumbered_ = 1;
 }
 
-void Swept::look_at(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view,
-                    double look_ahead, Found& found) {
+void Swept::evaluate(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view,
+                     double look_ahead, Found& found) {
   const CurvedPath path = view.path(position_t0, position_t1);
   const bool entered = has_entered(point);
   const bool fresh = cache_.is_new(point);
-  const PathAnswer answer = test_.ask({.path = path,
-                                       .radius = radius,
-                                       .offset = step_.offset,
-                                       .look_ahead = fresh ? Bvh::no_cap : look_ahead,
-                                       .entered = entered,
-                                       .touched = was_touched(point),
-                                       .renumbered = renumbered_ != 0},
-                                      guess_[point], found.effort);
-  cache_.postpone(block, point, answer.clearance);
-  if (answer.leaves) found.leaving.push_back(point);
-  if (answer.enters && (!entered || answer.leaves)) found.entering.push_back(point), found.entered_before += !answer.is_first_entry;
-  if (answer.held && !test_.surface().is_closed()) found.touched.push_back(point);
-  if (!answer.touch) return;
+  const PathResult result = test_.evaluate({.path = path,
+                                            .radius = radius,
+                                            .offset = step_.offset,
+                                            .look_ahead = fresh ? Bvh::no_cap : look_ahead,
+                                            .entered = entered,
+                                            .in_contact = was_in_contact(point),
+                                            .renumbered = renumbered_ != 0},
+                                           guess_[point], found.effort);
+  cache_.postpone(block, point, result.clearance);
+  if (result.leaves) found.leaving.push_back(point);
+  if (result.enters && (!entered || result.leaves)) found.entering.push_back(point), found.entered_before += !result.is_first_entry;
+  if (result.in_contact_as_ball && !test_.surface().is_closed()) found.in_contact.push_back(point);
+  if (!result.contact) return;
   const Motion& motion = view.motion();
-  const Touch& touch = *answer.touch;
+  const BodyFrameContact& contact = *result.contact;
   found.contacts.push_back({.point = point,
-                            .panel = test_.surface().triangles()[static_cast<std::size_t>(touch.triangle)].panel,
-                            .time_fraction = touch.time_fraction,
-                            .hit = motion.t1.to_world(touch.hit),
-                            .normal = motion.t1.turn_to_world(touch.normal),
-                            .relocation = motion.t1.to_world(touch.relocation),
-                            .depth = norm(touch.relocation - path.chord().end),
+                            .panel = test_.surface().triangles()[static_cast<std::size_t>(contact.triangle)].panel,
+                            .time_fraction = contact.time_fraction,
+                            .hit = motion.t1.to_world(contact.hit),
+                            .normal = motion.t1.turn_to_world(contact.normal),
+                            .relocation = motion.t1.to_world(contact.relocation),
+                            .depth = norm(contact.relocation - path.chord().end),
                             .radius = radius,
-                            .normal_t0 = motion.t0.turn_to_world(touch.normal_t0),
+                            .normal_t0 = motion.t0.turn_to_world(contact.normal_t0),
                             .sliding = this});
 }
 
@@ -128,12 +128,12 @@ void Swept::gather(std::size_t shares, std::vector<Contact>& out) {
     out.insert(out.end(), found.contacts.begin(), found.contacts.end());
     entering.insert(entering.end(), found.entering.begin(), found.entering.end());
     leaving.insert(leaving.end(), found.leaving.begin(), found.leaving.end());
-    touched_.insert(touched_.end(), found.touched.begin(), found.touched.end());
+    in_contact_.insert(in_contact_.end(), found.in_contact.begin(), found.in_contact.end());
     entered_before += found.entered_before;
     effort_ += found.effort;
   }
-  std::sort(touched_.begin(), touched_.end());
-  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  std::sort(in_contact_.begin(), in_contact_.end());
+  in_contact_.erase(std::unique(in_contact_.begin(), in_contact_.end()), in_contact_.end());
   if (entering.empty() && leaving.empty()) return;
   changed_.insert(changed_.end(), entering.begin(), entering.end());
   changed_.insert(changed_.end(), leaving.begin(), leaving.end());

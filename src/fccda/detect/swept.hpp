@@ -49,7 +49,7 @@ class Swept final : public SlidingSurface {
       if (cache_.travel(b, step_.approach(points.block_travel(b) + surface_travel))) due_blocks_.push_back(b);
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
-                        [&](std::ptrdiff_t k) { look_at_block(points, view, surface_travel, static_cast<std::size_t>(k), 0); });
+                        [&](std::ptrdiff_t k) { evaluate_block(points, view, surface_travel, static_cast<std::size_t>(k), 0); });
     gather(due_blocks_.size(), out);
     renumbered_ = 0;
   }
@@ -70,7 +70,7 @@ class Swept final : public SlidingSurface {
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
       const auto block = static_cast<std::size_t>(k);
-      look_at_block(points, view, surface_travel, block, way(points, due_blocks_[block], surface_travel));
+      evaluate_block(points, view, surface_travel, block, way(points, due_blocks_[block], surface_travel));
     });
     gather(due_blocks_.size(), out);
     renumbered_ = 0;
@@ -81,10 +81,10 @@ class Swept final : public SlidingSurface {
   template <Points P>
   void detect_again(const P& points, const Motion& motion, double surface_travel, std::span<const std::size_t> which, std::vector<Contact>& out) {
     const BodyView view(motion, test_.size());
-    look_at_points(which, found_, [&](std::size_t i, Found& found) {
+    evaluate_points(which, found_, [&](std::size_t i, Found& found) {
       const std::size_t block = cache_.block_of(i);
-      look_at(block, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view,
-              look_ahead(points.block_travel(block) + surface_travel), found);
+      evaluate(block, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view,
+               look_ahead(points.block_travel(block) + surface_travel), found);
     });
     for (const std::size_t i : which) cache_.update_point(i);
     gather(found_.size(), out);
@@ -154,7 +154,7 @@ class Swept final : public SlidingSurface {
 
  private:
   /// Distances are searched this many steps ahead: most points found are then not evaluated again for as long.
-  static constexpr double looks_ahead = 64;
+  static constexpr double look_ahead_factor = 64;
 
   /// Parameters of the motion of this step.
   struct Step {
@@ -166,10 +166,10 @@ class Swept final : public SlidingSurface {
 
   struct Found {
     std::vector<Contact> contacts;
-    std::vector<std::uint64_t> entering, leaving, touched;
+    std::vector<std::uint64_t> entering, leaving, in_contact;
     std::uint64_t entered_before = 0;  // of those entering
     Effort effort;
-    void clear() { contacts.clear(), entering.clear(), leaving.clear(), touched.clear(), entered_before = 0, effort = {}; }
+    void clear() { contacts.clear(), entering.clear(), leaving.clear(), in_contact.clear(), entered_before = 0, effort = {}; }
   };
 
   template <Points P>
@@ -197,7 +197,7 @@ class Swept final : public SlidingSurface {
 
   /// `near` [m]: points are evaluated that are due, or would be after this much more travel.
   template <Points P>
-  void look_at_block(const P& points, const BodyView& view, double surface_travel, std::size_t k, double near) {
+  void evaluate_block(const P& points, const BodyView& view, double surface_travel, std::size_t k, double near) {
     const std::size_t b = due_blocks_[k];
     Found& found = found_[k];
     found.clear();
@@ -205,7 +205,7 @@ class Swept final : public SlidingSurface {
     for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
       if (!cache_.is_due(b, i, near)) continue;
       if (points.occupied(i))
-        look_at(b, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view, ahead, found);
+        evaluate(b, i, contact_radius(points, i, test_.radius()), points.position_t0(i), points.position_t1(i), view, ahead, found);
       else
         cache_.postpone(b, i, Bvh::no_cap);
     }
@@ -216,19 +216,19 @@ class Swept final : public SlidingSurface {
   static void visit_state_of(Self& self, Visitor& visit) {
     visit(std::string_view("points_inside"), self.entered_);
     visit(std::string_view("entered_inside"), self.entered_count_);
-    visit(std::string_view("points_touched"), self.touched_);
+    visit(std::string_view("points_in_contact"), self.in_contact_);
     visit(std::string_view("renumbered"), self.renumbered_);
   }
 
-  static bool holds(const std::vector<std::uint64_t>& numbers, std::size_t point) { return std::binary_search(numbers.begin(), numbers.end(), point); }
-  bool has_entered(std::size_t point) const { return holds(entered_, point); }
-  bool was_touched(std::size_t point) const { return holds(touched_before_, point) || holds(touched_, point); }
-  double look_ahead(double travel) const { return looks_ahead * step_.approach(travel); }
+  static bool contains(const std::vector<std::uint64_t>& numbers, std::size_t point) { return std::binary_search(numbers.begin(), numbers.end(), point); }
+  bool has_entered(std::size_t point) const { return contains(entered_, point); }
+  bool was_in_contact(std::size_t point) const { return contains(in_contact_before_, point) || contains(in_contact_, point); }
+  double look_ahead(double travel) const { return look_ahead_factor * step_.approach(travel); }
   void begin_step(std::size_t point_count, double largest_radius, const Motion& motion);
   void begin_again(double largest_radius, const Motion& motion);
   void measure(double largest_radius, const Motion& motion);
-  void look_at(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view, double look_ahead,
-               Found& found);
+  void evaluate(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view,
+                double look_ahead, Found& found);
   void gather(std::size_t shares, std::vector<Contact>& out);
 
   PathTest test_;
@@ -237,7 +237,7 @@ class Swept final : public SlidingSurface {
   std::vector<std::uint64_t> entered_;  // points that entered where contact is ignored, in order: state
   std::uint64_t entered_count_ = 0;     // number of entries so far: state
   // In order, recorded for open surfaces only: points in contact in the previous step, and in this step so far. The latter is state.
-  std::vector<std::uint64_t> touched_before_, touched_;
+  std::vector<std::uint64_t> in_contact_before_, in_contact_;
   std::uint64_t renumbered_ = 0;  // 1: the entered points are determined again in the next step: state
 
   // Saved for begin_again(), which repeats the step in progress.

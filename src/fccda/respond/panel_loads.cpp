@@ -65,7 +65,7 @@ void PanelLoads::end_interval(double duration) {
   }
 }
 
-void PanelLoads::take_up() {
+void PanelLoads::rebuild_derived() {
   pressed_.clear();
   for (std::size_t panel = 0; panel < pressure_.size(); ++panel)
     if (pressure_[panel] != 0) pressed_.push_back(static_cast<int>(panel));

@@ -62,7 +62,7 @@ class PanelLoads {
       visit(std::to_string(k) + ".hit", kinds_[k].hit);  // in this order, since it is the order of summation
       visit_loads(visit, std::to_string(k) + ".pushes", kinds_[k].pushes);
     }
-    take_up();
+    rebuild_derived();
   }
 
  private:
@@ -89,7 +89,7 @@ class PanelLoads {
     visit(name, std::span<double>(values));
     for (std::size_t k = 0; k < loads.size(); ++k) loads[k] = {{values[4 * k], values[4 * k + 1], values[4 * k + 2]}, values[4 * k + 3]};
   }
-  void take_up();  // recomputes derived data after the visitor may have written the state
+  void rebuild_derived();  // recomputes derived data after the visitor may have written the state
 
   PanelFaces faces_;
   std::vector<Kind> kinds_;

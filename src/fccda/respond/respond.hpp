@@ -101,27 +101,27 @@ inline Vec3d point_of_application(const Contact& contact, const Vec3d& position_
 template <PointsInContact P, class Report>
 ContactSum resolve_points(P& points, std::span<const Contact> contacts, const Motion& motion, const Vec3d& centre_of_mass, double friction, Report&& report) {
   expect_friction(friction);
-  ContactSum tally;
+  ContactSum sum;
   for (const Contact& contact : contacts) {
     const std::size_t i = contact.point;
     const Vec3d start = points.position_t0(i), before = points.velocity(i);
     const Resolved after = resolved(contact, start, before, motion, friction);
     const Vec3d impulse = -points.mass(i) * (after.velocity - before);
     points.set(i, after.position, after.velocity);
-    tally.impulse += impulse;
-    tally.angular_impulse_about_com += cross(point_of_application(contact, start, after.position, motion) - centre_of_mass, impulse);
-    ++tally.contacts;
+    sum.impulse += impulse;
+    sum.angular_impulse_about_com += cross(point_of_application(contact, start, after.position, motion) - centre_of_mass, impulse);
+    ++sum.contacts;
     report(contact, impulse);
   }
-  return tally;
+  return sum;
 }
 
 /// The same, and applies the impulse to the body.
 template <PointsInContact P, class Report>
 ContactSum respond(P& points, std::span<const Contact> contacts, const Motion& motion, RigidBody& body, double friction, Report&& report) {
-  const ContactSum tally = resolve_points(points, contacts, motion, body.position_of_com(), friction, report);
-  body.add_impulse(tally.impulse, tally.angular_impulse_about_com);
-  return tally;
+  const ContactSum sum = resolve_points(points, contacts, motion, body.position_of_com(), friction, report);
+  body.add_impulse(sum.impulse, sum.angular_impulse_about_com);
+  return sum;
 }
 
 /// The same without a report of single contacts.

@@ -77,22 +77,22 @@ void RigidBody::place(const Quaternion& attitude) {
   pose_ = Pose(com_ - turned.turn_to_world(properties_.centre_of_mass), attitude);
 }
 
-Vec3d RigidBody::spin_of(const Mat3& inertia, const Vec3d& angular, const Vec3d& held_at) const {
+Vec3d RigidBody::spin_of(const Mat3& inertia, const Vec3d& angular, const Vec3d& prescribed) const {
   Mat3 reduced = inertia;
   Vec3d right = angular;
   for (std::size_t fixed = 0; fixed < 3; ++fixed) {
     if (degrees_.rotation(fixed)) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      right[axis] -= reduced.row[axis][fixed] * held_at[fixed];
+      right[axis] -= reduced.row[axis][fixed] * prescribed[fixed];
       reduced.row[axis][fixed] = 0;
     }
     reduced.row[fixed] = {};
     reduced.row[fixed][fixed] = 1;
-    right[fixed] = held_at[fixed];
+    right[fixed] = prescribed[fixed];
   }
   Vec3d spin = solve(reduced, right);
   for (std::size_t fixed = 0; fixed < 3; ++fixed)
-    if (!degrees_.rotation(fixed)) spin[fixed] = held_at[fixed];  // exactly: the solution is rounded
+    if (!degrees_.rotation(fixed)) spin[fixed] = prescribed[fixed];  // exactly: the solution is rounded
   return spin;
 }
 

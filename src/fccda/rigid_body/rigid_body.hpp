@@ -100,8 +100,8 @@ class RigidBody {
 
  private:
   void place(const Quaternion& attitude);
-  /// The angular velocity whose free components give `angular` along the free axes, with the constrained ones equal to those of `held_at`.
-  Vec3d spin_of(const Mat3& inertia, const Vec3d& angular, const Vec3d& held_at) const;
+  /// The angular velocity whose free components give `angular` along the free axes, with the constrained ones equal to those of `prescribed`.
+  Vec3d spin_of(const Mat3& inertia, const Vec3d& angular, const Vec3d& prescribed) const;
   Vec3d spin_of(const Vec3d& angular) const { return spin_of(inertia(), angular, spin_); }
   /// The attitude after a rotation of dt [s] at the angular velocity that `angular` gives at midstep: symmetric, second order.
   Quaternion turned(const Quaternion& attitude, const Vec3d& angular, double dt) const;

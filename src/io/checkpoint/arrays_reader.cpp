@@ -8,15 +8,17 @@
 
 #include "base/error.hpp"
 #include "io/checkpoint/fingerprint.hpp"
-#include "io/checkpoint/hdf5.hpp"
+#include "io/hdf5/handle.hpp"
 #include "io/output/file.hpp"
 
 namespace perimpact::checkpoint {
 
+using hdf5::Handle, hdf5::Quiet, hdf5::type_in_memory;
+
 struct ArraysReader::File {
   Quiet quiet;
   std::filesystem::path path;
-  Handle hdf5;
+  Handle opened;
   std::uint64_t read = 0;
 };
 
@@ -43,9 +45,9 @@ ArraysReader::ArraysReader(const std::filesystem::path& path) : file_(std::make_
   const output::Descriptor readable(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!readable.is_open())
     throw fccda::InputError(fmt::format("{} cannot be read: {}. Make it readable, or start a new run without --resume.", path.string(), std::strerror(errno)));
-  const Handle access = file_access();
-  file_->hdf5 = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
-  expect(file_->hdf5.is_open(), "it is not a complete HDF5 file");
+  const Handle access = hdf5::file_access();
+  file_->opened = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
+  expect(file_->opened.is_open(), "it is not a complete HDF5 file");
 }
 
 ArraysReader::~ArraysReader() = default;
@@ -56,8 +58,8 @@ void ArraysReader::expect(bool sound, const std::string& what) const {
         fmt::format("{} is damaged or of another run: {}. Restore an intact copy, or start a new run without --resume.", file_->path.string(), what));
 }
 
-std::size_t ArraysReader::length(const std::string& name, NumberType type) {
-  const Handle array(H5Dopen2(file_->hdf5.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+std::size_t ArraysReader::length(const std::string& name, hdf5::NumberType type) {
+  const Handle array(H5Dopen2(file_->opened.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
   expect(array.is_open(), "the array " + name + " is missing");
   const Handle stored(H5Dget_type(array.id()), H5Tclose), space(H5Dget_space(array.id()), H5Sclose);
   const hssize_t count = H5Sget_simple_extent_npoints(space.id());
@@ -67,8 +69,8 @@ std::size_t ArraysReader::length(const std::string& name, NumberType type) {
   return static_cast<std::size_t>(count);
 }
 
-void ArraysReader::read(const std::string& name, NumberType type, void* numbers, std::size_t count) {
-  const Handle array(H5Dopen2(file_->hdf5.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+void ArraysReader::read(const std::string& name, hdf5::NumberType type, void* numbers, std::size_t count) {
+  const Handle array(H5Dopen2(file_->opened.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
   const hid_t kind = type_in_memory(type);
   expect((count == 0 || H5Dread(array.id(), kind, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) >= 0) &&
              has_fingerprint(array.id(), name, numbers, count * H5Tget_size(kind)),
@@ -77,7 +79,7 @@ void ArraysReader::read(const std::string& name, NumberType type, void* numbers,
 }
 
 std::string ArraysReader::text(const std::string& name) {
-  const Handle array(H5Dopen2(file_->hdf5.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle array(H5Dopen2(file_->opened.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
   expect(array.is_open(), "the text " + name + " is missing");
   const Handle type(H5Dget_type(array.id()), H5Tclose), space(H5Dget_space(array.id()), H5Sclose);
   expect(is_text(type.id()) && H5Sget_simple_extent_npoints(space.id()) == 1 && H5Tget_size(type.id()) <= std::filesystem::file_size(file_->path),
@@ -91,24 +93,24 @@ std::string ArraysReader::text(const std::string& name) {
 
 std::int64_t ArraysReader::integer(const char* name) {
   std::int64_t value = 0;
-  expect(get_attribute(file_->hdf5.id(), name, H5T_NATIVE_INT64, &value), fmt::format("{} is missing", name));
+  expect(get_attribute(file_->opened.id(), name, H5T_NATIVE_INT64, &value), fmt::format("{} is missing", name));
   return value;
 }
 
 std::uint64_t ArraysReader::natural(const char* name) {
   std::uint64_t value = 0;
-  expect(get_attribute(file_->hdf5.id(), name, H5T_NATIVE_UINT64, &value), fmt::format("{} is missing", name));
+  expect(get_attribute(file_->opened.id(), name, H5T_NATIVE_UINT64, &value), fmt::format("{} is missing", name));
   return value;
 }
 
 double ArraysReader::number(const char* name) {
   double value = 0;
-  expect(get_attribute(file_->hdf5.id(), name, H5T_NATIVE_DOUBLE, &value), fmt::format("{} is missing", name));
+  expect(get_attribute(file_->opened.id(), name, H5T_NATIVE_DOUBLE, &value), fmt::format("{} is missing", name));
   return value;
 }
 
 std::string ArraysReader::word(const char* name) {
-  const Handle attribute(H5Aopen(file_->hdf5.id(), name, H5P_DEFAULT), H5Aclose);
+  const Handle attribute(H5Aopen(file_->opened.id(), name, H5P_DEFAULT), H5Aclose);
   const Handle type(attribute.is_open() ? H5Aget_type(attribute.id()) : -1, H5Tclose);
   constexpr std::size_t longest = 1000;  // maximum length of a word
   expect(is_text(type.id()) && H5Tget_size(type.id()) <= longest, fmt::format("{} is missing", name));

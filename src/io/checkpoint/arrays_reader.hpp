@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "base/state.hpp"
-#include "io/checkpoint/number_type.hpp"
+#include "io/hdf5/number_type.hpp"
 
 namespace perimpact::checkpoint {
 
@@ -23,11 +23,11 @@ class ArraysReader {
   void operator()(std::string_view name, Values&& values) {
     using T = typename decltype(fccda::numbers_in(values))::value_type;
     const std::string named(name);
-    const std::size_t count = length(named, number_type<T>());
+    const std::size_t count = length(named, hdf5::number_type<T>());
     if constexpr (fccda::is_list<std::remove_cvref_t<Values>>) values.resize(count);
     const auto numbers = fccda::numbers_in(values);
     expect(numbers.size() == count, "the array " + named + " has another length than expected");
-    read(named, number_type<T>(), numbers.data(), count);
+    read(named, hdf5::number_type<T>(), numbers.data(), count);
   }
 
   std::string text(const std::string& name);
@@ -41,8 +41,8 @@ class ArraysReader {
   void expect_all_read();
 
  private:
-  std::size_t length(const std::string& name, NumberType type);
-  void read(const std::string& name, NumberType type, void* numbers, std::size_t count);
+  std::size_t length(const std::string& name, hdf5::NumberType type);
+  void read(const std::string& name, hdf5::NumberType type, void* numbers, std::size_t count);
   void expect(bool sound, const std::string& what) const;
 
   struct File;

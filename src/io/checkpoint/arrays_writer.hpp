@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "base/state.hpp"
-#include "io/checkpoint/number_type.hpp"
+#include "io/hdf5/number_type.hpp"
 
 namespace perimpact::checkpoint {
 
@@ -29,7 +29,7 @@ class ArraysWriter {
   template <class Values>
   void operator()(std::string_view name, Values&& values) {
     const auto numbers = fccda::numbers_in(values);
-    write(std::string(name), number_type<typename decltype(numbers)::value_type>(), numbers.data(), numbers.size());
+    write(std::string(name), hdf5::number_type<typename decltype(numbers)::value_type>(), numbers.data(), numbers.size());
   }
 
   void text(const std::string& name, std::string_view text);
@@ -43,7 +43,7 @@ class ArraysWriter {
   void finish();
 
  private:
-  void write(const std::string& name, NumberType type, const void* numbers, std::size_t count);
+  void write(const std::string& name, hdf5::NumberType type, const void* numbers, std::size_t count);
 
   struct File;
   std::unique_ptr<File> file_;

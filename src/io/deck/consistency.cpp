@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -77,9 +78,8 @@ bool is_fitted(const ContactBoundsSetup& bounds) {
   return is;
 }
 
-void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Places& places) {
+void check_impactor(const ImpactorSetup& impactor, const Places& places) {
   const std::string path = "impactors." + impactor.name;
-  if (auto* file = std::get_if<FileSurface>(&impactor.surface)) file->file = full_path_of_surface(file->file, folder, places.of(path + ".surface.file"));
   check_bounds(impactor.contact_bounds, path + ".contact_bounds", places);
   std::set<std::string> seen;
   for (const std::string& direction : impactor.free_dofs) {
@@ -88,6 +88,26 @@ void check_impactor(ImpactorSetup& impactor, const fs::path& folder, const Place
              fmt::format("free_dofs contains \"{}\", which is not a degree of freedom; known are {}.", direction, fmt::join(degree_words, ", ")));
     if (!seen.insert(direction).second) refuse(places.of(path + ".free_dofs"), fmt::format("free_dofs contains {} twice; keep one.", direction));
   }
+}
+
+/// Far from the origin, coordinates are rounded to more than the displacements of particles.
+void check_positions(const Setup& setup, const Places& places) {
+  double spacing = std::numeric_limits<double>::infinity();
+  for (const BodySetup& body : setup.bodies)
+    if (body.spacing) spacing = std::min(spacing, *body.spacing);
+  if (!std::isfinite(spacing)) return;
+  constexpr double rounding = 2.2e-16, fine_enough = 1e-6;                  // of the spacing
+  const double furthest = std::max(1.0, fine_enough * spacing / rounding);  // within a metre even atoms are resolved
+  const auto check = [&](const std::string& path, const Vec3d& position) {
+    const double distance = std::max({std::fabs(position.x), std::fabs(position.y), std::fabs(position.z)});
+    if (distance <= furthest) return;
+    refuse(places.of(path + ".position"),
+           fmt::format("position is {:.3g} m from the origin, where coordinates are rounded to {:.1g} m, more than a millionth of the spacing of {:.4g} m; use "
+                       "positions within {:.2g} m of the origin, or check the unit.",
+                       distance, distance * rounding, spacing, furthest));
+  };
+  for (const BodySetup& body : setup.bodies) check("bodies." + body.name, body.position);
+  for (const ImpactorSetup& impactor : setup.impactors) check("impactors." + impactor.name, impactor.position);
 }
 
 void check_contact(Setup& setup, const Places& places) {
@@ -144,16 +164,19 @@ void check_output(const Setup& setup, const Places& places) {
 
 }  // namespace
 
-void make_consistent(Setup& setup, const Places& places, const fs::path& folder) try {
+void make_consistent(Setup& setup, const Places& places, const fs::path& folder, const SurfacesInMemory& surfaces) try {
   check_time(setup.time, places);
   check_names(setup, places);
+  find_surfaces(setup, folder, surfaces, places);
+  check_positions(setup, places);
   const bool is_quasi_static = setup.time.relax.has_value();
   for (BodySetup& body : setup.bodies) check_body(body, is_quasi_static, folder, places);
   for (BodySetup& body : setup.bodies) make_boundary_conditions_consistent(body, is_quasi_static, folder, places);
   check_relaxation(setup, places);
-  for (ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, folder, places);
+  for (const ImpactorSetup& impactor : setup.impactors) check_impactor(impactor, places);
   for (ImpactorSetup& impactor : setup.impactors) make_impactor_consistent(impactor, setup.contact.impactors.detector.as<DetectorKind>(), folder, places);
   check_contact(setup, places);
+  setup.contact.fragments.is_chosen = places.has("contact.fragments.law");
   check_fragments(setup.contact.fragments, places);
   check_output(setup, places);
 } catch (const SetupError& error) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "io/deck/surface_files.hpp"
 #include "perimpact/deck_model/places.hpp"
 #include "perimpact/deck_model/setup.hpp"
 
@@ -15,6 +16,6 @@ inline constexpr std::array<std::string_view, 3> set_by_published = {"family", "
 
 /// Fills in the discretisation of published bodies, radius_ratio 0 for the published detector, the full paths of surface files and the
 /// tables of motion files. Relative paths start at `folder`. Throws InputError at the position of the contradicting value.
-void make_consistent(Setup& setup, const Places& places, const std::filesystem::path& folder);
+void make_consistent(Setup& setup, const Places& places, const std::filesystem::path& folder, const SurfacesInMemory& surfaces);
 
 }  // namespace perimpact::deck

@@ -17,11 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-template <class Shape>
-void find_file(Shape& shape, const std::string& path, const fs::path& folder, const Places& places) {
-  if (auto* file = std::get_if<FileSolid>(&shape)) file->file = full_path_of_surface(file->file, folder, places.of(path + ".shape.file"));
-}
-
 void check_spacing_given(const BodySetup& body, const std::string& path, const Places& places) {
   if (body.spacing) return;
   const auto fields = BodySetup::fields();
@@ -90,9 +85,6 @@ void make_cloud_consistent(BodySetup& body, const std::string& path, const fs::p
 void make_shape_consistent(BodySetup& body, const fs::path& folder, const Places& places) {
   const std::string path = "bodies." + body.name;
   check_plane(body, path, places);
-  find_file(body.shape, path, folder, places);
-  for (const auto& [key, solids] : {std::pair{"add", &body.add}, std::pair{"holes", &body.holes}, std::pair{"particle_sets", &body.particle_sets}})
-    for (SolidSetup& solid : *solids) find_file(solid.shape, fmt::format("{}.{}.{}", path, key, solid.name), folder, places);
   if (std::holds_alternative<PointsShape>(body.shape) || std::holds_alternative<CellsShape>(body.shape))
     return make_cloud_consistent(body, path, folder, places);
   check_spacing_given(body, path, places);

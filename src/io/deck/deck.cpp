@@ -19,6 +19,8 @@ std::string content_of(const fs::path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) refuse(file.string(), "this is a folder; give the deck in it, for example " + (file / "deck.yaml").string() + ".");
   if (!fs::exists(file, ignored)) refuse(file.string(), "there is no such file; check the path of the deck.");
+  if (fs::is_fifo(file, ignored) || fs::is_socket(file, ignored))
+    refuse(file.string(), "this is a pipe, not a file; write the deck to a file, since a run can be resumed with it only.");
   std::ifstream stream(file, std::ios::binary);
   try {
     if (stream) return {std::istreambuf_iterator<char>(stream), {}};
@@ -42,10 +44,10 @@ Deck read_deck_text(std::string_view text, const std::string& name, const fs::pa
   return deck_of_tree(std::move(document), name, folder);
 }
 
-Deck deck_of_tree(YamlNode document, const std::string& name, const fs::path& folder) {
+Deck deck_of_tree(YamlNode document, const std::string& name, const fs::path& folder, const SurfacesInMemory& surfaces) {
   Deck deck{.setup = {}, .places = Places(name), .warnings = rename_deprecated_keys(document)};
   Reader(document, "", name, deck.places).read(deck.setup);
-  make_consistent(deck.setup, deck.places, folder);
+  make_consistent(deck.setup, deck.places, folder, surfaces);
   return deck;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/deck/surface_files.hpp"
 #include "io/deck/yaml_node.hpp"
 #include "perimpact/deck_model/places.hpp"
 #include "perimpact/deck_model/setup.hpp"
@@ -30,7 +31,7 @@ Deck read_deck_text(std::string_view text, const std::string& name, const std::f
 /// The unchecked YAML tree of a deck. Throws InputError for a file that cannot be read and for invalid YAML.
 YamlNode read_deck_tree(const std::filesystem::path& file);
 
-/// The same from a tree, read or generated, whose places give the origin of each value.
-Deck deck_of_tree(YamlNode document, const std::string& name, const std::filesystem::path& folder);
+/// The same from a tree, read or generated, whose places give the origin of each value. `surfaces` may be named instead of surface files.
+Deck deck_of_tree(YamlNode document, const std::string& name, const std::filesystem::path& folder, const SurfacesInMemory& surfaces = {});
 
 }  // namespace perimpact::deck

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "io/deck/yaml_node.hpp"
-#include "mesh/panels_in_memory.hpp"
 
 namespace perimpact::deck {
 
@@ -13,10 +12,6 @@ std::string full_path(const std::filesystem::path& file, const std::string& plac
   if (!std::filesystem::is_regular_file(path, ignored))
     refuse(place, fmt::format("there is no file {}; relative names start at the deck's folder.", path.string()));
   return path.string();
-}
-
-std::string full_path_of_surface(const std::string& file, const std::filesystem::path& folder, const std::string& place) {
-  return fccda::panels_in_memory(file) ? file : full_path(folder / file, place);
 }
 
 std::ifstream open_file(const std::string& full_path, const std::string& place) {

@@ -10,9 +10,6 @@ namespace perimpact::deck {
 /// The full path of a file. Throws InputError at `place` of the deck if the file does not exist.
 std::string full_path(const std::filesystem::path& file, const std::string& place);
 
-/// The same for the file of a surface; names of panels in memory are returned unchanged.
-std::string full_path_of_surface(const std::string& file, const std::filesystem::path& folder, const std::string& place);
-
 /// Opens the file for reading. Throws InputError at `place` if that fails.
 std::ifstream open_file(const std::string& full_path, const std::string& place);
 

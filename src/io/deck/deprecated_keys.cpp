@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/grouped_sentences.hpp"
+
 namespace perimpact::deck {
 
 namespace {
@@ -90,7 +92,7 @@ class Renamer {
     }
   }
 
-  std::vector<std::string> warnings;
+  fccda::GroupedSentences warnings;
 
  private:
   void rename(YamlNode& map, const RenamedKey& key) {
@@ -130,7 +132,7 @@ class Renamer {
   }
 
   void warn(const std::string& place, std::string_view old_name, std::string_view name) {
-    warnings.push_back(fmt::format("{}: `{}` is now called `{}`; the former name is accepted until release 0.2.0.", place, old_name, name));
+    warnings.add(old_name, place, fmt::format("{}: `{}` is now called `{}`; the former name is accepted until release 0.2.0.", place, old_name, name));
   }
 
   std::vector<std::string> path_;
@@ -141,7 +143,7 @@ class Renamer {
 std::vector<std::string> rename_deprecated_keys(YamlNode& deck) {
   Renamer renamer;
   renamer.visit(deck);
-  return std::move(renamer.warnings);
+  return renamer.warnings.sentences();
 }
 
 }  // namespace perimpact::deck

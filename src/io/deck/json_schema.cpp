@@ -96,11 +96,19 @@ std::string default_of(const std::optional<T>&) {
 }
 std::string default_of(const std::string& value) { return value.empty() ? "" : json(value); }
 
+Members list_of_words(std::span<const std::string_view> words) {
+  Members kind;
+  kind.add("type", R"("array")");
+  kind.add("items", fmt::format(R"({{"enum": {}}})", json(std::vector<std::string>(words.begin(), words.end()))));
+  kind.add("uniqueItems", "true");
+  return kind;
+}
+
 template <class T>
 std::string described(const Field<T>& field, const T& defaults) {
   return std::visit(
       [&](auto member) {
-        Members property = kind_of_value(defaults.*member, field.range);
+        Members property = field.words.empty() ? kind_of_value(defaults.*member, field.range) : list_of_words(field.words);
         const bool has_unit = !field.unit.empty() && field.unit != "1";
         property.add_text("description", has_unit ? fmt::format("[{}] {} For example {}.", field.unit, field.sentence, kind_of(field.unit).example)
                                                   : std::string(field.sentence));

@@ -114,6 +114,9 @@ void Reader::refuse_bad_names(Presence presence) const {
     if (entry.key.empty() || entry.key.find_first_not_of(allowed) != std::string::npos)
       refuse(entry.place,
              fmt::format("\"{}\" cannot be a name in {}, because names become columns and files; use letters, digits, _ and -.", entry.key, path_));
+    constexpr std::size_t longest = 200;  // file systems take 255; the names of files have up to 45 characters more
+    if (entry.key.size() > longest)
+      refuse(entry.place, fmt::format("a name in {} has {} characters, but names become files; use at most {}.", path_, entry.key.size(), longest));
   }
 }
 

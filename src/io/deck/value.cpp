@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "io/deck/did_you_mean.hpp"
 #include "io/deck/expanded_path.hpp"
@@ -33,7 +34,8 @@ double number(const YamlNode& node, const Rule& rule) {
 
 void refuse_unless_in_range(const YamlNode& node, const Rule& rule, double value) {
   if (rule.range.contains(value)) return;
-  refuse_value(node, rule, fmt::format("it must be {}. {}", in_words(rule.range), rule.sentence));
+  const bool is_in_degrees = rule.unit == "rad" && node.text.find("deg") != std::string::npos;
+  refuse_value(node, rule, fmt::format("it must be {}. {}", is_in_degrees ? in_degrees(rule.range) : in_words(rule.range), rule.sentence));
 }
 
 const std::string& word(const YamlNode& node, const Rule& rule, std::string_view expected) {
@@ -47,6 +49,12 @@ std::span<const YamlNode> list(const YamlNode& node, const Rule& rule, std::stri
 }
 
 }  // namespace
+
+std::string in_degrees(const Range& range) {
+  // bounds are given in radians to four digits
+  const auto degrees = [](double radians) { return std::isfinite(radians) ? std::round(radians * 180 / std::numbers::pi * 100) / 100 : radians; };
+  return in_words({degrees(range.low), degrees(range.high), range.low_included, range.high_included}) + " deg";
+}
 
 std::string in_words(const Range& range) {
   const bool has_low = std::isfinite(range.low), has_high = std::isfinite(range.high);

@@ -22,6 +22,8 @@ struct Rule {
 
 /// "above 0", "from 2 to 6", "above -1 and below 0.5"; "any number" where all are allowed.
 std::string in_words(const fccda::Range& range);
+/// The same in degrees, of a range in radians: "from -30 to 60 deg".
+std::string in_degrees(const fccda::Range& range);
 
 void read_value(const YamlNode& node, const Rule& rule, double& into);
 void read_value(const YamlNode& node, const Rule& rule, std::optional<double>& into);

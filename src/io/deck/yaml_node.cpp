@@ -49,6 +49,36 @@ void refuse_tabs(std::string_view text, const PlaceOf& place_of) {
   }
 }
 
+/// Length of the UTF-8 sequence at the beginning of the text, which is not empty (RFC 3629); 0 if there is none.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned>(static_cast<unsigned char>(text[k])); };
+  const unsigned first = byte(0);
+  const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+  if (length > text.size()) return 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if (!is_continuation(text[k])) return 0;
+  const bool is_overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
+  const bool is_outside = (first == 0xED && byte(1) >= 0xA0) || (first == 0xF4 && byte(1) >= 0x90);  // surrogates, beyond U+10FFFF
+  return is_overlong || is_outside ? 0 : length;
+}
+
+/// Titles and names go to JSON and to the report, which are UTF-8.
+void refuse_other_encodings(std::string_view text, const PlaceOf& place_of) {
+  int number = 0;
+  for (const std::string_view line : lines_of(text)) {
+    for (std::size_t at = 0; at < line.size();) {
+      const std::size_t length = utf8_length(line.substr(at));
+      if (length == 0)
+        refuse(
+            place_of(number, static_cast<int>(at)),
+            fmt::format("the character here, byte 0x{:02X}, is not UTF-8, perhaps Latin-1; save the text as UTF-8, or convert it by iconv -f latin1 -t utf8.",
+                        static_cast<unsigned>(static_cast<unsigned char>(line[at]))));
+      at += length;
+    }
+    ++number;
+  }
+}
+
 class TreeBuilder : public YAML::EventHandler {
  public:
   explicit TreeBuilder(const PlaceOf& place_of) : place_of_(place_of) {}
@@ -130,6 +160,7 @@ class TreeBuilder : public YAML::EventHandler {
 
 /// A node of kind nothing if there is no document.
 YamlNode parse(std::string_view text, const PlaceOf& place_of) {
+  refuse_other_encodings(text, place_of);
   refuse_tabs(text, place_of);
   // With an end-of-document marker, yaml-cpp neither takes an open bracket for a key nor closes an open quote silently.
   std::istringstream stream(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));

@@ -1,11 +1,9 @@
 #include "io/output/appended.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
-#include <new>
 
 #include "base/parallel.hpp"
+#include "io/output/deflate.hpp"
 #include "io/output/file.hpp"
 
 namespace perimpact::output {
@@ -13,16 +11,6 @@ namespace perimpact::output {
 namespace {
 
 constexpr std::size_t block_size = 1 << 18;  // gives enough blocks for all cores in a frame of 1e5 particles; readers accept any size
-constexpr int level = Z_BEST_SPEED;
-
-std::vector<std::byte> compressed(std::span<const std::byte> bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::vector<std::byte> out(size);
-  const int outcome = compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), level);
-  if (outcome != Z_OK) throw std::bad_alloc();  // the buffer has the size of zlib's bound, so only memory can run out
-  out.resize(size);
-  return out;
-}
 
 }  // namespace
 
@@ -36,7 +24,7 @@ std::uint64_t Appended::add(std::span<const std::byte> bytes) {
     array.blocks.resize((bytes.size() + block_size - 1) / block_size);
     fccda::parallel_for(static_cast<std::ptrdiff_t>(array.blocks.size()), [&](std::ptrdiff_t i) {
       const std::size_t first = static_cast<std::size_t>(i) * block_size;
-      array.blocks[static_cast<std::size_t>(i)] = compressed(bytes.subspan(first, std::min(block_size, bytes.size() - first)));
+      array.blocks[static_cast<std::size_t>(i)] = deflated(bytes.subspan(first, std::min(block_size, bytes.size() - first)));
     });
     array.sizes = {array.blocks.size(), block_size, bytes.size() % block_size};
     stored = 0;

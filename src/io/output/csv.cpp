@@ -18,18 +18,18 @@ std::string quoted(const std::string& name) {
   return text + '"';
 }
 
-std::string header_of(std::span<const std::string> columns) {
+void add_row(fmt::memory_buffer& text, std::span<const double> row) { fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(row, ",")); }
+
+}  // namespace
+
+std::string csv_header(std::span<const std::string> columns) {
   std::string text;
   for (const std::string& column : columns) text += (text.empty() ? "" : ",") + quoted(column);
   return text + '\n';
 }
 
-void add_row(fmt::memory_buffer& text, std::span<const double> row) { fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(row, ",")); }
-
-}  // namespace
-
 CsvWriter::CsvWriter(const std::filesystem::path& path, std::span<const std::string> columns) : columns_(columns.size()), file_(path) {
-  file_.append(header_of(columns));
+  file_.append(csv_header(columns));
 }
 
 void CsvWriter::append(std::span<const double> row) {
@@ -44,7 +44,7 @@ void write_csv(const std::filesystem::path& path, std::span<const std::string> c
   fmt::memory_buffer text;
   for (; !rows.empty(); rows = rows.subspan(columns.size())) add_row(text, rows.first(columns.size()));
   WholeFile file(path);
-  file.write(header_of(columns));
+  file.write(csv_header(columns));
   file.write(std::string_view(text.data(), text.size()));
   file.finish();
 }

@@ -27,6 +27,9 @@ class CsvWriter {
   GrowingFile file_;
 };
 
+/// The first line, with the new line at its end.
+std::string csv_header(std::span<const std::string> columns);
+
 /// Writes a complete table (lines/*.csv). `rows`: row-major values.
 void write_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::span<const double> rows);
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -67,6 +68,27 @@ int write_all(int file, std::span<const std::byte> bytes) {
   return all_of(bytes, [&](std::span<const std::byte> rest) { return ::write(file, rest.data(), rest.size()); });
 }
 
+void write_at(const fs::path& path, const Descriptor& file, std::uint64_t offset, std::span<const std::byte> bytes) {
+  const int error = all_of(bytes, [&](std::span<const std::byte> rest) {
+    return ::pwrite(file.number(), rest.data(), rest.size(), static_cast<off_t>(offset + (bytes.size() - rest.size())));
+  });
+  if (error != 0) fail(path, error);
+}
+
+void read_at(const fs::path& path, const Descriptor& file, std::uint64_t offset, std::span<std::byte> bytes) {
+  if (::pread(file.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset)) != static_cast<ssize_t>(bytes.size())) fail(path, EIO);
+}
+
+void resize(const fs::path& path, const Descriptor& file, std::uint64_t size) {
+  if (::ftruncate(file.number(), static_cast<off_t>(size)) != 0) fail(path, errno);
+}
+
+std::uint64_t size_of(const fs::path& path, const Descriptor& file) {
+  struct stat found {};
+  if (::fstat(file.number(), &found) != 0) fail(path, errno);
+  return static_cast<std::uint64_t>(found.st_size);
+}
+
 }  // namespace
 
 int Descriptor::close() {
@@ -86,20 +108,10 @@ void WholeFile::write(std::span<const std::byte> bytes) {
   if (const int error = write_all(file_.number(), bytes)) fail(path_, error);
 }
 
-void WholeFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
-  const int error = all_of(bytes, [&](std::span<const std::byte> rest) {
-    return ::pwrite(file_.number(), rest.data(), rest.size(), static_cast<off_t>(offset + (bytes.size() - rest.size())));
-  });
-  if (error != 0) fail(path_, error);
-}
-
-void WholeFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
-  if (::pread(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset)) != static_cast<ssize_t>(bytes.size())) fail(path_, EIO);
-}
-
-void WholeFile::resize(std::uint64_t size) {
-  if (::ftruncate(file_.number(), static_cast<off_t>(size)) != 0) fail(path_, errno);
-}
+void WholeFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) { output::write_at(path_, file_, offset, bytes); }
+void WholeFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const { output::read_at(path_, file_, offset, bytes); }
+void WholeFile::resize(std::uint64_t size) { output::resize(path_, file_, size); }
+std::uint64_t WholeFile::size() const { return size_of(path_, file_); }
 
 void WholeFile::finish() {
   if (const int error = sync_file(file_.number())) fail(path_, error);  // otherwise a power failure could leave a renamed but empty file
@@ -109,6 +121,19 @@ void WholeFile::finish() {
     ::unlink(part_.c_str());
     fail(path_, error);
   }
+}
+
+UpdatedFile::UpdatedFile(fs::path path) : path_(std::move(path)), file_(::open(path_.c_str(), O_RDWR | O_CLOEXEC)) {
+  if (!file_.is_open()) fail(path_, errno);
+}
+
+void UpdatedFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) { output::write_at(path_, file_, offset, bytes); }
+void UpdatedFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const { output::read_at(path_, file_, offset, bytes); }
+void UpdatedFile::resize(std::uint64_t size) { output::resize(path_, file_, size); }
+std::uint64_t UpdatedFile::size() const { return size_of(path_, file_); }
+
+void UpdatedFile::sync() {
+  if (const int error = sync_file(file_.number())) fail(path_, error);
 }
 
 void write_whole_file(const fs::path& path, std::string_view text) {
@@ -123,6 +148,7 @@ void expect_place_for(const fs::path& path) {
   if (!fs::exists(folder)) refuse(fmt::format("there is no folder {}. Create it first, or choose another folder.", folder.string()));
   if (!fs::is_directory(folder)) refuse(fmt::format("{} is not a folder. Choose another one.", folder.string()));
   if (fs::is_directory(path)) refuse("it is a folder. Append a file name.");
+  if (fs::exists(path) && !fs::is_regular_file(path)) refuse("it is a pipe or a device, not a file. Choose another name.");
   if (::access(folder.c_str(), W_OK) != 0) refuse(fmt::format("the folder {} is not writable. Choose another one.", folder.string()));
 }
 

@@ -43,10 +43,29 @@ class WholeFile {
   /// Reads back bytes written at the offset. Throws RunError where the file ends earlier.
   void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
   void resize(std::uint64_t size);  ///< truncates, or appends zeros
+  std::uint64_t size() const;       ///< [byte]
+  void sync() {}                    ///< finish() does
   void finish();
 
  private:
   std::filesystem::path path_, part_;
+  Descriptor file_;
+};
+
+/// An existing file whose bytes are changed in place.
+class UpdatedFile {
+ public:
+  explicit UpdatedFile(std::filesystem::path path);
+
+  void write_at(std::uint64_t offset, std::span<const std::byte> bytes);  ///< extends the file if necessary
+  /// Throws RunError where the file ends earlier.
+  void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
+  void resize(std::uint64_t size);  ///< truncates, or appends zeros
+  std::uint64_t size() const;       ///< [byte]
+  void sync();                      ///< flushes everything to disk
+
+ private:
+  std::filesystem::path path_;
   Descriptor file_;
 };
 

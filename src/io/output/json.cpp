@@ -52,23 +52,36 @@ void Json::push_back(Json element) {
   std::get<Elements>(value_).push_back(std::move(element));
 }
 
+void Json::append(const Json& object) {
+  EXPECTS(std::holds_alternative<Members>(object.value_));
+  for (const auto& [name, value] : std::get<Members>(object.value_)) (*this)[name] = value;
+}
+
+std::string Json::line() const {
+  std::string text;
+  add_to(text, std::nullopt);
+  return text + '\n';
+}
+
 std::string Json::text() const {
   std::string text;
   add_to(text, 0);
   return text + '\n';
 }
 
-void Json::add_to(std::string& text, int level) const {
+void Json::add_to(std::string& text, std::optional<int> level) const {
+  const std::optional<int> below = level ? std::optional(*level + 1) : std::nullopt;
   // Numbers and words of an array share a line; nested arrays and objects have separate lines.
   const auto is_simple = [](const Json& json) { return !std::holds_alternative<Elements>(json.value_) && !std::holds_alternative<Members>(json.value_); };
-  const auto add_list = [&](const auto& list, char open, char close, bool on_one_line, const auto& add_one) {
-    const std::string gap = on_one_line ? "" : "\n" + indent(level + 1);
+  const auto add_list = [&](const auto& list, char open, char close, bool is_short, const auto& add_one) {
+    const bool on_one_line = is_short || !level;
+    const std::string gap = on_one_line ? "" : "\n" + indent(*below);
     text += open;
     for (std::size_t i = 0; i < list.size(); ++i) {
       text += (i == 0 ? "" : on_one_line ? ", " : ",") + gap;
       add_one(list[i]);
     }
-    if (!on_one_line) text += "\n" + indent(level);
+    if (!on_one_line) text += "\n" + indent(*level);
     text += close;
   };
   std::visit(Overloaded{[&](std::monostate) { text += "null"; }, [&](bool value) { text += value ? "true" : "false"; },
@@ -77,16 +90,16 @@ void Json::add_to(std::string& text, int level) const {
                         [&](const std::string& value) { text += quoted(value); },
                         [&](const Elements& elements) {
                           const bool on_one_line = std::all_of(elements.begin(), elements.end(), is_simple);
-                          add_list(elements, '[', ']', on_one_line, [&](const Json& element) { element.add_to(text, level + 1); });
+                          add_list(elements, '[', ']', on_one_line, [&](const Json& element) { element.add_to(text, below); });
                         },
                         [&](const Members& members) {
                           add_list(members, '{', '}', members.empty(), [&](const auto& member) {
                             text += quoted(member.first) + ": ";
-                            member.second.add_to(text, level + 1);
+                            member.second.add_to(text, below);
                           });
                         },
                         [&](const Verbatim& json) {
-                          for (const char c : json.text) text += c == '\n' ? "\n" + indent(level) : std::string(1, c);
+                          for (const char c : json.text) text += c != '\n' ? std::string(1, c) : level ? "\n" + indent(*level) : " ";
                         }},
              value_);
 }

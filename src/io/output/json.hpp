@@ -8,6 +8,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,7 +51,10 @@ class Json {
 
   void push_back(Json element);  ///< null becomes an array
 
+  void append(const Json& object);  ///< its members; null becomes an object
+
   std::string text() const;  ///< ends in a new line
+  std::string line() const;  ///< in one line, which ends in a new line
 
  private:
   using Elements = std::vector<Json>;
@@ -61,7 +65,7 @@ class Json {
   using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Elements, Members, Verbatim>;
 
   explicit Json(Value value) : value_(std::move(value)) {}
-  void add_to(std::string& text, int level) const;
+  void add_to(std::string& text, std::optional<int> level) const;  // without a level on one line
 
   Value value_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,10 @@ class Series {
 struct FrameFile {
   double time;  ///< [s]
   std::filesystem::path file;
+  std::optional<std::size_t> step = {};  ///< in a file that contains the series
+
+  /// "frames/plate_00003.vtp", or "frames/plate.vtkhdf, step 3".
+  std::string name() const { return file.string() + (step ? ", step " + std::to_string(*step) : std::string()); }
 };
 
 /// The frames that a .pvd file of Series lists, in order. File names must not need XML escapes, which holds for names of bodies and impactors.

@@ -24,16 +24,18 @@ constexpr std::string_view vtk_type() {
   if constexpr (std::is_same_v<Number, std::uint8_t>) return "UInt8";
 }
 
-std::size_t count_of(const Numbers& numbers) {
-  return std::visit([](auto span) { return span.size(); }, numbers);
-}
-
 /// The XML element of an array; its bytes are added to `appended`.
 std::string element(const VtpArray& array, Appended& appended) {
+  const auto of = [&]<class Number>(std::span<const Number> span) {
+    return fmt::format("        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n", vtk_type<Number>(),
+                       xml_attribute(array.name), array.components, appended.add(std::as_bytes(span)));
+  };
   return std::visit(
-      [&]<class Number>(std::span<const Number> span) {
-        return fmt::format("        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n", vtk_type<Number>(),
-                           xml_attribute(array.name), array.components, appended.add(std::as_bytes(span)));
+      [&]<class Given>(const Given& given) {
+        if constexpr (std::is_same_v<Given, MadeFloats>)
+          return of(std::span<const float>(given.make()));
+        else
+          return of(given);
       },
       array.numbers);
 }
@@ -74,18 +76,21 @@ void expect_consistent([[maybe_unused]] const PolyData& data, [[maybe_unused]] s
 
 }  // namespace
 
+std::size_t count_of(const Numbers& numbers) {
+  return std::visit([](const auto& span) { return span.size(); }, numbers);
+}
+
 void write_vtp(const std::filesystem::path& path, const PolyData& data, Compression compression) {
-  const std::size_t points = count_of(data.points) / 3;
-  const Cells cells = data.panels.empty() ? Cells::particles(points) : Cells::polygons(data.panels);
-  const std::size_t cell_count = cells.offsets.size();
+  const std::size_t points = count_of(data.points) / 3, cell_count = data.panels.empty() ? points : data.panels.size();
   expect_consistent(data, points, cell_count);
 
-  const VtpArray positions[] = {{"points", 3, data.points}};
-  const VtpArray topology[] = {{"connectivity", 1, std::span(cells.connectivity)}, {"offsets", 1, std::span(cells.offsets)}};
+  const VtpArray positions{"points", 3, data.points};
   Appended appended(compression);
   std::string arrays = section("PointData", data.point_arrays, appended);
   arrays += section("CellData", data.cell_arrays, appended);
-  arrays += section("Points", positions, appended);
+  arrays += section("Points", {&positions, 1}, appended);
+  const Cells cells = data.panels.empty() ? Cells::particles(points) : Cells::polygons(data.panels);
+  const VtpArray topology[] = {{"connectivity", 1, std::span(cells.connectivity)}, {"offsets", 1, std::span(cells.offsets)}};
   arrays += section(data.panels.empty() ? "Verts" : "Polys", topology, appended);
 
   WholeFile file(path);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,13 +19,24 @@
 
 namespace perimpact::output {
 
-using Numbers = std::variant<std::span<const float>, std::span<const double>, std::span<const std::int32_t>, std::span<const std::uint8_t>>;
+/// Numbers that exist only while they are compressed, so that the arrays of a frame are not in memory together.
+struct MadeFloats {
+  std::size_t count;
+  std::function<std::vector<float>()> make;
+
+  std::size_t size() const { return count; }
+};
+
+using Numbers = std::variant<std::span<const float>, std::span<const double>, std::span<const std::int32_t>, std::span<const std::uint8_t>, MadeFloats>;
+
+std::size_t count_of(const Numbers& numbers);
 
 /// A named array with `components` numbers per point or cell. The caller owns the numbers.
 struct VtpArray {
   std::string name;  ///< in SI units: displacement [m], velocity [m/s], damage [-]
   int components = 1;
   Numbers numbers;
+  bool is_constant = false;  ///< the same in every frame of a series: VTKHDF stores it once
 };
 
 /// Contents of a file. Without panels each point is a vertex cell (a particle).
@@ -40,7 +52,7 @@ struct PolyData {
 /// zlib 5.6 MB in 92 ms.
 enum class Compression { none, zlib };
 
-/// Writes the file atomically (WholeFile). Throws RunError where it cannot be written.
+/// Writes the file atomically (WholeFile). MadeFloats need compression. Throws RunError where it cannot be written.
 void write_vtp(const std::filesystem::path& path, const PolyData& data, Compression compression);
 
 /// Vertex coordinates of a surface, without a copy. `vertices` may be those of fccda::Panels, or these transformed with the body.

@@ -56,7 +56,7 @@ struct Frames {
   std::vector<double> times() const;
 };
 
-/// Reads every frame of the folder once. Missing or damaged frames are omitted and reported in `notes`.
+/// Reads every frame of the folder once, of either format. Missing or damaged frames are omitted and reported in `notes`.
 Frames scan_frames(const std::filesystem::path& folder, std::vector<std::string>& notes);
 
 /// Selection of times and particles for a report.

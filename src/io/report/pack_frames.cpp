@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "io/report/frame_reader.hpp"
+#include "io/frames/frame.hpp"
 #include "io/report/frames.hpp"
 
 namespace perimpact::report {
@@ -91,9 +91,9 @@ class PackedBody {
   }
 
   void add(std::size_t number, std::size_t time_number, PackedFrames& out) {
-    const FrameReader frame = read_frame(body_.frames[number].file);
-    const FrameArray &u = *frame.find("displacement"), &v = *frame.find("velocity"), &damage = *frame.find("damage");
-    const FrameArray *fragment = frame.find("fragment"), *plastic_strain = frame.find("plastic_strain");
+    const frames::Frame frame = frames::read_frame(body_.frames[number]);
+    const frames::FrameArray &u = *frame.find("displacement"), &v = *frame.find("velocity"), &damage = *frame.find("damage");
+    const frames::FrameArray *fragment = frame.find("fragment"), *plastic_strain = frame.find("plastic_strain");
     std::string bytes;
     std::size_t a = 0;
     const auto pack = [&](const auto& value) {
@@ -168,10 +168,10 @@ class PackedImpactor {
     description_["pictures"].push_back(time_number);
     description_["motions"].push_back(std::move(rows));
     if (arrays_.empty()) return;
-    const FrameReader frame = read_frame(impactor_.frames[number].file);
+    const frames::Frame frame = frames::read_frame(impactor_.frames[number]);
     std::string bytes;
     for (PackedArray& packed : arrays_) {
-      const FrameArray& array = *frame.find(packed.name);
+      const frames::FrameArray& array = *frame.find(packed.name);
       std::vector<std::uint32_t> numbers;
       for (std::size_t i = 0; i < array.count(); ++i) numbers.push_back(packed.scale.number_of(array.scalar(i)));
       packed.packer.append(numbers, bytes);
@@ -199,10 +199,10 @@ PackedFrames pack_frames(const Frames& frames, const Choice& choice) {
   for (std::size_t i = 0; i < frames.impactors.size(); ++i) impactors.emplace_back(frames.impactors[i], i, out);
 
   for (std::size_t now = 0; now < choice.times.size(); ++now) {
-    const auto add_frame = [&](const std::vector<output::FrameFile>& frames, auto& packed) {
+    const auto add_frame = [&](const std::vector<output::FrameFile>& series, auto& packed) {
       const auto is_now = [&](const output::FrameFile& frame) { return frame.time == choice.times[now]; };
-      const auto frame = std::find_if(frames.begin(), frames.end(), is_now);
-      if (frame != frames.end()) packed.add(static_cast<std::size_t>(frame - frames.begin()), now, out);
+      const auto frame = std::find_if(series.begin(), series.end(), is_now);
+      if (frame != series.end()) packed.add(static_cast<std::size_t>(frame - series.begin()), now, out);
     };
     const std::size_t before = out.bytes;
     for (std::size_t b = 0; b < bodies.size(); ++b) add_frame(frames.bodies[b].frames, bodies[b]);

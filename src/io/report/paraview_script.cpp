@@ -29,11 +29,14 @@ folder = os.path.dirname(os.path.abspath(globals().get("__file__", "here")))
 TITLES = {"damage": "damage [-]", "velocity": "speed [m/s]"}
 
 
-def read(name):
-    path = os.path.join(folder, "frames", name + ".pvd")
+def read(name, extension):
+    path = os.path.join(folder, "frames", name + extension)
     if not os.path.exists(path):
         raise SystemExit(path + " does not exist. Open this script with File > Load State, in the results folder of the run.")
-    source = simple.PVDReader(registrationName=name, FileName=path)
+    version = simple.GetParaViewVersion()
+    if extension == ".vtkhdf" and (version.major, version.minor) < (5, 12):
+        raise SystemExit(path + " needs ParaView 5.12 or later. This is %d.%d; run with output.frame_format: vtp for it." % (version.major, version.minor))
+    source = simple.OpenDataFile(path, registrationName=name)
     source.UpdatePipeline()
     return source
 
@@ -42,8 +45,8 @@ simple._DisableFirstRenderCameraReset()
 view = simple.GetActiveViewOrCreate("RenderView")
 view.OrientationAxesVisibility = 1
 shown_bodies = []
-for name, spacing, array in BODIES:
-    source = read(name)
+for name, extension, spacing, array in BODIES:
+    source = read(name, extension)
     shown = simple.Show(source, view)
     shown.SetRepresentationType("Point Gaussian")
     shown.GaussianRadius = 0.6 * spacing
@@ -51,8 +54,8 @@ for name, spacing, array in BODIES:
     simple.ColorBy(shown, ("POINTS", array, "Magnitude") if array == "velocity" else ("POINTS", array))
     shown.SetScalarBarVisibility(view, True)
     shown_bodies.append((source, shown, array))
-for name in IMPACTORS:
-    shown = simple.Show(read(name), view)
+for name, extension in IMPACTORS:
+    shown = simple.Show(read(name, extension), view)
     shown.SetRepresentationType("Surface")
     shown.ColorArrayName = ["POINTS", ""]
     shown.DiffuseColor = shown.AmbientColor = [0.62, 0.66, 0.7]
@@ -72,7 +75,7 @@ for array in {array for _, _, array in shown_bodies}:
     bar = simple.GetScalarBar(colours, view)
     bar.Title, bar.ComponentTitle = TITLES[array], ""
 
-times = [time for source, _, _ in shown_bodies for time in source.TimestepValues]
+times = [time for source, _, _ in shown_bodies for time in source.TimestepValues or []]
 if times:
     scene.AnimationTime = max(times)
 view.CameraViewUp = [0, 0, 1]
@@ -97,11 +100,12 @@ std::string quoted(const std::string& word) {
 
 std::string paraview_script(const Frames& frames) {
   std::string out(head);
-  out += "BODIES = [  # name, spacing [m], array that colours it\n";
+  const auto series = [](const auto& each) { return quoted(each.name) + ", " + quoted(each.frames.front().step ? ".vtkhdf" : ".pvd"); };
+  out += "BODIES = [  # name, extension of its series, spacing [m], array that colours it\n";
   for (const BodyFrames& each : frames.bodies)  // damage of a body that cannot break is zero
-    out += fmt::format("    ({}, {}, \"{}\"),\n", quoted(each.name), each.spacing, each.has_fragments ? "damage" : "velocity");
+    out += fmt::format("    ({}, {}, \"{}\"),\n", series(each), each.spacing, each.has_fragments ? "damage" : "velocity");
   out += "]\nIMPACTORS = [";
-  for (const ImpactorFrames& each : frames.impactors) out += fmt::format("{}{}", &each == &frames.impactors.front() ? "" : ", ", quoted(each.name));
+  for (const ImpactorFrames& each : frames.impactors) out += fmt::format("{}({})", &each == &frames.impactors.front() ? "" : ", ", series(each));
   out += "]\n";
   return out.append(body);
 }

@@ -207,6 +207,8 @@ Report write_report(const fs::path& folder, const Limits& limits) {
   Curves curves;
   if (history) curves = curves_of(*history), description["history"] = std::move(curves.description);
 
+  // first: once the report exists, nothing is missing
+  if (!choice.times.empty()) output::write_whole_file(output::ResultsFolder::paraview_in(folder), paraview_script(frames));
   const std::string_view page = page_template();
   const std::size_t mark = page.find(data_mark);
   output::WholeFile file(report.file);
@@ -218,7 +220,6 @@ Report write_report(const fs::path& folder, const Limits& limits) {
   file.write(page.substr(mark + data_mark.size()));
   file.finish();
   report.bytes = fs::file_size(report.file);
-  if (!choice.times.empty()) output::write_whole_file(output::ResultsFolder::paraview_in(folder), paraview_script(frames));
   return report;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "io/frames/frame.hpp"
 #include "io/output/pvd.hpp"
 #include "io/output/results_folder.hpp"
-#include "io/report/frame_reader.hpp"
 #include "io/report/frames.hpp"
 
 namespace perimpact::report {
@@ -16,15 +16,15 @@ using fccda::InputError;
 using fccda::Vec3d;
 
 /// The array with that number of components, or nullptr.
-const FrameArray* array_of(const FrameReader& frame, std::string_view name, int components) {
-  const FrameArray* found = frame.find(name);
+const frames::FrameArray* array_of(const frames::Frame& frame, std::string_view name, int components) {
+  const frames::FrameArray* found = frame.find(name);
   return found != nullptr && found->components == components ? found : nullptr;
 }
 
-const FrameArray& needed(const FrameReader& frame, const std::filesystem::path& file, std::string_view name, int components) {
-  if (const FrameArray* found = array_of(frame, name, components)) return *found;
+const frames::FrameArray& needed(const frames::Frame& frame, const output::FrameFile& entry, std::string_view name, int components) {
+  if (const frames::FrameArray* found = array_of(frame, name, components)) return *found;
   throw InputError(
-      fmt::format("{}: the frame has no array {} of {} numbers per particle; use the file as written by the run.", file.string(), name, components));
+      fmt::format("{}: the frame has no array {} of {} numbers per particle; use the file as written by the run.", entry.name(), name, components));
 }
 
 /// The most frequent distance between successive particles [m]: the lattice spacing.
@@ -37,22 +37,22 @@ double default_distance(const std::vector<Vec3d>& points) {
   return *middle > 0 ? *middle : 1;
 }
 
-void add_particles(BodyFrames& body, const FrameReader& frame, const output::FrameFile& entry) {
-  const FrameArray& displacement = needed(frame, entry.file, "displacement", 3);
-  const FrameArray& velocity = needed(frame, entry.file, "velocity", 3);
-  const FrameArray& damage = needed(frame, entry.file, "damage", 1);
-  const FrameArray* fragment = array_of(frame, "fragment", 1);
-  const FrameArray* plastic_strain = array_of(frame, "plastic_strain", 1);
+void add_particles(BodyFrames& body, const frames::Frame& frame, const output::FrameFile& entry) {
+  const frames::FrameArray& displacement = needed(frame, entry, "displacement", 3);
+  const frames::FrameArray& velocity = needed(frame, entry, "velocity", 3);
+  const frames::FrameArray& damage = needed(frame, entry, "damage", 1);
+  const frames::FrameArray* fragment = array_of(frame, "fragment", 1);
+  const frames::FrameArray* plastic_strain = array_of(frame, "plastic_strain", 1);
   const std::size_t count = frame.points.size();
   const bool is_first = body.frames.empty();
   if (!is_first && count != body.undeformed.size())
     throw InputError(
-        fmt::format("{} has {} particles, but the earlier frames have {}; use the files of one run.", entry.file.string(), count, body.undeformed.size()));
+        fmt::format("{} has {} particles, but the earlier frames have {}; use the files of one run.", entry.name(), count, body.undeformed.size()));
   if (!is_first && (fragment != nullptr) != body.has_fragments)
-    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} fragments; use the files of one run.", entry.file.string(),
+    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} fragments; use the files of one run.", entry.name(),
                                  fragment ? "it lists" : "those list"));
   if (!is_first && (plastic_strain != nullptr) != body.has_plastic_strain)
-    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} plastic strains; use the files of one run.", entry.file.string(),
+    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} plastic strains; use the files of one run.", entry.name(),
                                  plastic_strain ? "it lists" : "those list"));
   if (is_first) {
     body.has_fragments = fragment != nullptr;
@@ -75,11 +75,11 @@ void add_particles(BodyFrames& body, const FrameReader& frame, const output::Fra
   body.frames.push_back(entry);
 }
 
-void add_panels(ImpactorFrames& impactor, const FrameReader& frame, const output::FrameFile& entry) {
+void add_panels(ImpactorFrames& impactor, const frames::Frame& frame, const output::FrameFile& entry) {
   if (impactor.frames.empty()) {
     impactor.vertices = frame.points;
     impactor.panels = frame.panels;
-    for (const FrameArray& array : frame.arrays) impactor.arrays.push_back(array.name);
+    for (const frames::FrameArray& array : frame.arrays) impactor.arrays.push_back(array.name);
     impactor.ranges.resize(impactor.arrays.size());
   }
   fccda::Box box;
@@ -87,11 +87,11 @@ void add_panels(ImpactorFrames& impactor, const FrameReader& frame, const output
   constexpr double rounding = 1e-9;  // relative to coordinates; the run moves its surfaces in double precision
   const auto motion = rigid_motion(impactor.vertices, frame.points, rounding * (fccda::largest_magnitude(box.low) + fccda::largest_magnitude(box.high)));
   if (!motion || frame.panels.size() != impactor.panels.size())
-    throw InputError(fmt::format("{} has a different surface from the earlier frames; use the files of one run.", entry.file.string()));
+    throw InputError(fmt::format("{} has a different surface from the earlier frames; use the files of one run.", entry.name()));
   for (std::size_t a = 0; a < impactor.arrays.size(); ++a) {
-    const FrameArray* array = frame.find(impactor.arrays[a]);
+    const frames::FrameArray* array = frame.find(impactor.arrays[a]);
     if (array == nullptr)
-      throw InputError(fmt::format("{} lacks the array {} of the earlier frames; use the files of one run.", entry.file.string(), impactor.arrays[a]));
+      throw InputError(fmt::format("{} lacks the array {} of the earlier frames; use the files of one run.", entry.name(), impactor.arrays[a]));
     for (std::size_t i = 0; i < array->count(); ++i) impactor.ranges[a].include(array->scalar(i));
   }
   impactor.motions.push_back(*motion);
@@ -101,8 +101,8 @@ void add_panels(ImpactorFrames& impactor, const FrameReader& frame, const output
 void scan_series(const std::filesystem::path& list, Frames& frames, std::vector<std::string>& notes) {
   BodyFrames body{.name = list.stem().string()};
   ImpactorFrames impactor{.name = list.stem().string()};
-  for (const output::FrameFile& entry : output::frame_files_of(list)) try {
-      const FrameReader frame = read_frame(entry.file);
+  for (const output::FrameFile& entry : frames::frames_of(list)) try {
+      const frames::Frame frame = frames::read_frame(entry);
       frame.panels.empty() ? add_particles(body, frame, entry) : add_panels(impactor, frame, entry);
     } catch (const InputError& error) {
       notes.emplace_back(error.what());
@@ -136,12 +136,12 @@ Frames scan_frames(const std::filesystem::path& folder, std::vector<std::string>
   std::vector<std::filesystem::path> lists;
   std::error_code missing;
   for (const auto& entry : std::filesystem::directory_iterator(folder_of_frames, missing))
-    if (entry.path().extension() == ".pvd") lists.push_back(entry.path());
+    if (entry.path().extension() == ".pvd" || entry.path().extension() == ".vtkhdf") lists.push_back(entry.path());
   std::sort(lists.begin(), lists.end());
 
   Frames frames;
   if (lists.empty())
-    notes.push_back(fmt::format("{} contains no frame series (.pvd), so there is no 3-D view; set `output.frames` in the deck to write frames.",
+    notes.push_back(fmt::format("{} contains no frame series (.pvd or .vtkhdf), so there is no 3-D view; set `output.frames` in the deck to write frames.",
                                 folder_of_frames.string()));
   for (const std::filesystem::path& list : lists) try {
       scan_series(list, frames, notes);

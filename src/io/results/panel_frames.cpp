@@ -6,21 +6,22 @@ namespace perimpact {
 
 namespace {
 
-void write(const std::filesystem::path& path, const Impactor& impactor, std::vector<output::VtpArray> arrays, std::optional<double> time) {
+void write(const frames::Sink& sink, const Impactor& impactor, std::vector<output::VtpArray> arrays) {
   const fccda::Panels& panels = impactor.surface().panels();
   std::vector<Vec3d> moved;
   moved.reserve(panels.vertices.size());
   for (const Vec3d& vertex : panels.vertices) moved.push_back(impactor.body().pose().to_world(vertex));
-  output::write_vtp(path, {.points = output::coordinates(moved), .panels = panels.panels, .cell_arrays = std::move(arrays), .time = time},
-                    output::Compression::zlib);
+  sink({.points = output::coordinates(moved), .panels = panels.panels, .cell_arrays = std::move(arrays)});
 }
 
 }  // namespace
 
-void write_impactor(const std::filesystem::path& path, const Impactor& impactor) { write(path, impactor, {}, std::nullopt); }
+void write_impactor(const std::filesystem::path& path, const Impactor& impactor) {
+  write([&](const output::PolyData& frame) { output::write_vtp(path, frame, output::Compression::zlib); }, impactor, {});
+}
 
-void PanelFrames::write(const std::filesystem::path& path, const Impactor& impactor, double time) {
-  if (!impactor.names_panels()) return perimpact::write(path, impactor, {}, time);
+void PanelFrames::write(const frames::Sink& sink, const Impactor& impactor, double time) {
+  if (!impactor.names_panels()) return perimpact::write(sink, impactor, {});
   const fccda::PanelLoads& loads = impactor.record().panels();
   const std::vector<fccda::PanelLoad> since_start = loads.since_start();
   normal_impulse_.resize(since_start.size(), 0);
@@ -35,11 +36,10 @@ void PanelFrames::write(const std::filesystem::path& path, const Impactor& impac
     normal_impulse_[panel] = since_start[panel].normal_impulse;
   }
   time_ = time;
-  perimpact::write(path, impactor,
+  perimpact::write(sink, impactor,
                    {{"contact_pressure", 1, std::span<const float>(pressure)},
                     {"peak_pressure", 1, std::span<const float>(peak)},
-                    {"contact_impulse", 3, std::span<const float>(impulse)}},
-                   time);
+                    {"contact_impulse", 3, std::span<const float>(impulse)}});
 }
 
 }  // namespace perimpact

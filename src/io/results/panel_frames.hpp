@@ -8,15 +8,16 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/frames/series.hpp"
 #include "perimpact/impactor/impactor.hpp"
 
 namespace perimpact {
 
 class PanelFrames {
  public:
-  /// Writes the impactor at its current position. Call in the order of `time` [s]. An impactor whose detector does not resolve panels
-  /// (analytic) is written without arrays.
-  void write(const std::filesystem::path& path, const Impactor& impactor, double time);
+  /// Passes the impactor at its current position to the sink. Call in the order of `time` [s]. An impactor whose detector does not resolve panels
+  /// (analytic) has no arrays.
+  void write(const frames::Sink& sink, const Impactor& impactor, double time);
 
   /// State visitor (base/state.hpp).
   template <class Visitor>

@@ -24,7 +24,7 @@ void PressureArea::sync() {
 }
 
 void PressureArea::after_interval(const output::ResultsFolder& folder, const Impactor& impactor) {
-  if (!impactor.record().touched()) return;
+  if (!impactor.record().was_in_contact()) return;
   if (!process_) process_.emplace(process_curve(folder.path(), impactor.name()), process_columns());
   const ContactRecord::Interval& interval = impactor.record().interval();
   process_->append(std::vector<double>{interval.time, interval.contact_area, interval.mean_contact_area, interval.normal_force, interval.mean_pressure()});

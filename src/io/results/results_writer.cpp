@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <type_traits>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "io/output/file.hpp"
 #include "io/output/json.hpp"
 #include "io/output/vtp.hpp"
@@ -15,16 +19,23 @@ namespace perimpact {
 
 namespace {
 
-/// Three numbers per particle, as floats for the frames.
+/// value(slot) of each particle, a number or a vector, as floats for the frames.
 template <class Value>
-std::vector<float> of_particles(const Body& body, const Value& value) {
-  std::vector<float> numbers;
-  numbers.reserve(3 * body.particles.size());
-  for (const std::uint32_t slot : body.particles.slot_of()) {
-    const Vec3d v = value(slot);
-    numbers.insert(numbers.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
-  }
-  return numbers;
+output::MadeFloats of_particles(const Body& body, const Value& value) {
+  using Of = std::invoke_result_t<const Value&, std::uint32_t>;
+  constexpr std::size_t components = std::is_same_v<Of, Vec3d> ? 3 : 1;
+  return {components * body.particles.size(), [&body, value] {
+            std::vector<float> numbers(components * body.particles.size());
+            fccda::parallel_for(static_cast<std::ptrdiff_t>(body.particles.size()), [&](std::ptrdiff_t number) {
+              const auto particle = static_cast<std::size_t>(number);
+              const Of v = value(body.particles.slot_of()[particle]);
+              if constexpr (components == 3)
+                for (std::size_t c = 0; c < 3; ++c) numbers[3 * particle + c] = static_cast<float>(v[c]);
+              else
+                numbers[particle] = static_cast<float>(v);
+            });
+            return numbers;
+          }};
 }
 
 std::vector<std::string> headings_of(std::span<const Column> columns) {
@@ -51,6 +62,8 @@ void write_columns(const std::filesystem::path& path, std::span<const Column> co
 
 double time_of(long step, const Clock& clock) { return static_cast<double>(step) * clock.dt; }
 
+FrameFormat format_of(const Simulation& simulation) { return simulation.setup().output.frame_format.as<FrameFormat>(); }
+
 /// All that the run may write.
 output::FileList planned_files(const Simulation& simulation, std::span<const Line> lines) {
   const OutputSetup& setup = simulation.setup().output;
@@ -60,8 +73,7 @@ output::FileList planned_files(const Simulation& simulation, std::span<const Lin
   if (setup.checkpoints_kept > 1) list.add(output::ResultsFolder::next_checkpoint_in("").string());
   const auto add_series = [&](const std::string& name) {
     if (setup.frames == 0) return;
-    list.add("frames/" + name + ".pvd");
-    list.add_frames("frames/" + name, static_cast<std::size_t>(setup.frames) + 1);  // an interrupted run has an additional one
+    frames::Series::list(list, name, format_of(simulation), static_cast<std::size_t>(setup.frames) + 1);  // an interrupted run has an additional one
   };
   for (const Body& body : simulation.bodies()) {
     add_series(body.name);
@@ -91,6 +103,22 @@ output::FileList later_files(const Simulation& simulation, const std::filesystem
   return later;
 }
 
+/// Checks that the rows to be appended have the columns of the file, which another version of the program may have written.
+void expect_columns(const std::filesystem::path& history, std::span<const Column> columns) {
+  std::ifstream file(history);
+  std::string header;
+  std::getline(file, header);
+  std::string expected = output::csv_header(headings_of(columns));
+  expected.pop_back();  // the new line
+  if (header == expected) return;
+  const auto count = [](std::string_view line) { return std::count(line.begin(), line.end(), ',') + 1; };
+  const auto same = std::mismatch(header.begin(), header.end(), expected.begin(), expected.end()).first - header.begin();
+  throw fccda::InputError(
+      fmt::format("{} is of another version of the program: it has {} columns and this one writes {}, different from column {} on; resume the "
+                  "run with that version, or replace it by a new one.",
+                  history.string(), count(header), count(expected), count(std::string_view(header).substr(0, static_cast<std::size_t>(same)))));
+}
+
 /// Checks that the files to be resumed contain all that had been written.
 void expect_files(const Simulation& simulation, const std::filesystem::path& folder, std::span<const Line> lines, const Written& written) {
   const auto refuse = [](const std::filesystem::path& path, std::string_view fault) {
@@ -103,17 +131,15 @@ void expect_files(const Simulation& simulation, const std::filesystem::path& fol
     if (there < size) refuse(path, "is shorter than when the checkpoint was written");
   };
   expect(output::ResultsFolder::history_in(folder), written.history);
+  expect_columns(output::ResultsFolder::history_in(folder), simulation.monitors().columns());
   for (std::size_t i = 0; i < written.pressure_area.size(); ++i)
     if (written.pressure_area[i] > 0) expect(PressureArea::process_curve(folder, simulation.impactors()[i].name()), written.pressure_area[i]);
   for (std::size_t b = 0; b < written.fragments.size(); ++b)
     if (written.fragments[b] > 0) expect(FragmentTable::table(folder, simulation.bodies()[b].name), written.fragments[b]);
 
-  const std::filesystem::path frames = output::ResultsFolder::frames_in(folder);
   auto times = written.frame_times.begin();
   const auto expect_frames = [&](const std::string& series) {
-    if (!times->empty() && !std::filesystem::exists(frames)) refuse(frames, "is missing");
-    for (std::size_t frame = 0; frame < times->size(); ++frame) expect(frames / output::frame_file(series, frame), 1);
-    ++times;
+    frames::Series::expect(output::ResultsFolder::frames_in(folder), series, format_of(simulation), (times++)->size());
   };
   for (const Body& body : simulation.bodies()) expect_frames(body.name);
   for (const Impactor& impactor : simulation.impactors()) expect_frames(impactor.name());
@@ -124,28 +150,24 @@ void expect_files(const Simulation& simulation, const std::filesystem::path& fol
 
 }  // namespace
 
-void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Fragments* fragments) {
+void write_particles(const frames::Sink& sink, const Body& body, const Fragments* fragments) {
   const Particles& particles = body.particles;
-  const auto position = of_particles(body, [&](std::uint32_t slot) { return particles.position.at(slot); });
-  const auto displacement = of_particles(body, [&](std::uint32_t slot) { return particles.displacement(slot); });
-  const auto velocity = of_particles(body, [&](std::uint32_t slot) { return particles.velocity.at(slot); });
-  std::vector<float> damage;
-  for (const std::uint32_t slot : particles.slot_of()) damage.push_back(static_cast<float>(body.family.damage(slot)));
-  std::vector<output::VtpArray> arrays = {{"displacement", 3, std::span<const float>(displacement)},
-                                          {"velocity", 3, std::span<const float>(velocity)},
-                                          {"damage", 1, std::span<const float>(damage)}};
-  std::vector<float> plastic_strain;
-  if (const PlasticForce* plastic = body.internal.plastic()) {
-    for (const std::uint32_t slot : particles.slot_of()) plastic_strain.push_back(static_cast<float>(plastic->equivalent_strain(slot)));
-    arrays.push_back({"plastic_strain", 1, std::span<const float>(plastic_strain)});
-  }
+  std::vector<output::VtpArray> arrays = {{"displacement", 3, of_particles(body, [&particles](std::uint32_t slot) { return particles.displacement(slot); })},
+                                          {"velocity", 3, of_particles(body, [&particles](std::uint32_t slot) { return particles.velocity.at(slot); })},
+                                          {"damage", 1, of_particles(body, [&body](std::uint32_t slot) { return body.family.damage(slot); })}};
+  if (const PlasticForce* plastic = body.internal.plastic())
+    arrays.push_back({"plastic_strain", 1, of_particles(body, [plastic](std::uint32_t slot) { return plastic->equivalent_strain(slot); })});
   if (fragments) arrays.push_back({"fragment", 1, fragments->of_particles()});
   std::vector<std::int32_t> numbers;
   if (!particles.numbers().empty()) {
     for (const std::uint32_t slot : particles.slot_of()) numbers.push_back(static_cast<std::int32_t>(particles.numbers()[slot]));
-    arrays.push_back({"original", 1, std::span<const std::int32_t>(numbers)});
+    arrays.push_back({"original", 1, std::span<const std::int32_t>(numbers), true});
   }
-  output::write_vtp(path, {.points = std::span<const float>(position), .point_arrays = std::move(arrays), .time = time}, output::Compression::zlib);
+  sink({.points = of_particles(body, [&particles](std::uint32_t slot) { return particles.position.at(slot); }), .point_arrays = std::move(arrays)});
+}
+
+void write_particles(const std::filesystem::path& path, const Body& body) {
+  write_particles([&](const output::PolyData& frame) { output::write_vtp(path, frame, output::Compression::zlib); }, body, nullptr);
 }
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
@@ -156,8 +178,8 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
       pressure_area_(simulation.impactors().size()),
       fragment_tables_(simulation.bodies().size()),
       frames_wanted_(simulation.setup().output.frames) {
-  for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name);
-  for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name());
+  for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name, format_of(simulation));
+  for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name(), format_of(simulation));
   write_columns(folder_.history_columns(), simulation.monitors().columns());
   after_step(simulation);
 }
@@ -171,8 +193,9 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
       last_frame_step_(written.last_frame_step),
       resumed_at_(std::move(written.resumed_at)) {
   auto times = written.frame_times.begin();
-  for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name, std::move(*times++));
-  for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name(), std::move(*times++));
+  for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name, format_of(simulation), std::move(*times++));
+  for (const Impactor& impactor : simulation.impactors())
+    impactor_series_.emplace_back(folder_.frames(), impactor.name(), format_of(simulation), std::move(*times++));
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
     pressure_area_.emplace_back(folder_, simulation.impactors()[i].name(), written.pressure_area[i]);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) fragment_tables_.emplace_back(folder_, simulation.bodies()[b].name, written.fragments[b]);
@@ -185,6 +208,8 @@ Written ResultsWriter::written() {
   history_.sync();
   for (PressureArea& curve : pressure_area_) curve.sync();
   for (FragmentTable& table : fragment_tables_) table.sync();
+  for (const frames::Series& series : body_series_) series.sync();
+  for (const frames::Series& series : impactor_series_) series.sync();
   for (const std::filesystem::path& folder : {folder_.frames(), folder_.lines(), folder_.pressure_area(), folder_.fragments()}) output::sync_folder(folder);
 
   Written written(body_series_.size(), impactor_series_.size());
@@ -193,8 +218,8 @@ Written ResultsWriter::written() {
   for (std::size_t b = 0; b < fragment_tables_.size(); ++b) written.fragments[b] = fragment_tables_[b].size();
   written.panel_frames = panel_frames_;
   auto times = written.frame_times.begin();
-  for (const output::Series& series : body_series_) *times++ = series.times();
-  for (const output::Series& series : impactor_series_) *times++ = series.times();
+  for (const frames::Series& series : body_series_) *times++ = series.times();
+  for (const frames::Series& series : impactor_series_) *times++ = series.times();
   written.last_frame_step = last_frame_step_;
   written.resumed_at = resumed_at_;
   return written;
@@ -224,11 +249,11 @@ void ResultsWriter::write_frame(const Simulation& simulation) {
     const Body& body = simulation.bodies()[b];
     std::optional<Fragments> fragments;
     if (body.failure) fragments.emplace(body.particles, body.family);
-    body_series_[b].add(time, [&](const std::filesystem::path& path) { write_particles(path, body, time, fragments ? &*fragments : nullptr); });
+    body_series_[b].add(time, [&](const frames::Sink& sink) { write_particles(sink, body, fragments ? &*fragments : nullptr); });
     if (fragments) fragment_tables_[b].after_frame(folder_, body.name, time, *fragments);
   }
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
-    impactor_series_[i].add(time, [&](const std::filesystem::path& path) { panel_frames_[i].write(path, simulation.impactors()[i], time); });
+    impactor_series_[i].add(time, [&](const frames::Sink& sink) { panel_frames_[i].write(sink, simulation.impactors()[i], time); });
   last_frame_step_ = simulation.clock().step;
   skip_frames_until(last_frame_step_, simulation.clock());
 }

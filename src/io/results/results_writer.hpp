@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/frames/series.hpp"
 #include "io/output/csv.hpp"
-#include "io/output/pvd.hpp"
 #include "io/output/results_folder.hpp"
 #include "io/results/fragment_tables.hpp"
 #include "io/results/lines.hpp"
@@ -50,7 +50,7 @@ class ResultsWriter {
   std::vector<Line> lines_;
   output::ResultsFolder folder_;
   output::CsvWriter history_;
-  std::vector<output::Series> body_series_, impactor_series_;
+  std::vector<frames::Series> body_series_, impactor_series_;
   std::vector<PanelFrames> panel_frames_;       // per impactor
   std::vector<PressureArea> pressure_area_;     // per impactor
   std::vector<FragmentTable> fragment_tables_;  // per body
@@ -63,7 +63,9 @@ class ResultsWriter {
 /// The step of an output frame, of `frames` in a run of `steps`.
 long step_of_frame(int frame, int frames, long steps);
 
-/// Writes the particles of a body for ParaView: displacement, velocity, damage and, if given, fragments.
-void write_particles(const std::filesystem::path& path, const Body& body, std::optional<double> time, const Fragments* fragments = nullptr);
+/// Passes the particles of a body to the sink: displacement, velocity, damage and, if given, fragments.
+void write_particles(const frames::Sink& sink, const Body& body, const Fragments* fragments);
+/// Writes them without fragments, for ParaView.
+void write_particles(const std::filesystem::path& path, const Body& body);
 
 }  // namespace perimpact

@@ -96,8 +96,8 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
     const fccda::Effort effort = impactor.effort(b);
     Json& against = json["detection"][simulation.bodies()[b].name];
     against["points_in_bounds"] = effort.points_in_bounds;
-    against["points_asked"] = effort.points_asked;
-    against["panels_asked"] = effort.panels_asked;
+    against["points_tested"] = effort.points_tested;
+    against["panels_tested"] = effort.panels_tested;
     if (const fccda::Published* published = impactor.published(b)) {
       const fccda::Rejections& rejections = published->rejections();
       against["rejected_by"]["eq. 14"] = rejections.by_eq14;
@@ -107,10 +107,10 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
     }
     against["initial_overlap"] = particles_initially_inside(simulation, number, b);
     against["entered_inside"] = impactor.entered_inside(b);
-    against["pinched"] = impactor.unresolved(b).count;
+    against["unresolved_penetrations"] = impactor.unresolved(b).count;
   }
   json["constraint_work [J]"] = impactor.constraint_work();
-  json["work_of_loads [J]"] = impactor.load_work();
+  json["load_work [J]"] = impactor.load_work();
   if (impactor.water()) json["floating"] = floating_report(impactor);
   return json;
 }
@@ -148,7 +148,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["degenerate"] = report.degenerate;
   json["duplicate"] = report.duplicate;
   json["back_to_back"] = report.back_to_back;
-  json["crowded_edges"] = report.non_manifold_edge_count;
+  json["non_manifold_edges"] = report.non_manifold_edge_count;
   json["cut_edges"] = report.cut_edges;
   json["rewound"] = report.rewound;
   json["flipped"] = report.flipped;
@@ -163,7 +163,7 @@ Json surface_report(const fccda::SurfaceReport& report) {
     entry["area [m2]"] = part.area;
   }
   json["closure"] = word_for(report.closure);
-  json["rim_edges"] = report.boundary_edges;
+  json["boundary_edges"] = report.boundary_edges;
   json["area [m2]"] = report.area;
   json["volume [m3]"] = report.volume;
   json["centroid [m]"] = json_vector(report.centroid);
@@ -171,6 +171,19 @@ Json surface_report(const fccda::SurfaceReport& report) {
   json["longest_edge [m]"] = report.longest_edge;
   json["low [m]"] = json_vector(report.bounds.low);
   json["high [m]"] = json_vector(report.bounds.high);
+  return json;
+}
+
+Json bodies_report(const Simulation& simulation) {
+  Json json = Json::object();
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
+    json[simulation.bodies()[b].name] = body_report(simulation.bodies()[b], simulation.boundary_conditions()[b], simulation.filled_mass(b));
+  return json;
+}
+
+Json impactors_report(const Simulation& simulation) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json[simulation.impactors()[i].name()] = impactor_report(simulation, i);
   return json;
 }
 
@@ -194,9 +207,9 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
     json["stability"]["estimate [s]"] = simulation.stability().estimate;
     if (simulation.stability().exact) json["stability"]["exact [s]"] = *simulation.stability().exact;
   }
-  for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
-    json["bodies"][simulation.bodies()[b].name] = body_report(simulation.bodies()[b], simulation.boundary_conditions()[b], simulation.filled_mass(b));
-  for (std::size_t i = 0; i < simulation.impactors().size(); ++i) json["impactors"][simulation.impactors()[i].name()] = impactor_report(simulation, i);
+  json["bodies"] = bodies_report(simulation);
+  if (!simulation.impactors().empty()) json["impactors"] = impactors_report(simulation);
+  for (const auto& row : simulation.set_up_timers().rows()) json["set_up [s]"][row.name] = row.seconds;
   for (const auto& row : simulation.timers().rows()) json["timers [s]"][row.name] = row.seconds;
   json["warnings"] = simulation.warnings();
   for (std::string& warning : simulation.closing_warnings()) json["warnings"].push_back(std::move(warning));

@@ -9,10 +9,9 @@
 #include "base/contract.hpp"
 #include "base/error.hpp"
 #include "io/deck/yaml_node.hpp"
-#include "io/output/pvd.hpp"
+#include "io/frames/frame.hpp"
 #include "io/output/results_folder.hpp"
 #include "mesh_io/file/contents.hpp"
-#include "mesh_io/vtk/point_values.hpp"
 
 namespace perimpact {
 
@@ -145,19 +144,24 @@ ChannelWidths widths_of(std::span<const ChannelColumn> columns, double spacing, 
 ChannelFrame read_channel_frame(const std::filesystem::path& results, const std::string& body, std::optional<double> latest) {
   ChannelFrame frame;
   frame.spacing = spacing_of(results, body);
-  const std::filesystem::path list = output::ResultsFolder::frames_in(results) / (body + ".pvd");
+  std::filesystem::path list = output::ResultsFolder::frames_in(results) / (body + ".vtkhdf");
+  if (!std::filesystem::exists(list)) list.replace_extension(".pvd");
   if (!std::filesystem::exists(list))
     throw fccda::InputError(fmt::format("{} does not exist; the channel width is read from frames, so the run needs output.frames.", list.string()));
-  const std::vector<output::FrameFile> frames = output::frame_files_of(list);
-  const auto behind = std::find_if(frames.begin(), frames.end(), [&](const output::FrameFile& one) { return latest && one.time > *latest; });
-  if (behind == frames.begin()) throw fccda::InputError(fmt::format("{} lists no frame up to {:.4g} s; use a later --to.", list.string(), latest.value_or(0)));
-  frame.file = std::prev(behind)->file;
-  frame.time = std::prev(behind)->time;
-  for (const double fragment : fccda::read_point_values(frame.file, "fragment").values) frame.fragments.push_back(static_cast<std::int32_t>(fragment));
-  frame.places = fccda::read_point_values(frames.front().file, "fragment").points;  // frame at t = 0
+  const std::vector<output::FrameFile> all = frames::frames_of(list);
+  const auto behind = std::find_if(all.begin(), all.end(), [&](const output::FrameFile& one) { return latest && one.time > *latest; });
+  if (behind == all.begin()) throw fccda::InputError(fmt::format("{} lists no frame up to {:.4g} s; use a later --to.", list.string(), latest.value_or(0)));
+  const output::FrameFile& last = *std::prev(behind);
+  frame.name = last.name();
+  frame.time = last.time;
+  const frames::Frame read = frames::read_frame(last);
+  const frames::FrameArray* fragments = read.find("fragment");
+  if (fragments == nullptr || fragments->components != 1)
+    throw fccda::InputError(fmt::format("{} has no array fragment of one number per particle; use the file as written by the run.", frame.name));
+  for (const double fragment : fragments->numbers) frame.fragments.push_back(static_cast<std::int32_t>(fragment));
+  frame.places = frames::read_frame(all.front()).points;  // frame at t = 0
   if (frame.places.size() != frame.fragments.size() || frame.places.empty())
-    throw fccda::InputError(
-        fmt::format("{} and {} have different numbers of particles; use the files of one run.", frames.front().file.string(), frame.file.string()));
+    throw fccda::InputError(fmt::format("{} and {} have different numbers of particles; use the files of one run.", all.front().name(), frame.name));
   return frame;
 }
 

@@ -45,10 +45,10 @@ ChannelWidths widths_of(std::span<const ChannelColumn> columns, double spacing, 
 
 /// Data of a results folder for the channel evaluation.
 struct ChannelFrame {
-  std::filesystem::path file;  ///< the frame that was read
-  double time;                 ///< [s]
-  double spacing;              ///< [m]
-  std::vector<Vec3d> places;   ///< [m] reference positions
+  std::string name;           ///< of the frame that was read
+  double time;                ///< [s]
+  double spacing;             ///< [m]
+  std::vector<Vec3d> places;  ///< [m] reference positions
   std::vector<std::int32_t> fragments;
 };
 

@@ -41,7 +41,7 @@ std::vector<Thickness> thicknesses(const Surface& surface, const Bvh& bvh, std::
   if (!surface.is_closed()) return found;
   const std::size_t count = surface.triangles().size(), stride = (count + most - 1) / most;
   const double far = norm(surface.report().bounds.size()), tiny = 1e-9 * far;
-  std::size_t asked = 0;
+  std::size_t tested = 0;
   for (std::size_t t = 0; t < count; t += stride) {
     const Vec3d middle = (surface.corner(t, 0) + surface.corner(t, 1) + surface.corner(t, 2)) / 3.0;
     const Vec3d inward = -surface.normal(t);
@@ -49,7 +49,7 @@ std::vector<Thickness> thicknesses(const Surface& surface, const Bvh& bvh, std::
     // The last such crossing is the nearest.
     Vec3d start = middle + far * inward;
     std::optional<double> thickness;
-    while (const auto crossing = bvh.first_hit(start, middle, asked)) {
+    while (const auto crossing = bvh.first_hit(start, middle, tested)) {
       const Vec3d hit = start + crossing->fraction * (middle - start);
       thickness = norm(hit - middle);
       start = hit - tiny * inward;

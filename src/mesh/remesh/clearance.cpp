@@ -15,13 +15,13 @@ class Sheets {
 
   /// [m] Distance to the next sheet on either side of a point of the surface; the reach if there is none.
   double gap(const Vec3d& point, const Vec3d& normal) const {
-    std::size_t asked = 0;
+    std::size_t tested = 0;
     double nearest = reach_;
     const Vec3d above = point + tiny_ * normal, below = point - tiny_ * normal;
-    if (const auto hit = bvh_.first_hit(above, above + reach_ * normal, asked)) nearest = hit->fraction * reach_;
+    if (const auto hit = bvh_.first_hit(above, above + reach_ * normal, tested)) nearest = hit->fraction * reach_;
     // A sheet on the inward side shows its back. So the ray is cast from its other end, where the last crossing from the front is the nearest.
     for (double start = nearest; start > tiny_;) {
-      const auto hit = bvh_.first_hit(below - start * normal, below, asked);
+      const auto hit = bvh_.first_hit(below - start * normal, below, tested);
       if (!hit) break;
       nearest = (1 - hit->fraction) * start;
       start = nearest - tiny_;

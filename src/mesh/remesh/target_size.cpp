@@ -15,7 +15,7 @@ namespace {
 
 using TriangleCorners = std::array<Vec3d, 3>;
 
-bool holds(const Box& box, const Vec3d& point) { return box.distance(point) == 0; }
+bool contains(const Box& box, const Vec3d& point) { return box.distance(point) == 0; }
 
 /// The part of the triangle inside the box, the box's faces included.
 Polygon part_in(const Box& box, const TriangleCorners& corners) {
@@ -32,7 +32,7 @@ bool are_apart(const Box& box, const TriangleCorners& corners) {
 
 bool reaches_into(const Box& box, const TriangleCorners& corners) {
   if (are_apart(box, corners)) return false;
-  return std::any_of(corners.begin(), corners.end(), [&](const Vec3d& corner) { return holds(box, corner); }) || !part_in(box, corners).empty();
+  return std::any_of(corners.begin(), corners.end(), [&](const Vec3d& corner) { return contains(box, corner); }) || !part_in(box, corners).empty();
 }
 
 double area_of(const Polygon& polygon) {

@@ -73,10 +73,10 @@ class Bvh::Closest {
   double squared() const { return squared_; }
 
   template <class Accept>
-  void look_at(std::int32_t index, std::size_t& asked, const Accept& accept) {
+  void consider(std::int32_t index, std::size_t& tested, const Accept& accept) {
     const Leaf& leaf = bvh_.leaves_[static_cast<std::size_t>(index)];
     const std::array<double, width> d = squared_distances(leaf, from_origin_);
-    asked += static_cast<std::size_t>(leaf.count);
+    tested += static_cast<std::size_t>(leaf.count);
     for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) {
       if (!(d[l] <= squared_)) continue;
       const int triangle = leaf.triangle[l];
@@ -102,7 +102,7 @@ class Bvh::Closest {
 };
 
 template <class Accept>
-std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, Nearby* nearby, const Accept& accept) const {
+std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, int guess, std::size_t& tested, Nearby* nearby, const Accept& accept) const {
   if (!(cap >= 0)) return std::nullopt;
   Closest best(*this, point, cap);
   const Vec3d& p = best.from_origin();
@@ -116,7 +116,7 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
   std::int32_t guessed = -1;  // its leaf will be visited again
   const auto visit_leaf = [&](std::int32_t index) {
     if (index == guessed) return;
-    best.look_at(index, asked, accept);
+    best.consider(index, tested, accept);
     if (nearby) nearby->add(index);
     narrow();
   };
@@ -165,13 +165,13 @@ std::optional<ClosestPoint> Bvh::search_closest(const Vec3d& point, double cap, 
   return best.found();
 }
 
-std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int guess, std::size_t& asked) const {
-  return search_closest(point, cap, guess, asked, nullptr, any);
+std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int guess, std::size_t& tested) const {
+  return search_closest(point, cap, guess, tested, nullptr, any);
 }
 
-std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& asked) const {
+std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& tested) const {
   nearby = {.centre = point, .reach = reach};
-  const std::optional<ClosestPoint> closest = search_closest(point, cap, guess, asked, &nearby, any);
+  const std::optional<ClosestPoint> closest = search_closest(point, cap, guess, tested, &nearby, any);
   if (!closest) nearby.reach = 0;
   return closest;
 }
@@ -179,20 +179,20 @@ std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int gue
 // With c the centre, T a triangle that was not visited and C the closest to c, all within `reach` of c have
 //   d(q, T) >= d(c, T) - |q - c| > d(c, C) + 2 reach - |q - c| >= d(q, C) + 2 (reach - |q - c|),
 // so T is not the closest to q. A hundredth of the reach is reserved for rounding.
-std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& asked) const {
-  if (!(norm(point - nearby.centre) < 0.99 * nearby.reach)) return closest(point, no_cap, guess, asked);
+std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& tested) const {
+  if (!(norm(point - nearby.centre) < 0.99 * nearby.reach)) return closest(point, no_cap, guess, tested);
   Closest best(*this, point, no_cap);
-  for (std::size_t k = 0; k < nearby.count; ++k) best.look_at(nearby.leaves[k], asked, any);
+  for (std::size_t k = 0; k < nearby.count; ++k) best.consider(nearby.leaves[k], tested, any);
   return best.found();
 }
 
 std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap) const {
-  std::size_t asked = 0;
-  return closest(point, cap, -1, asked);
+  std::size_t tested = 0;
+  return closest(point, cap, -1, tested);
 }
 
-std::optional<ClosestPoint> Bvh::closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const {
-  return search_closest(point, cap, -1, asked, nullptr, [&](int triangle) {
+std::optional<ClosestPoint> Bvh::closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& tested) const {
+  return search_closest(point, cap, -1, tested, nullptr, [&](int triangle) {
     const auto t = static_cast<std::size_t>(triangle);
     return dot(viewer - surface_->corner(t, 0), surface_->normal(t)) > 0;
   });
@@ -249,13 +249,13 @@ void take_if_first(const Surface& surface, const Crossing& found, std::optional<
 
 }  // namespace
 
-std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std::size_t& asked) const {
+std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std::size_t& tested) const {
   std::optional<Crossing> first;
   if (!is_finite(start) || !is_finite(end)) return first;
   double until = 1;
   const double margin = 0;
   visit_segment(start, end, until, margin, [&](int triangle) {
-    ++asked;
+    ++tested;
     const auto t = static_cast<std::size_t>(triangle);
     const std::optional<double> fraction = front_crossing(start, end, corners(t));
     if (!fraction) return;
@@ -304,13 +304,13 @@ std::optional<double> time_of_contact(const Vec3d& start, const Vec3d& displacem
 
 }  // namespace
 
-std::optional<Crossing> Bvh::first_touch(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& asked) const {
+std::optional<Crossing> Bvh::first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& tested) const {
   std::optional<Crossing> first;
   if (!is_finite(start) || !is_finite(end)) return first;
   double until = 1;
   const double margin = radius + tolerance;
   visit_segment(start, end, until, margin, [&](int triangle) {
-    ++asked;
+    ++tested;
     const auto t = static_cast<std::size_t>(triangle);
     const std::optional<double> fraction = time_of_contact(start, end - start, corners(t), radius, tolerance, until);
     if (!fraction) return;
@@ -319,13 +319,13 @@ std::optional<Crossing> Bvh::first_touch(const Vec3d& start, const Vec3d& end, d
   return first;
 }
 
-std::optional<double> Bvh::distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& asked) const {
+std::optional<double> Bvh::distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& tested) const {
   if (!is_finite(start) || !is_finite(end)) return std::nullopt;
   const double until = 1;
   double best = cap;
   bool found = false;
   visit_segment(start, end, until, best, [&](int triangle) {
-    ++asked;
+    ++tested;
     const double distance = std::sqrt(squared_distance_of_segment(start, end, corners(static_cast<std::size_t>(triangle))));
     if (distance <= best) best = distance, found = true;
   });

@@ -60,30 +60,30 @@ class Bvh {
   /// Over a subset of the triangles, in ascending order. Guesses are ignored.
   Bvh(const Surface& surface, std::span<const std::int32_t> triangles);
 
-  /// The closest point of the surface within `cap` [m]. `guess` is a triangle expected to be near, or -1. `asked` counts the triangles
+  /// The closest point of the surface within `cap` [m]. `guess` is a triangle expected to be near, or -1. `tested` counts the triangles
   /// evaluated.
-  std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, std::size_t& asked) const;
+  std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, std::size_t& tested) const;
   /// The same without guess.
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap = no_cap) const;
 
   /// The same, and collects the surroundings for queries at other points within `reach` [m] of this one.
-  std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& asked) const;
+  std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& tested) const;
 
   /// The closest point of the surface, found with the cached surroundings.
-  std::optional<ClosestPoint> closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& asked) const;
+  std::optional<ClosestPoint> closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& tested) const;
 
   /// The closest point within `cap` [m] among the triangles whose front faces `viewer`.
-  std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const;
+  std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& tested) const;
 
   /// The first triangle that the segment crosses from its front.
-  std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, std::size_t& asked) const;
+  std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, std::size_t& tested) const;
 
   /// First contact of a ball of `radius` [m] whose centre moves along the segment: the triangle and the fraction, at most `tolerance` [m]
   /// early. A triangle in contact at the start counts only if the ball moves towards it.
-  std::optional<Crossing> first_touch(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& asked) const;
+  std::optional<Crossing> first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& tested) const;
 
   /// Distance between the segment and the surface if it is at most `cap` [m].
-  std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& asked) const;
+  std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& tested) const;
 
   /// Winding number of the triangles of one solid about the point: the sum over the crossings of a ray along x (ray_crossing.hpp).
   int enclosures(const Vec3d& point, int solid) const;
@@ -116,7 +116,7 @@ class Bvh {
   class Closest;
 
   template <class Accept>
-  std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& asked, Nearby* nearby, const Accept& accept) const;
+  std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& tested, Nearby* nearby, const Accept& accept) const;
   template <class Visit>
   void visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
   static std::array<double, width> squared_distances(const Leaf& leaf, const Vec3d& point);

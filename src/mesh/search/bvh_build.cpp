@@ -165,6 +165,8 @@ Bvh::Bvh(const Surface& surface) : surface_(&surface), origin_(surface.report().
   std::vector<std::int32_t> all(surface.triangles().size());
   std::iota(all.begin(), all.end(), 0);
   Builder(*this, surface, all);
+  nodes_.shrink_to_fit();  // of a large surface, half of what they have grown to
+  leaves_.shrink_to_fit();
 }
 
 Bvh::Bvh(const Surface& surface, std::span<const std::int32_t> triangles) : surface_(&surface), origin_(surface.report().bounds.centre()) {

@@ -42,30 +42,30 @@ bool Solids::is_surely_outside(const Solid& solid, std::size_t triangle) const {
                         1e-9 * largest_magnitude(surface_->report().bounds.size());
   if (solid.bounds.distance(middle) > radius) return true;
   if (solid.bvh.closest(middle, radius)) return false;
-  std::size_t asked = 0;
-  return !holds(solid, middle, asked);
+  std::size_t tested = 0;
+  return !contains(solid, middle, tested);
 }
 
 std::size_t Solids::buried_count() const { return static_cast<std::size_t>(std::count(buried_.begin(), buried_.end(), 1)); }
 
-bool Solids::holds(const Solid& solid, const Vec3d& point, std::size_t& asked) const {
+bool Solids::contains(const Solid& solid, const Vec3d& point, std::size_t& tested) const {
   if (solid.bounds.distance(point) > 0) return false;
-  const std::optional<ClosestPoint> closest = solid.bvh.closest(point, Bvh::no_cap, -1, asked);
+  const std::optional<ClosestPoint> closest = solid.bvh.closest(point, Bvh::no_cap, -1, tested);
   return closest && sign_of(*surface_, *closest, point) < 0;
 }
 
-bool Solids::another_holds(int triangle, const Vec3d& point, std::size_t& asked) const {
+bool Solids::another_holds(int triangle, const Vec3d& point, std::size_t& tested) const {
   const int own = surface_->solid_of(static_cast<std::size_t>(triangle));
   for (std::size_t s = 0; s < solids_.size(); ++s)
-    if (static_cast<int>(s) != own && holds(solids_[s], point, asked)) return true;
+    if (static_cast<int>(s) != own && contains(solids_[s], point, tested)) return true;
   return false;
 }
 
-std::optional<Solids::Nearest> Solids::nearest(const Vec3d& point, std::size_t& asked) const {
+std::optional<Solids::Nearest> Solids::nearest(const Vec3d& point, std::size_t& tested) const {
   std::optional<Nearest> best;
   for (std::size_t s = 0; s < solids_.size(); ++s) {
     if (best && solids_[s].bounds.distance(point) > std::max(0.0, best->signed_distance)) continue;
-    const std::optional<ClosestPoint> closest = solids_[s].bvh.closest(point, Bvh::no_cap, -1, asked);
+    const std::optional<ClosestPoint> closest = solids_[s].bvh.closest(point, Bvh::no_cap, -1, tested);
     if (!closest) continue;
     const double signed_distance = sign_of(*surface_, *closest, point) * closest->distance;
     if (!best || signed_distance < best->signed_distance) best = Nearest{*closest, signed_distance};
@@ -73,8 +73,8 @@ std::optional<Solids::Nearest> Solids::nearest(const Vec3d& point, std::size_t& 
   return best;
 }
 
-std::optional<ClosestPoint> Solids::closest_facing(int solid, const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const {
-  return solids_[static_cast<std::size_t>(solid)].bvh.closest_facing(point, viewer, cap, asked);
+std::optional<ClosestPoint> Solids::closest_facing(int solid, const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& tested) const {
+  return solids_[static_cast<std::size_t>(solid)].bvh.closest_facing(point, viewer, cap, tested);
 }
 
 }  // namespace fccda

@@ -35,7 +35,7 @@ class Solids {
   std::size_t buried_count() const;  ///< number of triangles that may be buried
 
   /// True if the point is inside a solid other than that of the triangle.
-  bool another_holds(int triangle, const Vec3d& point, std::size_t& asked) const;
+  bool another_holds(int triangle, const Vec3d& point, std::size_t& tested) const;
 
   /// The solid that a point is deepest in or, if it is in none, nearest to.
   struct Nearest {
@@ -43,10 +43,10 @@ class Solids {
     double signed_distance;  ///< [m] negative inside
   };
   /// Expects several solids. Nothing for a point that is not a number.
-  std::optional<Nearest> nearest(const Vec3d& point, std::size_t& asked) const;
+  std::optional<Nearest> nearest(const Vec3d& point, std::size_t& tested) const;
 
   /// The closest point of one solid among the triangles whose front faces `viewer`.
-  std::optional<ClosestPoint> closest_facing(int solid, const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& asked) const;
+  std::optional<ClosestPoint> closest_facing(int solid, const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& tested) const;
 
  private:
   struct Solid {
@@ -54,7 +54,7 @@ class Solids {
     Box bounds;
   };
 
-  bool holds(const Solid& solid, const Vec3d& point, std::size_t& asked) const;
+  bool contains(const Solid& solid, const Vec3d& point, std::size_t& tested) const;
   bool is_surely_outside(const Solid& solid, std::size_t triangle) const;
 
   const Surface* surface_;

@@ -15,7 +15,7 @@ struct Face {
   std::span<const Id> all() const { return std::span(corners).first(count); }
 };
 
-bool holds(std::span<const Id> ids, Id id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
+bool contains(std::span<const Id> ids, Id id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
 Face without_neighbours_alike(std::span<const Id> corners) {
   Face out;
@@ -26,7 +26,7 @@ Face without_neighbours_alike(std::span<const Id> corners) {
 
 bool all_differ(std::span<const Id> ids) {
   for (std::size_t k = 0; k < ids.size(); ++k)
-    if (holds(ids.subspan(k + 1), ids[k])) return false;
+    if (contains(ids.subspan(k + 1), ids[k])) return false;
   return true;
 }
 
@@ -84,10 +84,10 @@ bool is_closed(const Hull& hull) {
 /// For a wedge: the corner of the other triangle that shares an edge with `corner`.
 Id partner(const Hull& hull, const Face& triangle, Id corner) {
   for (const Face& face : hull.all()) {
-    if (face.count != 4 || !holds(face.all(), corner)) continue;
+    if (face.count != 4 || !contains(face.all(), corner)) continue;
     const auto k = static_cast<std::size_t>(std::find(face.corners.begin(), face.corners.end(), corner) - face.corners.begin());
     const Id next = face.corners[(k + 1) % 4];
-    return holds(triangle.all(), next) ? face.corners[(k + 3) % 4] : next;
+    return contains(triangle.all(), next) ? face.corners[(k + 3) % 4] : next;
   }
   return corner;
 }
@@ -124,7 +124,7 @@ std::optional<NumberedShape> solid_without_repeats(std::span<const Id> corners) 
 
   NumberedShape distinct;
   for (const Id id : n)
-    if (!holds(distinct.all(), id)) distinct.nodes[distinct.count++] = id;
+    if (!contains(distinct.all(), id)) distinct.nodes[distinct.count++] = id;
   const std::size_t triangles = hull.with(3), quads = hull.with(4);
   const auto is = [&](std::size_t node_count, std::size_t triangle_count, std::size_t quad_count) {
     return distinct.count == node_count && triangles == triangle_count && quads == quad_count;
@@ -147,7 +147,7 @@ std::optional<NumberedShape> solid_without_repeats(std::span<const Id> corners) 
     return std::nullopt;
   }
   for (const Id id : distinct.all())
-    if (!holds(out.all(), id)) out.nodes[out.count++] = id;
+    if (!contains(out.all(), id)) out.nodes[out.count++] = id;
   return out;
 }
 

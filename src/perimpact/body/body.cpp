@@ -30,9 +30,7 @@ Particles filled(const BodySetup& setup, const BodySolid& solid) {
     throw SetupError("bodies." + setup.name + ".spacing",
                      fmt::format("no particle of a lattice of {} m is inside body {}; take a smaller spacing, or check the units of its shape and holes.",
                                  lattice.spacing, setup.name));
-  const auto number = [&](double x, std::size_t axis) { return static_cast<int>(std::lround((x - lattice.origin[axis]) / lattice.spacing)); };
-  return Particles(lattice, stencil_of(setup, lattice).reach(), setup.elastic().density,
-                   [&](const Vec3d& X) { return inside[lattice.slot(number(X.x, 0), number(X.y, 1), number(X.z, 2))] != 0; });
+  return Particles(lattice, stencil_of(setup, lattice).reach(), setup.elastic().density, inside);
 }
 
 Influences influences_of(const BodySetup& setup) {
@@ -128,7 +126,8 @@ Particles make_particles(const BodySetup& setup, const Discretisation& discretis
   return particles;
 }
 
-Body make_body(const BodySetup& setup, Particles particles) {
+Body make_body(const BodySetup& setup, Particles particles, fccda::Stages& stages) {
+  stages.begin("bonds", setup.name);
   IsotropicElastic elastic = elastic_of(setup);
   const Influences influences = influences_of(setup);
   const double horizon = setup.horizon_ratio * particles.spacing();
@@ -146,6 +145,7 @@ Body make_body(const BodySetup& setup, Particles particles) {
   if (setup.bending_calibration.as<ThinAxis>() != ThinAxis::none) elastic.youngs_modulus *= bending.emplace(bending_calibration(setup, particles));
   const OrdinaryState law(elastic, influences, horizon, particles.thickness().value_or(1), lattice);
 
+  stages.begin("surface correction", setup.name);
   const auto failure = failure_criterion(setup, law, *family, particles);
   const MaterialParts parts{.body = setup,
                             .elastic = elastic,
@@ -158,7 +158,9 @@ Body make_body(const BodySetup& setup, Particles particles) {
   InternalForce::Kind force = with_material(
       setup, [&](const auto& its, auto kind) { return std::visit([](auto one) { return InternalForce::Kind(std::move(one)); }, kind.make_force(its, parts)); });
   InternalForce internal(std::move(force), particles);
+  stages.begin("initial cracks", setup.name);
   std::vector<CrackCut> cracks = cut_first_cracks(setup, particles, *family);  // after the force: initial cracks act as cracks that grow
+  stages.end();
   return {setup.name, std::move(particles), std::move(*family), std::move(internal), failure, std::move(cracks), bending};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/timers.hpp"
 #include "perimpact/body/failure.hpp"
 #include "perimpact/body/initial_cracks.hpp"
 #include "perimpact/deck_model/setup.hpp"
@@ -66,7 +67,11 @@ struct BendingOfLayers {
 std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Particles& particles);
 
 /// Builds the body of these particles: bonds and surface correction first, then initial cracks. Throws SetupError if a crack cannot be cut.
-Body make_body(const BodySetup& setup, Particles particles);
+Body make_body(const BodySetup& setup, Particles particles, fccda::Stages& stages);
+inline Body make_body(const BodySetup& setup, Particles particles) {
+  fccda::Stages unseen;
+  return make_body(setup, std::move(particles), unseen);
+}
 inline Body make_body(const BodySetup& setup) { return make_body(setup, make_particles(setup)); }
 
 }  // namespace perimpact

@@ -51,7 +51,7 @@ std::vector<CrackCut> cut_first_cracks(const BodySetup& body, const Particles& p
     const Vec3d X = particles.reference(slot);
     for (std::size_t c = 0; c < cracks.size(); ++c) {
       if (cracks[c].may_reach(X, reach)) is_near[slot] = 1;
-      if (cracks[c].holds(X)) ++cuts[c].in_plane;
+      if (cracks[c].contains(X)) ++cuts[c].in_plane;
     }
   }
   family.cut([&](std::size_t i, std::size_t j) {

@@ -157,6 +157,7 @@ void BoundaryConditions::accept_equilibrium(const Particles& particles, double t
         [&](auto& one) {
           if constexpr (requires { one.conjugate_displacement(particles, time); })
             one.account.record_force(balanced_[k].force, one.conjugate_displacement(particles, time));
+          if constexpr (requires { one.flood_deep_columns(particles); }) one.flood_deep_columns(particles);
         },
         all_[k].boundary);
     all_[k].account().accumulate_impulse(dt);

@@ -8,8 +8,8 @@
 ///   apply_constraint(particles, next)        reactions, which balance all other forces
 ///
 /// In relaxation they are static_load(particles, time), static_hydrostatics(particles) and constrain_statically(particles), each of which returns its
-/// force; an action without them exerts none. conjugate_displacement(particles, time) is that with which the force does work.
-/// leave_out(slots, axis) excludes directions that another boundary condition constrains.
+/// force; an action without them exerts none. flood_deep_columns(particles) follows an accepted equilibrium. conjugate_displacement(particles, time) is that
+/// with which the force does work. leave_out(slots, axis) excludes directions that another boundary condition constrains.
 #pragma once
 
 #include <cstdint>
@@ -64,6 +64,16 @@ class BoundaryConditions {
   double work() const;                        ///< [J] cumulative, done on the body
   double constraint_work_correction() const;  ///< [J] of all constraints
 
+  /// What the next step depends on beyond particles and bonds.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    for (NamedBoundaryCondition& one : all_)
+      std::visit(
+          [&](auto& boundary) {
+            if constexpr (requires { boundary.visit_state(one.name, visit); }) boundary.visit_state(one.name, visit);
+          },
+          one.boundary);
+  }
   template <class Visitor>
   void visit_record(Visitor&& visit) {
     for (NamedBoundaryCondition& one : all_) std::visit([&](auto& boundary) { boundary.visit_record(one.name, visit); }, one.boundary);

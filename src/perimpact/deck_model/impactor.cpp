@@ -197,7 +197,8 @@ std::span<const Field<ImpactorSetup>> ImpactorSetup::fields() {
        "",
        {},
        optional,
-       "Free degrees of freedom, which contact and loads may change, of x, y, z, rx, ry, rz. The others keep their given velocity or follow motion."}};
+       "Free degrees of freedom, which contact and loads may change, of x, y, z, rx, ry, rz. The others keep their given velocity or follow motion.",
+       degree_words}};
   return all;
 }
 

@@ -178,6 +178,12 @@ std::span<const Field<OutputSetup>> OutputSetup::fields() {
   static const Field<S> all[] = {
       {"folder", &S::folder, "", {}, optional, "Folder of the results, relative to the working directory; --out overrides it."},
       {"frames", &S::frames, "1", between(0, 100000), optional, "Number of output frames after the one at t = 0. 0: none."},
+      {"frame_format",
+       &S::frame_format,
+       "",
+       {},
+       optional,
+       "vtp: a file for each frame and a .pvd list, read by any ParaView. vtkhdf: one file for each body and impactor, read by ParaView 5.12 and later."},
       {"history_interval", &S::history_interval, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."},
       {"checkpoint_interval", &S::checkpoint_interval, "s", at_least(0), optional,
        "Wall-clock time between checkpoints, from which a stopped run can be restarted (perimpact run DECK --resume). One is always written before the last "

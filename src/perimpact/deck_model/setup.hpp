@@ -266,6 +266,7 @@ struct ImpactorContactSetup {
 
 struct FragmentContactSetup {
   Choice law{fragment_law_words};
+  bool is_chosen = false;     ///< the deck gives the law, also if it is `none`
   double distance_ratio = 1;  ///< of faces, in mean spacings
   double stiffness_factor = 15;
   double friction = 0;
@@ -297,12 +298,17 @@ struct LineSetup {
   static std::span<const Field<LineSetup>> fields();
 };
 
+inline constexpr std::string_view frame_format_words[] = {"vtp", "vtkhdf"};
+enum class FrameFormat { vtp, vtkhdf };
+static_assert(fccda::are_enumerators<FrameFormat>(frame_format_words));
+
 struct OutputSetup {
   std::string folder = "results";
-  int frames = 40;                         ///< number of output frames after the one at t = 0; 0: none
-  std::optional<double> history_interval;  ///< [s] between rows of history.csv; a hundredth of the run where absent
-  double checkpoint_interval = 300;        ///< [s] wall-clock time; 0: only the final one
-  int checkpoints_kept = 1;                ///< number of the latest checkpoints that are kept
+  int frames = 40;                          ///< number of output frames after the one at t = 0; 0: none
+  Choice frame_format{frame_format_words};  // FrameFormat
+  std::optional<double> history_interval;   ///< [s] between rows of history.csv; a hundredth of the run where absent
+  double checkpoint_interval = 300;         ///< [s] wall-clock time; 0: only the final one
+  int checkpoints_kept = 1;                 ///< number of the latest checkpoints that are kept
   std::vector<ProbeSetup> probes;
   std::vector<LineSetup> lines;
   static std::span<const Field<OutputSetup>> fields();

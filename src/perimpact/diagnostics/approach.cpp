@@ -32,7 +32,7 @@ Approach approach(const Impactor& impactor, const Particles& particles, double c
       if (time == 0) result.gap = std::min(result.gap, std::max(gap, 0.0));
       if (gap <= tolerance) {
         latest = time;
-        result.touch = time;
+        result.time = time;
         break;
       }
       if (speed == 0) break;
@@ -41,7 +41,7 @@ Approach approach(const Impactor& impactor, const Particles& particles, double c
       moving.advance(step);
       time += step;
     }
-    if (result.touch && *result.touch == 0) break;
+    if (result.time && *result.time == 0) break;
   }
   return result;
 }

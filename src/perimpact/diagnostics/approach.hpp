@@ -8,8 +8,8 @@
 namespace perimpact {
 
 struct Approach {
-  double gap;                   ///< [m] between the surface and the nearest particle's contact sphere at t = 0
-  std::optional<double> touch;  ///< [s]; empty without contact until `end`
+  double gap;                  ///< [m] between the surface and the nearest particle's contact sphere at t = 0
+  std::optional<double> time;  ///< [s]; empty without contact until `end`
 };
 
 /// `contact_radius` [m]; `end` [s]. Conservative advancement on the distance, exact to 1e-9 of the surface's size for translation and rotation

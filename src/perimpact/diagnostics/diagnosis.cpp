@@ -130,11 +130,11 @@ std::size_t particles_behind(const Impactor& impactor, const Particles& particle
   std::vector<std::size_t> behind((slots.size() + block - 1) / block, 0);
   parallel_for_uneven(static_cast<std::ptrdiff_t>(behind.size()), [&](std::ptrdiff_t k) {
     const std::size_t begin = static_cast<std::size_t>(k) * block, end = std::min(begin + block, slots.size());
-    std::size_t asked = 0;
+    std::size_t tested = 0;
     int guess = -1;
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3d place = impactor.body().pose().to_body(particles.position.at(slots[i]));
-      const auto closest = bvh.closest(place, Bvh::no_cap, guess, asked);
+      const auto closest = bvh.closest(place, Bvh::no_cap, guess, tested);
       if (!closest) continue;
       guess = closest->triangle;
       const auto triangle = static_cast<std::size_t>(closest->triangle);
@@ -154,12 +154,17 @@ Diagnosis starts_behind(const Impactor& impactor, const Target& target, const Pa
       behind, particles.size(), target.name, impactor.name());
 }
 
-std::vector<std::string> diagnose(const Impactor& impactor, const Target& target, double dt) {
-  std::vector<std::string> sentences;
-  for (const Diagnosis& diagnosis : {panels_too_fine(impactor, target), panels_too_coarse(impactor, target), panels_of_another_unit(impactor, target),
-                                     falls_between(impactor, target), step_through(impactor, target, dt)})
-    if (diagnosis) sentences.push_back(*diagnosis);
-  return sentences;
+std::vector<KindAndSentence> diagnose(const Impactor& impactor, const Target& target, double dt) {
+  std::vector<KindAndSentence> all;
+  const auto add = [&](std::string_view kind, Diagnosis found) {
+    if (found) all.push_back({kind, std::move(*found)});
+  };
+  add("too fine", panels_too_fine(impactor, target));
+  add("too coarse", panels_too_coarse(impactor, target));
+  add("another unit", panels_of_another_unit(impactor, target));
+  add("falls between", falls_between(impactor, target));
+  add("step through", step_through(impactor, target, dt));
+  return all;
 }
 
 }  // namespace perimpact

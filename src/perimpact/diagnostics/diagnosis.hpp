@@ -34,7 +34,11 @@ Diagnosis step_through(const Impactor& impactor, const Target& target, double dt
 std::size_t particles_behind(const Impactor& impactor, const Particles& particles);
 Diagnosis starts_behind(const Impactor& impactor, const Target& target, const Particles& particles);  ///< such particles at t = 0
 
+struct KindAndSentence {
+  std::string_view kind;
+  std::string sentence;
+};
 /// All warnings about a target, except those about its particles.
-std::vector<std::string> diagnose(const Impactor& impactor, const Target& target, double dt);
+std::vector<KindAndSentence> diagnose(const Impactor& impactor, const Target& target, double dt);
 
 }  // namespace perimpact

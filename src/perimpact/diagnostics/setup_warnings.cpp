@@ -5,22 +5,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/grouped_sentences.hpp"
 #include "perimpact/diagnostics/diagnosis.hpp"
 #include "perimpact/impactor/rigid_body_of.hpp"
 
 namespace perimpact {
 
+using fccda::GroupedSentences;
+
 namespace {
 
 /// A bond reaches three particles: thinner bodies consist of surface only, beyond any correction.
-void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>& warnings) {
+void warn_of_thin_bodies(std::span<const Body> bodies, GroupedSentences& warnings) {
   constexpr int enough = 4;
   for (const Body& body : bodies) {
     if (!body.particles.lattice() || body.bending) continue;  // calibrated in bending
     const auto& cells = body.particles.lattice()->cells;
     const int thinnest = *std::min_element(cells.begin(), cells.end() - (body.particles.is_plane() ? 1 : 0));
     if (thinnest < enough)
-      warnings.push_back(
+      warnings.add(
+          "thin", body.name,
           fmt::format("Body {} is only {} particles thick, which makes its stiffness inaccurate, especially in bending. Use a spacing that gives at least {} "
                       "layers, preferably 6.",
                       body.name, thinnest, enough));
@@ -28,63 +32,93 @@ void warn_of_thin_bodies(std::span<const Body> bodies, std::vector<std::string>&
 }
 
 /// The heaviest solid, osmium, has 22 590 kg/m3: a density in g/cm3 or t/mm3 without its unit is below 23, unlike one in kg/m3.
-void warn_of_density(std::string_view of, double density, std::vector<std::string>& warnings) {
+void warn_of_density(std::string_view of, double density, GroupedSentences& warnings) {
   constexpr double lightest = 23, heaviest = 23000;  // [kg/m3]
   if (density >= lightest && density <= heaviest) return;
-  warnings.push_back(fmt::format(
-      "The density of {} is {:.4g} kg/m3, but solids have {:g} to {:g} kg/m3. If it is in another unit, append the unit, as in 7.8 g/cm3 or 7.8e-9 t/mm3.", of,
-      density, lightest, heaviest));
+  warnings.add(
+      "density", std::string(of),
+      fmt::format(
+          "The density of {} is {:.4g} kg/m3, but solids have {:g} to {:g} kg/m3. If it is in another unit, append the unit, as in 7.8 g/cm3 or 7.8e-9 t/mm3.",
+          of, density, lightest, heaviest));
 }
 
 /// Staircase surfaces, and features thinner than the spacing.
-void warn_of_mass(const std::string& body, const std::optional<FilledMass>& mass, std::vector<std::string>& warnings) {
+void warn_of_mass(const std::string& body, const std::optional<FilledMass>& mass, GroupedSentences& warnings) {
   constexpr double much = 0.05;
   if (!mass || std::fabs(mass->excess()) <= much) return;
-  warnings.push_back(fmt::format(
-      "The mass of the particles of body {} is {:.4g} kg, {:+.1f} % relative to its solid of {:.4g} kg: the lattice is too coarse. Use a smaller spacing.",
-      body, mass->particles, 100 * mass->excess(), mass->solid));
+  warnings.add(
+      "mass", body,
+      fmt::format(
+          "The mass of the particles of body {} is {:.4g} kg, {:+.1f} % relative to its solid of {:.4g} kg: the lattice is too coarse. Use a smaller spacing.",
+          body, mass->particles, 100 * mass->excess(), mass->solid));
 }
 
-void warn_of_loose_particles(const Body& body, std::vector<std::string>& warnings) {
+void warn_of_loose_particles(const Body& body, GroupedSentences& warnings) {
   std::size_t loose = 0;
   for (const std::uint32_t slot : body.particles.slot_of()) loose += body.family.initial_volume(slot) > 0 ? 0 : 1;
   if (loose > 0)
-    warnings.push_back(
+    warnings.add(
+        "loose", body.name,
         fmt::format("{} particles of body {} have no bonds, because the solid is too thin there or they are too far apart, and are unconstrained. Use a "
                     "smaller spacing, or a larger horizon_ratio.",
                     loose, body.name));
 }
 
-void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, std::vector<std::string>& warnings) {
+void warn_of_overlaps(const Setup& setup, std::span<const Impactor> impactors, GroupedSentences& warnings) {
   for (std::size_t i = 0; i < impactors.size(); ++i) {
     const fccda::Surface& surface = impactors[i].surface();
     const std::size_t count = surface.report().may_overlap;
     const bool is_moved_by_contact = !setup.impactors[i].free_dofs.empty();  // the mass of others has no effect
     if (count > 0 && surface.is_closed() && is_moved_by_contact && is_weighed_by_volume(setup.impactors[i]))
-      warnings.push_back(
+      warnings.add(
+          "overlap", impactors[i].name(),
           fmt::format("The surface of {} has {} components whose bounding boxes meet: overlaps count twice in mass, centre of mass and inertia. If they "
                       "overlap, give mass, centre_of_mass and inertia.",
                       impactors[i].name(), count));
   }
 }
 
-void warn_of_surfaces(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt, std::vector<std::string>& warnings) {
+void warn_of_surfaces(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt, GroupedSentences& warnings) {
   for (const Impactor& impactor : impactors) {
-    for (const Diagnosis& of_surface : {inside_out(impactor), goes_through_itself(impactor), is_cut(impactor)})
-      if (of_surface) warnings.push_back(*of_surface);
+    const auto add = [&](std::string_view kind, const std::string& subject, const Diagnosis& found) {
+      if (found) warnings.add(kind, subject, *found);
+    };
+    add("inside out", impactor.name(), inside_out(impactor));
+    add("through itself", impactor.name(), goes_through_itself(impactor));
+    add("cut", impactor.name(), is_cut(impactor));
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const double spacing = bodies[b].particles.spacing();
       const Target target{bodies[b].name, spacing, setup.contact.impactors.radius_ratio * spacing, extent(bodies[b].particles), setup.bodies[b].velocity};
-      for (std::string& sentence : diagnose(impactor, target, dt)) warnings.push_back(std::move(sentence));
-      if (Diagnosis behind = starts_behind(impactor, target, bodies[b].particles)) warnings.push_back(std::move(*behind));
+      const std::string pair = fmt::format("{} with {}", impactor.name(), target.name);
+      for (auto& [kind, sentence] : diagnose(impactor, target, dt)) warnings.add(kind, pair, std::move(sentence));
+      add("behind", pair, starts_behind(impactor, target, bodies[b].particles));
     }
   }
+}
+
+/// Gels have some kPa, diamond 1.2 TPa.
+void warn_of_modulus(const BodySetup& setup, GroupedSentences& warnings) {
+  constexpr double softest = 1e3, stiffest = 2e12;  // [Pa]
+  const double modulus = elastic_of(setup).youngs_modulus;
+  if (modulus >= softest && modulus <= stiffest) return;
+  warnings.add("modulus", setup.name,
+               fmt::format("Young's modulus of body {} is {:.4g} Pa, but solids have 1 kPa to 2 TPa. If it is in another unit, append the unit, as in {}.",
+                           setup.name, modulus, modulus < softest ? fmt::format("{:.4g} GPa", modulus) : fmt::format("{:.4g} kPa", 1e-3 * modulus)));
+}
+
+void warn_of_interpenetration(const Setup& setup, const Body& body, GroupedSentences& warnings) {
+  if (!body.failure || setup.time.relax || setup.contact.fragments.is_chosen || setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) return;
+  warnings.add("fragments", body.name,
+               fmt::format("Body {} may break, but there is no contact between its fragments: they pass through one another. Add contact: {{fragments: {{law: "
+                           "repulsive}}}}, or law: none, if this does not matter.",
+                           body.name));
 }
 
 }  // namespace
 
 std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<const Body> bodies, std::span<const std::optional<FilledMass>> masses) {
-  std::vector<std::string> warnings;
+  GroupedSentences warnings;
+  for (const BodySetup& body : setup.bodies) warn_of_modulus(body, warnings);
   for (const Body& body : bodies) warn_of_density(body.name, body.particles.density(), warnings);
   for (const ImpactorSetup& impactor : setup.impactors)
     if (impactor.density) warn_of_density(impactor.name, *impactor.density, warnings);
@@ -92,16 +126,17 @@ std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<con
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     warn_of_mass(bodies[b].name, masses[b], warnings);
     warn_of_loose_particles(bodies[b], warnings);
-    for (std::string& warning : warnings_of(bodies[b].cracks, bodies[b].name)) warnings.push_back(std::move(warning));
+    for (std::string& warning : warnings_of(bodies[b].cracks, bodies[b].name)) warnings.add("cracks", bodies[b].name, std::move(warning));
+    warn_of_interpenetration(setup, bodies[b], warnings);
   }
-  return warnings;
+  return warnings.sentences();
 }
 
 std::vector<std::string> warnings_about_impactors(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors, double dt) {
-  std::vector<std::string> warnings;
+  GroupedSentences warnings;
   warn_of_overlaps(setup, impactors, warnings);
   warn_of_surfaces(setup, bodies, impactors, dt, warnings);
-  return warnings;
+  return warnings.sentences();
 }
 
 }  // namespace perimpact

@@ -12,7 +12,8 @@
 
 namespace perimpact {
 
-/// Densities in a wrong unit, thin bodies, discretised mass, particles without bonds, cracks without effect. `masses`: of each body, where known.
+/// Moduli and densities in a wrong unit, breaking bodies without contact between fragments, thin bodies, discretised mass, particles without bonds, cracks
+/// without effect. `masses`: of each body, where known.
 std::vector<std::string> warnings_about_bodies(const Setup& setup, std::span<const Body> bodies, std::span<const std::optional<FilledMass>> masses);
 
 /// Overlapping components, defects of surfaces, their resolution and motion relative to the bodies. `dt`: time step [s].

@@ -31,7 +31,7 @@ class Crack {
   bool may_reach(const Vec3d& point, double reach) const { return std::fabs(height(point)) <= reach + tolerance_; }
 
   /// True for a point in the polygon or on its edge.
-  bool holds(const Vec3d& point) const { return std::fabs(height(point)) <= tolerance_ && is_in_polygon(point); }
+  bool contains(const Vec3d& point) const { return std::fabs(height(point)) <= tolerance_ && is_in_polygon(point); }
 
  private:
   using Point = std::array<double, 2>;  // in the crack's plane

@@ -24,4 +24,10 @@ inline double slots_of(const BodySetup& body, const Discretisation& discretisati
   return slots_of(body, std::get<BodySolid>(discretisation));
 }
 
+/// Number of particles (filling.hpp).
+inline double particles_of(const BodySetup& body, const Discretisation& discretisation) {
+  if (const auto* cloud = std::get_if<Cloud>(&discretisation)) return static_cast<double>(cloud->points.size());
+  return particles_of(body, std::get<BodySolid>(discretisation));
+}
+
 }  // namespace perimpact

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 
 #include "base/parallel.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
@@ -50,14 +52,38 @@ Lattice lattice_that_fills(const BodySetup& body, const BodySolid& solid) {
   return lattice;
 }
 
+namespace {
+
+void mark_row(const Lattice& lattice, const BodySolid& solid, std::size_t first_slot, std::span<std::uint8_t> inside) {
+  solid.mark({lattice.centre(first_slot), lattice.spacing, lattice.cells[0]}, surface_share * lattice.spacing, inside);
+}
+
+}  // namespace
+
 std::vector<std::uint8_t> cells_inside(const Lattice& lattice, const BodySolid& solid) {
   std::vector<std::uint8_t> inside(lattice.slots(), 0);
   fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(lattice.rows()), [&](std::ptrdiff_t row) {
     const std::size_t begin = static_cast<std::size_t>(row) * lattice.row_slots();
-    solid.mark({lattice.centre(begin), lattice.spacing, lattice.cells[0]}, surface_share * lattice.spacing,
-               std::span(inside).subspan(begin, static_cast<std::size_t>(lattice.cells[0])));
+    mark_row(lattice, solid, begin, std::span(inside).subspan(begin, static_cast<std::size_t>(lattice.cells[0])));
   });
   return inside;
+}
+
+double particles_of(const BodySetup& body, const BodySolid& solid) {
+  if (is_plain_box(body) && body.holes.empty()) return cells_along(0, body, solid) * cells_along(1, body, solid) * cells_along(2, body, solid);
+  const double slots = slots_of(body, solid);
+  constexpr double most = 1e9;  // beyond, counting takes longer than an estimate may
+  if (!(slots < most)) return slots;
+  const Lattice lattice = lattice_that_fills(body, solid);
+  std::vector<std::size_t> of_layer(static_cast<std::size_t>(lattice.cells[2]), 0);
+  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(of_layer.size()), [&](std::ptrdiff_t layer) {
+    std::vector<std::uint8_t> inside(static_cast<std::size_t>(lattice.cells[0]));
+    for (int j = 0; j < lattice.cells[1]; ++j) {
+      mark_row(lattice, solid, lattice.slot(0, j, static_cast<int>(layer)), inside);
+      of_layer[static_cast<std::size_t>(layer)] += static_cast<std::size_t>(std::count(inside.begin(), inside.end(), 1));
+    }
+  });
+  return static_cast<double>(std::accumulate(of_layer.begin(), of_layer.end(), std::size_t{0}));
 }
 
 }  // namespace perimpact

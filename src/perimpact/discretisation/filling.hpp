@@ -22,4 +22,7 @@ Lattice lattice_that_fills(const BodySetup& body, const BodySolid& solid);
 /// For each slot of the lattice, 1 if the centre of the cell is inside the solid (surface_share), else 0.
 std::vector<std::uint8_t> cells_inside(const Lattice& lattice, const BodySolid& solid);
 
+/// Number of particles, counted row by row; nothing of the size of the body is allocated. For more than 1e9 slots their number.
+double particles_of(const BodySetup& body, const BodySolid& solid);
+
 }  // namespace perimpact

@@ -12,18 +12,21 @@ namespace {
 
 std::size_t axis_of(const CylinderSolid& cylinder) { return static_cast<std::size_t>(cylinder.axis.index); }
 
-bool holds(const BoxSolid& box, const Vec3d& p, double margin) {
+bool contains(const BoxSolid& box, const Vec3d& p, double margin) {
   const auto within = [&](std::size_t axis) { return std::fabs(p[axis]) <= 0.5 * box.size[axis] + margin; };
   return within(0) && within(1) && within(2);
 }
 
-bool holds(const CylinderSolid& cylinder, const Vec3d& p, double margin) {
+bool contains(const CylinderSolid& cylinder, const Vec3d& p, double margin) {
   const std::size_t axis = axis_of(cylinder);
-  const double along = p[axis], across = std::hypot(p[(axis + 1) % 3], p[(axis + 2) % 3]);
-  return std::fabs(along) <= 0.5 * cylinder.height + margin && across <= 0.5 * cylinder.diameter + margin;
+  if (std::fabs(p[axis]) > 0.5 * cylinder.height + margin) return false;
+  const double u = p[(axis + 1) % 3], v = p[(axis + 2) % 3], radius = 0.5 * cylinder.diameter + margin, squared = u * u + v * v;
+  constexpr double near = 1e-6;  // only there the rounding of the root matters
+  if (squared > (1 + near) * radius * radius) return false;
+  return squared < (1 - near) * radius * radius || std::hypot(u, v) <= radius;
 }
 
-bool holds(const SphereSolid& sphere, const Vec3d& p, double margin) { return norm(p) <= 0.5 * sphere.diameter + margin; }
+bool contains(const SphereSolid& sphere, const Vec3d& p, double margin) { return norm(p) <= 0.5 * sphere.diameter + margin; }
 
 /// Half the size of the global bounding box of the rotated shape.
 Vec3d half_extent(const BoxSolid& box, const fccda::Mat3& turn) {
@@ -82,8 +85,13 @@ void Solid::mark(const Row& row, double margin, std::span<std::uint8_t> inside, 
         if constexpr (is_surface<Shape>) {
           shape.mark(row, margin, inside, mark);
         } else {
+          // rows and points beyond the bounds, with room for rounding, need no test
+          const double room = 2 * margin + 1e-9 * std::max(fccda::largest_magnitude(bounds_.low), fccda::largest_magnitude(bounds_.high));
+          const Vec3d low = bounds_.low - Vec3d{room, room, room}, high = bounds_.high + Vec3d{room, room, room};
+          if (row.first.y < low.y || row.first.y > high.y || row.first.z < low.z || row.first.z > high.z) return;
           for (int i = 0; i < row.count; ++i)
-            if (holds(shape, frame_.to_local(row.point(i)), margin)) inside[static_cast<std::size_t>(i)] = mark;
+            if (row.x(i) >= low.x && row.x(i) <= high.x && perimpact::contains(shape, frame_.to_local(row.point(i)), margin))
+              inside[static_cast<std::size_t>(i)] = mark;
         }
       },
       shape_);

@@ -1,145 +1,134 @@
 #include "perimpact/family/bond_list.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "perimpact/family/slot_tree.hpp"
 
 namespace perimpact {
 
+using fccda::byte_lanes;
+
 namespace {
 
-/// Cell list: particles sorted into cubes, so that all within one edge length lie in adjacent cubes.
-class Cells {
+constexpr double rounding = 1e-12;  // [-] more than that of squares and roots
+
+/// The bonds of a point cloud, found particle by particle.
+class BondSearch {
  public:
-  Cells(const Particles& particles, double edge) : edge_(edge) {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    Vec3d high{-far, -far, -far};
-    low_ = -1.0 * high;
-    for (const std::uint32_t slot : particles.slot_of()) {
-      const Vec3d X = particles.reference(slot);
-      for (std::size_t c = 0; c < 3; ++c) low_[c] = std::min(low_[c], X[c]), high[c] = std::max(high[c], X[c]);
-    }
-    // bounds the number of cells for widely scattered particles
-    double cells = 0;
-    do {
-      cells = 1;
-      for (std::size_t c = 0; c < 3; ++c) cells *= std::floor((high[c] - low_[c]) / edge_) + 1;
-      if (cells > 8.0 * static_cast<double>(particles.size()) + 64)
-        edge_ *= 1.5;
-      else
-        break;
-    } while (true);
-    for (std::size_t c = 0; c < 3; ++c) count_[c] = static_cast<std::ptrdiff_t>((high[c] - low_[c]) / edge_) + 1;
-    first_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]) + 1, 0);
-    for (const std::uint32_t slot : particles.slot_of()) ++first_[index(cell(particles.reference(slot))) + 1];
-    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-    sorted_.resize(particles.size());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const std::uint32_t slot : particles.slot_of()) {
-      const Vec3d X = particles.reference(slot);
-      sorted_[next[index(cell(X))]++] = {X, particles.size_of(slot), slot};
-    }
+  BondSearch(FamilyRule rule, double horizon, const Particles& particles)
+      : rule_(rule), horizon_(horizon), particles_(particles), tree_(particles), size_(particles.slots()) {
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(size_.size()), [&](std::ptrdiff_t slot) {
+      size_[static_cast<std::size_t>(slot)] = particles.size_of(static_cast<std::size_t>(slot));  // a cube root: once for each particle, not for each bond
+    });
+    for (const std::uint32_t slot : particles.slot_of()) least_size_ = std::min(least_size_, size_[slot]), largest_size_ = std::max(largest_size_, size_[slot]);
   }
 
-  /// Particle data for the bond search. The size needs a cube root and is computed once per particle, not per pair.
-  struct Sorted {
-    Vec3d reference;  // [m]
-    double size;      // [m]
-    std::uint32_t slot;
+  /// [m] reference distances to the neighbours, squared, in ascending order of their slots
+  struct Found {
+    std::vector<std::int32_t> slots;
+    std::vector<double> squared;
   };
+  void find(std::size_t slot, Found& found) const {
+    found.slots.clear(), found.squared.clear();
+    for_each_neighbour(slot, [&](std::size_t eight, const auto& squared, unsigned bits) {
+      fccda::for_each_bit(bits, [&](std::size_t lane) {
+        found.slots.push_back(static_cast<std::int32_t>(eight * byte_lanes + lane));
+        found.squared.push_back(squared[lane]);
+      });
+    });
+  }
 
-  /// Calls visit(sorted) for all particles in the 27 cells around the point.
-  template <class Visit>
-  void around(const Vec3d& point, const Visit& visit) const {
-    const auto [i, j, k] = cell(point);
-    for (std::ptrdiff_t z = std::max<std::ptrdiff_t>(k - 1, 0); z <= std::min(k + 1, count_[2] - 1); ++z)
-      for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(j - 1, 0); y <= std::min(j + 1, count_[1] - 1); ++y)
-        for (std::ptrdiff_t x = std::max<std::ptrdiff_t>(i - 1, 0); x <= std::min(i + 1, count_[0] - 1); ++x) {
-          const std::size_t here = index({x, y, z});
-          for (std::size_t n = first_[here]; n < first_[here + 1]; ++n) visit(sorted_[n]);
-        }
+  std::size_t count(std::size_t slot) const {
+    std::size_t sum = 0;
+    for_each_neighbour(slot, [&](std::size_t, const auto&, unsigned bits) { sum += static_cast<std::size_t>(std::popcount(bits)); });
+    return sum;
+  }
+
+  /// [m³] v V_j
+  double volume(std::size_t i, std::size_t j, double length) const {
+    const double mean = mean_size(size_[i], size_[j]);
+    return std::min(1.0, (horizon_ + 0.5 * mean - length) / mean) * particles_.volume(j);
   }
 
  private:
-  using Cell = std::array<std::ptrdiff_t, 3>;
-  Cell cell(const Vec3d& point) const {
-    Cell at;
-    for (std::size_t c = 0; c < 3; ++c) at[c] = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>((point[c] - low_[c]) / edge_), 0, count_[c] - 1);
-    return at;
+  static double mean_size(double one, double other) { return 0.5 * (one + other); }
+  bool reaches_beyond() const { return rule_ == FamilyRule::hu_ha_bobaru; }
+  bool are_bonded(std::size_t i, std::size_t j, double squared) const {
+    const double length = std::sqrt(squared);
+    return reaches_beyond() ? length < horizon_ + 0.5 * mean_size(size_[i], size_[j]) : length <= horizon_;
   }
-  std::size_t index(const Cell& at) const { return static_cast<std::size_t>((at[2] * count_[1] + at[1]) * count_[0] + at[0]); }
+  /// [m] bonds of a particle of this size to those of another end here
+  double reach(double size, double of_other) const { return reaches_beyond() ? horizon_ + 0.5 * mean_size(size, of_other) : horizon_; }
 
-  double edge_;
-  Vec3d low_{};
-  Cell count_{};
-  std::vector<std::size_t> first_;
-  std::vector<Sorted> sorted_;
+  /// Calls visit(eight, squared, bits) for each eight slots with neighbours, in ascending order.
+  template <class Visit>
+  void for_each_neighbour(std::size_t slot, const Visit& visit) const {
+    const double least = reach(size_[slot], least_size_) * (1 - rounding), certain = least * least;
+    tree_.visit_near(particles_.reference(slot), reach(size_[slot], largest_size_) * (1 + rounding),
+                     [&](std::size_t eight, const auto& squared, unsigned bits) {
+                       if (eight == slot / byte_lanes) bits &= ~(1u << (slot % byte_lanes));
+                       unsigned doubtful = 0;
+                       for (std::size_t lane = 0; lane < byte_lanes; ++lane) doubtful |= static_cast<unsigned>(squared[lane] >= certain) << lane;
+                       fccda::for_each_bit(bits & doubtful, [&](std::size_t lane) {
+                         if (!are_bonded(slot, eight * byte_lanes + lane, squared[lane])) bits &= ~(1u << lane);
+                       });
+                       if (bits != 0) visit(eight, squared, bits);
+                     });
+  }
+
+  FamilyRule rule_;
+  double horizon_;
+  const Particles& particles_;
+  SlotTree tree_;
+  std::vector<double> size_;  // [m] of each slot
+  double least_size_ = std::numeric_limits<double>::infinity(), largest_size_ = 0;
 };
-
-struct Neighbour {
-  std::uint32_t slot;
-  double length, volume;
-};
-
-/// The bonds of one particle, sorted by slot.
-void neighbours_of(std::size_t slot, const Particles& particles, const Cells& cells, FamilyRule rule, double horizon, std::vector<Neighbour>& found) {
-  found.clear();
-  const Vec3d X = particles.reference(slot);
-  const double size = particles.size_of(slot);
-  cells.around(X, [&](const Cells::Sorted& other) {
-    if (other.slot == slot) return;
-    const double length = norm(other.reference - X), mean = 0.5 * (size + other.size);
-    const bool bonded = rule == FamilyRule::hu_ha_bobaru ? length < horizon + 0.5 * mean : length <= horizon;
-    if (!bonded) return;
-    found.push_back({other.slot, length, std::min(1.0, (horizon + 0.5 * mean - length) / mean) * particles.volume(other.slot)});
-  });
-  std::sort(found.begin(), found.end(), [](const Neighbour& a, const Neighbour& b) { return a.slot < b.slot; });
-}
 
 }  // namespace
 
 BondList find_bonds(FamilyRule rule, double horizon, const Particles& particles) {
-  double largest = 0;
-  for (const std::uint32_t slot : particles.slot_of()) largest = std::max(largest, particles.size_of(slot));
-  const Cells cells(particles, horizon + 0.5 * largest);
-
-  BondList list{.horizon = horizon};
-  const std::size_t eights = particles.slots() / fccda::byte_lanes;
+  const BondSearch search(rule, horizon, particles);
+  const std::size_t eights = particles.slots() / byte_lanes;
   const auto for_each_eight = [&](const auto& f) {
-    fccda::parallel_for(static_cast<std::ptrdiff_t>(eights), [&](std::ptrdiff_t eight) {
-      std::vector<Neighbour> found;
-      for (std::size_t lane = 0; lane < fccda::byte_lanes; ++lane) {
-        const std::size_t slot = static_cast<std::size_t>(eight) * fccda::byte_lanes + lane;
-        if (!particles.is_occupied(slot)) continue;
-        neighbours_of(slot, particles, cells, rule, horizon, found);
-        f(static_cast<std::size_t>(eight), lane, found);
-      }
-    });
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(eights), [&](std::ptrdiff_t eight) { f(static_cast<std::size_t>(eight)); });
   };
 
+  BondList list{.horizon = horizon};
   list.begin.assign(eights + 1, 0);
-  for_each_eight(
-      [&](std::size_t eight, std::size_t, const std::vector<Neighbour>& found) { list.begin[eight + 1] = std::max(list.begin[eight + 1], found.size()); });
+  for_each_eight([&](std::size_t eight) {
+    for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
+      if (particles.is_occupied(slot)) list.begin[eight + 1] = std::max(list.begin[eight + 1], search.count(slot));
+  });
   for (std::size_t eight = 0; eight < eights; ++eight) list.begin[eight + 1] += list.begin[eight];
 
-  const std::size_t rows = list.begin.back(), entries = rows * fccda::byte_lanes;
+  const std::size_t rows = list.begin.back(), entries = rows * byte_lanes;
   list.bits.assign(rows, 0);
   list.neighbour.resize(entries);
-  list.length.assign(entries, 1.0);
-  list.volume.assign(entries, 0.0);
-  for (std::size_t eight = 0; eight < eights; ++eight)
-    for (std::size_t entry = list.begin[eight] * fccda::byte_lanes; entry < list.begin[eight + 1] * fccda::byte_lanes; ++entry)
-      list.neighbour[entry] = static_cast<std::int32_t>(eight * fccda::byte_lanes + entry % fccda::byte_lanes);
-  for_each_eight([&](std::size_t eight, std::size_t lane, const std::vector<Neighbour>& found) {
-    for (std::size_t r = 0; r < found.size(); ++r) {
-      const std::size_t row = list.begin[eight] + r, entry = row * fccda::byte_lanes + lane;
-      list.bits[row] = static_cast<std::uint8_t>(list.bits[row] | (1u << lane));
-      list.neighbour[entry] = static_cast<std::int32_t>(found[r].slot);
-      list.length[entry] = found[r].length;
-      list.volume[entry] = found[r].volume;
+  list.length.resize(entries);
+  list.volume.resize(entries);
+  for_each_eight([&](std::size_t eight) {
+    const std::size_t begin = list.begin[eight], of_eight = list.begin[eight + 1] - begin;
+    BondSearch::Found found;
+    for (std::size_t lane = 0; lane < byte_lanes; ++lane) {
+      const std::size_t slot = eight * byte_lanes + lane;
+      found.slots.clear();
+      if (particles.is_occupied(slot)) search.find(slot, found);
+      for (std::size_t r = 0; r < found.slots.size(); ++r) {
+        const std::size_t row = begin + r, entry = row * byte_lanes + lane;
+        const double length = std::sqrt(found.squared[r]);
+        list.bits[row] = static_cast<std::uint8_t>(list.bits[row] | (1u << lane));
+        list.neighbour[entry] = found.slots[r];
+        list.length[entry] = length;
+        list.volume[entry] = search.volume(slot, static_cast<std::size_t>(found.slots[r]), length);
+      }
+      for (std::size_t r = found.slots.size(); r < of_eight; ++r) {
+        const std::size_t entry = (begin + r) * byte_lanes + lane;
+        list.neighbour[entry] = static_cast<std::int32_t>(slot), list.length[entry] = 1, list.volume[entry] = 0;
+      }
     }
   });
   return list;

@@ -16,14 +16,14 @@
 namespace perimpact {
 
 struct BondList {
-  double horizon{};                              ///< [m] δ
-  std::vector<std::size_t> begin;                ///< first row of each pack of eight slots, and one past the last
-  std::vector<std::uint8_t> bits;                ///< of each row: bit l is set if slot l of the pack has this bond
-  fccda::AlignedVector<std::int32_t> neighbour;  ///< slots, eight per row; the particle itself without a bond
-  fccda::AlignedVector<double> length;           ///< [m] |ξ|; 1 without a bond
-  fccda::AlignedVector<double> volume;           ///< [m³] v V_j; 0 without a bond
+  double horizon{};                                    ///< [m] δ
+  std::vector<std::size_t> begin;                      ///< first row of each pack of eight slots, and one past the last
+  std::vector<std::uint8_t> bits;                      ///< of each row: bit l is set if slot l of the pack has this bond; moved to the Family
+  fccda::UninitialisedVector<std::int32_t> neighbour;  ///< slots, eight per row; the particle itself without a bond
+  fccda::UninitialisedVector<double> length;           ///< [m] |ξ|; 1 without a bond
+  fccda::UninitialisedVector<double> volume;           ///< [m³] v V_j; 0 without a bond
 
-  std::size_t rows() const { return bits.size(); }
+  std::size_t rows() const { return begin.back(); }
 };
 
 /// Bond search for a point cloud. With Δ_i the edge of a cube of the particle's volume and Δ = (Δ_i + Δ_j)/2, the volume correction and reach

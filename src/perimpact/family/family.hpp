@@ -42,23 +42,40 @@ class Family {
   std::uint8_t* bytes(std::size_t eight) { return bits_.data() + begin(eight); }
   const std::uint8_t* bytes(std::size_t eight) const { return bits_.data() + begin(eight); }
 
+  /// True if slots 8·eight … 8·eight + 7 have all bonds of the stencil; false for a list.
+  bool is_complete(std::size_t eight) const {
+    if (!stencil()) return false;
+    unsigned all = 0xff;  // without a branch in the loop, so that it is vectorised
+    const std::uint8_t* row = bytes(eight);
+    for (std::size_t r = 0; r < offsets_.size(); ++r) all &= row[r];
+    return all == 0xff;
+  }
+
   /// Calls visit(FamilyBond) for all intact bonds of a particle, in the order of force summation.
   template <class Visit>
   void for_each_bond(std::size_t slot, const Visit& visit) const {
     const std::size_t eight = slot / fccda::byte_lanes, lane = slot % fccda::byte_lanes, first = begin(eight), rows = begin(eight + 1) - first;
-    for (std::size_t r = 0; r < rows; ++r)
-      if ((bits_[first + r] >> lane) & 1u) visit(bond(slot, first, r));
+    const std::uint8_t* const of_eight = bits_.data() + first;
+    if (const Stencil* stencil = this->stencil()) {
+      for (std::size_t r = 0; r < rows; ++r)
+        if ((of_eight[r] >> lane) & 1u) visit(bond_of(*stencil, slot, r));
+    } else {
+      for (std::size_t r = 0; r < rows; ++r)
+        if ((of_eight[r] >> lane) & 1u) visit(bond_of(*list(), slot, (first + r) * fccda::byte_lanes + lane));
+    }
   }
 
   /// Breaks the bonds for which is_cut(i, j): they count as damage, and corrections remain unchanged. Returns their number.
   template <class IsCut>
   std::size_t cut(const IsCut& is_cut) {
     std::size_t ends = 0;
-    for (const std::uint32_t i : slot_of_) {
+    for (std::size_t i = 0; i < initial_volume_.size(); ++i) {
       const std::size_t eight = i / fccda::byte_lanes, lane = i % fccda::byte_lanes, first = begin(eight), rows = begin(eight + 1) - first;
       for (std::size_t r = 0; r < rows; ++r) {
         std::uint8_t& byte = bits_[first + r];
-        if (!((byte >> lane) & 1u) || !is_cut(std::size_t{i}, bond(i, first, r).j)) continue;
+        if (!((byte >> lane) & 1u)) continue;
+        const FamilyBond bond = stencil() ? bond_of(*stencil(), i, r) : bond_of(*list(), i, (first + r) * fccda::byte_lanes + lane);
+        if (!is_cut(i, bond.j)) continue;
         byte = static_cast<std::uint8_t>(byte & ~(1u << lane));
         ++ends;
       }
@@ -82,12 +99,18 @@ class Family {
   }
 
  private:
-  FamilyBond bond(std::size_t slot, std::size_t first_row, std::size_t row) const;
-  void finish(const Particles& particles);
+  FamilyBond bond_of(const Stencil& stencil, std::size_t slot, std::size_t row) const {
+    const StencilBond& bond = stencil.bonds()[row];
+    return {row, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(slot) + offsets_[row]), bond.direction, bond.length, bond.volume};
+  }
+  FamilyBond bond_of(const BondList& list, std::size_t slot, std::size_t entry) const {
+    const auto j = static_cast<std::size_t>(list.neighbour[entry]);
+    return {entry, j, (reference_[j] - reference_[slot]) / list.length[entry], list.length[entry], list.volume[entry]};
+  }
+  void sum_initial_volumes();
 
   std::variant<Stencil, BondList> geometry_;
   std::vector<std::ptrdiff_t> offsets_;
-  std::vector<std::uint32_t> slot_of_;
   std::vector<Vec3d> reference_;  // [m] of a cloud
   std::vector<std::uint8_t> bits_;
   std::vector<double> initial_volume_;

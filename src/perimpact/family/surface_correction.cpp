@@ -1,13 +1,19 @@
 #include "perimpact/family/surface_correction.hpp"
 
+#include <atomic>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <string_view>
 #include <unordered_map>
 
+#include "base/pack.hpp"
 #include "base/parallel.hpp"
+#include "perimpact/family/exposure.hpp"
 
 namespace perimpact {
+
+using fccda::byte_lanes, fccda::NativePack;
 
 Vec3d interpolation_weights(const Vec3d& n) {
   Vec3d half{0.5 * n.x * n.x, 0.5 * n.y * n.y, 0};
@@ -24,7 +30,8 @@ struct AxisTerms {
 };
 
 AxisTerms axis_terms(const CorrectionBasis& basis, const Vec3d& direction, double length, double volume) {
-  const double stretch_weight = basis.stretch_weight(length) * volume, dilatation_weight = basis.dilatation_weight(length) * volume;
+  const double stretch_weight = basis.stretch_weight(length) * volume;
+  const double dilatation_weight = basis.dilatation_weight ? basis.dilatation_weight(length) * volume : 0;
   AxisTerms added;
   for (std::size_t p = 0; p < 3; ++p) {
     const double stretch = stretch_of_unit_pull(direction, p, basis.poissons_ratio);
@@ -34,7 +41,15 @@ AxisTerms axis_terms(const CorrectionBasis& basis, const Vec3d& direction, doubl
   return added;
 }
 
-/// The terms of a bond, tabulated for a stencil.
+/// Sums over the bonds of eight slots: energy and dilatation of unit loads along each axis.
+struct SumsOfEight {
+  double values[6][byte_lanes];
+
+  Vec3d energy(std::size_t lane) const { return {values[0][lane], values[1][lane], values[2][lane]}; }
+  Vec3d dilatation(std::size_t lane) const { return {values[3][lane], values[4][lane], values[5][lane]}; }
+};
+
+/// The terms of bonds with the present factors of their ends; those of a stencil are tabulated.
 class Terms {
  public:
   Terms(const CorrectionBasis& basis, const Family& family) : basis_(basis) {
@@ -44,12 +59,53 @@ class Terms {
       weights_.push_back(interpolation_weights(bond.direction));
     }
   }
-  AxisTerms of(const FamilyBond& bond) const {
-    return of_stencil_.empty() ? axis_terms(basis_, bond.direction, bond.length, bond.volume) : of_stencil_[bond.index];
+
+  void sum(const Family& family, std::size_t eight, const VectorArray& stretch, const VectorArray& dilatation, SumsOfEight& sums) const {
+    if (family.stencil())
+      for (std::size_t lane = 0; lane < byte_lanes; lane += fccda::lanes<NativePack>)
+        sum_of_pack<NativePack>(family, eight * byte_lanes + lane, stretch, dilatation, sums);
+    else
+      for (std::size_t lane = 0; lane < byte_lanes; ++lane) sum_of_list(family, eight * byte_lanes + lane, stretch, dilatation, sums);
   }
-  Vec3d weights(const FamilyBond& bond) const { return weights_.empty() ? interpolation_weights(bond.direction) : weights_[bond.index]; }
 
  private:
+  /// Without fused multiply-adds, as the sum of a complete family.
+  template <class Pack>
+  void sum_of_pack(const Family& family, std::size_t slot, const VectorArray& stretch, const VectorArray& dilatation, SumsOfEight& sums) const {
+    using namespace fccda;
+    const std::size_t eight = slot / byte_lanes, first = slot % byte_lanes;
+    const std::uint8_t* bytes = family.bytes(eight);
+    const std::array<const double*, 3> g = stretch.pointers(), h = dilatation.pointers();
+    Pack own_g[3], own_h[3], energy[3] = {}, volume[3] = {};
+    for (std::size_t p = 0; p < 3; ++p) own_g[p] = load<Pack>(g[p] + slot), own_h[p] = load<Pack>(h[p] + slot), energy[p] = volume[p] = Pack(0.0);
+    const auto mean = [](const Vec3d& weights, const Pack(&own)[3], const std::array<const double*, 3>& all, std::size_t j) {
+      return Pack(weights.x) * (own[0] + load<Pack>(all[0] + j)) + Pack(weights.y) * (own[1] + load<Pack>(all[1] + j)) +
+             Pack(weights.z) * (own[2] + load<Pack>(all[2] + j));
+    };
+    for (std::size_t row = 0; row < weights_.size(); ++row) {
+      const unsigned intact = pack_bits<Pack>(bytes[row], first);
+      if (intact == 0) continue;
+      const auto j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(slot) + family.offsets()[row]);
+      const Pack of_energy = mean(weights_[row], own_g, g, j), of_dilatation = mean(weights_[row], own_h, h, j);
+      for (std::size_t p = 0; p < 3; ++p) {
+        energy[p] = energy[p] + select(intact, of_energy * Pack(of_stencil_[row].energy[p]));
+        volume[p] = volume[p] + select(intact, of_dilatation * Pack(of_stencil_[row].dilatation[p]));
+      }
+    }
+    for (std::size_t p = 0; p < 3; ++p) store(sums.values[p] + first, energy[p]), store(sums.values[3 + p] + first, volume[p]);
+  }
+
+  void sum_of_list(const Family& family, std::size_t slot, const VectorArray& stretch, const VectorArray& dilatation, SumsOfEight& sums) const {
+    AxisTerms part{};
+    family.for_each_bond(slot, [&](const FamilyBond& bond) {
+      const AxisTerms term = axis_terms(basis_, bond.direction, bond.length, bond.volume);
+      const Vec3d weights = interpolation_weights(bond.direction);
+      part.energy += dot(weights, stretch.at(slot) + stretch.at(bond.j)) * term.energy;
+      part.dilatation += dot(weights, dilatation.at(slot) + dilatation.at(bond.j)) * term.dilatation;
+    });
+    for (std::size_t p = 0; p < 3; ++p) sums.values[p][slot % byte_lanes] = part.energy[p], sums.values[3 + p][slot % byte_lanes] = part.dilatation[p];
+  }
+
   const CorrectionBasis& basis_;
   std::vector<AxisTerms> of_stencil_;
   std::vector<Vec3d> weights_;
@@ -72,27 +128,45 @@ void for_each_particle(const Particles& particles, const F& f) {
                       [&](std::ptrdiff_t particle) { f(particles.slot_of()[static_cast<std::size_t>(particle)]); });
 }
 
+/// Calls f(eight) for each eight slots that `wanted` names.
+template <class Wanted, class F>
+void for_each_eight(const Particles& particles, const Wanted& wanted, const F& f) {
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.slots() / byte_lanes), [&](std::ptrdiff_t number) {
+    if (const auto eight = static_cast<std::size_t>(number); wanted(eight)) f(eight);
+  });
+}
+
 using Marks = std::vector<std::uint8_t>;
+
+bool any_of_eight(const Marks& marks, std::size_t eight) {
+  std::uint64_t eight_bytes;
+  std::memcpy(&eight_bytes, marks.data() + eight * byte_lanes, sizeof eight_bytes);
+  return eight_bytes != 0;
+}
 
 /// Particles with fewer bonds than the stencil; in a point cloud, all.
 Marks incomplete(const Family& family, const Particles& particles) {
   Marks marks(particles.slots(), 0);
-  for_each_particle(particles, [&](std::size_t slot) {
-    std::size_t bonds = 0;
-    family.for_each_bond(slot, [&](const FamilyBond&) { ++bonds; });
-    marks[slot] = !family.stencil() || bonds < family.stencil()->size();
-  });
+  for_each_eight(
+      particles, [&](std::size_t eight) { return !family.is_complete(eight); },
+      [&](std::size_t eight) {
+        const auto bonds = count_bonds(family, eight);
+        for (std::size_t lane = 0; lane < byte_lanes; ++lane)
+          marks[eight * byte_lanes + lane] = particles.is_occupied(eight * byte_lanes + lane) && !(family.stencil() && bonds[lane] == family.stencil()->size());
+      });
   return marks;
 }
 
-/// Marked particles and their neighbours.
+/// Marked particles and their neighbours. Bonds are stored at both ends: the marked particles find those that have them as neighbours.
 Marks with_neighbours(const Marks& marked, const Family& family, const Particles& particles) {
   Marks marks = marked;
-  for_each_particle(particles, [&](std::size_t slot) {
-    family.for_each_bond(slot, [&](const FamilyBond& bond) {
-      if (marked[bond.j]) marks[slot] = 1;
-    });
-  });
+  if (!family.stencil()) return marks;  // all are marked
+  for_each_eight(
+      particles, [&](std::size_t eight) { return any_of_eight(marked, eight); },
+      [&](std::size_t eight) {
+        for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
+          if (marked[slot]) family.for_each_bond(slot, [&](const FamilyBond& bond) { std::atomic_ref(marks[bond.j]).store(1, std::memory_order_relaxed); });
+      });
   return marks;
 }
 
@@ -125,7 +199,7 @@ CorrectionFactors::CorrectionFactors(CorrectionKind kind, const CorrectionBasis&
 void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Family& family, const Particles& particles,
                                        const std::vector<std::uint8_t>& changed) {
   stretch_ = VectorArray(particles.slots(), particles.slack(), 1);
-  dilatation_ = stretch_;
+  if (basis.dilatation_weight) dilatation_ = stretch_;
   const std::size_t axes = particles.is_plane() ? 2 : 3;
   const Terms terms(basis, family);
   Vec3d whole_energy{basis.energy, basis.energy, basis.energy}, whole_dilatation{basis.dilatation, basis.dilatation, basis.dilatation};
@@ -136,21 +210,25 @@ void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Famil
       whole_energy += term.energy, whole_dilatation += term.dilatation;
     }
   }
+  // the changed particles are few on a lattice; their new numbers are kept apart until all are known
+  std::vector<std::uint32_t> eights;
+  for (std::size_t eight = 0; eight < table_of_.size(); ++eight)
+    if (any_of_eight(changed, eight)) eights.push_back(static_cast<std::uint32_t>(eight));
+  std::vector<SumsOfEight> next(eights.size());
   for (int sweep = 0; sweep <= sweeps; ++sweep) {  // the first yields the g_p of Madenci and Oterkus
-    VectorArray next_stretch = stretch_, next_dilatation = dilatation_;
-    for_each_particle(particles, [&](std::size_t slot) {
-      if (!changed[slot]) return;
-      AxisTerms part{};
-      family.for_each_bond(slot, [&](const FamilyBond& bond) {
-        const AxisTerms term = terms.of(bond);
-        const Vec3d weights = terms.weights(bond);
-        part.energy += dot(weights, stretch_.at(slot) + stretch_.at(bond.j)) * term.energy;
-        part.dilatation += dot(weights, dilatation_.at(slot) + dilatation_.at(bond.j)) * term.dilatation;
-      });
-      next_stretch.set(slot, times(stretch_.at(slot), ratios(whole_energy, part.energy, axes)));
-      next_dilatation.set(slot, times(dilatation_.at(slot), ratios(whole_dilatation, part.dilatation, axes)));
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(eights.size()), [&](std::ptrdiff_t n) {
+      SumsOfEight& sums = next[static_cast<std::size_t>(n)];
+      terms.sum(family, eights[static_cast<std::size_t>(n)], stretch_, dilatation(), sums);
     });
-    stretch_ = std::move(next_stretch), dilatation_ = std::move(next_dilatation);
+    fccda::parallel_for(static_cast<std::ptrdiff_t>(eights.size()), [&](std::ptrdiff_t n) {
+      const SumsOfEight& sums = next[static_cast<std::size_t>(n)];
+      for (std::size_t lane = 0; lane < byte_lanes; ++lane) {
+        const std::size_t slot = eights[static_cast<std::size_t>(n)] * byte_lanes + lane;
+        if (!changed[slot]) continue;
+        stretch_.set(slot, times(stretch_.at(slot), ratios(whole_energy, sums.energy(lane), axes)));
+        if (basis.dilatation_weight) dilatation_.set(slot, times(dilatation_.at(slot), ratios(whole_dilatation, sums.dilatation(lane), axes)));
+      }
+    });
   }
 }
 
@@ -250,7 +328,7 @@ double CorrectionFactors::stretch_factor(std::size_t i, std::size_t j, const Vec
 }
 
 double CorrectionFactors::dilatation_factor(std::size_t i, std::size_t j, const Vec3d& weights) const {
-  if (kind_ == CorrectionKind::energy) return energy_factor(dilatation_, i, j, weights);
+  if (kind_ == CorrectionKind::energy) return dilatation_.slots() != 0 ? energy_factor(dilatation_, i, j, weights) : 1;
   return kind_ == CorrectionKind::volume ? stretch_factor(i, j, weights) : 1;
 }
 

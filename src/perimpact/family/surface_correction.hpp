@@ -28,7 +28,7 @@ enum class CorrectionKind { none, energy, volume, family };
 /// Material data for corrections.
 struct CorrectionBasis {
   double poissons_ratio;                            ///< in 2-D, the effective one
-  std::function<double(double)> dilatation_weight;  ///< [m²] ω_θ |ξ|² by length
+  std::function<double(double)> dilatation_weight;  ///< [m²] ω_θ |ξ|² by length; empty if the material has no use for the factors of the dilatation
   std::function<double(double)> stretch_weight;     ///< [m²] ω_e |ξ|² by length
   double volume, weighted, dilatation, energy;      ///< of a complete family: FamilySums (materials)
 };
@@ -47,8 +47,9 @@ class CorrectionFactors {
   static constexpr int sweeps = 4;  ///< of the energy correction
 
   CorrectionKind kind() const { return kind_; }
-  const VectorArray& stretch() const { return stretch_; }        ///< g_p of the bonds' energy [-]
-  const VectorArray& dilatation() const { return dilatation_; }  ///< g_p of the dilatation [-]
+  const VectorArray& stretch() const { return stretch_; }  ///< g_p of the bonds' energy [-]
+  /// g_p of the dilatation [-]; without a dilatation those of the energy, which a kernel may load and does not use.
+  const VectorArray& dilatation() const { return dilatation_.slots() != 0 ? dilatation_ : stretch_; }
   const ScalarArray& volume() const { return volume_; }          ///< V/(2 V₀) [-]
   const ScalarArray& own_family() const { return own_family_; }  ///< g/2 [-]
 
@@ -61,7 +62,7 @@ class CorrectionFactors {
 
   /// The factors of one bond, as the kernel computes them. `weights`: interpolation_weights of its direction.
   double stretch_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;
-  double dilatation_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;  ///< of energy and volume; else 1
+  double dilatation_factor(std::size_t i, std::size_t j, const Vec3d& weights) const;  ///< of energy with a dilatation, and of volume; else 1
 
   double bytes() const;  ///< [bytes] of memory
 

@@ -225,6 +225,8 @@ void Monitors::add_body(const Scene& scene, std::size_t b) {
     if (const auto* water = std::get_if<Floating>(&named.boundary)) {
       add(named.name, {"weight_buoyancy_work", "J", cumulative, "done on the body by these"}, water->weight_buoyancy_work());
       add(named.name, {"drag_work", "J", cumulative, "done on the body by drag, damping and added mass"}, water->drag_work());
+      if (water->has_dry_top())
+        add(named.name, {"flooding_dissipation", "J", cumulative, "lost by water that floods tops that were dry"}, water->flooding_dissipation());
     }
   }
 }

@@ -18,7 +18,7 @@ ContactRecord::ContactRecord(const fccda::Surface& surface, std::span<const doub
   for (const double spacing : spacings) in_contact_.push_back({.face = spacing * spacing});
 }
 
-bool ContactRecord::touched() const {
+bool ContactRecord::was_in_contact() const {
   return std::any_of(in_contact_.begin(), in_contact_.end(), [](const Resolved& body) { return body.ever; });
 }
 

@@ -46,10 +46,10 @@ class ContactRecord {
   void end_load_interval(double time, double duration);
 
   const fccda::PanelLoads& panels() const { return panels_; }
-  const Interval& interval() const { return interval_; }                   ///< the latest completed one
-  const Peak& peak() const { return peak_; }                               ///< without pressures if no normal force was positive
-  bool touched(std::size_t body) const { return in_contact_[body].ever; }  ///< ever
-  bool touched() const;                                                    ///< ever, any body
+  const Interval& interval() const { return interval_; }                          ///< the latest completed one
+  const Peak& peak() const { return peak_; }                                      ///< without pressures if no normal force was positive
+  bool was_in_contact(std::size_t body) const { return in_contact_[body].ever; }  ///< ever
+  bool was_in_contact() const;                                                    ///< ever, any body
 
   /// See base/state.hpp.
   template <class Visitor>
@@ -58,7 +58,7 @@ class ContactRecord {
     for (std::size_t b = 0; b < in_contact_.size(); ++b) {
       Resolved& body = in_contact_[b];
       const auto named = [&](const char* what) { return std::to_string(b) + "." + what; };
-      fccda::visit_flag(visit, named("touched"), body.ever);
+      fccda::visit_flag(visit, named("was_in_contact"), body.ever);
       visit(named("contacts"), body.contacts);
       visit(named("particles"), body.particles);
       visit(named("last_interval"), body.last);

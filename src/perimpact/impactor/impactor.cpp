@@ -66,18 +66,19 @@ std::vector<double> spacings_of(std::span<Particles* const> bodies) {
 
 }  // namespace
 
+ImpactorSurface surface_of(const ImpactorSetup& setup) {
+  GivenSurface given = surface_of(setup.surface, setup.name);
+  return {given.crossing_panels, remeshed(std::move(given.surface), setup)};
+}
+
 Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies)
-    : Impactor(setup, contact, bodies, surface_of(setup.surface, setup.name)) {}
+    : Impactor(setup, contact, bodies, surface_of(setup)) {}
 
-Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, GivenSurface given)
-    : Impactor(setup, contact, bodies, given.crossing_panels, remeshed(std::move(given.surface), setup)) {}
-
-Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, std::size_t crossing_panels,
-                   Remeshed remeshed)
+Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, ImpactorSurface surface)
     : name_(setup.name),
-      crossing_panels_(crossing_panels),
-      remeshing_(std::move(remeshed.remeshing)),
-      surface_(std::make_shared<const Surface>(std::move(remeshed.surface))),
+      crossing_panels_(surface.crossing_panels),
+      remeshing_(std::move(surface.remeshed.remeshing)),
+      surface_(std::make_shared<const Surface>(std::move(surface.remeshed.surface))),
       region_(contact_bounds_of(setup.contact_bounds, *surface_, setup.name)),
       prescribed_(motion_of(setup)),
       loads_(loads_of(setup)),
@@ -133,10 +134,10 @@ void Impactor::advance(const Step& step) {
 }
 
 void Impactor::float_in_water(const Step& step) {
-  const WaterSum tally = apply(*water_, *surface_, body_, step);
-  account_.water_impulse += tally.impulse;
-  account_.water_angular_impulse += tally.angular_impulse;
-  water_work_ += tally.work;
+  const WaterSum sum = apply(*water_, *surface_, body_, step);
+  account_.water_impulse += sum.impulse;
+  account_.water_angular_impulse += sum.angular_impulse;
+  water_work_ += sum.work;
 }
 
 Vec3d Impactor::fastest_velocity() const {

@@ -63,10 +63,21 @@ struct UnresolvedPenetration {
   double first = 0;         ///< [s] time of the first, if any
 };
 
+/// Surface of an impactor, checked and remeshed, before searches and loads are built on it.
+struct ImpactorSurface {
+  std::size_t crossing_panels = 0;  ///< of the given surface
+  Remeshed remeshed;
+};
+
+/// Reads or generates the surface. Throws SetupError.
+ImpactorSurface surface_of(const ImpactorSetup& setup);
+
 class Impactor {
  public:
   /// Creates one detector per body, in order. Throws SetupError.
   Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies);
+  /// The same with its surface_of().
+  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, ImpactorSurface surface);
 
   /// Applies motion tables and loads for the step, and moves the impactor as without contact.
   void advance(const fccda::Step& step);
@@ -162,13 +173,13 @@ class Impactor {
   void visit_state(Visitor&& visit) {
     auto its = fccda::under(name_, visit);
     body_.visit_state(its);
-    its("work_of_loads", load_work_);
+    its("load_work", load_work_);
     if (water_) its("work_of_water", water_work_);
     for (std::size_t b = 0; b < detectors_.size(); ++b) {
       auto of_body = fccda::under(std::to_string(b), its);
       std::visit([&](auto& detector) { detector.visit_state(of_body); }, detectors_[b]);
-      of_body("pinched", unresolved_[b].count);
-      of_body("first_pinched", unresolved_[b].first);
+      of_body("unresolved_penetrations", unresolved_[b].count);
+      of_body("first_unresolved_penetration", unresolved_[b].first);
     }
   }
 
@@ -194,9 +205,6 @@ class Impactor {
   }
 
  private:
-  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, GivenSurface given);
-  Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, std::size_t crossing_panels, Remeshed remeshed);
-
   void float_in_water(const fccda::Step& step);
   /// Contact impulse of this pass, which a further pass may replace.
   struct Pending {

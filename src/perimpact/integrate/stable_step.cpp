@@ -2,13 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <numeric>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "base/parallel.hpp"
 #include "perimpact/integrate/stiffest_mode.hpp"
 
 namespace perimpact {
+
+using fccda::byte_lanes;
 
 namespace {
 
@@ -33,22 +40,95 @@ double largest_eigenvalue(const double (&m)[3][3]) {
   return mean + 2 * p * std::cos(angle);
 }
 
-/// f(slot) of all particles, by particle.
-template <class F>
-void for_each_particle(const Body& body, const F& f) {
-  const auto slots = body.particles.slot_of();
-  fccda::parallel_for(static_cast<std::ptrdiff_t>(slots.size()), [&](std::ptrdiff_t particle) { f(slots[static_cast<std::size_t>(particle)]); });
-}
+/// Groups of eight slots with the same stiffness, slot by slot: in the interior of a lattice, and along its faces.
+class Groups {
+ public:
+  template <class Force>
+  Groups(const Body& body, const Force& force) : first_of_(body.particles.slots() / byte_lanes) {
+    std::iota(first_of_.begin(), first_of_.end(), 0u);
+    const Family& family = body.family;
+    if (!family.stencil()) return;
+    std::vector<std::uint64_t> keys(first_of_.size(), none);
+    const auto for_each_eight = [&](const auto& f) {
+      fccda::parallel_for(static_cast<std::ptrdiff_t>(first_of_.size()), [&](std::ptrdiff_t eight) { f(static_cast<std::size_t>(eight)); });
+    };
+    if constexpr (requires { force.correction(); }) {
+      for_each_eight([&](std::size_t eight) { keys[eight] = key_of(family, force.correction().table_of(eight), eight); });
+      join_equal(keys, [&](std::size_t a, std::size_t b) {
+        return force.correction().table_of(a) == force.correction().table_of(b) && std::equal(family.bytes(a), family.bytes(a + 1), family.bytes(b));
+      });
+    } else {  // the stiffness of a bond depends on the families of both of its ends
+      std::vector<std::uint8_t> is_complete(first_of_.size());
+      for_each_eight([&](std::size_t eight) { is_complete[eight] = family.is_complete(eight); });
+      for_each_eight([&](std::size_t eight) {
+        if (!is_complete[eight]) return;
+        for (const std::ptrdiff_t offset : family.offsets()) {
+          const auto first = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(eight * byte_lanes) + offset);
+          if (!is_complete[first / byte_lanes] || !is_complete[(first + byte_lanes - 1) / byte_lanes]) return;
+        }
+        keys[eight] = none + 1;
+      });
+      join_equal(keys, [](std::size_t, std::size_t) { return true; });
+    }
+  }
+
+  /// f(slot) of all particles, by particle, but in each group of its first eight slots only; then copy(from, to) for the others.
+  template <class F, class Copy>
+  void for_each_particle(const Body& body, const F& f, const Copy& copy) const {
+    const auto for_each_slot = [&](const auto& visit) {
+      fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(first_of_.size()), [&](std::ptrdiff_t number) {
+        const auto eight = static_cast<std::size_t>(number);
+        for (std::size_t lane = 0; lane < byte_lanes; ++lane) visit(eight * byte_lanes + lane, std::size_t{first_of_[eight]} * byte_lanes + lane);
+      });
+    };
+    for_each_slot([&](std::size_t slot, std::size_t first) {
+      if (slot == first && body.particles.is_occupied(slot)) f(slot);
+    });
+    for_each_slot([&](std::size_t slot, std::size_t first) {
+      if (slot != first) copy(first, slot);
+    });
+  }
+
+ private:
+  static constexpr std::uint64_t none = 0;
+
+  static std::uint64_t key_of(const Family& family, std::int32_t table, std::size_t eight) {
+    if (table == CorrectionFactors::no_table) return none;
+    const auto bytes = std::string_view(reinterpret_cast<const char*>(family.bytes(eight)), family.offsets().size());
+    return (std::hash<std::string_view>{}(bytes)*31 + static_cast<std::uint64_t>(table)) | 1;
+  }
+
+  template <class Equal>
+  void join_equal(const std::vector<std::uint64_t>& keys, const Equal& equal) {
+    std::unordered_map<std::uint64_t, std::uint32_t> first;
+    for (std::size_t eight = 0; eight < keys.size(); ++eight) {
+      if (keys[eight] == none) continue;
+      const std::uint32_t found = first.emplace(keys[eight], static_cast<std::uint32_t>(eight)).first->second;
+      if (equal(found, eight)) first_of_[eight] = found;
+    }
+  }
+
+  std::vector<std::uint32_t> first_of_;  // of each eight slots: the first eight of their group, or themselves
+};
 
 /// Largest of Σ_j C_ij v V [N/m⁴].
-double stiffest_springs(const Body& body) {
+template <class Force>
+double stiffest_springs(const Body& body, const Force& force) {
   std::vector<double> stiffness(body.particles.slots(), 0);
-  for_each_particle(body, [&](std::size_t slot) {
-    double sum = 0;
-    body.family.for_each_bond(slot, [&](const FamilyBond& bond) { sum += body.internal.bond_stiffness(slot, bond) * bond.volume; });
-    stiffness[slot] = sum;
-  });
+  Groups(body, force)
+      .for_each_particle(
+          body,
+          [&](std::size_t slot) {
+            double sum = 0;
+            body.family.for_each_bond(slot, [&](const FamilyBond& bond) { sum += force.bond_stiffness(slot, bond) * bond.volume; });
+            stiffness[slot] = sum;
+          },
+          [&](std::size_t from, std::size_t to) { stiffness[to] = stiffness[from]; });
   return *std::max_element(stiffness.begin(), stiffness.end());
+}
+
+double stiffest_springs(const Body& body) {
+  return body.internal.with_kernel([&](const auto& force) { return stiffest_springs(body, force); });
 }
 
 /// The larger of that and half of ρ ω² of safe_stable_step() [N/m⁴] for a material whose dilatation stores energy.
@@ -57,24 +137,30 @@ double stiffest_with_dilatation(const Body& body, const Force& force) {
   const std::size_t slots = body.particles.slots();
   std::vector<double> springs(slots, 0), both(slots, 0);  // Σ C v V, and with the largest eigenvalue of Σ C v V n nᵀ
   std::vector<double> reach(slots, 0), push(slots, 0);    // S [1/m], g² S
-  for_each_particle(body, [&](std::size_t slot) {
-    double tensor[3][3] = {}, sum = 0, weights = 0;
-    Vec3d own{};
-    body.family.for_each_bond(slot, [&](const FamilyBond& bond) {
-      const double spring = force.bond_stiffness(slot, bond) * bond.volume, weight = force.dilatation_slope(slot, bond) * bond.volume;
-      sum += spring, weights += weight;
-      own += weight * bond.direction;
-      for (std::size_t r = 0; r < 3; ++r)
-        for (std::size_t s = 0; s <= r; ++s) tensor[r][s] += spring * bond.direction[r] * bond.direction[s];
-    });
-    for (std::size_t r = 0; r < 3; ++r)
-      for (std::size_t s = 0; s < r; ++s) tensor[s][r] = tensor[r][s];
-    springs[slot] = sum, both[slot] = largest_eigenvalue(tensor) + sum;
-    reach[slot] = weights + norm(own);
-    push[slot] = force.family_factor(slot) * force.family_factor(slot) * reach[slot];
-  });
+  Groups(body, force)
+      .for_each_particle(
+          body,
+          [&](std::size_t slot) {
+            double tensor[3][3] = {}, sum = 0, weights = 0;
+            Vec3d own{};
+            body.family.for_each_bond(slot, [&](const FamilyBond& bond) {
+              const double spring = force.bond_stiffness(slot, bond) * bond.volume, weight = force.dilatation_slope(slot, bond) * bond.volume;
+              sum += spring, weights += weight;
+              own += weight * bond.direction;
+              for (std::size_t r = 0; r < 3; ++r)
+                for (std::size_t s = 0; s <= r; ++s) tensor[r][s] += spring * bond.direction[r] * bond.direction[s];
+            });
+            for (std::size_t r = 0; r < 3; ++r)
+              for (std::size_t s = 0; s < r; ++s) tensor[s][r] = tensor[r][s];
+            springs[slot] = sum, both[slot] = largest_eigenvalue(tensor) + sum;
+            reach[slot] = weights + norm(own);
+            push[slot] = force.family_factor(slot) * force.family_factor(slot) * reach[slot];
+          },
+          [&](std::size_t from, std::size_t to) { springs[to] = springs[from], both[to] = both[from], reach[to] = reach[from], push[to] = push[from]; });
   const double least = *std::max_element(springs.begin(), springs.end()), hardest_of_all = *std::max_element(push.begin(), push.end());
-  for_each_particle(body, [&](std::size_t slot) {
+  const auto occupied = body.particles.slot_of();
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(occupied.size()), [&](std::ptrdiff_t particle) {
+    const std::size_t slot = occupied[static_cast<std::size_t>(particle)];
     const auto norm_with = [&](double hardest) { return 0.5 * (both[slot] + 2 * force.law().a() * reach[slot] * hardest); };
     if (norm_with(hardest_of_all) <= least) return;  // most of them where the dilatation is soft
     double hardest = push[slot];

@@ -1,8 +1,11 @@
 #include "perimpact/particles/particles.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
+
+#include "base/parallel.hpp"
 
 namespace perimpact {
 
@@ -12,11 +15,20 @@ constexpr std::size_t cloud_row = 64;  // slots per work item of a thread
 
 std::size_t whole_packs(std::size_t count) { return (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes; }
 
+std::vector<std::uint8_t> marked(const Lattice& lattice, const std::function<bool(const Vec3d&)>& inside) {
+  std::vector<std::uint8_t> marks(lattice.slots(), 0);
+  for (std::size_t slot = 0; slot < marks.size(); ++slot) {
+    const auto [i, j, k] = lattice.cell(slot);
+    marks[slot] = lattice.contains(i, j, k) && inside(lattice.centre(slot)) ? 1 : 0;
+  }
+  return marks;
+}
+
 double size_of_volume(double volume, const std::optional<double>& thickness) { return thickness ? std::sqrt(volume / *thickness) : std::cbrt(volume); }
 
 }  // namespace
 
-Particles::Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside)
+Particles::Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside)
     : lattice_(lattice),
       slots_(lattice.slots()),
       row_slots_(lattice.row_slots()),
@@ -26,13 +38,20 @@ Particles::Particles(const Lattice& lattice, int reach, double density, const st
       thickness_(lattice.thickness),
       cell_volume_(lattice.cell_volume()),
       occupied_(slots_ / fccda::byte_lanes, 0) {
+  EXPECTS(inside.size() == slots_);
   position = velocity = force_density = VectorArray(slots_, slack_);
-  for (std::size_t slot = 0; slot < slots_; ++slot) {
-    position.set(slot, reference(slot));
-    const auto [i, j, k] = lattice_->cell(slot);
-    if (lattice_->contains(i, j, k) && inside(reference(slot))) occupy(slot);
-  }
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(lattice.rows()), [&](std::ptrdiff_t row) {
+    const std::size_t begin = static_cast<std::size_t>(row) * row_slots_;
+    for (std::size_t slot = begin; slot < begin + row_slots_; ++slot) {
+      position.set(slot, reference(slot));
+      if (inside[slot] != 0) occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] | (1u << (slot % 8)));
+    }
+  });
+  number_particles();
 }
+
+Particles::Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside)
+    : Particles(lattice, reach, density, marked(lattice, inside)) {}
 
 Particles::Particles(const Cloud& cloud, double density)
     : slots_(whole_packs(cloud.points.size())),
@@ -47,15 +66,19 @@ Particles::Particles(const Cloud& cloud, double density)
       occupied_(slots_ / fccda::byte_lanes, 0) {
   position = velocity = force_density = VectorArray(slots_, slack_);
   EXPECTS(!cloud.points.empty() && cloud.points.size() == cloud.volumes.size());
-  for (std::size_t slot = 0; slot < cloud.points.size(); ++slot) occupy(slot);
+  for (std::size_t slot = 0; slot < cloud.points.size(); ++slot) occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] | (1u << (slot % 8)));
+  number_particles();
   reference_.resize(slots_, cloud.points.back());
   volumes_.resize(slots_, 0.0);
   for (std::size_t slot = 0; slot < slots_; ++slot) position.set(slot, reference_[slot]);
 }
 
-void Particles::occupy(std::size_t slot) {
-  occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] | (1u << (slot % 8)));
-  slot_of_.push_back(static_cast<std::uint32_t>(slot));
+void Particles::number_particles() {
+  std::size_t count = 0;
+  for (const std::uint8_t bits : occupied_) count += static_cast<std::size_t>(std::popcount(bits));
+  slot_of_.reserve(count);
+  for (std::size_t eight = 0; eight < occupied_.size(); ++eight)
+    fccda::for_each_bit(occupied_[eight], [&](std::size_t lane) { slot_of_.push_back(static_cast<std::uint32_t>(eight * fccda::byte_lanes + lane)); });
 }
 
 double Particles::total_mass() const {

@@ -18,7 +18,9 @@ namespace perimpact {
 
 class Particles {
  public:
-  /// One particle in each cell whose centre is `inside`. `reach`: of the stencil, in cells per direction.
+  /// One particle in each cell that is `inside`: 1 for each slot with a particle, else 0. `reach`: of the stencil, in cells per direction.
+  Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside);
+  /// The same for each cell whose centre is `inside`.
   Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside);
 
   /// One particle per point, in the same order.
@@ -34,6 +36,7 @@ class Particles {
   std::size_t size() const { return slot_of_.size(); }                 ///< number of particles
   std::span<const std::uint32_t> slot_of() const { return slot_of_; }  ///< slot of each particle, ascending
   bool is_occupied(std::size_t slot) const { return (occupied_[slot / 8] >> (slot % 8)) & 1u; }
+  std::uint8_t occupied(std::size_t eight) const { return occupied_[eight]; }  ///< bit l: of slot 8·eight + l
 
   double density() const { return density_; }                                                 ///< [kg/m³]
   double spacing() const { return spacing_; }                                                 ///< [m] of the lattice; for a cloud, the mean particle size
@@ -61,7 +64,7 @@ class Particles {
   }
 
  private:
-  void occupy(std::size_t slot);
+  void number_particles();
 
   std::optional<Lattice> lattice_;
   std::size_t slots_, row_slots_, slack_;

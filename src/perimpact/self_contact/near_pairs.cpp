@@ -36,6 +36,9 @@ void for_each_block(std::size_t count, const F& f) {
 
 NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies) : law_(law) {
   double finest = far, largest = 0;
+  std::size_t count = 0;
+  for (const ContactingBody& body : bodies) count += body.particles.size();
+  particles_.reserve(count);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Particles& particles = bodies[b].particles;
     finest = std::min(finest, particles.spacing());

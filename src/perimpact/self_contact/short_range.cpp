@@ -42,7 +42,7 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   if (near_pairs_.needs_new_list(bodies)) {
     keep_pairs();
     near_pairs_.make(bodies);
-    take_up_pairs();
+    rebuild_derived_pairs();
   }
   const auto members = near_pairs_.members();
   const auto for_each_member = [&](const auto& f) {
@@ -50,40 +50,42 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   };
   for_each_member([&](std::size_t m) {
     const Particles& particles = bodies[members[m].body].particles;
-    position_.set(m, particles.position.at(members[m].slot));
-    velocity_.set(m, particles.velocity.at(members[m].slot));
+    places_[m].position = particles.position.at(members[m].slot);
+    motions_[m].velocity = particles.velocity.at(members[m].slot);
   });
-  for_each_member([&](std::size_t m) { look_at(m, bodies, dt); });
+  for_each_member([&](std::size_t m) { evaluate(m, bodies, dt); });
   for_each_member([&](std::size_t m) { pair_sums_[m] = add_to(m, bodies, dt); });
 
   // serially: partial sums would depend on the members of the list
   double energy = 0;
   std::array<double, 2> work{};
-  std::size_t touching = 0;
-  for (const PairSum& got : pair_sums_) energy += got.energy, work[0] += got.friction_dissipation, work[1] += got.damped_work, touching += got.touching;
+  std::size_t contacts = 0;
+  for (const PairSum& got : pair_sums_) energy += got.energy, work[0] += got.friction_dissipation, work[1] += got.damped_work, contacts += got.contacts;
   energy_ = energy;
-  in_contact_now_ = touching / 2;
+  in_contact_now_ = contacts / 2;
   for (std::size_t k = 0; k < 2; ++k) work_[k] += work[k];
 }
 
 ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others) const {
   using Pack = NativePack;
-  const std::array<const double*, 3> x = position_.pointers();
-  const Vec3d place = position_.at(m);
-  const Pack size(size_[m]);
+  const Vec3d& place = places_[m].position;
+  const Pack size(places_[m].size);
   Eight eight{0, {}};
   for (std::size_t first = 0; first < byte_lanes; first += lanes<Pack>) {
     const std::int32_t* those = others + first;
-    const Pack dx = gather<Pack>(x[0], those) - Pack(place.x), dy = gather<Pack>(x[1], those) - Pack(place.y), dz = gather<Pack>(x[2], those) - Pack(place.z);
-    const Pack squared = dx * dx + dy * dy + dz * dz, its = gather<Pack>(size_.data(), those), a = distance_of(size, its), reach = Pack(weight_reach) * a;
-    eight.near |= bits_where_greater(reach * reach, squared) << first;
+    const auto [x, y, z, its] = gather_rows<Pack>(&places_.front().position.x, those);
+    const Pack dx = x - Pack(place.x), dy = y - Pack(place.y), dz = z - Pack(place.z);
+    const Pack squared = dx * dx + dy * dy + dz * dz, a = distance_of(size, its), reach = Pack(weight_reach) * a;
+    const unsigned near = bits_where_greater(reach * reach, squared);
+    if (near == 0) continue;
+    eight.near |= near << first;
     store(eight.densities.data() + first, weight_of(its, a) * contact_weight(squared / (a * a)));
   }
   return eight;
 }
 
 /// Density around a member, and its pressure.
-void ShortRange::look_at(std::size_t m, std::span<const ContactingBody> bodies, double dt) {
+void ShortRange::evaluate(std::size_t m, std::span<const ContactingBody> bodies, double dt) {
   const NearPairs::Member& i = near_pairs_.members()[m];
   const ContactingBody& body = bodies[i.body];
   const std::uint8_t* bonds = body.family.bytes(i.slot / byte_lanes);
@@ -123,8 +125,9 @@ void ShortRange::look_at(std::size_t m, std::span<const ContactingBody> bodies, 
       if (law_.friction > 0) set_slip(first_pair + first + lane, {});
       if (!(other - own_begin < own_count)) return;
       // pairs that did not move into range, but lost their bond there
-      const double reach = weight_reach * distance_of(size_[m], size_[other]);
-      if (squared_norm(position_.at(other) - position_.at(m) - dt * (velocity_.at(other) - velocity_.at(m))) < reach * reach) fresh += eight.densities[lane];
+      const double reach = weight_reach * distance_of(places_[m].size, places_[other].size);
+      const Vec3d between = places_[other].position - places_[m].position, before = between - dt * (motions_[other].velocity - motions_[m].velocity);
+      if (squared_norm(before) < reach * reach) fresh += eight.densities[lane];
     });
   }
   near_count_[m] = count;
@@ -157,7 +160,7 @@ ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const Contacting
   add_pairs(m, 0, begin, bodies, dt, force, got);
   add_pairs(m, begin, end, bodies, dt, force, got);
   add_pairs(m, end, count, bodies, dt, force, got);
-  if (got.touching == 0) return got;
+  if (got.contacts == 0) return got;
   Particles& particles = bodies[i.body].particles;
   particles.force_density.set(i.slot, particles.force_density.at(i.slot) + force / i.volume);
   return got;
@@ -170,9 +173,8 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
   const std::size_t first_pair = near_pairs_.first_pair(m);
   const std::int32_t* near = near_.data() + first_pair;
   const std::size_t whose = members[static_cast<std::size_t>(near[first])].body == members[m].body ? 0 : 1;
-  const std::array<const double*, 3> x = position_.pointers(), v = velocity_.pointers();
-  const Vec3d place = position_.at(m), speed = velocity_.at(m);
-  const Pack mine(pressure_[whose][m]), size(size_[m]), spring_constant(spring_[whose][m]), volume(volume_[m]);
+  const Vec3d &place = places_[m].position, &speed = motions_[m].velocity;
+  const Pack mine(pressure_[whose][m]), size(places_[m].size), spring_constant(spring_[whose][m]), volume(motions_[m].volume);
   const bool slides = law_.friction > 0, is_damped = law_.damping_ratio > 0;
   Vec3<Pack> sum{};
   Pack stored(0.0), rubbed(0.0);
@@ -183,16 +185,18 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
     const Pack its = gather<Pack>(pressure_[whose].data(), those);
     unsigned pushes = all & bits_where_greater(mine + its, Pack(0.0));
     if (pushes == 0 && !slides) continue;
-    const Vec3<Pack> between{gather<Pack>(x[0], those) - Pack(place.x), gather<Pack>(x[1], those) - Pack(place.y), gather<Pack>(x[2], those) - Pack(place.z)};
+    const auto [x, y, z, its_size] = gather_rows<Pack>(&places_.front().position.x, those);
+    const Vec3<Pack> between{x - Pack(place.x), y - Pack(place.y), z - Pack(place.z)};
     const Pack squared = between.x * between.x + between.y * between.y + between.z * between.z;
     pushes &= bits_where_greater(squared, Pack(0.0));  // coincident particles have no direction of repulsion
-    got.touching += static_cast<std::uint32_t>(__builtin_popcount(pushes));
+    got.contacts += static_cast<std::uint32_t>(__builtin_popcount(pushes));
     Vec3<Pack> slip{};
     if (slides) {
       for (std::size_t c = 0; c < 3; ++c) slip[c] = gather<Pack>(slip_[c].data() + first_pair, numbers);
       const unsigned released = all & ~pushes & bits_where_greater(slip.x * slip.x + slip.y * slip.y + slip.z * slip.z, Pack(0.0));
       for_each_bit(released, [&](std::size_t lane) {
-        let_go(first_pair + static_cast<std::size_t>(numbers[lane]), tangential_stiffness(members[m], members[static_cast<std::size_t>(those[lane])]), got);
+        release_contact(first_pair + static_cast<std::size_t>(numbers[lane]), tangential_stiffness(members[m], members[static_cast<std::size_t>(those[lane])]),
+                        got);
       });
     }
     if (pushes == 0) continue;
@@ -200,15 +204,15 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
       for_each_bit(pushes, [&](std::size_t lane) {
         const std::size_t pair = slides ? first_pair + static_cast<std::size_t>(numbers[lane]) : 0;
         Vec3d its_slip = slides ? slip_of(pair) : Vec3d{};
-        const TouchForce touch = force_of_pair(m, static_cast<std::size_t>(those[lane]), whose, bodies, dt, its_slip);
+        const ParticleContactForce pair_contact = force_of_pair(m, static_cast<std::size_t>(those[lane]), whose, bodies, dt, its_slip);
         if (slides) set_slip(pair, its_slip);
-        force += touch.normal + touch.friction;
-        got.energy += 0.5 * touch.tangential_energy;
-        got.friction_dissipation += 0.5 * touch.friction_dissipation, got.damped_work += 0.5 * touch.damped_work;
+        force += pair_contact.normal + pair_contact.friction;
+        got.energy += 0.5 * pair_contact.tangential_energy;
+        got.friction_dissipation += 0.5 * pair_contact.friction_dissipation, got.damped_work += 0.5 * pair_contact.damped_work;
       });
       continue;
     }
-    const Pack its_size = gather<Pack>(size_.data(), those), a = distance_of(size, its_size), a_squared = a * a;
+    const Pack a = distance_of(size, its_size), a_squared = a * a;
     const Pack spring = (mine * weight_of(its_size, a) + its * weight_of(size, a)) * (contact_weight_slope(squared / a_squared) / a_squared);  // S/r
     const Pack push = select(pushes, spring);
     sum -= push * between;
@@ -217,13 +221,14 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
     // as in force_of()
     const Pack inverse = inverse_square_root(squared);
     const Vec3<Pack> n = inverse * between;
-    const Vec3<Pack> w{gather<Pack>(v[0], those) - Pack(speed.x), gather<Pack>(v[1], those) - Pack(speed.y), gather<Pack>(v[2], those) - Pack(speed.z)};
+    const auto [vx, vy, vz, its_volume] = gather_rows<Pack>(&motions_.front().velocity.x, those);
+    const Vec3<Pack> w{vx - Pack(speed.x), vy - Pack(speed.y), vz - Pack(speed.z)};
     const Vec3<Pack> across = slip - dot(slip, n) * n;
     const Pack length_squared = dot(slip, slip), across_squared = dot(across, across);
     const Pack turned = select(bits_where_greater(across_squared, Pack(0.0)), length_of(length_squared) * inverse_square_root(across_squared));
     const Vec3<Pack> before = turned * across, reached = before + Pack(dt) * (w - dot(n, w) * n);
-    const Pack stiffness =
-        Pack(tangential_share) * (Pack(0.5) * (spring_constant + gather<Pack>(spring_[whose].data(), those))) * (volume * gather<Pack>(volume_.data(), those));
+    const Pack its_spring = whose == 0 ? spring_constant : gather<Pack>(spring_[whose].data(), those);
+    const Pack stiffness = Pack(tangential_share) * (Pack(0.5) * (spring_constant + its_spring)) * (volume * its_volume);
     const Pack reached_squared = dot(reached, reached), most = Pack(law_.friction * face_.oblique_share) * (spring * squared * inverse);
     const unsigned exceeds = bits_where_greater(stiffness * stiffness * reached_squared, most * most);
     const Pack kept = select(exceeds, most / stiffness * inverse_square_root(reached_squared)) + select(~exceeds, Pack(1.0));
@@ -252,31 +257,31 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
 }
 
 /// Dissipates the energy of the tangential spring of a pair out of contact.
-void ShortRange::let_go(std::size_t pair, double stiffness, PairSum& got) {
+void ShortRange::release_contact(std::size_t pair, double stiffness, PairSum& got) {
   got.friction_dissipation += 0.25 * stiffness * squared_norm(slip_of(pair));
   set_slip(pair, {});
 }
 
-TouchForce ShortRange::force_of_pair(std::size_t m, std::size_t other, std::size_t whose, std::span<const ContactingBody> bodies, double dt,
-                                     Vec3d& slip) const {
+ParticleContactForce ShortRange::force_of_pair(std::size_t m, std::size_t other, std::size_t whose, std::span<const ContactingBody> bodies, double dt,
+                                               Vec3d& slip) const {
   const NearPairs::Member &i = near_pairs_.members()[m], &j = near_pairs_.members()[other];
-  const Vec3d between = position_.at(other) - position_.at(m);
+  const Vec3d between = places_[other].position - places_[m].position;
   const double length = norm(between), distance = distance_of(i.size, j.size), q = length / distance;
   const double slope = q * contact_weight_slope(q * q) / distance, weight_i = weight_of(i.size, distance), weight_j = weight_of(j.size, distance);
-  Touch touch{.direction = between / length,
-              .velocity = velocity_.at(other) - velocity_.at(m),
-              .spring = (pressure_[whose][m] * weight_j + pressure_[whose][other] * weight_i) * slope,
-              .stiffness = 0,
-              .reduced_mass = 0,
-              .tangential_stiffness = tangential_stiffness(i, j),
-              .oblique_share = face_.oblique_share};
+  ParticleContact pair_contact{.direction = between / length,
+                               .velocity = motions_[other].velocity - motions_[m].velocity,
+                               .spring = (pressure_[whose][m] * weight_j + pressure_[whose][other] * weight_i) * slope,
+                               .stiffness = 0,
+                               .reduced_mass = 0,
+                               .tangential_stiffness = tangential_stiffness(i, j),
+                               .oblique_share = face_.oblique_share};
   if (law_.damping_ratio > 0) {
     const double of_i = density_stiffness_[whose][m] * (weight_j * weight_j), of_j = density_stiffness_[whose][other] * (weight_i * weight_i);
     const double mass_i = bodies[i.body].particles.density() * i.volume, mass_j = bodies[j.body].particles.density() * j.volume;
-    touch.stiffness = (of_i + of_j) * (slope * slope);
-    touch.reduced_mass = mass_i * mass_j / (mass_i + mass_j);
+    pair_contact.stiffness = (of_i + of_j) * (slope * slope);
+    pair_contact.reduced_mass = mass_i * mass_j / (mass_i + mass_j);
   }
-  return force_of(touch, law_, dt, slip);
+  return force_of(pair_contact, law_, dt, slip);
 }
 
 double ShortRange::tangential_stiffness(const NearPairs::Member& i, const NearPairs::Member& j) const {
@@ -305,15 +310,16 @@ void ShortRange::keep_pairs() {
 }
 
 /// Assigns the stored state to the pairs of a new list.
-void ShortRange::take_up_pairs() {
+void ShortRange::rebuild_derived_pairs() {
   const auto members = near_pairs_.members();
-  position_ = velocity_ = VectorArray(members.size(), 0);
-  for (auto* numbers : {&size_, &volume_, &pressure_[0], &pressure_[1], &spring_[0], &spring_[1], &density_stiffness_[0], &density_stiffness_[1]})
+  places_.assign(members.size(), {});
+  motions_.assign(members.size(), {});
+  for (auto* numbers : {&pressure_[0], &pressure_[1], &spring_[0], &spring_[1], &density_stiffness_[0], &density_stiffness_[1]})
     numbers->assign(members.size(), 0);
   first_member_.assign(stiffness_.size() + 1, members.size());
   for (std::size_t m = members.size(); m-- > 0;) {
     const NearPairs::Member& i = members[m];
-    size_[m] = i.size, volume_[m] = i.volume;
+    places_[m].size = i.size, motions_[m].volume = i.volume;
     for (std::size_t whose = 0; whose < 2; ++whose)
       spring_[whose][m] = stiffness_[i.body][whose],
       density_stiffness_[whose][m] = density_stiffness(face_, stiffness_[i.body][whose], i.volume, law_.distance_ratio * i.size);
@@ -375,8 +381,8 @@ ShortRange::Bound ShortRange::bound(std::span<const ContactingBody> bodies, std:
     const Largest its = largest(bodies[other].particles);
     const double k = in_series(bodies[b].stiffness, bodies[other].stiffness);
     const double mass = own.mass * its.mass / (own.mass + its.mass);
-    bound.stiffness = std::max(bound.stiffness, most_touching * k * its.volume);
-    bound.damping = std::max(bound.damping, most_touching * 2 * law_.damping_ratio * std::sqrt(k * its.volume * mass / own.volume));
+    bound.stiffness = std::max(bound.stiffness, most_in_contact * k * its.volume);
+    bound.damping = std::max(bound.damping, most_in_contact * 2 * law_.damping_ratio * std::sqrt(k * its.volume * mass / own.volume));
   }
   return bound;
 }

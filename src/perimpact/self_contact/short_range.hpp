@@ -25,7 +25,7 @@ class ShortRange {
   void add_forces(std::span<const ContactingBody> bodies, double dt);
 
   double energy() const { return energy_; }                 ///< [J] of all springs, at the last evaluation
-  std::size_t touching() const { return in_contact_now_; }  ///< pairs, at the last evaluation
+  std::size_t contacts() const { return in_contact_now_; }  ///< pairs, at the last evaluation
   double friction_dissipation() const { return work_[0]; }  ///< [J] so far; never decreases
   double dashpot_dissipation() const { return work_[1]; }   ///< [J] so far; never decreases
   const NearPairs& near_pairs() const { return near_pairs_; }
@@ -58,7 +58,7 @@ class ShortRange {
   /// Sums over the pairs of a member, other than its force density.
   struct PairSum {
     double energy = 0, friction_dissipation = 0, damped_work = 0;  // [J] half of each pair's
-    std::uint32_t touching = 0;
+    std::uint32_t contacts = 0;
   };
   /// One value per member for contact with its own body, and one for contact with others.
   using OwnAndOthers = std::array<fccda::AlignedVector<double>, 2>;
@@ -68,6 +68,15 @@ class ShortRange {
     std::vector<double> slips;        // [m] three each where there is friction
   };
 
+  // rows of four numbers, for gather_rows()
+  struct Place {
+    Vec3d position;  // [m]
+    double size;     // [m] Δ
+  };
+  struct Motion {
+    Vec3d velocity;  // [m/s]
+    double volume;   // [m³]
+  };
   /// Eight pairs of a member, from positions alone.
   struct Eight {
     unsigned near;                                                ///< bits of those within the support of the weight function
@@ -75,19 +84,20 @@ class ShortRange {
   };
 
   Eight eight_of(std::size_t member, const std::int32_t* others) const;
-  void look_at(std::size_t member, std::span<const ContactingBody> bodies, double dt);
+  void evaluate(std::size_t member, std::span<const ContactingBody> bodies, double dt);
   PairSum add_to(std::size_t member, std::span<const ContactingBody> bodies, double dt);
   /// Adds the contributions of its near pairs first … last - 1, all with its own body or all with others.
   void add_pairs(std::size_t member, std::size_t first, std::size_t last, std::span<const ContactingBody> bodies, double dt, Vec3d& force, PairSum& got);
-  TouchForce force_of_pair(std::size_t member, std::size_t other, std::size_t whose, std::span<const ContactingBody> bodies, double dt, Vec3d& slip) const;
-  void let_go(std::size_t pair, double stiffness, PairSum& got);
+  ParticleContactForce force_of_pair(std::size_t member, std::size_t other, std::size_t whose, std::span<const ContactingBody> bodies, double dt,
+                                     Vec3d& slip) const;
+  void release_contact(std::size_t pair, double stiffness, PairSum& got);
   double tangential_stiffness(const NearPairs::Member& i, const NearPairs::Member& j) const;
   Vec3d slip_of(std::size_t pair) const { return {slip_[0][pair], slip_[1][pair], slip_[2][pair]}; }
   void set_slip(std::size_t pair, const Vec3d& slip) {
     for (std::size_t c = 0; c < 3; ++c) slip_[c][pair] = slip[c];
   }
   void keep_pairs();
-  void take_up_pairs();
+  void rebuild_derived_pairs();
   template <class T>
   T distance_of(T size_i, T size_j) const {
     return T(law_.distance_ratio) * (T(0.5) * (size_i + size_j));
@@ -108,12 +118,12 @@ class ShortRange {
   bool is_kept_ = false;  // stored in kept_, not yet assigned to pairs
 
   // of the members
-  VectorArray position_, velocity_;
-  fccda::AlignedVector<double> size_, volume_;  // [m] Δ, [m³]
-  OwnAndOthers spring_;                         // [N/m⁷] k
-  OwnAndOthers density_stiffness_;              // [J] B
-  OwnAndOthers pressure_;                       // [J] B o
-  std::vector<double> energy_of_;               // [J] of their density
+  fccda::AlignedVector<Place> places_;
+  fccda::AlignedVector<Motion> motions_;
+  OwnAndOthers spring_;             // [N/m⁷] k
+  OwnAndOthers density_stiffness_;  // [J] B
+  OwnAndOthers pressure_;           // [J] B o
+  std::vector<double> energy_of_;   // [J] of their density
   std::vector<PairSum> pair_sums_;
   std::vector<std::uint32_t> near_count_;
   std::vector<std::size_t> first_member_;  // of each body, and their number

@@ -74,7 +74,7 @@ inline constexpr double tangential_share = 1.0 / 6;
 
 /// Upper bound for stability on the number of springs k V_i V_j that act on a particle. Compressed from all sides to 0.6 of the contact distance, and
 /// with its tangential springs, a particle has 8.
-inline constexpr double most_touching = 12;
+inline constexpr double most_in_contact = 12;
 
 /// Damping ratio ζ for the coefficient of restitution e of two particles that collide freely; the dashpot never causes attraction. With
 /// ζ = sin φ, e = exp(-2 (π/2 - φ) tan φ); beyond ζ = 1, with ζ = cosh ψ, e = exp(-2 ψ coth ψ). Derived from the linear oscillator that ends
@@ -85,7 +85,7 @@ double damping_ratio_of(double restitution);
 inline double in_series(double k1, double k2) { return 2 * k1 * k2 / (k1 + k2); }
 
 /// Two particles in contact.
-struct Touch {
+struct ParticleContact {
   Vec3d direction;              ///< n, from i to j
   Vec3d velocity;               ///< [m/s] w = v_j - v_i
   double spring;                ///< [N] S
@@ -96,30 +96,30 @@ struct Touch {
 };
 
 /// Forces on particle i [N]; those on j are exactly opposite (bitwise).
-struct TouchForce {
+struct ParticleContactForce {
   Vec3d normal, friction;
   double tangential_energy;                  ///< [J] of the tangential spring
   double friction_dissipation, damped_work;  ///< [J] dissipated in the last step, never negative
 };
 
 /// Contact force. `slip` [m]: extension s of the tangential spring, updated over the last step dt [s].
-inline TouchForce force_of(const Touch& touch, const ShortRangeLaw& law, double dt, Vec3d& slip) {
-  const double apart = dot(touch.direction, touch.velocity);
-  double normal = touch.spring;
-  if (law.damping_ratio > 0) normal = std::fmax(0.0, normal - 2 * law.damping_ratio * std::sqrt(touch.stiffness * touch.reduced_mass) * apart);
-  TouchForce force{-normal * touch.direction, {}, 0, 0, (touch.spring - normal) * apart * dt};
+inline ParticleContactForce force_of(const ParticleContact& pair_contact, const ShortRangeLaw& law, double dt, Vec3d& slip) {
+  const double apart = dot(pair_contact.direction, pair_contact.velocity);
+  double normal = pair_contact.spring;
+  if (law.damping_ratio > 0) normal = std::fmax(0.0, normal - 2 * law.damping_ratio * std::sqrt(pair_contact.stiffness * pair_contact.reduced_mass) * apart);
+  ParticleContactForce force{-normal * pair_contact.direction, {}, 0, 0, (pair_contact.spring - normal) * apart * dt};
   if (law.friction > 0) {
     // the spring rotates with the pair and keeps its length
-    Vec3d before = slip - dot(slip, touch.direction) * touch.direction;
+    Vec3d before = slip - dot(slip, pair_contact.direction) * pair_contact.direction;
     const double length = norm(before);
     if (length > 0) before = (norm(slip) / length) * before;
-    const Vec3d reached = before + dt * (touch.velocity - apart * touch.direction);
-    const double pull = touch.tangential_stiffness * norm(reached), most = law.friction * touch.oblique_share * normal;
+    const Vec3d reached = before + dt * (pair_contact.velocity - apart * pair_contact.direction);
+    const double pull = pair_contact.tangential_stiffness * norm(reached), most = law.friction * pair_contact.oblique_share * normal;
     slip = pull > most ? (most / pull) * reached : reached;
-    force.friction = touch.tangential_stiffness * slip;
-    force.tangential_energy = 0.5 * touch.tangential_stiffness * squared_norm(slip);
+    force.friction = pair_contact.tangential_stiffness * slip;
+    force.tangential_energy = 0.5 * pair_contact.tangential_stiffness * squared_norm(slip);
     // mean of the forces before and after the step, times the slip distance: together with the spring energy, exactly the work in leapfrog
-    force.friction_dissipation = std::fmax(0.0, 0.5 * touch.tangential_stiffness * dot(before + slip, reached - slip));
+    force.friction_dissipation = std::fmax(0.0, 0.5 * pair_contact.tangential_stiffness * dot(before + slip, reached - slip));
   }
   return force;
 }

@@ -1,7 +1,6 @@
 #include "perimpact/simulation/memory.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +14,10 @@
 #include "base/parallel.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/family/stencil.hpp"
+#include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/materials/internal_force.hpp"
+#include "perimpact/self_contact/near_pairs.hpp"
+#include "perimpact/simulation/sample_block.hpp"
 
 namespace perimpact {
 
@@ -25,6 +27,7 @@ using fccda::squared_norm;
 
 constexpr double lanes = static_cast<double>(fccda::byte_lanes);
 constexpr double number = sizeof(double), vector = sizeof(Vec3d), slot_number = sizeof(std::uint32_t);
+constexpr double program = 21e6;  // [bytes] measured: the program with its libraries
 
 /// Per axis; those of a cube if there are too many to be numbered.
 std::array<double, 3> cells_of(const BodySetup& setup, const BodySolid& solid, double slots) {
@@ -42,10 +45,10 @@ double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
   const bool to_the_last = setup.family.as<FamilyRule>() == FamilyRule::hu_ha_bobaru;
   std::vector<double> part(count, 0);  // [m] of the reach, from its own size; cube roots cost more than distances
   if (to_the_last) std::ranges::transform(cloud.volumes, part.begin(), [&](double volume) { return 0.25 * size_of(volume); });
-  const std::size_t asked = std::min<std::size_t>(eights, 32);
-  std::vector<double> longest(asked, 0);
-  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(asked), [&](std::ptrdiff_t k) {
-    const std::size_t first = (2 * static_cast<std::size_t>(k) + 1) * eights / (2 * asked) * fccda::byte_lanes;
+  const std::size_t sampled = std::min<std::size_t>(eights, 32);
+  std::vector<double> longest(sampled, 0);
+  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(sampled), [&](std::ptrdiff_t k) {
+    const std::size_t first = (2 * static_cast<std::size_t>(k) + 1) * eights / (2 * sampled) * fccda::byte_lanes;
     for (std::size_t i = first; i < std::min(first + fccda::byte_lanes, count); ++i) {
       double bonds = 0;
       for (std::size_t j = 0; j < count; ++j) {
@@ -55,29 +58,47 @@ double rows_of_eight(const BodySetup& setup, const Cloud& cloud) {
       longest[static_cast<std::size_t>(k)] = std::max(longest[static_cast<std::size_t>(k)], bonds);
     }
   });
-  return std::accumulate(longest.begin(), longest.end(), 0.0) / static_cast<double>(asked);
+  return std::accumulate(longest.begin(), longest.end(), 0.0) / static_cast<double>(sampled);
 }
 
 ArrayLengths lengths_of(const BodySetup& setup, const Discretisation& discretisation) {
-  const double slots = std::ceil(slots_of(setup, discretisation) / lanes) * lanes;
+  const double slots = std::ceil(slots_of(setup, discretisation) / lanes) * lanes, particles = particles_of(setup, discretisation);
   if (const auto* cloud = std::get_if<Cloud>(&discretisation)) {
     const double rows = slots / lanes * rows_of_eight(setup, *cloud);
-    return {.slots = slots, .with_slack = slots, .rows = rows, .entries = rows * lanes};
+    return {.particles = particles, .slots = slots, .with_slack = slots, .rows = rows, .entries = rows * lanes};
   }
   const Stencil stencil(setup.family.as<FamilyRule>(), setup.spacing.value_or(1), setup.horizon_ratio, setup.is_plane() ? std::optional(1.0) : std::nullopt);
   const BodySolid& solid = std::get<BodySolid>(discretisation);
   const std::array<double, 3> cells = cells_of(setup, solid, slots);
   const double row = slots / (cells[1] * cells[2]), reach = stencil.reach(), family = static_cast<double>(stencil.size());
   const double slack = reach * (setup.is_plane() ? row : row * cells[1] + row) + reach + lanes;
-  // rows near the surface have factors of their own, and so have those bonded to them; eight packs of a row are enough to share a table
-  const auto inner = [&](std::size_t axis) { return std::max(0.0, cells[axis] - 4 * reach); };
-  const double surface_rows = cells[1] * cells[2] - inner(1) * inner(2);
-  const double shared = row >= 8 * lanes ? std::min(surface_rows, slots / lanes) : 0;
-  return {.slots = slots, .with_slack = slots + 2 * slack, .rows = slots / lanes * family, .tables = shared * family * 4};
+  const auto inner = [&](std::size_t axis, double depth) { return axis == 2 && setup.is_plane() ? cells[2] : std::max(0.0, cells[axis] - 2 * depth); };
+  // particles near a surface have factors of their own, and so have those bonded to them
+  const double changed = 2 * reach, affected = 3 * reach;
+  const double unchanged = std::floor(inner(0, changed) / lanes) * lanes * inner(1, changed) * inner(2, changed);
+  // rows at the same distances from the faces share a table, if four packs of their interior do
+  const auto classes = [&](std::size_t axis) { return std::min(cells[axis], 2 * affected + 1); };
+  const double tables = inner(0, affected) >= 4 * lanes ? classes(1) * (setup.is_plane() ? 1 : classes(2)) : 1;
+  return {.particles = particles,
+          .slots = slots,
+          .with_slack = slots + 2 * slack,
+          .rows = slots / lanes * family,
+          .tables = tables * family,
+          .surface = 1 - unchanged / slots};
 }
 
+/// [bytes] of one body, and what is added to it for a while.
 struct BodyMemory {
-  double at_rest, setting_up, pictures, rubble;
+  double count = 0;      ///< particles
+  double particles = 0;  ///< positions, velocities, forces
+  double bonds = 0;      ///< bonds and material
+  double impactors = 0;  ///< what each impactor keeps of each particle
+  double fragments = 0;  ///< of contact between fragments
+
+  double making = 0;   ///< more while bonds are found and the material is built
+  double step = 0;     ///< more while the stable time step is determined
+  double picture = 0;  ///< more while an output frame is written
+  double rubble = 0;   ///< more if all bonds break
 };
 
 /// [bytes] per particle of self_contact/near_pairs.hpp and self_contact/short_range.hpp in rubble as dense as the solid, at most while the
@@ -93,66 +114,111 @@ double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) 
   return listed * (pair + found) + gap + near / 2 * kept + member;
 }
 
-BodyMemory memory_of(const BodySetup& setup, const Discretisation& discretisation, const FragmentContactSetup& fragments, std::size_t impactors) {
-  const ArrayLengths length = lengths_of(setup, discretisation);
-  const double n = length.slots, with_slack = length.with_slack;
-  double arrays = 9 * number * with_slack + n / 8 + 3 * slot_number * n;  // particles and the family's numbers of their slots, grown one by one
-  arrays += length.rows + number * n;                                     // bonds, volumes of families
-  if (length.is_list()) arrays += 2 * vector * n + number * n + slot_number * n + length.rows + length.entries * (sizeof(std::int32_t) + 2 * number);
-  // of the copy on which the stiffest mode is sought, for a given step alone, nothing is counted
-  const MaterialMemory material = with_material(setup, [&](const auto& its, auto kind) { return kind.memory(its, {setup, kind.correction(setup), length}); });
-  arrays += material.at_rest;
-  double at_rest = arrays + static_cast<double>(impactors) * (number + sizeof(int)) * n;  // a due distance and a guess for each slot
-  if (const auto* points = std::get_if<PointsShape>(&setup.shape))                        // of the deck, and of the simulation's own set-up
-    at_rest += 2 * (vector + number) * static_cast<double>(points->points.size());
-  const double pictures = 56 * n;  // measured: arrays in single precision and their compressed form
-  double rubble = 0;
-  if (fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
-    at_rest += 132 * n;  // measured: particles, positions and cells of self_contact/near_pairs.hpp
-    rubble = rubble_of(setup, fragments) * n;
-  }
-  return {at_rest, material.setting_up, pictures, rubble};
+/// [bytes] while the stiffest mode of the body is sought, which is done for a given time step that may be unstable (integrate/stiffest_mode.hpp): a copy of
+/// the body, densities, and four fields of displacements. The stable step is that of a block of the same material.
+double stiffest_mode_of(const Setup& setup, const BodySetup& body, const ArrayLengths& length, double copy) {
+  if (!setup.time.step || setup.time.relax) return 0;
+  constexpr int cells = 12;
+  if (!body.spacing || *setup.time.step <= 0.9 * safe_stable_step(make_body(sample_block(body, cells)))) return 0;
+  return copy + number * length.slots + 4 * vector * length.particles;
 }
 
-constexpr double program = 21e6;  // [bytes] measured: the program with its libraries
+BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisation& discretisation) {
+  const ArrayLengths length = lengths_of(body, discretisation);
+  const double n = length.slots, p = length.particles;
+  BodyMemory memory{.count = p};
+  memory.particles = 9 * number * length.with_slack + n / lanes + slot_number * p;  // x, v, f; occupied; slot_of
+  memory.bonds = length.rows + number * n;                                          // bits; initial volumes
+  if (length.is_list()) {
+    memory.particles += (vector + number) * n + slot_number * p;  // reference positions, volumes, numbers in the file
+    memory.bonds +=
+        vector * n + number * n / lanes + length.entries * (sizeof(std::int32_t) + 2 * number);  // positions again; begin; neighbour, length, volume
+    memory.making = (vector + number) * n + 2 * vector * n / 7;  // of the search: positions and sizes, and boxes of 8, 64, 512 … slots
+  }
+  const MaterialMemory material = with_material(body, [&](const auto& its, auto kind) { return kind.memory(its, {body, kind.correction(body), length}); });
+  memory.bonds += material.at_rest;
+  memory.making = std::max(memory.making, material.setting_up);
+  if (body.failure && (body.failure->weibull_modulus || !body.failure->no_fail.empty())) memory.making += number * n;  // strength of each slot
+  memory.impactors = static_cast<double>(setup.impactors.size()) * (number + sizeof(int)) * n;                         // due distance, guess
+  if (const auto* points = std::get_if<PointsShape>(&body.shape))  // of the deck, and of the simulation's own set-up
+    memory.particles += 2 * (vector + number) * static_cast<double>(points->points.size());
+  memory.step = std::max(4 * number * n + n / 2, stiffest_mode_of(setup, body, length, memory.particles + memory.bonds));
+
+  // one array of vectors in single precision, and all arrays compressed: at most 19 bytes a particle (docs/guide/cluster.md)
+  const bool may_break = body.elastic().may_fail();
+  if (setup.output.frames > 0)
+    memory.picture = std::max(3 * sizeof(float) * p + 19 * p, may_break ? 2 * slot_number * n : 0) + (may_break ? slot_number * p : 0);
+  if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
+    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, threshold, cell, point and position in its cell; surfaces, particle of a slot
+    memory.fragments = (sizeof(NearPairs::Member) + vector + 1 + number + 2 * slot_number + vector) * p + (1 + 2 + slot_number) * n;
+    memory.rubble = rubble_of(body, setup.contact.fragments) * n;
+  }
+  return memory;
+}
+
+Memory sum_of(std::span<const BodyMemory> bodies) {
+  double filled = program, built = 0, others = 0, while_built = 0, step = 0;
+  Memory sum;
+  for (const BodyMemory& body : bodies) filled += body.particles + body.impactors;
+  for (const BodyMemory& body : bodies) {  // built one after the other
+    built += body.bonds;
+    others += body.fragments;
+    while_built = std::max(while_built, filled + built + body.making);
+    step = std::max(step, body.step);
+    sum.rubble += body.rubble;
+    sum.particles.push_back(body.count);
+    sum.of_bodies.push_back(body.particles + body.bonds);
+    sum.pictures = std::max(sum.pictures, body.picture);
+  }
+  sum.at_rest = filled + built + others;
+  sum.setting_up = std::max({0.0, while_built - sum.at_rest, step});
+  return sum;
+}
 
 }  // namespace
-
-double physical_memory() { return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE)); }
 
 double Memory::peak() const { return at_rest + std::max(setting_up, pictures); }
 
 Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies) {
-  Memory sum{.at_rest = program};
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const BodyMemory one = memory_of(setup.bodies[b], bodies[b], setup.contact.fragments, setup.impactors.size());
-    sum.at_rest += one.at_rest;
-    sum.rubble += one.rubble;
-    sum.setting_up = std::max(sum.setting_up, one.setting_up);  // bodies are built one after the other
-    if (setup.output.frames > 0) sum.pictures = std::max(sum.pictures, one.pictures);
-  }
-  return sum;
+  std::vector<BodyMemory> each;
+  for (std::size_t b = 0; b < bodies.size(); ++b) each.push_back(memory_of(setup, setup.bodies[b], bodies[b]));
+  return sum_of(each);
 }
 
-void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, double available) {
-  const double needed = memory_of(setup, bodies).peak();
-  if (needed <= available) return;  // false for NaN
-  const auto at_rest = [&](std::size_t b) { return memory_of(setup.bodies[b], bodies[b], {}, 0).at_rest; };
-  std::size_t largest = 0;
-  for (std::size_t b = 1; b < bodies.size(); ++b)
-    if (at_rest(b) > at_rest(largest)) largest = b;
+void Memory::add(const fccda::Surface& surface) {
+  const auto triangles = static_cast<double>(surface.triangles().size()), panels = static_cast<double>(surface.report().panels);
+  // vertices and triangles with panels, neighbours and components; pseudonormals of faces, edges and vertices; faces and loads of panels
+  constexpr double of_triangle = 74 + 4.5 * vector, of_panel = 180;
+  // leaves of 440 bytes for three triangles, nodes, and the leaf of a triangle: of the detector, and to find the nearest particle
+  constexpr double tree = 440.0 / 3 + 48 + sizeof(std::int32_t), while_built = 52;
+  of_surfaces.push_back({triangles * (of_triangle + 2 * tree + while_built) + panels * of_panel, surface.report().panels});
+  at_rest += of_surfaces.back().bytes;
+}
+
+void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, const Memory& memory, const AvailableMemory& available) {
+  const double needed = memory.peak();
+  if (needed <= available.bytes) return;  // false for NaN
+  const auto surface = std::ranges::max_element(memory.of_surfaces, {}, &Memory::OfSurface::bytes);
+  if (surface != memory.of_surfaces.end() && surface->bytes > std::ranges::max(memory.of_bodies)) {
+    const std::string& impactor = setup.impactors[static_cast<std::size_t>(surface - memory.of_surfaces.begin())].name;
+    throw SetupError("impactors." + impactor + ".surface",
+                     fmt::format("with {} panels on the surface of impactor {} the run needs {:.3g} GB of memory, but {}; use larger panels, or {}.",
+                                 surface->panels, impactor, needed / 1e9, available.reason, available.remedy));
+  }
+  const std::size_t largest = static_cast<std::size_t>(std::ranges::max_element(memory.of_bodies) - memory.of_bodies.begin());
   const BodySetup& body = setup.bodies[largest];
   if (!body.spacing)
-    throw SetupError(
-        "bodies." + body.name + ".shape",
-        fmt::format("with {:.3g} particles of body {} the run needs {:.3g} GB of memory, but this machine has {:.3g} GB; use fewer and larger particles.",
-                    slots_of(body, bodies[largest]), body.name, needed / 1e9, available / 1e9));
+    throw SetupError("bodies." + body.name + ".shape",
+                     fmt::format("with {:.3g} particles of body {} the run needs {:.3g} GB of memory, but {}; use fewer and larger particles, or {}.",
+                                 slots_of(body, bodies[largest]), body.name, needed / 1e9, available.reason, available.remedy));
   const std::string key = "bodies." + body.name + ".spacing";
   if (!std::isfinite(needed))
     throw SetupError(key, fmt::format("a spacing of {} m gives body {} more cells than can be numbered; increase it.", *body.spacing, body.name));
-  throw SetupError(key, fmt::format("with a spacing of {} m for body {} the run needs {:.3g} GB of memory, but this machine has {:.3g} GB; use a spacing of at "
-                                    "least {:.2g} m, or a smaller body.",
-                                    *body.spacing, body.name, needed / 1e9, available / 1e9, 1.05 * *body.spacing * std::cbrt(needed / available)));
+  const double room = std::max(available.bytes - program, 1e6);
+  throw SetupError(key,
+                   fmt::format("with a spacing of {} m for body {} the run needs {:.3g} GB of memory, but {}; use a spacing of at least {:.2g} m, a "
+                               "smaller body, or {}.",
+                               *body.spacing, body.name, needed / 1e9, available.reason, 1.05 * *body.spacing * std::cbrt(needed / room), available.remedy));
 }
 
 }  // namespace perimpact

@@ -2,28 +2,42 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "mesh/surface.hpp"
 #include "perimpact/deck_model/setup.hpp"
 #include "perimpact/discretisation/discretise.hpp"
+#include "perimpact/simulation/available_memory.hpp"
 
 namespace perimpact {
 
-double physical_memory();  ///< [bytes] of this machine
-
-/// [bytes] Peak memory of a run, summed over arrays, without surfaces and without the report, which is written after the rest is released.
+/// [bytes] Peak memory of a run, summed over arrays, without the report, which is written after the rest is released.
 struct Memory {
   double at_rest = 0;     ///< during steps
-  double setting_up = 0;  ///< largest addition during set-up of bodies
+  double setting_up = 0;  ///< largest addition during the set-up
   double pictures = 0;    ///< largest addition while an output frame is written
   double rubble = 0;      ///< addition with `contact.fragments` if all bonds have broken, in rubble as dense as the solid
+
+  std::vector<double> particles;  ///< of each body, their number
+  std::vector<double> of_bodies;  ///< of each body, for its own arrays
+
+  /// Surface of an impactor with its search trees and the loads of its panels.
+  struct OfSurface {
+    double bytes;
+    std::size_t panels;
+  };
+  std::vector<OfSurface> of_surfaces;  ///< in the order of the impactors, of those that have been added
+
+  /// Adds the surface of the next impactor.
+  void add(const fccda::Surface& surface);
 
   double peak() const;  ///< without rubble
 };
 
-/// `bodies`: discretisation of each. The bonds of a point cloud are estimated from a sample of its particles.
+/// `bodies`: discretisation of each. The bonds of a point cloud are estimated from a sample of its particles. Surfaces are to be added when they are known.
 Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies);
 
-/// Throws SetupError, with the key of the largest body, if the peak exceeds `available` [bytes].
-void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, double available);
+/// Throws SetupError, with the key of the largest body or surface, if the peak exceeds what is available. `memory`: memory_of these bodies.
+void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, const Memory& memory, const AvailableMemory& available);
 
 }  // namespace perimpact

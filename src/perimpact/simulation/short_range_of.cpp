@@ -57,7 +57,7 @@ std::string warning_of_overlap(const ShortRange& fragments) {
   return fmt::format(
       "{} pairs of particles are initially closer than their contact distance, and {:.3g} J of their springs will push them apart. Increase the distance of "
       "the bodies, or use a smaller contact.fragments.distance_ratio.",
-      fragments.touching(), fragments.energy());
+      fragments.contacts(), fragments.energy());
 }
 
 }  // namespace perimpact

@@ -20,9 +20,9 @@ namespace perimpact {
 
 namespace {
 
-std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particles) {
+std::vector<Body> make_bodies(const Setup& setup, std::vector<Particles> particles, fccda::Stages& stages) {
   std::vector<Body> bodies;
-  for (std::size_t b = 0; b < setup.bodies.size(); ++b) bodies.push_back(make_body(setup.bodies[b], std::move(particles[b])));
+  for (std::size_t b = 0; b < setup.bodies.size(); ++b) bodies.push_back(make_body(setup.bodies[b], std::move(particles[b]), stages));
   return bodies;
 }
 
@@ -51,8 +51,8 @@ constexpr double safety = 0.9;  // factor on the estimate, which is a bound for 
 
 Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optional<ShortRange>& fragments, std::vector<std::string>& warnings) {
   Stability stability{0, std::numeric_limits<double>::infinity(), {}};
-  const std::vector<ContactingBody> touching = contacting_bodies(setup, bodies);
-  const auto bound = [&](std::size_t b) { return fragments ? fragments->bound(touching, b) : ShortRange::Bound{}; };
+  const std::vector<ContactingBody> contacting = contacting_bodies(setup, bodies);
+  const auto bound = [&](std::size_t b) { return fragments ? fragments->bound(contacting, b) : ShortRange::Bound{}; };
   for (std::size_t b = 0; b < bodies.size(); ++b) stability.estimate = std::min(stability.estimate, safe_stable_step(bodies[b], bound(b)));
   if (setup.time.relax) {
     stability.step = setup.time.end / setup.time.relax->increments;
@@ -132,34 +132,38 @@ struct ImpactorOnBody {
 
 }  // namespace
 
-Simulation::Simulation(const Setup& setup) : Simulation(setup, Start(setup)) {}
+Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce) : Simulation(setup, Start(setup, fccda::Stages(std::move(announce)))) {}
 
 Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces)
     : setup_(setup),
+      stages_(std::move(start.stages)),
       initial_penetrations_(std::move(start.inside)),
       filled_masses_(std::move(start.filled_masses)),
-      bodies_(make_bodies(setup, std::move(start.particles))),
+      bodies_(make_bodies(setup, std::move(start.particles), stages_)),
       boundary_conditions_(make_boundary_conditions(setup, bodies_, std::move(user_forces))),
-      fragments_(short_range_of(setup, bodies_)),
-      stability_(find_step(setup, bodies_, fragments_, warnings_)),
+      fragments_((stages_.begin("contact of fragments"), short_range_of(setup, bodies_))),
+      stability_((stages_.begin("time step"), find_step(setup, bodies_, fragments_, warnings_))),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
       relaxation_(make_relaxation(setup, bodies_, clock_.dt)),
       impactors_(std::move(start.impactors)),
       load_steps_(std::clamp(std::lround(std::min(response_time(setup, bodies_) / clock_.dt, 1e9)), 1L, clock_.steps)),
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
+  stages_.begin("diagnostics");
   const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
   warn(warnings_about_bodies(setup_, bodies_, filled_masses_));
   warn(warnings_of(initial_penetrations_, setup_, bodies_));
   warn(warnings_about_impactors(setup_, bodies_, impactors_, clock_.dt));
   if (!relaxation_) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) boundary_conditions_[b].set_initial_state(bodies_[b].particles, 0, PrescribedDisplacement::Regime::moving);
+    stages_.begin("initial forces");
     compute_bond_forces();
     add_short_range_forces();
     apply_boundary_conditions();
-    if (fragments_ && fragments_->touching() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
+    if (fragments_ && fragments_->contacts() > 0) warnings_.push_back(warning_of_overlap(*fragments_));
   }
   sample_monitors();
+  stages_.end();
 }
 
 void Simulation::step(const KeepRelaxing& keep_on) {

@@ -40,7 +40,7 @@ struct UserForceOnBody {
 class Simulation {
  public:
   /// Throws SetupError if the Setup is invalid.
-  explicit Simulation(const Setup& setup);
+  explicit Simulation(const Setup& setup, fccda::Stages::Announce announce = {});
   /// The same from a Start of this Setup, possibly modified.
   Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces = {});
 
@@ -53,8 +53,9 @@ class Simulation {
   const Stability& stability() const { return stability_; }
   const std::vector<std::string>& warnings() const { return warnings_; }                                  ///< before the run
   std::vector<std::string> closing_warnings() const { return proximity_.warnings(bodies_, impactors_); }  ///< at the end of the run
-  const fccda::Timers& timers() const { return timers_; }
-  std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }  ///< removed, or projected onto a surface
+  const fccda::Timers& timers() const { return timers_; }                                                 ///< of the phases of a step
+  const fccda::Timers& set_up_timers() const { return stages_.timers(); }                                 ///< of the stages of the set-up
+  std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }      ///< removed, or projected onto a surface
   std::span<const Body> bodies() const { return bodies_; }
   const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
   std::span<const BoundaryConditions> boundary_conditions() const { return boundary_conditions_; }  ///< of each body
@@ -74,6 +75,7 @@ class Simulation {
   void visit_state(Visitor&& visit) {
     visit("step", clock_.step);
     for (Body& body : bodies_) body.visit_state(visit);
+    for (BoundaryConditions& boundary_conditions : boundary_conditions_) boundary_conditions.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
     if (fragments_) fragments_->visit_state(fccda::under("fragments", visit));
     if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
@@ -103,6 +105,7 @@ class Simulation {
   void sample_monitors();
 
   Setup setup_;
+  fccda::Stages stages_;
   std::vector<std::string> warnings_;
   std::vector<InitialPenetration> initial_penetrations_;
   std::vector<std::optional<FilledMass>> filled_masses_;

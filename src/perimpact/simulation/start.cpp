@@ -13,16 +13,12 @@ namespace perimpact {
 
 namespace {
 
-std::vector<Discretisation> discretised(const Setup& setup) {
-  std::vector<Discretisation> bodies;
-  for (const BodySetup& body : setup.bodies) bodies.push_back(discretise(body));
-  expect_to_fit(setup, bodies, physical_memory());
-  return bodies;
-}
-
-std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies) {
+std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies, fccda::Stages& stages) {
   std::vector<Particles> particles;
-  for (std::size_t b = 0; b < bodies.size(); ++b) particles.push_back(make_particles(setup.bodies[b], bodies[b]));
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    stages.begin("particles", setup.bodies[b].name);
+    particles.push_back(make_particles(setup.bodies[b], bodies[b]));
+  }
   return particles;
 }
 
@@ -36,12 +32,14 @@ std::vector<std::optional<FilledMass>> masses_of(std::span<const Discretisation>
   return masses;
 }
 
-std::vector<Impactor> place(const Setup& setup, std::span<Particles> particles) {
+std::vector<Impactor> place(const Setup& setup, std::vector<ImpactorSurface> surfaces, std::span<Particles> particles, fccda::Stages& stages) {
   std::vector<Particles*> bodies;
   for (Particles& body : particles) bodies.push_back(&body);
   std::vector<Impactor> impactors;
-  for (const ImpactorSetup& impactor : setup.impactors) {
-    impactors.emplace_back(impactor, setup.contact.impactors, bodies);
+  for (std::size_t i = 0; i < setup.impactors.size(); ++i) {
+    const ImpactorSetup& impactor = setup.impactors[i];
+    stages.begin("detectors", impactor.name);
+    impactors.emplace_back(impactor, setup.contact.impactors, bodies, std::move(surfaces[i]));
     for (const Particles& body : particles)
       if (body.is_plane()) expect_in_plane(impactor, impactors.back(), body, (1 + setup.contact.impactors.radius_ratio) * body.spacing());
   }
@@ -115,10 +113,32 @@ void project(Start& start, const Setup& setup) {
 
 }  // namespace
 
-Start::Start(const Setup& setup) : Start(setup, discretised(setup)) {}
+Start::Read Start::read(const Setup& setup, fccda::Stages& stages) {
+  Read all;
+  for (const BodySetup& body : setup.bodies) {
+    stages.begin("solids and points", body.name);
+    all.bodies.push_back(discretise(body));
+  }
+  Memory memory = memory_of(setup, all.bodies);
+  const AvailableMemory available = available_memory();
+  expect_to_fit(setup, all.bodies, memory, available);
+  for (const ImpactorSetup& impactor : setup.impactors) {
+    stages.begin("surfaces", impactor.name);
+    all.surfaces.push_back(surface_of(impactor));
+    memory.add(all.surfaces.back().remeshed.surface);
+    expect_to_fit(setup, all.bodies, memory, available);
+  }
+  return all;
+}
 
-Start::Start(const Setup& setup, std::span<const Discretisation> bodies)
-    : particles(fill(setup, bodies)), filled_masses(masses_of(bodies, particles)), impactors(place(setup, particles)) {
+Start::Start(const Setup& setup, fccda::Stages given) : Start(setup, given, read(setup, given)) {}
+
+Start::Start(const Setup& setup, fccda::Stages& given, Read read)
+    : stages(std::move(given)),
+      particles(fill(setup, read.bodies, stages)),
+      filled_masses(masses_of(read.bodies, particles)),
+      impactors(place(setup, std::move(read.surfaces), particles, stages)) {
+  if (!impactors.empty()) stages.begin("initial overlap");
   switch (setup.contact.impactors.initial_overlap.as<InitialOverlap>()) {
     case InitialOverlap::error:
       refuse(*this, setup);
@@ -130,6 +150,7 @@ Start::Start(const Setup& setup, std::span<const Discretisation> bodies)
       project(*this, setup);
       break;
   }
+  stages.end();
 }
 
 double largest_stretch(const Body& body, std::span<const std::size_t> slots) {

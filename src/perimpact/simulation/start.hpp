@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "base/timers.hpp"
 #include "perimpact/body/body.hpp"
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/discretisation/discretise.hpp"
 #include "perimpact/discretisation/filled_mass.hpp"
 #include "perimpact/impactor/impactor.hpp"
 #include "perimpact/particles/particles.hpp"
@@ -23,16 +25,23 @@ struct InitialPenetration {
 };
 
 struct Start {
+  fccda::Stages stages;                                  ///< of the set-up so far
   std::vector<Particles> particles;                      ///< of each body
   std::vector<std::optional<FilledMass>> filled_masses;  ///< of each body whose solid has a known volume
   std::vector<Impactor> impactors;
   std::vector<InitialPenetration> inside;
 
   /// Throws SetupError for insufficient memory, invalid impactors, or initial penetration that is refused or cannot be resolved.
-  explicit Start(const Setup& setup);
+  explicit Start(const Setup& setup, fccda::Stages given = fccda::Stages());
 
  private:
-  Start(const Setup& setup, std::span<const Discretisation> bodies);
+  /// What is read before memory is allocated for bodies and searches.
+  struct Read {
+    std::vector<Discretisation> bodies;
+    std::vector<ImpactorSurface> surfaces;
+  };
+  static Read read(const Setup& setup, fccda::Stages& stages);
+  Start(const Setup& setup, fccda::Stages& given, Read read);
 };
 
 /// The largest magnitude of stretch (|x_j - x_i| - |ξ|)/|ξ| among the bonds of these particles.

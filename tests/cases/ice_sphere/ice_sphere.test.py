@@ -21,29 +21,44 @@ def measured(scene, deck, *settings):
     return measure(scene.folder / "out")
 
 
-@claim("ice_sphere: of dust the plate takes the momentum, neither more nor less")
+@claim("ice_sphere: the impulse of dust on the plate is its momentum, neither more nor less")
 def dust(scene):
     settings = "bodies.ice.spacing=0.1", "bodies.ice.material.critical_stretch=1e-12", "bodies.ice.failure.compression=symmetric"
     found = measured(scene, "deck.yaml", *settings)
-    # rounding of places, 1e-16 of a metre over a step, each time a particle that rests on the plate is put back; measured: 1e-9
+    # rounding of positions, 1e-16 of a metre over a step, each time a particle that rests on the plate is relocated; measured: 1e-9
     scene.assertAlmostEqual(found["impulse [-]"], 1, delta=1e-7)
 
 
-@claim("ice_sphere: a sphere that never breaks comes back with nearly all of its speed")
+@claim("ice_sphere: a sphere that never breaks rebounds with nearly all of its speed")
 def unbroken(scene):
     found = measured(scene, "deck.yaml", ICE, "time.end=5 ms")
     scene.assertAlmostEqual(found["impulse [-]"], 1.97, delta=0.03)  # by an independent prototype; the rest goes into vibration
     scene.assertEqual(found["broken bonds [-]"], 0)
 
 
-@claim("ice_sphere: with 40 particles across the largest force is that of Hertz, along an axis of the lattice and askew, and askew the duration too")
+@claim("ice_sphere: with 40 particles across the largest force is that of Hertz, normal to a lattice axis and oblique, and oblique the duration too")
 def hertz(scene):
-    along = measured(scene, "deck.yaml", ICE, "time.end=5 ms", "bodies.ice.spacing=0.025")
-    scene.assertAlmostEqual(along["peak over Hertz [-]"], 1, delta=0.1)  # the lowest particles are a flat face, which README.md shows
-    askew = measured(scene, "oblique.yaml", "bodies.ice.spacing=0.025")
-    # measured: 1.00 and 1.03 at 40 across, 1.03 and 1.07 at 60; a row is 0.02 of the duration, and particles touch again at its end
-    scene.assertAlmostEqual(askew["peak over Hertz [-]"], 1, delta=0.05)
-    scene.assertAlmostEqual(askew["duration over Hertz [-]"], 1, delta=0.1)
+    normal = measured(scene, "deck.yaml", ICE, "time.end=5 ms", "bodies.ice.spacing=0.025")
+    scene.assertAlmostEqual(normal["peak over Hertz [-]"], 1, delta=0.1)  # the lowest particles are a flat face, which README.md shows
+    oblique = measured(scene, "oblique.yaml", "bodies.ice.spacing=0.025")
+    # measured: 1.00 and 1.03 at 40 across, 1.03 and 1.07 at 60; a row is 0.02 of the duration, and particles come into contact again at its end
+    scene.assertAlmostEqual(oblique["peak over Hertz [-]"], 1, delta=0.05)
+    scene.assertAlmostEqual(oblique["duration over Hertz [-]"], 1, delta=0.1)
+
+
+@claim("ice_sphere: crushed ice on the plate has the impulse of measured impacts, dissipates by flow, and its energy balance closes with the step")
+def crushed(scene):
+    errors = []
+    for step in ("38 us", "9.5 us"):
+        found = measured(scene, "crushed.yaml", "bodies.ice.spacing=0.1", f"time.step={step}")
+        print(step, found)
+        # 149 tests of ice spheres, README.md; 1.23 where bonds break in tension only. Measured: 0.97 and 0.95
+        scene.assertGreater(found["impulse [-]"], 0.8)
+        scene.assertLess(found["impulse [-]"], 1.12)
+        scene.assertGreater(found["plastic dissipation [-]"], 0.5)  # measured: 0.87 and 0.70
+        errors.append(found["energy balance error [-]"])
+    scene.assertLess(errors[0], 1e-3)  # debris and flow, of first order in the step; measured: 1.1e-4 and 4e-5
+    scene.assertLess(errors[1], 0.7 * errors[0])
 
 
 main()

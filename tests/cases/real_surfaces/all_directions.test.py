@@ -8,7 +8,7 @@ sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "scripts/pictures")]
 from claims import claim, main  # noqa: E402
 
 try:
-    import strike  # noqa: E402
+    import impact  # noqa: E402
     import surface_file  # noqa: E402
 except ImportError as missing:
     print(f"skipped: {missing}")
@@ -31,7 +31,7 @@ def files(t, closed):
 def _(t):
     for path, corners, spacing in files(t, closed=True):
         for direction in ("+x", "-x", "+y", "-y", "+z", "-z"):
-            outcome = strike.run(t, path, corners, direction, spacing, None)
+            outcome = impact.run(t, path, corners, direction, spacing, None)
             t.assertEqual((outcome.touched, outcome.entered, outcome.crossed), (True, 0, 0), (path, direction))
 
 
@@ -39,7 +39,7 @@ def _(t):
 def _(t):
     for path, corners, spacing in files(t, closed=False):
         for direction, outside in (("+x", "normals"), ("-y", "reversed"), ("+z", "normals")):
-            strike.run(t, path, corners, direction, spacing, outside)
+            impact.run(t, path, corners, direction, spacing, outside)
 
 
 main()

@@ -9,7 +9,7 @@ sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "scripts/pictures")]
 from claims import claim, main  # noqa: E402
 
 try:
-    import strike  # noqa: E402
+    import impact  # noqa: E402
     import surface_file  # noqa: E402
 except ImportError as missing:
     print(f"skipped: {missing}")
@@ -21,7 +21,7 @@ def expect_all_struck(t, named):
         path = surfaces.file_named(one.name)
         corners = surface_file.read(path).corners
         for direction, outside in one.strikes.items():
-            result = strike.run(t, path, corners, direction, one.spacing, outside)
+            result = impact.run(t, path, corners, direction, one.spacing, outside)
             t.assertEqual((result.touched, result.entered, result.crossed), (True, 0, 0), (one.name, direction))
 
 
@@ -55,7 +55,7 @@ def _(t):
 def _(t):
     (hull,) = (one for one in surfaces.OPEN if one.name == "wigley.stl")
     path = surfaces.file_named(hull.name)
-    result = strike.run(t, path, surface_file.read(path).corners, "+x", hull.spacing, "normals")
+    result = impact.run(t, path, surface_file.read(path).corners, "+x", hull.spacing, "normals")
     t.assertFalse(result.touched)
     t.assertGreater(result.crossed, 10)
     t.assertEqual(result.entered, result.crossed)

@@ -80,7 +80,7 @@ TEST_CASE("plain call: contacts are bitwise identical to those with every point 
       contacts_found += contacts.size();
       respond(contacts, motion, scene.hull, {scene.x_t0, scene.x_t1, scene.velocity, scene.mass});
     }
-    CHECK(detector.swept().effort().points_asked < 1000 * 150 / 4);  // and most points were skipped
+    CHECK(detector.swept().effort().points_tested < 1000 * 150 / 4);  // and most points were skipped
   }
   use_threads(threads);
   CHECK(contacts_found > 1000);
@@ -93,9 +93,9 @@ TEST_CASE("plain call: no point is ever inside, by the winding number, and point
   double exchanged = 0;
   for (int step = 0; step < 150; ++step) {
     const Motion motion = scene.advance();
-    const ContactSum tally =
+    const ContactSum sum =
         respond(detector.detect(motion, scene.x_t0, scene.x_t1), motion, scene.hull, {scene.x_t0, scene.x_t1, scene.velocity, scene.mass}, 0.3);
-    exchanged += norm(tally.impulse);
+    exchanged += norm(sum.impulse);
   }
   REQUIRE(exchanged > 1);
   CHECK(norm(scene.momentum() - before) < 1e-12 * exchanged);  // rounding of 300 points over 150 steps
@@ -154,7 +154,7 @@ TEST_CASE("plain call: a body moved by hand between two steps contacts points th
     ContactDetector detector(surface, {.radius = ball});
     const std::vector<Vec3d> x_t0{scene.x_t0}, x_t1{scene.x_t1};
     for (int step = 0; step < 3; ++step) CHECK(detector.detect(fixtures::at_rest(), x_t0, x_t0).empty());
-    CHECK(detector.swept().effort().points_asked <= 1);  // it is known to be far
+    CHECK(detector.swept().effort().points_tested <= 1);  // it is known to be far
     CHECK(detector.detect(fixtures::at_rest(scene.pose), x_t0, x_t1).size() == 1);
   }
 }
@@ -279,7 +279,7 @@ TEST_CASE("plain call: points of different radii have the same contacts as the p
       for (ContactDetector& one : alone) one.points_changed();  // others were relocated with radii other than its own
     }
     CHECK(found > 100);
-    CHECK(detector.swept().effort().points_asked < 1000 * 100 / 4);
+    CHECK(detector.swept().effort().points_tested < 1000 * 100 / 4);
     CHECK(detector.points_inside(scene.hull.pose(), scene.x_t1, radii).empty());
   }
   use_threads(threads);

@@ -22,18 +22,18 @@ TEST_CASE("plain response: a point in contact is relocated with the correspondin
   const std::vector<Contact> contacts{{.point = 1, .normal = {0, 0, 1}, .relocation = {1, 1, 1}}};
   const std::vector<double> x_t0{9, 9, 9, 1, 1, 2};
   std::vector<double> x_t1{8, 8, 8, 1, 1, 0}, velocity{-2, -2, -2, 0, 0, -4};
-  const ContactSum tally = respond(contacts, motion, body, {x_t0, x_t1, velocity, 3.0});
+  const ContactSum sum = respond(contacts, motion, body, {x_t0, x_t1, velocity, 3.0});
   // by hand: v̄ = (1 - 2)/0.5 = -2, J = -3 (-2 - -4) = -6, V = -6/4
   CHECK(x_t1 == std::vector<double>{8, 8, 8, 1, 1, 1});
   CHECK(velocity == std::vector<double>{-2, -2, -2, 0, 0, -2});
-  CHECK(tally.impulse == Vec3d{0, 0, -6});
-  CHECK(tally.contacts == 1);
+  CHECK(sum.impulse == Vec3d{0, 0, -6});
+  CHECK(sum.contacts == 1);
   CHECK(body.velocity() == Vec3d{0, 0, -1.5});
 
   const std::vector<double> masses{100, 3};
   RigidBody same = free_body(4);
   velocity[5] = -4, x_t1[5] = 0;
-  CHECK(respond(contacts, same.advance(0.5), same, {x_t0, x_t1, velocity, masses}).impulse == tally.impulse);
+  CHECK(respond(contacts, same.advance(0.5), same, {x_t0, x_t1, velocity, masses}).impulse == sum.impulse);
 }
 
 TEST_CASE("plain response: arrays of different length and steps of no duration are rejected") {
@@ -57,10 +57,10 @@ TEST_CASE("plain response: masses with a stride and arrays of floats give the sa
   RigidBody body = free_body(4);
   const std::vector<float> x_t0{9, 9, 9, 1, 1, 2}, padded{100, 0, 3, 0};
   std::vector<float> x_t1{8, 8, 8, 1, 1, 0}, velocity{-2, -2, -2, 0, 0, -4};
-  const ContactSum tally = respond(contacts, body.advance(0.5), body, {x_t0, x_t1, velocity, {padded.data(), 2, 2}});
+  const ContactSum sum = respond(contacts, body.advance(0.5), body, {x_t0, x_t1, velocity, {padded.data(), 2, 2}});
   CHECK(x_t1 == std::vector<float>{8, 8, 8, 1, 1, 1});
   CHECK(velocity == std::vector<float>{-2, -2, -2, 0, 0, -2});
-  CHECK(tally.impulse == Vec3d{0, 0, -6});
+  CHECK(sum.impulse == Vec3d{0, 0, -6});
 }
 
 TEST_CASE("plain response: without the body it returns the body's impulse; the sum over several sets of points, applied once, equals that of one call") {

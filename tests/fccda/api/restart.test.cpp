@@ -92,6 +92,6 @@ TEST_CASE("plain call: with a detector's state a restart of open surfaces is bit
 
 TEST_CASE("plain call: an invalid state is rejected with a message") {
   ContactDetector detector(plate(), {.radius = r});
-  CHECK_THROWS_WITH_AS(detector.resume({.touched = {3, 1}}),
+  CHECK_THROWS_WITH_AS(detector.resume({.in_contact = {3, 1}}),
                        "contact: the points of a detector's state are not in ascending order; pass what state() returned.", InputError);
 }

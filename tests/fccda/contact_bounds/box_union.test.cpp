@@ -24,15 +24,15 @@ std::string complaint(std::span<const BoxUnion::Shape> shapes, const Surface& su
 TEST_CASE("box union: far paths are rejected, and the distance is that from the nearest box") {
   const Surface cube(fixtures::unit_cube());
   const BoxUnion box({.size = {1, 1, 1}, .centre = {0.5, 0.5, 0.5}}, cube, Beyond::error);
-  CHECK_FALSE(box.may_touch({{1.2, 0, 0}, {1.11, 0, 0}}, 0.1));
-  CHECK(box.may_touch({{1.2, 0, 0}, {1.09, 0, 0}}, 0.1));
+  CHECK_FALSE(box.may_contact({{1.2, 0, 0}, {1.11, 0, 0}}, 0.1));
+  CHECK(box.may_contact({{1.2, 0, 0}, {1.09, 0, 0}}, 0.1));
   CHECK(box.distance_at_least({4, 5, 0.5}) == fixtures::relative(5, 1e-7));  // 3-4-5, the box widened by 1e-8
   CHECK(box.distance_at_least({0.5, 0.5, 0.5}) == 0);
 
   // between two boxes, inside the bounds of both
   const BoxUnion ends(std::vector<Box>{{{0, 0, 0}, {1, 1, 1}}, {{3, 0, 0}, {4, 1, 1}}});
-  CHECK_FALSE(ends.may_touch({{2, 0.5, 0.5}, {2.1, 0.5, 0.5}}, 0.8));
-  CHECK(ends.may_touch({{2, 0.5, 0.5}, {2.1, 0.5, 0.5}}, 0.95));
+  CHECK_FALSE(ends.may_contact({{2, 0.5, 0.5}, {2.1, 0.5, 0.5}}, 0.8));
+  CHECK(ends.may_contact({{2, 0.5, 0.5}, {2.1, 0.5, 0.5}}, 0.95));
   CHECK(ends.distance_at_least({2.25, 0.5, 0.5}) == 0.75);
   CHECK_FALSE(ends.contains({2, 0.5, 0.5}));
   CHECK(ends.contains({3, 0, 1}));

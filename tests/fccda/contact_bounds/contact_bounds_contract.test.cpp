@@ -25,7 +25,7 @@ TEST_CASE("contact bounds: a path within the margin of a panel inside is never r
               const double margin = 0.2 * size * unit(random);
               const Vec3d near = place + margin * (1 - 1e-12) * fixtures::random_direction(random);
               const Vec3d way = 0.2 * size * unit(random) * fixtures::random_direction(random);
-              CHECK(its.may_touch({near - way, near + 0.3 * way}, margin));
+              CHECK(its.may_contact({near - way, near + 0.3 * way}, margin));
               // 1e-14 of the size for the rounding of coordinates
               CHECK(its.distance_at_least(near) <= norm(near - place) + 1e-14 * size);
             }
@@ -57,7 +57,7 @@ TEST_CASE("contact bounds: a rejected path is nowhere within the margin, by dens
         std::visit(
             [&](const auto& its) {
               CHECK(its.distance_at_least(path.end) <= from_end + 1e-14 * size);
-              if (its.may_touch(path, margin)) return;
+              if (its.may_contact(path, margin)) return;
               ++rejected;
               for (int k = 0; !is_known && k <= 8; ++k) nearest = std::min(nearest, soup.distance(path.at(k / 8.0)));
               is_known = true;
@@ -75,7 +75,7 @@ TEST_CASE("contact bounds: paths that are not numbers are not rejected") {
   const Surface surface(fixtures::propeller({.edge_length = 0.06}));
   for (const fixtures::NamedRegion& region : fixtures::every_region(surface)) {
     CAPTURE(region.name);
-    CHECK(std::visit([&](const auto& its) { return its.may_touch({{0, 0, 9}, {nothing, nothing, nothing}}, 0.1); }, region.region));
+    CHECK(std::visit([&](const auto& its) { return its.may_contact({{0, 0, 9}, {nothing, nothing, nothing}}, 0.1); }, region.region));
   }
 }
 

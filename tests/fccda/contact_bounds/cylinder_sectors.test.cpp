@@ -79,13 +79,13 @@ TEST_CASE("cylinder sectors: angles about the axis count from x to y, from y to 
 
 TEST_CASE("cylinder sectors: a path between two sectors is rejected, one that goes from gap to gap through a sector or the hub is not") {
   const CylinderSectors fan = two_blades();
-  CHECK_FALSE(fan.may_touch({about_z(3, 70, 0), about_z(3, 110, 0)}, 0.5));
-  CHECK(fan.may_touch({about_z(3, 70, 0), about_z(3, 110, 0)}, 3 * std::sin(40 * pi / 180)));
-  CHECK(fan.may_touch({about_z(3, 90, 0), about_z(3, -90, 0)}, 0));           // through the hub
-  CHECK(fan.may_touch({about_z(3, 60, 0), about_z(3, -60, 0)}, 0));           // through a sector
-  CHECK_FALSE(fan.may_touch({about_z(3, 10, 1.5), about_z(3, 10, 3)}, 0.4));  // beyond the end
-  CHECK_FALSE(fan.may_touch({about_z(5, 0, 0), about_z(5, 10, 0)}, 0.9));     // outside
-  CHECK_FALSE(fan.may_touch({{-3, 4.5, 0}, {3, 4.5, 0}}, 0.4));
+  CHECK_FALSE(fan.may_contact({about_z(3, 70, 0), about_z(3, 110, 0)}, 0.5));
+  CHECK(fan.may_contact({about_z(3, 70, 0), about_z(3, 110, 0)}, 3 * std::sin(40 * pi / 180)));
+  CHECK(fan.may_contact({about_z(3, 90, 0), about_z(3, -90, 0)}, 0));           // through the hub
+  CHECK(fan.may_contact({about_z(3, 60, 0), about_z(3, -60, 0)}, 0));           // through a sector
+  CHECK_FALSE(fan.may_contact({about_z(3, 10, 1.5), about_z(3, 10, 3)}, 0.4));  // beyond the end
+  CHECK_FALSE(fan.may_contact({about_z(5, 0, 0), about_z(5, 10, 0)}, 0.9));     // outside
+  CHECK_FALSE(fan.may_contact({{-3, 4.5, 0}, {3, 4.5, 0}}, 0.4));
 }
 
 TEST_CASE("cylinder sectors: sectors that cover the circle or half of it, and a hub as wide as the cylinder, leave no gap") {
@@ -143,5 +143,5 @@ TEST_CASE("cylinder sectors: a piece shorter than the slack may cut the corner b
   CHECK_FALSE(fan.clips());
   CHECK(fan.contains(middle));
   CHECK(fan.distance_at_least(middle) == 0);
-  CHECK(fan.may_touch({middle, middle}, 0));
+  CHECK(fan.may_contact({middle, middle}, 0));
 }

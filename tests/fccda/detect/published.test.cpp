@@ -41,7 +41,7 @@ Found share(const Panels& panels, PublishedVariant variant) {
   const std::vector<Contact> contacts = detect(detector, fixtures::points_on(paths));
   const Rejections& rejections = detector.rejections();
   // each pair of point and panel was either rejected by one equation or is the contact that ended the loop
-  CHECK(detector.effort().panels_asked == rejections.by_eq14 + rejections.by_eq15 + rejections.by_eq17 + rejections.by_eq20 + contacts.size());
+  CHECK(detector.effort().panels_tested == rejections.by_eq14 + rejections.by_eq15 + rejections.by_eq17 + rejections.by_eq20 + contacts.size());
   return {static_cast<double>(contacts.size()) / static_cast<double>(paths.size()), rejections};
 }
 

@@ -235,7 +235,7 @@ TEST_CASE("swept: results are bitwise identical when all distances are forgotten
     for (const int forget_every : {1, 7}) {
       Swept forgetful(surface, Unbounded{}, r);
       CHECK(same_bits(contacts, debris_run(forgetful, radius, 60, forget_every)));
-      CHECK(forgetful.effort().points_asked > remembering.effort().points_asked);
+      CHECK(forgetful.effort().points_tested > remembering.effort().points_tested);
     }
     for (const int count : {2, 4}) {
       use_threads(count);
@@ -257,7 +257,7 @@ TEST_CASE("swept: far points are not evaluated at all, step after step") {
     for (Vec3d& x : points.x1) x.y += 1e-3;
     CHECK(detect(detector, points).empty());
   }
-  CHECK(detector.effort().points_asked == 0);
+  CHECK(detector.effort().points_tested == 0);
 }
 
 TEST_CASE("swept: a point that was displaced externally is evaluated again") {

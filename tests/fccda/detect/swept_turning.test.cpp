@@ -126,5 +126,5 @@ TEST_CASE("swept, rotating: points out of reach cost no more with rotation") {
   points.x1 = points.x0;
   Swept detector(surface, Unbounded{}, 0.01);
   CHECK(detect(detector, points, motion, body.travel_bound(motion, 1.2)).empty());
-  CHECK(detector.effort().points_asked == 0);
+  CHECK(detector.effort().points_tested == 0);
 }

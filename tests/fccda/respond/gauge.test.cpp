@@ -47,11 +47,11 @@ struct Shower {
       const Motion motion = body.advance(dt);
       points.x0 = points.x1;
       for (std::size_t i = 0; i < points.size(); ++i) points.x1[i] += dt * points.v[i];
-      const ContactSum tally = respond(points, detect(detector, points, motion, body.travel_bound(motion, radius)), motion, body, 0.3,
-                                       [&](const Contact& contact, const Vec3d& given) {
-                                         for (Gauge& gauge : gauges) gauge.add(contact, points.position_t1(contact.point), given, motion);
-                                       });
-      impulse += tally.impulse, angular_impulse += tally.angular_impulse_about_com, contacts += tally.contacts;
+      const ContactSum sum = respond(points, detect(detector, points, motion, body.travel_bound(motion, radius)), motion, body, 0.3,
+                                     [&](const Contact& contact, const Vec3d& given) {
+                                       for (Gauge& gauge : gauges) gauge.add(contact, points.position_t1(contact.point), given, motion);
+                                     });
+      impulse += sum.impulse, angular_impulse += sum.angular_impulse_about_com, contacts += sum.contacts;
     }
   }
 };

@@ -64,9 +64,9 @@ Drift drift(double dt, double time, double friction) {
   for (double t = 0; t < time - 0.5 * dt; t += dt) {
     const Motion motion = body.advance(dt);
     predict(points, dt);
-    const ContactSum tally = respond(points, detect(detector, points, motion, body.travel_bound(motion, radius)), motion, body, friction);
-    result.contacts += tally.contacts;
-    exchanged += norm(tally.impulse), turned += norm(tally.angular_impulse_about_com);
+    const ContactSum sum = respond(points, detect(detector, points, motion, body.travel_bound(motion, radius)), motion, body, friction);
+    result.contacts += sum.contacts;
+    exchanged += norm(sum.impulse), turned += norm(sum.angular_impulse_about_com);
   }
   result.linear = norm(momentum(points) + body.momentum() - linear) / exchanged;
   result.angular = norm(angular_momentum(points) + body.angular_momentum({}) - angular) / turned;
@@ -98,8 +98,8 @@ TEST_CASE("respond: a frictionless sphere gets no torque; friction gives it one"
     for (int step = 0; step < 100; ++step) {
       const Motion motion = body.advance(2e-3);
       predict(points, 2e-3);
-      const ContactSum tally = respond(points, detect(detector, points, motion), motion, body, friction);
-      turned += norm(tally.angular_impulse_about_com), pushed += norm(tally.impulse);
+      const ContactSum sum = respond(points, detect(detector, points, motion), motion, body, friction);
+      turned += norm(sum.angular_impulse_about_com), pushed += norm(sum.impulse);
     }
     CHECK(pushed > 100);
     if (friction == 0)
@@ -167,14 +167,14 @@ TEST_CASE("respond: one point stops at the wall; its impulse is m v and friction
     Swept detector(wall, Unbounded{}, 0);
     const Motion motion = body.advance(dt);
     Vec3d reported;
-    const ContactSum tally =
+    const ContactSum sum =
         respond(points, detect(detector, points, motion), motion, body, friction, [&](const Contact&, const Vec3d& impulse) { reported += impulse; });
-    CHECK(reported == tally.impulse);
+    CHECK(reported == sum.impulse);
     const double slowed = std::min(friction * 2, slip);
     // the offset of 1e-12 over dt is 1e-9 m/s
     CHECK(norm(points.v[0] - Vec3d{0, slip - slowed, 0}) < 1e-8);
-    CHECK(norm(tally.impulse - Vec3d{-1, 0.5 * slowed, 0}) < 1e-8);
-    CHECK(norm(body.velocity() - tally.impulse / 7) < 1e-15);
+    CHECK(norm(sum.impulse - Vec3d{-1, 0.5 * slowed, 0}) < 1e-8);
+    CHECK(norm(body.velocity() - sum.impulse / 7) < 1e-15);
     CHECK(norm(points.x1[0] - points.x0[0] - dt * points.v[0]) < 1e-15);  // eq. 8 holds with friction too
   }
 }

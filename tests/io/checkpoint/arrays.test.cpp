@@ -114,9 +114,9 @@ TEST_CASE("checkpoint file: a changed byte is refused, or has no effect") {
     put(at, static_cast<char>(static_cast<unsigned char>(whole[at]) ^ (1 + random() % 255)));
     CAPTURE(at);
     Owner back;
-    const std::string said = complaint([&] { back = read(folder / "c.h5"); });
+    const std::string message = complaint([&] { back = read(folder / "c.h5"); });
     REQUIRE(back == Owner{});
-    if (!said.empty()) ++refused;
+    if (!message.empty()) ++refused;
     put(at, whole[at]);
   }
   CHECK(refused > 1000);  // the rest is unused space of HDF5
@@ -125,7 +125,7 @@ TEST_CASE("checkpoint file: a changed byte is refused, or has no effect") {
 TEST_CASE("checkpoint file: other names, types, lengths and numbers of arrays are refused with a sentence") {
   const fixtures::TemporaryFolder folder;
   write(folder / "c.h5", {});
-  const auto said = [&](const auto& use) {
+  const auto message = [&](const auto& use) {
     return complaint([&] {
       ArraysReader file(folder / "c.h5");
       use(file);
@@ -135,13 +135,13 @@ TEST_CASE("checkpoint file: other names, types, lengths and numbers of arrays ar
                     end = ". Restore an intact copy, or start a new run without --resume.";
   std::vector<double> two(2);
   std::vector<float> floats;
-  CHECK(said([&](auto& file) { file("other", floats); }) == begin + "the array other is missing" + end);
-  CHECK(said([&](auto& file) { file("list", floats); }) == begin + "the array list has another number type than expected" + end);
-  CHECK(said([&](auto& file) { file("fixed", std::span<double>(two)); }) == begin + "the array fixed has another length than expected" + end);
-  CHECK(said([&](auto& file) { file.expect_all_read(); }) == begin + "it contains other arrays than expected" + end);
-  CHECK(said([&](auto& file) { file.natural("steps"); }) == begin + "steps is missing" + end);  // it exists, but signed
-  CHECK(said([&](auto& file) { file.word("steps"); }) == begin + "steps is missing" + end);
-  CHECK(said([&](auto& file) { file.text("fixed"); }) == begin + "fixed is not a text" + end);
+  CHECK(message([&](auto& file) { file("other", floats); }) == begin + "the array other is missing" + end);
+  CHECK(message([&](auto& file) { file("list", floats); }) == begin + "the array list has another number type than expected" + end);
+  CHECK(message([&](auto& file) { file("fixed", std::span<double>(two)); }) == begin + "the array fixed has another length than expected" + end);
+  CHECK(message([&](auto& file) { file.expect_all_read(); }) == begin + "it contains other arrays than expected" + end);
+  CHECK(message([&](auto& file) { file.natural("steps"); }) == begin + "steps is missing" + end);  // it exists, but signed
+  CHECK(message([&](auto& file) { file.word("steps"); }) == begin + "steps is missing" + end);
+  CHECK(message([&](auto& file) { file.text("fixed"); }) == begin + "fixed is not a text" + end);
 }
 
 TEST_CASE("checkpoint file: on a full disk the earlier file remains, the message says so, and the next one can be written") {

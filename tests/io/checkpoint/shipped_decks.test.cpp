@@ -94,7 +94,7 @@ void expect_same_when_resumed_at_every_step(const std::vector<Variant>& variants
       whole.step(), resumed->step();
       REQUIRE(fixtures::Snapshot(whole).differences(fixtures::Snapshot(*resumed)) == std::vector<std::string>{});
     }
-    const bool resolved = !whole.impactors().empty() && whole.impactors()[0].record().touched();
+    const bool resolved = !whole.impactors().empty() && whole.impactors()[0].record().was_in_contact();
     const bool something_happened = resolved || whole.bodies()[0].internal.broken_bonds() > 0;
     CHECK(something_happened == (variant.changes != by_the_letter));
     CHECK(resumed->closing_warnings() == whole.closing_warnings());

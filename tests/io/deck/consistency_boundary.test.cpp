@@ -62,6 +62,13 @@ TEST_CASE("consistency of boundary conditions: each kind is read with its units 
   CHECK(boundary<AbsorbingSetup>("absorbing: {particle_set: sink, face: +x}").reflection == 1e-3);
 }
 
+TEST_CASE("consistency of boundary conditions: the water that a body entrains is given once") {
+  check_refused("floating: {added_mass: 1, entrained_depth: 2.625}", "2.625}",
+                "entrained_depth is given beside added_mass, and both are the water that moves with the body; remove one of the two.");
+  CHECK(boundary<FloatingSetup>("floating: {entrained_depth: 450 cm}").entrained_depth == 4.5);
+  CHECK(boundary<FloatingSetup>("floating: {dry_top: 30 cm}").dry_top == 0.3);
+}
+
 TEST_CASE("consistency of boundary conditions: fixed directions") {
   check_refused("fixed: {directions: [x, r]}", "[x, r]", "directions contains \"r\", which is not a direction; known are x, y, z.");
   check_refused("fixed: {directions: [x, x]}", "[x, x]", "directions contains x twice; keep one.");

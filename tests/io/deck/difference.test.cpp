@@ -38,7 +38,7 @@ TEST_CASE("difference: exempt keys are ignored, and long lists are cut") {
   std::string times = "[0";
   for (int k = 1; k < 50; ++k) times += ", " + std::to_string(k);
   const std::string load = "impactors.cylinder.loads.push={force: [0, 1, 0], times: " + times + "], factors: " + times + "]}";
-  const std::string said = difference({load}, {load, "impactors.cylinder.loads.push.times=" + times + ".5]"});
-  CHECK(said.starts_with("impactors.cylinder.loads.push.times: [0, 1, 2, "));
-  CHECK(said.size() < 250);
+  const std::string message = difference({load}, {load, "impactors.cylinder.loads.push.times=" + times + ".5]"});
+  CHECK(message.starts_with("impactors.cylinder.loads.push.times: [0, 1, 2, "));
+  CHECK(message.size() < 250);
 }

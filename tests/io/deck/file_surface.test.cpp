@@ -5,6 +5,7 @@
 #include "fixtures/temporary_folder.hpp"
 #include "fixtures/tolerance.hpp"
 #include "io/deck/fixtures.hpp"
+#include "mesh/shapes/box.hpp"
 
 using namespace perimpact;
 using fixtures::place_of;
@@ -81,4 +82,17 @@ TEST_CASE("file surface: full turns in both directions are valid angles") {
 TEST_CASE("file surface: keys of files are refused for generated shapes and vice versa") {
   const std::string text = fixtures::plate_with("axis: z, edge_length: 0.001}}", "axis: z, edge_length: 0.001}, mirror_merge: y}");
   CHECK(fixtures::complaint(text).starts_with(place_of(text, "mirror_merge") + ": mirror_merge "));
+}
+
+TEST_CASE("file surface: panels in memory are taken by their name, for impactors and for bodies, and no file of that name is needed") {
+  const fccda::NamedPanels cube(fccda::make_box({.size = {1, 1, 1}, .edge_length = 1}));
+  const deck::SurfacesInMemory surfaces{{cube.name(), cube}};
+  const std::string keys = fixtures::plate_with("{cylinder: {diameter: 0.05, height: 0.025, axis: z, edge_length: 0.001}}", "{file: " + cube.name() + "}");
+  const auto read = [&](const deck::SurfacesInMemory& known) {
+    return std::get<FileSurface>(deck::deck_of_tree(deck::parse_document(keys, "deck.yaml"), "deck.yaml", folder().path(), known).setup.impactors[0].surface);
+  };
+  const FileSurface surface = read(surfaces);
+  REQUIRE(surface.panels);
+  CHECK((&surface.panels->panels() == &cube.panels() && surface.file == cube.name()));
+  CHECK_THROWS_AS(read({}), fccda::InputError);
 }

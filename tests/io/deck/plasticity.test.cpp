@@ -34,6 +34,7 @@ TEST_CASE("plasticity: a deck gives a surface by name or a strength, and every d
   CHECK(complaint(plate_of("model: bond-based, critical_stretch: 3e-4, plasticity: {friction_angle: 90 deg}"))
             .find("friction_angle is \"90 deg\", but it must be") != std::string::npos);
   CHECK(complaint(plate_of("model: bond-based, plasticity: {surface: von-mises, compressive_strength: 2 MPa}")) == "");
+  CHECK(complaint(plate_of("model: bond-based, plasticity: {surface: riska-frederking, compressive_strength: 2 MPa}")) == "");  // as in run.json
   CHECK(!read(fixtures::plate).setup.bodies[0].elastic().plasticity);
 }
 

@@ -300,7 +300,7 @@ void fill_material(Random& random, BodySetup& body) {
         if (kept != 2) material.flexural_strength.reset();
         if (!material.flexural_strength) material.layers.reset();
         if (kept == 3 || !(material.critical_stretch || material.fracture_energy || material.flexural_strength)) return;
-        if (random() % 2 == 0) material.ice = IceSetup{.brine_volume = 0.1};  // says nothing that is not said above
+        if (random() % 2 == 0) material.ice = IceSetup{.brine_volume = 0.1};  // determines nothing that the keys above do not
         FailureSetup& failure = body.failure.emplace();
         fill_fields(random, failure);
         const bool is_limit = failure.compression.as<CompressionFailure>() == CompressionFailure::limit;

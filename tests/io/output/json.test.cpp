@@ -44,3 +44,16 @@ TEST_CASE("json: a number reads back to the same double, and values that are not
 TEST_CASE("json: quotes, backslashes and control characters are escaped, other characters are unchanged") {
   CHECK(Json("C:\\ice \"Δ = 1\"\n\t\x01").text() == "\"C:\\\\ice \\\"Δ = 1\\\"\\n\\u0009\\u0001\"\n");
 }
+
+TEST_CASE("json: line() has the same values on one line, and append() adds the members of another object") {
+  Json event = Json::object();
+  event["event"] = "end";
+  Json members = Json::object();
+  members["time [s]"] = 0.5;
+  members["bodies"]["plate"]["parts"].push_back(Json::object());
+  members["setup"] = Json::verbatim("{\n  \"a\": 1\n}\n");
+  members["text"] = "two\nlines";
+  event.append(members);
+  CHECK(event.line() ==
+        "{\"event\": \"end\", \"time [s]\": 0.5, \"bodies\": {\"plate\": {\"parts\": [{}]}}, \"setup\": {   \"a\": 1 }, \"text\": \"two\\nlines\"}\n");
+}

@@ -17,7 +17,7 @@ using namespace perimpact;
 namespace {
 
 /// A block hit by a face wider than itself, with panels smaller than its spacing.
-Setup struck_block() {
+Setup impacted_block() {
   Setup setup;
   setup.time = {.end = 20e-6, .step = 5e-7};
   BodySetup block;
@@ -41,7 +41,8 @@ Setup struck_block() {
 
 fixtures::VtpFile frame_of(PanelFrames& frames, const fixtures::TemporaryFolder& folder, const Simulation& simulation) {
   const std::filesystem::path path = folder.path() / "frame.vtp";
-  frames.write(path, simulation.impactors()[0], simulation.clock().time());
+  frames.write([&](const output::PolyData& frame) { output::write_vtp(path, frame, output::Compression::zlib); }, simulation.impactors()[0],
+               simulation.clock().time());
   std::ifstream file(path, std::ios::binary);
   return fixtures::VtpFile({std::istreambuf_iterator<char>(file), {}});
 }
@@ -50,7 +51,7 @@ fixtures::VtpFile frame_of(PanelFrames& frames, const fixtures::TemporaryFolder&
 
 TEST_CASE("panel frames: impulses of the panels sum to the momentum loss of the impactor, and pressures times areas to the force") {
   const fixtures::TemporaryFolder folder;
-  Simulation simulation(struck_block());
+  Simulation simulation(impacted_block());
   const Impactor& hammer = simulation.impactors()[0];
   const fccda::PanelFaces faces(hammer.surface());
   PanelFrames frames;
@@ -91,7 +92,7 @@ TEST_CASE("panel frames: impulses of the panels sum to the momentum loss of the 
 
 TEST_CASE("panel frames: an analytic sphere resolves no panels and has no arrays") {
   const fixtures::TemporaryFolder folder;
-  Setup setup = struck_block();
+  Setup setup = impacted_block();
   setup.impactors[0].surface = SphereSurface{.diameter = 0.02, .edge_length = 0.002};
   setup.contact.impactors.detector.index = static_cast<int>(DetectorKind::analytic);
   const Simulation simulation(setup);

@@ -155,7 +155,7 @@ TEST_CASE("channel: it is read from the last frame up to a time, with the positi
   CHECK(length(0.1) == 0);
   CHECK(read_channel_frame(folder.path(), "ice", 0.3).time == 0.25);
 
-  const auto said = [&](const std::string& body, std::optional<double> latest = {}) {
+  const auto message = [&](const std::string& body, std::optional<double> latest = {}) {
     try {
       read_channel_frame(folder.path(), body, latest);
     } catch (const fccda::InputError& error) {
@@ -163,11 +163,12 @@ TEST_CASE("channel: it is read from the last frame up to a time, with the positi
     }
     return std::string();
   };
-  CHECK(said("snow") == "--channel: " + folder.path().string() + " has no body snow; its bodies: ice, rock.");
-  CHECK(said("rock") == "--channel: body rock has no failure criterion, so it has no channel; set critical_stretch in its material, or failure in the body.");
-  CHECK(said("ice", -1) == (frames / "ice.pvd").string() + " lists no frame up to -1 s; use a later --to.");
+  CHECK(message("snow") == "--channel: " + folder.path().string() + " has no body snow; its bodies: ice, rock.");
+  CHECK(message("rock") ==
+        "--channel: body rock has no failure criterion, so it has no channel; set critical_stretch in its material, or failure in the body.");
+  CHECK(message("ice", -1) == (frames / "ice.pvd").string() + " lists no frame up to -1 s; use a later --to.");
   std::filesystem::remove(frames / "ice.pvd");
-  CHECK(said("ice") == (frames / "ice.pvd").string() + " does not exist; the channel width is read from frames, so the run needs output.frames.");
+  CHECK(message("ice") == (frames / "ice.pvd").string() + " does not exist; the channel width is read from frames, so the run needs output.frames.");
   std::filesystem::remove(folder / "run.json");
-  CHECK(said("ice") == (folder / "run.json").string() + " does not exist; the channel width is available once the run has ended or was interrupted.");
+  CHECK(message("ice") == (folder / "run.json").string() + " does not exist; the channel width is available once the run has ended or was interrupted.");
 }

@@ -51,16 +51,16 @@ TEST_CASE("table: a missing or damaged file is refused with its line") {
   const fixtures::TemporaryFolder folder;
   const std::filesystem::path file = folder / "history.csv";
   CHECK(complaint(file) == file.string() + " does not exist; give a results folder written by `perimpact run`.");
-  const auto said = [&](const std::string& text) {
+  const auto message = [&](const std::string& text) {
     fixtures::put(file, text);
     return complaint(file);
   };
   const std::string place = file.string();
-  CHECK(said("time [s],f [N]\n0,1\n1,\n") == place + ":3: this row has no number in column 2 (f [N]); use the file as written by the run.");
-  CHECK(said("time [s],f [N]\n0\n") == place + ":2: this row has 1 numbers, but the first line names 2 columns; use the file as written by the run.");
-  CHECK(said("time [s],f [N]\n0,1,2\n") == place + ":2: this row has text after its 2 numbers; use the file as written by the run.");
-  CHECK(said("time [s],f [N]\n0,one\n").find(":2: this row has no number in column 2") != std::string::npos);
-  CHECK(said("time [s],f [N]\n0,1\n").empty());
+  CHECK(message("time [s],f [N]\n0,1\n1,\n") == place + ":3: this row has no number in column 2 (f [N]); use the file as written by the run.");
+  CHECK(message("time [s],f [N]\n0\n") == place + ":2: this row has 1 numbers, but the first line names 2 columns; use the file as written by the run.");
+  CHECK(message("time [s],f [N]\n0,1,2\n") == place + ":2: this row has text after its 2 numbers; use the file as written by the run.");
+  CHECK(message("time [s],f [N]\n0,one\n").find(":2: this row has no number in column 2") != std::string::npos);
+  CHECK(message("time [s],f [N]\n0,1\n").empty());
 }
 
 TEST_CASE("table: history.json determines the kind of a history column, whatever its name") {
@@ -82,7 +82,7 @@ TEST_CASE("table: history.json determines the kind of a history column, whatever
   CHECK((!table.facts[0].is_mean && table.facts[1].is_mean && !table.facts[2].is_mean && !table.facts[3].is_mean));
   CHECK(columns_of_loads(table) == Numbers{3});
 
-  const auto said = [&] {
+  const auto message = [&] {
     try {
       read_history(folder.path());
     } catch (const fccda::InputError& error) {
@@ -92,15 +92,15 @@ TEST_CASE("table: history.json determines the kind of a history column, whatever
   };
   const std::string place = (folder / "history.json").string();
   facts({time, column("ship.water_force_z", "N", "interval mean")});
-  CHECK(said() == place + " does not describe the 4 columns of history.csv; use the file as written by the run.");
+  CHECK(message() == place + " does not describe the 4 columns of history.csv; use the file as written by the run.");
   facts({time, column("ship.water_force_z", "N", "mean"), time, time});
-  CHECK(said() ==
+  CHECK(message() ==
         place +
             " gives ship.water_force_z [N] the kind \"mean\", which is not instantaneous, interval mean or cumulative; use the file as written by the run.");
   facts({time, column("ship.force_x", "N", "instantaneous"), time, time});
-  CHECK(said() == place + " names a different column where history.csv has ship.water_force_z [N]; use the file as written by the run.");
+  CHECK(message() == place + " names a different column where history.csv has ship.water_force_z [N]; use the file as written by the run.");
   std::filesystem::remove(folder / "history.json");
-  CHECK(said().starts_with(place + " does not exist; it describes the columns of history.csv."));
+  CHECK(message().starts_with(place + " does not exist; it describes the columns of history.csv."));
 }
 
 TEST_CASE("table: a column's heading consists of its quantity and its unit") {
@@ -115,7 +115,7 @@ TEST_CASE("table: columns are selected by full names or by prefixes that end at 
   CHECK(columns_named(table, {"ship.force"}) == Numbers{2, 3});
   CHECK(columns_named(table, {"ship.bow", "ice.kinetic_energy"}) == Numbers{6, 7, 8, 9});
   CHECK(columns_named(table, {"ice.grip.work", "total"}) == Numbers{11, 12});
-  const auto said = [&](const std::string& word) {
+  const auto message = [&](const std::string& word) {
     try {
       columns_named(table, {word});
     } catch (const fccda::InputError& error) {
@@ -123,8 +123,8 @@ TEST_CASE("table: columns are selected by full names or by prefixes that end at 
     }
     return std::string();
   };
-  CHECK(said("ship.forse_x") == "--columns: r/history.csv has no column ship.forse_x; did you mean ship.force_x?");
-  CHECK(said("zzz") == "--columns: r/history.csv has no column zzz; its first line lists the columns.");
-  CHECK(said("ship.for").find("has no column ship.for") != std::string::npos);
-  CHECK(said("").find("has no column without a name") != std::string::npos);
+  CHECK(message("ship.forse_x") == "--columns: r/history.csv has no column ship.forse_x; did you mean ship.force_x?");
+  CHECK(message("zzz") == "--columns: r/history.csv has no column zzz; its first line lists the columns.");
+  CHECK(message("ship.for").find("has no column ship.for") != std::string::npos);
+  CHECK(message("").find("has no column without a name") != std::string::npos);
 }

@@ -61,9 +61,9 @@ TEST_CASE("bvh: results are bitwise identical for any guess") {
   std::mt19937_64 random(6);
   for (int trial = 0; trial < 2000; ++trial) {
     const Vec3d point = fixtures::random_in_box(random, {-0.7, -0.4, -0.3}, {0.7, 0.4, 0.3});
-    std::size_t asked = 0;
-    const auto plain = bvh.closest(point, Bvh::no_cap, -1, asked);
-    const auto guessed = bvh.closest(point, Bvh::no_cap, static_cast<int>(random() % surface.triangles().size()), asked);
+    std::size_t tested = 0;
+    const auto plain = bvh.closest(point, Bvh::no_cap, -1, tested);
+    const auto guessed = bvh.closest(point, Bvh::no_cap, static_cast<int>(random() % surface.triangles().size()), tested);
     REQUIRE((plain && guessed));
     CHECK(plain->triangle == guessed->triangle);
     CHECK(plain->point == guessed->point);
@@ -83,15 +83,15 @@ TEST_CASE("bvh: results with cached surroundings are bitwise identical, and save
       // reaches from a fraction of a panel to many of them, where the list of leaves overflows; ends within, at the limit and beyond
       const double reach = std::pow(10, -4 + 4 * unit(random)) * largest_magnitude(bounds.size());
       const Vec3d centre = trial % 2 == 0 ? fixtures::random_in_box(random, bounds.low, bounds.high) : surface.vertices()[random() % surface.vertices().size()];
-      std::size_t asked = 0;
+      std::size_t tested = 0;
       Bvh::Nearby nearby;
-      const std::optional<ClosestPoint> at_centre = bvh.closest(centre, Bvh::no_cap, -1, reach, nearby, asked);
+      const std::optional<ClosestPoint> at_centre = bvh.closest(centre, Bvh::no_cap, -1, reach, nearby, tested);
       REQUIRE(at_centre);
       CHECK(at_centre->point == bvh.closest(centre)->point);
       for (const double share : {0.0, 0.5, 0.98, 1.02, 3.0}) {
         const Vec3d point = centre + share * reach * fixtures::random_direction(random);
         const ClosestPoint truth = *bvh.closest(point);
-        const std::optional<ClosestPoint> found = bvh.closest(point, nearby, at_centre->triangle, asked);
+        const std::optional<ClosestPoint> found = bvh.closest(point, nearby, at_centre->triangle, tested);
         REQUIRE(found);
         CHECK((found->triangle == truth.triangle && found->feature == truth.feature && found->point == truth.point && found->distance == truth.distance));
         (share * reach < 0.99 * nearby.reach ? from_nearby : walked) += 1;
@@ -106,8 +106,8 @@ TEST_CASE("bvh: among equal distances the lowest panel counts, wherever the sear
   const Surface cube(fixtures::unit_cube());
   const Bvh bvh(cube);
   for (int guess = -1; guess < 12; ++guess) {
-    std::size_t asked = 0;
-    const std::optional<ClosestPoint> closest = bvh.closest({0.5, 0.5, 0.5}, Bvh::no_cap, guess, asked);  // half from each of the six
+    std::size_t tested = 0;
+    const std::optional<ClosestPoint> closest = bvh.closest({0.5, 0.5, 0.5}, Bvh::no_cap, guess, tested);  // half from each of the six
     REQUIRE(closest);
     CHECK(closest->triangle == 0);
     CHECK(cube.triangles()[0].panel == 0);
@@ -127,8 +127,8 @@ TEST_CASE("bvh: among the triangles that face a viewer, the closest one is found
       if (dot(viewer - corners[0], cross(corners[1] - corners[0], corners[2] - corners[0])) > 0)
         truth = std::min(truth, fixtures::Soup::distance(point, corners));
     }
-    std::size_t asked = 0;
-    const auto closest = bvh.closest_facing(point, viewer, Bvh::no_cap, asked);
+    std::size_t tested = 0;
+    const auto closest = bvh.closest_facing(point, viewer, Bvh::no_cap, tested);
     CHECK(closest.has_value() == (truth < 1e300));
     if (closest) CHECK(std::fabs(closest->distance - truth) < 1e-14);  // rounding of numbers below one
   }
@@ -145,13 +145,13 @@ TEST_CASE("bvh: the distance to a segment is the least to any triangle, and 0 if
     for (int trial = 0; trial < 50; ++trial) {
       const Vec3d start = fixtures::random_in_box(random, bounds.low, bounds.high) + 0.1 * fixtures::random_direction(random);
       const Path path{start, start + (trial % 2 == 0 ? 0.05 : 0.5) * fixtures::random_direction(random)};
-      std::size_t asked = 0;
-      const auto distance = bvh.distance_to_segment(path.start, path.end, Bvh::no_cap, asked);
+      std::size_t tested = 0;
+      const auto distance = bvh.distance_to_segment(path.start, path.end, Bvh::no_cap, tested);
       REQUIRE(distance);
       const double truth = soup.distance(path);
       CHECK(*distance <= truth + 1e-12 * largest_magnitude(bounds.high));  // rounding of coordinates
       CHECK(*distance >= truth - 1e-9);                                    // the accuracy of the reference minimum
-      CHECK_FALSE(bvh.distance_to_segment(path.start, path.end, *distance - 1e-9, asked));
+      CHECK_FALSE(bvh.distance_to_segment(path.start, path.end, *distance - 1e-9, tested));
     }
   }
 }
@@ -172,8 +172,8 @@ TEST_CASE("bvh: paths straight at vertices and edges never pass through") {
       const Vec3d way = normalised(out + 0.4 * fixtures::random_direction(random));
       const Vec3d start = place + 1e-3 * way, end = place - 1e-3 * way;
       // through the point, so one of the two directions meets a front
-      std::size_t asked = 0;
-      const bool hit = bvh.first_hit(start, end, asked).has_value() || bvh.first_hit(end, start, asked).has_value();
+      std::size_t tested = 0;
+      const bool hit = bvh.first_hit(start, end, tested).has_value() || bvh.first_hit(end, start, tested).has_value();
       missed += !hit;
     }
     CHECK(missed == 0);
@@ -183,8 +183,8 @@ TEST_CASE("bvh: paths straight at vertices and edges never pass through") {
 TEST_CASE("bvh: the first hit is the nearest of all front faces on the path") {
   const Surface surface(fixtures::torus(0.4, 0.15, 24, 12));
   const Bvh bvh(surface);
-  std::size_t asked = 0;
-  const auto first = bvh.first_hit({-2, 0.01, 0.02}, {2, 0.01, 0.02}, asked);
+  std::size_t tested = 0;
+  const auto first = bvh.first_hit({-2, 0.01, 0.02}, {2, 0.01, 0.02}, tested);
   REQUIRE(first);
   // the outer equator of a torus of 24 × 12 panels is at most 0.55 and at least 0.55 cos(π/24) away from the axis
   CHECK(-2 + 4 * first->fraction == fixtures::relative(-0.547, 0.01));
@@ -195,11 +195,11 @@ TEST_CASE("bvh: queries with not-a-number, or beyond the range of floats, find n
   const Bvh bvh(surface);
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   for (const Vec3d& point : {Vec3d{nan, 0, 0}, Vec3d{0, nan, 0}, Vec3d{nan, nan, nan}, Vec3d{inf, 0, 0}, Vec3d{0, -inf, nan}, Vec3d{1e300, 0, 0}}) {
-    std::size_t asked = 0;
+    std::size_t tested = 0;
     CHECK_FALSE(bvh.closest(point));
-    CHECK_FALSE(bvh.closest_facing(point, {0, 0, 2}, 1, asked));
+    CHECK_FALSE(bvh.closest_facing(point, {0, 0, 2}, 1, tested));
     if (is_finite(point)) continue;
-    CHECK_FALSE(bvh.first_hit(point, {0, 0, 0}, asked));
-    CHECK_FALSE(bvh.distance_to_segment({0, 0, 0}, point, 1, asked));
+    CHECK_FALSE(bvh.first_hit(point, {0, 0, 0}, tested));
+    CHECK_FALSE(bvh.distance_to_segment({0, 0, 0}, point, 1, tested));
   }
 }

@@ -77,9 +77,9 @@ TEST_CASE("crack: a particle in its plane counts as on the side of the normal, s
   CHECK(!crack.cuts(x(0), {1.5, 0.5, 0}));
   CHECK(crack.cuts(x(-tolerance / 2), x(-1)));  // rounding below the plane
   CHECK(!crack.cuts(x(-tolerance / 2), x(1)));
-  CHECK(crack.holds(x(0)));
-  CHECK(!crack.holds(x(3 * tolerance)));
-  CHECK(!crack.holds({1.5, 1.5, 0}));
+  CHECK(crack.contains(x(0)));
+  CHECK(!crack.contains(x(3 * tolerance)));
+  CHECK(!crack.contains({1.5, 1.5, 0}));
   const Crack other_way({corner.rbegin(), corner.rend()}, tolerance);
   CHECK(!other_way.cuts(x(0), x(-1)));
   CHECK(other_way.cuts(x(0), x(1)));

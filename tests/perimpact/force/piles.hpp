@@ -17,7 +17,7 @@ struct Pile {
   ShortRangeLaw law;
   std::vector<Body> bodies;
 
-  std::vector<ContactingBody> touching() {
+  std::vector<ContactingBody> contacts() {
     std::vector<ContactingBody> all;
     for (Body& body : bodies) {
       const IsotropicElastic& elastic = body.internal.ordinary_state()->law().elastic();

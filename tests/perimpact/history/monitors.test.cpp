@@ -18,7 +18,7 @@ using fixtures::value;
 namespace {
 
 /// A block of 4 × 4 × 4 cm in contact with a face wider than itself, for 600 steps.
-Setup struck_block(std::optional<double> history) {
+Setup impacted_block(std::optional<double> history) {
   Setup setup;
   setup.time = {.end = 600 * 4e-7, .step = 4e-7};
   BodySetup block = fixtures::body_setup({.size = {0.04, 0.04, 0.04}, .spacing = 0.01});
@@ -50,7 +50,7 @@ void give_energy(Simulation& simulation) {
 TEST_CASE("monitors: energy without a source is detected at the same step, with the same message, for any output.history_interval") {
   std::vector<std::string> sentences;
   for (const std::optional<double> history : {std::optional<double>(), std::optional(4e-7), std::optional(28e-7), std::optional(1.0)}) {
-    Simulation simulation(struck_block(history));
+    Simulation simulation(impacted_block(history));
     while (simulation.clock().step < 301) simulation.step();
     give_energy(simulation);
     try {
@@ -68,7 +68,7 @@ TEST_CASE("monitors: output.history_interval changes neither the state nor the l
   std::vector<double> pressure;
   std::uint64_t hash = 0;
   for (const double history : {4e-7, 28e-7, 1.0}) {
-    Simulation simulation(struck_block(history));
+    Simulation simulation(impacted_block(history));
     fixtures::run(simulation);
     const std::span<const double> peak = simulation.impactors()[0].record().panels().peak_pressure();
     if (pressure.empty()) {
@@ -82,7 +82,7 @@ TEST_CASE("monitors: output.history_interval changes neither the state nor the l
 }
 
 TEST_CASE("monitors: creating a row does not change the state, and interval means add up to the ledgers") {
-  Simulation often(struck_block(4e-7)), seldom(struck_block(1.0));
+  Simulation often(impacted_block(4e-7)), seldom(impacted_block(1.0));
   double impulse = 0;
   while (!often.clock().is_finished()) {
     often.step(), seldom.step();
@@ -94,7 +94,7 @@ TEST_CASE("monitors: creating a row does not change the state, and interval mean
 }
 
 TEST_CASE("monitors: each column has a kind, a unit and a meaning; forces are interval means, works cumulative") {
-  const Simulation simulation(struck_block({}));
+  const Simulation simulation(impacted_block({}));
   for (const Column& column : simulation.monitors().columns()) {
     CHECK_FALSE(column.unit.empty());
     CHECK_FALSE(column.meaning.empty());

@@ -63,10 +63,10 @@ TEST_CASE("contact record: the peak keeps time and pressures of the load interva
 
 TEST_CASE("contact record: it records which bodies were ever in contact") {
   ContactRecord record(cube(), std::vector<double>{0.1, 0.1, 0.1});
-  CHECK_FALSE(record.touched());
+  CHECK_FALSE(record.was_in_contact());
   push(record, 1, 0, 0, 1);
   record.end_interval(1, 1);
   record.end_interval(2, 1);
-  CHECK(record.touched());
-  CHECK((!record.touched(0) && record.touched(1) && !record.touched(2)));
+  CHECK(record.was_in_contact());
+  CHECK((!record.was_in_contact(0) && record.was_in_contact(1) && !record.was_in_contact(2)));
 }

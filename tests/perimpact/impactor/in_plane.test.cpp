@@ -17,7 +17,7 @@ namespace {
 constexpr double spacing = 0.002, height = 0.03;  // [m]; `height`: of the plane z
 
 /// A plane plate off the origin's height, and a cylinder through its plane in off-centre contact with an edge.
-Setup struck_plate() {
+Setup impacted_plate() {
   Setup setup;
   setup.time = {.end = 30e-6, .step = 1e-7};
   BodySetup plate = fixtures::body_setup({.size = {0.04, 0.02, 0.003}, .spacing = spacing, .plane = Plane::stress});
@@ -42,7 +42,7 @@ bool holds(const std::string& text, const std::string& words) { return text.find
 }  // namespace
 
 TEST_CASE("in plane: a plane body in contact stays bitwise in its plane, and momentum in the plane is conserved") {
-  Simulation simulation(struck_plate());
+  Simulation simulation(impacted_plate());
   const Particles& particles = simulation.bodies()[0].particles;
   const Vec3d start = 0.05 * Vec3d{2, -30, 0};
   while (!simulation.clock().is_finished()) simulation.step();
@@ -62,15 +62,15 @@ TEST_CASE("in plane: a plane body in contact stays bitwise in its plane, and mom
 
 TEST_CASE("in plane: an impactor that can leave the plane is refused") {
   const char* sentence = "body that it may contact is plane: restrict it to motion along x and y";
-  CHECK(complaint(struck_plate()).empty());
-  Setup setup = struck_plate();
+  CHECK(complaint(impacted_plate()).empty());
+  Setup setup = impacted_plate();
   setup.impactors[0].velocity.z = 0.1;
   CHECK(holds(complaint(setup), "impactors.cylinder: cylinder moves or is free in z, but a"));
   CHECK(holds(complaint(setup), sentence));
-  setup = struck_plate();
+  setup = impacted_plate();
   setup.impactors[0].free_dofs.push_back("ry");
   CHECK(holds(complaint(setup), "is free in ry"));
-  setup = struck_plate();
+  setup = impacted_plate();
   setup.impactors[0].free_dofs = {"x", "y"};
   setup.impactors[0].angular_velocity = {1, 0, 0};
   CHECK(holds(complaint(setup), "is free in rx"));
@@ -78,7 +78,7 @@ TEST_CASE("in plane: an impactor that can leave the plane is refused") {
 
 TEST_CASE("in plane: an open surface must extend through the plane") {
   const ::fixtures::TemporaryFolder folder;
-  Setup setup = struck_plate();
+  Setup setup = impacted_plate();
   const auto wall = [&](double low) {
     ::fixtures::put(folder / "wall.obj",
                     "v -0.01 0 " + std::to_string(low) + "\nv 0.01 0 " + std::to_string(low) + "\nv 0.01 0 0.04\nv -0.01 0 0.04\nf 1 2 3 4\n");
@@ -95,7 +95,7 @@ TEST_CASE("in plane: an open surface must extend through the plane") {
 
 TEST_CASE("in plane: a surface must be prismatic where contact spheres can meet it, and only there") {
   const char* sentence = "the surface does not run along z where it meets it: a panel at";
-  Setup setup = struck_plate();
+  Setup setup = impacted_plate();
   setup.impactors[0].position.z = height + 0.0019;  // the lower end 3.1 mm under the plane, a spacing and a contact radius being 3 mm
   CHECK(complaint(setup).empty());
   setup.impactors[0].position.z = height + 0.0021;

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fixtures/tolerance.hpp"
@@ -11,6 +12,7 @@
 #include "perimpact/plane_waves.hpp"
 
 using namespace perimpact;
+using fixtures::Model;
 
 namespace {
 /// In units of Δ/√(E/ρ), as the table of the physics notes 2.3 has it.
@@ -43,6 +45,22 @@ TEST_CASE("stable step: the limit of the infinite lattice is that of the Bloch a
 TEST_CASE("stable step: the estimate of Silling and Askari is that of the reference table, for an interior particle") {
   CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::madenci_oterkus, 0.25))) == fixtures::relative(0.924, 0.001));  // three digits
   CHECK(in_spacings(silling_askari_step(continuum_body(FamilyRule::hu_ha_bobaru, 0.25))) == fixtures::relative(0.888, 0.001));
+}
+
+TEST_CASE("stable step: the estimate is that of the stiffest particle of a plain loop, though equal packs are summed once") {
+  for (const Model model : {Model::ordinary_state, Model::bond_based, Model::correspondence})
+    for (const Vec3d& size : {Vec3d{0.09, 0.02, 0.02}, Vec3d{0.032, 0.03, 0.03}}) {
+      BodySetup setup = fixtures::body_setup({.size = size, .model = model});
+      setup.holes = {{.name = "hole", .shape = BoxSolid{.size = {0.009, 0.003, 1}}, .position = {0.01, 0, 0}}};
+      const Body body = make_body(setup);
+      double stiffest = 0;
+      for (const std::uint32_t slot : body.particles.slot_of()) {
+        double sum = 0;
+        body.family.for_each_bond(slot, [&](const FamilyBond& bond) { sum += body.internal.bond_stiffness(slot, bond) * bond.volume; });
+        stiffest = std::max(stiffest, sum);
+      }
+      CHECK(silling_askari_step(body) == std::sqrt(2 * fixtures::density / stiffest));  // bitwise: the same sums
+    }
 }
 
 TEST_CASE("stable step: the lower bound for a body is longer than the estimate and no longer than its stiffest mode permits") {

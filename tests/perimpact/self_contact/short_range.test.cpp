@@ -22,7 +22,7 @@ class AllPairs {
  public:
   std::vector<std::vector<Vec3d>> force;  // [N] of each body and slot, of the last evaluation
   double energy = 0, friction_dissipation = 0, damped_work = 0;
-  std::size_t touching = 0;
+  std::size_t contacts = 0;
 
   void evaluate(const Pile& pile, double dt) {
     const std::vector<Particle> particles = particles_of(pile);
@@ -77,7 +77,7 @@ class AllPairs {
     // forces
     force.clear();
     for (const Body& body : pile.bodies) force.emplace_back(body.particles.slots());
-    touching = 0;
+    contacts = 0;
     for (auto& [ends, slip] : slips_) {
       const auto [a, b] = ends;
       const Particle &i = particles[a], &j = particles[b];
@@ -89,7 +89,7 @@ class AllPairs {
         slip = {};
         continue;
       }
-      ++touching;
+      ++contacts;
       const double steep = W_slope(r / d) / d, spring = (push_i * share(j, d) + push_j * share(i, d)) * steep;
       const double K = ((same ? own_B[a] : other_B[a]) * std::pow(share(j, d), 2) + (same ? own_B[b] : other_B[b]) * std::pow(share(i, d), 2)) * steep * steep;
       const Vec3d n = (j.x - i.x) / r, w = j.v - i.v;
@@ -196,15 +196,15 @@ TEST_CASE("short range: forces are those of a sum over all pairs, for lattices a
         CAPTURE(static_cast<int>(plane));
         CAPTURE(share);
         Pile pile = wreck(points, plane, share);
-        const auto bodies = pile.touching();
+        const auto bodies = pile.contacts();
         ShortRange contact(pile.law, bodies);
         AllPairs expected;
         for (int step = 0; step < 6; ++step) {
           pile.clear_forces();
           contact.add_forces(bodies, step > 0 ? dt : 0);
           expected.evaluate(pile, step > 0 ? dt : 0);
-          REQUIRE(expected.touching > 20);
-          CHECK(contact.touching() == expected.touching);
+          REQUIRE(expected.contacts > 20);
+          CHECK(contact.contacts() == expected.contacts);
           CHECK(difference(pile, expected) <= 1e-10);  // sums of some twenty forces in another order, of overlaps that are small differences
           CHECK(contact.energy() == fixtures::relative(expected.energy, 1e-10));
           if (step > 0) {
@@ -219,7 +219,7 @@ TEST_CASE("short range: forces are those of a sum over all pairs, for lattices a
 TEST_CASE("short range: bond failure and motion take effect in the same step, with and without the list") {
   constexpr double dt = 1e-8;
   Pile pile = wreck(fixtures::Points::lattice, Plane::none, 0.02);
-  const auto bodies = pile.touching();
+  const auto bodies = pile.contacts();
   ShortRange contact(pile.law, bodies);
   AllPairs expected;
   std::mt19937_64 random(17);
@@ -253,11 +253,11 @@ TEST_CASE("short range: bond failure in place causes no repulsion, and contact a
     pile.bodies.push_back(fixtures::body({.size = {0.011, 0.009, 0.009}, .spacing = spacing}));
     Body& body = pile.bodies[0];
     fixtures::deform(body, [&](const Vec3d& X) { return Vec3d{squeeze * X.x, X.y, X.z}; });
-    const auto bodies = pile.touching();
+    const auto bodies = pile.contacts();
     ShortRange contact(pile.law, bodies);
     AllPairs expected;
     contact.add_forces(bodies, 0), expected.evaluate(pile, 0);
-    REQUIRE(contact.touching() == 0);
+    REQUIRE(contact.contacts() == 0);
     const Lattice& lattice = *body.particles.lattice();
     const std::size_t where = lattice.slot(5, 4, 4);  // deep inside, where nothing is listed yet
     body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
@@ -271,13 +271,13 @@ TEST_CASE("short range: bond failure in place causes no repulsion, and contact a
       CHECK(difference(pile, expected) <= 1e-10);
     };
     contact.add_forces(bodies, 1e-8), expected.evaluate(pile, 1e-8);
-    CHECK(contact.touching() == 0);
+    CHECK(contact.contacts() == 0);
     CHECK(contact.energy() == 0);
     const auto shift = [&](double by) { body.particles.position.set(where, body.particles.position.at(where) + Vec3d{by * spacing, 0, 0}); };
     // closer to one and farther from the other: the densities of both ends increase
     shift(0.2);
     evaluate();
-    CHECK(contact.touching() >= 1);
+    CHECK(contact.contacts() >= 1);
     CHECK(contact.energy() > 0);
   }
 }
@@ -286,7 +286,7 @@ TEST_CASE("short range: linear momentum is conserved to rounding, angular moment
   for (const double friction : {0.0, 0.3}) {
     Pile pile = wreck(fixtures::Points::shaken, Plane::none, 0.5);
     pile.law.friction = friction;
-    const auto bodies = pile.touching();
+    const auto bodies = pile.contacts();
     ShortRange contact(pile.law, bodies);
     for (int step = 0; step < 6; ++step) {
       pile.clear_forces();
@@ -309,10 +309,10 @@ TEST_CASE("short range: no force acts between neighbours with an intact bond, st
       Pile pile{.law = {}, .bodies = {}};
       pile.bodies.push_back(fixtures::body({.size = {0.008, 0.006, 0.005}, .points = points}));
       fixtures::deform(pile.bodies[0], [&](const Vec3d& X) { return Vec3d{stretch * X.x, X.y, X.z}; });
-      const auto bodies = pile.touching();
+      const auto bodies = pile.contacts();
       ShortRange contact(pile.law, bodies);
       contact.add_forces(bodies, 1e-8);
-      CHECK(contact.touching() == 0);
+      CHECK(contact.contacts() == 0);
       CHECK(pile.magnitude() == 0);
     }
 }
@@ -327,7 +327,7 @@ TEST_CASE("short range: a thin plate folded onto itself is in self-contact, with
     const double side = X.x > 0 ? 1 : -1, along = std::fabs(X.x) - radius * half;
     return Vec3d{-along, X.y, side * (radius + X.z - 0.1 * along)};
   });
-  const auto bodies = pile.touching();
+  const auto bodies = pile.contacts();
   ShortRange contact(pile.law, bodies);
   contact.add_forces(bodies, 1e-8);
   // initially there is no force; further compression makes the halves repel
@@ -341,13 +341,13 @@ TEST_CASE("short range: a thin plate folded onto itself is in self-contact, with
   }
   pile.clear_forces();
   contact.add_forces(bodies, 1e-8), expected.evaluate(pile, 1e-8);
-  CHECK(contact.touching() > 10);
+  CHECK(contact.contacts() > 10);
   CHECK(difference(pile, expected) <= 1e-10);
 }
 
 TEST_CASE("short range: bodies in common translation need no new list, however far") {
   Pile pile = wreck(fixtures::Points::lattice, Plane::none, 0.3);
-  const auto bodies = pile.touching();
+  const auto bodies = pile.contacts();
   ShortRange contact(pile.law, bodies);
   for (int step = 0; step < 20; ++step) {
     contact.add_forces(bodies, 1e-8);
@@ -360,7 +360,7 @@ TEST_CASE("short range: coincident particles are not repelled, and all values st
   Pile pile{.law = {.friction = 0.3}, .bodies = {}};
   pile.bodies.push_back(fixtures::lone_particle(spacing, {}, {1, 0, 0}));
   pile.bodies.push_back(fixtures::lone_particle(spacing, {}, {-1, 0, 0}));
-  const auto bodies = pile.touching();
+  const auto bodies = pile.contacts();
   ShortRange contact(pile.law, bodies);
   contact.add_forces(bodies, 1e-8);
   CHECK(pile.magnitude() == 0);

@@ -31,7 +31,7 @@ double restitution_of_two(double wanted, double steps) {
   fixtures::Pile pile{.law = {.damping_ratio = damping_ratio_of(wanted)}, .bodies = {}};
   pile.bodies.push_back(fixtures::lone_particle(size, {-0.55 * size, 0, 0}, {1, 0, 0}));
   pile.bodies.push_back(fixtures::lone_particle(size, {0.55 * size, 0, 0}, {-1, 0, 0}));
-  const auto bodies = pile.touching();
+  const auto bodies = pile.contacts();
   ShortRange contact(pile.law, bodies);
   const double mass = pile.bodies[0].particles.mass(pile.bodies[0].particles.slot_of()[0]), volume = size * size * size;
   const double dt = 1 / steps / std::sqrt(bodies[0].stiffness * volume * volume / (0.5 * mass));
@@ -44,9 +44,9 @@ double restitution_of_two(double wanted, double steps) {
     for (Body& body : pile.bodies) advance(body.particles, dt, travel);
     pile.clear_forces();
     contact.add_forces(bodies, dt);
-    touched = touched || contact.touching() > 0;
+    touched = touched || contact.contacts() > 0;
     energy = std::max(energy, contact.energy());
-    if (touched && contact.touching() == 0) break;
+    if (touched && contact.contacts() == 0) break;
   }
   fccda::use_threads(threads);
   REQUIRE(touched);
@@ -82,17 +82,17 @@ TEST_CASE("short-range law: friction stores energy up to Coulomb's limit and dis
     CAPTURE(steps);
     Vec3d slip{};
     double work = 0, stored = 0;
-    TouchForce force;
+    ParticleContactForce force;
     for (const double speed : {5.0, -20.0, 0.02}) {  // to, fro, and hardly any more; 1 ms each
-      const Touch touch{.direction = {1, 0, 0},
-                        .velocity = {7, 0, speed},
-                        .spring = normal,
-                        .stiffness = 1e9,
-                        .reduced_mass = 1e-3,
-                        .tangential_stiffness = k,
-                        .oblique_share = 0.9};
+      const ParticleContact pair_contact{.direction = {1, 0, 0},
+                                         .velocity = {7, 0, speed},
+                                         .spring = normal,
+                                         .stiffness = 1e9,
+                                         .reduced_mass = 1e-3,
+                                         .tangential_stiffness = k,
+                                         .oblique_share = 0.9};
       for (int n = 0; n < steps; ++n) {
-        force = force_of(touch, law, 1e-3 / steps, slip);
+        force = force_of(pair_contact, law, 1e-3 / steps, slip);
         CHECK(force.friction_dissipation >= 0);
         work += force.friction_dissipation, stored = force.tangential_energy;
       }
@@ -106,23 +106,24 @@ TEST_CASE("short-range law: friction stores energy up to Coulomb's limit and dis
     CHECK(stored == fixtures::relative(0.5 * most * most / k, 1e-12));
   }
   Vec3d slip{};
-  Touch still{
+  ParticleContact still{
       .direction = {1, 0, 0}, .velocity = {3, 0, 0}, .spring = normal, .stiffness = 1e9, .reduced_mass = 1e-3, .tangential_stiffness = k, .oblique_share = 1};
   CHECK(force_of(still, law, 1e-6, slip).friction == Vec3d{});
 }
 
 TEST_CASE("short-range law: a tangential spring that rotates with its pair keeps its energy, and what is left at loss of contact is dissipated") {
   const ShortRangeLaw law{.friction = 0.5};
-  Touch touch{.direction = {1, 0, 0}, .velocity = {}, .spring = 1e6, .stiffness = 1e9, .reduced_mass = 1e-3, .tangential_stiffness = 1e8, .oblique_share = 1};
+  ParticleContact pair_contact{
+      .direction = {1, 0, 0}, .velocity = {}, .spring = 1e6, .stiffness = 1e9, .reduced_mass = 1e-3, .tangential_stiffness = 1e8, .oblique_share = 1};
   Vec3d slip{0, 1e-6, 0};
   const double held = 0.5 * 1e8 * 1e-12;
   for (int n = 0; n <= 100; ++n) {
-    touch.direction = {std::cos(0.01 * n), std::sin(0.01 * n), 0};
-    CHECK(force_of(touch, law, 1e-6, slip).tangential_energy == fixtures::relative(held, 1e-12));
-    CHECK(std::fabs(dot(slip, touch.direction)) <= 1e-18);  // rounding of a micrometre
+    pair_contact.direction = {std::cos(0.01 * n), std::sin(0.01 * n), 0};
+    CHECK(force_of(pair_contact, law, 1e-6, slip).tangential_energy == fixtures::relative(held, 1e-12));
+    CHECK(std::fabs(dot(slip, pair_contact.direction)) <= 1e-18);  // rounding of a micrometre
   }
-  touch.spring = 0;
-  const TouchForce released = force_of(touch, law, 1e-6, slip);
+  pair_contact.spring = 0;
+  const ParticleContactForce released = force_of(pair_contact, law, 1e-6, slip);
   CHECK(released.friction_dissipation == fixtures::relative(held, 1e-12));
   CHECK(released.tangential_energy == 0);
 }

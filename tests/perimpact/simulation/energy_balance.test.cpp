@@ -88,9 +88,9 @@ TEST_CASE("energy balance: the work of contact on a driven impactor is its force
       work += value(simulation, "block.force_z [N]") * (time - row) * -40;
       row = time;
     }
-    const double told = value(simulation, "block.contact_work [J]");
-    CHECK(told < -1);
-    CHECK(told == fixtures::relative(is_free ? block.kinetic_energy() - first : work, 1e-9));  // rounding of some thousand impulses
+    const double reported = value(simulation, "block.contact_work [J]");
+    CHECK(reported < -1);
+    CHECK(reported == fixtures::relative(is_free ? block.kinetic_energy() - first : work, 1e-9));  // rounding of some thousand impulses
   }
 }
 

@@ -11,33 +11,26 @@
 #include "perimpact/bodies.hpp"
 #include "perimpact/boundary_conditions/floating/floating.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/floating_boxes.hpp"
 #include "perimpact/simulations.hpp"
 
 using namespace perimpact;
+using fixtures::calm;
 using fixtures::complaint;
+using fixtures::gravity;
+using fixtures::ice;
+using fixtures::sea;
 using fixtures::value;
 
 namespace {
 
-constexpr double ice = 900, sea = 1025, gravity = 9.81;       // [kg/m³], [m/s²]
 constexpr double side = 2, spacing = 0.5;                     // [m]
 constexpr double hydrostatics = side / 2 - side * ice / sea;  // [m] z of the middle of a block of that height whose water is at 0
 
-/// A block of soft ice, so that few steps make a second, with its middle at z.
+/// A block of soft ice with its middle at z.
 Setup block(double z, const FloatingSetup& water, double end, double density = ice) {
-  Setup setup;
-  setup.time = {.end = end};
-  BodySetup body = fixtures::body_setup({.size = {side, side, side}, .spacing = spacing});
-  body.name = "ice";
-  body.position = {0, 0, z};
-  body.material = OrdinaryStateSetup{ElasticSetup{.youngs_modulus = 2e6, .poissons_ratio = 0.25, .density = density}};
-  body.boundary_conditions = {{"sea", water}};
-  setup.bodies = {body};
-  setup.output.history_interval = 0.01;
-  return setup;
+  return fixtures::floating_box({side, side, side}, z, water, end, {.density = density, .spacing = spacing});
 }
-
-FloatingSetup calm() { return {.level = 0, .density = sea, .gravity = gravity, .drag = 0}; }
 
 double middle(const Simulation& simulation) {
   const Particles& particles = simulation.bodies()[0].particles;
@@ -134,17 +127,7 @@ TEST_CASE("floating: the work of weight, buoyancy, drag, damping and added mass 
   FloatingSetup water = calm();
   water.drag = 1, water.damping = 0.3, water.added_mass = 0.5;
   Simulation splash(block(1.5, water, 3));
-  const double before = value(splash, "total.energy [J]");
-  double impulse = 0, largest = 0, off = 0;
-  while (!splash.clock().is_finished()) {
-    const double row = value(splash, "time [s]");
-    splash.step();
-    if (!splash.monitors().is_due(splash.clock())) continue;
-    impulse += value(splash, "ice.sea.force_z [N]") * (value(splash, "time [s]") - row);
-    const double work = value(splash, "ice.sea.work [J]");
-    largest = std::max(largest, std::fabs(work));
-    off = std::max(off, std::fabs(value(splash, "total.energy [J]") - before - work));
-  }
+  const auto [impulse, largest, off] = fixtures::run_in_water(splash);
   const double fall = ice * side * side * side * gravity * (1.5 - side / 2);
   CHECK(largest > 0.8 * fall);   // it fell freely till it met the water; damping takes some
   CHECK(off < 0.005 * largest);  // second order in the step but where the level passes the corners of S

@@ -126,7 +126,7 @@ TEST_CASE(
       while (!simulation.clock().is_finished()) {
         if (forgets && random() % 3 == 0) simulation.forget_near_pairs();
         simulation.step();
-        most = std::max(most, simulation.fragments()->touching());
+        most = std::max(most, simulation.fragments()->contacts());
       }
       CHECK(value(simulation, "block.broken_bonds [-]") > 1000);
       CHECK(most > 30);
@@ -167,14 +167,14 @@ TEST_CASE("fragments: a slider under pressure is braked by µ times the pressure
   std::vector<Body> bodies;
   for (const BodySetup& body : setup.bodies) bodies.push_back(make_body(body));
   Particles &slab = bodies[0].particles, &slider = bodies[1].particles;
-  const auto touching = contacting_bodies(setup, bodies);
+  const auto contacts = contacting_bodies(setup, bodies);
   ShortRange contact = *short_range_of(setup, bodies);
-  const double dt = 0.3 * silling_askari_step(bodies[1], contact.bound(touching, 1));
+  const double dt = 0.3 * silling_askari_step(bodies[1], contact.bound(contacts, 1));
   std::vector<double> travel(std::max(travel_blocks(slab), travel_blocks(slider)));
   const auto step = [&](double damping) {
     advance(slider, dt, std::span(travel).first(travel_blocks(slider)));
     bodies[1].internal.evaluate(slider, bodies[1].family);
-    contact.add_forces(touching, dt);
+    contact.add_forces(contacts, dt);
     for (const std::uint32_t slot : slider.slot_of()) {
       const double density = slider.density();
       slider.force_density.set(slot, slider.force_density.at(slot) - Vec3d{0, 0, density * acceleration} - damping * density * slider.velocity.at(slot));
@@ -183,7 +183,7 @@ TEST_CASE("fragments: a slider under pressure is braked by µ times the pressure
   const auto mean_speed = [&] { return bodies[1].momentum().x / slider.total_mass(); };
   for (int settling = 0; settling < 4000; ++settling) step(2e5);  // near critical for the layer on its contact
   REQUIRE(std::fabs(bodies[1].momentum().z / slider.total_mass()) < 0.01 * speed);
-  REQUIRE(contact.touching() >= 64);  // all pairs within √3 of a spacing along the face of which an end is pressed: corners begin later
+  REQUIRE(contact.contacts() >= 64);  // all pairs within √3 of a spacing along the face of which an end is pressed: corners begin later
   for (const std::uint32_t slot : slider.slot_of()) slider.velocity.set(slot, slider.velocity.at(slot) + Vec3d{speed, 0, 0});
   const double brake = friction * acceleration;
   double time = 0, way = 0;
@@ -276,7 +276,7 @@ TEST_CASE("fragments: a block that slides on another without friction keeps its 
     double pushed = 0;
     while (!simulation.clock().is_finished()) {
       simulation.step();
-      pushed += simulation.fragments()->touching() > 0;
+      pushed += simulation.fragments()->contacts() > 0;
     }
     CHECK(pushed > 0.2 * static_cast<double>(simulation.clock().steps));   // it does not fly
     CHECK(mean_velocity(simulation, 1).x == fixtures::relative(4, 0.01));  // over 16 spacings

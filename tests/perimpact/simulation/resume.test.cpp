@@ -68,12 +68,12 @@ TEST_CASE("restart: a restart after every step is bitwise exact") {
   Simulation simulation(setup);
   fixtures::run(simulation);
   CHECK(fixtures::value(simulation, "plate.broken_bonds [-]") > 0);  // there is something to lose
-  CHECK(simulation.impactors()[0].record().touched(0));
+  CHECK(simulation.impactors()[0].record().was_in_contact(0));
   CHECK(simulation.impactors()[0].entered_inside(0) > 0);
-  CHECK(simulation.impactors()[1].record().touched(0));
+  CHECK(simulation.impactors()[1].record().was_in_contact(0));
   CHECK(simulation.impactors()[0].water_work() != 0);
   CHECK(simulation.impactors()[1].load_work() > 0);
-  CHECK(simulation.impactors()[2].record().touched(1));
+  CHECK(simulation.impactors()[2].record().was_in_contact(1));
   fixtures::expect_same_when_resumed_at_every_step(setup);
 }
 
@@ -100,8 +100,8 @@ TEST_CASE("restart: counts of detection work continue") {
   const ::fixtures::Snapshot snapshot(first);
   snapshot.give(second);
   fixtures::run(second);
-  CHECK(first.impactors()[0].effort(0).points_asked > 0);
-  CHECK(second.impactors()[0].effort(0).points_asked == whole.impactors()[0].effort(0).points_asked);
+  CHECK(first.impactors()[0].effort(0).points_tested > 0);
+  CHECK(second.impactors()[0].effort(0).points_tested == whole.impactors()[0].effort(0).points_tested);
   CHECK(second.impactors()[1].effort(1).points_in_bounds == whole.impactors()[1].effort(1).points_in_bounds);
 }
 

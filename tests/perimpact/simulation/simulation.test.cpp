@@ -1,12 +1,15 @@
 #include "perimpact/simulation/simulation.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -23,7 +26,7 @@ using fixtures::value;
 namespace {
 
 /// A small plate with a cylinder in contact with its edge at t = 0.
-Setup struck_plate(double nu = 0.25) {
+Setup impacted_plate(double nu = 0.25) {
   Setup setup;
   setup.time = {.end = 40e-6, .step = 2e-7};
   BodySetup plate = fixtures::body_setup({.size = {0.04, 0.02, 0.008}, .spacing = 0.002, .poissons_ratio = nu});
@@ -44,9 +47,24 @@ Setup struck_plate(double nu = 0.25) {
 
 }  // namespace
 
+TEST_CASE("simulation: the stages of its set-up are announced when they begin, and timed") {
+  std::vector<std::string> announced;
+  const Simulation simulation(impacted_plate(), [&](std::string_view stage, std::string_view of) {
+    announced.push_back(of.empty() ? std::string(stage) : fmt::format("{} of {}", stage, of));
+  });
+  CHECK(announced == std::vector<std::string>{"solids and points of plate", "surfaces of cylinder", "particles of plate", "detectors of cylinder",
+                                              "initial overlap", "bonds of plate", "surface correction of plate", "initial cracks of plate",
+                                              "contact of fragments", "time step", "diagnostics", "initial forces"});
+  REQUIRE(simulation.set_up_timers().rows().size() == announced.size());
+  for (std::size_t stage = 0; stage < announced.size(); ++stage) {
+    CHECK(announced[stage].starts_with(simulation.set_up_timers().rows()[stage].name));
+    CHECK(simulation.set_up_timers().rows()[stage].seconds > 0);
+  }
+}
+
 TEST_CASE("simulation: plate and cylinder conserve their linear momentum to 1e-10, in off-centre impact with free rotation") {
   for (const double friction : {0.0, 0.2}) {
-    Setup setup = struck_plate();
+    Setup setup = impacted_plate();
     setup.contact.impactors.friction = friction;
     Simulation simulation(setup);
     const double before = value(simulation, "total.momentum_y [kg m/s]");
@@ -60,7 +78,7 @@ TEST_CASE("simulation: plate and cylinder conserve their linear momentum to 1e-1
 
 TEST_CASE("simulation: one, two and four threads end in the bitwise identical state, with a dilatation, breaking bonds and a rotating impactor") {
   const int before = fccda::thread_count();
-  Setup setup = struck_plate(0.3);
+  Setup setup = impacted_plate(0.3);
   std::get<OrdinaryStateSetup>(setup.bodies[0].material).critical_stretch = 2e-3;
   setup.impactors[0].angular_velocity = {0, 0, 100};
   setup.contact.impactors.friction = 0.1;
@@ -80,7 +98,7 @@ TEST_CASE("simulation: one, two and four threads end in the bitwise identical st
 }
 
 TEST_CASE("simulation: the hash detects a single changed bit of the state") {
-  Simulation simulation(struck_plate());
+  Simulation simulation(impacted_plate());
   const std::uint64_t hash = simulation.state_hash();
   std::span<double> velocity;
   simulation.visit_state([&](const std::string& name, auto&& values) {
@@ -92,7 +110,7 @@ TEST_CASE("simulation: the hash detects a single changed bit of the state") {
 }
 
 TEST_CASE("simulation: a fine mesh and the analytic cylinder agree within three times the facet error") {
-  Setup meshed = struck_plate(), analytic = struck_plate();
+  Setup meshed = impacted_plate(), analytic = impacted_plate();
   for (Setup* setup : {&meshed, &analytic}) setup->impactors[0].position.x = 0, setup->impactors[0].free_dofs = {"y"};
   analytic.contact.impactors.detector.index = static_cast<int>(DetectorKind::analytic);
   Simulation a(meshed), b(analytic);
@@ -104,7 +122,7 @@ TEST_CASE("simulation: a fine mesh and the analytic cylinder agree within three 
 }
 
 TEST_CASE("simulation: contact bounds exactly as wide as the cylinder change no force") {
-  Setup without = struck_plate(), with = struck_plate();
+  Setup without = impacted_plate(), with = impacted_plate();
   with.impactors[0].contact_bounds = {BoxRegionSetup{.size = {0.02, 0.02, 0.01}}, Choice{on_exceed_words, 1}};
   Simulation a(without), b(with);
   while (!a.clock().is_finished()) {
@@ -118,18 +136,18 @@ TEST_CASE("simulation: contact bounds exactly as wide as the cylinder change no 
 
 TEST_CASE("simulation: an unstable step and an impactor that starts inside are refused with their key") {
   std::string key;
-  Setup too_long = struck_plate();
+  Setup too_long = impacted_plate();
   too_long.time.step = 2e-6;
   CHECK(complaint(too_long, key).find("times the critical time step") != std::string::npos);
   CHECK(key == "time.step");
-  Setup inside = struck_plate();
+  Setup inside = impacted_plate();
   inside.impactors[0].position.y = 0.018;
   CHECK(complaint(inside, key).find("starts inside body plate") != std::string::npos);
   CHECK(key == "impactors.cylinder.position");
 }
 
 TEST_CASE("simulation: constrained degrees of freedom keep their velocity, and constraint work balances the energy") {
-  Setup setup = struck_plate();
+  Setup setup = impacted_plate();
   setup.impactors[0].free_dofs = {};
   setup.impactors[0].position.x = 0;
   Simulation simulation(setup);
@@ -144,7 +162,7 @@ TEST_CASE("simulation: constrained degrees of freedom keep their velocity, and c
 }
 
 TEST_CASE("simulation: an energy increase without a source ends the run with a message") {
-  Simulation simulation(struck_plate());
+  Simulation simulation(impacted_plate());
   for (int step = 0; step < 20; ++step) simulation.step();
   simulation.visit_state([&](const std::string& name, auto&& values) {  // what an unstable step would do
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<double>>)

@@ -18,9 +18,9 @@ Absorbing::Absorbing(std::vector<std::uint32_t> slots, std::span<const double> d
   for (const double each : damping) damping_.push_back({each, each, each});
 }
 
-void Absorbing::leave_out(std::span<const std::uint32_t> held, std::size_t axis) {
+void Absorbing::leave_out(std::span<const std::uint32_t> constrained, std::size_t axis) {
   for (std::size_t k = 0; k < slots_.size(); ++k)
-    if (std::binary_search(held.begin(), held.end(), slots_[k])) damping_[k][axis] = 0;
+    if (std::binary_search(constrained.begin(), constrained.end(), slots_[k])) damping_[k][axis] = 0;
 }
 
 void Absorbing::damp(Particles& particles, double dt) {

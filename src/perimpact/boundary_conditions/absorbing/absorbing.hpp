@@ -32,8 +32,8 @@ class Absorbing {
   std::span<const std::uint32_t> slots() const { return slots_; }
   std::span<const Vec3d> damping() const { return damping_; }  ///< [1/s] of each slot along x, y and z
 
-  /// Excludes constrained directions from damping. `held` ascending.
-  void leave_out(std::span<const std::uint32_t> held, std::size_t axis);
+  /// Excludes constrained directions from damping. `constrained` ascending.
+  void leave_out(std::span<const std::uint32_t> constrained, std::size_t axis);
 
   /// Damps the force densities for the next step of dt [s], after all other forces except constraints. Records force and work.
   void damp(Particles& particles, double dt);

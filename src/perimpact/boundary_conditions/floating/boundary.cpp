@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "perimpact/deck_model/setup_error.hpp"
@@ -17,7 +18,14 @@ Floating make_boundary(const FloatingSetup& floating, const BoundarySite& site) 
               .gravity = floating.gravity,
               .drag = floating.drag,
               .added_mass = floating.added_mass,
-              .damping = floating.damping};
+              .damping = floating.damping,
+              .entrained_depth = floating.entrained_depth,
+              .dry_top = floating.dry_top};
+  const bool needs_columns = water.entrained_depth != 0 || water.dry_top != 0;
+  if (needs_columns && !particles.lattice())
+    throw SetupError(site.key, fmt::format("{} belongs to the columns of a lattice, but the particles of body {} are those of a file; {}.",
+                                           water.entrained_depth != 0 ? "entrained_depth" : "dry_top", site.of.body.name,
+                                           water.entrained_depth != 0 ? "give added_mass" : "remove it"));
   const std::optional<double> floats_at = floating_level(particles, slots, water);
   if (!floating.level) {
     if (!floats_at)
@@ -26,7 +34,9 @@ Floating make_boundary(const FloatingSetup& floating, const BoundarySite& site) 
                                    site.of.body.name, particles.density(), floating.density));
     water.level = *floats_at;
   }
-  return Floating(std::move(slots), water, floats_at.value_or(std::numeric_limits<double>::quiet_NaN()));
+  std::optional<WaterColumns> columns;
+  if (needs_columns) columns.emplace(particles, slots);
+  return Floating(std::move(slots), water, floats_at.value_or(std::numeric_limits<double>::quiet_NaN()), std::move(columns));
 }
 
 }  // namespace perimpact

@@ -37,20 +37,86 @@ std::optional<double> floating_level(const Particles& particles, std::span<const
   return 0.5 * (low + high);
 }
 
-Floating::Floating(std::vector<std::uint32_t> slots, const Water& water, double floats_at)
-    : slots_(std::move(slots)), moves_(slots_.size(), {true, true, true}), water_(water), floats_at_(floats_at), forces_(resists() ? slots_.size() : 0) {}
+Floating::Floating(std::vector<std::uint32_t> slots, const Water& water, double floats_at, std::optional<WaterColumns> columns)
+    : slots_(std::move(slots)),
+      moves_(slots_.size(), {true, true, true}),
+      water_(water),
+      floats_at_(floats_at),
+      columns_(std::move(columns)),
+      forces_(resists() ? slots_.size() : 0) {
+  if (water_.entrained_depth != 0) wetness_.assign(columns_->count(), 0), intact_.assign(slots_.size(), 1);
+  if (water_.dry_top == 0) return;
+  dry_tops_.assign(slots_.size(), 0);
+  for (std::size_t c = 0; c < columns_->count(); ++c)
+    if (columns_->top(c) != WaterColumns::none) dry_tops_[columns_->top(c)] = 1;
+}
 
-void Floating::leave_out(std::span<const std::uint32_t> held, std::size_t axis) {
+void Floating::leave_out(std::span<const std::uint32_t> constrained, std::size_t axis) {
   for (std::size_t k = 0; k < slots_.size(); ++k)
-    if (std::binary_search(held.begin(), held.end(), slots_[k])) moves_[k][axis] = false;
+    if (std::binary_search(constrained.begin(), constrained.end(), slots_[k])) moves_[k][axis] = false;
 }
 
 void Floating::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
-  if (water_.drag == 0) return;
-  if (exposure_)
-    exposure_->update(particles, family, broken_ends);
-  else
+  if (water_.drag == 0 && !columns_) return;
+  const bool is_first = !exposure_;
+  std::vector<std::uint32_t> newly_damaged;
+  if (is_first)
     exposure_.emplace(particles, family, broken_ends);
+  else
+    newly_damaged = exposure_->update(particles, family, broken_ends);
+  if (water_.entrained_depth != 0) update_intact_share(particles, family, broken_ends);
+  if (!has_dry_top()) return;
+  double loss = 0;
+  if (is_first) {
+    for (std::size_t k = 0; k < slots_.size(); ++k)
+      if (exposure_->has_lost(slots_[k])) loss += flood(columns_->column_of(k), particles);
+  } else {
+    for (const std::uint32_t slot : newly_damaged) {
+      const auto found = std::lower_bound(slots_.begin(), slots_.end(), slot);
+      if (found != slots_.end() && *found == slot) loss += flood(columns_->column_of(static_cast<std::size_t>(found - slots_.begin())), particles);
+    }
+  }
+  record_flooding(loss);
+  flood_deep_columns(particles);
+}
+
+void Floating::update_intact_share(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
+  const bool is_first = broken_ends_.empty();
+  if (is_first) broken_ends_.assign(broken_ends.begin(), broken_ends.end());
+  std::vector<std::uint8_t> has_changed(broken_ends.size(), is_first ? 1 : 0);
+  bool any = is_first;
+  for (std::size_t row = 0; row < broken_ends.size(); ++row)
+    if (broken_ends[row] != broken_ends_[row]) has_changed[row] = 1, broken_ends_[row] = broken_ends[row], any = true;
+  if (!any) return;
+  for_each_block(slots_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; ++k)
+      if (has_changed[slots_[k] / particles.row_slots()] != 0 && exposure_->has_lost(slots_[k])) intact_[k] = 1 - family.damage(slots_[k]);
+  });
+}
+
+double Floating::flood(std::size_t column, const Particles& particles) {
+  const std::uint32_t top = columns_->top(column);
+  if (top == WaterColumns::none || dry_tops_[top] == 0) return 0;
+  dry_tops_[top] = 0;
+  const std::size_t slot = slots_[top];
+  const double height = particles.size_of(slot), above = std::max(water_.immersion(particles.position.at(slot).z, height) - 1, 0.0);
+  return 0.5 * water_.density * water_.gravity * particles.volume(slot) * height * above * above;
+}
+
+void Floating::record_flooding(double loss) {
+  if (!has_begun_) return;
+  potential_ -= loss;
+  flooding_dissipation_ += loss;
+}
+
+void Floating::flood_deep_columns(const Particles& particles) {
+  if (!has_dry_top()) return;
+  record_flooding(sum_in_blocks<double>(columns_->count(), [&](std::size_t c) {
+    const std::uint32_t top = columns_->top(c);
+    if (top == WaterColumns::none || dry_tops_[top] == 0) return 0.0;
+    const double depth = water_.level - particles.position.at(slots_[top]).z - 0.5 * particles.size_of(slots_[top]);
+    return depth > water_.dry_top ? flood(c, particles) : 0.0;
+  }));
 }
 
 ForceSum Floating::static_hydrostatics(Particles& particles) {
@@ -58,10 +124,11 @@ ForceSum Floating::static_hydrostatics(Particles& particles) {
   const Hydrostatics sum = sum_in_blocks<Hydrostatics>(slots_.size(), [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const double z = particles.position.at(slot).z, height = particles.size_of(slot), volume = particles.volume(slot);
-    const double t = (water_.level - z) / height + 0.5;
-    const double column = t <= 0 ? 0 : t < 1 ? 0.5 * t * t : t - 0.5;  // ∫ S dz/Δ from the particle upward
+    const bool is_dry = has_dry_top() && dry_tops_[k] != 0;
+    const double t = water_.immersion(z, height);
+    const double column = t <= 0 ? 0 : is_dry || t < 1 ? 0.5 * t * t : t - 0.5;  // ∫ S dz/Δ from the particle upward
     Vec3d density = particles.force_density.at(slot);
-    const double net = lift * water_.submerged(z, height) - weight;
+    const double net = lift * (is_dry ? std::max(t, 0.0) : water_.submerged(z, height)) - weight;
     density.z += net;
     particles.force_density.set(slot, density);
     const double force = volume * net;
@@ -75,14 +142,32 @@ ForceSum Floating::static_hydrostatics(Particles& particles) {
   return sum.forces;
 }
 
+void Floating::update_wetness(const Particles& particles) {
+  for_each_block(columns_->count(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t c = begin; c < end; ++c) {
+      wetness_[c] = 0;
+      for (const std::uint32_t k : columns_->particles_of(c))
+        wetness_[c] = std::max(wetness_[c], water_.submerged(particles.position.at(slots_[k]).z, particles.size_of(slots_[k])));
+    }
+  });
+}
+
+double Floating::entrained(std::size_t k, double height, double wet) const {
+  if (water_.entrained_depth == 0) return water_.added_mass * water_.density * wet;
+  const std::size_t column = columns_->column_of(k);
+  const double layers = static_cast<double>(columns_->particles_of(column).size());
+  return water_.density * water_.entrained_depth * wetness_[column] * intact_[k] / (layers * height);
+}
+
 Vec3d Floating::resist(Particles& particles, double dt) {
   if (!resists()) return {};
+  if (water_.entrained_depth != 0) update_wetness(particles);
   const double density = particles.density();
   const Resistance sum = sum_in_blocks<Resistance>(slots_.size(), [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d velocity = particles.velocity.at(slot);
     const bool is_exposed = exposure_ && exposure_->is_exposed(slot);
-    if (!is_exposed && water_.damping == 0 && water_.added_mass == 0) return forces_.record_force(k, {}, dt * velocity);  // most particles of a thick body
+    if (!is_exposed && water_.damping == 0 && !adds_mass()) return forces_.record_force(k, {}, dt * velocity);  // most particles of a thick body
     const Vec3d before = particles.force_density.at(slot);
     const double height = particles.size_of(slot), wet = water_.submerged(particles.position.at(slot).z, height);
     const bool drags = wet > 0 && is_exposed;
@@ -91,7 +176,7 @@ Vec3d Floating::resist(Particles& particles, double dt) {
     Vec3d after = before;
     for (std::size_t c = 0; c < 3; ++c)
       if (moves_[k][c]) after[c] = damped(before[c], velocity[c], density, damping, dt);
-    if (moves_[k][2]) after.z *= density / (density + water_.added_mass * water_.density * wet);
+    if (moves_[k][2]) after.z *= density / (density + entrained(k, height, wet));
     particles.force_density.set(slot, after);
     return forces_.record_force(k, particles.volume(slot) * (after - before), dt * velocity);
   });

@@ -2,13 +2,14 @@
 ///
 ///   F_z/V = -ρ g + ρ_w g S(z),   S = clamp((z_w - z)/Δ + 1/2, 0, 1)                  [N/m³]
 ///   F/V   = -ρ (α + α_d) v,      α_d = ½ ρ_w C_d Δ² S |v|/(ρ V)                       [N/m³], C_d of particles at the surface alone
-///   a_z   = F_z/(m + C_a ρ_w S V)                                                     [m/s²]
+///   a_z   = F_z/(m + C_a ρ_w S V),  or  F_z/(m + ρ_w d Δ² W (1 - D)/n)                [m/s²]
 ///
 /// S is the submerged share of a particle's height Δ (the edge of a cube of its volume) below the level z_w. In an intact sheet that contains
 /// the level, the sum over a column is exactly a Winkler foundation of the modulus ρ_w g; a fragment floats freely. α is mass-proportional
-/// damping; C_a is the added mass over that of the displaced water. Buoyancy and weight have the
+/// damping; C_a is the added mass over that of the displaced water, d the depth of the water that a column of n particles entrains, W the
+/// largest S in it, and D the damage of the particle. Buoyancy and weight have the
 /// potential U = V (ρ g z + ρ_w g Δ q(t)), t = (z_w - z)/Δ + 1/2, q = 0, t²/2, t - 1/2 for t below 0, up to 1, above; their work is
-/// its decrease. Docs: docs/theory/floating_bodies.md.
+/// its decrease. The top particle of a column whose top is dry has S = t and q = t²/2 for all t above 0. Docs: docs/theory/floating_bodies.md.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +22,7 @@
 #include "perimpact/boundary_conditions/actions/damped.hpp"
 #include "perimpact/boundary_conditions/actions/reaction_ledger.hpp"
 #include "perimpact/boundary_conditions/actions/slot_sum.hpp"
+#include "perimpact/boundary_conditions/floating/water_columns.hpp"
 #include "perimpact/family/exposure.hpp"
 #include "perimpact/particles/particles.hpp"
 
@@ -28,15 +30,19 @@ namespace perimpact {
 
 /// Still water and its effect on particles.
 struct Water {
-  double level;       ///< [m] z of the free surface
-  double density;     ///< [kg/m³]
-  double gravity;     ///< [m/s²] along -z
-  double drag;        ///< [-] C_d
-  double added_mass;  ///< [-] C_a
-  double damping;     ///< [1/s] α
+  double level;                ///< [m] z of the free surface
+  double density;              ///< [kg/m³]
+  double gravity;              ///< [m/s²] along -z
+  double drag;                 ///< [-] C_d
+  double added_mass;           ///< [-] C_a
+  double damping;              ///< [1/s] α
+  double entrained_depth = 0;  ///< [m] d
+  double dry_top = 0;          ///< [m] depth below the level down to which the top of a whole column stays dry
 
-  /// Submerged share of a particle of that height [m] at z [m].
-  double submerged(double z, double height) const { return std::clamp((level - z) / height + 0.5, 0.0, 1.0); }
+  /// t of a particle of that height [m] at z [m]: 0 where it just emerges, 1 where it just submerges.
+  double immersion(double z, double height) const { return (level - z) / height + 0.5; }
+  /// Its submerged share.
+  double submerged(double z, double height) const { return std::clamp(immersion(z, height), 0.0, 1.0); }
 };
 
 /// Equilibrium level [m] of the particles at their current positions, with zero resultant force. Empty if they are heavier than water.
@@ -44,18 +50,21 @@ std::optional<double> floating_level(const Particles& particles, std::span<const
 
 class Floating {
  public:
-  /// `floats_at` [m]: floating_level() of the slots, NaN if they sink.
-  Floating(std::vector<std::uint32_t> slots, const Water& water, double floats_at);
+  /// `floats_at` [m]: floating_level() of the slots, NaN if they sink. The columns are needed for an entrained depth and a dry top.
+  Floating(std::vector<std::uint32_t> slots, const Water& water, double floats_at, std::optional<WaterColumns> columns = {});
 
   std::span<const std::uint32_t> slots() const { return slots_; }
   const Water& water() const { return water_; }
   double floats_at() const { return floats_at_; }  ///< [m] equilibrium level at the initial position; NaN if it sinks
 
-  /// Excludes constrained directions from damping and added mass. `held` ascending.
-  void leave_out(std::span<const std::uint32_t> held, std::size_t axis);
+  /// Excludes constrained directions from damping and added mass. `constrained` ascending.
+  void leave_out(std::span<const std::uint32_t> constrained, std::size_t axis);
 
-  /// Updates exposed particles at the body's surface; needed for drag only.
+  /// Updates exposed particles at the body's surface, and what columns lose with their bonds and by their depth.
   void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+
+  /// Floods the columns whose top lies deeper than it stays dry.
+  void flood_deep_columns(const Particles& particles);
 
   /// Adds weight and buoyancy to the force densities, and records their work.
   ForceSum static_hydrostatics(Particles& particles);
@@ -69,11 +78,19 @@ class Floating {
   double weight_buoyancy_work() const { return weight_buoyancy_work_; }  ///< [J] cumulative, done on the body
   double drag_work() const { return drag_work_; }                        ///< [J] cumulative, of drag, damping and added mass
 
+  bool has_dry_top() const { return !dry_tops_.empty(); }                ///< columns had a dry top at the beginning
+  double flooding_dissipation() const { return flooding_dissipation_; }  ///< [J] cumulative, by water that falls on tops that were dry
+
   /// Force on the body at this instant, and the sum of both works.
   ReactionLedger account;
 
   template <class Visitor>
+  void visit_state(const std::string& name, Visitor&& visit) {
+    if (has_dry_top()) visit(name + ".dry_tops", std::span<std::uint8_t>(dry_tops_));
+  }
+  template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
+    if (has_dry_top()) visit(name + ".flooding", std::span<double>(&flooding_dissipation_, 1));
     account.visit_record(name, visit);
     forces_.visit_record(name, visit);
     double all[] = {potential_, has_begun_ ? 1.0 : 0.0, weight_buoyancy_work_, drag_work_};
@@ -82,7 +99,13 @@ class Floating {
   }
 
  private:
-  bool resists() const { return water_.drag != 0 || water_.damping != 0 || water_.added_mass != 0; }
+  bool adds_mass() const { return water_.added_mass != 0 || water_.entrained_depth != 0; }
+  bool resists() const { return water_.drag != 0 || water_.damping != 0 || adds_mass(); }
+  void update_wetness(const Particles& particles);
+  double entrained(std::size_t k, double height, double wet) const;  // [kg/m³]
+  double flood(std::size_t column, const Particles& particles);      // [J] that the water loses
+  void update_intact_share(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+  void record_flooding(double loss);
 
   std::vector<std::uint32_t> slots_;
   std::vector<std::array<bool, 3>> moves_;  // of each slot along x, y, z
@@ -90,10 +113,16 @@ class Floating {
   double floats_at_;
   Vec3d lift_{};  // [N] of weight and buoyancy, at the latest positions
   std::optional<Exposure> exposure_;
+  std::optional<WaterColumns> columns_;
+  std::vector<double> wetness_;                      // W of each column; empty without an entrained depth
+  std::vector<double> intact_;                       // 1 - D of each slot; empty without an entrained depth
+  std::vector<std::size_t> broken_ends_;             // of each row, when intact_ was updated
+  std::vector<std::uint8_t> dry_tops_;               // 1 for the top of a column that is dry there, of each slot; empty where none was
   ForcesOnTheWay forces_;                            // of drag, damping and added mass; empty without them
   double potential_ = 0;                             // [J] at the latest instant
   bool has_begun_ = false;                           // potential_ is known
   double weight_buoyancy_work_ = 0, drag_work_ = 0;  // [J]
+  double flooding_dissipation_ = 0;                  // [J]
 };
 
 }  // namespace perimpact

@@ -14,6 +14,8 @@ struct FloatingSetup {
   double gravity = 9.81;        ///< [m/s²]
   double drag = 1;              ///< [-] C_d of particles at the body's surface, referred to one of their faces
   double added_mass = 0;        ///< [-] of the displaced water, for vertical motion
+  double entrained_depth = 0;   ///< [m] of the water that moves vertically with each column
+  double dry_top = 0;           ///< [m] below the level, down to which the top of a whole column stays dry
   double damping = 0;           ///< [1/s] mass-proportional
   static std::span<const Field<FloatingSetup>> fields();
   void check(BodyContext& deck);

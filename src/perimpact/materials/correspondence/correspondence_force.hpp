@@ -68,8 +68,8 @@ class CorrespondenceForce {
   std::vector<double> weighted_volume_;  // [m³] ω v V
 
   // of a list
-  VectorArray reference_;                                // [m] X
-  fccda::AlignedVector<double> listed_weighted_volume_;  // [m³] ω v V of each entry
+  VectorArray reference_;                                      // [m] X
+  fccda::UninitialisedVector<double> listed_weighted_volume_;  // [m³] ω v V of each entry
 };
 
 }  // namespace perimpact

@@ -39,7 +39,8 @@ MaterialMemory Material<CorrespondenceSetup>::memory(const CorrespondenceSetup& 
   const bool is_bond_level = setup.stabilisation.as<Stabilisation>() == Stabilisation::bond_level;
   const int bond_level = is_bond_level ? square * (setup.may_fail() ? 3 : 2) : 0;
   const double of_slot = dimension * (dimension + 1) / 2 + 3 + square + 1 + bond_level;
-  return {number * of_slot * length.with_slack + length.rows + (length.is_list() ? vector * length.slots + number * length.entries : 0)};
+  return {breaking_memory(question.body, length) + number * of_slot * length.with_slack + length.rows +
+          (length.is_list() ? vector * length.slots + number * length.entries : 0)};
 }
 
 }  // namespace perimpact

@@ -41,7 +41,8 @@ struct ElasticSetup {
   template <class Walker, class Material>
   static void sections(Walker& walk, Material& material) {
     walk.section("ice", material.ice, fccda::Presence::optional,
-                 "Ice given by temperature and salinity: sets youngs_modulus and, where no other criterion is given, flexural_strength.");
+                 "Ice given by temperature and salinity: sets youngs_modulus, flexural_strength where no other criterion is given, and with a strain rate the "
+                 "compressive strength of plasticity.");
     walk.section("plasticity", material.plasticity, fccda::Presence::optional,
                  "Yields under pressure: a pressure-dependent yield surface with associated flow, for bond-based and ordinary state-based materials. {} takes "
                  "every default.");

@@ -43,11 +43,13 @@ struct MaterialParts {
 
 /// Lengths of the arrays of a body, before it exists.
 struct ArrayLengths {
+  double particles;    ///< slots with a particle
   double slots;        ///< of arrays without slack
   double with_slack;   ///< of arrays with slack for a stencil (SlotArray)
   double rows;         ///< bonds of eight slots: bytes of the bits
   double entries = 0;  ///< of a list; 0 for a stencil
-  double tables = 0;   ///< numbers of the constants of shared surface factors
+  double tables = 0;   ///< bonds in tables of shared surface factors
+  double surface = 1;  ///< share of the slots whose surface factors differ from 1
 
   bool is_list() const { return entries > 0; }
 };
@@ -57,6 +59,15 @@ struct MemoryQuestion {
   CorrectionKind correction;
   const ArrayLengths& lengths;
 };
+
+/// [bytes] of the Breaking of a body: strengths in tension, and with hardening those under pressure, with the marks of packs.
+inline double breaking_memory(const BodySetup& body, const ArrayLengths& length) {
+  if (!body.elastic().may_fail() || !body.failure) return 0;
+  const FailureSetup& failure = *body.failure;
+  const bool limits = failure.compression.as<CompressionFailure>() != CompressionFailure::none, hardens = !limits && failure.compression_hardening > 0;
+  const bool differs = limits || failure.weibull_modulus || !failure.no_fail.empty();
+  return ((differs ? 1 : 0) + (hardens ? 1 : 0)) * sizeof(double) * length.with_slack + (hardens ? length.slots + length.slots / 8 : 0);
+}
 
 /// [bytes] of a material.
 struct MaterialMemory {

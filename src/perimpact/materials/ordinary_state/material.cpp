@@ -17,7 +17,10 @@ Plasticity plasticity_of(const PlasticitySetup& setup) {
 }  // namespace
 
 OrdinaryStateMaterial::Force OrdinaryStateMaterial::make_force(const ElasticSetup& setup, const MaterialParts& parts) {
-  CorrectionFactors correction(parts.correction, basis_of(parts.linear_law), parts.family, parts.particles);
+  CorrectionBasis basis = basis_of(parts.linear_law);
+  // plasticity needs the dilatation even where it stores no energy, and the linear solid its weights
+  if (!parts.linear_law.needs_dilatation() && !setup.plasticity && parts.correction != CorrectionKind::family) basis.dilatation_weight = {};
+  CorrectionFactors correction(parts.correction, basis, parts.family, parts.particles);
   if (setup.plasticity)
     return PlasticForce(parts.linear_law, plasticity_of(*setup.plasticity), parts.rule, parts.strength, std::move(correction), parts.family, parts.particles);
   return OrdinaryStateForce(parts.linear_law, parts.breaking(), std::move(correction), parts.family, parts.particles);
@@ -29,12 +32,15 @@ MaterialMemory OrdinaryStateMaterial::memory(const ElasticSetup& setup, const Me
   const double n = length.slots;
   const bool by_energy = question.correction == CorrectionKind::energy,
              by_volume = question.correction == CorrectionKind::volume || question.correction == CorrectionKind::family;
-  double arrays = (by_energy ? 2 * vector : by_volume ? number : 0) * length.with_slack + n / 2 + (has_dilatation ? number * length.with_slack : 0);
-  arrays += length.is_list() ? (has_dilatation ? 2 : 1) * number * length.entries : by_energy ? number * length.tables : 0;
+  const double factors = (has_dilatation || setup.plasticity ? 2 : 1) * vector;  // of energy, in each direction
+  double arrays = (by_energy ? factors : by_volume ? number : 0) * length.with_slack + n / 2 + (has_dilatation ? number * length.with_slack : 0);
+  const double constants = setup.plasticity ? sizeof(PlasticForce::Constants<double>) : sizeof(OrdinaryState::Folded<double>);
+  arrays += length.is_list() ? (has_dilatation ? 2 : 1) * number * length.entries : (sizeof(BondFactors) + constants) * length.tables;
+  if (!setup.plasticity) arrays += breaking_memory(question.body, length);
   if (setup.plasticity)  // plastic_force.hpp: three tensors and five numbers a slot, directions of the entries of a list
     arrays += 23 * number * length.with_slack + n + n / 4 + (length.is_list() ? (has_dilatation ? 3 : 4) * number * length.entries : 0);
-  // each sweep of the energy correction makes new factors beside the old ones
-  return {arrays, by_energy ? 2 * vector * length.with_slack + 3 * n : 0};
+  // marks and hashes; the sweeps of the energy correction make new factors of particles near surfaces beside the old ones
+  return {arrays, by_energy ? 2 * vector * length.surface * n + 3 * n : by_volume ? 3 * n : 0};
 }
 
 }  // namespace perimpact

@@ -133,7 +133,7 @@ class PlasticForce {
   ReturnModuli moduli_;
   double elastic_limit_;     // [J/m³] below it no particle can be outside of the surface
   double largest_pressure_;  // [Pa] p₂
-  Breaking breaking_;        // the rule; it is evaluated under pressure, in plastic_force.cpp
+  Breaking breaking_;        // the rule; it is evaluated under pressure, in plastic_kernels.hpp
   CorrectionFactors correction_;
 
   // of each bond of the stencil

@@ -61,7 +61,7 @@ void PlasticitySetup::check(const ElasticSetup& material, const BodyContext& dec
   const auto yields_at = surface.as<YieldSurface>();
   if (yields_at == YieldSurface::von_mises && !compressive_strength)
     deck.refuse("plasticity.surface", "surface is von-mises, which has no strength of its own; give compressive_strength.");
-  if (yields_at != YieldSurface::von_mises && deck.is_given("plasticity.surface") && compressive_strength)
+  if (yields_at != YieldSurface::von_mises && yields_at != YieldSurface::riska_frederking && compressive_strength)
     deck.refuse("plasticity.compressive_strength",
                 fmt::format("compressive_strength is given beside surface: {}, which has its own strength; remove one of the two (without surface, the one of "
                             "Riska and Frederking is scaled).",

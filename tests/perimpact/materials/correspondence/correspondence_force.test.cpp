@@ -310,7 +310,7 @@ TEST_CASE("correspondence: a body one particle thick is rejected unless it is 2-
   BodyOptions sheet = correspondence({0.010, 0.007, 0.001});
   try {
     body(sheet);
-    CHECK_MESSAGE(false, "nothing was said");
+    CHECK_MESSAGE(false, "no exception was thrown");
   } catch (const std::exception& error) {
     CHECK(std::string(error.what()).find("its particles have neighbours in one plane only") != std::string::npos);
   }

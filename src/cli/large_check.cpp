@@ -1,0 +1,109 @@
+#include "cli/large_check.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+#include "base/parallel.hpp"
+#include "cli/contact_bounds_text.hpp"
+#include "cli/memory_text.hpp"
+#include "cli/progress.hpp"
+#include "cli/remesh_text.hpp"
+#include "cli/row.hpp"
+#include "cli/surface_text.hpp"
+#include "perimpact/family/stencil.hpp"
+#include "perimpact/impactor/impactor.hpp"
+#include "perimpact/simulation/forecast.hpp"
+#include "perimpact/simulation/memory.hpp"
+
+namespace perimpact {
+
+using output::Json;
+
+namespace {
+
+/// A body by its lattice alone.
+struct CountedBody {
+  const BodySetup& body;
+  Lattice lattice;
+  Stencil stencil;
+  double particles;
+
+  CountedBody(const BodySetup& setup, const BodySolid& solid, double count)
+      : body(setup),
+        lattice(lattice_that_fills(setup, solid)),
+        stencil(setup.family.as<FamilyRule>(), lattice.spacing, setup.horizon_ratio, lattice.thickness),
+        particles(count) {}
+  double largest_bonds() const { return 0.5 * particles * static_cast<double>(stencil.size()); }
+  double mass() const { return particles * lattice.cell_volume() * body.elastic().density; }
+
+  std::string text() const {
+    return fmt::format("body {}\n", body.name) +
+           row("particles",
+               fmt::format("{:.0f} ({} x {} x {} cells of {:.4g} m)", particles, lattice.cells[0], lattice.cells[1], lattice.cells[2], lattice.spacing)) +
+           row("bonds", fmt::format("at most {:.4g} ({} an interior particle, horizon {:.4g} m)", largest_bonds(), stencil.size(), stencil.horizon())) +
+           row("mass", fmt::format("{:.5g} kg", mass()));
+  }
+  Json json() const {
+    Json json = Json::object();
+    json["particles"] = particles;
+    json["spacing [m]"] = lattice.spacing;
+    json["mass [kg]"] = mass();
+    return json;
+  }
+};
+
+}  // namespace
+
+bool is_large(const Setup& setup, const std::vector<Discretisation>& bodies) {
+  constexpr double most = 4e6;  // particles; a million takes about 2 s to set up, and 20 s for the exact critical step
+  double slots = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double own = slots_of(setup.bodies[b], bodies[b]);
+    if (std::holds_alternative<Cloud>(bodies[b]) || !(own < std::numeric_limits<std::uint32_t>::max())) return false;  // the latter is refused
+    slots += own;
+  }
+  return slots > most;
+}
+
+LargeCheck::LargeCheck(const Setup& setup, const std::vector<Discretisation>& bodies)
+    : setup_(setup), bodies_(bodies), memory_(memory_of(setup, bodies)), json_(Json::object()) {
+  json_["is_estimate"] = true;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const CountedBody body(setup.bodies[b], std::get<BodySolid>(bodies[b]), memory_.particles[b]);
+    text_ += body.text();
+    json_["bodies"][setup.bodies[b].name] = body.json();
+  }
+  for (const ImpactorSetup& impactor : setup.impactors) {
+    const Impactor alone(impactor, setup.contact.impactors, {});
+    memory_.add(alone.surface());
+    text_ += fmt::format("impactor {}\n", alone.name()) + remesh_text(alone) + surface_text(alone.surface().report()) + contact_bounds_text(alone);
+    json_["impactors"][alone.name()]["panels"] = alone.surface().report().panels;
+  }
+  Json& time = json_["time"];
+  if (const auto& relax = setup.time.relax) {
+    const double increment = setup.time.end / relax->increments;
+    text_ += "time\n" + row("increments", fmt::format("{} of {:.4g} s", relax->increments, increment));
+    time["increments"] = relax->increments;
+    time["increment [s]"] = increment;
+  } else {
+    const Forecast forecast = forecast_of(setup, std::accumulate(memory_.particles.begin(), memory_.particles.end(), 0.0));
+    text_ += "time\n" + row("step", fmt::format("about {:.4g} s, {:.3g} steps: of a block of the same material", forecast.step, forecast.steps)) +
+             fmt::format("duration\n  about {} on {} threads, {} of them for the set-up, without impactors and output frames (from steps of the block)\n",
+                         duration_in_words(forecast.set_up + forecast.running), fccda::thread_count(), duration_in_words(forecast.set_up));
+    time["step [s]"] = forecast.step;
+    time["steps"] = forecast.steps;
+    json_["duration [s]"] = forecast.set_up + forecast.running;
+  }
+  text_ +=
+      memory_text(memory_) +
+      "The bodies are not built: particles are counted, and time and duration are estimates. Contact, probes and warnings are examined when the run begins, "
+      "or with a larger spacing.\n";
+  json_["memory"] = memory_json(memory_);
+}
+
+void LargeCheck::expect_to_fit() const { perimpact::expect_to_fit(setup_, bodies_, memory_, available_memory()); }
+
+}  // namespace perimpact

@@ -1,0 +1,80 @@
+// Plastic flow of particles after each evaluation of forces.
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "perimpact/damage/strength.hpp"
+#include "perimpact/materials/ordinary_state/plastic_force.hpp"
+
+namespace perimpact {
+
+using namespace fccda;
+
+namespace {
+
+constexpr double yields_before_it_breaks = 1e30;  // [1/Pa] slope of the limit of particles that have yielded: no bond breaks under pressure
+
+}  // namespace
+
+void PlasticForce::flow(const Particles& particles, const Family& family) {
+  parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
+    const auto row = static_cast<std::size_t>(number);
+    dissipation_[row] += pending_[row];
+    pending_[row] = 0;
+    const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
+    for (std::size_t eight = begin / byte_lanes; eight < end / byte_lanes; ++eight)
+      if (is_hot_[eight])
+        for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
+          if (is_stress_known(slot) && particles.is_occupied(slot)) flow(slot, row, particles, family);
+  });
+  std::swap(pressure_, latest_pressure_);
+}
+
+void PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& particles, const Family& family) {
+  SymmetricTensor stress = tensor_at(stress_, slot);
+  const SymmetricTensor before = stress;
+  const double half_volume = 0.5 * particles.volume(slot), p = pressure_of(stress);
+  dissipation_[row] += half_volume * double_contraction(before, tensor_at(increment_, slot));
+  SymmetricTensor increment{};
+  const bool is_crushed = has_failed_[slot] && second_invariant(stress) > plasticity_.residual * p * p;
+  if (p > 0 && (is_crushed || plasticity_.ellipse.function(stress) > 0)) {
+    increment =
+        is_crushed ? return_to_residual(plasticity_.ellipse, plasticity_.residual, moduli_, stress) : return_to_surface(plasticity_.ellipse, moduli_, stress);
+    SymmetricTensor sum = tensor_at(strain_, slot);
+    for (std::size_t c = 0; c < 6; ++c) sum[c] += increment[c];
+    set(strain_, slot, sum);
+    double& equivalent = equivalent_.component(0)[slot];
+    if (equivalent == 0) mark(slot, family);
+    equivalent += perimpact::equivalent_strain(increment);
+    pending_[row] += half_volume * double_contraction(before, increment);
+    if (!has_failed_[slot] && breaking_.is_armed() && resistance_.component(0)[slot] < unbreakable &&
+        equivalent > plasticity_.failure.at(p / largest_pressure_)) {
+      has_failed_[slot] = 1;
+      resistance_.component(0)[slot] = 0;
+    }
+  }
+  set(increment_, slot, increment);
+}
+
+/// From the next pass on the particle and those that are bonded to it know its plastic strain.
+void PlasticForce::mark(std::size_t slot, const Family& family) {
+  pressure_slope_.component(0)[slot] = yields_before_it_breaks;
+  const auto mark_at = [&](std::size_t at) { std::atomic_ref(is_plastic_[at / byte_lanes]).store(1, std::memory_order_relaxed); };
+  mark_at(slot);
+  family.for_each_bond(slot, [&](const FamilyBond& bond) { mark_at(bond.j); });
+}
+
+void PlasticForce::set_plastic_strain(std::size_t slot, const SymmetricTensor& strain, const Family& family) {
+  set(strain_, slot, strain);
+  equivalent_.component(0)[slot] = perimpact::equivalent_strain(strain);
+  mark(slot, family);
+}
+
+double PlasticForce::dissipation() const {
+  double sum = 0;
+  for (const double of_row : dissipation_) sum += of_row;
+  return sum;
+}
+
+}  // namespace perimpact
