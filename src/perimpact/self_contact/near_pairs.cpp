@@ -121,6 +121,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
   members_.clear();
   first_pair_.assign(1, 0);
   pair_counts_.clear();
+  broken_ends_.clear();
   std::vector<std::uint32_t> member_of(particles_.size());
   std::vector<std::size_t> first_of_part;
   for (std::size_t p = 0; p < particles_.size(); ++p) {
@@ -130,21 +131,30 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     member_of[p] = static_cast<std::uint32_t>(members_.size());
     members_.push_back(particles_[p]);
     pair_counts_.push_back(count);
+    const ContactingBody& body = bodies[particles_[p].body];
+    broken_ends_.push_back(body.broken_ends[particles_[p].slot / body.particles.row_slots()]);
     first_pair_.push_back(first_pair_.back() + (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes);
   }
   resize_to(others_, first_pair_.back());
   resize_to(bonds_, first_pair_.back());
-  has_bonds_.assign(members_.size(), 0);
+  unbonded_counts_.assign(members_.size(), 0);
   fccda::parallel_for(static_cast<std::ptrdiff_t>(parts.size()), [&](std::ptrdiff_t part) {
     const std::vector<Found>& found = parts[static_cast<std::size_t>(part)].found;
     std::size_t next = 0;
     for (std::size_t m = first_of_part[static_cast<std::size_t>(part)]; next < found.size(); ++m) {
       std::size_t pair = first_pair_[m];
-      for (const std::size_t last = next + pair_counts_[m]; next < last; ++next) {
-        others_[pair] = static_cast<std::int32_t>(member_of[found[next].particle]);
-        bonds_[pair++] = found[next].bond;
-        has_bonds_[m] |= found[next].bond != no_bond;
-      }
+      const std::size_t last = next + pair_counts_[m];
+      const auto add = [&](bool bonded) {
+        for (std::size_t n = next; n < last; ++n) {
+          if ((found[n].bond != no_bond) != bonded) continue;
+          others_[pair] = static_cast<std::int32_t>(member_of[found[n].particle]);
+          bonds_[pair++] = found[n].bond;
+        }
+      };
+      add(false);
+      unbonded_counts_[m] = static_cast<std::uint32_t>(pair - first_pair_[m]);
+      add(true);
+      next = last;
       for (; pair < first_pair_[m + 1]; ++pair) others_[pair] = 0, bonds_[pair] = no_bond;  // padding, read but not used
     }
   });

@@ -9,6 +9,7 @@
 /// those in contact are summed in the order of body and slot.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -43,14 +44,11 @@ class NearPairs {
     double volume;           ///< [m³]
     std::uint32_t particle;  ///< index among all particles of all bodies
   };
-  /// The possible contacts of a member, by body and slot. Packs of eight may be read.
+  /// The possible contacts of a member, by body and slot: its pairs without an intact bond. Packs of eight may be read.
   struct Pairs {
     std::size_t count;
     const std::int32_t* others;  ///< members
-    const std::uint32_t* bonds;  ///< row of the bond in the family of the member's eight slots if it was intact; else no_bond
-    bool has_bonds;              ///< not all are no_bond
   };
-  static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max();
 
   NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> bodies);
 
@@ -60,11 +58,13 @@ class NearPairs {
   /// Forces a rebuild in the next step.
   void forget() { is_known_ = false; }
 
+  /// Inserts the pairs of a member whose bonds have broken since the last call into pairs_of(member); to be called in each step, for each
+  /// member. Calls inserted(at, last) for each: of all pairs, at is new, and those from there to last - 1 have moved up by one.
+  template <class Inserted>
+  void insert_broken(std::size_t member, std::span<const ContactingBody> bodies, const Inserted& inserted);
+
   std::span<const Member> members() const { return members_; }  ///< by body and slot
-  Pairs pairs_of(std::size_t member) const {
-    const std::size_t first = first_pair_[member];
-    return {pair_counts_[member], others_.data() + first, bonds_.data() + first, has_bonds_[member] != 0};
-  }
+  Pairs pairs_of(std::size_t member) const { return {unbonded_counts_[member], others_.data() + first_pair_[member]}; }
   std::size_t first_pair(std::size_t member) const { return first_pair_[member]; }  ///< index of its first pair among all pairs, a multiple of eight
   std::size_t pair_count() const { return first_pair_.back(); }                     ///< including the padding after each member's pairs
   std::size_t particle_count() const { return particles_.size(); }
@@ -72,6 +72,8 @@ class NearPairs {
   std::size_t times_made() const { return times_made_; }
 
  private:
+  static constexpr std::uint32_t no_bond = std::numeric_limits<std::uint32_t>::max();
+
   struct Found {
     std::uint32_t particle, bond;
   };
@@ -97,12 +99,36 @@ class NearPairs {
 
   std::vector<Member> members_;
   std::vector<std::size_t> first_pair_;
-  std::vector<std::uint32_t> pair_counts_;  // of each member
-  std::vector<std::uint8_t> has_bonds_;     // of each member
+  std::vector<std::uint32_t> pair_counts_, unbonded_counts_;  // of each member; pairs without an intact bond come first
+  std::vector<std::size_t> broken_ends_;                      // of each member's row, when its bonds were last examined
   fccda::AlignedVector<std::int32_t> others_;
-  std::vector<std::uint32_t> bonds_;
+  std::vector<std::uint32_t> bonds_;  // row of the bond in the family of the member's eight slots if it is intact; else no_bond
   bool is_known_ = false;
   std::size_t times_made_ = 0;
 };
+
+template <class Inserted>
+void NearPairs::insert_broken(std::size_t member, std::span<const ContactingBody> bodies, const Inserted& inserted) {
+  std::uint32_t& unbonded = unbonded_counts_[member];
+  if (unbonded == pair_counts_[member]) return;
+  const Member& i = members_[member];
+  const ContactingBody& body = bodies[i.body];
+  const std::size_t ends = body.broken_ends[i.slot / body.particles.row_slots()];
+  if (broken_ends_[member] == ends) return;
+  broken_ends_[member] = ends;
+  const std::uint8_t* bits = body.family.bytes(i.slot / fccda::byte_lanes);
+  const std::size_t first = first_pair_[member];
+  for (std::size_t pair = first + unbonded; pair < first + pair_counts_[member]; ++pair) {
+    if ((bits[bonds_[pair]] >> (i.slot % fccda::byte_lanes)) & 1u) continue;
+    const auto begin = others_.begin() + static_cast<std::ptrdiff_t>(first), from = others_.begin() + static_cast<std::ptrdiff_t>(pair);
+    const auto at = std::lower_bound(begin, begin + unbonded, *from);
+    const auto index = at - others_.begin();
+    bonds_[pair] = no_bond;
+    std::rotate(bonds_.begin() + index, bonds_.begin() + static_cast<std::ptrdiff_t>(pair), bonds_.begin() + static_cast<std::ptrdiff_t>(pair) + 1);
+    std::rotate(at, from, from + 1);
+    inserted(static_cast<std::size_t>(index), first + unbonded);
+    ++unbonded;
+  }
+}
 
 }  // namespace perimpact

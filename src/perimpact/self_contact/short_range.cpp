@@ -86,9 +86,8 @@ ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others
 
 /// Density around a member, and its pressure.
 void ShortRange::evaluate(std::size_t m, std::span<const ContactingBody> bodies, double dt) {
+  near_pairs_.insert_broken(m, bodies, [&](std::size_t at, std::size_t last) { insert_pair(at, last); });
   const NearPairs::Member& i = near_pairs_.members()[m];
-  const ContactingBody& body = bodies[i.body];
-  const std::uint8_t* bonds = body.family.bytes(i.slot / byte_lanes);
   const bool exposed = near_pairs_.is_exposed(i);
   const NearPairs::Pairs pairs = near_pairs_.pairs_of(m);
   const std::size_t first_pair = near_pairs_.first_pair(m);
@@ -102,11 +101,6 @@ void ShortRange::evaluate(std::size_t m, std::span<const ContactingBody> bodies,
     const Eight eight = eight_of(m, those);
     unsigned near = eight.near;
     if (pairs.count - first < byte_lanes) near &= (1u << (pairs.count - first)) - 1u;
-    if (pairs.has_bonds)
-      for_each_bit(near, [&](std::size_t lane) {
-        const std::uint32_t bond = pairs.bonds[first + lane];
-        if (bond != NearPairs::no_bond && ((bonds[bond] >> (i.slot % byte_lanes)) & 1u)) near &= ~(1u << lane);
-      });
     if (!exposed)
       for_each_bit(near, [&](std::size_t lane) {
         if (!near_pairs_.is_exposed(near_pairs_.members()[static_cast<std::size_t>(those[lane])])) near &= ~(1u << lane);
@@ -160,6 +154,7 @@ ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const Contacting
   add_pairs(m, 0, begin, bodies, dt, force, got);
   add_pairs(m, begin, end, bodies, dt, force, got);
   add_pairs(m, end, count, bodies, dt, force, got);
+  may_slip_[m] = got.contacts > 0;
   if (got.contacts == 0) return got;
   Particles& particles = bodies[i.body].particles;
   particles.force_density.set(i.slot, particles.force_density.at(i.slot) + force / i.volume);
@@ -184,7 +179,7 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
     const unsigned all = last - first < lanes<Pack> ? (1u << (last - first)) - 1u : (1u << lanes<Pack>)-1u;
     const Pack its = gather<Pack>(pressure_[whose].data(), those);
     unsigned pushes = all & bits_where_greater(mine + its, Pack(0.0));
-    if (pushes == 0 && !slides) continue;
+    if (pushes == 0 && !may_slip_[m]) continue;
     const auto [x, y, z, its_size] = gather_rows<Pack>(&places_.front().position.x, those);
     const Vec3<Pack> between{x - Pack(place.x), y - Pack(place.y), z - Pack(place.z)};
     const Pack squared = between.x * between.x + between.y * between.y + between.z * between.z;
@@ -254,6 +249,21 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
   // half of each pair belongs to this member
   got.energy += 0.25 * total(stored);
   got.friction_dissipation += 0.25 * total(rubbed);
+}
+
+/// State of a new pair in the order of pairs; those from there to last - 1 move up by one.
+void ShortRange::insert_pair(std::size_t at, std::size_t last) {
+  const auto bit = [](std::size_t pair) { return static_cast<std::uint8_t>(1u << pair % byte_lanes); };
+  const auto set_near = [&](std::size_t pair, bool near) {
+    std::uint8_t& byte = is_near_[pair / byte_lanes];
+    byte = static_cast<std::uint8_t>(near ? byte | bit(pair) : byte & ~bit(pair));
+  };
+  for (std::size_t pair = last; pair > at; --pair) {
+    set_near(pair, is_near_[(pair - 1) / byte_lanes] & bit(pair - 1));
+    if (law_.friction > 0) set_slip(pair, slip_of(pair - 1));
+  }
+  set_near(at, false);
+  if (law_.friction > 0) set_slip(at, {});
 }
 
 /// Dissipates the energy of the tangential spring of a pair out of contact.
@@ -329,6 +339,7 @@ void ShortRange::rebuild_derived_pairs() {
   energy_of_.assign(members.size(), 0);
   pair_sums_.assign(members.size(), {});
   near_count_.assign(members.size(), 0);
+  may_slip_.assign(members.size(), law_.friction > 0);
   const std::size_t count = near_pairs_.pair_count();
   resize_to(near_, count + byte_lanes);
   std::fill(near_.begin(), near_.end(), 0);  // packs of eight are read

@@ -90,6 +90,7 @@ class ShortRange {
   void add_pairs(std::size_t member, std::size_t first, std::size_t last, std::span<const ContactingBody> bodies, double dt, Vec3d& force, PairSum& got);
   ParticleContactForce force_of_pair(std::size_t member, std::size_t other, std::size_t whose, std::span<const ContactingBody> bodies, double dt,
                                      Vec3d& slip) const;
+  void insert_pair(std::size_t at, std::size_t last);
   void release_contact(std::size_t pair, double stiffness, PairSum& got);
   double tangential_stiffness(const NearPairs::Member& i, const NearPairs::Member& j) const;
   Vec3d slip_of(std::size_t pair) const { return {slip_[0][pair], slip_[1][pair], slip_[2][pair]}; }
@@ -126,6 +127,7 @@ class ShortRange {
   std::vector<double> energy_of_;   // [J] of their density
   std::vector<PairSum> pair_sums_;
   std::vector<std::uint32_t> near_count_;
+  std::vector<std::uint8_t> may_slip_;     // a tangential spring may be extended: with friction, after contact in the last evaluation
   std::vector<std::size_t> first_member_;  // of each body, and their number
 
   // of their pairs, from first_pair() on
