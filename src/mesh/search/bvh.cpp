@@ -235,9 +235,6 @@ void Bvh::visit_segment(const Vec3d& start, const Vec3d& end, const double& unti
   }
 }
 
-namespace {
-
-/// Among crossings at the same path parameter the panel with the smallest number comes first, whatever the order of the traversal.
 void take_if_first(const Surface& surface, const Crossing& found, std::optional<Crossing>& first, double& until) {
   const auto rank = [&](const Crossing& one) {
     return std::tuple(one.fraction, surface.triangles()[static_cast<std::size_t>(one.triangle)].panel, one.triangle);
@@ -246,8 +243,6 @@ void take_if_first(const Surface& surface, const Crossing& found, std::optional<
   first = found;
   until = found.fraction;
 }
-
-}  // namespace
 
 std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std::size_t& tested) const {
   std::optional<Crossing> first;
