@@ -140,7 +140,7 @@ class Bvh {
   std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& tested, Nearby* nearby, const Accept& accept) const;
   template <class Visit>
   void visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
-  void fill(Leaf& leaf) const;
+  Box fill(Leaf& leaf) const;
   static void set_box(Node& node, std::size_t child, const Box& box, double slack);
   static std::array<double, width> squared_distances(const Leaf& leaf, const Vec3d& point);
   Corners corners(std::size_t triangle) const { return {surface_->corner(triangle, 0), surface_->corner(triangle, 1), surface_->corner(triangle, 2)}; }

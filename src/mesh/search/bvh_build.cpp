@@ -159,10 +159,12 @@ class Bvh::Builder {
   double slack_ = 0;
 };
 
-// The triangles of a leaf by coordinate.
-void Bvh::fill(Leaf& leaf) const {
+// The triangles of a leaf by coordinate. Returns the box about them, relative to the origin.
+Box Bvh::fill(Leaf& leaf) const {
+  Box box;
   for (std::size_t l = 0; l < width; ++l) {
     const Corners t = corners(static_cast<std::size_t>(leaf.triangle[l]));
+    box.include(t.a), box.include(t.b), box.include(t.c);
     const Vec3d a = t.a - origin_, ab = t.b - t.a, ac = t.c - t.a;
     for (std::size_t axis = 0; axis < 3; ++axis) leaf.a[axis][l] = a[axis], leaf.ab[axis][l] = ab[axis], leaf.ac[axis][l] = ac[axis];
     leaf.inverse_ab[l] = inverse(squared_norm(ab));
@@ -170,6 +172,7 @@ void Bvh::fill(Leaf& leaf) const {
     leaf.inverse_ca[l] = inverse(squared_norm(ac));
     leaf.inverse_normal[l] = inverse(squared_norm(cross(ab, ac)));
   }
+  return {box.low - origin_, box.high - origin_};
 }
 
 void Bvh::set_box(Node& node, std::size_t child, const Box& box, double slack) {
@@ -195,14 +198,7 @@ void Bvh::refit() {
     Node& node = nodes_[static_cast<std::size_t>(k)];
     for (std::size_t c = 0; c < width; ++c) {
       if (node.child[c] >= 0 || !is_child(node, c)) continue;
-      Leaf& leaf = leaves_[static_cast<std::size_t>(~node.child[c])];
-      fill(leaf);
-      Box box;
-      for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) {
-        const Corners t = corners(static_cast<std::size_t>(leaf.triangle[l]));
-        for (const Vec3d& corner : {t.a, t.b, t.c}) box.include(corner - origin_);
-      }
-      set_box(node, c, box, slack);
+      set_box(node, c, fill(leaves_[static_cast<std::size_t>(~node.child[c])]), slack);
     }
   });
   for (std::size_t n = nodes_.size(); n-- > 0;) {
