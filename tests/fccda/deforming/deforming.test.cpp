@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <map>
+#include <random>
 
+#include "base/error.hpp"
 #include "fccda/deforming/scenes.hpp"
 #include "fixtures/tolerance.hpp"
 
@@ -144,4 +146,163 @@ TEST_CASE("deforming: a surface whose vertices move rigidly has the contacts of 
     }
   CHECK(contacts > 2000);
   CHECK(panels > 0.98 * static_cast<double>(contacts));
+}
+
+TEST_CASE("deforming: points cross an open sheet from its front, also where it moves many panels a step and through itself") {
+  const Panels flat = sheet(20);
+  const auto wave = [](const Vec3d& x, double s) { return Vec3d{x.x * (1 - 1.5 * s), x.y + 0.3 * s * std::sin(9 * x.x), x.z + s * std::cos(7 * x.x + 3 * s)}; };
+  std::mt19937_64 random(14);
+  std::size_t contacts = 0, missed = 0, invented = 0;
+  // In the last case the sheet is turned inside out in the middle of the step, and its halves pass through each other.
+  for (const auto& [from, to] : {std::pair(0.0, 0.05), std::pair(0.1, 0.4), std::pair(0.2, 0.9)}) {
+    const auto surface = open_surface(flat);
+    surface->move(displaced(flat, {"", wave}, from));
+    surface->move(displaced(flat, {"", wave}, to));
+    TestPoints points;
+    std::vector<exact::Answer> crossing;
+    while (points.size() < 400) {
+      const Path path = path_near(*surface, 0.1, 0.3, random);
+      const exact::Answer answer = Near(*surface, path, 0).crossing(path);
+      if (answer.margin < 1e-12) continue;
+      points.x0.push_back(path.start), points.x1.push_back(path.end);
+      crossing.push_back(answer);
+    }
+    Deforming detector(surface, 0);
+    std::vector<bool> found(points.size());
+    for (const DeformingContact& contact : deforming::detect(detector, points)) {
+      const std::size_t i = contact.contact.point;
+      found[i] = true;
+      if (crossing[i].crosses) CHECK(contact.contact.time_fraction == fixtures::absolute(crossing[i].time, 1e-7, "1"));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+      contacts += crossing[i].crosses, missed += crossing[i].crosses && !found[i], invented += !crossing[i].crosses && found[i];
+  }
+  CHECK(contacts > 200);
+  CHECK(missed == 0);
+  CHECK(invented == 0);
+}
+
+namespace {
+
+/// Points in random motion about a body that is bent and twisted to and fro by up to a panel's size a step. They are relocated, and remain where they are put.
+struct Swarm {
+  Panels panels = fixtures::hull();
+  std::shared_ptr<DeformingSurface> surface = std::make_shared<DeformingSurface>(Surface(panels));
+  TestPoints points;
+  std::mt19937_64 random{15};
+  double step;
+
+  Swarm(double radius, double length) : step(length) {
+    const Soup soup(surface->at_t1());
+    while (points.size() < 500) {
+      const Vec3d place = path_near(*surface, radius + 0.06, 0, random).start;
+      if (soup.distance(place) < radius + 1e-6 || soup.inside(place)) continue;
+      points.x0.push_back(place), points.x1.push_back(place);
+    }
+  }
+
+  void advance(int k) {
+    surface->move(displaced(displaced_panels(k), deformations()[4], 0.02 * std::sin(0.7 * k)));
+    points.x0 = points.x1;
+    for (std::size_t i = 0; i < points.size(); ++i)  // most of them slowly
+      points.x1[i] += (i % 5 == 0 ? step : 0.02 * step) * fixtures::random_direction(random);
+  }
+  void relocate(const std::vector<DeformingContact>& contacts) {
+    for (const DeformingContact& contact : contacts) points.x1[contact.contact.point] = contact.contact.relocation;
+  }
+
+ private:
+  Panels displaced_panels(int k) const {
+    Panels out = panels;
+    out.vertices = displaced(panels, deformations()[1], 0.03 * std::sin(0.5 * k));
+    return out;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("deforming: in many steps no point gets inside a body that bends and twists by a panel's size a step") {
+  for (const double radius : {0.0, 0.03}) {
+    Swarm swarm(radius, 0.1);
+    Deforming detector(swarm.surface, radius);
+    std::size_t contacts = 0, inside = 0;
+    for (int k = 1; k <= 40; ++k) {
+      swarm.advance(k);
+      const std::vector<DeformingContact> found = deforming::detect(detector, swarm.points);
+      swarm.relocate(found);
+      contacts += found.size();
+      const Soup soup(swarm.surface->at_t1());
+      if (k % 10 != 0) continue;
+      for (const Vec3d& x : swarm.points.x1) {
+        const double distance = soup.distance(x);
+        inside += distance < radius - 1e-9 || (distance > 1e-9 && soup.inside(x));
+      }
+    }
+    CHECK(contacts > 500);
+    CHECK(inside == 0);
+  }
+}
+
+TEST_CASE("deforming: skipped points and the number of threads change no contact") {
+  const auto all_contacts = [](bool forgets, int threads) {
+    const int before = thread_count();
+    use_threads(threads);
+    Swarm swarm(0.03, 0.02);
+    Deforming detector(swarm.surface, 0.03);
+    std::vector<DeformingContact> all;
+    for (int k = 1; k <= 40; ++k) {
+      swarm.advance(k);
+      if (forgets) detector.forget();
+      const std::vector<DeformingContact> found = deforming::detect(detector, swarm.points);
+      swarm.relocate(found);
+      all.insert(all.end(), found.begin(), found.end());
+    }
+    use_threads(before);
+    return std::pair(all, detector.effort().points_tested);
+  };
+  const auto [cached, few] = all_contacts(false, 1);
+  const auto [fresh, many] = all_contacts(true, 2);
+  CHECK(cached.size() > 300);
+  CHECK(few < many);
+  REQUIRE(cached.size() == fresh.size());
+  for (std::size_t k = 0; k < cached.size(); ++k) {
+    CHECK(cached[k].contact.point == fresh[k].contact.point);
+    CHECK(cached[k].contact.relocation == fresh[k].contact.relocation);
+    CHECK(cached[k].contact.time_fraction == fresh[k].contact.time_fraction);
+    CHECK(cached[k].place.vertices == fresh[k].place.vertices);
+  }
+}
+
+TEST_CASE("deforming: points that others displaced in the step are detected again") {
+  const Panels cube = fixtures::unit_cube();
+  const auto surface = std::make_shared<DeformingSurface>(Surface(cube));
+  surface->move(cube.vertices);
+  TestPoints points;
+  points.x0 = {{2, 0.5, 0.5}, {3, 0.5, 0.5}}, points.x1 = points.x0;
+  Deforming detector(surface, 0.1);
+  CHECK(deforming::detect(detector, points).empty());
+  points.x1[1] = {0.9, 0.5, 0.5};
+  std::vector<DeformingContact> again;
+  detector.detect_again(points, std::vector<std::size_t>{1}, again);
+  REQUIRE(again.size() == 1);
+  CHECK(again[0].contact.point == 1);
+  CHECK(again[0].contact.relocation.x == fixtures::relative(1.1, 1e-9));
+  CHECK(detector.still_inside(points, std::vector<std::size_t>{0, 1}) == std::vector<std::size_t>{1});
+  CHECK(detector.initial_overlap(points).empty());
+}
+
+TEST_CASE("deforming: a detection needs a step of the surface, and a radius that is a number") {
+  const Panels cube = fixtures::unit_cube();
+  const auto surface = std::make_shared<DeformingSurface>(Surface(cube));
+  surface->move(cube.vertices);
+  TestPoints points;
+  points.x0 = {{2, 0.5, 0.5}}, points.x1 = points.x0;
+  Deforming detector(surface, 0), other(surface, 0);
+  deforming::detect(detector, points);
+  deforming::detect(other, points);  // another body's
+  CHECK_THROWS_WITH_AS(deforming::detect(detector, points),
+                       "contact: the deforming surface was not moved since the last detection; call move() once in each step, even if it is at rest.",
+                       InputError);
+  CHECK_THROWS_WITH_AS(Deforming(surface, -1), "contact: the contact radius is -1 m, but it must be a number of at least 0; 0 is for points without extent.",
+                       InputError);
 }

@@ -53,6 +53,21 @@ inline std::vector<Vec3d> displaced(const Panels& panels, const Deformation& def
   return out;
 }
 
+/// An open square sheet of n × n quads with the front up, of size 1.
+inline Panels sheet(int n) {
+  Panels out;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) out.vertices.push_back({static_cast<double>(i) / n - 0.5, static_cast<double>(j) / n - 0.5, 0});
+  const auto at = [&](int i, int j) { return j * (n + 1) + i; };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) out.add_quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+  return out;
+}
+
+inline std::shared_ptr<DeformingSurface> open_surface(const Panels& panels) {
+  return std::make_shared<DeformingSurface>(Surface(panels, {.orientation = Orientation::normals}));
+}
+
 /// Triangles near a path.
 struct Near {
   const DeformingSurface& surface;
