@@ -29,6 +29,7 @@ struct MovingQuery {
 /// Contact of single paths with a deforming surface in its current step, which must outlive the object; many threads may use one object.
 class MovingPathTest {
  public:
+  /// Of the step that the surface has begun.
   explicit MovingPathTest(const DeformingSurface& surface);
 
   /// `guess`: a triangle expected to be near, or -1; updated. Positions of the contact are in the world frame, with the surface at t1.

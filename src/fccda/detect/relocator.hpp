@@ -45,6 +45,7 @@ class Relocator {
     Ball ball;                  ///< of the point
   };
 
+  /// Of a surface and its search structures.
   Relocator(const Surface& surface, const Bvh& bvh, const Solids& solids) : surface_(&surface), bvh_(&bvh), solids_(&solids) {}
 
   /// The point of a triangle that is closest to `point`.
