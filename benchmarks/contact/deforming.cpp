@@ -110,19 +110,19 @@ int main(int argc, char** argv) {
     const PathTest test(rigid, Unbounded(), ball);
     const Motion motion{Pose(), Pose(drift), 1};
     const BodyView view(motion, test.size());
-    query(ball > 0 ? "rigid, balls" : "rigid, points", [&](const Path& path, int& guess, Effort& effort) {
+    query(ball > 0 ? "rigid balls" : "rigid points", [&](const Path& path, int& guess, Effort& effort) {
       return test.evaluate({.path = view.path(path.start, path.end), .radius = ball, .offset = 1e-12}, guess, effort);
     });
     surface->move(start);
     for (std::size_t v = 0; v < start.size(); ++v) vertices[v] = start[v] + drift;
     surface->move(vertices);
-    deforming(ball > 0 ? "moved rigidly, balls" : "moved rigidly, points");
+    deforming(ball > 0 ? "balls at vertices moved rigidly" : "points at vertices moved rigidly");
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (Vec3d& vertex : vertices) vertex += 0.1 * panel * Vec3d{unit(random), unit(random), unit(random)};
     surface->move(start);
     surface->move(vertices);
-    deforming(ball > 0 ? "deforming, balls" : "deforming, points");
+    deforming(ball > 0 ? "balls at vertices moved individually" : "points at vertices moved individually");
   }
   return 0;
 }

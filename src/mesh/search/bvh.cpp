@@ -75,7 +75,8 @@ class Bvh::Closest {
   template <class Accept>
   void consider(std::int32_t index, std::size_t& tested, const Accept& accept) {
     const Leaf& leaf = bvh_.leaves_[static_cast<std::size_t>(index)];
-    const std::array<double, width> d = squared_distances(leaf, from_origin_);
+    const std::array<double, width> d =
+        bvh_.leaf_vertices_.empty() ? squared_distances(leaf, from_origin_) : squared_distances(bvh_.filled(leaf), from_origin_);
     tested += static_cast<std::size_t>(leaf.count);
     for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) {
       if (!(d[l] <= squared_)) continue;

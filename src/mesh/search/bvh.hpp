@@ -140,7 +140,9 @@ class Bvh {
   std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& tested, Nearby* nearby, const Accept& accept) const;
   template <class Visit>
   void visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
-  Box fill(Leaf& leaf) const;
+  void fill(Leaf& leaf) const;
+  Leaf filled(const Leaf& outdated) const;
+  void list_leaf_vertices();
   static void set_box(Node& node, std::size_t child, const Box& box, double slack);
   static std::array<double, width> squared_distances(const Leaf& leaf, const Vec3d& point);
   Corners corners(std::size_t triangle) const { return {surface_->corner(triangle, 0), surface_->corner(triangle, 1), surface_->corner(triangle, 2)}; }
@@ -149,6 +151,8 @@ class Bvh {
   Vec3d origin_;  // centre of the surface, where floats are finest
   AlignedVector<Node> nodes_;
   AlignedVector<Leaf> leaves_;
+  // Once refitted, the coordinates of the leaves are outdated; the vertices of their triangles stand here, in the order of the leaves.
+  std::vector<std::array<std::int32_t, 3 * width>> leaf_vertices_;
   std::vector<std::int32_t> leaf_of_;  // by triangle; empty for a subset of the triangles
 };
 

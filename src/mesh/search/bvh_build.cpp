@@ -159,12 +159,10 @@ class Bvh::Builder {
   double slack_ = 0;
 };
 
-// The triangles of a leaf by coordinate. Returns the box about them, relative to the origin.
-Box Bvh::fill(Leaf& leaf) const {
-  Box box;
+// The triangles of a leaf by coordinate.
+void Bvh::fill(Leaf& leaf) const {
   for (std::size_t l = 0; l < width; ++l) {
     const Corners t = corners(static_cast<std::size_t>(leaf.triangle[l]));
-    box.include(t.a), box.include(t.b), box.include(t.c);
     const Vec3d a = t.a - origin_, ab = t.b - t.a, ac = t.c - t.a;
     for (std::size_t axis = 0; axis < 3; ++axis) leaf.a[axis][l] = a[axis], leaf.ab[axis][l] = ab[axis], leaf.ac[axis][l] = ac[axis];
     leaf.inverse_ab[l] = inverse(squared_norm(ab));
@@ -172,7 +170,13 @@ Box Bvh::fill(Leaf& leaf) const {
     leaf.inverse_ca[l] = inverse(squared_norm(ac));
     leaf.inverse_normal[l] = inverse(squared_norm(cross(ab, ac)));
   }
-  return {box.low - origin_, box.high - origin_};
+}
+
+Bvh::Leaf Bvh::filled(const Leaf& outdated) const {
+  Leaf leaf;
+  leaf.triangle = outdated.triangle, leaf.count = outdated.count;
+  fill(leaf);
+  return leaf;
 }
 
 void Bvh::set_box(Node& node, std::size_t child, const Box& box, double slack) {
@@ -188,8 +192,19 @@ Bvh::Bvh(const Bvh& tree, const Surface& surface) : Bvh(tree) {
   refit();
 }
 
-// A node comes before its children, so the boxes of nodes are united backwards, after those of the leaves.
+void Bvh::list_leaf_vertices() {
+  leaf_vertices_.resize(leaves_.size());
+  for (std::size_t k = 0; k < leaves_.size(); ++k)
+    for (std::size_t l = 0; l < width; ++l)
+      std::ranges::copy(surface_->triangles()[static_cast<std::size_t>(leaves_[k].triangle[l])].vertex,
+                        leaf_vertices_[k].begin() + static_cast<std::ptrdiff_t>(3 * l));
+}
+
+// A node comes before its children, so the boxes of nodes are united backwards, after those of the leaves. Leaves are left outdated: they are most of
+// the memory, and few are visited in a step.
 void Bvh::refit() {
+  if (leaf_vertices_.empty()) list_leaf_vertices();
+  const std::span<const Vec3d> vertices = surface_->vertices();
   const Box& bounds = surface_->report().bounds;
   origin_ = bounds.centre();
   const double slack = slack_of({bounds.low - origin_, bounds.high - origin_});
@@ -198,7 +213,9 @@ void Bvh::refit() {
     Node& node = nodes_[static_cast<std::size_t>(k)];
     for (std::size_t c = 0; c < width; ++c) {
       if (node.child[c] >= 0 || !is_child(node, c)) continue;
-      set_box(node, c, fill(leaves_[static_cast<std::size_t>(~node.child[c])]), slack);
+      Box box;
+      for (const std::int32_t vertex : leaf_vertices_[static_cast<std::size_t>(~node.child[c])]) box.include(vertices[static_cast<std::size_t>(vertex)]);
+      set_box(node, c, {box.low - origin_, box.high - origin_}, slack);
     }
   });
   for (std::size_t n = nodes_.size(); n-- > 0;) {
