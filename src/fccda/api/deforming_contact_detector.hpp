@@ -17,6 +17,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fccda/api/contact_detector.hpp"

@@ -18,7 +18,7 @@ constexpr double worn = 1.5;           // of the cost after construction: above 
 constexpr double together = 1e-6;      // of the size: how far merged vertices may part
 constexpr double without_area = 1e-9;  // of the square of a triangle's longest side
 
-/// Smaller and larger than any value of the chunks, in the same chunks for any number of threads.
+/// Vertices or triangles that one thread processes at a time: the same for any number of threads, so that sums are.
 constexpr std::size_t chunk = 4096;
 
 /// Combines of(first, last) over chunks of [0, count) in their order, evaluated in parallel.

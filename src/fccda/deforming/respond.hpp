@@ -11,6 +11,7 @@
 /// Linear momentum of points and vertices is conserved, and the angular one with the positions at t1 (vertex_impulse.hpp).
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "fccda/deforming/deforming.hpp"

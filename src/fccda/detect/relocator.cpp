@@ -1,10 +1,11 @@
 // Relocation of points in contact, outside the surface.
+#include "fccda/detect/relocator.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "fccda/detect/half_spaces.hpp"
-#include "fccda/detect/relocator.hpp"
 
 namespace fccda {
 

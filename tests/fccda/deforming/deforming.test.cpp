@@ -306,3 +306,21 @@ TEST_CASE("deforming: a detection needs a step of the surface, and a radius that
   CHECK_THROWS_WITH_AS(Deforming(surface, -1), "contact: the contact radius is -1 m, but it must be a number of at least 0; 0 is for points without extent.",
                        InputError);
 }
+
+TEST_CASE("deforming: a step of the surface without a detection is noticed") {
+  const Panels cube = fixtures::unit_cube();
+  const auto surface = std::make_shared<DeformingSurface>(Surface(cube));
+  const auto move = [&](double way) {
+    std::vector<Vec3d> vertices = cube.vertices;
+    for (Vec3d& x : vertices) x.x += way;
+    surface->move(vertices);
+  };
+  TestPoints points;
+  points.x0 = {{2, 0.4, 0.5}}, points.x1 = points.x0;
+  Deforming detector(surface, 0);
+  move(0);
+  CHECK(deforming::detect(detector, points).empty());  // its distance of 1 is known now
+  move(0.9);
+  move(1.2);  // a travel of 0.3
+  CHECK(deforming::detect(detector, points).size() == 1);
+}
