@@ -179,8 +179,9 @@ void Surface::measure_parts() {
   }
 }
 
-const Vec3d& Surface::pseudonormal(std::size_t triangle, Feature feature) const {
+Vec3d Surface::pseudonormal(std::size_t triangle, Feature feature) const {
   EXPECTS(triangle < linked_.triangles.size());
+  if (normals_.faces.empty()) return fccda::pseudonormal(linked_, incident_, triangle, feature);
   const auto f = static_cast<std::size_t>(feature);
   if (feature == Feature::face) return normals_.faces[triangle];
   if (feature <= Feature::edge_2) return normals_.edges[triangle][f - 1];
@@ -193,6 +194,15 @@ bool Surface::is_boundary_edge(std::size_t triangle, Feature feature) const {
   if (feature == Feature::face) return false;
   if (feature <= Feature::edge_2) return linked_.neighbours[triangle][f - 1] < 0;
   return boundary_vertices_[static_cast<std::size_t>(linked_.triangles[triangle].vertex[f - 4])];
+}
+
+void Surface::displace(std::span<const Vec3d> vertices) {
+  EXPECTS(vertices.size() == linked_.vertices.size());
+  if (incident_.begin.empty()) incident_ = incident_triangles(linked_);
+  normals_ = {};
+  std::copy(vertices.begin(), vertices.end(), linked_.vertices.begin());
+  report_.bounds = {};
+  for (const Vec3d& vertex : vertices) report_.bounds.include(vertex);
 }
 
 double Surface::radius_about(const Vec3d& point) const {

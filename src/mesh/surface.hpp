@@ -1,5 +1,5 @@
-/// The triangulated rigid surface for contact: welded, consistently oriented triangles with their neighbours and pseudonormals, in the
-/// body frame. Immutable after construction, so any number of threads may read it.
+/// The triangulated surface for contact: welded, consistently oriented triangles with their neighbours and pseudonormals, in the body
+/// frame. Only displace() changes it after construction, so any number of threads may read it.
 #pragma once
 
 #include <cstdint>
@@ -88,11 +88,12 @@ class Surface {
   bool is_closed() const { return report_.closure == Closure::closed; }  ///< watertight
 
   const Vec3d& corner(std::size_t triangle, std::size_t c) const { return linked_.corner(triangle, c); }  ///< [m] corner 0, 1 or 2
-  const Vec3d& normal(std::size_t triangle) const { return normals_.faces[triangle]; }                    ///< unit, outward
+  /// Unit, outward.
+  Vec3d normal(std::size_t triangle) const { return normals_.faces.empty() ? pseudonormal(triangle, Feature::face) : normals_.faces[triangle]; }
 
   /// Unit normal of the feature: of the face; the mean of both faces on an edge; the angle-weighted mean on a vertex. The sign of
   /// (point - closest point)·pseudonormal gives the side of a point (Bærentzen and Aanæs, IEEE TVCG 11 (2005) 243).
-  const Vec3d& pseudonormal(std::size_t triangle, Feature feature) const;
+  Vec3d pseudonormal(std::size_t triangle, Feature feature) const;
 
   /// Number of solids bounded by the surface: outer components with their cavities. They may overlap, as blades and their hub do.
   std::size_t solids() const { return report_.solids; }
@@ -107,6 +108,10 @@ class Surface {
   /// True if the feature lies on the boundary of an open surface, where the pseudonormal does not define a side.
   bool is_boundary_edge(std::size_t triangle, Feature feature) const;
 
+  /// Moves the vertices [m], as many as vertices() and all finite; triangles and neighbours remain. The bounds of report() follow, its other
+  /// numbers remain those of construction. From then on normals are computed when they are asked for.
+  void displace(std::span<const Vec3d> vertices);
+
   /// Radius of the bounding sphere about `point` [m].
   double radius_about(const Vec3d& point) const;
 
@@ -117,7 +122,8 @@ class Surface {
   Panels panels_;
   std::vector<std::string> part_names_;
   LinkedTriangles linked_;
-  Pseudonormals normals_;
+  Pseudonormals normals_;       // empty once displaced
+  IncidentTriangles incident_;  // empty until displaced
   std::vector<bool> boundary_vertices_;
   std::vector<int> solid_of_;  // of each triangle
   SurfaceReport report_;

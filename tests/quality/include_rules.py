@@ -28,6 +28,7 @@ LAYERS = {
     "fccda/contact_bounds": ["base", "mesh"],
     "fccda/detect": ["base", "mesh", "fccda/contact_bounds", "fccda/rigid_body"],
     "fccda/respond": ["base", "mesh", "fccda"],
+    "fccda/deforming": ["base", "mesh", "fccda/contact_bounds", "fccda/rigid_body", "fccda/detect", "fccda/respond"],
     "marine": ["base", "mesh", "fccda/rigid_body"],
     "perimpact": ["base", "mesh", "mesh_io", "marine", "fccda"],
     "perimpact/deck_model": ["base", *CONSTANTS],

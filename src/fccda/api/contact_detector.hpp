@@ -86,7 +86,6 @@ class ContactDetector {
   const Swept& swept() const { return swept_; }
 
  private:
-  void measure_paths(ConstVectors x_t0, ConstVectors x_t1);
   double note_radii(const Numbers& radius, std::size_t points);
   template <class P>
   std::vector<Contact> contacts_of(const P& points, const Motion& motion);

@@ -28,21 +28,11 @@
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/curved_path.hpp"
 #include "fccda/detect/points.hpp"
+#include "fccda/detect/relocator.hpp"
 #include "fccda/rigid_body/pose.hpp"
 #include "mesh/search/indexed_surface.hpp"
 
 namespace fccda {
-
-/// A contact in the body frame.
-struct BodyFrameContact {
-  double time_fraction;  ///< 0 at t0 to 1 at t1
-  Vec3d hit;             ///< [m] point of the surface first in contact
-  Vec3d normal;          ///< unit, out of the surface, at the relocated position
-  Vec3d relocation;      ///< [m]
-  int triangle;          ///< of the relocation
-  Vec3d normal_t0{};     ///< unit, out of the surface, where the ball was in contact at t0; 0 if it was not, or entered another part of the surface
-  bool front = true;     ///< it was in front of the first triangle in contact; false beside the boundary of an open surface, and behind it
-};
 
 /// The path of one point in one step.
 struct PathQuery {
@@ -66,13 +56,9 @@ struct PathResult {
 };
 
 /// Contact of single paths with a surface; many threads may use one object.
-class PathTest {
+class PathTest : private Relocator {
  public:
-  /// The nearest obstacle: the closest point of the surface or, for overlapping solids, of the one it is deepest in.
-  struct Nearest {
-    ClosestPoint closest;  ///< of that surface, or of that solid
-    double distance;       ///< [m] negative inside a closed surface
-  };
+  using Relocator::Nearest;
 
   /// `radius` [m]: contact radius of points without an individual one.
   PathTest(SharedSurface surface, ContactBounds region, double radius);
@@ -87,24 +73,14 @@ class PathTest {
   /// The same for a point with its own contact radius [m].
   bool is_inside(const Vec3d& point, double tolerance, double radius) const;
 
-  /// `guess`: a triangle expected to be near, or -1. Nothing for a point that is not a number.
-  std::optional<Nearest> nearest(const Vec3d& point, int guess, std::size_t& tested) const { return nearest(point, {}, guess, tested); }
-
-  /// End position of a point that moves from `from` towards `to`, as SlidingSurface::slide, in the body frame. `offset`: that of the query.
-  Vec3d slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const;
-
-  const Surface& surface() const { return *surface_; }  ///< in the body frame
-  const Solids& solids() const { return *solids_; }     ///< of that surface
-  double radius() const { return radius_; }             ///< [m]
-  double size() const { return size_; }                 ///< [m] the largest extent of the surface
+  using Relocator::nearest;
+  using Relocator::slide;
+  using Relocator::solids;
+  using Relocator::surface;
+  double radius() const { return radius_; }  ///< [m]
+  double size() const { return size_; }      ///< [m] the largest extent of the surface
 
  private:
-  /// The criterion of contact in one query.
-  struct Ball {
-    double radius;  // [m]
-    double offset;  // [m]
-  };
-
   /// The first straight part of the path that leads to contact.
   struct Leg {
     Path path;
@@ -112,41 +88,12 @@ class PathTest {
     double begin, share;  // of the step: when it begins, how much of it it is
   };
 
-  /// A position outside, and the nearest surface there.
-  struct Place {
-    Vec3d point;      // [m]
-    Vec3d direction;  // unit, out of the surface
-    int triangle;
-  };
-
-  /// Input of the search for a position outside.
-  struct Around {
-    const Bvh::Nearby& nearby;
-    Vec3d start;   // [m] of the path
-    Vec3d viewer;  // [m] the start, moved off the surface
-    Ball ball;
-  };
-
-  ClosestPoint closest_on(int triangle, const Vec3d& point) const;
-  int side(const ClosestPoint& closest, const Vec3d& point, std::size_t& tested) const;
-  Vec3d outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const;
-  bool too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& tested) const;
-  std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest, std::size_t& tested) const;
-  std::optional<Nearest> nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& tested) const;
   bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& tested) const;
   std::optional<Leg> first_leg(const CurvedPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
                                std::size_t& tested) const;
   BodyFrameContact first_contact(const Leg& leg, const Ball& ball, std::size_t& tested) const;
-  std::optional<Place> first_place(const BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around,
-                                   std::size_t& tested) const;
-  std::optional<Place> clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& tested) const;
-  Vec3d normal_at_start(const Leg& leg, const BodyFrameContact& contact, const Path& path, const Ball& ball) const;
-  void relocate(BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& tested) const;
 
-  SharedSurface shared_;  // owner of the next three
-  const Surface* surface_;
-  const Bvh* bvh_;
-  const Solids* solids_;
+  SharedSurface shared_;  // owner of what the base refers to
   ContactBounds region_;
   double radius_;
   double size_;

@@ -17,27 +17,16 @@ bool same(const Pose& a, const Pose& b) {
 
 void Swept::begin_step(std::size_t point_count, double largest_radius, const Motion& motion) {
   expect_usable(motion);
-  in_contact_before_.swap(in_contact_);
-  in_contact_.clear();
-  for (std::vector<std::uint64_t>* numbers : {&entered_, &in_contact_before_})  // the number of a new point must not refer to a removed one
-    numbers->erase(std::lower_bound(numbers->begin(), numbers->end(), point_count), numbers->end());
+  sides_.begin(point_count);
   if (!same(pose_, motion.t0)) cache_.forget();
   pose_ = motion.t1;
   measure(largest_radius, motion);
-  entered_at_t0_ = entered_;
-  entered_count_at_t0_ = entered_count_;
-  changed_.clear();
-  renumbered_at_t0_ = renumbered_;
 }
 
 // Points in contact have no clearance, so all of them are evaluated again; those that entered or left may have some.
 void Swept::begin_again(double largest_radius, const Motion& motion) {
-  in_contact_.clear();
-  for (const std::uint64_t point : changed_) cache_.forget(point);
-  changed_.clear();
-  entered_ = entered_at_t0_;
-  entered_count_ = entered_count_at_t0_;
-  renumbered_ = renumbered_at_t0_;
+  for (const std::uint64_t point : sides_.changed()) cache_.forget(point);
+  sides_.begin_again();
   pose_ = motion.t1;
   measure(largest_radius, motion);
 }
@@ -66,9 +55,7 @@ void Swept::measure(double largest_radius, const Motion& motion) {
 
 void Swept::grown(std::size_t i) {
   cache_.forget(i);
-  if (test_.surface().is_closed()) return;
-  const auto place = std::lower_bound(in_contact_.begin(), in_contact_.end(), i);
-  if (place == in_contact_.end() || *place != i) in_contact_.insert(place, i);
+  if (!test_.surface().is_closed()) sides_.press(i);
 }
 
 void Swept::forget() {
@@ -78,28 +65,24 @@ void Swept::forget() {
 
 void Swept::renumbered() {
   forget();
-  entered_.clear();
-  in_contact_.clear();
-  renumbered_ = 1;
+  sides_.renumber();
 }
 
 void Swept::evaluate(std::size_t block, std::size_t point, double radius, const Vec3d& position_t0, const Vec3d& position_t1, const BodyView& view,
                      double look_ahead, Found& found) {
   const CurvedPath path = view.path(position_t0, position_t1);
-  const bool entered = has_entered(point);
+  const bool entered = sides_.has_entered(point);
   const bool fresh = cache_.is_new(point);
   const PathResult result = test_.evaluate({.path = path,
                                             .radius = radius,
                                             .offset = step_.offset,
                                             .look_ahead = fresh ? Bvh::no_cap : look_ahead,
                                             .entered = entered,
-                                            .in_contact = was_in_contact(point),
-                                            .renumbered = renumbered_ != 0},
+                                            .in_contact = sides_.was_in_contact(point),
+                                            .renumbered = sides_.was_renumbered()},
                                            guess_[point], found.effort);
   cache_.postpone(block, point, result.clearance);
-  if (result.leaves) found.leaving.push_back(point);
-  if (result.enters && (!entered || result.leaves)) found.entering.push_back(point), found.entered_before += !result.is_first_entry;
-  if (result.in_contact_as_ball && !test_.surface().is_closed()) found.in_contact.push_back(point);
+  found.sides.note(point, result, entered, !test_.surface().is_closed());
   if (!result.contact) return;
   const Motion& motion = view.motion();
   const BodyFrameContact& contact = *result.contact;
@@ -121,28 +104,14 @@ Vec3d Swept::slide(const Pose& pose, const Vec3d& from, const Vec3d& to, double 
 }
 
 void Swept::gather(std::size_t shares, std::vector<Contact>& out) {
-  std::vector<std::uint64_t> entering, leaving;
-  std::uint64_t entered_before = 0;
+  std::vector<const SideRecord::Changes*> changes;
   for (std::size_t k = 0; k < shares; ++k) {
     const Found& found = found_[k];
     out.insert(out.end(), found.contacts.begin(), found.contacts.end());
-    entering.insert(entering.end(), found.entering.begin(), found.entering.end());
-    leaving.insert(leaving.end(), found.leaving.begin(), found.leaving.end());
-    in_contact_.insert(in_contact_.end(), found.in_contact.begin(), found.in_contact.end());
-    entered_before += found.entered_before;
+    changes.push_back(&found.sides);
     effort_ += found.effort;
   }
-  std::sort(in_contact_.begin(), in_contact_.end());
-  in_contact_.erase(std::unique(in_contact_.begin(), in_contact_.end()), in_contact_.end());
-  if (entering.empty() && leaving.empty()) return;
-  changed_.insert(changed_.end(), entering.begin(), entering.end());
-  changed_.insert(changed_.end(), leaving.begin(), leaving.end());
-  // One that leaves and enters again within a step is not counted again.
-  entered_count_ +=
-      static_cast<std::size_t>(std::count_if(entering.begin(), entering.end(), [&](std::uint64_t point) { return !has_entered(point); })) - entered_before;
-  std::erase_if(entered_, [&](std::uint64_t point) { return std::binary_search(leaving.begin(), leaving.end(), point); });
-  entered_.insert(entered_.end(), entering.begin(), entering.end());
-  std::sort(entered_.begin(), entered_.end());
+  sides_.add(changes);
 }
 
 }  // namespace fccda

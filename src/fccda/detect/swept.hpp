@@ -19,6 +19,7 @@
 #include "fccda/detect/nearest_outside.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "fccda/detect/points.hpp"
+#include "fccda/detect/side_record.hpp"
 #include "fccda/rigid_body/pose.hpp"
 
 namespace fccda {
@@ -51,7 +52,7 @@ class Swept final : public SlidingSurface {
     parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
                         [&](std::ptrdiff_t k) { evaluate_block(points, view, surface_travel, static_cast<std::size_t>(k), 0); });
     gather(due_blocks_.size(), out);
-    renumbered_ = 0;
+    sides_.end();
   }
 
   /// Repeats the last detection with another pose of the body at the end of the step: no point of the surface is farther than `correction` [m]
@@ -73,7 +74,7 @@ class Swept final : public SlidingSurface {
       evaluate_block(points, view, surface_travel, block, way(points, due_blocks_[block], surface_travel));
     });
     gather(due_blocks_.size(), out);
-    renumbered_ = 0;
+    sides_.end();
   }
 
   /// The same as `detect` for selected points, in ascending order, that were displaced after `detect` in this step: their paths lead from
@@ -97,7 +98,7 @@ class Swept final : public SlidingSurface {
   /// entered where contact is ignored do not count.
   template <Points P>
   std::vector<std::size_t> still_inside(const P& points, const Motion& motion, std::span<const std::size_t> which) const {
-    return fccda::still_inside(test_, points, motion.t1, which, [&](std::size_t i) { return has_entered(i); });
+    return fccda::still_inside(test_, points, motion.t1, which, [&](std::size_t i) { return sides_.has_entered(i); });
   }
 
   /// Reports that point i was displaced after the last detection.
@@ -128,7 +129,7 @@ class Swept final : public SlidingSurface {
 
   /// The number of points that entered where contact is ignored (beyond clipping contact bounds, round the boundary of an open surface). They
   /// were not in contact.
-  std::uint64_t entered_inside() const { return entered_count_; }
+  std::uint64_t entered_inside() const { return sides_.entered_count(); }
 
   const Effort& effort() const { return effort_; }                                ///< of all detections so far
   std::size_t buried_triangles() const { return test_.solids().buried_count(); }  ///< that may lie in another closed part, fully or partly
@@ -138,12 +139,12 @@ class Swept final : public SlidingSurface {
   /// Calls visit(name, list of numbers) for the state that the next step depends on; the visitor may write. Cached distances are not state.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
-    visit_state_of(*this, visit);
+    SideRecord::visit_state(sides_, visit);
   }
   /// The same for reading.
   template <class Visitor>
   void visit_state(Visitor&& visit) const {
-    visit_state_of(*this, visit);
+    SideRecord::visit_state(sides_, visit);
   }
 
   /// The same for statistics, which depend on the cached distances.
@@ -166,10 +167,9 @@ class Swept final : public SlidingSurface {
 
   struct Found {
     std::vector<Contact> contacts;
-    std::vector<std::uint64_t> entering, leaving, in_contact;
-    std::uint64_t entered_before = 0;  // of those entering
+    SideRecord::Changes sides;
     Effort effort;
-    void clear() { contacts.clear(), entering.clear(), leaving.clear(), in_contact.clear(), entered_before = 0, effort = {}; }
+    void clear() { contacts.clear(), sides.clear(), effort = {}; }
   };
 
   template <Points P>
@@ -212,17 +212,6 @@ class Swept final : public SlidingSurface {
     cache_.update_block(b);
   }
 
-  template <class Self, class Visitor>
-  static void visit_state_of(Self& self, Visitor& visit) {
-    visit(std::string_view("points_inside"), self.entered_);
-    visit(std::string_view("entered_inside"), self.entered_count_);
-    visit(std::string_view("points_in_contact"), self.in_contact_);
-    visit(std::string_view("renumbered"), self.renumbered_);
-  }
-
-  static bool contains(const std::vector<std::uint64_t>& numbers, std::size_t point) { return std::binary_search(numbers.begin(), numbers.end(), point); }
-  bool has_entered(std::size_t point) const { return contains(entered_, point); }
-  bool was_in_contact(std::size_t point) const { return contains(in_contact_before_, point) || contains(in_contact_, point); }
   double look_ahead(double travel) const { return look_ahead_factor * step_.approach(travel); }
   void begin_step(std::size_t point_count, double largest_radius, const Motion& motion);
   void begin_again(double largest_radius, const Motion& motion);
@@ -234,15 +223,7 @@ class Swept final : public SlidingSurface {
   PathTest test_;
   double rounding_ = 0;  // of coordinates, relative
   Step step_;
-  std::vector<std::uint64_t> entered_;  // points that entered where contact is ignored, in order: state
-  std::uint64_t entered_count_ = 0;     // number of entries so far: state
-  // In order, recorded for open surfaces only: points in contact in the previous step, and in this step so far. The latter is state.
-  std::vector<std::uint64_t> in_contact_before_, in_contact_;
-  std::uint64_t renumbered_ = 0;  // 1: the entered points are determined again in the next step: state
-
-  // Saved for begin_again(), which repeats the step in progress.
-  std::vector<std::uint64_t> entered_at_t0_, changed_;  // changed_: points that entered or left in this step
-  std::uint64_t entered_count_at_t0_ = 0, renumbered_at_t0_ = 0;
+  SideRecord sides_;
 
   Effort effort_;
 

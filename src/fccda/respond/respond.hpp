@@ -56,38 +56,46 @@ struct Resolved {
   Vec3d position, velocity;  ///< [m], [m/s]
 };
 
-/// Position reached on the way from `from` to `wanted` along the surface [m]: `wanted` unless the surface obstructs the point.
-inline Vec3d slid(const Contact& contact, const Motion& motion, const Vec3d& from, const Vec3d& wanted) {
-  return contact.sliding ? contact.sliding->slide(motion.t1, from, wanted, contact.radius) : wanted;
+/// Position reached on the way from `from` to `wanted` along the surface, at `pose` [m]: `wanted` unless the surface obstructs the point.
+inline Vec3d slid(const Contact& contact, const Pose& pose, const Vec3d& from, const Vec3d& wanted) {
+  return contact.sliding ? contact.sliding->slide(pose, from, wanted, contact.radius) : wanted;
 }
 
-/// Response of one point: relocation and friction.
-inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Motion& motion, double friction) {
-  Resolved after{contact.relocation, (contact.relocation - position_t0) / motion.dt};
+/// Response of one point: relocation and friction. `pose`: of the surface at t1; `surface_velocity(x)` [m/s]: mean over the step of the surface's
+/// material point that is at x at t1.
+template <class SurfaceVelocity>
+Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Pose& pose, double dt, double friction,
+                  const SurfaceVelocity& surface_velocity) {
+  Resolved after{contact.relocation, (contact.relocation - position_t0) / dt};
   if (const double along = dot(contact.normal_t0, contact.normal); along > 0) {
     constexpr double straight = 1e-12;  // smaller rotations are rounding
-    const Vec3d push = after.position - (position_t0 + motion.dt * velocity);
+    const Vec3d push = after.position - (position_t0 + dt * velocity);
     const Vec3d turn = (dot(push, contact.normal) / along) * contact.normal_t0 - push;
     if (norm(turn) > straight * norm(push)) {
-      after.position = slid(contact, motion, after.position, after.position + turn);
-      after.velocity = (after.position - position_t0) / motion.dt;
+      after.position = slid(contact, pose, after.position, after.position + turn);
+      after.velocity = (after.position - position_t0) / dt;
     }
   }
   if (friction == 0) return after;
   const double pushed = std::max(0.0, dot(after.velocity - velocity, contact.normal));  // J_n/m
-  const Vec3d relative = after.velocity - mean_velocity(motion, after.position);
+  const Vec3d relative = after.velocity - surface_velocity(after.position);
   const Vec3d sliding = relative - dot(relative, contact.normal) * contact.normal;
   const double speed = norm(sliding);
   if (speed == 0) return after;
   const Vec3d change = (std::min(friction * pushed, speed) / speed) * sliding;
-  const Vec3d wanted = after.position - motion.dt * change;
-  const Vec3d place = slid(contact, motion, after.position, wanted);
+  const Vec3d wanted = after.position - dt * change;
+  const Vec3d place = slid(contact, pose, after.position, wanted);
   if (place == wanted)
     after.velocity -= change;
   else
-    after.velocity = (place - position_t0) / motion.dt;
+    after.velocity = (place - position_t0) / dt;
   after.position = place;
   return after;
+}
+
+/// The same for a rigid body.
+inline Resolved resolved(const Contact& contact, const Vec3d& position_t0, const Vec3d& velocity, const Motion& motion, double friction) {
+  return resolved(contact, position_t0, velocity, motion.t1, motion.dt, friction, [&](const Vec3d& x) { return mean_velocity(motion, x); });
 }
 
 /// Point of application of a contact impulse [m]: end of its lever arm from the centre of mass at t1. `position`: of the point after contact.

@@ -75,7 +75,8 @@ class Bvh::Closest {
   template <class Accept>
   void consider(std::int32_t index, std::size_t& tested, const Accept& accept) {
     const Leaf& leaf = bvh_.leaves_[static_cast<std::size_t>(index)];
-    const std::array<double, width> d = squared_distances(leaf, from_origin_);
+    const std::array<double, width> d =
+        bvh_.leaf_vertices_.empty() ? squared_distances(leaf, from_origin_) : squared_distances(bvh_.filled(leaf), from_origin_);
     tested += static_cast<std::size_t>(leaf.count);
     for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) {
       if (!(d[l] <= squared_)) continue;
@@ -235,9 +236,6 @@ void Bvh::visit_segment(const Vec3d& start, const Vec3d& end, const double& unti
   }
 }
 
-namespace {
-
-/// Among crossings at the same path parameter the panel with the smallest number comes first, whatever the order of the traversal.
 void take_if_first(const Surface& surface, const Crossing& found, std::optional<Crossing>& first, double& until) {
   const auto rank = [&](const Crossing& one) {
     return std::tuple(one.fraction, surface.triangles()[static_cast<std::size_t>(one.triangle)].panel, one.triangle);
@@ -246,8 +244,6 @@ void take_if_first(const Surface& surface, const Crossing& found, std::optional<
   first = found;
   until = found.fraction;
 }
-
-}  // namespace
 
 std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std::size_t& tested) const {
   std::optional<Crossing> first;

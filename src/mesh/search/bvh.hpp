@@ -4,7 +4,7 @@
 /// query returns exactly the minimum over all triangles, whatever the order of the search: a guess changes the cost, never the answer. Ties
 /// go to the lowest panel, then the lowest triangle. Queries with not-a-number return nothing.
 ///
-/// Immutable after construction, so any number of threads may query it concurrently.
+/// Only refit() changes it after construction, so any number of threads may query it concurrently.
 #pragma once
 
 #include <array>
@@ -35,6 +35,10 @@ struct Crossing {
   double fraction;  ///< of the path from start to end
 };
 
+/// Keeps the earlier of two crossings, and its fraction as `until`. Of those at the same fraction the panel with the smallest number comes
+/// first, then the triangle, whatever the order in which they are found.
+void take_if_first(const Surface& surface, const Crossing& found, std::optional<Crossing>& first, double& until);
+
 /// Bounding volume hierarchy over triangles.
 class Bvh {
  public:
@@ -59,6 +63,16 @@ class Bvh {
 
   /// Over a subset of the triangles, in ascending order. Guesses are ignored.
   Bvh(const Surface& surface, std::span<const std::int32_t> triangles);
+
+  /// The same tree over another surface with the same triangles, whose vertices are elsewhere.
+  Bvh(const Bvh& tree, const Surface& surface);
+
+  /// Follows a surface whose vertices have moved. The tree keeps its shape, and queries remain exact, but slow down as triangles that are
+  /// together in the tree move apart: see cost().
+  void refit();
+
+  /// Expected number of boxes that a query meets: the sum of their surface areas over that of the whole (the surface area heuristic).
+  double cost() const;
 
   /// The closest point of the surface within `cap` [m]. `guess` is a triangle expected to be near, or -1. `tested` counts the triangles
   /// evaluated.
@@ -92,6 +106,13 @@ class Bvh {
   template <class Visit>
   void visit_box(const Box& box, const Visit& visit) const;
 
+  /// Calls visit(triangle) for all triangles that come within `margin` [m] of a point in the first `until` of a step, and possibly for some
+  /// nearby. The point moves straight from `start` to `end`, and each vertex straight from its place in `at_t0`, a tree of the same shape, to
+  /// its place in this one. So a vertex is always between the bounds of its boxes at the two ends, interpolated in time, which follow a
+  /// surface that moves as a whole more closely than a box about both ends. `until` and `margin` may shrink meanwhile.
+  template <class Visit>
+  void visit_moving(const Bvh& at_t0, const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
+
  private:
   static constexpr std::size_t width = 4;
   // Three siblings wait at each level, and there are at most 116 levels (bvh_build.cpp).
@@ -119,6 +140,10 @@ class Bvh {
   std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& tested, Nearby* nearby, const Accept& accept) const;
   template <class Visit>
   void visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
+  void fill(Leaf& leaf) const;
+  Leaf filled(const Leaf& outdated) const;
+  void list_leaf_vertices();
+  static void set_box(Node& node, std::size_t child, const Box& box, double slack);
   static std::array<double, width> squared_distances(const Leaf& leaf, const Vec3d& point);
   Corners corners(std::size_t triangle) const { return {surface_->corner(triangle, 0), surface_->corner(triangle, 1), surface_->corner(triangle, 2)}; }
 
@@ -126,6 +151,8 @@ class Bvh {
   Vec3d origin_;  // centre of the surface, where floats are finest
   AlignedVector<Node> nodes_;
   AlignedVector<Leaf> leaves_;
+  // Once refitted, the coordinates of the leaves are outdated; the vertices of their triangles stand here, in the order of the leaves.
+  std::vector<std::array<std::int32_t, 3 * width>> leaf_vertices_;
   std::vector<std::int32_t> leaf_of_;  // by triangle; empty for a subset of the triangles
 };
 
@@ -154,6 +181,43 @@ void Bvh::visit_box(const Box& box, const Visit& visit) const {
     }
     for (std::size_t c = 0; c < width; ++c)
       if (meets[c] && node.low[0][c] <= node.high[0][c]) stack[depth++] = node.child[c];
+  }
+}
+
+template <class Visit>
+void Bvh::visit_moving(const Bvh& at_t0, const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const {
+  const Vec3d p = start - at_t0.origin_, q = end - origin_;
+  std::array<std::int32_t, stack_size> stack;
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const std::int32_t next = stack[--depth];
+    if (next < 0) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(~next)];
+      for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) visit(leaf.triangle[l]);
+      continue;
+    }
+    const Node &a = at_t0.nodes_[static_cast<std::size_t>(next)], &b = nodes_[static_cast<std::size_t>(next)];
+    std::array<double, width> enter, leave;
+#pragma omp simd
+    for (std::size_t c = 0; c < width; ++c) {
+      double first = 0, last = until;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        // How far inside its two bounds the point is at the ends of the step: linear in between.
+        const double low_t0 = p[axis] - static_cast<double>(a.low[axis][c]) + margin, low_t1 = q[axis] - static_cast<double>(b.low[axis][c]) + margin;
+        const double high_t0 = static_cast<double>(a.high[axis][c]) - p[axis] + margin, high_t1 = static_cast<double>(b.high[axis][c]) - q[axis] + margin;
+        const double low_at = low_t0 / (low_t0 - low_t1), high_at = high_t0 / (high_t0 - high_t1);
+        const double low_enter = low_t0 < 0 ? (low_t1 < 0 ? 2 : low_at) : 0, low_leave = low_t1 < 0 ? (low_t0 < 0 ? -1 : low_at) : 1;
+        const double high_enter = high_t0 < 0 ? (high_t1 < 0 ? 2 : high_at) : 0, high_leave = high_t1 < 0 ? (high_t0 < 0 ? -1 : high_at) : 1;
+        first = first > low_enter ? first : low_enter;
+        first = first > high_enter ? first : high_enter;
+        last = last < low_leave ? last : low_leave;
+        last = last < high_leave ? last : high_leave;
+      }
+      enter[c] = first, leave[c] = last;
+    }
+    for (std::size_t c = 0; c < width; ++c)
+      if (enter[c] <= leave[c] && b.low[0][c] <= b.high[0][c]) stack[depth++] = b.child[c];
   }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/contract.hpp"
+#include "base/parallel.hpp"
 #include "mesh/search/bvh.hpp"
 
 namespace fccda {
@@ -22,6 +23,12 @@ void include(Box& box, const Box& other) {
   box.high = max(box.high, other.high);
 }
 
+/// Covers the rounding of a query's coordinates and of the boxes' own. `all` [m]: relative to the origin of the tree.
+double slack_of(const Box& all) { return 0x1p-20 * std::fmax(largest_magnitude(all.low), largest_magnitude(all.high)); }
+
+/// Of an edge or area without extent 0: the closest point is then on another feature.
+double inverse(double square) { return square > 0 ? 1 / square : 0; }
+
 double leaves_for(std::size_t triangles) { return static_cast<double>((triangles + 3) / 4); }
 
 }  // namespace
@@ -36,7 +43,7 @@ class Bvh::Builder {
       for (std::size_t c = 0; c < 3; ++c) boxes_[i].include(surface.corner(static_cast<std::size_t>(triangles[i]), c) - bvh.origin_);
       include(all, boxes_[i]);
     }
-    slack_ = 0x1p-20 * std::fmax(largest_magnitude(all.low), largest_magnitude(all.high));
+    slack_ = slack_of(all);
     add_node(order_, 0);
   }
 
@@ -119,13 +126,11 @@ class Bvh::Builder {
     for (std::size_t p = 0; p < width; ++p) {
       const bool leaf = parts[p].size() <= width;
       const std::int32_t child = p >= count ? -1 : leaf ? ~add_leaf(parts[p]) : add_node(parts[p], level + 1);
-      const Box its = p < count ? bounds(parts[p]) : Box{};
+      constexpr double beyond = std::numeric_limits<double>::infinity();
+      const Box its = p < count ? bounds(parts[p]) : Box{{beyond, beyond, beyond}, {-beyond, -beyond, -beyond}};
       Node& node = bvh_.nodes_[index];
       node.child[p] = child;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.low[axis][p] = p < count ? static_cast<float>(its.low[axis] - slack_) : std::numeric_limits<float>::infinity();
-        node.high[axis][p] = p < count ? static_cast<float>(its.high[axis] + slack_) : -std::numeric_limits<float>::infinity();
-      }
+      set_box(node, p, its, slack_);
     }
     return static_cast<std::int32_t>(index);
   }
@@ -138,16 +143,10 @@ class Bvh::Builder {
     leaf.count = static_cast<std::int32_t>(range.size());
     for (std::size_t l = 0; l < width; ++l) {
       const std::int32_t triangle = triangles_[static_cast<std::size_t>(range[std::min(l, range.size() - 1)])];
-      const Corners t = bvh_.corners(static_cast<std::size_t>(triangle));
-      const Vec3d a = t.a - bvh_.origin_, ab = t.b - t.a, ac = t.c - t.a;
-      for (std::size_t axis = 0; axis < 3; ++axis) leaf.a[axis][l] = a[axis], leaf.ab[axis][l] = ab[axis], leaf.ac[axis][l] = ac[axis];
-      leaf.inverse_ab[l] = 1 / squared_norm(ab);
-      leaf.inverse_bc[l] = 1 / squared_norm(ac - ab);
-      leaf.inverse_ca[l] = 1 / squared_norm(ac);
-      leaf.inverse_normal[l] = 1 / squared_norm(cross(ab, ac));
       leaf.triangle[l] = triangle;
       if (!bvh_.leaf_of_.empty()) bvh_.leaf_of_[static_cast<std::size_t>(triangle)] = index;
     }
+    bvh_.fill(leaf);
     bvh_.leaves_.push_back(leaf);
     return index;
   }
@@ -159,6 +158,94 @@ class Bvh::Builder {
   std::vector<Box> boxes_;
   double slack_ = 0;
 };
+
+// The triangles of a leaf by coordinate.
+void Bvh::fill(Leaf& leaf) const {
+  for (std::size_t l = 0; l < width; ++l) {
+    const Corners t = corners(static_cast<std::size_t>(leaf.triangle[l]));
+    const Vec3d a = t.a - origin_, ab = t.b - t.a, ac = t.c - t.a;
+    for (std::size_t axis = 0; axis < 3; ++axis) leaf.a[axis][l] = a[axis], leaf.ab[axis][l] = ab[axis], leaf.ac[axis][l] = ac[axis];
+    leaf.inverse_ab[l] = inverse(squared_norm(ab));
+    leaf.inverse_bc[l] = inverse(squared_norm(ac - ab));
+    leaf.inverse_ca[l] = inverse(squared_norm(ac));
+    leaf.inverse_normal[l] = inverse(squared_norm(cross(ab, ac)));
+  }
+}
+
+Bvh::Leaf Bvh::filled(const Leaf& outdated) const {
+  Leaf leaf;
+  leaf.triangle = outdated.triangle, leaf.count = outdated.count;
+  fill(leaf);
+  return leaf;
+}
+
+void Bvh::set_box(Node& node, std::size_t child, const Box& box, double slack) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    node.low[axis][child] = static_cast<float>(box.low[axis] - slack);
+    node.high[axis][child] = static_cast<float>(box.high[axis] + slack);
+  }
+}
+
+Bvh::Bvh(const Bvh& tree, const Surface& surface) : Bvh(tree) {
+  EXPECTS(surface.triangles().size() == tree.surface_->triangles().size());
+  surface_ = &surface;
+  refit();
+}
+
+void Bvh::list_leaf_vertices() {
+  leaf_vertices_.resize(leaves_.size());
+  for (std::size_t k = 0; k < leaves_.size(); ++k)
+    for (std::size_t l = 0; l < width; ++l)
+      std::ranges::copy(surface_->triangles()[static_cast<std::size_t>(leaves_[k].triangle[l])].vertex,
+                        leaf_vertices_[k].begin() + static_cast<std::ptrdiff_t>(3 * l));
+}
+
+// A node comes before its children, so the boxes of nodes are united backwards, after those of the leaves. Leaves are left outdated: they are most of
+// the memory, and few are visited in a step.
+void Bvh::refit() {
+  if (leaf_vertices_.empty()) list_leaf_vertices();
+  const std::span<const Vec3d> vertices = surface_->vertices();
+  const Box& bounds = surface_->report().bounds;
+  origin_ = bounds.centre();
+  const double slack = slack_of({bounds.low - origin_, bounds.high - origin_});
+  const auto is_child = [](const Node& node, std::size_t c) { return node.low[0][c] <= node.high[0][c]; };
+  parallel_for(static_cast<std::ptrdiff_t>(nodes_.size()), [&](std::ptrdiff_t k) {
+    Node& node = nodes_[static_cast<std::size_t>(k)];
+    for (std::size_t c = 0; c < width; ++c) {
+      if (node.child[c] >= 0 || !is_child(node, c)) continue;
+      Box box;
+      for (const std::int32_t vertex : leaf_vertices_[static_cast<std::size_t>(~node.child[c])]) box.include(vertices[static_cast<std::size_t>(vertex)]);
+      set_box(node, c, {box.low - origin_, box.high - origin_}, slack);
+    }
+  });
+  for (std::size_t n = nodes_.size(); n-- > 0;) {
+    Node& node = nodes_[n];
+    for (std::size_t c = 0; c < width; ++c) {
+      if (node.child[c] < 0) continue;
+      const Node& below = nodes_[static_cast<std::size_t>(node.child[c])];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.low[axis][c] = *std::min_element(below.low[axis].begin(), below.low[axis].end());
+        node.high[axis][c] = *std::max_element(below.high[axis].begin(), below.high[axis].end());
+      }
+    }
+  }
+}
+
+double Bvh::cost() const {
+  Box all;
+  double sum = 0;
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const Node& node = nodes_[n];
+    for (std::size_t c = 0; c < width; ++c) {
+      if (!(node.low[0][c] <= node.high[0][c])) continue;
+      const auto corner = [&](const auto& of) { return Vec3d{of[0][c], of[1][c], of[2][c]}; };
+      const Box box{corner(node.low), corner(node.high)};
+      sum += half_area(box);
+      if (n == 0) include(all, box);
+    }
+  }
+  return sum / half_area(all);
+}
 
 Bvh::Bvh(const Surface& surface) : surface_(&surface), origin_(surface.report().bounds.centre()), leaf_of_(surface.triangles().size()) {
   EXPECTS(!surface.triangles().empty());

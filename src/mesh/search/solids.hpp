@@ -25,6 +25,9 @@ namespace fccda {
 /// The solids of a surface, each with its own search structure where they may overlap.
 class Solids {
  public:
+  /// None: of a surface whose parts do not overlap.
+  Solids() = default;
+
   /// `surface` must outlive the object. For one solid, or an open surface, nothing is built.
   explicit Solids(const Surface& surface);
 
@@ -57,7 +60,7 @@ class Solids {
   bool contains(const Solid& solid, const Vec3d& point, std::size_t& tested) const;
   bool is_surely_outside(const Solid& solid, std::size_t triangle) const;
 
-  const Surface* surface_;
+  const Surface* surface_ = nullptr;
   std::vector<Solid> solids_;
   std::vector<std::uint8_t> buried_;  // by triangle
 };

@@ -1,23 +1,34 @@
 // Relocation of points in contact, outside the surface.
+#include "fccda/detect/relocator.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "fccda/detect/half_spaces.hpp"
-#include "fccda/detect/path_test.hpp"
 
 namespace fccda {
 
-// Unit outward direction at a closest point: along the line to `point`, or the pseudonormal if that line is too short to define a
-// direction.
-Vec3d PathTest::outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const {
-  const Vec3d& normal = surface_->pseudonormal(static_cast<std::size_t>(closest.triangle), closest.feature);
+int Relocator::side(const ClosestPoint& closest, const Vec3d& point, std::size_t& tested) const {
+  const auto t = static_cast<std::size_t>(closest.triangle);
+  if (!surface_->is_closed() && surface_->is_boundary_edge(t, closest.feature)) return 0;
+  if (dot(point - closest.point, surface_->pseudonormal(t, closest.feature)) < 0) return -1;
+  return solids_->may_be_buried(closest.triangle) && solids_->another_holds(closest.triangle, point, tested) ? -1 : 1;
+}
+
+bool Relocator::too_near(const ClosestPoint& closest, const Vec3d& point, double distance, std::size_t& tested) const {
+  if (surface_->is_closed()) return closest.distance < distance || side(closest, point, tested) * closest.distance < distance;
+  return side(closest, point, tested) > 0 && closest.distance < distance;
+}
+
+Vec3d Relocator::outward(const ClosestPoint& closest, const Vec3d& point, double tiny) const {
+  const Vec3d normal = surface_->pseudonormal(static_cast<std::size_t>(closest.triangle), closest.feature);
   if (!(closest.distance > tiny)) return normal;
   const Vec3d line = (point - closest.point) / closest.distance;
   return dot(line, normal) < 0 ? -line : line;
 }
 
-std::optional<PathTest::Nearest> PathTest::nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& tested) const {
+std::optional<Relocator::Nearest> Relocator::nearest(const Vec3d& point, const Bvh::Nearby& nearby, int guess, std::size_t& tested) const {
   const std::optional<ClosestPoint> closest = bvh_->closest(point, nearby, guess, tested);
   if (!closest) return std::nullopt;
   if (!surface_->is_closed()) return Nearest{*closest, closest->distance};
@@ -28,45 +39,21 @@ std::optional<PathTest::Nearest> PathTest::nearest(const Vec3d& point, const Bvh
 
 // The closest point among the triangles that face the viewer. Of overlapping solids only the one that `closest` belongs to is searched, since
 // triangles of the others may be buried in it.
-std::optional<ClosestPoint> PathTest::closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest,
-                                                     std::size_t& tested) const {
+std::optional<ClosestPoint> Relocator::closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, const ClosestPoint& closest,
+                                                      std::size_t& tested) const {
   if (!solids_->several()) return bvh_->closest_facing(point, viewer, cap, tested);
   return solids_->closest_facing(surface_->solid_of(static_cast<std::size_t>(closest.triangle)), point, viewer, cap, tested);
 }
 
-ClosestPoint PathTest::closest_on(int triangle, const Vec3d& point) const {
+ClosestPoint Relocator::closest_on(int triangle, const Vec3d& point) const {
   const auto t = static_cast<std::size_t>(triangle);
   const PointOnTriangle on = closest_on_triangle(point, {surface_->corner(t, 0), surface_->corner(t, 1), surface_->corner(t, 2)});
   return {triangle, on.feature, on.point, norm(point - on.point)};
 }
 
-// First contact along the path and a position there: the fallback of relocation.
-BodyFrameContact PathTest::first_contact(const Leg& leg, const Ball& ball, std::size_t& tested) const {
-  const Path& path = leg.path;
-  BodyFrameContact contact{.time_fraction = leg.begin,
-                           .hit = leg.at_start.point,
-                           .normal = outward(leg.at_start, path.start, ball.offset),
-                           .relocation = path.start,
-                           .triangle = leg.at_start.triangle};
-  // At the radius itself, without the offset: where the path grazes an edge, the normal depends on it.
-  const double sharp = 1e-3 * ball.offset;
-  const std::optional<Crossing> first =
-      ball.radius == 0 ? bvh_->first_hit(path.start, path.end, tested) : bvh_->first_contact(path.start, path.end, ball.radius, sharp, tested);
-  if (!first) return contact;
-  const Vec3d place = path.at(first->fraction);
-  const ClosestPoint closest = closest_on(first->triangle, place);
-  contact.time_fraction = leg.begin + leg.share * first->fraction;
-  contact.hit = closest.point;
-  contact.normal = ball.radius == 0 ? surface_->normal(static_cast<std::size_t>(first->triangle)) : outward(closest, place, ball.offset);
-  contact.relocation = closest.point + (ball.radius + ball.offset) * contact.normal;
-  contact.triangle = first->triangle;
-  contact.front = side(closest, place, tested) > 0;
-  return contact;
-}
-
 // Relocation candidate for the end of the path; it may still penetrate other parts of the surface.
-std::optional<PathTest::Place> PathTest::first_place(const BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around,
-                                                     std::size_t& tested) const {
+std::optional<Relocator::Place> Relocator::first_place(const BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around,
+                                                       std::size_t& tested) const {
   const Ball& ball = around.ball;
   const double reach = ball.radius + ball.offset;
   if (side(at_end, end, tested) > 0 && at_end.distance >= ball.radius) {
@@ -91,7 +78,7 @@ std::optional<PathTest::Place> PathTest::first_place(const BodyFrameContact& con
 // right angle one projection suffices. In narrower corners the closest features are treated as planes, one more per projection, and the result is
 // the admissible position nearest to `wanted`: in a wedge, however sharp, on the line along its edge; in the tip of a funnel on three of its
 // faces.
-std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& tested) const {
+std::optional<Relocator::Place> Relocator::clear_place(Place place, const Vec3d& wanted, const Around& around, std::size_t& tested) const {
   constexpr std::size_t most_projections = 16;
   const Ball& ball = around.ball;
   const double reach = ball.radius + ball.offset;
@@ -121,19 +108,18 @@ std::optional<PathTest::Place> PathTest::clear_place(Place place, const Vec3d& w
   return place;
 }
 
-// Normal at t0 of a ball that was in contact at the start and slid without hitting another part; else zero. Such a ball is relocated along the normal at
-// the end, which has rotated along the path, as round an edge, or not at all. Where the surface rises ahead of it, it makes first contact with another part.
-Vec3d PathTest::normal_at_start(const Leg& leg, const BodyFrameContact& contact, const Path& path, const Ball& ball) const {
+// Such a ball is relocated along the normal at the end, which has rotated along the path, as round an edge, or not at all. Where the surface
+// rises ahead of it, it makes first contact with another part.
+bool Relocator::slid_along(const Vec3d& normal, double distance, const BodyFrameContact& contact, const Path& path, const Ball& ball) {
   constexpr double in_contact = 0.01;  // of the path length: clearance that relocation, sliding and rounding leave
   constexpr double rounding = 1e-6, most_turned = 0.5;
-  if (ball.radius == 0 || leg.begin > 0 || leg.at_start.distance > ball.radius + ball.offset + in_contact * path.length()) return {};
-  const Vec3d normal = outward(leg.at_start, path.start, ball.offset), travel = contact.relocation - path.start, push = contact.relocation - path.end;
-  if (dot(normal, contact.normal) < most_turned || dot(contact.normal - normal, travel) < -rounding * norm(travel)) return {};
-  if (norm(push - dot(push, contact.normal) * contact.normal) > rounding * norm(push) + 0.1 * ball.offset) return {};
-  return normal;
+  if (ball.radius == 0 || distance > ball.radius + ball.offset + in_contact * path.length()) return false;
+  const Vec3d travel = contact.relocation - path.start, push = contact.relocation - path.end;
+  if (dot(normal, contact.normal) < most_turned || dot(contact.normal - normal, travel) < -rounding * norm(travel)) return false;
+  return !(norm(push - dot(push, contact.normal) * contact.normal) > rounding * norm(push) + 0.1 * ball.offset);
 }
 
-void PathTest::relocate(BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& tested) const {
+void Relocator::relocate(BodyFrameContact& contact, const Vec3d& end, const ClosestPoint& at_end, const Around& around, std::size_t& tested) const {
   std::optional<Place> place = first_place(contact, end, at_end, around, tested);
   if (place) place = clear_place(*place, end, around, tested);
   if (!place) place = clear_place({contact.relocation, contact.normal, contact.triangle}, contact.relocation, around, tested);
@@ -144,7 +130,7 @@ void PathTest::relocate(BodyFrameContact& contact, const Vec3d& end, const Close
   contact.triangle = place->triangle;
 }
 
-Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const {
+Vec3d Relocator::slide(const Vec3d& from, const Vec3d& to, double radius, double offset) const {
   constexpr std::size_t max_parts = 8;
   std::size_t tested = 0;
   const Vec3d total = to - from;
@@ -168,7 +154,7 @@ Vec3d PathTest::slide(const Vec3d& from, const Vec3d& to, double radius, double 
     Vec3d& wall = walls[part];
     wall = place - on.point;
     if (on.feature == Feature::face) {
-      const Vec3d& normal = surface_->normal(static_cast<std::size_t>(on.triangle));
+      const Vec3d normal = surface_->normal(static_cast<std::size_t>(on.triangle));
       wall = dot(wall, normal) < 0 ? -normal : normal;
     }
     if (!(squared_norm(wall) > 0)) return place;

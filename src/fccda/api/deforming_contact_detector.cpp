@@ -1,0 +1,73 @@
+#include "fccda/api/deforming_contact_detector.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/finite.hpp"
+#include "fccda/api/array_points.hpp"
+#include "fccda/api/contact_arrays.hpp"
+
+namespace fccda {
+
+std::vector<DeformingContact> DeformingContactDetector::detect(ConstVectors x_t0, ConstVectors x_t1) {
+  measure_paths(x_t0, x_t1, ContactDetector::longest_path * detector_.surface().size(), travel_);
+  detector_.set_rounding(rounding_of(x_t1));
+  std::vector<DeformingContact> contacts;
+  detector_.detect(ArrayPoints(x_t0, x_t1, travel_), contacts);
+  return contacts;
+}
+
+std::vector<std::size_t> DeformingContactDetector::points_inside(ConstVectors x) const {
+  expect_finite_positions(x);
+  return detector_.initial_overlap(ArrayPoints(x, x, {}));
+}
+
+ContactDetector::State DeformingContactDetector::state() const {
+  ContactDetector::State state;
+  detector_.visit_state(StateReader{state});
+  return state;
+}
+
+void DeformingContactDetector::resume(const ContactDetector::State& state) {
+  expect_ordered(state);
+  detector_.visit_state(StateWriter{state});
+  detector_.forget();
+}
+
+ContactSum respond(std::span<const DeformingContact> contacts, double dt, const PointArrays& points, double friction, const Numbers& vertex_mass,
+                   Vectors vertex_impulses) {
+  if (!(dt > 0 && std::isfinite(dt)))
+    throw InputError("contact: the step has a duration of " + in_words(dt) + " s, but velocities need a positive one; pass that of the step.");
+  expect_equally_long(points);
+  expect_friction(friction);
+  const std::size_t vertices = vertex_impulses.size();
+  if (!vertex_mass.are_for(vertices))
+    throw InputError("contact: the number of masses of vertices differs from the " + std::to_string(vertices) +
+                     " impulses; give one for each vertex of the panels, or one number for all.");
+  for (const DeformingContact& contact : contacts) {
+    expect_usable_point(points, contact.contact.point);
+    for (const int vertex : contact.place.vertices) {
+      const auto v = static_cast<std::size_t>(vertex);
+      if (v >= vertices)
+        throw InputError("contact: there is a contact of vertex " + std::to_string(v) + ", but there are impulses of " + std::to_string(vertices) +
+                         " vertices only; give one for each vertex of the panels.");
+      if (!(vertex_mass[v] > 0))
+        throw InputError("contact: the mass of vertex " + std::to_string(v) + " is " + in_words(vertex_mass[v]) +
+                         " kg, but it must be positive; it is infinite where motion is prescribed.");
+    }
+  }
+  std::vector<Vec3d> impulses(vertices);
+  ContactArrays resolved{points};
+  const ContactSum sum = respond(
+      resolved, contacts, dt, friction, [&](std::size_t v) { return 1 / vertex_mass[v]; }, impulses);
+  for (const DeformingContact& contact : contacts)
+    for (const int vertex : contact.place.vertices) {
+      const auto v = static_cast<std::size_t>(vertex);
+      vertex_impulses.set(v, vertex_impulses[v] + impulses[v]);
+      impulses[v] = {};  // added already
+    }
+  return sum;
+}
+
+}  // namespace fccda

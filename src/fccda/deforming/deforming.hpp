@@ -1,0 +1,183 @@
+/// The detector for deforming surfaces: finds every crossing, and skips most points (continuous collision detection).
+///
+///   surface->move(vertices);                  // of the coming step: once in each step, even at rest
+///   detector.detect(points, contacts);
+///   respond(points, contacts, dt, …);         // deforming/respond.hpp: relocation, velocities, impulses on vertices
+///
+/// moving_path_test.hpp defines contact and relocation; distance_cache.hpp selects the points to evaluate: a point is skipped until its block
+/// and the fastest vertex together may have used up its distance. Points are processed in blocks, in parallel; contacts are in point order and
+/// independent of the number of threads.
+///
+/// Any number of detectors, of several bodies, may share one surface.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "fccda/deforming/deforming_surface.hpp"
+#include "fccda/deforming/moving_path_test.hpp"
+#include "fccda/detect/contact.hpp"
+#include "fccda/detect/distance_cache.hpp"
+#include "fccda/detect/every_point.hpp"
+#include "fccda/detect/points.hpp"
+#include "fccda/detect/side_record.hpp"
+
+namespace fccda {
+
+/// The place of a triangle that a contact acts on.
+struct PanelPlace {
+  std::array<int, 3> vertices{};    ///< its corners, numbered as the vertices of the panels that the surface was made of
+  std::array<double, 3> weights{};  ///< barycentric coordinates, at least 0 and of sum 1
+  Corners corners{};                ///< [m] at t1
+  Vec3d displacement{};             ///< [m] of this place of the surface in the step
+};
+
+/// Contact of one point with a deforming surface.
+struct DeformingContact {
+  Contact contact;   ///< in the world frame
+  PanelPlace place;  ///< the surface's point closest to the relocated position
+};
+
+/// The swept detector for a surface whose vertices move.
+class Deforming final : public SlidingSurface {
+ public:
+  /// `radius`: contact radius [m] of points without an individual one (points.hpp), 0 for points without extent.
+  Deforming(std::shared_ptr<const DeformingSurface> surface, double radius);
+
+  /// Relative rounding of the stored coordinates of relocated points, as Swept::set_rounding.
+  void set_rounding(double of_coordinates) { rounding_ = of_coordinates; }
+
+  /// Adds the contacts of the step that the surface has begun to `out`, in point order. Throws InputError if the surface was not moved since the
+  /// last detection. A point with a path that is not finite is skipped.
+  template <Points P>
+  void detect(const P& points, std::vector<DeformingContact>& out) {
+    begin(points);
+    const MovingPathTest test(*surface_);
+    due_blocks_.clear();
+    for (std::size_t b = 0; b < points.block_count(); ++b)
+      if (cache_.travel(b, points.block_travel(b) + surface_->travel())) due_blocks_.push_back(b);
+    if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) { evaluate_block(points, test, static_cast<std::size_t>(k)); });
+    gather(due_blocks_.size(), out);
+    sides_.end();
+  }
+
+  /// The same for selected points, in ascending order, that were displaced after `detect` in this step.
+  template <Points P>
+  void detect_again(const P& points, std::span<const std::size_t> which, std::vector<DeformingContact>& out) {
+    const MovingPathTest test(*surface_);
+    evaluate_points(which, found_, [&](std::size_t i, Found& found) {
+      const std::size_t block = cache_.block_of(i);
+      evaluate(test, block, i, contact_radius(points, i, radius_), {points.position_t0(i), points.position_t1(i)}, look_ahead(points.block_travel(block)),
+               found);
+    });
+    for (const std::size_t i : which) cache_.update_point(i);
+    gather(found_.size(), out);
+  }
+
+  /// For a contact of this step. The pose is that of the world.
+  Vec3d slide(const Pose& pose, const Vec3d& from, const Vec3d& to, double radius) const override;
+
+  /// Those of the points, in ascending order, that are inside the surface at t1, or nearer than the contact radius, in spite of the response.
+  /// Points that came round the boundary of an open surface do not count.
+  template <Points P>
+  std::vector<std::size_t> still_inside(const P& points, std::span<const std::size_t> which) const {
+    std::vector<std::size_t> inside;
+    for (const std::size_t i : which)
+      if (is_inside(points.position_t1(i), contact_radius(points, i, radius_)) && !sides_.has_entered(i)) inside.push_back(i);
+    return inside;
+  }
+
+  /// The points whose position at t0 is inside the surface where it is now (at t1 of its last step), or nearer than the contact radius; for an
+  /// open surface, in front of it. For a check before the first step.
+  template <Points P>
+  std::vector<std::size_t> initial_overlap(const P& points) const {
+    std::vector<std::size_t> inside;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points.occupied(i) && is_inside(points.position_t0(i), contact_radius(points, i, radius_))) inside.push_back(i);
+    return inside;
+  }
+
+  void moved(std::size_t i) { cache_.forget(i); }  ///< reports that point i was displaced after the last detection
+  void forget();                                   ///< discards the cached distances; does not change contacts, as long as points keep their numbers
+  void renumbered();                               ///< reports a renumbering of points other than appending or removing some at the end
+
+  /// The number of points that came round the boundary of an open surface. They were not in contact.
+  std::uint64_t entered_inside() const { return sides_.entered_count(); }
+
+  const Effort& effort() const { return effort_; }               ///< of all detections so far
+  const DeformingSurface& surface() const { return *surface_; }  ///< that it detects contact with
+  double radius() const { return radius_; }                      ///< [m] of points without an individual one
+
+  /// Calls visit(name, list of numbers) for the state that the next step depends on, besides positions; the visitor may write.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    SideRecord::visit_state(sides_, visit);
+  }
+  /// The same for reading.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) const {
+    SideRecord::visit_state(sides_, visit);
+  }
+
+ private:
+  /// Distances are searched this many steps ahead: most points found are then not evaluated again for as long.
+  static constexpr double look_ahead_factor = 64;
+
+  struct Found {
+    std::vector<DeformingContact> contacts;
+    SideRecord::Changes sides;
+    Effort effort;
+    void clear() { contacts.clear(), sides.clear(), effort = {}; }
+  };
+
+  template <Points P>
+  void begin(const P& points) {
+    blocks_.clear();
+    for (std::size_t b = 0; b < points.block_count(); ++b) blocks_.push_back(points.block_begin(b));
+    blocks_.push_back(points.size());
+    begin_step();
+  }
+
+  template <Points P>
+  void evaluate_block(const P& points, const MovingPathTest& test, std::size_t k) {
+    const std::size_t b = due_blocks_[k];
+    Found& found = found_[k];
+    found.clear();
+    const double ahead = look_ahead(points.block_travel(b));
+    for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
+      if (!cache_.is_due(b, i)) continue;
+      if (points.occupied(i))
+        evaluate(test, b, i, contact_radius(points, i, radius_), {points.position_t0(i), points.position_t1(i)}, ahead, found);
+      else
+        cache_.postpone(b, i, Bvh::no_cap);
+    }
+    cache_.update_block(b);
+  }
+
+  double look_ahead(double travel) const { return look_ahead_factor * (travel + surface_->travel()); }
+  bool is_inside(const Vec3d& point, double radius) const;
+  void begin_step();
+  void evaluate(const MovingPathTest& test, std::size_t block, std::size_t point, double radius, const Path& path, double look_ahead, Found& found);
+  void gather(std::size_t shares, std::vector<DeformingContact>& out);
+
+  std::shared_ptr<const DeformingSurface> surface_;
+  double radius_;
+  double rounding_ = 0;     // of coordinates, relative
+  double offset_ = 0;       // [m] of relocated points in this step
+  std::uint64_t step_ = 0;  // the surface's step in the last detection
+  SideRecord sides_;
+  Effort effort_;
+
+  DistanceCache cache_;     // caches from here on
+  std::vector<int> guess_;  // the triangle last found near each point
+  std::vector<std::size_t> blocks_, due_blocks_;
+  std::vector<Found> found_;  // of each due block or, again, of each 64 points
+};
+
+}  // namespace fccda

@@ -1,0 +1,199 @@
+#include "fccda/deforming/deforming_surface.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <set>
+#include <string>
+
+#include "base/error.hpp"
+#include "fccda/deforming/scenes.hpp"
+#include "fixtures/tolerance.hpp"
+
+using namespace deforming;
+
+namespace {
+
+DeformingSurface moved_surface(const Panels& panels, const Deformation& deformation, double from, double to) {
+  DeformingSurface surface{Surface(panels)};
+  surface.move(displaced(panels, deformation, from));
+  surface.move(displaced(panels, deformation, to));
+  return surface;
+}
+
+std::string refusal(DeformingSurface& surface, const std::vector<Vec3d>& vertices) {
+  try {
+    surface.move(vertices);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("deforming surface: a refitted tree finds the closest point that a loop over all triangles finds") {
+  std::mt19937_64 random(21);
+  for (const fixtures::Body& body : fixtures::bodies())
+    for (const Deformation& deformation : deformations()) {
+      const DeformingSurface surface = moved_surface(body.panels, deformation, 0.1, 0.3);
+      const Soup soup(surface.at_t1());
+      for (int k = 0; k < 8; ++k) {
+        const Vec3d point = path_near(surface, 0.5, 0.5, random).end;
+        const std::optional<ClosestPoint> closest = surface.bvh_t1().closest(point);
+        REQUIRE(closest.has_value());
+        CHECK(closest->distance == fixtures::absolute(soup.distance(point), 1e-12, "m"));
+      }
+    }
+}
+
+TEST_CASE("deforming surface: the search visits every triangle that comes within the margin of a moving point") {
+  std::mt19937_64 random(22);
+  std::size_t near = 0, visited = 0, all = 0;
+  for (const fixtures::Body& body : fixtures::bodies())
+    for (const Deformation& deformation : deformations()) {
+      const DeformingSurface surface = moved_surface(body.panels, deformation, 0.1, 0.3);
+      for (int k = 0; k < 2; ++k) {
+        const Path path = path_near(surface, 0.1, 0.3, random);
+        std::set<int> seen;
+        const double until = 1, margin = 0.02;
+        surface.bvh_t1().visit_moving(surface.bvh_t0(), path.start, path.end, until, margin, [&](int triangle) { seen.insert(triangle); });
+        visited += seen.size(), all += surface.at_t1().triangles().size();
+        for (std::size_t t = 0; t < surface.at_t1().triangles().size(); ++t) {
+          bool is_near = false;
+          for (int step = 0; step <= 20 && !is_near; ++step) {
+            const Corners c = surface.triangle(t).at(step / 20.0);
+            is_near = Soup::distance(path.at(step / 20.0), {c.a, c.b, c.c}) <= margin;
+          }
+          near += is_near;
+          if (is_near) CHECK(seen.count(static_cast<int>(t)) == 1);
+        }
+      }
+    }
+  CHECK(near > 200);
+  CHECK(visited < all / 10);  // and few others
+}
+
+TEST_CASE("deforming surface: its normals are those of a surface made where the vertices are") {
+  for (const Panels& panels : {fixtures::tetrahedron(), fixtures::sphere(), fixtures::hull()})
+    for (const Deformation& deformation : deformations()) {
+      const DeformingSurface surface = moved_surface(panels, deformation, 0.1, 0.2);
+      const Surface made(fixtures::moved(panels, [&](const Vec3d& x) { return deformation.at(x, 0.2); }));
+      REQUIRE(made.triangles().size() == surface.at_t1().triangles().size());
+      for (std::size_t t = 0; t < made.triangles().size(); ++t)
+        for (const Feature feature :
+             {Feature::face, Feature::edge_0, Feature::edge_1, Feature::edge_2, Feature::vertex_0, Feature::vertex_1, Feature::vertex_2})
+          CHECK(norm(made.pseudonormal(t, feature) - surface.at_t1().pseudonormal(t, feature)) == fixtures::absolute(0, 1e-14, "1"));
+    }
+}
+
+TEST_CASE("deforming surface: a tree that has become slow is rebuilt, and both ends of the step keep one shape") {
+  // The vertices of a sheet change places, so that triangles that were near each other are far apart.
+  const Panels flat = sheet(24);
+  DeformingSurface surface{Surface(flat, {.orientation = Orientation::normals})};
+  std::vector<Vec3d> rolled = flat.vertices;
+  for (Vec3d& x : rolled) x = {0.1 * std::cos(18 * x.x), 0.1 * std::sin(18 * x.x), x.y};  // rolled up three times, onto itself
+  surface.move(rolled);
+  CHECK(surface.rebuilds() == 1);
+  const Soup soup(surface.at_t1()), before(surface.at_t0());
+  std::mt19937_64 random(23);
+  for (int k = 0; k < 30; ++k) {
+    const Path path = path_near(surface, 0.05, 0.05, random);
+    CHECK(surface.bvh_t1().closest(path.end)->distance == fixtures::absolute(soup.distance(path.end), 1e-12, "m"));
+    CHECK(surface.bvh_t0().closest(path.start)->distance == fixtures::absolute(before.distance(path.start), 1e-12, "m"));
+    const exact::Answer answer = Near(surface, path, 0).crossing(path);
+    std::size_t found = 0;
+    const double until = 1, margin = 0;
+    surface.bvh_t1().visit_moving(surface.bvh_t0(), path.start, path.end, until, margin,
+                                  [&](int t) { found += front_crossing(path, surface.triangle(static_cast<std::size_t>(t))).has_value(); });
+    CHECK((found > 0) == answer.crosses);
+  }
+}
+
+TEST_CASE("deforming surface: vertices are numbered as those of the panels, shared or not") {
+  const Panels cube = fixtures::unit_cube();
+  Panels separate;  // as of an STL file
+  for (const auto& panel : cube.panels) {
+    for (const int vertex : panel) separate.vertices.push_back(cube.vertices[static_cast<std::size_t>(vertex)]);
+    const int last = static_cast<int>(separate.vertices.size());
+    separate.add_quad(last - 4, last - 3, last - 2, last - 1);
+  }
+  for (const Panels& panels : {cube, separate}) {
+    DeformingSurface surface{Surface(panels)};
+    std::vector<Vec3d> to = panels.vertices;
+    for (Vec3d& x : to) x = {x.x + 0.1 * x.y, 1.2 * x.y, x.z - 0.3 * x.x};
+    surface.move(to);
+    for (std::size_t t = 0; t < surface.at_t1().triangles().size(); ++t) {
+      const std::array<int, 3> vertices = surface.panel_vertices(t);
+      for (std::size_t c = 0; c < 3; ++c) {
+        CHECK(surface.at_t0().corner(t, c) == panels.vertices[static_cast<std::size_t>(vertices[c])]);
+        CHECK(surface.at_t1().corner(t, c) == to[static_cast<std::size_t>(vertices[c])]);
+      }
+    }
+    CHECK(surface.at_t1().report().bounds.high == Vec3d{1.1, 1.2, 1});
+  }
+  DeformingSurface surface{Surface(separate)};
+  std::vector<Vec3d> parted = separate.vertices;
+  parted[5] += Vec3d{0.01, 0, 0};
+  CHECK(refusal(surface, parted).find("were merged at construction, but part from each other; move them together.") != std::string::npos);
+}
+
+TEST_CASE("deforming surface: the motion of all vertices is bounded, about its mean and from zero") {
+  const Panels panels = fixtures::hull();
+  const DeformingSurface surface = moved_surface(panels, deformations()[4], 0.1, 0.2);
+  double travel = 0, spread = 0;
+  for (const Vec3d& x : panels.vertices) {
+    const Vec3d displacement = deformations()[4].at(x, 0.2) - deformations()[4].at(x, 0.1);
+    travel = std::max(travel, norm(displacement));
+    spread = std::max(spread, norm(displacement - surface.mean_displacement()));
+  }
+  CHECK(surface.travel() == fixtures::relative(travel, 1e-12));
+  CHECK(surface.spread() == fixtures::relative(spread, 1e-12));
+  CHECK(surface.spread() < 0.8 * surface.travel());
+}
+
+TEST_CASE("deforming surface: unusable vertices are refused in a sentence, and nothing changes") {
+  const Panels cube = fixtures::unit_cube();
+  DeformingSurface surface{Surface(cube)};
+  std::vector<Vec3d> to = cube.vertices;
+  for (Vec3d& x : to) x *= 1.1;
+  surface.move(to);
+  const auto refuse = [&](const std::vector<Vec3d>& vertices, const std::string& sentence) {
+    CHECK(refusal(surface, vertices) == sentence);
+    CHECK(surface.steps() == 1);
+    CHECK(surface.at_t0().corner(0, 0) == cube.vertices[static_cast<std::size_t>(surface.panel_vertices(0)[0])]);
+    CHECK(surface.at_t1().corner(0, 0) == to[static_cast<std::size_t>(surface.panel_vertices(0)[0])]);
+  };
+  refuse({{0, 0, 0}}, "deforming surface: there are positions of 1 vertices, but its panels have 8; give one for each.");
+  std::vector<Vec3d> bad = to;
+  bad[7].y = std::numeric_limits<double>::quiet_NaN();
+  refuse(bad,
+         "deforming surface: vertex 7 goes from (1.1, 1.1, 1.1) to (1.1, nan, 1.1) in one step, which is not finite; the solver has become unstable, use a "
+         "shorter step.");
+  bad[7].y = std::numeric_limits<double>::infinity();
+  refuse(bad,
+         "deforming surface: vertex 7 goes from (1.1, 1.1, 1.1) to (1.1, inf, 1.1) in one step, which is not finite; the solver has become unstable, use a "
+         "shorter step.");
+  bad[7].y = 2e6;
+  refuse(bad,
+         "deforming surface: vertex 7 goes from (1.1, 1.1, 1.1) to (1.1, 2e+06, 1.1) in one step, farther than 1e+06 m, beyond which rounding hides "
+         "contact; the solver has become unstable, use a shorter step.");
+  std::vector<Vec3d> inverted = cube.vertices;
+  for (Vec3d& x : inverted) x.z = -x.z;
+  refuse(inverted, "deforming surface: it is closed, but encloses a volume of -1 m³ at the end of the step: it is turned inside out; use a shorter step.");
+  std::vector<Vec3d> flat = cube.vertices;
+  flat[1] = flat[0];
+  CHECK(refusal(surface, flat).find(" has no area at the end of the step, so it has no side; use a shorter step, or a finer mesh where it is compressed.") !=
+        std::string::npos);
+  CHECK(surface.steps() == 1);
+}
+
+TEST_CASE("deforming surface: closed parts that may overlap are refused") {
+  const Panels two = fixtures::joined(fixtures::unit_cube(), fixtures::moved(fixtures::unit_cube(), [](const Vec3d& x) { return x + Vec3d{0.5, 0.3, 0.4}; }));
+  CHECK_THROWS_WITH_AS(DeformingSurface{Surface(two)},
+                       "deforming surface: 2 of its closed parts may overlap, and the union of parts is evaluated for rigid surfaces only; give each part a "
+                       "surface of its own.",
+                       InputError);
+}
