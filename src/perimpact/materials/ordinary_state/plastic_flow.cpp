@@ -1,6 +1,7 @@
 // Plastic flow of particles after each evaluation of forces.
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -17,21 +18,26 @@ constexpr double yields_before_it_breaks = 1e30;  // [1/Pa] slope of the limit o
 
 }  // namespace
 
-void PlasticForce::flow(const Particles& particles, const Family& family) {
+/// Whether a particle was outside of the yield surface by more than is tolerated.
+bool PlasticForce::flow(const Particles& particles, const Family& family) {
+  std::atomic<bool> overshoots = false;
   parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
     const auto row = static_cast<std::size_t>(number);
     dissipation_[row] += pending_[row];
     pending_[row] = 0;
+    double most = 0;
     const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
     for (std::size_t eight = begin / byte_lanes; eight < end / byte_lanes; ++eight)
       if (is_hot_[eight])
         for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
-          if (is_stress_known(slot) && particles.is_occupied(slot)) flow(slot, row, particles, family);
+          if (is_stress_known(slot) && particles.is_occupied(slot)) most = std::max(most, flow(slot, row, particles, family));
+    if (most > tolerated_) overshoots.store(true, std::memory_order_relaxed);
   });
-  std::swap(pressure_, latest_pressure_);
+  return overshoots;
 }
 
-void PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& particles, const Family& family) {
+/// [Pa] the equivalent stress and the pressure that it removes.
+double PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& particles, const Family& family) {
   SymmetricTensor stress = tensor_at(stress_, slot);
   const SymmetricTensor before = stress;
   const double half_volume = 0.5 * particles.volume(slot), p = pressure_of(stress);
@@ -55,6 +61,9 @@ void PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& part
     }
   }
   set(increment_, slot, increment);
+  SymmetricTensor removed;
+  for (std::size_t c = 0; c < 6; ++c) removed[c] = before[c] - stress[c];
+  return std::sqrt(3 * second_invariant(removed)) + std::fabs(pressure_of(removed));
 }
 
 /// From the next pass on the particle and those that are bonded to it know its plastic strain.
@@ -63,6 +72,28 @@ void PlasticForce::mark(std::size_t slot, const Family& family) {
   const auto mark_at = [&](std::size_t at) { std::atomic_ref(is_plastic_[at / byte_lanes]).store(1, std::memory_order_relaxed); };
   mark_at(slot);
   family.for_each_bond(slot, [&](const FamilyBond& bond) { mark_at(bond.j); });
+}
+
+/// Finds the eights that the last flow affects: those that contain or are bonded to a particle that flowed and, with a dilatation, those that are bonded
+/// to these.
+void PlasticForce::mark_affected(const Particles& particles, const Family& family) {
+  constexpr std::uint8_t of_strain = 1, of_dilatation = 2;
+  std::fill(affected_.begin(), affected_.end(), std::uint8_t{0});
+  const auto mark_families_of = [&](std::uint8_t with, const auto& is_source) {
+    parallel_for(static_cast<std::ptrdiff_t>(affected_.size()), [&](std::ptrdiff_t number) {
+      const auto eight = static_cast<std::size_t>(number);
+      for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot) {
+        if (!particles.is_occupied(slot) || !is_source(slot)) continue;
+        const auto mark_at = [&](std::size_t at) { std::atomic_ref(affected_[at / byte_lanes]).fetch_or(with, std::memory_order_relaxed); };
+        mark_at(slot);
+        family.for_each_bond(slot, [&](const FamilyBond& bond) { mark_at(bond.j); });
+      }
+    });
+  };
+  mark_families_of(of_strain, [&](std::size_t slot) { return is_stress_known(slot) && perimpact::equivalent_strain(tensor_at(increment_, slot)) > 0; });
+  if (!theta_.slots()) return;
+  mark_families_of(of_dilatation,
+                   [&](std::size_t slot) { return (std::atomic_ref(affected_[slot / byte_lanes]).load(std::memory_order_relaxed) & of_strain) != 0; });
 }
 
 void PlasticForce::set_plastic_strain(std::size_t slot, const SymmetricTensor& strain, const Family& family) {

@@ -29,6 +29,7 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
       moduli_(return_moduli(law, family.stencil())),
       elastic_limit_(0.25 * plasticity.ellipse.a0 / std::max(moduli_.axial_shear, moduli_.plane_shear)),
       largest_pressure_(plasticity.ellipse.largest_pressure()),
+      tolerated_(overshoot_tolerance * plasticity.ellipse.compressive_strength()),
       correction_(std::move(correction)) {
   if (rule) breaking_ = Breaking(*rule, {}, family, particles);
   const std::size_t slots = particles.slots(), slack = particles.slack();
@@ -43,6 +44,7 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
   has_failed_.assign(slots, 0);
   is_plastic_.assign(slots / byte_lanes, 0);
   is_hot_.assign(slots / byte_lanes, 0);
+  affected_.assign(slots / byte_lanes, 0);
   dissipation_.assign(particles.rows(), 0);
   pending_ = dissipation_;
 
@@ -76,12 +78,40 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
   });
 }
 
+namespace {
+
+/// [J] ½ (F - F′)·Δx V of a pack: what the forces of the step do less when F becomes F′.
+template <class Pack>
+double lost_work(const Particles& particles, std::size_t slot, const Vec3<Pack>& now, double dt) {
+  Pack work(0.0);
+  for (std::size_t c = 0; c < 3; ++c)
+    work = fused_multiply_add(load<Pack>(particles.force_density.component(c) + slot) - now[c], load<Pack>(particles.velocity.component(c) + slot), work);
+  return energy_of_pack(Pack(0.5 * dt) * work, particles, slot);
+}
+
+}  // namespace
+
 template <class Pack>
 void PlasticForce::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+  evaluate<Pack>(Packs::all, particles, family, options, rows);
+  if (!options.may_break) return;
+  for (int returns = 1; flow(particles, family) && returns < max_returns; ++returns) {
+    mark_affected(particles, family);
+    evaluate<Pack>(Packs::affected, particles, family, options, rows);
+  }
+  std::swap(pressure_, latest_pressure_);
+}
+
+/// Bonds break, and lose their energy, where all packs are evaluated.
+template <class Pack>
+void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+  const bool again = which == Packs::affected;
+  const auto skips = [&](std::size_t slot) { return again && !options.with_energy && affected_[slot / byte_lanes] == 0; };
   const auto all_packs = [&](const auto& body, const auto& corrections, auto has_dilatation, auto may_break) {
     constexpr bool with_theta = decltype(has_dilatation)::value, breaks = decltype(may_break)::value;
     if constexpr (with_theta)
       for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
+        if (skips(slot)) return;
         const BeyondLimit beyond{&rows.broken_ends[row]};
         with_factors(body, slot, corrections, [&](const auto& view, std::size_t at, const auto& factors) {
           with_constant(is_plastic_[at / byte_lanes] != 0, [&](auto plastic) {
@@ -93,6 +123,7 @@ void PlasticForce::pass(Particles& particles, Family& family, const PassOptions&
     std::array<double*, 6> stress;
     for (std::size_t c = 0; c < 6; ++c) stress[c] = stress_.component(c);
     for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
+      if (skips(slot)) return;
       const BeyondLimit beyond{&rows.broken_ends[row]};
       double& fracture = rows.fracture_energy[row];
       constexpr bool breaks_here = breaks && !with_theta;  // the pass before has broken what breaks
@@ -113,6 +144,7 @@ void PlasticForce::pass(Particles& particles, Family& family, const PassOptions&
         }
         return elastic;
       });
+      if (again) dissipation_[row] += lost_work(particles, slot, of.force, options.dt);
       for (std::size_t c = 0; c < 3; ++c) store(particles.force_density.component(c) + slot, of.force[c]);
       if (options.may_break) store(latest_pressure_.component(0) + slot, of.pressure);
       if (options.with_energy) rows.energy[row] += energy_of_pack(of.energy, particles, slot);
@@ -134,7 +166,7 @@ void PlasticForce::pass(Particles& particles, Family& family, const PassOptions&
                                                                   theta_.component(0),
                                                                   options.dt};
     with_constant(law_.needs_dilatation(), [&](auto has_dilatation) {
-      with_constant(options.may_break && breaking_.is_armed(), [&](auto may_break) { all_packs(body, corrections, has_dilatation, may_break); });
+      with_constant(!again && options.may_break && breaking_.is_armed(), [&](auto may_break) { all_packs(body, corrections, has_dilatation, may_break); });
     });
   };
   if (family.list()) {
@@ -145,7 +177,6 @@ void PlasticForce::pass(Particles& particles, Family& family, const PassOptions&
     const StencilConstants constants{constants_, projection_};
     with_bond_corrections(correction_, half_squares_, [&](const auto& corrections) { over(bonds, constants, corrections); });
   }
-  if (options.may_break) flow(particles, family);
 }
 
 template void PlasticForce::pass<double>(Particles&, Family&, const PassOptions&, RowSums&);
@@ -155,7 +186,8 @@ template void PlasticForce::pass<NativePack>(Particles&, Family&, const PassOpti
 
 double PlasticForce::bytes() const {
   const std::size_t numbers = 18 * strain_.slots() + 5 * equivalent_.slots() + theta_.slots() + stretch_.size() + dilatation_.size() + 3 * direction_.slots();
-  return correction_.bytes() + breaking_.bytes() + static_cast<double>(sizeof(double) * numbers + has_failed_.size() + is_plastic_.size() + is_hot_.size());
+  return correction_.bytes() + breaking_.bytes() +
+         static_cast<double>(sizeof(double) * numbers + has_failed_.size() + is_plastic_.size() + is_hot_.size() + affected_.size());
 }
 
 }  // namespace perimpact

@@ -6,8 +6,10 @@
 ///   force         f = [4 b ω_e s_e + 2 a (D/m_θ) ω_θ (θ_i + θ_j)] y, along the bond                                     [N/m⁶]
 ///   stress        σ_i = ½ Σ (f·y/|y|²) ξ⊗ξ v V = -(1/V_i) ∂E/∂ε^p_i                                                     [Pa]
 ///
-/// A step evaluates forces and stresses with the plastic strain at its beginning; particles outside of the yield surface then flow. What flow dissipates is
-/// ½ (σ_n + σ_{n+1}) : Δε^p V, which closes the balance of the time stepping as the trapezoidal rule does for forces (docs/theory/energy.md).
+/// A step evaluates forces and stresses with the plastic strain at its beginning; particles outside of the yield surface then flow. Where one was outside by
+/// more than `overshoot_tolerance`, forces and stresses of those that flowed and of their families are evaluated again in the same step, and they flow
+/// again, with at most `max_returns` flows; what is left acts in the next step. What flow dissipates is ½ (σ_n + σ_{n+1}) : Δε^p V, which closes the balance
+/// of the time stepping as the trapezoidal rule does for forces (docs/theory/energy.md).
 ///
 /// A bond breaks where s_e exceeds s_c k + ¾ max(0, p)/E, p the mean pressure of its two particles at the step before; once either has yielded, only where
 /// p <= 0; a particle whose plastic strain has reached ε_f(p) has k = 0, and its shear strength is that of friction alone. Both ends decide from the same
@@ -44,6 +46,9 @@ ReturnModuli return_moduli(const OrdinaryState& law, const Stencil* stencil);
 
 class PlasticForce {
  public:
+  static constexpr double overshoot_tolerance = 0.05;  ///< [-] over the compressive strength: the equivalent stress and the pressure that flow removes
+  static constexpr int max_returns = 12;               ///< flows in a step
+
   /// `strength` [-] of each slot (damage/strength.hpp) multiplies the critical stretch; where empty, 1 everywhere.
   PlasticForce(OrdinaryState law, const Plasticity& plasticity, const std::optional<BreakingRule>& rule, const std::vector<double>& strength,
                CorrectionFactors correction, const Family& family, const Particles& particles);
@@ -124,15 +129,21 @@ class PlasticForce {
     for (std::size_t c = 0; c < 6; ++c) array.component(c)[slot] = tensor[c];
   }
 
-  void flow(const Particles& particles, const Family& family);
-  void flow(std::size_t slot, std::size_t row, const Particles& particles, const Family& family);
+  /// Which packs are evaluated: all, or again those whose plastic strain, or that of their families, has changed since.
+  enum class Packs { all, affected };
+  template <class Pack>
+  void evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
+  bool flow(const Particles& particles, const Family& family);
+  double flow(std::size_t slot, std::size_t row, const Particles& particles, const Family& family);
   void mark(std::size_t slot, const Family& family);
+  void mark_affected(const Particles& particles, const Family& family);
 
   OrdinaryState law_;
   Plasticity plasticity_;
   ReturnModuli moduli_;
   double elastic_limit_;     // [J/m³] below it no particle can be outside of the surface
   double largest_pressure_;  // [Pa] p₂
+  double tolerated_;         // [Pa] overshoot
   Breaking breaking_;        // the rule; it is evaluated under pressure, in plastic_kernels.hpp
   CorrectionFactors correction_;
 
@@ -159,6 +170,7 @@ class PlasticForce {
   // of each eight slots
   std::vector<std::uint8_t> is_plastic_;  // one of them, or one that is bonded to them, has plastic strain
   std::vector<std::uint8_t> is_hot_;      // bit l: the stress of slot l was computed in the last pass
+  std::vector<std::uint8_t> affected_;    // by the last flow (mark_affected)
 
   std::vector<double> dissipation_, pending_;  // [J] of each row: to the last pass; half of the latest flow, which belongs to the next step
 };
