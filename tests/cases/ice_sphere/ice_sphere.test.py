@@ -46,7 +46,7 @@ def hertz(scene):
     scene.assertAlmostEqual(oblique["duration over Hertz [-]"], 1, delta=0.1)
 
 
-@claim("ice_sphere: crushed ice on the plate has the impulse of measured impacts, dissipates by flow, and its energy balance closes with the step")
+@claim("ice_sphere: crushed ice on the plate has the impulse of measured impacts and a force that does not depend on the step, and its energy balance closes with it")
 def crushed(scene):
     errors = []
     for step in ("38 us", "9.5 us"):

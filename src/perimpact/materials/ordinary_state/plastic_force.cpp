@@ -95,7 +95,7 @@ template <class Pack>
 void PlasticForce::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
   evaluate<Pack>(Packs::all, particles, family, options, rows);
   if (!options.may_break) return;
-  for (int returns = 1; flow(particles, family) && returns < max_returns; ++returns) {
+  for (int returns = 1; flow(particles, family) && options.dt > 0 && returns < max_returns; ++returns) {
     mark_affected(particles, family);
     evaluate<Pack>(Packs::affected, particles, family, options, rows);
   }
