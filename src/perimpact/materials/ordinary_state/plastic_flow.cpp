@@ -16,6 +16,13 @@ namespace {
 
 constexpr double yields_before_it_breaks = 1e30;  // [1/Pa] slope of the limit of particles that have yielded: no bond breaks under pressure
 
+/// Sets these bits in the marks of the eights of a particle and of those that are bonded to it; several threads may mark.
+void mark_family(std::vector<std::uint8_t>& marks, std::uint8_t bits, std::size_t slot, const Family& family) {
+  const auto mark_at = [&](std::size_t at) { std::atomic_ref(marks[at / byte_lanes]).fetch_or(bits, std::memory_order_relaxed); };
+  mark_at(slot);
+  family.for_each_bond(slot, [&](const FamilyBond& bond) { mark_at(bond.j); });
+}
+
 }  // namespace
 
 /// Whether a particle was outside of the yield surface by more than is tolerated.
@@ -43,10 +50,14 @@ double PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& pa
   const double half_volume = 0.5 * particles.volume(slot), p = pressure_of(stress);
   dissipation_[row] += half_volume * double_contraction(before, tensor_at(increment_, slot));
   SymmetricTensor increment{};
+  double overshoot = 0;
   const bool is_crushed = has_failed_[slot] && second_invariant(stress) > plasticity_.residual * p * p;
   if (p > 0 && (is_crushed || plasticity_.ellipse.function(stress) > 0)) {
     increment =
         is_crushed ? return_to_residual(plasticity_.ellipse, plasticity_.residual, moduli_, stress) : return_to_surface(plasticity_.ellipse, moduli_, stress);
+    SymmetricTensor removed;
+    for (std::size_t c = 0; c < 6; ++c) removed[c] = before[c] - stress[c];
+    overshoot = std::sqrt(3 * second_invariant(removed)) + std::fabs(pressure_of(removed));
     SymmetricTensor sum = tensor_at(strain_, slot);
     for (std::size_t c = 0; c < 6; ++c) sum[c] += increment[c];
     set(strain_, slot, sum);
@@ -61,17 +72,13 @@ double PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& pa
     }
   }
   set(increment_, slot, increment);
-  SymmetricTensor removed;
-  for (std::size_t c = 0; c < 6; ++c) removed[c] = before[c] - stress[c];
-  return std::sqrt(3 * second_invariant(removed)) + std::fabs(pressure_of(removed));
+  return overshoot;
 }
 
 /// From the next pass on the particle and those that are bonded to it know its plastic strain.
 void PlasticForce::mark(std::size_t slot, const Family& family) {
   pressure_slope_.component(0)[slot] = yields_before_it_breaks;
-  const auto mark_at = [&](std::size_t at) { std::atomic_ref(is_plastic_[at / byte_lanes]).store(1, std::memory_order_relaxed); };
-  mark_at(slot);
-  family.for_each_bond(slot, [&](const FamilyBond& bond) { mark_at(bond.j); });
+  mark_family(is_plastic_, 1, slot, family);
 }
 
 /// Finds the eights that the last flow affects: those that contain or are bonded to a particle that flowed and, with a dilatation, those that are bonded
@@ -82,12 +89,8 @@ void PlasticForce::mark_affected(const Particles& particles, const Family& famil
   const auto mark_families_of = [&](std::uint8_t with, const auto& is_source) {
     parallel_for(static_cast<std::ptrdiff_t>(affected_.size()), [&](std::ptrdiff_t number) {
       const auto eight = static_cast<std::size_t>(number);
-      for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot) {
-        if (!particles.is_occupied(slot) || !is_source(slot)) continue;
-        const auto mark_at = [&](std::size_t at) { std::atomic_ref(affected_[at / byte_lanes]).fetch_or(with, std::memory_order_relaxed); };
-        mark_at(slot);
-        family.for_each_bond(slot, [&](const FamilyBond& bond) { mark_at(bond.j); });
-      }
+      for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
+        if (particles.is_occupied(slot) && is_source(slot)) mark_family(affected_, with, slot, family);
     });
   };
   mark_families_of(of_strain, [&](std::size_t slot) { return is_stress_known(slot) && perimpact::equivalent_strain(tensor_at(increment_, slot)) > 0; });
