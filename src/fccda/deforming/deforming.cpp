@@ -96,14 +96,7 @@ Vec3d Deforming::slide(const Pose&, const Vec3d& from, const Vec3d& to, double r
 }
 
 void Deforming::gather(std::size_t shares, std::vector<DeformingContact>& out) {
-  std::vector<const SideRecord::Changes*> changes;
-  for (std::size_t k = 0; k < shares; ++k) {
-    const Found& found = found_[k];
-    out.insert(out.end(), found.contacts.begin(), found.contacts.end());
-    changes.push_back(&found.sides);
-    effort_ += found.effort;
-  }
-  sides_.add(changes);
+  fccda::gather(std::span<const Found>(found_).first(shares), out, sides_, effort_);
 }
 
 }  // namespace fccda

@@ -24,6 +24,7 @@
 #include "fccda/detect/contact.hpp"
 #include "fccda/detect/distance_cache.hpp"
 #include "fccda/detect/every_point.hpp"
+#include "fccda/detect/found.hpp"
 #include "fccda/detect/points.hpp"
 #include "fccda/detect/side_record.hpp"
 
@@ -129,18 +130,11 @@ class Deforming final : public SlidingSurface {
   /// Distances are searched this many steps ahead: most points found are then not evaluated again for as long.
   static constexpr double look_ahead_factor = 64;
 
-  struct Found {
-    std::vector<DeformingContact> contacts;
-    SideRecord::Changes sides;
-    Effort effort;
-    void clear() { contacts.clear(), sides.clear(), effort = {}; }
-  };
+  using Found = fccda::Found<DeformingContact>;
 
   template <Points P>
   void begin(const P& points) {
-    blocks_.clear();
-    for (std::size_t b = 0; b < points.block_count(); ++b) blocks_.push_back(points.block_begin(b));
-    blocks_.push_back(points.size());
+    list_blocks(points, blocks_);
     begin_step();
   }
 

@@ -103,15 +103,6 @@ Vec3d Swept::slide(const Pose& pose, const Vec3d& from, const Vec3d& to, double 
   return reached == end ? to : pose.to_world(reached);
 }
 
-void Swept::gather(std::size_t shares, std::vector<Contact>& out) {
-  std::vector<const SideRecord::Changes*> changes;
-  for (std::size_t k = 0; k < shares; ++k) {
-    const Found& found = found_[k];
-    out.insert(out.end(), found.contacts.begin(), found.contacts.end());
-    changes.push_back(&found.sides);
-    effort_ += found.effort;
-  }
-  sides_.add(changes);
-}
+void Swept::gather(std::size_t shares, std::vector<Contact>& out) { fccda::gather(std::span<const Found>(found_).first(shares), out, sides_, effort_); }
 
 }  // namespace fccda

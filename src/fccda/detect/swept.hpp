@@ -16,6 +16,7 @@
 #include "fccda/detect/curved_path.hpp"
 #include "fccda/detect/distance_cache.hpp"
 #include "fccda/detect/every_point.hpp"
+#include "fccda/detect/found.hpp"
 #include "fccda/detect/nearest_outside.hpp"
 #include "fccda/detect/path_test.hpp"
 #include "fccda/detect/points.hpp"
@@ -165,18 +166,11 @@ class Swept final : public SlidingSurface {
     double approach(double travel) const { return stretch * travel + allowance; }
   };
 
-  struct Found {
-    std::vector<Contact> contacts;
-    SideRecord::Changes sides;
-    Effort effort;
-    void clear() { contacts.clear(), sides.clear(), effort = {}; }
-  };
+  using Found = fccda::Found<Contact>;
 
   template <Points P>
   void begin(const P& points, const Motion& motion) {
-    blocks_.clear();
-    for (std::size_t b = 0; b < points.block_count(); ++b) blocks_.push_back(points.block_begin(b));
-    blocks_.push_back(points.size());
+    list_blocks(points, blocks_);
     if (cache_.differs_from(blocks_)) {
       cache_.start(blocks_);
       guess_.assign(points.size(), -1);
