@@ -29,7 +29,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/fccda)
 set(include_folder ${CMAKE_INSTALL_INCLUDEDIR}/fccda)
 install(TARGETS fccda_library EXPORT fccda_targets COMPONENT fccda INCLUDES DESTINATION ${include_folder})
 foreach(folder base mesh mesh_io marine fccda)
-  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/../${folder} DESTINATION ${include_folder} COMPONENT fccda FILES_MATCHING PATTERN "*.hpp")
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/../${folder} DESTINATION ${include_folder} COMPONENT fccda FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 endforeach()
 install(EXPORT fccda_targets NAMESPACE fccda:: FILE fccdaTargets.cmake DESTINATION ${package_folder} COMPONENT fccda)
 
