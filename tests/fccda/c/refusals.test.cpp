@@ -259,8 +259,13 @@ const std::vector<Refusal>& refusals() {
          return fccda_deforming_surface_move(s.soft, &less);
        },
        FCCDA_INPUT_ERROR, "deforming surface: "},
-      {"a detection without a move", [](Scene& s) { return fccda_deforming_detect(s.soft_detector, &s.points, nullptr); }, FCCDA_INPUT_ERROR,
-       "deforming surface: "},
+      {"a second detection without a move",
+       [](Scene& s) {
+         CHECK(fccda_deforming_surface_move(s.soft, &s.at) == FCCDA_OK);
+         CHECK(fccda_deforming_detect(s.soft_detector, &s.points, nullptr) == FCCDA_OK);
+         return fccda_deforming_detect(s.soft_detector, &s.points, nullptr);
+       },
+       FCCDA_INPUT_ERROR, "contact: the deforming surface was not moved since the last detection"},
       {"a radius for each point at a deforming surface",
        [](Scene& s) {
          fccda_points points = s.points;
