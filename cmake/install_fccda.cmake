@@ -71,6 +71,7 @@ else()
 endif()
 set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH to_prefix ${CMAKE_INSTALL_PREFIX}/${pc_folder} ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" to_prefix ${to_prefix})
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/fccda.pc @ONLY CONTENT [=[
 prefix=${pcfiledir}/@to_prefix@
 libdir=${prefix}/@CMAKE_INSTALL_LIBDIR@
