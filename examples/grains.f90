@@ -67,7 +67,7 @@ contains
     integer(c_int), intent(in) :: status
     if (status == FCCDA_OK) return
     write (error_unit, '(2a)') "error: ", fccda_message()
-    stop 2
+    stop 2, quiet=.true.
   end subroutine
 
   function argument(default) result(number)
