@@ -27,7 +27,7 @@ program grains
   call place_grains
   call make_tray(surface, tray)
   call expect_ok(fccda_detector_create(surface, 0d0, detector))
-  call fccda_surface_destroy(surface)  ! the detector goes on with it
+  call fccda_surface_destroy(surface)  ! the detector keeps what it needs
   points = fccda_points(x_t0=fccda_xyz(x_t0), x_t1=fccda_xyz(x_t1), velocity=fccda_xyz(v), mass=fccda_each(mass), &
     radius=fccda_each(radius))
 

@@ -43,7 +43,7 @@ struct CRun {
     const fccda_body_properties properties = c_ring();
     REQUIRE(fccda_detector_create(surface, radius, &detector) == FCCDA_OK);
     REQUIRE(fccda_body_create(&properties, &body) == FCCDA_OK);
-    fccda_surface_destroy(surface);  // the detector goes on with it
+    fccda_surface_destroy(surface);  // the detector keeps what it needs
   }
   CRun(const CRun&) = delete;
   ~CRun() { fccda_detector_destroy(detector), fccda_body_destroy(body); }
