@@ -17,7 +17,7 @@ using fem::Bar;
 namespace {
 
 constexpr double speed = 0.1;                // [m/s] a thousandth of the speed of sound: linear
-constexpr double gap = 1e-4, radius = 5e-5;  // [m] the nodes at the edges meet the rim of the face within this radius
+constexpr double gap = 1e-4, radius = 5e-5;  // [m] the nodes at the edges meet the border of the face within this radius
 
 /// The upper end of a bar, as quads over its last nodes.
 Panels end_face(const Bar& bar, std::size_t nodes) {

@@ -2,7 +2,7 @@
 //
 // The water is in sph.hpp. The membrane is a disc of linear triangles under constant tension, with lumped masses; the forces on its nodes,
 //   f_i = T Σ_j ½ (cot α_ij + cot β_ij) (x_j - x_i + η (v_j - v_i)),   α, β: the angles opposite to the edge i j,
-// are linear. Its nodes are the vertices of a deforming surface of fccda; those of the rim are held. It begins in equilibrium under its
+// are linear. Its nodes are the vertices of a deforming surface of fccda; those of the border are held. It begins in equilibrium under its
 // own weight, where the sag of a membrane in its middle is σ g a²/(4 T).
 #include <cstdio>
 #include <cstdlib>
@@ -29,7 +29,7 @@ struct Membrane {
   std::vector<Edge> edges;
   std::vector<Vec3d> x, v, f, impulse;
   std::vector<double> mass;  // [kg] infinite where the node is held
-  Vec3d on_rim{};            // [N s] that the rim received so far
+  Vec3d on_border{};         // [N s] that the border received so far
   double own_mass = 0;       // [kg] of the nodes that move
 
   Membrane();
@@ -96,7 +96,7 @@ void Membrane::move(double dt) {
   add_forces();
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (is_held(i)) {
-      on_rim += dt * f[i] + impulse[i];
+      on_border += dt * f[i] + impulse[i];
     } else {
       v[i] += (dt * f[i] + impulse[i]) / mass[i];
       x[i] += dt * v[i];
@@ -115,7 +115,7 @@ void Membrane::relax(double dt) {
     before = energy < before ? 0 : energy;
   }
   std::ranges::fill(v, Vec3d{});
-  on_rim = {};
+  on_border = {};
 }
 
 double Membrane::kinetic_energy() const {
@@ -133,9 +133,9 @@ double Membrane::potential_energy() const {
   return energy;
 }
 
-/// With the impulses of contact, which nodes and rim get in the next step.
+/// With the impulses of contact, which nodes and border get in the next step.
 Vec3d Membrane::momentum() const {
-  Vec3d sum = on_rim;
+  Vec3d sum = on_border;
   for (std::size_t i = 0; i < x.size(); ++i) sum += impulse[i] + (is_held(i) ? Vec3d{} : mass[i] * v[i]);
   return sum;
 }
@@ -202,7 +202,7 @@ int main(int argc, char** argv) try {
   std::printf("sag of the membrane by its own weight: %.4f mm, by sigma g a^2/(4 T) %.4f mm\n", 1e3 * sag, 1e3 * expected);
   std::printf("particles below the membrane: %zu; its middle at %.4f m at the lowest\n", below, deepest);
   std::printf("mechanical energy: before %.3f J, largest %.3f J, after %.3f J\n", energy_before, most_energy, mechanical());
-  std::printf("momentum of water, membrane and rim - impulse of gravity: %.1e of that of the water at most\n", momentum_error / std::fabs(momentum_before));
+  std::printf("momentum of water, membrane and border - impulse of gravity: %.1e of that of the water at most\n", momentum_error / std::fabs(momentum_before));
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

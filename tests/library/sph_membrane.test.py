@@ -12,7 +12,7 @@ def numbers(text, pattern):
     return [float(word) for word in re.search(pattern, text).groups()]
 
 
-@claim("water that falls on a membrane stays above it, bends it, loses energy, and its momentum is that of membrane, rim and gravity to rounding")
+@claim("water that falls on a membrane stays above it, bends it, loses energy, and its momentum is that of membrane, border and gravity to rounding")
 def membrane(scene):
     out = scene.expect_success(0.05).out
     sag, expected = numbers(out, r"own weight: (\S+) mm, by .* (\S+) mm")
