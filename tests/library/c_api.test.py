@@ -37,6 +37,15 @@ CONSTANTS = {"ABI_VERSION": 1, "OK": 0, "INPUT_ERROR": 1, "RUN_ERROR": 2, "INTER
              "NORMALS": 1, "REVERSED": 2}
 
 
+def expected_layout():
+    """Lines "structure size" and "structure.member place size". There is no padding: a member ends where the next begins."""
+    text = ""
+    for struct, (size, members) in LAYOUT.items():
+        begins = [*members.values(), size]
+        text += f"{struct} {size}\n" + "".join(f"{struct}.{name} {place} {end - place}\n" for (name, place), end in zip(members.items(), begins[1:]))
+    return text + "".join(f"{name} {value}\n" for name, value in CONSTANTS.items())
+
+
 def places(scene):
     return {name: Path(place) for name, place in json.loads(Path(scene.program).read_text()).items()}
 
@@ -100,12 +109,10 @@ def layout(scene):
     lines = []
     for struct, (_, members) in LAYOUT.items():
         lines.append(f'  printf("{struct} %zu\\n", sizeof({struct}));')
-        lines += [f'  printf("{struct}.{member} %zu\\n", offsetof({struct}, {member}));' for member in members]
+        lines += [f'  printf("{struct}.{member} %zu %zu\\n", offsetof({struct}, {member}), sizeof((({struct}*)0)->{member}));' for member in members]
     lines += [f'  printf("{name} %d\\n", (int)FCCDA_{name});' for name in CONSTANTS]
     text = "#include <fccda/fccda.h>\n#include <stdio.h>\nint main(void) {\n" + "\n".join(lines) + "\n  return 0;\n}\n"
-    expected = "".join(f"{struct} {size}\n" + "".join(f"{struct}.{name} {place}\n" for name, place in members.items()) for struct, (size, members) in LAYOUT.items())
-    expected += "".join(f"{name} {value}\n" for name, value in CONSTANTS.items())
-    scene.assertEqual(build(scene, places(scene)["folder"] / "fccda", C, "layout.c", text), expected)
+    scene.assertEqual(build(scene, places(scene)["folder"] / "fccda", C, "layout.c", text), expected_layout())
     scene.assertEqual(set(re.findall(r"^typedef struct (\w+) \{", header(scene), re.MULTILINE)), set(LAYOUT))
     scene.assertEqual(set(re.findall(r"^  FCCDA_(\w+) = ", header(scene), re.MULTILINE)) | {"ABI_VERSION"}, set(CONSTANTS))
 
@@ -117,23 +124,25 @@ def fortran(scene):
     declared = re.findall(r"(?:function|subroutine) (fccda_\w+)\(([^)]*)\)\s*bind\(C\)", module.replace("&\n", ""))
     scene.assertEqual({name: len(arguments.split(",")) if arguments.strip() else 0 for name, arguments in declared}, functions(scene))
     expect_program("gfortran")
-    lines, expected = [], ""
-    for number, (struct, (size, members)) in enumerate(LAYOUT.items()):
+    lines = []
+    for number, (struct, (_, members)) in enumerate(LAYOUT.items()):
         lines.append(f"  call show('{struct}', int(c_sizeof(s{number})))")
-        expected += f"{struct} {size}\n"
-        for member, place in members.items():
-            lines.append(f"  call show('{struct}.{member}', place(c_loc(s{number}), c_loc(s{number}%{member})))")
-            expected += f"{struct}.{member} {place}\n"
+        for member in members:
+            lines.append(f"  call show('{struct}.{member}', place(c_loc(s{number}), c_loc(s{number}%{member})), int(c_sizeof(s{number}%{member})))")
     lines += [f"  call show('{name}', int(FCCDA_{dict(UNSET='TYPE_UNSET', ONE='TYPE_ONE', ABI_VERSION='ABI_VERSION_OF_MODULE').get(name, name)}))" for name in CONSTANTS]
-    expected += "".join(f"{name} {value}\n" for name, value in CONSTANTS.items())
     text = "program layout\n  use fccda\n  implicit none\n"
     text += "".join(f"  type({struct}), target :: s{number}\n" for number, struct in enumerate(LAYOUT)) + "\n".join(lines)
     text += """
 contains
-  subroutine show(name, number)
+  subroutine show(name, number, size)
     character(len=*), intent(in) :: name
     integer, intent(in) :: number
-    print '(a, 1x, i0)', name, number
+    integer, intent(in), optional :: size
+    if (present(size)) then
+      print '(a, 2(1x, i0))', name, number, size
+    else
+      print '(a, 1x, i0)', name, number
+    end if
   end subroutine
   integer function place(struct, member)
     type(c_ptr), intent(in) :: struct, member
@@ -141,7 +150,7 @@ contains
   end function
 end program
 """
-    scene.assertEqual(build(scene, prefix, FORTRAN, "layout.f90", text), expected)
+    scene.assertEqual(build(scene, prefix, FORTRAN, "layout.f90", text), expected_layout())
 
 
 @claim("views of arrays and of sections of them in Fortran, and lists and texts that C returns, are those of the program")
