@@ -128,7 +128,7 @@ def fortran(scene):
     for number, (struct, (_, members)) in enumerate(LAYOUT.items()):
         lines.append(f"  call show('{struct}', int(c_sizeof(s{number})))")
         for member in members:
-            lines.append(f"  call show('{struct}.{member}', place(c_loc(s{number}), c_loc(s{number}%{member})), int(c_sizeof(s{number}%{member})))")
+            lines.append(f"  call show('{struct}.{member}', place(c_loc(s{number}), c_loc(s{number}%{member})), &\n    int(c_sizeof(s{number}%{member})))")
     lines += [f"  call show('{name}', int(FCCDA_{dict(UNSET='TYPE_UNSET', ONE='TYPE_ONE', ABI_VERSION='ABI_VERSION_OF_MODULE').get(name, name)}))" for name in CONSTANTS]
     text = "program layout\n  use fccda\n  implicit none\n"
     text += "".join(f"  type({struct}), target :: s{number}\n" for number, struct in enumerate(LAYOUT)) + "\n".join(lines)
