@@ -211,7 +211,8 @@ prescribed.)")
             body.drive(static_cast<std::size_t>(std::find(one.free.begin(), one.free.end(), true) - one.free.begin()), velocity);
           },
           "degree"_a, "velocity"_a, "Prescribes the velocity of a degree of freedom that is not free, such as \"x\" or \"rz\" [m/s], [rad/s].")
-      .def_property_readonly("pose", &RigidBody::pose, "Current pose.")
+      .def_property_readonly(
+          "pose", [](const RigidBody& body) { return body.pose(); }, "Current pose, a copy.")
       .def_property_readonly("position", &RigidBody::position_of_com, "(3,) position of the centre of mass [m].")
       .def_property_readonly("velocity", &RigidBody::velocity, "(3,) velocity of the centre of mass [m/s].")
       .def_property_readonly("angular_velocity", &RigidBody::angular_velocity, "(3,) angular velocity [rad/s], world axes.")
