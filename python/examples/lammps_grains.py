@@ -19,7 +19,7 @@ from mpi4py import MPI
 
 from perimpact import fccda
 
-end, layers = (float(sys.argv[2]) if len(sys.argv) > 2 else 0.5), (int(sys.argv[3]) if len(sys.argv) > 3 else 9)
+end, layers = (float(sys.argv[2]) if len(sys.argv) > 2 else 0.8), (int(sys.argv[3]) if len(sys.argv) > 3 else 12)
 half, height = 0.16, 0.4  # [m] of the trough
 corners = half * np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
 trough_mesh = fccda.Mesh(np.vstack([corners, corners + [0, 0, height]]), [[0, 1, 2, 3], [0, 4, 5, 1], [1, 5, 6, 2], [2, 6, 7, 3], [3, 7, 4, 0]])
@@ -70,7 +70,7 @@ def total(values):
 def resolve(detector, body, motion, x_t0, x_t1, velocity, mass, radius):
     """One surface; changes x_t1, velocity and the body. Returns the points in contact and the impulse on the body."""
     contacts = detector.detect(motion, x_t0, x_t1, radius)
-    sum = fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x_t1, velocity=velocity, mass=mass, apply=False)
+    sum = fccda.respond(contacts, motion, body, x_t0=x_t0, x_t1=x_t1, velocity=velocity, mass=mass, detector=detector, apply=False)
     impulses = total([*sum.impulse, *sum.angular_impulse])
     body.add_impulse(impulses[:3], impulses[3:])
     return contacts["point"], impulses[:3]
@@ -105,7 +105,8 @@ def contact(run, step, nlocal, tag, x, external):
 def observe(run, step, x, v, free, mass, radius):
     ahead = 0 if step == 0 else dt / 2  # from the time of v to that of x
     momentum, weight = total((mass * v).sum(axis=0)), total(mass.sum()) * gravity
-    run["start"] = momentum if step == 0 else run["start"]
+    if step == 0:
+        run["start"], run["weight"] = momentum, -weight[2] + wedge.mass * 9.81
     run["residual"].append(np.abs(momentum - run["start"] - (step * dt - ahead) * weight + run["given"]).max())
     spin, now = lmp.numpy.extract_atom("omega")[: len(x)], (v + free) / 2 if step else v
     grains = 0.5 * mass * (now**2).sum(axis=1, keepdims=True) + 0.2 * mass * radius[:, None] ** 2 * (spin**2).sum(axis=1, keepdims=True) - mass * x @ gravity[:, None]
@@ -117,7 +118,7 @@ def observe(run, step, x, v, free, mass, radius):
     run["frames"].append((step * dt, wedge.pose, world.gather((x.copy(), radius.copy(), np.linalg.norm(v, axis=1)))))
 
 
-run = {"tags": None, "start": None, "given": np.zeros(3), "lost": 0, **{name: [] for name in ("residual", "energy", "times", "heights", "trough", "frames")}}
+run = {"tags": None, "start": None, "weight": None, "given": np.zeros(3), "lost": 0, **{name: [] for name in ("residual", "energy", "times", "heights", "trough", "frames")}}
 
 
 def contact_or_abort(*arguments):
@@ -135,10 +136,12 @@ if world.rank > 0:
     sys.exit()
 
 scale = np.abs(run["given"]).max()
-print(f"{lmp.get_natoms():.0f} grains, {world.size} process{'es' if world.size > 1 else ''}: the keel's wedge is at {run['heights'][-1]:.6f} m after {run['times'][-1]:.3f} s")
+print(f"{lmp.get_natoms():.0f} grains, {world.size} process{'es' if world.size > 1 else ''}: the wedge is at {run['heights'][-1]:.6f} m after {run['times'][-1]:.3f} s")
 print(f"momentum of grains, wedge and trough: {max(run['residual']) / scale:.0e} of the impulse does not balance")
 print(f"energy: {run['energy'][0]:.4f} J, then never more than {max(run['energy'][1:]):.4f} J, at the end {run['energy'][-1]:.4f} J")
 print(f"grains in the wedge or outside the trough: {run['lost']}")
+late = np.mean(run["trough"][-len(run["trough"]) // 5 :])
+print(f"force on the trough, mean of the last fifth: {-late:.2f} N, weight of grains and wedge: {run['weight']:.2f} N")
 
 # %% Draw a slice through the middle at four times
 figure, axes = plt.subplots(1, 4, figsize=(9, 3), dpi=90, layout="constrained")
