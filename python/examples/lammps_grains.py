@@ -109,16 +109,17 @@ def observe(run, step, x, v, free, mass, radius):
         run["start"], run["weight"] = momentum, -weight[2] + wedge.mass * 9.81
     run["residual"].append(np.abs(momentum - run["start"] - (step * dt - ahead) * weight + run["given"]).max())
     spin, now = lmp.numpy.extract_atom("omega")[: len(x)], (v + free) / 2 if step else v
-    grains = 0.5 * mass * (now**2).sum(axis=1, keepdims=True) + 0.2 * mass * radius[:, None] ** 2 * (spin**2).sum(axis=1, keepdims=True) - mass * x @ gravity[:, None]
+    kinetic = 0.5 * mass.ravel() @ ((now**2).sum(axis=1) + 0.4 * radius**2 * (spin**2).sum(axis=1))  # a ball has the inertia 0.4 m r2
     body = wedge.kinetic_energy + ahead * wedge.mass * wedge.velocity @ gravity - wedge.mass * wedge.position @ gravity
-    run["energy"].append(total(grains.sum()) + body)
+    run["energy"].append(total(kinetic - (mass * x).sum(axis=0) @ gravity) + body)
     beyond = (np.abs(x[:, :2]).max(axis=1) > half) | (x[:, 2] < 0)
     run["lost"] += int(total(len(wedge_detector.points_inside(wedge.pose, x, radius)) + beyond.sum()))
     run["times"].append(step * dt), run["heights"].append(wedge.position[2])
     run["frames"].append((step * dt, wedge.pose, world.gather((x.copy(), radius.copy(), np.linalg.norm(v, axis=1)))))
 
 
-run = {"tags": None, "start": None, "weight": None, "given": np.zeros(3), "lost": 0, **{name: [] for name in ("residual", "energy", "times", "heights", "trough", "frames")}}
+run = {"tags": None, "start": None, "weight": None, "given": np.zeros(3), "lost": 0}
+run |= {name: [] for name in ("residual", "energy", "times", "heights", "trough", "frames")}
 
 
 def contact_or_abort(*arguments):
@@ -150,7 +151,7 @@ for scene, which in zip(axes, np.linspace(0, len(run["frames"]) - 1, 4).round().
     x, radius, speed = (np.concatenate(each) for each in zip(*parts))
     slice = np.argsort(np.abs(x[:, 1]))[::-1][-len(x) // 4 :]
     width = 2 * radius[slice]
-    dots = EllipseCollection(width, width, 0 * width, units="xy", offsets=x[slice][:, [0, 2]], transOffset=scene.transData, array=speed[slice], cmap="viridis", clim=(0, 1))
+    dots = EllipseCollection(width, width, 0 * width, units="xy", offsets=x[slice][:, [0, 2]], transOffset=scene.transData, array=speed[slice], clim=(0, 1))
     scene.add_collection(dots)
     scene.fill(*pose.to_world(triangle)[:, [0, 2]].T, color="#d9a066", ec="#8a5a2b")
     scene.plot([-half, -half, half, half], [height, 0, 0, height], color="#22313f", lw=1)

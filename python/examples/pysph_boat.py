@@ -95,9 +95,13 @@ def resolve(detector, body, dt, x_t0, x_t1, velocity):
     return contacts["point"]
 
 
+def state():
+    return np.column_stack([water.x, water.y, water.z]), np.column_stack([water.u, water.v, water.w])
+
+
 def contact(solver):
     dt = solver.dt  # PySPH shortens the last step to meet the end
-    x_t1, velocity = np.column_stack([water.x, water.y, water.z]), np.column_stack([water.u, water.v, water.w])
+    x_t1, velocity = state()
     boat.add_impulse(dt * boat.mass * gravity, [0, 0, 0])
     moved = resolve(boat_detector, boat, dt, run["x"], x_t1, velocity)
     resolve(tank_detector, tank, dt, run["x"], x_t1, velocity)
@@ -107,11 +111,12 @@ def contact(solver):
     water.u[:], water.v[:] = velocity[:, 0], velocity[:, 1]
     run["x"] = x_t1
     if solver.count % 20 == 0:
-        observe(solver.t + dt, x_t1, velocity)
+        observe(solver.t + dt)
 
 
 # %% What is recorded: momentum, energy, and water where none should be
-def observe(time, x, velocity):
+def observe(time):
+    x, velocity = state()
     run["residual"].append(np.abs(mass * velocity.sum(axis=0) + run["given"] - time * mass * len(x) * gravity).max())
     kinetic = 0.5 * mass * (velocity**2).sum() + boat.kinetic_energy
     run["energy"].append(kinetic - mass * (x @ gravity).sum() - boat.mass * boat.position @ gravity)
@@ -120,7 +125,7 @@ def observe(time, x, velocity):
     run["frames"].append((time, boat.pose, x[:, :2].copy(), np.linalg.norm(velocity, axis=1)))
 
 
-observe(0.0, x, np.zeros_like(x))
+observe(0.0)
 solver.set_parallel_manager(None)
 solver.setup([water], equations, LinkedListNNPS(dim=2, particles=[water], radius_scale=kernel.radius_scale))
 solver.set_disable_output(True)

@@ -121,7 +121,7 @@ def momentum(test):
     np.testing.assert_allclose(mass @ velocity + vertex_mass @ vertex_velocity, total, rtol=0, atol=1e-12 * scale)
 
 
-@claim("a heavy sheet is a wall: points stop at it, whether its mass is infinite or not given")
+@claim("a sheet of infinite mass, given or not, is a wall, and the corners of its panels share the impulse")
 def prescribed(test):
     vertices, faces = sheet()
     x0 = np.array([[0.11, 0.07, 0.2], [0.5, -0.31, 0.4]])
@@ -137,6 +137,12 @@ def prescribed(test):
         # velocity to the relocation: from z0 to 0.1 in 0.1 s
         np.testing.assert_allclose(velocity[:, 2], (0.1 - x0[:, 2]) / 0.1, rtol=0, atol=1e-10)
         np.testing.assert_allclose(impulses.sum(axis=0), [0, 0, -np.dot([2.0, 3.0], velocity[:, 2] + 10)], rtol=0, atol=1e-12)
+        # without friction the corners get their shares by the barycentric coordinates of the point
+        shares = np.zeros_like(vertices)
+        for place, corners, of_point in zip(x0, contacts["vertices"], [2.0, 3.0] * (velocity[:, 2] + 10)):
+            coordinates = np.linalg.solve(np.vstack([vertices[corners, :2].T, np.ones(3)]), [*place[:2], 1])
+            shares[corners, 2] -= coordinates * of_point
+        np.testing.assert_allclose(impulses, shares, rtol=0, atol=1e-10)  # of 20 N s, at relocations with an offset of 1e-12
         results.append((x1.tolist(), velocity.tolist(), impulses.tolist()))
     test.assertEqual(results[0], results[1])
     test.assertEqual(results[0], results[2])
@@ -212,7 +218,11 @@ def refusals(test):
         with test.assertRaises(InputError) as error:
             attempt()
         test.assertEqual(str(error.exception), sentence)
-    for words, changed in {"the number of masses of vertices differs": dict(vertex_mass=np.ones(3)), "the mass of vertex": dict(vertex_mass=0.0), "not equally long": dict(mass=[1.0, 1.0])}.items():
+    for words, changed in {
+        "the number of masses of vertices differs": dict(vertex_mass=np.ones(3)),
+        "the mass of vertex": dict(vertex_mass=0.0),
+        "not equally long": dict(mass=[1.0, 1.0]),
+    }.items():
         with test.assertRaisesRegex(InputError, words):
             respond(**changed)
     surface.move(vertices)
