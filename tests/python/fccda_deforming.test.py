@@ -121,6 +121,11 @@ def momentum(test):
     np.testing.assert_allclose(mass @ velocity + vertex_mass @ vertex_velocity, total, rtol=0, atol=1e-12 * scale)
 
 
+def barycentric(place, corners):
+    """In the projection along z."""
+    return np.linalg.solve(np.vstack([corners[:, :2].T, np.ones(3)]), [*place[:2], 1])
+
+
 @claim("a sheet of infinite mass, given or not, is a wall, and the corners of its panels share the impulse")
 def prescribed(test):
     vertices, faces = sheet()
@@ -140,12 +145,30 @@ def prescribed(test):
         # without friction the corners get their shares by the barycentric coordinates of the point
         shares = np.zeros_like(vertices)
         for place, corners, of_point in zip(x0, contacts["vertices"], [2.0, 3.0] * (velocity[:, 2] + 10)):
-            coordinates = np.linalg.solve(np.vstack([vertices[corners, :2].T, np.ones(3)]), [*place[:2], 1])
-            shares[corners, 2] -= coordinates * of_point
+            shares[corners, 2] -= barycentric(place, vertices[corners]) * of_point
         np.testing.assert_allclose(impulses, shares, rtol=0, atol=1e-10)  # of 20 N s, at relocations with an offset of 1e-12
         results.append((x1.tolist(), velocity.tolist(), impulses.tolist()))
     test.assertEqual(results[0], results[1])
     test.assertEqual(results[0], results[2])
+
+
+@claim("a point and the vertices that it hits move on together: their impact is inelastic, with the masses of both")
+def yielding(test):
+    vertices, faces = sheet()
+    vertex_mass = np.random.default_rng(7).uniform(0.5, 2, len(vertices))
+    for x0 in ([0.11, 0.07, 0.0], [-0.52, 0.31, 0.0], [0.75, -0.9, 0.0]):  # on the sheet, which is at rest
+        surface = deforming(vertices, faces)
+        detector = fccda.DeformingContactDetector(surface)
+        surface.move(vertices)
+        x_t0 = np.array([x0]) + [0, 0, 1e-9]
+        x1, velocity, impulses = x_t0 - [0, 0, 0.8], np.array([[0, 0, -8.0]]), np.zeros_like(vertices)
+        (contact,) = contacts = detector.detect(x_t0, x1)
+        fccda.respond_deforming(contacts, 0.1, x_t0=x_t0, x_t1=x1, velocity=velocity, mass=1.5, vertex_impulses=impulses, vertex_mass=vertex_mass)
+        corners = contact["vertices"]
+        weights = barycentric(x0, vertices[corners])
+        together = weights @ (impulses[corners, 2] / vertex_mass[corners])
+        np.testing.assert_allclose(velocity[0, 2], together, rtol=0, atol=1e-7)  # of 8 m/s, from 1e-9 m above it in 0.1 s
+        test.assertTrue(-7 < together < -1)
 
 
 @claim("arrays of float32 and of any stride are modified in place, those of vertices too")
