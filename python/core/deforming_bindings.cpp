@@ -160,7 +160,8 @@ void bind_deforming_response(py::module_& module) {
 dt: duration of the step [s]. x_t1 [m] and velocity [m/s], with which the points moved from x_t0 to x_t1, are (points, 3) arrays of float64 or float32, modified
 in place. mass [kg]: one number, or one per point. vertex_impulses [N s]: (n, 3) array of float64 or float32, one row per vertex of the mesh, to which the
 impulses are added; apply them to the vertices in your solver. vertex_mass [kg]: one number, or one per vertex; infinite, or None for all, where the motion is
-prescribed. friction: Coulomb friction coefficient. detector: the detector of these contacts, in this step; required with friction.
+prescribed. friction: Coulomb friction coefficient. detector: the detector of these contacts, in this step; required with friction, and
+advisable without, as for respond.
 
 Returns the ContactSum, its angular impulse about the origin. Points and vertices together conserve linear momentum, and angular momentum with positions at
 t1. Raises InputError if arrays differ in length, dt or a mass of a vertex is not positive, or a mass, velocity or the friction is negative or not finite.)");

@@ -326,7 +326,7 @@ relocation) [m], hit (point of first contact on the surface) [m], normal (outwar
 
 x_t1 [m] and velocity [m/s], with which the points moved from x_t0 to x_t1, are (points, 3) arrays of float64 or float32, modified in place. mass [kg]: one
 number, or one per point. friction: Coulomb friction coefficient. detector: the detector of these contacts, in this step; required with friction, which moves
-points along the surface but not through other panels. apply: False leaves the body unchanged, so that the impulses of several sets of points, or of several
+points along the surface but not through other panels, and advisable without: only with it do balls that slide get impulses that do no work (normal_t0). apply: False leaves the body unchanged, so that the impulses of several sets of points, or of several
 processes, can be summed and applied together with add_impulse. Returns the ContactSum.)");
 }
 
