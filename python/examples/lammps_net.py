@@ -23,7 +23,7 @@ knots = np.stack([*np.meshgrid(axis, axis, indexing="ij"), np.zeros((cells + 1, 
 corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).ravel()
 across, along = corner + cells + 1, corner + 1
 faces = np.concatenate([np.stack([corner, across, along], axis=1), np.stack([across, across + 1, along], axis=1)])
-rim = np.abs(knots[:, :2]).max(axis=1) > 0.99 * axis[-1]  # held fast
+fixed = np.abs(knots[:, :2]).max(axis=1) > 0.99 * axis[-1]  # are fixed
 net = fccda.DeformingSurface(fccda.Surface(fccda.Mesh(knots, faces), orientation="normals", name="net"))
 detector = fccda.DeformingContactDetector(net, radius=0.01)
 
@@ -40,7 +40,7 @@ boundary f f f
 region domain block -0.5 0.5 -0.5 0.5 -0.6 0.6 units box
 create_box 3 domain bond/types 1 extra/bond/per/atom 8 extra/special/per/atom 60
 """)
-lmp.create_atoms(count, list(range(1, count + 1)), list(np.where(rim, 3, 2)), list(knots.ravel()))
+lmp.create_atoms(count, list(range(1, count + 1)), list(np.where(fixed, 3, 2)), list(knots.ravel()))
 lmp.commands_string(f"""
 lattice sc 0.021
 region heap block -0.075 0.075 -0.075 0.075 0.011 0.15 units box
@@ -80,13 +80,13 @@ def contact(run, step, nlocal, tag, x, external):
     external[:] = 0
     external[knot] = run["on_knots"] / kick
     free = v + kick / mass * (force + external)
-    free[knot[rim]] = 0
-    run["given"] += kick * (force + external)[knot[rim]].sum(axis=0)
+    free[knot[fixed]] = 0
+    run["given"] += kick * (force + external)[knot[fixed]].sum(axis=0)
     net.move(x[knot] + dt * free[knot])
     x_t0, x_t1, velocity = x[grain], x[grain] + dt * free[grain], free[grain]
     contacts = detector.detect(x_t0, x_t1)
     run["on_knots"] = np.zeros((count, 3))
-    knot_mass = np.where(rim, np.inf, mass[knot, 0])
+    knot_mass = np.where(fixed, np.inf, mass[knot, 0])
     sum = fccda.respond_deforming(
         contacts, dt, x_t0=x_t0, x_t1=x_t1, velocity=velocity, mass=mass[grain, 0], vertex_impulses=run["on_knots"], vertex_mass=knot_mass, detector=detector
     )
@@ -98,7 +98,7 @@ def contact(run, step, nlocal, tag, x, external):
 # %% What is recorded: momentum, energy, and grains below the net
 def observe(run, step, x, v, mass, knot, grain):
     time = max(step - 0.5, 0) * dt  # of the velocities
-    moving = np.concatenate([grain, knot[~rim]])
+    moving = np.concatenate([grain, knot[~fixed]])
     momentum, weight = (mass * v)[moving].sum(axis=0), mass[moving].sum() * gravity
     if step == 0:
         run["start"] = momentum
@@ -126,7 +126,7 @@ lmp.command(f"run {round(end / dt)}")
 
 _, place, x, _ = run["frames"][-1]
 print(f"{len(x)} grains, {count} knots, {run['contacts']} contacts: the net sags by {-place[..., 2].min():.4f} m")
-print(f"momentum of grains, net and rim: {max(run['residual']) / np.abs(run['given']).max():.0e} of the impulse does not balance")
+print(f"momentum of grains, net and fixed knots: {max(run['residual']) / np.abs(run['given']).max():.0e} of the impulse does not balance")
 print(f"energy: {run['energy'][0]:.4f} J, then never more than {max(run['energy'][1:]):.4f} J, at the end {run['energy'][-1]:.4f} J")
 print(f"lowest grain {x[:, 2].min():.4f} m; grains in the net: {run['below']}")
 
