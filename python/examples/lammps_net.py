@@ -23,7 +23,7 @@ knots = np.stack([*np.meshgrid(axis, axis, indexing="ij"), np.zeros((cells + 1, 
 corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).ravel()
 across, along = corner + cells + 1, corner + 1
 faces = np.concatenate([np.stack([corner, across, along], axis=1), np.stack([across, across + 1, along], axis=1)])
-fixed = np.abs(knots[:, :2]).max(axis=1) > 0.99 * axis[-1]  # are fixed
+fixed = np.abs(knots[:, :2]).max(axis=1) > 0.99 * axis[-1]  # the knots on the edge
 net = fccda.DeformingSurface(fccda.Surface(fccda.Mesh(knots, faces), orientation="normals", name="net"))
 detector = fccda.DeformingContactDetector(net, radius=0.01)
 
