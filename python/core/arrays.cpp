@@ -10,9 +10,9 @@ namespace {
 
 constexpr auto number_size = static_cast<py::ssize_t>(sizeof(double));
 
-void expect_rows_of_three(const py::array& array, const std::string& what) {
+void expect_rows_of_three(const py::array& array, const std::string& what, const Each& each = {}) {
   if (array.ndim() == 2 && array.shape(1) == 3) return;
-  throw fccda::InputError(fmt::format("{} has the shape {}, but must have one row x, y, z per point: (points, 3).", what, shape_in_words(array)));
+  throw fccda::InputError(fmt::format("{} has the shape {}, but must have one row x, y, z per {}: ({}, 3).", what, shape_in_words(array), each.one, each.all));
 }
 
 bool is_single(const py::array& array) { return py::isinstance<py::array_t<float>>(array); }
@@ -49,17 +49,18 @@ fccda::ConstVectors vectors_in(Numbers& array, const std::string& what) {
   return view<fccda::ConstVectors>(static_cast<const double*>(array.data()), array);
 }
 
-fccda::ConstVectors vectors_in(const py::object& source, const std::string& what, py::array& keep) {
+fccda::ConstVectors vectors_in(const py::object& source, const std::string& what, py::array& keep, const Each& each) {
   keep = floats_or_doubles(source, what);
-  expect_rows_of_three(keep, what);
+  expect_rows_of_three(keep, what, each);
   if (is_single(keep)) return view<fccda::ConstVectors>(static_cast<const float*>(keep.data()), keep);
   return view<fccda::ConstVectors>(static_cast<const double*>(keep.data()), keep);
 }
 
-fccda::Numbers each_in(const py::object& source, const std::string& what, py::array& keep) {
+fccda::Numbers each_in(const py::object& source, const std::string& what, py::array& keep, const Each& each) {
   keep = floats_or_doubles(source, what);
   if (keep.ndim() > 1)
-    throw fccda::InputError(fmt::format("{} has the shape {}, but must be one number for all points or one per point.", what, shape_in_words(keep)));
+    throw fccda::InputError(
+        fmt::format("{} has the shape {}, but must be one number for all {} or one per {}.", what, shape_in_words(keep), each.all, each.one));
   const auto numbers = [&](const auto* first) {
     if (keep.ndim() == 0) return fccda::Numbers(static_cast<double>(*first));
     return fccda::Numbers(first, static_cast<std::size_t>(keep.shape(0)), keep.strides(0) / keep.itemsize());
@@ -67,12 +68,12 @@ fccda::Numbers each_in(const py::object& source, const std::string& what, py::ar
   return is_single(keep) ? numbers(static_cast<const float*>(keep.data())) : numbers(static_cast<const double*>(keep.data()));
 }
 
-fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what) {
+fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what, const Each& each) {
   if (!py::isinstance<py::array_t<double>>(array) && !is_single(array))
     throw fccda::InputError(fmt::format("{} is modified in place, so it must be an array of float64 or float32, not {}; create it with dtype=float.", what,
                                         std::string(py::str(array.dtype()))));
   if (!array.writeable()) throw fccda::InputError(fmt::format("{} is modified in place, but the array is read-only; pass a copy.", what));
-  expect_rows_of_three(array, what);
+  expect_rows_of_three(array, what, each);
   if (!can_be_walked(array))
     throw fccda::InputError(
         fmt::format("{} is modified in place, but its strides are not multiples of the item size; pass numpy.ascontiguousarray of it.", what));
@@ -84,6 +85,12 @@ py::array_t<double> array_of(std::span<const Vec3d> vectors) {
   static_assert(sizeof(Vec3d) == 3 * sizeof(double));
   py::array_t<double> array({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
   std::copy_n(reinterpret_cast<const double*>(vectors.data()), 3 * vectors.size(), array.mutable_data());
+  return array;
+}
+
+py::array_t<std::int64_t> array_of(std::span<const std::size_t> indices) {
+  py::array_t<std::int64_t> array(static_cast<py::ssize_t>(indices.size()));
+  std::copy(indices.begin(), indices.end(), array.mutable_data());
   return array;
 }
 

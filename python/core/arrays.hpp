@@ -4,6 +4,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -46,21 +48,31 @@ using Numbers = py::array_t<double, py::array::forcecast>;
 /// The shape as text: "(960, 2)".
 std::string shape_in_words(const py::array& array);
 
+/// What an array has one row or number for, in messages.
+struct Each {
+  const char* one = "point";
+  const char* all = "points";
+};
+inline constexpr Each each_vertex{"vertex", "vertices"};
+
 /// View of rows of three. `what`: name of the array in messages. Throws InputError for another shape. The array must outlive the view;
 /// `array` becomes a copy where a view does not support its strides.
 fccda::ConstVectors vectors_in(Numbers& array, const std::string& what);
 
 /// The same for anything convertible to an array; float32 is viewed without conversion. `keep` owns the memory and must outlive the view.
-fccda::ConstVectors vectors_in(const py::object& source, const std::string& what, py::array& keep);
+fccda::ConstVectors vectors_in(const py::object& source, const std::string& what, py::array& keep, const Each& each = {});
 
-/// One number, or one per point, from anything convertible to an array. Throws InputError for more than one dimension.
-fccda::Numbers each_in(const py::object& source, const std::string& what, py::array& keep);
+/// One number, or one per point (or what else `each` says), from anything convertible to an array. Throws InputError for more than one dimension.
+fccda::Numbers each_in(const py::object& source, const std::string& what, py::array& keep, const Each& each = {});
 
 /// Writable view of rows of three. Also throws InputError where the array is not of float64 or float32, or is read-only.
-fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what);
+fccda::Vectors writable_vectors_in(const py::array& array, const std::string& what, const Each& each = {});
 
 /// A copy as an array of shape (vectors, 3).
 py::array_t<double> array_of(std::span<const Vec3d> vectors);
+
+/// A copy of indices.
+py::array_t<std::int64_t> array_of(std::span<const std::size_t> indices);
 
 /// A read-only view of shape (slots, 3); it keeps `owner` alive.
 py::array view_of(const VectorArray& vectors, const py::object& owner);

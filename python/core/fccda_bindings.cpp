@@ -9,22 +9,15 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "contact_rows.hpp"
 #include "fccda/api/contact_detector.hpp"
 #include "fccda/api/respond_arrays.hpp"
 #include "fccda/contact_bounds/box_union.hpp"
 #include "fccda/rigid_body/solid.hpp"
+#include "given_surface.hpp"
 #include "mesh.hpp"
-#include "mesh/surface.hpp"
 
 namespace perimpact::python {
-
-/// fccda::Contact as a NumPy record.
-struct ContactRow {
-  std::int64_t point;
-  std::int32_t panel;
-  double time_fraction, depth, radius;
-  double hit[3], normal[3], relocation[3], normal_t0[3];
-};
 
 namespace {
 
@@ -42,22 +35,6 @@ constexpr fccda::AdviceWords python_words{.declare_orientation = "with orientati
 using Boxes = std::vector<std::pair<Vec3d, Vec3d>>;
 
 // ---- surfaces ----
-
-/// A surface with its search structures, which the first detector builds and all share.
-class GivenSurface {
- public:
-  explicit GivenSurface(Surface surface) : surface_(std::make_shared<const Surface>(std::move(surface))) {}
-  const Surface& surface() const { return *surface_; }
-  const fccda::SurfaceReport& report() const { return surface_->report(); }
-  const fccda::SharedSurface& shared() {
-    if (!shared_) shared_ = fccda::share(surface_);
-    return shared_;
-  }
-
- private:
-  std::shared_ptr<const Surface> surface_;
-  fccda::SharedSurface shared_;
-};
 
 GivenSurface surface_of(const Mesh& mesh, double weld, const std::string& outside, const std::string& name) {
   fccda::Orientation side = fccda::Orientation::undeclared;
@@ -234,7 +211,8 @@ prescribed.)")
             body.drive(static_cast<std::size_t>(std::find(one.free.begin(), one.free.end(), true) - one.free.begin()), velocity);
           },
           "degree"_a, "velocity"_a, "Prescribes the velocity of a degree of freedom that is not free, such as \"x\" or \"rz\" [m/s], [rad/s].")
-      .def_property_readonly("pose", &RigidBody::pose, "Current pose.")
+      .def_property_readonly(
+          "pose", [](const RigidBody& body) { return body.pose(); }, "Current pose, a copy.")
       .def_property_readonly("position", &RigidBody::position_of_com, "(3,) position of the centre of mass [m].")
       .def_property_readonly("velocity", &RigidBody::velocity, "(3,) velocity of the centre of mass [m/s].")
       .def_property_readonly("angular_velocity", &RigidBody::angular_velocity, "(3,) angular velocity [rad/s], world axes.")
@@ -247,46 +225,17 @@ prescribed.)")
 
 // ---- contact ----
 
-void put(double (&into)[3], const Vec3d& vector) { into[0] = vector.x, into[1] = vector.y, into[2] = vector.z; }
-Vec3d vector_in(const double (&from)[3]) { return {from[0], from[1], from[2]}; }
-
 py::array_t<ContactRow> rows_of(const std::vector<fccda::Contact>& contacts) {
   py::array_t<ContactRow> rows(static_cast<py::ssize_t>(contacts.size()));
   ContactRow* row = rows.mutable_data();
-  for (const fccda::Contact& contact : contacts) {
-    *row = {.point = static_cast<std::int64_t>(contact.point),
-            .panel = contact.panel,
-            .time_fraction = contact.time_fraction,
-            .depth = contact.depth,
-            .radius = contact.radius,
-            .hit = {},
-            .normal = {},
-            .relocation = {},
-            .normal_t0 = {}};
-    put(row->hit, contact.hit), put(row->normal, contact.normal), put(row->relocation, contact.relocation), put(row->normal_t0, contact.normal_t0);
-    ++row;
-  }
+  for (const fccda::Contact& contact : contacts) *row++ = row_of(contact);
   return rows;
 }
 
 std::vector<fccda::Contact> contacts_in(const py::array_t<ContactRow, py::array::c_style>& rows, std::size_t points, const fccda::ContactDetector* detector) {
-  if (rows.ndim() != 1) throw InputError(fmt::format("contacts has the shape {}, but must be one-dimensional, as returned by detect.", shape_in_words(rows)));
+  expect_one_dimension(rows);
   std::vector<fccda::Contact> contacts;
-  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-    const ContactRow& row = *rows.data(i);
-    if (row.point < 0 || static_cast<std::size_t>(row.point) >= points)
-      throw InputError(fmt::format("contacts refers to point {}, but there are {}.", row.point, points));
-    contacts.push_back({.point = static_cast<std::size_t>(row.point),
-                        .panel = row.panel,
-                        .time_fraction = row.time_fraction,
-                        .hit = vector_in(row.hit),
-                        .normal = vector_in(row.normal),
-                        .relocation = vector_in(row.relocation),
-                        .depth = row.depth,
-                        .radius = row.radius,
-                        .normal_t0 = detector ? vector_in(row.normal_t0) : Vec3d{},  // moves the point along the surface, which must be there
-                        .sliding = detector ? &detector->swept() : nullptr});
-  }
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) contacts.push_back(contact_of(*rows.data(i), points, detector ? &detector->swept() : nullptr));
   return contacts;
 }
 
@@ -323,9 +272,7 @@ py::array_t<std::int64_t> points_inside(const fccda::ContactDetector& detector, 
   py::array places, radii;
   const fccda::ConstVectors at = vectors_in(x, "x", places);
   const std::vector<std::size_t> inside = radius ? detector.points_inside(pose, at, each_in(*radius, "radius", radii)) : detector.points_inside(pose, at);
-  py::array_t<std::int64_t> numbers(static_cast<py::ssize_t>(inside.size()));
-  std::copy(inside.begin(), inside.end(), numbers.mutable_data());
-  return numbers;
+  return array_of(inside);
 }
 
 fccda::ContactSum respond_to(const py::array_t<ContactRow, py::array::c_style>& contacts, const Motion& motion, RigidBody& body, const py::object& x_t0,
@@ -379,8 +326,8 @@ relocation) [m], hit (point of first contact on the surface) [m], normal (outwar
 
 x_t1 [m] and velocity [m/s], with which the points moved from x_t0 to x_t1, are (points, 3) arrays of float64 or float32, modified in place. mass [kg]: one
 number, or one per point. friction: Coulomb friction coefficient. detector: the detector of these contacts, in this step; required with friction, which moves
-points along the surface but not through other panels. apply: False leaves the body unchanged, so that the impulses of several sets of points, or of several
-processes, can be summed and applied together with add_impulse. Returns the Tally.)");
+points along the surface but not through other panels, and advisable without: only with it do balls that slide get impulses that do no work (normal_t0). apply: False leaves the body unchanged, so that the impulses of several sets of points, or of several
+processes, can be summed and applied together with add_impulse. Returns the ContactSum.)");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 /// The extension module perimpact._core; python/src/perimpact defines its public names.
 #include "base/error.hpp"
+#include "deforming_bindings.hpp"
 #include "fccda_bindings.hpp"
 #include "mesh.hpp"
 #include "simulation_bindings.hpp"
@@ -16,4 +17,5 @@ PYBIND11_MODULE(_core, module) {
   bind_simulation(module);
   py::module_ fccda = module.def_submodule("fccda");
   bind_fccda(fccda);
+  bind_deforming(fccda);
 }

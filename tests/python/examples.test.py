@@ -2,25 +2,12 @@
 
 import ast
 import os
-import re
 import subprocess
 import sys
 
 import package
 from claims import claim, main
-
-
-def run_example(test, name):
-    figure = test.folder / f"{name}.png"
-    environment = {**test.environment, "PYTHONPATH": sys.path[0], "MPLBACKEND": "Agg", "OMP_NUM_THREADS": "1", "MPLCONFIGDIR": str(test.folder)}
-    done = subprocess.run([sys.executable, package.ROOT / "python" / "examples" / f"{name}.py", figure], env=environment, capture_output=True, text=True, timeout=200)
-    test.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
-    test.assertEqual(figure.read_bytes()[:4], b"\x89PNG")
-    return done.stdout
-
-
-def number_before(text, words):
-    return float(re.search(rf"(-?[\d.]+(?:e[-+]\d+)?){re.escape(words)}", text).group(1))
+from package import number_before, run_example
 
 
 @claim("examples: each names the packages that it imports, with those of Debian")

@@ -141,6 +141,9 @@ def formulas(test):
     body.drive("y", 2.0)
     motion = body.advance(0.25)
     np.testing.assert_allclose(motion.t1.position, [0.125, 0.5, 0], rtol=1e-14)
+    kept = body.pose
+    body.advance(0.25)
+    np.testing.assert_allclose(kept.position, [0.125, 0.5, 0], rtol=1e-14)  # of its time
     np.testing.assert_allclose(fccda.RigidBody(1, inertia=[1, 2, 3]).inertia, np.diag([1, 2, 3]), rtol=0, atol=0)
 
     quads = fccda.Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0]], [[0, 1, 2, 3], [1, 4, 2, -1]], parts=["floor", "ramp"])

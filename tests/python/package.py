@@ -1,8 +1,10 @@
-"""Makes the package of the tested build and the claims of tests/cli importable; import it first.
+"""Makes the package of the tested build and the claims of tests/cli importable, and runs its examples; import it first.
 
     python3 views.test.py BUILD/perimpact ["the sentence"]      the package lies in BUILD/python
 """
 
+import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -38,3 +40,24 @@ SETUP = {
         "lines": {"along_y": {"body": "plate", "from": [0, -0.03, 0], "to": [0, 0.03, 0]}},
     },
 }
+
+
+def run_example(test, name, *arguments, launcher=()):
+    """What python/examples/<name>.py prints, after it has drawn its figure. `launcher`: words before the command, such as those of mpirun."""
+    figure = test.folder / f"{name}.png"
+    # a folder of its own for what PySPH compiles; mpirun starts as root and on few processors only if it is told to
+    mpi = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+    environment = {**test.environment, **mpi, "HOME": str(test.folder), "PYTHONPATH": sys.path[0], "MPLBACKEND": "Agg", "OMP_NUM_THREADS": "1", "MPLCONFIGDIR": str(test.folder)}
+    command = [*launcher, sys.executable, ROOT / "python" / "examples" / f"{name}.py", figure, *map(str, arguments)]
+    done = subprocess.run(command, env=environment, cwd=test.folder, capture_output=True, text=True, timeout=250)
+    test.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+    test.assertEqual(figure.read_bytes()[:4], b"\x89PNG")
+    return done.stdout
+
+
+def number_before(text, words):
+    return float(re.search(rf"(-?[\d.]+(?:e[-+]\d+)?){re.escape(words)}", text).group(1))
+
+
+def number_after(text, words):
+    return float(re.search(rf"{re.escape(words)}(-?[\d.]+(?:e[-+]\d+)?)", text).group(1))

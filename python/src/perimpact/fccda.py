@@ -1,4 +1,4 @@
-"""fccda: continuous contact between points and moving rigid surfaces, for any particle code.
+"""fccda: continuous contact between points and moving surfaces, rigid or deforming, for any particle code.
 
     detector = fccda.ContactDetector(fccda.Surface(fccda.Mesh.read("hull.stl")), radius=0.01)
     body = fccda.RigidBody(mass=1.0, velocity=[0, 0, -2])
@@ -11,6 +11,29 @@
 """
 
 from ._core import Mesh
-from ._core.fccda import ContactDetector, Motion, Pose, RigidBody, Surface, ContactSum, respond
+from ._core.fccda import (
+    ContactDetector,
+    ContactSum,
+    DeformingContactDetector,
+    DeformingSurface,
+    Motion,
+    Pose,
+    RigidBody,
+    Surface,
+    respond,
+    respond_deforming,
+)
 
-__all__ = ["ContactDetector", "Mesh", "Motion", "Pose", "RigidBody", "Surface", "ContactSum", "respond"]
+__all__ = [
+    "ContactDetector",
+    "ContactSum",
+    "DeformingContactDetector",
+    "DeformingSurface",
+    "Mesh",
+    "Motion",
+    "Pose",
+    "RigidBody",
+    "Surface",
+    "respond",
+    "respond_deforming",
+]
