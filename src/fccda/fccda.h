@@ -55,7 +55,8 @@ enum {
 /// The sentence of the last call of this thread that failed; "" before. It remains up to the next such call of the thread.
 const char* fccda_last_error(void);
 
-/// Sets the number of threads that detection uses, at least 1; otherwise it is that of OMP_NUM_THREADS. Results do not depend on it.
+/// Sets the number of OpenMP threads that detections called from this thread use, at least 1; otherwise it is that of OMP_NUM_THREADS. Results do not
+/// depend on it.
 fccda_status fccda_use_threads(int32_t count);
 
 /* ---- arrays of the program ---- */
