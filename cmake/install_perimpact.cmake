@@ -71,7 +71,8 @@ set(CPACK_DEBIAN_FCCDA_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_FCCDA_PACKAGE_DEPENDS "zlib1g-dev, libc6-dev")
 set(CPACK_COMPONENT_FCCDA_DESCRIPTION "fccda, the contact library of perimpact, for particle and finite-element codes:
 points, each with a position at both ends of a time step, against moving rigid
-surfaces of panels. Static library, headers and CMake package.
+surfaces of panels. Static library, headers for C++ and C, a module for Fortran,
+CMake package and pkg-config file.
 .
 The library needs a processor with AVX2 (x86-64-v3).")
 if(PERIMPACT_PYTHON)

@@ -1,14 +1,11 @@
 // An elastic bar hits a rigid wall, then a rigid wedge:  fem_bar [cells along the bar: 30, 50, 70, ...]
 //
-// Explicit finite elements: cubes of trilinear shape functions with eight Gauss points, lumped masses, large deformation, symplectic
-// Euler. Contact is detected at the nodes, not on the faces between them, so a body sharper than the cells can penetrate between two
+// The elements are in fem.hpp. Contact is detected at the nodes, not on the faces between them, so a body sharper than the cells can penetrate between two
 // nodes. Output for ParaView: bar_on_wall_0.vtk and so on; the force on the wall: bar_on_wall.csv.
 //
-// Material: neo-Hooke with ν = 0, first Piola-Kirchhoff stress P = µ (F - F⁻ᵀ), Young's modulus E = 2µ, so that slow bars follow the
-// one-dimensional wave equation exactly. For a bar of length L and speed v that hits a wall, the stress at the wall is ρ c v, the contact
-// duration 2L/c, and the rebound velocity -v (Graff, Wave Motion in Elastic Solids (1975), section 2.3); c = √(E/ρ).
+// For a bar of length L and speed v that hits a wall, the stress at the wall is ρ c v, the contact duration 2L/c, and the rebound velocity -v
+// (Graff, Wave Motion in Elastic Solids (1975), section 2.3).
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -17,103 +14,15 @@
 #include <string>
 #include <vector>
 
+#include "fem.hpp"
 #include "vtk.hpp"
 
 using namespace fccda;
+using namespace fem;
 
 namespace {
 
-constexpr double length = 0.2, width = 0.02;  // [m]
-constexpr double rho = 1000, youngs = 10e6;   // [kg/m³], [Pa] like rubber
-constexpr double shear = youngs / 2;          // [Pa]
-constexpr double start_gap = 1e-4;            // [m]
-
-Mat3 operator-(const Mat3& a, const Mat3& b) { return {{a.row[0] - b.row[0], a.row[1] - b.row[1], a.row[2] - b.row[2]}}; }
-
-/// Inverse transpose from cofactors, and determinant.
-struct Inverse {
-  Mat3 transposed;
-  double determinant;
-  explicit Inverse(const Mat3& f) {
-    const Vec3d a = cross(f.row[1], f.row[2]), b = cross(f.row[2], f.row[0]), c = cross(f.row[0], f.row[1]);
-    determinant = dot(f.row[0], a);
-    transposed = {{a / determinant, b / determinant, c / determinant}};
-  }
-};
-
-/// An upright bar of equal cubes, its lower end at z = start_gap.
-struct Bar {
-  double cell;                       // [m]
-  std::vector<Vec3d> x, v, force;    // of the nodes [m], [m/s], [N]
-  std::vector<double> mass, stress;  // [kg], [Pa] axial stress, mean of the adjacent cells
-  std::vector<std::array<std::size_t, 8>> cells;
-  std::array<std::array<Vec3d, 8>, 8> slope;  // ∂N_a/∂X at Gauss point g [1/m]: equal in all cells
-  double elastic_energy = 0;                  // [J]
-
-  Bar(int along, double speed) : cell(length / along) {
-    const int n = std::max(1, static_cast<int>(std::lround(width / cell)));
-    const auto node = [&](int i, int j, int k) { return std::size_t((k * (n + 1) + j) * (n + 1) + i); };
-    for (int k = 0; k <= along; ++k)
-      for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) x.push_back({cell * (i - 0.5 * n), cell * (j - 0.5 * n), cell * k + start_gap});
-    for (int k = 0; k < along; ++k)
-      for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i)
-          cells.push_back({node(i, j, k), node(i + 1, j, k), node(i, j + 1, k), node(i + 1, j + 1, k), node(i, j, k + 1), node(i + 1, j, k + 1),
-                           node(i, j + 1, k + 1), node(i + 1, j + 1, k + 1)});
-    v.assign(x.size(), {0, 0, -speed});
-    force.resize(x.size()), stress.resize(x.size()), mass.resize(x.size());
-    for (const auto& each : cells)
-      for (const std::size_t a : each) mass[a] += rho * cell * cell * cell / 8;
-
-    const double gauss = 1 / std::sqrt(3.0);
-    for (unsigned g = 0; g < 8; ++g)
-      for (unsigned a = 0; a < 8; ++a) {
-        const auto sign = [](unsigned of, unsigned axis) { return of >> axis & 1u ? 1.0 : -1.0; };
-        for (unsigned axis = 0; axis < 3; ++axis) {
-          double product = sign(a, axis) / 4 / cell;
-          for (unsigned other = 0; other < 3; ++other)
-            if (other != axis) product *= 1 + sign(a, other) * sign(g, other) * gauss;
-          slope[g][a][axis] = product;
-        }
-      }
-  }
-
-  double section() const { return width * width; }
-  double momentum() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) sum += mass[i] * v[i].z;
-    return sum;
-  }
-  double kinetic_energy() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) sum += 0.5 * mass[i] * squared_norm(v[i]);
-    return sum;
-  }
-
-  void compute_forces() {
-    std::ranges::fill(force, Vec3d{});
-    std::ranges::fill(stress, 0.0);
-    elastic_energy = 0;
-    const double weight = cell * cell * cell / 8;  // weight of a Gauss point [m³]
-    for (const auto& each : cells)
-      for (const auto& gradients : slope) {
-        Mat3 f;  // deformation gradient
-        for (std::size_t a = 0; a < 8; ++a)
-          for (std::size_t axis = 0; axis < 3; ++axis) f.row[axis] += x[each[a]][axis] * gradients[a];
-        const Inverse inverse(f);
-        if (!(inverse.determinant > 0)) throw RunError("fem_bar: a cell is inverted; use more cells.");
-        const Mat3 p = f - inverse.transposed;  // stress divided by µ
-        double squares = -3;
-        for (const Vec3d& row : f.row) squares += squared_norm(row);
-        elastic_energy += weight * shear * (0.5 * squares - std::log(inverse.determinant));
-        for (std::size_t a = 0; a < 8; ++a) {
-          force[each[a]] -= weight * shear * (p * gradients[a]);
-          stress[each[a]] += shear * p.row[2].z * weight * rho / 8 / mass[each[a]];
-        }
-      }
-  }
-};
+constexpr double start_gap = 1e-4;  // [m]
 
 struct Outcome {
   double first_contact = -1, last_contact = 0;  // [s]
@@ -140,10 +49,7 @@ Outcome resolve_contact(Bar& bar, RigidBody& body, const Panels& panels, double 
   for (int step = 0; step < 4 * quarter; ++step) {
     if (step % quarter == 0) picture(step / quarter);
     const std::vector<Vec3d> x_t0 = bar.x, v_t0 = bar.v;
-    for (std::size_t i = 0; i < bar.x.size(); ++i) {
-      bar.v[i] += dt / bar.mass[i] * bar.force[i];
-      bar.x[i] += dt * bar.v[i];
-    }
+    advance(bar, dt);
     const std::vector<Vec3d> v_pushed = bar.v;
     const double energy_of_body = body.kinetic_energy();
 
@@ -175,7 +81,7 @@ double percent(double value, double of) { return 100 * (value / of - 1); }
 
 void strike_wall(int cells) {
   const double speed = 0.1, sound = std::sqrt(youngs / rho);  // a thousandth of the speed of sound: linear
-  Bar bar(cells, speed);
+  Bar bar(cells, speed, start_gap);
   RigidBody wall({.mass = 1}, Pose({0, 0, -0.01}), {}, {}, {});  // fixed, upper face at z = 0
   const double arrival = start_gap / speed, contact = 2 * length / sound;
   const double before = bar.momentum(), energy = bar.kinetic_energy();
@@ -217,7 +123,7 @@ Panels wedge_panels() {
 
 void strike_wedge(int cells) {
   const double speed = 4, sound = std::sqrt(youngs / rho);
-  Bar bar(cells, speed);
+  Bar bar(cells, speed, start_gap);
   RigidBody wedge({.mass = rho * length * bar.section()}, Pose(), {}, {}, {{false, false, true, false, false, false}});  // mass of the bar, free along z
   const double before = bar.momentum(), energy = bar.kinetic_energy();
   const Outcome outcome = resolve_contact(bar, wedge, wedge_panels(), speed, start_gap / speed + 3 * length / sound, "bar_on_wedge");

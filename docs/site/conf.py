@@ -28,7 +28,7 @@ NAVIGATION = {
         f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary_conditions", "floating_bodies", "ice", "ice_plasticity",
                                       "contact", "contact_bounds", "contact_response", "short_range", "energy", "remeshing", "convergence", "detection_evidence", "floating_strip",
                                       "resistance", "fccda_variants", "glossary")],
-    "Library": ["library/README", "library/deforming_surfaces", "library/couplings", "library/reference"],
+    "Library": ["library/README", "library/recipes", "library/deforming_surfaces", "library/c_api", "library/couplings", "library/reference"],
     "Validation": ["validation"],
     "Developer": ["developer/structure", "developer/testing", "/validation/README", "/benchmarks/README", "/CONTRIBUTING", "/CHANGELOG"],
 }
@@ -97,4 +97,4 @@ def link_cpp_reference(app, page, source):
 def show_headers(app, page, source):
     """A link to a header that stands alone on its line is followed by the header itself, as it is."""
     if page == "docs/library/reference":
-        source[0] = re.sub(r"^\[[\w/]+\.hpp\]\((\S+)\)$", r"\g<0>\n\n```{literalinclude} \1\n:language: cpp\n```", source[0], flags=re.MULTILINE)
+        source[0] = re.sub(r"^\[[\w/]+\.h(?:pp)?\]\((\S+)\)$", r"\g<0>\n\n```{literalinclude} \1\n:language: cpp\n```", source[0], flags=re.MULTILINE)

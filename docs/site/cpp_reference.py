@@ -1,6 +1,6 @@
 """Builds the C++ reference with Doxygen: cpp_reference.py FOLDER writes FOLDER/fccda and FOLDER/perimpact.
 
-fccda: fccda/fccda.hpp and all that it includes; everything there must be documented. perimpact: the headers of the solver, which are not installed;
+fccda: fccda/fccda.hpp and all that it includes, and fccda/fccda.h; everything there must be documented. perimpact: the headers of the solver, which are not installed;
 for those who work on it. In both, any warning is an error."""
 
 import re
@@ -77,7 +77,7 @@ def without_dead_links(folder):
 
 def main():
     folder = Path(sys.argv[1]).resolve()
-    library = headers_from("fccda/fccda.hpp")
+    library = headers_from("fccda/fccda.hpp") | {"fccda/fccda.h"}
     solver = headers_from("perimpact/simulation/simulation.hpp") - library
     tags = folder / "fccda.tag"
     build("fccda", "Contact of points with a moving rigid surface", library, folder,

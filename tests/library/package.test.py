@@ -18,7 +18,7 @@ def places(scene):
 def headers(scene):
     at = places(scene)
     source, include = at["source"] / "src", at["folder"] / "fccda/include"
-    ours = {path.relative_to(source) for folder in ("base", "mesh", "mesh_io", "marine", "fccda") for path in (source / folder).rglob("*.hpp")}
+    ours = {path.relative_to(source) for folder in ("base", "mesh", "mesh_io", "marine", "fccda") for path in (source / folder).rglob("*.h*")}
     installed = {path.relative_to(include / "fccda") for path in include.rglob("*") if path.is_file()}
     scene.assertGreater(len(ours), 40)
     scene.assertEqual(installed, ours)

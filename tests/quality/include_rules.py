@@ -63,6 +63,8 @@ ONLY_IN = {"omp.h": "base/parallel.hpp", "CLI/": "cli/parse_command_line.cpp"}  
 FEATURES = {"material": "perimpact/materials", "boundary_condition": "perimpact/boundary_conditions", "contact_bounds": "perimpact/contact_bounds"}
 DECK_PART = re.compile(r"perimpact/(materials|boundary_conditions|contact_bounds)/\w+/setup\.[ch]pp$")
 GENERATED = {f"{folder}/all_{of}.hpp": owner or folder for folder in FEATURES.values() for of, owner in (("setups", "perimpact/deck_model"), (folder.split("/")[-1], None))}
+# Headers that programs include by a shorter path than that of the module they belong to
+GENERATED["fccda/fccda.h"] = "fccda/c"
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
 

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 EXCEPT = ("CHANGELOG.md", "report/licences.txt", "src/io/deck/deprecated_keys.cpp", "tests/", "validation/results/", "docs/guide/deck.schema.json")
-READ = (".md", ".hpp", ".cpp", ".py", ".yaml", ".sh", ".ts", ".in", ".pyi", ".1", ".cmake", ".txt")
+READ = (".md", ".hpp", ".h", ".cpp", ".c", ".f90", ".py", ".yaml", ".sh", ".ts", ".in", ".pyi", ".1", ".cmake", ".txt")
 
 
 def main():
