@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from measure import (  # noqa: E402
-    DROP_RADIUS, EDGES, STRENGTH, TENSION, ball, bending, cap, compression, drop, edge, indentation, iso_global, local_design, nested, punch, splitting, tension)  # fmt: skip
+    DROP_RADIUS, EDGES, STRENGTH, TENSION, ball, bending, cap, centre_pressure, compression, drop, edge, indentation, iso_global, local_design, nested, punch, splitting, tension)  # fmt: skip
 
 CASE = Path(__file__).resolve().parent
 sys.path.insert(0, str(CASE.parents[1] / "scripts/pictures"))
@@ -122,9 +122,13 @@ def edges_and_impacts(folder):
     edge_from_above(f, folder / "edge_wide")
     line(g, [(1e3 * t, p / 1e6) for t, p in ball(folder / "ball")], "ball of ice on a plate", "time [ms]", "force [MN]", 2.43, "v √(2πR p_c m)")
     curve = np.array([(1e3 * depth, force / cap(DROP_RADIUS, depth) / 1e6) for _, depth, force in drop(folder / "drop") if depth > 1e-3])
-    line(h, curve, "dropped sphere, mean over the cap", "depth [mm]", "pressure [MPa]")
-    h.axhspan(25, 41, color="0.85", label="centre pressure, measured")
-    h.legend(frameon=False)
+    line(h, curve, "dropped sphere", "depth [mm]", "pressure [MPa]")
+    times = np.arange(0.2e-3, 3.2e-3, 0.2e-3)
+    depths = np.interp(times + 0.1e-3, *np.array(drop(folder / "drop"))[:, :2].T)
+    h.plot(1e3 * depths, [centre_pressure(folder / "drop", time, time + 0.2e-3) / 1e6 for time in times])
+    h.set_ylim(0, None)
+    h.axhspan(25, 41, color="0.85")
+    h.legend(["mean over the cap", "over 15 cm² at the lowest point", "the same, measured"], frameon=False, fontsize=8)
     return figure
 
 

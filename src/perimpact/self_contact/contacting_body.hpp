@@ -1,6 +1,7 @@
 /// View of a body for the short-range force.
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "perimpact/family/family.hpp"
@@ -11,8 +12,9 @@ namespace perimpact {
 struct ContactingBody {
   Particles& particles;
   const Family& family;
-  std::span<const std::size_t> broken_ends;  ///< broken bond ends of each row so far
-  double stiffness;                          ///< [N/m⁷] k of its springs (ShortRangeLaw::stiffness)
+  std::span<const std::size_t> broken_ends;                           ///< broken bond ends of each row so far
+  double stiffness;                                                   ///< [N/m⁷] k of its springs (ShortRangeLaw::stiffness)
+  double largest_pressure = std::numeric_limits<double>::infinity();  ///< [Pa] between its own fragments; beyond it they are compacted
 };
 
 }  // namespace perimpact

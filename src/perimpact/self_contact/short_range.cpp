@@ -1,6 +1,7 @@
 #include "perimpact/self_contact/short_range.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/parallel.hpp"
 
@@ -31,7 +32,11 @@ ShortRange::ShortRange(const ShortRangeLaw& law, std::span<const ContactingBody>
       is_plane_(bodies.front().particles.is_plane()),
       near_pairs_(law, bodies),
       stiffness_(stiffness_of(bodies)),
-      threshold_(near_pairs_.particle_count(), face_.density) {}
+      threshold_(near_pairs_.particle_count(), face_.density) {
+  for (const ContactingBody& body : bodies) yield_pressure_.push_back(body.largest_pressure);
+  yields_ = std::any_of(yield_pressure_.begin(), yield_pressure_.end(), [](double pressure) { return std::isfinite(pressure); });
+  if (yields_) latest_pressure_.assign(threshold_.size(), 0.0);
+}
 
 void ShortRange::forget() {
   keep_pairs();
@@ -58,12 +63,13 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
 
   // serially: partial sums would depend on the members of the list
   double energy = 0;
-  std::array<double, 2> work{};
+  std::array<double, 3> work{};
   std::size_t contacts = 0;
-  for (const PairSum& got : pair_sums_) energy += got.energy, work[0] += got.friction_dissipation, work[1] += got.damped_work, contacts += got.contacts;
+  for (const PairSum& got : pair_sums_)
+    energy += got.energy, work[0] += got.friction_dissipation, work[1] += got.damped_work, work[2] += got.compaction, contacts += got.contacts;
   energy_ = energy;
   in_contact_now_ = contacts / 2;
-  for (std::size_t k = 0; k < 2; ++k) work_[k] += work[k];
+  for (std::size_t k = 0; k < work.size(); ++k) work_[k] += work[k];
 }
 
 ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others) const {
@@ -130,7 +136,16 @@ void ShortRange::evaluate(std::size_t m, std::span<const ContactingBody> bodies,
   double& threshold = threshold_[i.particle];
   const double old = own - fresh;
   threshold = std::max(face_.density, std::min(threshold, old));
-  const double overlap = std::max(0.0, old - threshold);
+  double overlap = std::max(0.0, old - threshold);
+  if (yields_) {
+    // the threshold yields such that the pressure is the largest; with the mean of the pressures before and after, the balance of leapfrog closes
+    double& latest = latest_pressure_[i.particle];
+    const double excess = std::max(0.0, overlap - largest_pressure_[m] / density_stiffness_[0][m]);
+    threshold += excess, overlap -= excess;
+    const double now = density_stiffness_[0][m] * overlap;
+    compaction_of_[m] = 0.5 * (latest + now) * excess;
+    latest = now;
+  }
   if (fresh > 0) threshold = std::max(threshold, own - overlap);
 
   const double beyond = std::max(0.0, others - face_.density);
@@ -144,6 +159,7 @@ ShortRange::PairSum ShortRange::add_to(std::size_t m, std::span<const Contacting
   if (count == 0) return got;
   const NearPairs::Member& i = near_pairs_.members()[m];
   got.energy = energy_of_[m];
+  got.compaction = compaction_of_[m];
   Vec3d force{};
   // in the order of body and slot, those of the member's own body are contiguous
   const std::int32_t* near = near_.data() + near_pairs_.first_pair(m);
@@ -324,7 +340,7 @@ void ShortRange::rebuild_derived_pairs() {
   const auto members = near_pairs_.members();
   places_.assign(members.size(), {});
   motions_.assign(members.size(), {});
-  for (auto* numbers : {&pressure_[0], &pressure_[1], &spring_[0], &spring_[1], &density_stiffness_[0], &density_stiffness_[1]})
+  for (auto* numbers : {&pressure_[0], &pressure_[1], &spring_[0], &spring_[1], &density_stiffness_[0], &density_stiffness_[1], &largest_pressure_})
     numbers->assign(members.size(), 0);
   first_member_.assign(stiffness_.size() + 1, members.size());
   for (std::size_t m = members.size(); m-- > 0;) {
@@ -333,10 +349,12 @@ void ShortRange::rebuild_derived_pairs() {
     for (std::size_t whose = 0; whose < 2; ++whose)
       spring_[whose][m] = stiffness_[i.body][whose],
       density_stiffness_[whose][m] = density_stiffness(face_, stiffness_[i.body][whose], i.volume, law_.distance_ratio * i.size);
+    largest_pressure_[m] = density_pressure(face_, yield_pressure_[i.body], i.volume, i.size, law_.distance_ratio * i.size);
     first_member_[i.body] = m;
   }
   for (std::size_t b = stiffness_.size(); b-- > 0;) first_member_[b] = std::min(first_member_[b], first_member_[b + 1]);  // of a body without members
   energy_of_.assign(members.size(), 0);
+  compaction_of_.assign(members.size(), 0);
   pair_sums_.assign(members.size(), {});
   near_count_.assign(members.size(), 0);
   may_slip_.assign(members.size(), law_.friction > 0);
@@ -356,7 +374,10 @@ void ShortRange::rebuild_derived_pairs() {
   std::vector<std::uint32_t> member_of(threshold_.size(), std::numeric_limits<std::uint32_t>::max());
   for (std::size_t m = 0; m < members.size(); ++m) member_of[members[m].particle] = static_cast<std::uint32_t>(m);
   for (std::size_t p = 0; p < threshold_.size(); ++p)
-    if (member_of[p] == std::numeric_limits<std::uint32_t>::max()) threshold_[p] = face_.density;  // no particle in range
+    if (member_of[p] == std::numeric_limits<std::uint32_t>::max()) {  // no particle in range
+      threshold_[p] = face_.density;
+      if (yields_) latest_pressure_[p] = 0;
+    }
   const auto give = [&](std::uint32_t from, std::uint32_t to, const Vec3d& slip) {
     const std::uint32_t m = member_of[from], other = member_of[to];
     if (m == std::numeric_limits<std::uint32_t>::max() || other == std::numeric_limits<std::uint32_t>::max()) return;

@@ -28,6 +28,8 @@ class ShortRange {
   std::size_t contacts() const { return in_contact_now_; }  ///< pairs, at the last evaluation
   double friction_dissipation() const { return work_[0]; }  ///< [J] so far; never decreases
   double dashpot_dissipation() const { return work_[1]; }   ///< [J] so far; never decreases
+  bool yields() const { return yields_; }                   ///< fragments of a body are compacted beyond a pressure
+  double compaction() const { return work_[2]; }            ///< [J] dissipated by compaction so far; never decreases
   const NearPairs& near_pairs() const { return near_pairs_; }
   void forget();  ///< forces a rebuild of the pair list; does not affect results
 
@@ -38,11 +40,13 @@ class ShortRange {
   };
   Bound bound(std::span<const ContactingBody> bodies, std::size_t body) const;
 
-  /// State: density thresholds raised by bond failure, and the pairs in range with their tangential springs.
+  /// State: density thresholds raised by bond failure and compaction, the latest pressures of bodies that are compacted, and the pairs in range with their
+  /// tangential springs.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     keep_pairs();
     visit("threshold", std::span<double>(threshold_));
+    visit("latest_pressure", std::span<double>(latest_pressure_));
     visit("pair_ends", kept_.ends);
     visit("pair_slips", kept_.slips);
     near_pairs_.forget();
@@ -58,6 +62,7 @@ class ShortRange {
   /// Sums over the pairs of a member, other than its force density.
   struct PairSum {
     double energy = 0, friction_dissipation = 0, damped_work = 0;  // [J] half of each pair's
+    double compaction = 0;                                         // [J]
     std::uint32_t contacts = 0;
   };
   /// One value per member for contact with its own body, and one for contact with others.
@@ -115,16 +120,21 @@ class ShortRange {
   NearPairs near_pairs_;
   std::vector<std::array<double, 2>> stiffness_;  // [N/m⁷] of each body, for contact with itself and with others
   std::vector<double> threshold_;                 // b of each particle for contact with its own body
+  std::vector<double> yield_pressure_;            // [Pa] of each body
+  bool yields_;                                   // one of them is finite
+  std::vector<double> latest_pressure_;           // [J] B o of each particle in its own body, if one yields
   Kept kept_;
   bool is_kept_ = false;  // stored in kept_, not yet assigned to pairs
 
   // of the members
   fccda::AlignedVector<Place> places_;
   fccda::AlignedVector<Motion> motions_;
-  OwnAndOthers spring_;             // [N/m⁷] k
-  OwnAndOthers density_stiffness_;  // [J] B
-  OwnAndOthers pressure_;           // [J] B o
-  std::vector<double> energy_of_;   // [J] of their density
+  OwnAndOthers spring_;                        // [N/m⁷] k
+  OwnAndOthers density_stiffness_;             // [J] B
+  OwnAndOthers pressure_;                      // [J] B o
+  OwnAndOthers::value_type largest_pressure_;  // [J] B o at which its own body yields
+  std::vector<double> energy_of_;              // [J] of their density
+  std::vector<double> compaction_of_;          // [J] in the last step
   std::vector<PairSum> pair_sums_;
   std::vector<std::uint32_t> near_count_;
   std::vector<std::uint8_t> may_slip_;     // a tangential spring may be extended: with friction, after contact in the last evaluation
@@ -137,7 +147,7 @@ class ShortRange {
   std::array<fccda::AlignedVector<double>, 3> slip_;  // [m] extension of the tangential springs, with friction only; 0 out of contact
   double energy_ = 0;
   std::size_t in_contact_now_ = 0;
-  std::array<double, 2> work_{};  // [J] of friction and dashpots
+  std::array<double, 3> work_{};  // [J] of friction, dashpots and compaction
 };
 
 }  // namespace perimpact

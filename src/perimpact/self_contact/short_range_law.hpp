@@ -69,6 +69,12 @@ inline double density_stiffness(const Face& face, double k, double volume, doubl
   return 0.5 * k * (arm * arm);
 }
 
+/// B o [J] of a particle at a pressure [Pa] between two faces, 2 B o |ρ̄'|/(a V/Δ); a lattice of loose particles that is compressed from all sides to the
+/// spacing a has the same pressure within 2 % (docs/theory/short_range.md).
+inline double density_pressure(const Face& face, double pressure, double volume, double size, double distance) {
+  return pressure * volume * distance / (2 * face.slope * size);
+}
+
 /// Ratio of tangential to normal spring stiffness: a face has some nine pairs per particle, with two thirds of its normal stiffness in total.
 inline constexpr double tangential_share = 1.0 / 6;
 

@@ -42,7 +42,10 @@ std::vector<ContactingBody> contacting_bodies(const Setup& setup, std::span<Body
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Body& body = bodies[b];
     const double thickness = body.particles.thickness().value_or(1);
-    all.push_back({body.particles, body.family, body.internal.broken_ends(), law.stiffness(elastic_of(setup.bodies[b]), body.family.horizon(), thickness)});
+    ContactingBody contacting{body.particles, body.family, body.internal.broken_ends(),
+                              law.stiffness(elastic_of(setup.bodies[b]), body.family.horizon(), thickness)};
+    if (const PlasticForce* plastic = body.internal.plastic()) contacting.largest_pressure = plastic->plasticity().ellipse.largest_pressure();
+    all.push_back(contacting);
   }
   return all;
 }

@@ -1,6 +1,7 @@
 /// Bodies in contact, for tests of the short-range force: their set-up, the cutting of bonds, and one step.
 #pragma once
 
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -16,13 +17,14 @@ using namespace perimpact;
 struct Pile {
   ShortRangeLaw law;
   std::vector<Body> bodies;
+  double largest_pressure = std::numeric_limits<double>::infinity();  // [Pa] of each body
 
   std::vector<ContactingBody> contacts() {
     std::vector<ContactingBody> all;
     for (Body& body : bodies) {
       const IsotropicElastic& elastic = body.internal.ordinary_state()->law().elastic();
-      all.push_back(
-          {body.particles, body.family, body.internal.broken_ends(), law.stiffness(elastic, body.family.horizon(), body.particles.thickness().value_or(1))});
+      all.push_back({body.particles, body.family, body.internal.broken_ends(),
+                     law.stiffness(elastic, body.family.horizon(), body.particles.thickness().value_or(1)), largest_pressure});
     }
     return all;
   }

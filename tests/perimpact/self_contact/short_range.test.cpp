@@ -21,7 +21,7 @@ namespace {
 class AllPairs {
  public:
   std::vector<std::vector<Vec3d>> force;  // [N] of each body and slot, of the last evaluation
-  double energy = 0, friction_dissipation = 0, damped_work = 0;
+  double energy = 0, friction_dissipation = 0, damped_work = 0, compaction = 0;
   std::size_t contacts = 0;
 
   void evaluate(const Pile& pile, double dt) {
@@ -60,6 +60,7 @@ class AllPairs {
       }
     slips_ = pairs;
     thresholds_.resize(particles.size(), face);
+    latest_.resize(particles.size(), 0.0);
     std::vector<double> own_push(particles.size()), other_push(particles.size()), own_B(particles.size()), other_B(particles.size());
     energy = 0;
     for (std::size_t a = 0; a < particles.size(); ++a) {
@@ -67,7 +68,15 @@ class AllPairs {
       const double reach = law.distance_ratio * i.size, unit = i.volume * i.volume * reach * reach / (2 * slope * slope);
       double& threshold = thresholds_[a];
       threshold = std::max(face, std::min(threshold, own[a] - fresh[a]));
-      const double overlap = std::max(0.0, own[a] - fresh[a] - threshold), beyond = std::max(0.0, others[a] - face);
+      double overlap = std::max(0.0, own[a] - fresh[a] - threshold);
+      const double most = pile.largest_pressure * i.volume * reach / (2 * slope * i.size) / (k[i.body] * unit);
+      if (overlap > most) {
+        compaction += (latest_[a] + k[i.body] * unit * most) / 2 * (overlap - most);
+        threshold += overlap - most;
+        overlap = most;
+      }
+      latest_[a] = k[i.body] * unit * overlap;
+      const double beyond = std::max(0.0, others[a] - face);
       if (own[a] - overlap > threshold && fresh[a] > 0) threshold = own[a] - overlap;
       own_B[a] = k[i.body] * unit, other_B[a] = together * unit;
       own_push[a] = own_B[a] * overlap, other_push[a] = other_B[a] * beyond;
@@ -141,6 +150,7 @@ class AllPairs {
 
   std::map<Ends, Vec3d> slips_;     // [m] of the pairs that were near
   std::vector<double> thresholds_;  // of each particle
+  std::vector<double> latest_;      // [J] B o of each particle
 };
 
 /// Largest difference of forces, over the largest force.
@@ -216,9 +226,10 @@ TEST_CASE("short range: forces are those of a sum over all pairs, for lattices a
       }
 }
 
-TEST_CASE("short range: bond failure and motion take effect in the same step, with and without the list") {
+TEST_CASE("short range: bond failure, motion and compaction take effect in the same step, with and without the list") {
   constexpr double dt = 1e-8;
   Pile pile = wreck(fixtures::Points::lattice, Plane::none, 0.02);
+  pile.largest_pressure = 2e6;  // some particles yield, and some do not
   const auto bodies = pile.contacts();
   ShortRange contact(pile.law, bodies);
   AllPairs expected;
@@ -242,7 +253,9 @@ TEST_CASE("short range: bond failure and motion take effect in the same step, wi
     contact.add_forces(bodies, dt);
     expected.evaluate(pile, dt);
     REQUIRE(difference(pile, expected) <= 1e-10);
+    if (expected.compaction > 0) CHECK(contact.compaction() == fixtures::relative(expected.compaction, 1e-9));
   }
+  CHECK(contact.compaction() > 0);
   CHECK(contact.near_pairs().times_made() < 12);
 }
 
