@@ -22,7 +22,6 @@ VARIANTS = {  # folder: title, time [s] since contact
     "top_layer_whole": ("flows, all but the top layer cut", SINCE_CONTACT),
     "cut": ("flows, cut along the course", SINCE_CONTACT),
     "crushing": ("is crushed, whole sheet", 2.1),
-    "cut_8_layers": ("flows, cut, eight layers", 0.6),
 }
 
 
