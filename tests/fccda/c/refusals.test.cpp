@@ -370,9 +370,9 @@ TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of
       {"vertex_mass", fccda_deforming_respond(s.soft_detector, 1, &s.points, 0, nullptr, &s.onto, nullptr)},
       {"vertex_impulses", fccda_deforming_respond(s.soft_detector, 1, &s.points, 0, &s.heavy, nullptr, nullptr)},
       {"x", fccda_deforming_detector_points_inside(s.soft_detector, nullptr, &s.list, &s.count)}};
-  for (const auto& [name, status] : refused) {
-    CAPTURE(name);
-    CHECK(status == FCCDA_INPUT_ERROR);
+  for (const auto& call : refused) {
+    CAPTURE(call.first);
+    CHECK(call.second == FCCDA_INPUT_ERROR);
   }
   CHECK(fccda_detect(s.detector, nullptr, &s.points, nullptr) == FCCDA_INPUT_ERROR);
   CHECK(std::string(fccda_last_error()) == "fccda: the argument `motion` is NULL, but it is needed; pass its address.");
