@@ -259,6 +259,11 @@ def of_impacts(folder):
     return found
 
 
+def output_setting(deck):
+    """What measure() needs of the output of a deck: frames where a pressure is taken from them, none elsewhere."""
+    return f"output.frames={40 if deck == 'drop' else 0}"
+
+
 def measure(folder):
     folder = Path(folder)
     return of_prisms(folder) | of_indenters(folder) | of_impacts(folder)

@@ -14,7 +14,7 @@ COLUMNS = "time.end=13 ms", *SIDES, "bodies.ice.boundary_conditions.columns={fix
 
 def measure(runner):
     script = script_of(f"{CASE}/measure.py")
-    folders = [runner.run("ice_specimens", deck, f"{CASE}/{deck}.yaml", f"output.frames={40 if deck == 'drop' else 0}") for deck in DECKS]
+    folders = [runner.run("ice_specimens", deck, f"{CASE}/{deck}.yaml", script.output_setting(deck)) for deck in DECKS]
     numbers = {name.rsplit(" [", 1)[0]: value for name, value in script.measure(folders[0].parent).items()}
     halved = runner.run("ice_specimens", "half_step/brazilian", f"{CASE}/brazilian.yaml", "output.frames=0", *HALF)
     broken = runner.run("ice_specimens", "breaks/ball", f"{CASE}/ball.yaml", "output.frames=0", "bodies.ice.material.critical_stretch=3.2e-4")

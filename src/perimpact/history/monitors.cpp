@@ -148,7 +148,7 @@ Monitors::Balance Monitors::balance_of(const Scene& scene) {
   }
   if (scene.fragments) {
     of.energy += scene.fragments->energy();
-    of.taken += scene.fragments->friction_dissipation() + scene.fragments->dashpot_dissipation() + scene.fragments->compaction();
+    of.taken += scene.fragments->friction_dissipation() + scene.fragments->dashpot_dissipation() + scene.fragments->compaction_dissipation();
   }
   return of;
 }
@@ -167,7 +167,8 @@ void Monitors::make_row(const Scene& scene, const Balance& balance) {
     add("total", {"friction_dissipation", "J", cumulative, "dissipated by friction between particles in contact"}, scene.fragments->friction_dissipation());
     add("total", {"dashpot_dissipation", "J", cumulative, "dissipated by dashpots between particles in contact"}, scene.fragments->dashpot_dissipation());
     if (scene.fragments->yields())
-      add("total", {"compaction_dissipation", "J", cumulative, "dissipated where fragments in contact are compacted"}, scene.fragments->compaction());
+      add("total", {"compaction_dissipation", "J", cumulative, "dissipated where fragments in contact are compacted"},
+          scene.fragments->compaction_dissipation());
   }
   add("total", {"momentum", "kg m/s", instantaneous, "of all bodies and impactors"}, balance.momentum);
   add("total", {"energy", "J", instantaneous, "kinetic and elastic energy, and contact energy between fragments"}, balance.energy);

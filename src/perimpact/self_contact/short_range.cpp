@@ -34,8 +34,8 @@ ShortRange::ShortRange(const ShortRangeLaw& law, std::span<const ContactingBody>
       stiffness_(stiffness_of(bodies)),
       threshold_(near_pairs_.particle_count(), face_.density) {
   for (const ContactingBody& body : bodies) yield_pressure_.push_back(body.largest_pressure);
-  yields_ = std::any_of(yield_pressure_.begin(), yield_pressure_.end(), [](double pressure) { return std::isfinite(pressure); });
-  if (yields_) latest_pressure_.assign(threshold_.size(), 0.0);
+  if (std::any_of(yield_pressure_.begin(), yield_pressure_.end(), [](double pressure) { return std::isfinite(pressure); }))
+    latest_pressure_.assign(threshold_.size(), 0.0);
 }
 
 void ShortRange::forget() {
@@ -137,10 +137,10 @@ void ShortRange::evaluate(std::size_t m, std::span<const ContactingBody> bodies,
   const double old = own - fresh;
   threshold = std::max(face_.density, std::min(threshold, old));
   double overlap = std::max(0.0, old - threshold);
-  if (yields_) {
+  if (yields()) {
     // the threshold yields such that the pressure is the largest; with the mean of the pressures before and after, the balance of leapfrog closes
     double& latest = latest_pressure_[i.particle];
-    const double excess = std::max(0.0, overlap - largest_pressure_[m] / density_stiffness_[0][m]);
+    const double excess = std::max(0.0, overlap - largest_overlap_[m]);
     threshold += excess, overlap -= excess;
     const double now = density_stiffness_[0][m] * overlap;
     compaction_of_[m] = 0.5 * (latest + now) * excess;
@@ -340,8 +340,9 @@ void ShortRange::rebuild_derived_pairs() {
   const auto members = near_pairs_.members();
   places_.assign(members.size(), {});
   motions_.assign(members.size(), {});
-  for (auto* numbers : {&pressure_[0], &pressure_[1], &spring_[0], &spring_[1], &density_stiffness_[0], &density_stiffness_[1], &largest_pressure_})
+  for (auto* numbers : {&pressure_[0], &pressure_[1], &spring_[0], &spring_[1], &density_stiffness_[0], &density_stiffness_[1]})
     numbers->assign(members.size(), 0);
+  largest_overlap_.assign(members.size(), 0);
   first_member_.assign(stiffness_.size() + 1, members.size());
   for (std::size_t m = members.size(); m-- > 0;) {
     const NearPairs::Member& i = members[m];
@@ -349,7 +350,7 @@ void ShortRange::rebuild_derived_pairs() {
     for (std::size_t whose = 0; whose < 2; ++whose)
       spring_[whose][m] = stiffness_[i.body][whose],
       density_stiffness_[whose][m] = density_stiffness(face_, stiffness_[i.body][whose], i.volume, law_.distance_ratio * i.size);
-    largest_pressure_[m] = density_pressure(face_, yield_pressure_[i.body], i.volume, i.size, law_.distance_ratio * i.size);
+    largest_overlap_[m] = density_pressure(face_, yield_pressure_[i.body], i.volume, i.size, law_.distance_ratio * i.size) / density_stiffness_[0][m];
     first_member_[i.body] = m;
   }
   for (std::size_t b = stiffness_.size(); b-- > 0;) first_member_[b] = std::min(first_member_[b], first_member_[b + 1]);  // of a body without members
@@ -376,7 +377,7 @@ void ShortRange::rebuild_derived_pairs() {
   for (std::size_t p = 0; p < threshold_.size(); ++p)
     if (member_of[p] == std::numeric_limits<std::uint32_t>::max()) {  // no particle in range
       threshold_[p] = face_.density;
-      if (yields_) latest_pressure_[p] = 0;
+      if (yields()) latest_pressure_[p] = 0;
     }
   const auto give = [&](std::uint32_t from, std::uint32_t to, const Vec3d& slip) {
     const std::uint32_t m = member_of[from], other = member_of[to];

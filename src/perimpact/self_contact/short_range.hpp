@@ -24,12 +24,12 @@ class ShortRange {
   /// Adds the short-range forces to force_density of all bodies. `dt` [s]: last step, at the current particle velocities; 0 before the first.
   void add_forces(std::span<const ContactingBody> bodies, double dt);
 
-  double energy() const { return energy_; }                 ///< [J] of all springs, at the last evaluation
-  std::size_t contacts() const { return in_contact_now_; }  ///< pairs, at the last evaluation
-  double friction_dissipation() const { return work_[0]; }  ///< [J] so far; never decreases
-  double dashpot_dissipation() const { return work_[1]; }   ///< [J] so far; never decreases
-  bool yields() const { return yields_; }                   ///< fragments of a body are compacted beyond a pressure
-  double compaction() const { return work_[2]; }            ///< [J] dissipated by compaction so far; never decreases
+  double energy() const { return energy_; }                   ///< [J] of all springs, at the last evaluation
+  std::size_t contacts() const { return in_contact_now_; }    ///< pairs, at the last evaluation
+  double friction_dissipation() const { return work_[0]; }    ///< [J] so far; never decreases
+  double dashpot_dissipation() const { return work_[1]; }     ///< [J] so far; never decreases
+  bool yields() const { return !latest_pressure_.empty(); }   ///< fragments of a body are compacted beyond a pressure
+  double compaction_dissipation() const { return work_[2]; }  ///< [J] dissipated by compaction so far; never decreases
   const NearPairs& near_pairs() const { return near_pairs_; }
   void forget();  ///< forces a rebuild of the pair list; does not affect results
 
@@ -121,7 +121,6 @@ class ShortRange {
   std::vector<std::array<double, 2>> stiffness_;  // [N/m⁷] of each body, for contact with itself and with others
   std::vector<double> threshold_;                 // b of each particle for contact with its own body
   std::vector<double> yield_pressure_;            // [Pa] of each body
-  bool yields_;                                   // one of them is finite
   std::vector<double> latest_pressure_;           // [J] B o of each particle in its own body, if one yields
   Kept kept_;
   bool is_kept_ = false;  // stored in kept_, not yet assigned to pairs
@@ -129,12 +128,12 @@ class ShortRange {
   // of the members
   fccda::AlignedVector<Place> places_;
   fccda::AlignedVector<Motion> motions_;
-  OwnAndOthers spring_;                        // [N/m⁷] k
-  OwnAndOthers density_stiffness_;             // [J] B
-  OwnAndOthers pressure_;                      // [J] B o
-  OwnAndOthers::value_type largest_pressure_;  // [J] B o at which its own body yields
-  std::vector<double> energy_of_;              // [J] of their density
-  std::vector<double> compaction_of_;          // [J] in the last step
+  OwnAndOthers spring_;                  // [N/m⁷] k
+  OwnAndOthers density_stiffness_;       // [J] B
+  OwnAndOthers pressure_;                // [J] B o
+  std::vector<double> largest_overlap_;  // [-] o at which its own body yields
+  std::vector<double> energy_of_;        // [J] of their density
+  std::vector<double> compaction_of_;    // [J] in the last step
   std::vector<PairSum> pair_sums_;
   std::vector<std::uint32_t> near_count_;
   std::vector<std::uint8_t> may_slip_;     // a tangential spring may be extended: with friction, after contact in the last evaluation

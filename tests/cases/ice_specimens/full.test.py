@@ -8,13 +8,13 @@ CASE = ROOT / "cases/ice_specimens"
 sys.path[:0] = [str(ROOT / "tests/cli"), str(ROOT / "tests/cases"), str(CASE)]
 from claims import claim, main  # noqa: E402
 from expected import expect_rows  # noqa: E402
-from measure import measure  # noqa: E402
+from measure import measure, output_setting  # noqa: E402
 
 
 @claim("ice_specimens: the decks give every row of expected.csv")
 def full(scene):
     for deck in sorted(path.stem for path in CASE.glob("*.yaml")):
-        scene.expect_success("run", CASE / f"{deck}.yaml", "--out", f"specimens/{deck}", "--set", f"output.frames={40 if deck == 'drop' else 0}")  # the pressure under the sphere is that of its frames
+        scene.expect_success("run", CASE / f"{deck}.yaml", "--out", f"specimens/{deck}", "--set", output_setting(deck))
     expect_rows(scene, CASE / "expected.csv", measure(scene.folder / "specimens"))
 
 

@@ -99,8 +99,8 @@ TEST_CASE("compaction: contact energy and dissipation are the work, with an erro
     double work = 0, dissipated = 0;
     for (int step = 0; step <= steps; ++step) {
       work += rubble.compress(1.3 - 0.35 * step / steps);
-      REQUIRE(rubble.contact().compaction() >= dissipated);
-      dissipated = rubble.contact().compaction();
+      REQUIRE(rubble.contact().compaction_dissipation() >= dissipated);
+      dissipated = rubble.contact().compaction_dissipation();
     }
     REQUIRE(dissipated > 0.9 * work);  // the springs at yield store the rest
     const double error = std::fabs(rubble.contact().energy() + dissipated - work) / work;
@@ -113,19 +113,19 @@ TEST_CASE("compaction: contact energy and dissipation are the work, with an erro
 TEST_CASE("compaction: compacted particles unload elastically, reload without dissipation, and forget when they have parted") {
   Rubble rubble(strength);
   for (int step = 0; step <= 150; ++step) rubble.compress(1.3 - 0.002 * step);
-  const double dissipated = rubble.contact().compaction(), pressure = rubble.pressure(1);
+  const double dissipated = rubble.contact().compaction_dissipation(), pressure = rubble.pressure(1);
   rubble.compress(1.0002);
   CHECK(rubble.pressure(1.0002) < 0.9 * pressure);
   CHECK(rubble.pressure(1.0002) > 0);
   rubble.compress(1);
   CHECK(rubble.pressure(1) == fixtures::relative(pressure, 1e-9));
-  CHECK(rubble.contact().compaction() == fixtures::relative(dissipated, 1e-9));
+  CHECK(rubble.contact().compaction_dissipation() == fixtures::relative(dissipated, 1e-9));
   rubble.compress(1.002);
   CHECK(rubble.pressure(1.002) == 0);  // the gap that compaction leaves
   for (int step = 0; step <= 150; ++step) rubble.compress(1 + 0.002 * step);
   for (int step = 0; step <= 150; ++step) rubble.compress(1.3 - 0.002 * step);
   CHECK(rubble.pressure(1) == fixtures::relative(pressure, 1e-3));
-  CHECK(rubble.contact().compaction() == fixtures::relative(2 * dissipated, 1e-3));
+  CHECK(rubble.contact().compaction_dissipation() == fixtures::relative(2 * dissipated, 1e-3));
 }
 
 TEST_CASE("compaction: a state that is resumed continues bitwise") {
@@ -142,6 +142,6 @@ TEST_CASE("compaction: a state that is resumed continues bitwise") {
     }
     whole.compress(stretch), resumed->compress(stretch);
     REQUIRE(resumed->contact().energy() == whole.contact().energy());
-    REQUIRE(resumed->contact().compaction() == whole.contact().compaction());
+    REQUIRE(resumed->contact().compaction_dissipation() == whole.contact().compaction_dissipation());
   }
 }
