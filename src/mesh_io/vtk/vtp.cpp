@@ -76,7 +76,7 @@ class VtkXml {
         const FoundArray* found = find(piece, "PointData", one.name);
         if (found == nullptr || found->components != one.components)
           tags_.fail(piece.line,
-                     "the piece has not the point array " + shown(one.name) + " of the pieces before it; merge the pieces and export the file again.");
+                     "the piece lacks the point array " + shown(one.name) + " that the pieces before it have; merge the pieces and export the file again.");
         const std::vector<double> values = arrays.reals(found->array, one.components * piece.points);
         one.values.insert(one.values.end(), values.begin(), values.end());
       }
