@@ -6,6 +6,7 @@
 #include <array>
 
 #include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/impactor/modes_of.hpp"
 #include "perimpact/impactor/rigid_body_of.hpp"
 #include "perimpact/impactor/surface_of.hpp"
 
@@ -95,6 +96,7 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       record_(*surface_, spacings_of(bodies)) {
   SharedSurface shared;
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, shared, region_.region, particles->spacing()));
+  if (setup.elastic) make_elastic(modes_of(setup, *surface_));
 }
 
 std::vector<std::size_t> Impactor::initial_overlap(std::size_t body, const ContactParticles& particles) const {
