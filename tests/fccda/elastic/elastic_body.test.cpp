@@ -130,6 +130,79 @@ TEST_CASE("elastic body: momentum of points and a free body is conserved, and en
   }
 }
 
+namespace {
+
+/// A ball at rest in front of the middle of a membrane that vibrates in its first mode, and what remains of both after some impacts.
+struct AfterImpacts {
+  double impulse = 0;          // [N s] on the ball
+  double energy = 0;           // [J] of ball and membrane
+  int impacts = 0;             // beginnings of contact
+  double membrane_energy = 0;  // [J]
+};
+
+constexpr double ball_mass = 0.3, modal_mass = 0.8, membrane_frequency = 40, vibration = 0.01, gap = 0.004, ball_speed = -0.5, watched = 0.06;
+
+/// By the equations of motion: a mass on a spring and a free mass, joined by perfectly inelastic impacts as long as they press on each other. Times of impact
+/// and of separation are found to 1e-7 s.
+AfterImpacts by_equations_of_motion() {
+  const double w = 2 * std::numbers::pi * membrane_frequency, k = modal_mass * w * w, dt = 1e-7;
+  double x = 0, v = vibration * w, y = gap, u = ball_speed;
+  bool joined = false;
+  AfterImpacts found;
+  for (double t = 0; t < watched; t += dt) {
+    const double before = u;
+    v -= dt * k * x / (joined ? modal_mass + ball_mass : modal_mass);
+    if (joined) u = v;
+    x += dt * v, y += dt * u;
+    if (joined) y = x;
+    if (joined && x > 0) joined = false;  // the spring would pull the ball back
+    if (!joined && y <= x && u < v) {
+      joined = true, ++found.impacts;
+      u = v = (modal_mass * v + ball_mass * u) / (modal_mass + ball_mass);
+    }
+    found.impulse += ball_mass * (u - before);
+  }
+  found.membrane_energy = 0.5 * modal_mass * v * v + 0.5 * k * x * x;
+  found.energy = found.membrane_energy + 0.5 * ball_mass * u * u;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("elastic body: a ball on a vibrating membrane exchanges impulse and energy as the equations of motion say") {
+  const Panels panels = sheet(16);
+  const auto surface = open_surface(panels);
+  RigidBody body = held();
+  Mode first{.angular_frequency = 2 * std::numbers::pi * membrane_frequency};
+  for (const Vec3d& x : panels.vertices)
+    first.shape.push_back({0, 0, std::cos(std::numbers::pi * x.x) * std::cos(std::numbers::pi * x.y) / std::sqrt(modal_mass)});
+  ElasticBody elastic(body, {first}, panels.vertices);
+  elastic.visit_state([&](std::string_view name, auto&& values) {
+    if (name == "modal_velocities") numbers_in(values)[0] = vibration * first.angular_frequency * std::sqrt(modal_mass);
+  });
+  constexpr double radius = 0.002;  // small beside the curvature of the mode
+  Impacts impacts(elastic, surface, radius);
+  impacts.add({0, 0, gap + radius}, {0, 0, ball_speed}, ball_mass);
+  AfterImpacts found;
+  bool joined = false;
+  constexpr double dt = 1e-5;
+  for (double t = 0; t < watched; t += dt) {
+    const double before = impacts.points.v[0].z;
+    impacts.step(dt);
+    found.impulse += ball_mass * (impacts.points.v[0].z - before);
+    if (impacts.impulse.z != 0 && !joined) ++found.impacts;
+    joined = impacts.impulse.z != 0;
+  }
+  found.membrane_energy = elastic.kinetic_energy_of_scheme() + elastic.elastic_energy();
+  found.energy = found.membrane_energy + impacts.kinetic_energy();
+  const AfterImpacts expected = by_equations_of_motion();
+  REQUIRE(expected.impacts >= 1);
+  REQUIRE(expected.membrane_energy > 0.1 * expected.energy);
+  CHECK(found.impulse == fixtures::relative(expected.impulse, 0.01));
+  CHECK(found.energy == fixtures::relative(expected.energy, 0.01));
+  CHECK(found.membrane_energy == fixtures::relative(expected.membrane_energy, 0.01));
+}
+
 TEST_CASE("elastic body: a damped mode oscillates exactly, and energy and dissipation are those of the start") {
   const Panels panels = sheet(2);
   RigidBody body = held();
