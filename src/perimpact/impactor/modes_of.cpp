@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/contract.hpp"
-#include "mesh_io/modes/modes_on.hpp"
+#include "fccda/modes/modes_on.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "fccda/modes/modes_file.hpp"
 #include "mesh_io/file/text.hpp"
 #include "mesh_io/file/words.hpp"
-#include "mesh_io/modes/modes_file.hpp"
 
 namespace fccda {
 namespace {
