@@ -74,7 +74,7 @@ void StructureCoupling::multiply(std::span<const double> x, std::span<double> pr
 
 // BiCGSTAB, from x = right. If it breaks down, the next pass continues from the x reached.
 void StructureCoupling::solve(std::span<const double> right, std::span<double> x) const {
-  constexpr int most_iterations = 200;
+  constexpr int max_iterations = 200;
   constexpr double tolerance = 1e-10;
   const auto dot_of = [&](std::span<const double> a, std::span<const double> b) {
     double sum = 0;
@@ -88,7 +88,7 @@ void StructureCoupling::solve(std::span<const double> right, std::span<double> x
   for (const std::size_t c : active_) p[c] = shadow[c] = r[c] = right[c] - r[c];
   const double enough = tolerance * tolerance * dot_of(right, right);
   double rho = dot_of(shadow, r);
-  for (int iteration = 0; iteration < most_iterations && dot_of(r, r) > enough; ++iteration) {
+  for (int iteration = 0; iteration < max_iterations && dot_of(r, r) > enough; ++iteration) {
     multiply(p, v);
     const double alpha = rho / dot_of(shadow, v);
     if (!std::isfinite(alpha)) return;
