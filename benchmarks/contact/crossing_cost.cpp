@@ -4,12 +4,13 @@
 ///
 /// Points and balls outside of a hull whose path in one step leads through its surface: all of them are in contact and relocated. They come in
 /// random order, so hardly any panel is in a processor cache. `radius`, `path`: in panel sizes. The guess is the triangle closest to the start of the
-/// path, as after the step before. ns per crossing; one thread, the best of several rounds. `triangles`: evaluated per crossing. `hash`: of all
-/// bits of all contacts, to compare two builds on one machine.
+/// path, as after the step before. With --in-order they come in the order of the triangles, as the blocks of a body do. ns per crossing; one thread, the best
+/// of several rounds. `triangles`: evaluated per crossing. `hash`: of all bits of all contacts, to compare two builds on one machine.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <ctime>
@@ -17,6 +18,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -34,20 +36,23 @@ constexpr int crossings = 20000;
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Paths from just outside a ball's contact radius to inside, `length` [m] each, at up to 60° from the normal.
-std::vector<Path> paths_into(const PathTest& test, double length) {
+std::vector<Path> paths_into(const PathTest& test, double length, bool in_order) {
   const Surface& surface = test.surface();
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> unit(0, 1);
   std::normal_distribution<double> normal;
-  std::vector<Path> paths;
-  while (paths.size() < crossings) {
+  std::vector<std::pair<std::size_t, Path>> found;
+  while (found.size() < crossings) {
     const std::size_t t = random() % surface.triangles().size();
     const double v = unit(random), w = unit(random) * (1 - v);
     const Vec3d place = (1 - v - w) * surface.corner(t, 0) + v * surface.corner(t, 1) + w * surface.corner(t, 2);
     const Vec3d start = place + (test.radius() + 0.5 * length * unit(random)) * surface.normal(t);
     const Vec3d way = normalised(Vec3d{normal(random), normal(random), normal(random)});
-    if (dot(way, surface.normal(t)) < -0.5 && !test.is_inside(start, 0)) paths.push_back({start, start + length * way});
+    if (dot(way, surface.normal(t)) < -0.5 && !test.is_inside(start, 0)) found.push_back({t, {start, start + length * way}});
   }
+  if (in_order) std::ranges::stable_sort(found, {}, [](const auto& one) { return one.first; });
+  std::vector<Path> paths;
+  for (const auto& [triangle, path] : found) paths.push_back(path);
   return paths;
 }
 
@@ -105,11 +110,14 @@ class Hash {
 int main(int argc, char** argv) {
   double panels = 2e5;
   int rounds = 5;
-  std::string kind_of_surface = "smooth";
+  bool in_order = false;
+  std::string kind_of_surface = "smooth", only;
   CLI::App app("Times crossings of a surface with their relocation; prints CSV rows.");
   app.add_option("--panels", panels)->check(CLI::PositiveNumber);
   app.add_option("--rounds", rounds)->check(CLI::PositiveNumber);
   app.add_option("--surface", kind_of_surface)->check(CLI::IsMember({"smooth", "rough", "open", "union"}));
+  app.add_flag("--in-order", in_order, "points in the order of the triangles, as blocks of particles are");
+  app.add_option("--only", only, "one motion")->check(CLI::IsMember({"moved", "turned", "deforming"}));
   CLI11_PARSE(app, argc, argv);
   use_threads(1);
 
@@ -143,8 +151,9 @@ int main(int argc, char** argv) {
     for (const double radius : {0.0, 0.5, 2.0}) {
       const double offset = 1e-12;
       const PathTest test(indexed, Unbounded(), radius * panel);
-      const std::vector<Path> paths = paths_into(test, length * panel);
+      const std::vector<Path> paths = paths_into(test, length * panel, in_order);
       const auto rigid = [&](const char* kind, const Motion& motion) {
+        if (!only.empty() && only != kind) return;
         const BodyView view(motion, test.size());
         row(kind, radius, length, paths, [&](const Path& path, int& guess, Effort& effort) {
           return test.evaluate({.path = view.path(motion.t0.to_world(path.start), motion.t1.to_world(path.end)), .radius = radius * panel, .offset = offset},
@@ -153,7 +162,7 @@ int main(int argc, char** argv) {
       };
       rigid("moved", {Pose(), Pose(panel * Vec3d{0.1, -0.2, 0.15}), 1});
       rigid("turned", {Pose(), Pose({}, Quaternion::from_rotation({0, 0, 0.05})), 1});
-      if (hull->report().may_overlap > 0) continue;  // refused by deforming surfaces
+      if (hull->report().may_overlap > 0 || (!only.empty() && only != "deforming")) continue;  // deforming surfaces may not overlap
       const auto surface = std::make_shared<DeformingSurface>(*hull);
       std::vector<Vec3d> vertices = hull->panels().vertices;
       std::mt19937_64 random(2);
