@@ -182,6 +182,7 @@ TEST_CASE("bvh: paths straight at vertices and edges never pass through") {
 }
 
 TEST_CASE("bvh: of all triangles, the first hit and the first contact are the first of any triangle alone, whatever the guess") {
+  std::size_t hits = 0;
   for (const fixtures::Body& body : meshes()) {
     CAPTURE(body.name);
     const Surface surface(body.panels);
@@ -190,7 +191,6 @@ TEST_CASE("bvh: of all triangles, the first hit and the first contact are the fi
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(surface.triangles().size()); ++t) alone.emplace_back(surface, std::span(&t, 1));
     const Box& bounds = surface.report().bounds;
     std::mt19937_64 random(11);
-    std::size_t hits = 0;
     for (int trial = 0; trial < 100; ++trial) {
       const Vec3d start = fixtures::random_in_box(random, bounds.low, bounds.high) + 0.02 * fixtures::random_direction(random);
       const Vec3d end = start + (trial % 2 == 0 ? 0.05 : 1.0) * fixtures::random_direction(random);
@@ -213,8 +213,8 @@ TEST_CASE("bvh: of all triangles, the first hit and the first contact are the fi
         }
       }
     }
-    CHECK(hits > 50);
   }
+  CHECK(hits > 1000);
 }
 
 TEST_CASE("bvh: the first hit is the nearest of all front faces on the path") {
