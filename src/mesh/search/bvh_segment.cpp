@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <tuple>
 
 #include "mesh/ray_crossing.hpp"
@@ -105,13 +104,11 @@ unsigned Bvh::may_meet(const Bvh& at_t0, std::int32_t leaf, const MovingBall& ba
   if (ball.radius == 0) return (1u << at_t1.count) - 1;
   Leaf room;
   const double middle = 0.5 * until, left = 1 - middle;
-  const std::span<const Vec3d> from = at_t0.surface_->vertices(), to = surface_->vertices();
-  const auto& numbers = leaf_vertices_[static_cast<std::size_t>(leaf)];
   const Vec3d centre = left * ball.start + middle * ball.end;
   room.count = at_t1.count;
   set_corners(room, centre, [&](std::size_t k) {
-    const auto v = static_cast<std::size_t>(numbers[k]);
-    return left * from[v] + middle * to[v];
+    const auto t = static_cast<std::size_t>(at_t1.triangle[k / 3]);
+    return left * at_t0.surface_->corner(t, k % 3) + middle * surface_->corner(t, k % 3);
   });
   return may_be_within(room, {}, ball.radius + middle * ball.way, std::max(scale_of(ball.start, ball.end), at_t0.scale_of(ball.start, ball.end)));
 }
