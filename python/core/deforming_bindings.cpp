@@ -66,22 +66,26 @@ DeformingContact deforming_contact_of(const DeformingContactRow& row, std::size_
   return contact;
 }
 
-DeformingContactRows detect_deforming(DeformingContactDetector& detector, const py::object& x_t0, const py::object& x_t1) {
-  py::array at_t0, at_t1;
+DeformingContactRows detect_deforming(DeformingContactDetector& detector, const py::object& x_t0, const py::object& x_t1,
+                                      const std::optional<py::object>& radius) {
+  py::array at_t0, at_t1, radii;
   const fccda::ConstVectors from = vectors_in(x_t0, "x_t0", at_t0), to = vectors_in(x_t1, "x_t1", at_t1);
+  std::optional<fccda::Numbers> of_each;
+  if (radius) of_each = each_in(*radius, "radius", radii);
   std::vector<DeformingContact> contacts;
   {
     const py::gil_scoped_release release;
-    contacts = detector.detect(from, to);
+    contacts = of_each ? detector.detect(from, to, *of_each) : detector.detect(from, to);
   }
   DeformingContactRows rows(static_cast<py::ssize_t>(contacts.size()));
   std::transform(contacts.begin(), contacts.end(), rows.mutable_data(), [](const DeformingContact& contact) { return deforming_row_of(contact); });
   return rows;
 }
 
-py::array_t<std::int64_t> inside_deforming(const DeformingContactDetector& detector, const py::object& x) {
-  py::array keep;
-  return array_of(detector.points_inside(vectors_in(x, "x", keep)));
+py::array_t<std::int64_t> inside_deforming(const DeformingContactDetector& detector, const py::object& x, const std::optional<py::object>& radius) {
+  py::array places, radii;
+  const fccda::ConstVectors at = vectors_in(x, "x", places);
+  return array_of(radius ? detector.points_inside(at, each_in(*radius, "radius", radii)) : detector.points_inside(at));
 }
 
 fccda::ContactSum respond_deforming(const DeformingContactRows& rows, double dt, const py::object& x_t0, const py::array& x_t1, const py::array& velocity,
@@ -129,11 +133,11 @@ x_t0 of a step must be x_t1 of the previous step, as relocated; report points fo
       .def(py::init([](const std::shared_ptr<DeformingSurface>& surface, double radius) { return DeformingContactDetector(surface, radius); }), "surface"_a,
            "radius"_a = 0.0,
            R"(surface: followed by the detector, not copied.
-radius: contact radius of all points [m]; 0 for points without extent.)")
+radius: contact radius of the points [m]; 0 for points without extent.)")
       .def(
-          "detect", &detect_deforming, "x_t0"_a, "x_t1"_a,
+          "detect", &detect_deforming, "x_t0"_a, "x_t1"_a, "radius"_a = py::none(),
           R"(Detects the contacts of the step that the surface has begun with `move`, in point order. x_t0, x_t1: (points, 3) world positions at the start and the
-end of the step [m]; not modified.
+end of the step [m]; not modified. radius: contact radius of each point [m], for different radii; it may change from step to step.
 
 Returns a structured array with the fields of ContactDetector.detect, and those of the place of the surface that is closest to the relocation: vertices (3
 vertex numbers of its triangle, as in the mesh), weights (3 barycentric coordinates), corners (3, 3) at the end of the step [m], and displacement of this place
@@ -141,9 +145,9 @@ in the step [m].
 
 Raises InputError if the surface was not moved since the last detection or the numbers of positions differ, and RunError if a position is not finite or a
 point moves farther than 1e6 sizes of the surface.)")
-      .def("points_inside", &inside_deforming, "x"_a,
-           "Indices of the points x (points, 3) [m] that are inside the surface where it is now, or closer than the contact radius; for use before the first "
-           "step.")
+      .def("points_inside", &inside_deforming, "x"_a, "radius"_a = py::none(),
+           "Indices of the points x (points, 3) [m] that are inside the surface where it is now, or closer than the contact radius (`radius` per point [m] if "
+           "given); for use before the first step.")
       .def(
           "moved", [](DeformingContactDetector& detector, std::size_t point) { detector.moved(point); }, "point"_a,
           "Declares that the point has been displaced since the last step.")

@@ -139,7 +139,7 @@ typedef struct fccda_points {
   fccda_vectors x_t1;      ///< [m] at its end; a response moves the points in contact to the surface
   fccda_vectors velocity;  ///< [m/s] from x_t0 to x_t1, which a response changes for points in contact. Detection does not use it
   fccda_numbers mass;      ///< [kg] one for all, or one for each. Detection does not use it
-  fccda_numbers radius;    ///< [m] contact radius of each point, which may change from step to step; that of the detector if unset. Rigid surfaces only
+  fccda_numbers radius;    ///< [m] contact radius of each point, which may change from step to step; that of the detector if unset
 } fccda_points;
 
 /* ---- surfaces ---- */
@@ -378,11 +378,10 @@ typedef struct fccda_deforming_contact {
 /// A detector of one set of points against one deforming surface.
 typedef struct fccda_deforming_detector fccda_deforming_detector;
 
-/// `radius` [m]: contact radius of all points; 0 for points without extent.
+/// `radius` [m]: contact radius of points without one of their own; 0 for points without extent.
 fccda_status fccda_deforming_detector_create(const fccda_deforming_surface* surface, double radius, fccda_deforming_detector** detector);
 
-/// Finds the contacts of the step that the surface has begun, as fccda_detect() does. Refuses a surface that was not moved since the last detection, and
-/// points with radii of their own.
+/// Finds the contacts of the step that the surface has begun, as fccda_detect() does. Refuses a surface that was not moved since the last detection.
 fccda_status fccda_deforming_detect(fccda_deforming_detector* detector, const fccda_points* points, size_t* count);
 
 /// As fccda_detector_contacts().
@@ -403,7 +402,7 @@ fccda_status fccda_deforming_detector_moved(fccda_deforming_detector* detector, 
 /// As fccda_detector_points_changed().
 fccda_status fccda_deforming_detector_points_changed(fccda_deforming_detector* detector);
 
-/// The points that are inside the surface where it is now, or nearer than the contact radius: for a check before the first step.
+/// The points that are inside the surface where it is now, or nearer than the contact radius of the detector: for a check before the first step.
 fccda_status fccda_deforming_detector_points_inside(fccda_deforming_detector* detector, const fccda_vectors* x, const int64_t** points, size_t* count);
 
 /// As fccda_detector_state().

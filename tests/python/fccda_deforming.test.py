@@ -49,6 +49,24 @@ def first_crossing(x0, x1, corners0, corners1):
     return first, margin
 
 
+@claim("balls of different radii rest at their own radius on a sheet that rises")
+def radii(test):
+    vertices, faces = sheet()
+    surface = deforming(vertices, faces)
+    detector = fccda.DeformingContactDetector(surface)
+    x0 = np.array([[0.1, 0.2, 0.4], [-0.3, 0.1, 0.4], [0.5, -0.4, 0.4]])
+    radius = np.array([0.1, 0.2, 0.0])
+    surface.move(vertices + [0, 0, 0.35])
+    contacts = detector.detect(x0, x0.copy(), radius)
+    test.assertEqual(contacts["point"].tolist(), [0, 1])
+    test.assertEqual(contacts["radius"].tolist(), [0.1, 0.2])
+    test.assertLess(np.abs(contacts["relocation"][:, 2] - [0.45, 0.55]).max(), 1e-9)
+    test.assertEqual(detector.points_inside(x0, radius).tolist(), [0, 1])
+    surface.move(vertices + [0, 0, 0.35])
+    with test.assertRaisesRegex(InputError, "radi"):
+        detector.detect(x0, x0.copy(), radius[:2])
+
+
 @claim("points are in contact with a sheet that deforms exactly where the cubic of a panel has a root, at that time")
 def oracle(test):
     rng = np.random.default_rng(5)

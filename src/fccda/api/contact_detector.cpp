@@ -1,8 +1,6 @@
 #include "fccda/api/contact_detector.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,19 +14,7 @@ namespace fccda {
 
 namespace {
 
-bool is_radius(double radius) { return radius >= 0 && std::isfinite(radius); }
-
-double checked_radius(double radius) {
-  if (is_radius(radius)) return radius;
-  throw InputError("contact: the contact radius is " + in_words(radius) + " m, but it must be a number of at least 0; 0 is for points without extent.");
-}
-
 double size_of(const Surface& surface) { return largest_magnitude(surface.report().bounds.size()); }
-
-void expect_radii(const Numbers& radius, std::size_t points) {
-  if (!radius.are_for(points))
-    throw InputError("contact: the number of radii differs from the " + std::to_string(points) + " points; give one for each, or one number for all.");
-}
 
 }  // namespace
 
@@ -48,35 +34,13 @@ ContactDetector::ContactDetector(SharedSurface surface, const Options& options)
       reach_(swept_.surface().radius_about(centre_)),
       longest_path_(longest_path * size_of(swept_.surface())) {}
 
-// A known distance is a distance beyond the point's contact radius. So a point with a larger radius is evaluated again. If it now starts
-// inside, it counts as pushed there.
+// A point with a larger radius is evaluated again. If it now starts inside, it counts as pushed there.
 double ContactDetector::note_radii(const Numbers& radius, std::size_t points) {
-  expect_radii(radius, points);
-  if (radius_.empty()) swept_.forget();
-  std::vector<double> largest(blocks_of(points));
-  std::vector<std::uint8_t> differs(largest.size());
-  const auto scan = [&](std::ptrdiff_t block) {
-    const auto b = static_cast<std::size_t>(block);
-    for (std::size_t i = b * block_size; i < std::min((b + 1) * block_size, points); ++i) {
-      const double now = radius[i];
-      if (!is_radius(now) || i >= radius_.size() || now != radius_[i]) differs[b] = 1;
-      largest[b] = std::max(largest[b], now);
-    }
-  };
-  for_blocks(largest.size(), scan);
-  const std::size_t known = radius_.size();
-  radius_.resize(points);
-  for (std::size_t b = 0; b < differs.size(); ++b) {
-    if (differs[b] == 0) continue;
-    for (std::size_t i = b * block_size; i < std::min((b + 1) * block_size, points); ++i) {
-      const double now = radius[i];
-      if (!is_radius(now))
-        throw InputError("contact: the radius of point " + std::to_string(i) + " is " + in_words(now) + " m, but it must be a number of at least 0.");
-      if (i < known && now > radius_[i]) swept_.grown(i);
-      radius_[i] = now;
-    }
-  }
-  return points == 0 ? 0 : *std::ranges::max_element(largest);
+  const bool others = !radii_.known();
+  const double largest = radii_.note(radius, points);
+  if (others) swept_.forget();
+  for (const std::size_t i : radii_.grown()) swept_.grown(i);
+  return largest;
 }
 
 template <class P>
@@ -102,7 +66,7 @@ void ContactDetector::resume(const State& state) {
 std::vector<Contact> ContactDetector::detect(const Motion& motion, ConstVectors x_t0, ConstVectors x_t1) {
   expect_usable(motion);
   measure_paths(x_t0, x_t1, longest_path_, travel_);
-  if (!radius_.empty()) swept_.forget(), radius_.clear();  // the points had other radii in the previous step
+  if (radii_.known()) swept_.forget(), radii_.clear();  // the points had other radii in the previous step
   swept_.set_rounding(rounding_of(x_t1));
   return contacts_of(ArrayPoints(x_t0, x_t1, travel_), motion);
 }

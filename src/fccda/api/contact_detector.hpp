@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "fccda/api/radii.hpp"
 #include "fccda/api/vectors.hpp"
 #include "fccda/detect/swept.hpp"
 
@@ -95,7 +96,7 @@ class ContactDetector {
   double reach_;                // [m] radius of the surface about that centre
   double longest_path_;         // [m]
   std::vector<double> travel_;  // [m] of each block in the current step
-  std::vector<double> radius_;  // [m] of each point in the previous step, if individual radii were given
+  Radii radii_;                 // of the previous step
 };
 
 }  // namespace fccda

@@ -10,17 +10,38 @@
 
 namespace fccda {
 
-std::vector<DeformingContact> DeformingContactDetector::detect(ConstVectors x_t0, ConstVectors x_t1) {
+void DeformingContactDetector::measure(ConstVectors x_t0, ConstVectors x_t1) {
   measure_paths(x_t0, x_t1, ContactDetector::longest_path * detector_.surface().size(), travel_);
   detector_.set_rounding(rounding_of(x_t1));
+}
+
+std::vector<DeformingContact> DeformingContactDetector::detect(ConstVectors x_t0, ConstVectors x_t1) {
+  measure(x_t0, x_t1);
+  if (radii_.known()) detector_.forget(), radii_.clear();  // the points had other radii in the previous step
   std::vector<DeformingContact> contacts;
   detector_.detect(ArrayPoints(x_t0, x_t1, travel_), contacts);
   return contacts;
 }
 
-std::vector<std::size_t> DeformingContactDetector::points_inside(ConstVectors x) const {
+// A point with a larger radius is evaluated again. If it now starts inside, it counts as pushed there.
+std::vector<DeformingContact> DeformingContactDetector::detect(ConstVectors x_t0, ConstVectors x_t1, const Numbers& radius) {
+  measure(x_t0, x_t1);
+  const bool others = !radii_.known();
+  const double largest = radii_.note(radius, x_t1.size());
+  if (others) detector_.forget();
+  for (const std::size_t i : radii_.grown()) detector_.grown(i);
+  std::vector<DeformingContact> contacts;
+  detector_.detect(ArrayBalls(ArrayPoints(x_t0, x_t1, travel_), radius, largest), contacts);
+  return contacts;
+}
+
+std::vector<std::size_t> DeformingContactDetector::points_inside(ConstVectors x) const { return points_inside(x, detector_.radius()); }
+
+std::vector<std::size_t> DeformingContactDetector::points_inside(ConstVectors x, const Numbers& radius) const {
+  expect_radii(radius, x.size());
   expect_finite_positions(x);
-  return detector_.initial_overlap(ArrayPoints(x, x, {}));
+  for (std::size_t i = 0; i < x.size(); ++i) checked_radius(radius[i]);
+  return detector_.initial_overlap(ArrayBalls(ArrayPoints(x, x, {}), radius, 0));
 }
 
 ContactDetector::State DeformingContactDetector::state() const {

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "fccda/api/contact_detector.hpp"
+#include "fccda/api/radii.hpp"
 #include "fccda/api/respond_arrays.hpp"
 #include "fccda/api/vectors.hpp"
 #include "fccda/deforming/deforming.hpp"
@@ -31,7 +32,8 @@ namespace fccda {
 /// A detector of contact of one set of points with a deforming surface. It caches each point's distance from the surface.
 class DeformingContactDetector {
  public:
-  /// `radius` [m]: contact radius of all points, 0 for points without extent. Throws InputError if it is negative or not finite.
+  /// `radius` [m]: contact radius of points, 0 for points without extent; overridden by radii passed to detect(). Throws InputError if it is negative or not
+  /// finite.
   explicit DeformingContactDetector(std::shared_ptr<const DeformingSurface> surface, double radius = 0) : detector_(std::move(surface), radius) {}
 
   /// The contacts of the step that the surface has begun, in point order, bitwise identical for any number of threads. x_t0 and x_t1 [m]: positions
@@ -40,11 +42,16 @@ class DeformingContactDetector {
   /// ContactDetector::longest_path sizes of the surface.
   std::vector<DeformingContact> detect(ConstVectors x_t0, ConstVectors x_t1);
 
+  /// The same with an individual contact radius for each point [m], finite and at least 0. Radii may change from step to step.
+  std::vector<DeformingContact> detect(ConstVectors x_t0, ConstVectors x_t1, const Numbers& radius);
+
   void moved(std::size_t point) { detector_.moved(point); }  ///< reports that something else displaced the point since the last step
   void points_changed() { detector_.renumbered(); }          ///< reports that points were renumbered, or many displaced
 
   /// The points that are inside the surface where it is now, or nearer than the contact radius, for a check before the first step.
   std::vector<std::size_t> points_inside(ConstVectors x) const;
+  /// The same with an individual contact radius for each point [m].
+  std::vector<std::size_t> points_inside(ConstVectors x, const Numbers& radius) const;
 
   ContactDetector::State state() const;              ///< between two steps, besides positions, for a restart
   void resume(const ContactDetector::State& state);  ///< throws InputError if a list is not in ascending order
@@ -52,8 +59,11 @@ class DeformingContactDetector {
   const Deforming& detector() const { return detector_; }  ///< the underlying detector
 
  private:
+  void measure(ConstVectors x_t0, ConstVectors x_t1);
+
   Deforming detector_;
   std::vector<double> travel_;  // [m] of each block in the current step
+  Radii radii_;                 // of the previous step
 };
 
 /// Modifies the points in contact, and adds the impulses on the surface to `vertex_impulses` [N s], one for each vertex of its panels. Returns their sum,

@@ -38,9 +38,9 @@ fccda_status fccda_deforming_detect(fccda_deforming_detector* detector, const fc
   return guarded([&] {
     fccda_deforming_detector& with = given(detector, "detector");
     with.contacts.clear();  // none remain of an earlier step if this one fails
-    if (given(points, "points").radius.type != FCCDA_UNSET)
-      throw InputError("fccda: points at a deforming surface have the contact radius of its detector; leave `radius` of the points unset (fccda_unset).");
-    with.contacts = with.detector.detect(const_vectors_of(points->x_t0, "x_t0"), const_vectors_of(points->x_t1, "x_t1"));
+    const ConstVectors x_t0 = const_vectors_of(given(points, "points").x_t0, "x_t0"), x_t1 = const_vectors_of(points->x_t1, "x_t1");
+    const bool own_radii = points->radius.type != FCCDA_UNSET;
+    with.contacts = own_radii ? with.detector.detect(x_t0, x_t1, numbers_of(points->radius, "radius")) : with.detector.detect(x_t0, x_t1);
     write_if_wanted(count, with.contacts.size());
   });
 }

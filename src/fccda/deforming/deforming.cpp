@@ -50,6 +50,11 @@ void Deforming::set_offset() {
   offset_ = std::max({1e-12 * surface_->size(), 32 * std::numeric_limits<double>::epsilon() * largest, 4 * rounding_ * largest});
 }
 
+void Deforming::grown(std::size_t i) {
+  cache_.forget(i);
+  if (!surface_->at_t1().is_closed()) sides_.press(i);
+}
+
 void Deforming::forget() {
   cache_.forget();
   std::fill(guess_.begin(), guess_.end(), -1);

@@ -128,6 +128,7 @@ class Deforming final : public SlidingSurface {
   }
 
   void moved(std::size_t i) { cache_.forget(i); }  ///< reports that point i was displaced after the last detection
+  void grown(std::size_t i);                       ///< as Swept::grown
   void forget();                                   ///< discards the cached distances; does not change contacts, as long as points keep their numbers
   void renumbered();                               ///< reports a renumbering of points other than appending or removing some at the end
 

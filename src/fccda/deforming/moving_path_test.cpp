@@ -32,16 +32,18 @@ Vec3d MovingPathTest::carried(int triangle, double fraction, const Vec3d& vector
   return transpose(axes(moving.t1)) * (axes(moving.at(fraction)) * vector);
 }
 
-std::optional<Crossing> MovingPathTest::first_meeting(const Path& path, double radius, double tolerance, std::size_t& tested) const {
+std::optional<Crossing> MovingPathTest::first_meeting(const Path& path, double radius, double tolerance, int guess, std::size_t& tested) const {
   std::optional<Crossing> first;
   double until = 1;
-  const double margin = radius + tolerance;
-  surface_->bvh_t1().visit_moving(surface_->bvh_t0(), path.start, path.end, until, margin, [&](int triangle) {
+  const auto consider = [&](int triangle) {
     ++tested;
     const MovingTriangle moving = surface_->triangle(static_cast<std::size_t>(triangle));
     const std::optional<double> fraction = radius == 0 ? front_crossing(path, moving) : fccda::first_contact(path, moving, radius, tolerance, until);
     if (fraction) take_if_first(surface_->at_t1(), {triangle, *fraction}, first, until);
-  });
+  };
+  consider(guess);
+  const Bvh::MovingBall ball{path.start, path.end, radius + tolerance, way(path)};
+  surface_->bvh_t1().visit_moving(surface_->bvh_t0(), ball, until, consider);
   return first;
 }
 
@@ -50,15 +52,15 @@ bool MovingPathTest::leads_to_contact(const Approach& approach, std::size_t& tes
   if (surface_->at_t1().is_closed() && t1_.too_near(at_end, path.end, ball.radius - ball.offset, tested)) return true;
   // No point of the path is nearer than half of the difference between the distances at its ends and its length.
   if (at_start.distance + at_end.distance > 2 * ball.radius + way(path) + ball.offset) return false;
-  if (ball.radius == 0) return first_meeting(path, 0, 0, tested).has_value();
+  if (ball.radius == 0) return first_meeting(path, 0, 0, at_start.triangle, tested).has_value();
   const double tolerance = 1e-3 * ball.offset;
-  return first_meeting(path, ball.radius - ball.offset - tolerance, tolerance, tested).has_value();
+  return first_meeting(path, ball.radius - ball.offset - tolerance, tolerance, at_start.triangle, tested).has_value();
 }
 
 // First contact, and a position there at t1: the fallback of relocation.
 BodyFrameContact MovingPathTest::first_contact(const Approach& approach, std::size_t& tested) const {
   const auto& [path, at_start, at_end, ball] = approach;
-  const std::optional<Crossing> first = first_meeting(path, ball.radius, ball.radius == 0 ? 0 : 1e-3 * ball.offset, tested);
+  const std::optional<Crossing> first = first_meeting(path, ball.radius, ball.radius == 0 ? 0 : 1e-3 * ball.offset, at_start.triangle, tested);
   const int triangle = first ? first->triangle : at_start.triangle;
   const double fraction = first ? first->fraction : 0;
   const MovingTriangle moving = surface_->triangle(static_cast<std::size_t>(triangle));
@@ -76,24 +78,23 @@ BodyFrameContact MovingPathTest::first_contact(const Approach& approach, std::si
 
 // Where the surface deforms, the start, carried along with the triangle that was met, may be inside another part of the surface at t1, or behind it.
 // The position of first contact is then a better start.
-Vec3d MovingPathTest::carried_start(const Approach& approach, const BodyFrameContact& contact, std::size_t& tested) const {
+MovingPathTest::CarriedStart MovingPathTest::carried_start(const Approach& approach, const BodyFrameContact& contact, const Bvh::Nearby& nearby,
+                                                           std::size_t& tested) const {
   const auto& [path, at_start, at_end, ball] = approach;
+  const Bvh& bvh = surface_->bvh_t1();
   const MovingTriangle moving = surface_->triangle(static_cast<std::size_t>(contact.triangle));
   const Vec3d hit_t0 = at(moving.t0, barycentric(moving.t1, contact.hit));
   const Vec3d start = contact.hit + carried(contact.triangle, 0, path.start - hit_t0);
-  const std::optional<ClosestPoint> closest = surface_->bvh_t1().closest(start, Bvh::no_cap, contact.triangle, tested);
+  const std::optional<ClosestPoint> closest = bvh.closest(start, nearby, contact.triangle, tested);
   const bool is_clear = closest && !t1_.too_near(*closest, start, ball.radius - ball.offset, tested);
-  return is_clear && !surface_->bvh_t1().first_hit(start, contact.relocation, tested) ? start : contact.relocation;
+  if (is_clear && !bvh.first_hit(start, contact.relocation, tested)) return {start, *closest};
+  return {contact.relocation, *bvh.closest(contact.relocation, nearby, contact.triangle, tested)};
 }
 
-void MovingPathTest::relocate(BodyFrameContact& contact, const Approach& approach, bool pushed, std::size_t& tested) const {
+void MovingPathTest::relocate(BodyFrameContact& contact, const Approach& approach, bool pushed, const Bvh::Nearby& nearby, std::size_t& tested) const {
   const auto& [path, at_start, at_end, ball] = approach;
-  const Bvh& bvh = surface_->bvh_t1();
-  const Vec3d start = carried_start(approach, contact, tested);
-  Bvh::Nearby nearby;
-  bvh.closest(path.end, Bvh::no_cap, at_end.triangle, 2 * way(path) + 4 * ball.offset, nearby, tested);
-  const std::optional<ClosestPoint> closest = bvh.closest(start, nearby, contact.triangle, tested);
-  const Vec3d viewer = start + ball.offset * t1_.outward(*closest, start, ball.offset);  // so that a start on the surface faces its own panel
+  const auto [start, closest] = carried_start(approach, contact, nearby, tested);
+  const Vec3d viewer = start + ball.offset * t1_.outward(closest, start, ball.offset);  // so that a start on the surface faces its own panel
   t1_.relocate(contact, path.end, at_end, {nearby, start, viewer, ball}, tested);
   if (pushed) return;
   const Vec3d normal = t0_.outward(at_start, path.start, ball.offset);
@@ -111,7 +112,8 @@ PathResult MovingPathTest::evaluate(const MovingQuery& query, int& guess, Effort
   ++effort.points_in_bounds, ++effort.points_tested;
   std::size_t& tested = effort.panels_tested;
   const double cap = reach + path_length + query.look_ahead;
-  const std::optional<ClosestPoint> at_end = surface_->bvh_t1().closest(path.end, cap, guess, tested);
+  Bvh::Nearby nearby;  // contains the start as seen from the surface at t1, and usually the relocated position
+  const std::optional<ClosestPoint> at_end = surface_->bvh_t1().closest(path.end, cap, guess, 2 * path_length + 4 * offset, nearby, tested);
   if (at_end) guess = at_end->triangle;
   if (!query.entered) {
     if (!at_end) return nothing(cap - reach);
@@ -159,7 +161,7 @@ PathResult MovingPathTest::evaluate(const MovingQuery& query, int& guess, Effort
   if (!contact) return result;
 
   result.clearance = 0;
-  relocate(*contact, approach, starts_near, tested);
+  relocate(*contact, approach, starts_near, nearby, tested);
   result.contact = contact;
   result.in_contact_as_ball = approach.ball.radius == query.radius;
   return result;

@@ -48,12 +48,18 @@ class MovingPathTest {
     Ball ball;
   };
 
+  /// The start of a path as seen from the surface at t1.
+  struct CarriedStart {
+    Vec3d place;
+    ClosestPoint closest;
+  };
+
   double way(const Path& path) const;
-  std::optional<Crossing> first_meeting(const Path& path, double radius, double tolerance, std::size_t& tested) const;
+  std::optional<Crossing> first_meeting(const Path& path, double radius, double tolerance, int guess, std::size_t& tested) const;
   bool leads_to_contact(const Approach& approach, std::size_t& tested) const;
   BodyFrameContact first_contact(const Approach& approach, std::size_t& tested) const;
-  Vec3d carried_start(const Approach& approach, const BodyFrameContact& contact, std::size_t& tested) const;
-  void relocate(BodyFrameContact& contact, const Approach& approach, bool pushed, std::size_t& tested) const;
+  CarriedStart carried_start(const Approach& approach, const BodyFrameContact& contact, const Bvh::Nearby& nearby, std::size_t& tested) const;
+  void relocate(BodyFrameContact& contact, const Approach& approach, bool pushed, const Bvh::Nearby& nearby, std::size_t& tested) const;
   Vec3d carried(int triangle, double fraction, const Vec3d& vector) const;
 
   const DeformingSurface* surface_;

@@ -67,8 +67,8 @@ BodyFrameContact PathTest::first_contact(const Leg& leg, const Ball& ball, std::
                            .triangle = leg.at_start.triangle};
   // At the radius itself, without the offset: where the path grazes an edge, the normal depends on it.
   const double sharp = 1e-3 * ball.offset;
-  const std::optional<Crossing> first =
-      ball.radius == 0 ? bvh().first_hit(path.start, path.end, tested) : bvh().first_contact(path.start, path.end, ball.radius, sharp, tested);
+  const std::optional<Crossing> first = ball.radius == 0 ? bvh().first_hit(path.start, path.end, tested)
+                                                         : bvh().first_contact(path.start, path.end, ball.radius, sharp, leg.at_start.triangle, tested);
   if (!first) return contact;
   const Vec3d place = path.at(first->fraction);
   const ClosestPoint closest = closest_on(first->triangle, place);

@@ -142,7 +142,7 @@ Vec3d Relocator::slide(const Vec3d& from, const Vec3d& to, double radius, double
   double left = 1;
   for (std::size_t part = 0; part < max_parts; ++part) {
     const Vec3d end = part == 0 ? to : place + left * direction;
-    const std::optional<Crossing> contact = bvh_->first_contact(place, end, clearance, 0.1 * offset, tested);
+    const std::optional<Crossing> contact = bvh_->first_contact(place, end, clearance, 0.1 * offset, -1, tested);
     const Vec3d reached = contact ? place + contact->fraction * (end - place) : end;
     // At one offset from an edge, rounding leaves the direction undefined: a path into the edge may be taken for one along it.
     if (reached != place && bvh_->distance_to_segment(place, reached, clearance - 0.25 * offset, tested)) return place;

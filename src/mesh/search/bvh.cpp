@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <tuple>
 #include <utility>
-
-#include "mesh/ray_crossing.hpp"
 
 namespace fccda {
 
@@ -74,9 +71,9 @@ class Bvh::Closest {
 
   template <class Accept>
   void consider(std::int32_t index, std::size_t& tested, const Accept& accept) {
-    const Leaf& leaf = bvh_.leaves_[static_cast<std::size_t>(index)];
-    const std::array<double, width> d =
-        bvh_.leaf_vertices_.empty() ? squared_distances(leaf, from_origin_) : squared_distances(bvh_.filled(leaf), from_origin_);
+    Leaf room;
+    const Leaf& leaf = bvh_.current_leaf(index, room);
+    const std::array<double, width> d = squared_distances(leaf, from_origin_);
     tested += static_cast<std::size_t>(leaf.count);
     for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) {
       if (!(d[l] <= squared_)) continue;
@@ -171,7 +168,7 @@ std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int gue
 }
 
 std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& tested) const {
-  nearby = {.centre = point, .reach = reach};
+  nearby = {.centre = point, .reach = reach <= worthwhile_ ? reach : 0};
   const std::optional<ClosestPoint> closest = search_closest(point, cap, guess, tested, &nearby, any);
   if (!closest) nearby.reach = 0;
   return closest;
@@ -197,148 +194,6 @@ std::optional<ClosestPoint> Bvh::closest_facing(const Vec3d& point, const Vec3d&
     const auto t = static_cast<std::size_t>(triangle);
     return dot(viewer - surface_->corner(t, 0), surface_->normal(t)) > 0;
   });
-}
-
-// Calls visit(triangle) for triangles whose box, enlarged by `margin`, intersects the first `until` of the segment. Both may shrink meanwhile.
-template <class Visit>
-void Bvh::visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const {
-  const Vec3d from = start - origin_, displacement = end - start;
-  // A zero component of the direction gets a slope so steep that the segment is inside the slab always or never.
-  const auto slope = [](double w) { return std::fabs(w) > 1e-300 ? 1 / w : 1e300; };
-  const Vec3d steep{slope(displacement.x), slope(displacement.y), slope(displacement.z)};
-
-  std::array<std::int32_t, stack_size> stack;
-  std::size_t depth = 0;
-  stack[depth++] = 0;
-  while (depth > 0) {
-    const std::int32_t next = stack[--depth];
-    if (next < 0) {
-      const Leaf& leaf = leaves_[static_cast<std::size_t>(~next)];
-      for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) visit(leaf.triangle[l]);
-      continue;
-    }
-    const Node& node = nodes_[static_cast<std::size_t>(next)];
-    std::array<double, width> enter, leave;
-#pragma omp simd
-    for (std::size_t c = 0; c < width; ++c) {
-      double first = 0, last = until;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double a = (static_cast<double>(node.low[axis][c]) - margin - from[axis]) * steep[axis];
-        const double b = (static_cast<double>(node.high[axis][c]) + margin - from[axis]) * steep[axis];
-        const double near = a < b ? a : b, far = a < b ? b : a;
-        first = first > near ? first : near;
-        last = last < far ? last : far;
-      }
-      enter[c] = first, leave[c] = last;
-    }
-    for (std::size_t c = 0; c < width; ++c)
-      if (enter[c] <= leave[c] && node.low[0][c] <= node.high[0][c]) stack[depth++] = node.child[c];
-  }
-}
-
-void take_if_first(const Surface& surface, const Crossing& found, std::optional<Crossing>& first, double& until) {
-  const auto rank = [&](const Crossing& one) {
-    return std::tuple(one.fraction, surface.triangles()[static_cast<std::size_t>(one.triangle)].panel, one.triangle);
-  };
-  if (first && rank(found) >= rank(*first)) return;
-  first = found;
-  until = found.fraction;
-}
-
-std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std::size_t& tested) const {
-  std::optional<Crossing> first;
-  if (!is_finite(start) || !is_finite(end)) return first;
-  double until = 1;
-  const double margin = 0;
-  visit_segment(start, end, until, margin, [&](int triangle) {
-    ++tested;
-    const auto t = static_cast<std::size_t>(triangle);
-    const std::optional<double> fraction = front_crossing(start, end, corners(t));
-    if (!fraction) return;
-    take_if_first(*surface_, {triangle, *fraction}, first, until);
-  });
-  return first;
-}
-
-namespace {
-
-/// The vector from the closest point of a triangle to `place`. On a face it is exactly along the normal, however short.
-struct FromTriangle {
-  Vec3d line;  // as long as the distance
-  double distance;
-};
-
-FromTriangle from_triangle(const Vec3d& place, const Corners& t) {
-  const PointOnTriangle on = closest_on_triangle(place, t);
-  if (on.feature != Feature::face) {
-    const Vec3d line = place - on.point;
-    return {line, norm(line)};
-  }
-  const Vec3d normal = normalised(cross(t.b - t.a, t.c - t.a));
-  const double height = dot(place - t.a, normal);
-  return {height * normal, std::fabs(height)};
-}
-
-// The distance from a triangle is a convex function along a straight path. So Newton's method from a point with a larger distance never
-// overshoots the solution, and once the distance stops decreasing it never decreases again. For a face, one step suffices.
-std::optional<double> time_of_contact(const Vec3d& start, const Vec3d& displacement, const Corners& corners, double radius, double tolerance, double until) {
-  constexpr int max_steps = 100;   // at grazing contact each step halves the remainder
-  constexpr double along = 1e-14;  // a slope within rounding: a path along the triangle, not towards it
-  double fraction = 0;
-  for (int step = 0; step < max_steps; ++step) {
-    const FromTriangle from = from_triangle(start + fraction * displacement, corners);
-    const double fall = -dot(from.line, displacement), gap = from.distance - radius;  // over the whole path the distance falls by fall/distance
-    if (gap <= tolerance && (fraction > 0 || fall > along * from.distance * norm(displacement) || from.distance == 0)) return fraction;
-    if (gap <= tolerance || !(fall > 0)) return std::nullopt;
-    const double next = fraction + gap * from.distance / fall;
-    if (!(next <= until)) return std::nullopt;
-    if (next == fraction) return fraction;
-    fraction = next;
-  }
-  return fraction;
-}
-
-}  // namespace
-
-std::optional<Crossing> Bvh::first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& tested) const {
-  std::optional<Crossing> first;
-  if (!is_finite(start) || !is_finite(end)) return first;
-  double until = 1;
-  const double margin = radius + tolerance;
-  visit_segment(start, end, until, margin, [&](int triangle) {
-    ++tested;
-    const auto t = static_cast<std::size_t>(triangle);
-    const std::optional<double> fraction = time_of_contact(start, end - start, corners(t), radius, tolerance, until);
-    if (!fraction) return;
-    take_if_first(*surface_, {triangle, *fraction}, first, until);
-  });
-  return first;
-}
-
-std::optional<double> Bvh::distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& tested) const {
-  if (!is_finite(start) || !is_finite(end)) return std::nullopt;
-  const double until = 1;
-  double best = cap;
-  bool found = false;
-  visit_segment(start, end, until, best, [&](int triangle) {
-    ++tested;
-    const double distance = std::sqrt(squared_distance_of_segment(start, end, corners(static_cast<std::size_t>(triangle))));
-    if (distance <= best) best = distance, found = true;
-  });
-  if (!found) return std::nullopt;
-  return best;
-}
-
-int Bvh::enclosures(const Vec3d& point, int solid) const {
-  const RayCrossing ray(surface_->vertices(), surface_->triangles());
-  const Vec3d end{std::max(point.x, surface_->report().bounds.high.x) + 1, point.y, point.z};
-  const double until = 1, margin = 0;
-  int sum = 0;
-  visit_segment(point, end, until, margin, [&](int triangle) {
-    const auto t = static_cast<std::size_t>(triangle);
-    if (surface_->solid_of(t) == solid) sum += ray(point, t);
-  });
-  return sum;
 }
 
 }  // namespace fccda

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -80,7 +81,7 @@ class Bvh {
   /// The same without guess.
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap = no_cap) const;
 
-  /// The same, and collects the surroundings for queries at other points within `reach` [m] of this one.
+  /// The same, and collects the surroundings for queries at other points within `reach` [m] of this one, if so few triangles are there that it pays off.
   std::optional<ClosestPoint> closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& tested) const;
 
   /// The closest point of the surface, found with the cached surroundings.
@@ -93,8 +94,8 @@ class Bvh {
   std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, std::size_t& tested) const;
 
   /// First contact of a ball of `radius` [m] whose centre moves along the segment: the triangle and the fraction, at most `tolerance` [m]
-  /// early. A triangle in contact at the start counts only if the ball moves towards it.
-  std::optional<Crossing> first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, std::size_t& tested) const;
+  /// early. A triangle in contact at the start counts only if the ball moves towards it. `guess`: a triangle expected to be met, or -1.
+  std::optional<Crossing> first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, int guess, std::size_t& tested) const;
 
   /// Distance between the segment and the surface if it is at most `cap` [m].
   std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& tested) const;
@@ -106,12 +107,19 @@ class Bvh {
   template <class Visit>
   void visit_box(const Box& box, const Visit& visit) const;
 
-  /// Calls visit(triangle) for all triangles that come within `margin` [m] of a point in the first `until` of a step, and possibly for some
-  /// nearby. The point moves straight from `start` to `end`, and each vertex straight from its place in `at_t0`, a tree of the same shape, to
-  /// its place in this one. So a vertex is always between the bounds of its boxes at the two ends, interpolated in time, which follow a
-  /// surface that moves as a whole more closely than a box about both ends. `until` and `margin` may shrink meanwhile.
+  /// A ball whose centre moves straight, beside a surface whose vertices do.
+  struct MovingBall {
+    Vec3d start, end;  ///< [m] of the centre
+    double radius;     ///< [m]
+    double way;        ///< [m] bound of how far the centre moves relative to any point of the surface
+  };
+
+  /// Calls visit(triangle) for all triangles that the ball meets in the first `until` of a step, and possibly for some nearby, about in the order in
+  /// which it meets them. Each vertex moves straight from its place in `at_t0`, a tree of the same shape, to its place in this one. So a vertex is
+  /// always between the bounds of its boxes at the two ends, interpolated in time, which follow a surface that moves as a whole more closely than a
+  /// box about both ends. `until` may shrink meanwhile.
   template <class Visit>
-  void visit_moving(const Bvh& at_t0, const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
+  void visit_moving(const Bvh& at_t0, const MovingBall& ball, const double& until, const Visit& visit) const;
 
  private:
   static constexpr std::size_t width = 4;
@@ -141,20 +149,65 @@ class Bvh {
   template <class Visit>
   void visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
   void fill(Leaf& leaf) const;
-  Leaf filled(const Leaf& outdated) const;
+  template <class Corner>
+  static void set_corners(Leaf& leaf, const Vec3d& origin, const Corner& corner);
+  const Leaf& current_leaf(std::int32_t index, Leaf& room) const;
   void list_leaf_vertices();
   static void set_box(Node& node, std::size_t child, const Box& box, double slack);
   static std::array<double, width> squared_distances(const Leaf& leaf, const Vec3d& point);
+  static unsigned may_cross(const Leaf& leaf, const Vec3d& from, const Vec3d& to, double scale);
+  static unsigned may_be_within(const Leaf& leaf, const Vec3d& point, double distance, double scale);
+  double scale_of(const Vec3d& start, const Vec3d& end) const;
+
+  /// A node or leaf to visit, and the fraction of a path at which its box is entered.
+  struct Pending {
+    double enter;
+    std::int32_t child;
+  };
+
+  // Adds the children with the given bits to the stack, the last first, so that the first is popped next.
+  static void push(std::array<Pending, stack_size>& stack, std::size_t& depth, const std::array<double, width>& enter, unsigned children, const Node& node) {
+    const std::size_t base = depth;
+    for (; children != 0; children &= children - 1) {
+      const auto c = static_cast<std::size_t>(std::countr_zero(children));
+      std::size_t at = depth++;
+      for (; at > base && stack[at - 1].enter < enter[c]; --at) stack[at] = stack[at - 1];
+      stack[at] = {enter[c], node.child[c]};
+    }
+  }
+
+  unsigned may_meet(const Bvh& at_t0, std::int32_t leaf, const MovingBall& ball, double until) const;
+
   Corners corners(std::size_t triangle) const { return {surface_->corner(triangle, 0), surface_->corner(triangle, 1), surface_->corner(triangle, 2)}; }
 
   const Surface* surface_;
-  Vec3d origin_;  // centre of the surface, where floats are finest
+  Vec3d origin_;       // centre of the surface, where floats are finest
+  double worthwhile_;  // [m] reach of a cache of surroundings that costs less than it saves: an eighth of the mean size of a triangle
   AlignedVector<Node> nodes_;
   AlignedVector<Leaf> leaves_;
   // Once refitted, the coordinates of the leaves are outdated; the vertices of their triangles stand here, in the order of the leaves.
   std::vector<std::array<std::int32_t, 3 * width>> leaf_vertices_;
   std::vector<std::int32_t> leaf_of_;  // by triangle; empty for a subset of the triangles
 };
+
+// corner(3 l + c): corner c of the l-th triangle [m].
+template <class Corner>
+void Bvh::set_corners(Leaf& leaf, const Vec3d& origin, const Corner& corner) {
+  for (std::size_t l = 0; l < width; ++l) {
+    const Vec3d at = corner(3 * l), a = at - origin, ab = corner(3 * l + 1) - at, ac = corner(3 * l + 2) - at;
+    for (std::size_t axis = 0; axis < 3; ++axis) leaf.a[axis][l] = a[axis], leaf.ab[axis][l] = ab[axis], leaf.ac[axis][l] = ac[axis];
+  }
+  // Of an edge or area without extent 0: the closest point is then on another feature.
+  const auto inverse = [](double square) { return square > 0 ? 1 / square : 0; };
+#pragma omp simd
+  for (std::size_t l = 0; l < width; ++l) {
+    const Vec3d ab{leaf.ab[0][l], leaf.ab[1][l], leaf.ab[2][l]}, ac{leaf.ac[0][l], leaf.ac[1][l], leaf.ac[2][l]};
+    leaf.inverse_ab[l] = inverse(squared_norm(ab));
+    leaf.inverse_bc[l] = inverse(squared_norm(ac - ab));
+    leaf.inverse_ca[l] = inverse(squared_norm(ac));
+    leaf.inverse_normal[l] = inverse(squared_norm(cross(ab, ac)));
+  }
+}
 
 template <class Visit>
 void Bvh::visit_box(const Box& box, const Visit& visit) const {
@@ -185,21 +238,25 @@ void Bvh::visit_box(const Box& box, const Visit& visit) const {
 }
 
 template <class Visit>
-void Bvh::visit_moving(const Bvh& at_t0, const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const {
-  const Vec3d p = start - at_t0.origin_, q = end - origin_;
-  std::array<std::int32_t, stack_size> stack;
+void Bvh::visit_moving(const Bvh& at_t0, const MovingBall& ball, const double& until, const Visit& visit) const {
+  const Vec3d p = ball.start - at_t0.origin_, q = ball.end - origin_;
+  const double margin = ball.radius;
+  std::array<Pending, stack_size> stack;
   std::size_t depth = 0;
-  stack[depth++] = 0;
+  stack[depth++] = {0, 0};
   while (depth > 0) {
-    const std::int32_t next = stack[--depth];
-    if (next < 0) {
-      const Leaf& leaf = leaves_[static_cast<std::size_t>(~next)];
-      for (std::size_t l = 0; l < static_cast<std::size_t>(leaf.count); ++l) visit(leaf.triangle[l]);
+    const Pending next = stack[--depth];
+    if (next.enter > until) continue;
+    if (next.child < 0) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(~next.child)];
+      for (unsigned left = may_meet(at_t0, ~next.child, ball, until); left != 0; left &= left - 1)
+        visit(leaf.triangle[static_cast<std::size_t>(std::countr_zero(left))]);
       continue;
     }
-    const Node &a = at_t0.nodes_[static_cast<std::size_t>(next)], &b = nodes_[static_cast<std::size_t>(next)];
-    std::array<double, width> enter, leave;
-#pragma omp simd
+    const Node &a = at_t0.nodes_[static_cast<std::size_t>(next.child)], &b = nodes_[static_cast<std::size_t>(next.child)];
+    std::array<double, width> enter;
+    unsigned meets = 0;
+#pragma omp simd reduction(| : meets)
     for (std::size_t c = 0; c < width; ++c) {
       double first = 0, last = until;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -214,10 +271,10 @@ void Bvh::visit_moving(const Bvh& at_t0, const Vec3d& start, const Vec3d& end, c
         last = last < low_leave ? last : low_leave;
         last = last < high_leave ? last : high_leave;
       }
-      enter[c] = first, leave[c] = last;
+      enter[c] = first;
+      meets |= (first <= last && b.low[0][c] <= b.high[0][c] ? 1u : 0u) << c;
     }
-    for (std::size_t c = 0; c < width; ++c)
-      if (enter[c] <= leave[c] && b.low[0][c] <= b.high[0][c]) stack[depth++] = b.child[c];
+    push(stack, depth, enter, meets, b);
   }
 }
 

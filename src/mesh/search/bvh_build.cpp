@@ -26,9 +26,6 @@ void include(Box& box, const Box& other) {
 /// Covers the rounding of a query's coordinates and of the boxes' own. `all` [m]: relative to the origin of the tree.
 double slack_of(const Box& all) { return 0x1p-20 * std::fmax(largest_magnitude(all.low), largest_magnitude(all.high)); }
 
-/// Of an edge or area without extent 0: the closest point is then on another feature.
-double inverse(double square) { return square > 0 ? 1 / square : 0; }
-
 double leaves_for(std::size_t triangles) { return static_cast<double>((triangles + 3) / 4); }
 
 }  // namespace
@@ -44,6 +41,7 @@ class Bvh::Builder {
       include(all, boxes_[i]);
     }
     slack_ = slack_of(all);
+    bvh.worthwhile_ = 0.125 * std::sqrt(surface.report().area / static_cast<double>(surface.triangles().size()));
     add_node(order_, 0);
   }
 
@@ -161,22 +159,18 @@ class Bvh::Builder {
 
 // The triangles of a leaf by coordinate.
 void Bvh::fill(Leaf& leaf) const {
-  for (std::size_t l = 0; l < width; ++l) {
-    const Corners t = corners(static_cast<std::size_t>(leaf.triangle[l]));
-    const Vec3d a = t.a - origin_, ab = t.b - t.a, ac = t.c - t.a;
-    for (std::size_t axis = 0; axis < 3; ++axis) leaf.a[axis][l] = a[axis], leaf.ab[axis][l] = ab[axis], leaf.ac[axis][l] = ac[axis];
-    leaf.inverse_ab[l] = inverse(squared_norm(ab));
-    leaf.inverse_bc[l] = inverse(squared_norm(ac - ab));
-    leaf.inverse_ca[l] = inverse(squared_norm(ac));
-    leaf.inverse_normal[l] = inverse(squared_norm(cross(ab, ac)));
-  }
+  set_corners(leaf, origin_, [&](std::size_t k) { return surface_->corner(static_cast<std::size_t>(leaf.triangle[k / 3]), k % 3); });
 }
 
-Bvh::Leaf Bvh::filled(const Leaf& outdated) const {
-  Leaf leaf;
-  leaf.triangle = outdated.triangle, leaf.count = outdated.count;
-  fill(leaf);
-  return leaf;
+// Once refitted, a leaf is filled whenever it is read, into `room`.
+const Bvh::Leaf& Bvh::current_leaf(std::int32_t index, Leaf& room) const {
+  const Leaf& leaf = leaves_[static_cast<std::size_t>(index)];
+  if (leaf_vertices_.empty()) return leaf;
+  room.triangle = leaf.triangle, room.count = leaf.count;
+  const auto& numbers = leaf_vertices_[static_cast<std::size_t>(index)];
+  const std::span<const Vec3d> vertices = surface_->vertices();
+  set_corners(room, origin_, [&](std::size_t k) -> const Vec3d& { return vertices[static_cast<std::size_t>(numbers[k])]; });
+  return room;
 }
 
 void Bvh::set_box(Node& node, std::size_t child, const Box& box, double slack) {

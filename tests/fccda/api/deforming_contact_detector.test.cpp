@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -96,6 +98,63 @@ TEST_CASE("deforming contact detector: a restart from its state continues bitwis
   CHECK(net.point == other.point);
   CHECK(net.velocity == other.velocity);
   CHECK(net.v == other.v);
+}
+
+TEST_CASE("deforming contact detector: points of different radii have the same contacts as the points of each radius alone") {
+  Net net;
+  const std::vector<double> radii_of_kind{0.01, 0.02, 0.035};
+  std::vector<DeformingContactDetector> alone;
+  for (const double radius : radii_of_kind) alone.emplace_back(net.surface, radius);
+  DeformingContactDetector detector(net.surface);
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < net.point.size(); ++i) radii.push_back(radii_of_kind[i % 3]);
+  std::size_t found = 0;
+  for (int k = 0; k < 40; ++k) {
+    for (std::size_t v = 0; v < net.x.size(); ++v) net.x[v].z = 0.03 * std::sin(0.4 * k) * (net.x[v].x + net.x[v].y);
+    net.surface->move(net.x);
+    net.point_t0 = net.point;
+    for (std::size_t i = 0; i < net.point.size(); ++i) net.point[i] += net.dt * net.velocity[i];
+    const std::vector<DeformingContact> contacts = detector.detect(net.point_t0, net.point, radii);
+    std::vector<Contact> expected;
+    for (std::size_t kind = 0; kind < 3; ++kind)
+      for (const DeformingContact& one : alone[kind].detect(net.point_t0, net.point))
+        if (one.contact.point % 3 == kind) expected.push_back(one.contact);
+    std::ranges::sort(expected, {}, &Contact::point);
+    REQUIRE(contacts.size() == expected.size());
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const Contact &one = contacts[c].contact, &other = expected[c];
+      REQUIRE(one.point == other.point);
+      CHECK(one.radius == radii[one.point]);
+      CHECK(one.relocation == other.relocation);
+      CHECK(one.time_fraction == other.time_fraction);
+      net.point[one.point] = one.relocation;
+    }
+    found += contacts.size();
+    for (DeformingContactDetector& one : alone) one.points_changed();  // others were relocated with radii other than its own
+  }
+  CHECK(found > 100);
+  CHECK(detector.points_inside(net.point, radii).empty());
+  CHECK(detector.points_inside(net.point, 0.2).size() == net.point.size());
+}
+
+TEST_CASE("deforming contact detector: a point at rest on a sheet is relocated to its new radius when it grows, and stays when it shrinks") {
+  Net net;
+  std::vector<Vec3d> x{{0.011, 0.017, 0.05}};
+  const auto detect = [&](const Numbers& radius) {
+    net.surface->move(net.x);
+    const std::vector<Vec3d> x_t0 = x;
+    const std::vector<DeformingContact> contacts = net.detector.detect(x_t0, x, radius);
+    for (const DeformingContact& one : contacts) x[0] = one.contact.relocation;
+    return contacts.size();
+  };
+  CHECK(detect(0.05) == 0);
+  CHECK(detect(0.06) == 1);
+  CHECK(x[0].z == fixtures::absolute(0.06, 1e-11, "m"));
+  CHECK(detect(0.01) == 0);
+  CHECK(x[0].z == fixtures::absolute(0.06, 1e-11, "m"));
+  CHECK(message<InputError>([&] { detect(-1.0); }) == "contact: the radius of point 0 is -1 m, but it must be a number of at least 0.");
+  const std::vector<double> two{0.1, 0.1};
+  CHECK(message<InputError>([&] { detect(two); }) == "contact: the number of radii differs from the 1 points; give one for each, or one number for all.");
 }
 
 TEST_CASE("deforming contact detector: what it cannot use it refuses in a sentence") {

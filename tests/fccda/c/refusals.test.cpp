@@ -264,13 +264,13 @@ const std::vector<Refusal>& refusals() {
          return fccda_deforming_detect(s.soft_detector, &s.points, nullptr);
        },
        FCCDA_INPUT_ERROR, "contact: the deforming surface was not moved since the last detection"},
-      {"a radius for each point at a deforming surface",
+      {"a radius below zero at a deforming surface",
        [](Scene& s) {
          fccda_points points = s.points;
-         points.radius = fccda_one(0.01);
+         points.radius = fccda_one(-0.01);
          return fccda_deforming_detect(s.soft_detector, &points, nullptr);
        },
-       FCCDA_INPUT_ERROR, "fccda: points at a deforming surface have the contact radius of its detector"},
+       FCCDA_INPUT_ERROR, "contact: the radius of point 0 is -0.01 m"},
       {"a deforming step without duration", [](Scene& s) { return fccda_deforming_respond(s.soft_detector, 0, &s.points, 0, &s.heavy, &s.onto, nullptr); },
        FCCDA_INPUT_ERROR, "contact: the step has a duration of 0 s"},
       {"masses of other vertices",

@@ -32,6 +32,9 @@ std::string refusal(DeformingSurface& surface, const std::vector<Vec3d>& vertice
   return "";
 }
 
+/// Bound of how far the point moves relative to any point of the surface [m].
+double way(const DeformingSurface& surface, const Path& path) { return surface.spread() + norm(path.end - path.start - surface.mean_displacement()); }
+
 }  // namespace
 
 TEST_CASE("deforming surface: a refitted tree finds the closest point that a loop over all triangles finds") {
@@ -59,7 +62,8 @@ TEST_CASE("deforming surface: the search visits every triangle that comes within
         const Path path = path_near(surface, 0.1, 0.3, random);
         std::set<int> seen;
         const double until = 1, margin = 0.02;
-        surface.bvh_t1().visit_moving(surface.bvh_t0(), path.start, path.end, until, margin, [&](int triangle) { seen.insert(triangle); });
+        surface.bvh_t1().visit_moving(surface.bvh_t0(), {path.start, path.end, margin, way(surface, path)}, until,
+                                      [&](int triangle) { seen.insert(triangle); });
         visited += seen.size(), all += surface.at_t1().triangles().size();
         for (std::size_t t = 0; t < surface.at_t1().triangles().size(); ++t) {
           bool is_near = false;
@@ -105,8 +109,8 @@ TEST_CASE("deforming surface: a tree that has become slow is rebuilt, and both e
     CHECK(surface.bvh_t0().closest(path.start)->distance == fixtures::absolute(before.distance(path.start), 1e-12, "m"));
     const exact::Answer answer = Near(surface, path, 0).crossing(path);
     std::size_t found = 0;
-    const double until = 1, margin = 0;
-    surface.bvh_t1().visit_moving(surface.bvh_t0(), path.start, path.end, until, margin,
+    const double until = 1;
+    surface.bvh_t1().visit_moving(surface.bvh_t0(), {path.start, path.end, 0, way(surface, path)}, until,
                                   [&](int t) { found += front_crossing(path, surface.triangle(static_cast<std::size_t>(t))).has_value(); });
     CHECK((found > 0) == answer.crosses);
   }

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <random>
+#include <span>
 
 #include "fccda/detect/scene.hpp"
 #include "fixtures/tolerance.hpp"
@@ -178,6 +179,42 @@ TEST_CASE("bvh: paths straight at vertices and edges never pass through") {
     }
     CHECK(missed == 0);
   }
+}
+
+TEST_CASE("bvh: of all triangles, the first hit and the first contact are the first of any triangle alone, whatever the guess") {
+  std::size_t hits = 0;
+  for (const fixtures::Body& body : meshes()) {
+    CAPTURE(body.name);
+    const Surface surface(body.panels);
+    const Bvh bvh(surface);
+    std::vector<Bvh> alone;
+    for (std::int32_t t = 0; t < static_cast<std::int32_t>(surface.triangles().size()); ++t) alone.emplace_back(surface, std::span(&t, 1));
+    const Box& bounds = surface.report().bounds;
+    std::mt19937_64 random(11);
+    for (int trial = 0; trial < 100; ++trial) {
+      const Vec3d start = fixtures::random_in_box(random, bounds.low, bounds.high) + 0.02 * fixtures::random_direction(random);
+      const Vec3d end = start + (trial % 2 == 0 ? 0.05 : 1.0) * fixtures::random_direction(random);
+      for (const double radius : {0.0, 0.01, 0.2}) {
+        std::size_t tested = 0;
+        const auto ask = [&](const Bvh& tree, int guess) {
+          return radius == 0 ? tree.first_hit(start, end, tested) : tree.first_contact(start, end, radius, 1e-12, guess, tested);
+        };
+        std::optional<Crossing> expected;
+        double until = 1;
+        for (const Bvh& one : alone)
+          if (const auto crossing = ask(one, -1)) take_if_first(surface, *crossing, expected, until);
+        for (const int guess : {-1, static_cast<int>(random() % surface.triangles().size())}) {
+          const std::optional<Crossing> found = ask(bvh, guess);
+          REQUIRE(found.has_value() == expected.has_value());
+          if (!found) continue;
+          CHECK(found->triangle == expected->triangle);
+          CHECK(found->fraction == expected->fraction);
+          ++hits;
+        }
+      }
+    }
+  }
+  CHECK(hits > 1000);
 }
 
 TEST_CASE("bvh: the first hit is the nearest of all front faces on the path") {

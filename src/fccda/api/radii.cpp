@@ -1,0 +1,59 @@
+#include "fccda/api/radii.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/finite.hpp"
+#include "fccda/api/array_points.hpp"
+
+namespace fccda {
+
+namespace {
+
+bool is_radius(double radius) { return radius >= 0 && std::isfinite(radius); }
+
+}  // namespace
+
+double checked_radius(double radius) {
+  if (is_radius(radius)) return radius;
+  throw InputError("contact: the contact radius is " + in_words(radius) + " m, but it must be a number of at least 0; 0 is for points without extent.");
+}
+
+void expect_radii(const Numbers& radius, std::size_t points) {
+  if (!radius.are_for(points))
+    throw InputError("contact: the number of radii differs from the " + std::to_string(points) + " points; give one for each, or one number for all.");
+}
+
+double Radii::note(const Numbers& radius, std::size_t points) {
+  expect_radii(radius, points);
+  std::vector<double> largest(blocks_of(points));
+  std::vector<std::uint8_t> differs(largest.size());
+  const auto scan = [&](std::ptrdiff_t block) {
+    const auto b = static_cast<std::size_t>(block);
+    for (std::size_t i = b * block_size; i < std::min((b + 1) * block_size, points); ++i) {
+      const double now = radius[i];
+      if (!is_radius(now) || i >= radius_.size() || now != radius_[i]) differs[b] = 1;
+      largest[b] = std::max(largest[b], now);
+    }
+  };
+  for_blocks(largest.size(), scan);
+  const std::size_t known = radius_.size();
+  radius_.resize(points);
+  grown_.clear();
+  for (std::size_t b = 0; b < differs.size(); ++b) {
+    if (differs[b] == 0) continue;
+    for (std::size_t i = b * block_size; i < std::min((b + 1) * block_size, points); ++i) {
+      const double now = radius[i];
+      if (!is_radius(now))
+        throw InputError("contact: the radius of point " + std::to_string(i) + " is " + in_words(now) + " m, but it must be a number of at least 0.");
+      if (i < known && now > radius_[i]) grown_.push_back(i);
+      radius_[i] = now;
+    }
+  }
+  return points == 0 ? 0 : *std::ranges::max_element(largest);
+}
+
+}  // namespace fccda

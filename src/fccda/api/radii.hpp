@@ -1,0 +1,33 @@
+/// Individual contact radii of points, which may change from step to step, for the plain calls.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fccda/api/vectors.hpp"
+
+namespace fccda {
+
+/// Throws InputError if a contact radius [m] is negative or not finite.
+double checked_radius(double radius);
+
+/// Throws InputError if there are neither so many radii nor one for all.
+void expect_radii(const Numbers& radius, std::size_t points);
+
+/// The contact radii of the previous step. A known distance is a distance beyond the point's contact radius, so a point whose radius has grown
+/// must be reported to its detector.
+class Radii {
+ public:
+  bool known() const { return !radius_.empty(); }  ///< individual radii were given in the previous step
+  void clear() { radius_.clear(); }                ///< the points have the radius of their detector
+
+  /// Takes the radii [m] of a step; returns the largest. Throws InputError if one is negative or not finite, or their number differs from that of the points.
+  double note(const Numbers& radius, std::size_t points);
+  const std::vector<std::size_t>& grown() const { return grown_; }  ///< the points whose radius is larger than in the previous step, in ascending order
+
+ private:
+  std::vector<double> radius_;
+  std::vector<std::size_t> grown_;
+};
+
+}  // namespace fccda
