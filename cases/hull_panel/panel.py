@@ -9,9 +9,9 @@ import scipy.sparse
 import scipy.sparse.linalg
 from shell import Shell, von_mises
 
-LENGTH, SPACING, BAYS = 2.0, 0.35, 5  # [m] span of the frames, their spacing
-PLATING, WEB, FLANGE = 0.010, 0.008, 0.010  # [m] thickness
-HEIGHT, BREADTH = 0.200, 0.075  # [m] of the frames, between the middle surfaces; of their flange
+LENGTH, SPACING, BAYS = 2.0, 0.4, 5  # [m] span of the frames, their spacing
+PLATING, WEB, FLANGE = 0.020, 0.014, 0.016  # [m] thickness
+HEIGHT, BREADTH = 0.300, 0.100  # [m] of the frames, between the middle surfaces; of their flange
 YOUNG, POISSON, DENSITY, YIELD = 206e9, 0.3, 7850.0, 355e6  # [Pa] [-] [kg/m³] [Pa]
 SAFETY = 0.9  # of the stable step
 
@@ -35,7 +35,7 @@ def merged(points, quads):
     return points[first[order]], rank[to.ravel()][quads]
 
 
-def panel_mesh(per_bay=7):
+def panel_mesh(per_bay=8):
     """Vertices, quads, thickness and part (0 plating, 1 webs, 2 flanges) of each quad. The nodes of the plating come first. per_bay: elements between two frames."""
     along = round(LENGTH / (SPACING / per_bay))
     up = max(2, round(HEIGHT / (SPACING / per_bay)))
@@ -59,7 +59,7 @@ def panel_mesh(per_bay=7):
 class Model:
     """The panel's matrices, with the clamped degrees of freedom, and its wetted surface: vertices 0 … wet - 1 and `faces`."""
 
-    def __init__(self, per_bay=7, mesh=None, clamped=None):
+    def __init__(self, per_bay=8, mesh=None, clamped=None):
         self.mesh = mesh or panel_mesh(per_bay)
         points, quads, thickness, self.part = self.mesh
         self.shell = Shell(points, quads, thickness, YOUNG, POISSON, DENSITY)
