@@ -76,7 +76,7 @@ class Flag {
 
 }  // namespace
 
-std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<UserForceFunction>& forces) {
+std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<UserForceFunction>& forces, const std::vector<StructureOfPython>& structures) {
   auto run = std::make_shared<Run>(std::move(deck));
   const Setup& setup = run->setup();
   std::vector<std::string> names;
@@ -91,8 +91,16 @@ std::shared_ptr<Run> Run::of(deck::Deck deck, const std::vector<UserForceFunctio
   run->being_made_.resize(names.size(), nullptr);
   {
     const py::gil_scoped_release release;
-    with_places(run->deck_, [&] { run->simulation_ = std::make_unique<Simulation>(setup, Start(setup), std::move(given)); });
+    with_places(run->deck_, [&] {
+      Start start(setup);
+      if (!structures.empty()) {
+        const py::gil_scoped_acquire acquire;
+        attach(structures, start.impactors);
+      }
+      run->simulation_ = std::make_unique<Simulation>(setup, std::move(start), std::move(given));
+    });
   }
+  run->has_structures_ = !structures.empty();
   run->loop_.emplace(*run->simulation_);
   const auto row = run->simulation().monitors().row();
   run->rows_.emplace_back(row.begin(), row.end());
@@ -210,6 +218,8 @@ void Run::write_results(const std::optional<std::string>& folder, bool resume, b
   if (folder_) throw InputError("results are already being written; call write_results once, before the first step.");
   if (simulation_->clock().step > 0)
     throw InputError(fmt::format("step {} is done, but results begin at t = 0; call write_results before the first step.", simulation_->clock().step));
+  if (resume && has_structures_)
+    throw InputError("write_results was given resume=True, but checkpoints do not contain the state of structures; start the run again with overwrite=True.");
   if (resume && overwrite) throw InputError("write_results was given both resume and overwrite; a run is either resumed or replaced.");
   const std::filesystem::path path = results_path(folder.value_or(setup().output.folder), "write_results");
   const EarlierRun earlier = resume ? EarlierRun::resume : overwrite ? EarlierRun::replace : EarlierRun::keep;

@@ -13,6 +13,7 @@
 #include "perimpact/simulation/simulation.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_loop.hpp"
+#include "structures.hpp"
 
 namespace perimpact::python {
 
@@ -25,7 +26,7 @@ struct UserForceFunction {
 class Run : public std::enable_shared_from_this<Run> {
  public:
   /// Throws InputError with the location in the deck, and whatever the functions throw.
-  static std::shared_ptr<Run> of(deck::Deck deck, const std::vector<UserForceFunction>& forces);
+  static std::shared_ptr<Run> of(deck::Deck deck, const std::vector<UserForceFunction>& forces, const std::vector<StructureOfPython>& structures);
   explicit Run(deck::Deck deck) : deck_(std::move(deck)) {}
 
   const Setup& setup() const { return deck_.setup; }
@@ -60,8 +61,9 @@ class Run : public std::enable_shared_from_this<Run> {
   std::vector<std::vector<double>> rows_;
   std::optional<RunFolder> folder_;  // while results are written
   std::optional<RunLoop> loop_;
-  bool is_busy_ = false;  // during a step
-  bool is_whole_ = true;  // false after a step was aborted by an exception
+  bool has_structures_ = false;  // whose state checkpoints lack
+  bool is_busy_ = false;         // during a step
+  bool is_whole_ = true;         // false after a step was aborted by an exception
 };
 
 /// Handle of a body of a run in Python.

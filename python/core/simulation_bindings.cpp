@@ -255,6 +255,9 @@ void bind_impactor(py::module_& module) {
 body (index in the set-up), slot, panel (number in the given surface; -1 with the analytic detector), time_fraction (time of impact, 0 to 1), depth [m],
 position (of the relocated particle) [m], normal (outward normal of the surface), impulse (on the impactor) [N s].)")
       .def_property_readonly(
+          "current_vertices", [](const ImpactorOfRun& impactor) { return array_of(impactor.get().vertices()); },
+          "(n, 3) current positions of the vertices of its panels, deformed where the impactor deforms [m], a copy.")
+      .def_property_readonly(
           "vertices", [](const ImpactorOfRun& impactor) { return array_of(impactor.get().surface().vertices()); },
           "(n, 3) vertices of the surface in its frame [m], a copy.")
       .def_property_readonly("triangles", &triangles_of, "(m, 3) vertex numbers of each triangle, counterclockwise seen from outside; a copy.");
@@ -323,26 +326,30 @@ void bind_simulation(py::module_& module) {
 
 Created from a deck (`Simulation.from_deck`) or from a dict with the same keys. Both are bitwise identical to the command line in every step.)")
       .def(
-          py::init([](const py::dict& setup, const std::filesystem::path& folder, const py::object& forces) {
-            return Run::of(deck_of_dict(setup, folder), user_forces(forces));
+          py::init([](const py::dict& setup, const std::filesystem::path& folder, const py::object& forces, const py::object& structures) {
+            return Run::of(deck_of_dict(setup, folder), user_forces(forces), structures_of(structures));
           }),
-          "setup"_a, py::kw_only(), "folder"_a = ".", "forces"_a = py::none(),
+          "setup"_a, py::kw_only(), "folder"_a = ".", "forces"_a = py::none(), "structures"_a = py::none(),
           R"(setup: a dict with the keys of a deck. Numbers are in SI units, strings have a unit ("9 mm"); vectors may be arrays; a Mesh may replace a surface file.
 folder: base folder of relative file names.
 forces: user forces, {"body": {"name": function}}. In every step `function(time, body)` must return the force density [N/m3] at the time [s] and
 the positions of `body`, a Body: an array of shape (3,) for all particles, (particles, 3) or (slots, 3). Its sum and its work are columns of the history.
+structures: {"impactor": object}: objects that move the surfaces of impactors, such as finite-element models. Each has `masses`, (n,) lumped masses of the
+vertices [kg], inf where the motion is prescribed; `advance(time, dt)`, which returns the positions of the vertices at time + dt without the contact of
+this step, (n, 3) [m]; `apply(impulses)`, which takes the contact impulses of the step, (n, 3) [N s], and changes velocities by impulses/masses and
+positions by dt impulses/masses; and may have `energy` [J]: kinetic and elastic energy plus dissipation, less the work of supports and loads.
 
 Raises InputError where the set-up is invalid.)")
       .def_static(
           "from_deck",
-          [](const std::filesystem::path& file, const py::object& set, const py::object& forces) {
-            return Run::of(deck_of_file(file, set), user_forces(forces));
+          [](const std::filesystem::path& file, const py::object& set, const py::object& forces, const py::object& structures) {
+            return Run::of(deck_of_file(file, set), user_forces(forces), structures_of(structures));
           },
-          "file"_a, py::kw_only(), "set"_a = py::none(), "forces"_a = py::none(),
+          "file"_a, py::kw_only(), "set"_a = py::none(), "forces"_a = py::none(), "structures"_a = py::none(),
           R"(Creates the simulation of a deck (YAML).
 
 set: overrides as on the command line, {"time.end": "10 us"}; values may also be numbers, lists, dicts and meshes.
-forces: as for Simulation.)")
+forces, structures: as for Simulation.)")
       .def("step", &Run::step, "Performs one time step, or one load increment with time.relax. Raises RunError where the run is over or has become unstable.")
       .def(
           "run",

@@ -1,5 +1,5 @@
 from os import PathLike
-from typing import Any, Callable, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Mapping, Optional, Protocol, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -92,17 +92,34 @@ class Impactor:
     @property
     def contacts(self) -> NDArray[np.void]: ...
     @property
+    def current_vertices(self) -> NDArray[np.float64]: ...
+    @property
     def vertices(self) -> NDArray[np.float64]: ...
     @property
     def triangles(self) -> NDArray[np.int32]: ...
 
+class Structure(Protocol):
+    @property
+    def masses(self) -> ArrayLike: ...
+    def advance(self, time: float, dt: float) -> ArrayLike: ...
+    def apply(self, impulses: NDArray[np.float64]) -> None: ...
+
 class Simulation:
     def __init__(
-        self, setup: dict[str, Any], *, folder: Union[str, PathLike[str]] = ".", forces: Optional[Mapping[str, Mapping[str, UserForce]]] = None
+        self,
+        setup: dict[str, Any],
+        *,
+        folder: Union[str, PathLike[str]] = ".",
+        forces: Optional[Mapping[str, Mapping[str, UserForce]]] = None,
+        structures: Optional[Mapping[str, Structure]] = None,
     ) -> None: ...
     @staticmethod
     def from_deck(
-        file: Union[str, PathLike[str]], *, set: Optional[dict[str, Any]] = None, forces: Optional[Mapping[str, Mapping[str, UserForce]]] = None
+        file: Union[str, PathLike[str]],
+        *,
+        set: Optional[dict[str, Any]] = None,
+        forces: Optional[Mapping[str, Mapping[str, UserForce]]] = None,
+        structures: Optional[Mapping[str, Structure]] = None,
     ) -> Simulation: ...
     def step(self) -> None: ...
     def run(self, until: Optional[float] = None, callback: Optional[Callable[[Simulation], Optional[bool]]] = None, every: int = 1) -> None: ...

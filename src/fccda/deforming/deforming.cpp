@@ -34,6 +34,17 @@ void Deforming::begin_step() {
     guess_.assign(blocks_.back(), -1);
   }
   sides_.begin(blocks_.back());
+  set_offset();
+}
+
+// Points in contact have no clearance, so all of them are evaluated again; those that entered or left may have some.
+void Deforming::begin_again() {
+  for (const std::uint64_t point : sides_.changed()) cache_.forget(point);
+  sides_.begin_again();
+  set_offset();
+}
+
+void Deforming::set_offset() {
   // As Swept: rounding a relocated position moves it by at most sqrt(3) roundings of a coordinate; twice that keeps it outside.
   const double largest = std::max(largest_coordinate(surface_->at_t0()), largest_coordinate(surface_->at_t1()));
   offset_ = std::max({1e-12 * surface_->size(), 32 * std::numeric_limits<double>::epsilon() * largest, 4 * rounding_ * largest});

@@ -63,7 +63,30 @@ class Deforming final : public SlidingSurface {
     for (std::size_t b = 0; b < points.block_count(); ++b)
       if (cache_.travel(b, points.block_travel(b) + surface_->travel())) due_blocks_.push_back(b);
     if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
-    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) { evaluate_block(points, test, static_cast<std::size_t>(k)); });
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()),
+                        [&](std::ptrdiff_t k) { evaluate_block(points, test, static_cast<std::size_t>(k), 0); });
+    gather(due_blocks_.size(), out);
+    sides_.end();
+  }
+
+  /// Repeats the last detection after DeformingSurface::move_again(): no vertex is farther than `correction` [m] from its previous position at t1.
+  /// The points are unchanged, or were reported as `moved`. Finds what `detect` would have found; only points that are near are evaluated.
+  template <Points P>
+  void redetect(const P& points, double correction, std::vector<DeformingContact>& out) {
+    begin_again();
+    const MovingPathTest test(*surface_);
+    const auto way = [&](std::size_t b) { return points.block_travel(b) + surface_->travel(); };
+    due_blocks_.clear();
+    // A path that came near and went away may now be in contact, so all points with less clearance than their path length are due.
+    for (std::size_t b = 0; b < points.block_count(); ++b) {
+      cache_.travel(b, correction);
+      if (cache_.is_near(b, way(b))) due_blocks_.push_back(b);
+    }
+    if (found_.size() < due_blocks_.size()) found_.resize(due_blocks_.size());
+    parallel_for_uneven(static_cast<std::ptrdiff_t>(due_blocks_.size()), [&](std::ptrdiff_t k) {
+      const auto share = static_cast<std::size_t>(k);
+      evaluate_block(points, test, share, way(due_blocks_[share]));
+    });
     gather(due_blocks_.size(), out);
     sides_.end();
   }
@@ -138,14 +161,15 @@ class Deforming final : public SlidingSurface {
     begin_step();
   }
 
+  /// `near` [m]: points are evaluated that are due, or would be after this much more travel.
   template <Points P>
-  void evaluate_block(const P& points, const MovingPathTest& test, std::size_t k) {
+  void evaluate_block(const P& points, const MovingPathTest& test, std::size_t k, double near) {
     const std::size_t b = due_blocks_[k];
     Found& found = found_[k];
     found.clear();
     const double ahead = look_ahead(points.block_travel(b));
     for (std::size_t i = points.block_begin(b); i < points.block_end(b); ++i) {
-      if (!cache_.is_due(b, i)) continue;
+      if (!cache_.is_due(b, i, near)) continue;
       if (points.occupied(i))
         evaluate(test, b, i, contact_radius(points, i, radius_), {points.position_t0(i), points.position_t1(i)}, ahead, found);
       else
@@ -157,6 +181,8 @@ class Deforming final : public SlidingSurface {
   double look_ahead(double travel) const { return look_ahead_factor * (travel + surface_->travel()); }
   bool is_inside(const Vec3d& point, double radius) const;
   void begin_step();
+  void begin_again();
+  void set_offset();
   void evaluate(const MovingPathTest& test, std::size_t block, std::size_t point, double radius, const Path& path, double look_ahead, Found& found);
   void gather(std::size_t shares, std::vector<DeformingContact>& out);
 

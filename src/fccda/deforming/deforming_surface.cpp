@@ -76,14 +76,14 @@ std::array<int, 3> DeformingSurface::panel_vertices(std::size_t t) const {
   return {source_[number(vertex[0])], source_[number(vertex[1])], source_[number(vertex[2])]};
 }
 
-void DeformingSurface::expect_usable(std::span<const Vec3d> vertices) const {
+void DeformingSurface::expect_usable(std::span<const Vec3d> from_vertices, std::span<const Vec3d> vertices) const {
   const std::size_t expected = at_t1().panels().vertices.size();
   if (vertices.size() != expected)
     throw InputError("deforming surface: there are positions of " + std::to_string(vertices.size()) + " vertices, but its panels have " +
                      std::to_string(expected) + "; give one for each.");
   for (std::size_t v = 0; v < source_.size(); ++v) {
     const int own = source_[v];
-    const Vec3d &from = at_t1().vertices()[v], &to = vertices[number(own)];
+    const Vec3d &from = from_vertices[v], &to = vertices[number(own)];
     const double squared = squared_norm(to - from);
     if (squared <= longest_path * longest_path * size_ * size_) continue;
     const std::string sentence = "deforming surface: vertex " + std::to_string(own) + " goes from " + in_words(from) + " to " + in_words(to) + " in one step, ";
@@ -168,15 +168,42 @@ void DeformingSurface::update_tree() {
   ++rebuilds_;
 }
 
-void DeformingSurface::move(std::span<const Vec3d> vertices) {
-  expect_usable(vertices);
+// Sets positions_, or throws and changes nothing that the next move depends on.
+void DeformingSurface::take(std::span<const Vec3d> from, std::span<const Vec3d> vertices) {
+  expect_usable(from, vertices);
   for (std::size_t v = 0; v < source_.size(); ++v) positions_[v] = vertices[number(source_[v])];
   expect_sound();
-  std::swap(ends_[0], ends_[1]);
+}
+
+void DeformingSurface::finish_move() {
   ends_[1]->surface.displace(positions_);
   update_tree();
   measure_step();
+}
+
+void DeformingSurface::move(std::span<const Vec3d> vertices) {
+  take(at_t1().vertices(), vertices);
+  std::swap(ends_[0], ends_[1]);
+  finish_move();
   ++steps_;
+}
+
+double DeformingSurface::move_again(std::span<const Vec3d> vertices) {
+  take(at_t0().vertices(), vertices);
+  double furthest = 0;
+  for (std::size_t v = 0; v < positions_.size(); ++v) furthest = std::max(furthest, squared_norm(positions_[v] - at_t1().vertices()[v]));
+  finish_move();
+  return std::sqrt(furthest);
+}
+
+void DeformingSurface::place(std::span<const Vec3d> vertices) {
+  take(at_t1().vertices(), vertices);
+  for (std::unique_ptr<End>& end : ends_) {
+    end->surface.displace(positions_);
+    end->bvh.refit();
+  }
+  update_tree();
+  measure_step();
 }
 
 }  // namespace fccda

@@ -33,6 +33,13 @@ class DeformingSurface {
   /// inside out.
   void move(std::span<const Vec3d> vertices);
 
+  /// Gives the step in progress another end, from the same t0: for implicit coupling. `vertices` as for move(). Returns the largest distance of a
+  /// vertex from its previous position at t1 [m].
+  double move_again(std::span<const Vec3d> vertices);
+
+  /// Puts the surface at rest at `vertices` [m], between two steps, as after a restart; throws as move().
+  void place(std::span<const Vec3d> vertices);
+
   /// On longer paths the rounding error of coordinates grows until contact is missed.
   static constexpr double longest_path = 1e6;
 
@@ -64,10 +71,12 @@ class DeformingSurface {
   static Corners corners(const Surface& surface, std::size_t t) { return {surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)}; }
   const End& end(std::size_t which) const { return *ends_[which]; }
   void find_sources();
-  void expect_usable(std::span<const Vec3d> vertices) const;
+  void expect_usable(std::span<const Vec3d> from, std::span<const Vec3d> vertices) const;
+  void take(std::span<const Vec3d> from, std::span<const Vec3d> vertices);
   void expect_sound() const;
   void measure_step();
   void update_tree();
+  void finish_move();
 
   std::array<std::unique_ptr<End>, 2> ends_;  // t0, t1
   std::vector<int> source_;                   // the vertex of the panels that each vertex of the surface is

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/deck/deck_file.hpp"
 #include "io/deck/motion_table.hpp"
 #include "io/deck/yaml_node.hpp"
 
@@ -82,6 +83,23 @@ void check_remeshing(const std::string& path, DetectorKind detector, const Place
              fmt::format("{0} is given, but the analytic detector has no panels; remove {0}, or set detector: swept.", key));
 }
 
+/// Contact with an elastic impactor moves the vertices of its panels, those that the modes are given on.
+void make_elastic_consistent(ImpactorSetup& impactor, DetectorKind detector, const std::string& path, const std::filesystem::path& folder,
+                             const Places& places) {
+  if (!impactor.elastic) return;
+  if (detector != DetectorKind::swept)
+    refuse(places.of(path + ".elastic"), fmt::format("{} is elastic, but the {} detector has rigid surfaces only; set detector: swept, or remove elastic.",
+                                                     impactor.name, detector_words[static_cast<std::size_t>(detector)]));
+  for (const std::string_view key : {"coarsen", "refine"})
+    if (places.has(fmt::format("{}.{}", path, key)))
+      refuse(
+          places.of(fmt::format("{}.{}", path, key)),
+          fmt::format("{0} changes the vertices of the surface, on which the modes of elastic are given; remove {0}, remesh the surface before its modes are "
+                      "computed, or remove elastic.",
+                      key));
+  impactor.elastic->modes = full_path(folder / impactor.elastic->modes, places.of(path + ".elastic.modes"));
+}
+
 }  // namespace
 
 void make_impactor_consistent(ImpactorSetup& impactor, DetectorKind detector, const std::filesystem::path& folder, const Places& places) {
@@ -89,6 +107,7 @@ void make_impactor_consistent(ImpactorSetup& impactor, DetectorKind detector, co
   check_mass(impactor, path, places);
   check_motion(impactor, path, folder, places);
   check_remeshing(path, detector, places);
+  make_elastic_consistent(impactor, detector, path, folder, places);
   for (const LoadSetup& load : impactor.loads) check_load(load, path + ".loads." + load.name, places);
   for (const GaugeSetup& gauge : impactor.gauges) check_gauge(gauge, detector, path + ".gauges." + gauge.name, places);
 }

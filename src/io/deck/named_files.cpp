@@ -6,9 +6,11 @@ namespace perimpact::deck {
 
 namespace {
 
+bool is_path(std::string_view key) { return key == "file" || key == "modes"; }
+
 void collect(const YamlNode& node, std::vector<std::filesystem::path>& files) {
   for (const YamlNode::Entry& entry : node.entries) {
-    if (entry.key == "file" && entry.value.kind == YamlNode::Kind::word && !entry.value.text.empty()) files.emplace_back(entry.value.text);
+    if (is_path(entry.key) && entry.value.kind == YamlNode::Kind::word && !entry.value.text.empty()) files.emplace_back(entry.value.text);
     collect(entry.value, files);
   }
 }

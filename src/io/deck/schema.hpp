@@ -86,6 +86,8 @@ void sections(Walker& walk, ImpactorSetup& impactor) {
   walk.named("loads", impactor.loads, Presence::optional, "A force or moment on the impactor in addition to contact, under a name of your choice.");
   walk.section("floating", impactor.floating, Presence::optional,
                "Weight and buoyancy in still water, from the volume of the closed surface below its level. {} takes every default.");
+  walk.section("elastic", impactor.elastic, Presence::optional,
+               "Makes the impactor elastic: vibration modes, superposed on its rigid motion. Where absent, it is rigid.");
   walk.named("gauges", impactor.gauges, Presence::optional,
              "A gauge, under a name of your choice: contact force and moment on parts of the surface become columns of history.csv.");
 }

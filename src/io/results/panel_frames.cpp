@@ -8,10 +8,7 @@ namespace {
 
 void write(const frames::Sink& sink, const Impactor& impactor, std::vector<output::VtpArray> arrays) {
   const fccda::Panels& panels = impactor.surface().panels();
-  std::vector<Vec3d> moved;
-  moved.reserve(panels.vertices.size());
-  for (const Vec3d& vertex : panels.vertices) moved.push_back(impactor.body().pose().to_world(vertex));
-  sink({.points = output::coordinates(moved), .panels = panels.panels, .cell_arrays = std::move(arrays)});
+  sink({.points = output::coordinates(impactor.vertices()), .panels = panels.panels, .cell_arrays = std::move(arrays)});
 }
 
 }  // namespace

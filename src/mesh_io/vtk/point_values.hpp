@@ -1,7 +1,9 @@
-/// Points of VTK files with one scalar each, as meshfree codes write their particles.
+/// Points of VTK files with numbers: one scalar each, as meshfree codes write their particles, or arrays of any kind.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,5 +21,25 @@ struct PointValues {
 /// concatenated; cells are skipped. Formats: vtk.hpp and vtp.hpp. Throws InputError where the file or the scalar array does not exist (the
 /// message lists the available arrays) or the contents are damaged.
 PointValues read_point_values(const std::filesystem::path& path, std::string_view array);
+
+/// An array with its tuples one after another.
+struct TupleArray {
+  std::string name;
+  std::size_t components = 1;
+  std::vector<double> values;  ///< finite
+};
+
+struct PointArrays {
+  std::vector<Vec3d> points;          ///< in the file's units
+  std::vector<TupleArray> of_points;  ///< a tuple for each point
+  std::vector<TupleArray> of_file;    ///< field data
+};
+
+/// Selects an array by its name and its number of components.
+using ArrayFilter = std::function<bool(std::string_view name, std::size_t components)>;
+
+/// The same with all point arrays and field data that `is_wanted` selects. Throws InputError where the file does not exist, its pieces have different
+/// arrays, an array has not one tuple per point, or the contents are damaged.
+PointArrays read_point_arrays(const std::filesystem::path& path, const ArrayFilter& is_wanted);
 
 }  // namespace fccda

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 #include <span>
 #include <utility>
@@ -29,22 +30,42 @@ struct Attribute {
 constexpr Attribute attributes[] = {{"vectors", 3},  {"normals", 3},    {"texture_coordinates", 0}, {"tensors", 9},
                                     {"tensors6", 6}, {"global_ids", 1}, {"pedigree_ids", 1},        {"edge_flags", 1}};
 
+/// The name as it was before VTK wrote blanks and other bytes as % and two hexadecimal digits.
+std::string vtk_decoded(std::string_view name) {
+  std::string out;
+  for (std::size_t at = 0; at < name.size(); ++at) {
+    unsigned char byte{};
+    const char* const digits = name.data() + at + 1;
+    const bool is_code = name[at] == '%' && at + 2 < name.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+    out += is_code ? static_cast<char>(byte) : name[at];
+    if (is_code) at += 2;
+  }
+  return out;
+}
+
 class LegacyVtk {
  public:
-  /// `wanted`: the array of point data to read when points are read.
-  LegacyVtk(std::string_view contents, const std::string& file, std::string_view wanted = {})
-      : file_(file), words_(contents, file), numbers_(at_third_line(words_), file), wanted_(wanted) {}
+  /// `is_wanted`: the arrays of point and field data to read when points are read.
+  LegacyVtk(std::string_view contents, const std::string& file, ArrayFilter is_wanted = {})
+      : file_(file), words_(contents, file), numbers_(at_third_line(words_), file), is_wanted_(std::move(is_wanted)) {}
 
-  PointValues points() {
+  PointValues points(std::string_view wanted) {
+    PointArrays read = point_arrays();
+    if (read.of_points.empty())
+      numbers_.fail("there is no scalar point array " + shown(wanted) + "; the file has" + (scalar_arrays_.empty() ? " none." : scalar_arrays_ + "."));
+    return {.points = std::move(read.points), .values = std::move(read.of_points.front().values)};
+  }
+
+  PointArrays point_arrays() {
     parse_sections();
-    if (!values_)
-      numbers_.fail("there is no scalar point array " + shown(wanted_) + "; the file has" + (point_arrays_.empty() ? " none." : point_arrays_ + "."));
-    if (3 * values_->size() != points_.size())
-      numbers_.fail("the array " + shown(wanted_) + " has " + std::to_string(values_->size()) + " numbers for " + std::to_string(points_.size() / 3) +
-                    " points; export the file again.");
-    PointValues out{.values = std::move(*values_)};
-    for (std::size_t k = 0; k < points_.size(); k += 3) out.points.push_back({points_[k], points_[k + 1], points_[k + 2]});
-    return out;
+    const std::size_t count = points_.size() / 3;
+    for (const TupleArray& one : read_.of_points) {
+      if (one.values.size() != one.components * count)
+        numbers_.fail("the array " + shown(one.name) + " has " + std::to_string(one.values.size()) + " numbers for " + std::to_string(count) +
+                      " points; export the file again.");
+    }
+    for (std::size_t k = 0; k < points_.size(); k += 3) read_.points.push_back({points_[k], points_[k + 1], points_[k + 2]});
+    return std::move(read_);
   }
 
   Elements parse() {
@@ -88,7 +109,7 @@ class LegacyVtk {
     for (std::size_t k = 0; k < lists_.size(); ++k)
       if (!is_grid_ && is_word(section, lowered[k])) return parse_cells(lists[k], lists_[k]);
     for (const Attribute& attribute : attributes)
-      if (is_word(section, attribute.keyword)) return skip_attribute(attribute);
+      if (is_word(section, attribute.keyword)) return parse_attribute(attribute);
     numbers_.fail(shown(section) + " appears where a section is expected; a count before it or the file is damaged: export it again.");
   }
 
@@ -153,6 +174,7 @@ class LegacyVtk {
 
   void begin_data(bool is_of_cells) {
     is_of_cells_ = is_of_cells;
+    is_of_file_ = false;
     tuples_ = numbers_.count(is_of_cells ? "CELL_DATA" : "POINT_DATA");
   }
 
@@ -166,17 +188,24 @@ class LegacyVtk {
     const int rank = is_of_cells_ && components == 1 ? vtk_part_rank(name) : -1;
     const std::string what = "the array " + shown(name);
     const std::optional<NumberType> number = vtk_number_type(type);
-    if (!is_of_cells_ && components == 1 && number) {
-      point_arrays_ += " " + shown(name);
-      if (!wanted_.empty() && name == wanted_ && !values_) {
-        values_ = numbers_.reals(tuples, *number, what);
-        return;
-      }
-    }
+    if (!is_of_cells_ && number && takes_array(name, *number, tuples, components, what)) return;
     if (rank < 0 || !number || !is_whole(*number) || (part_rank_ >= 0 && part_rank_ <= rank)) return numbers_.skip(tuples, components, type, what);
     part_rank_ = rank;
     part_array_ = what;
     parts_ = numbers_.wholes(tuples, *number, what);
+  }
+
+  /// Reads the array if it is wanted; the first of its name.
+  bool takes_array(std::string_view name, NumberType type, std::size_t tuples, std::size_t components, const std::string& what) {
+    if (components == 1 && !is_of_file_) scalar_arrays_ += " " + shown(name);
+    const std::string decoded = vtk_decoded(name);
+    std::vector<TupleArray>& into = is_of_file_ ? read_.of_file : read_.of_points;
+    const bool is_known = std::any_of(into.begin(), into.end(), [&](const TupleArray& one) { return one.name == decoded; });
+    if (!is_wanted_ || is_known || !is_wanted_(decoded, components)) return false;
+    check_count(tuples, what);
+    check_count(components, what);
+    into.push_back({decoded, components, numbers_.reals(tuples * components, type, what)});
+    return true;
   }
 
   void parse_field() {
@@ -202,11 +231,11 @@ class LegacyVtk {
     parse_array(name, type, tuples_, components);
   }
 
-  void skip_attribute(const Attribute& attribute) {
+  void parse_attribute(const Attribute& attribute) {
     const std::string_view name = numbers_.word();
     const std::string what = "the array " + shown(name);
     const std::size_t components = attribute.components == 0 ? numbers_.count(what) : attribute.components;
-    numbers_.skip(tuples_, components, numbers_.word(), what);
+    parse_array(name, numbers_.word(), tuples_, components);
   }
 
   void skip_colours() {
@@ -255,19 +284,26 @@ class LegacyVtk {
   VtkCells cells_;                 // of UNSTRUCTURED_GRID
   std::vector<std::int64_t> types_;
   bool is_of_cells_ = false;  // whether the data sections hold cell data
+  bool is_of_file_ = true;    // or data of the whole file, before all point and cell data
   std::size_t tuples_ = 0;
   int part_rank_ = -1;
   std::string part_array_;
   std::vector<std::int64_t> parts_;
-  std::string_view wanted_;
-  std::optional<std::vector<double>> values_;  // of the wanted array
-  std::string point_arrays_;                   // names of the scalar point arrays
+  ArrayFilter is_wanted_;
+  PointArrays read_;           // but for the points
+  std::string scalar_arrays_;  // names of the scalar point arrays
 };
 
 }  // namespace
 
 Elements parse_vtk(std::string_view contents, const std::string& file) { return LegacyVtk(contents, file).parse(); }
 
-PointValues parse_vtk_points(std::string_view contents, const std::string& file, std::string_view array) { return LegacyVtk(contents, file, array).points(); }
+PointValues parse_vtk_points(std::string_view contents, const std::string& file, std::string_view array) {
+  return LegacyVtk(contents, file, [array](std::string_view name, std::size_t components) { return components == 1 && name == array; }).points(array);
+}
+
+PointArrays parse_vtk_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted) {
+  return LegacyVtk(contents, file, is_wanted).point_arrays();
+}
 
 }  // namespace fccda

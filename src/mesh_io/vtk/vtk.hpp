@@ -20,4 +20,8 @@ Elements parse_vtk(std::string_view contents, const std::string& file);
 /// Reads the points and the scalar point array of that name (one component, SCALARS or in a FIELD).
 PointValues parse_vtk_points(std::string_view contents, const std::string& file, std::string_view array);
 
+/// Reads the points with the selected point arrays (VECTORS, TENSORS6, SCALARS or in a FIELD) and field data (a FIELD before POINT_DATA). Bytes written as %20
+/// and the like are decoded in names.
+PointArrays parse_vtk_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted);
+
 }  // namespace fccda

@@ -24,6 +24,8 @@ constexpr std::pair<std::string_view, NumberType> types[] = {{"Int8", NumberType
 struct FoundArray {
   std::string_view section, name;
   VtpArray array;
+  std::size_t components = 1;  // of an array of PointData or FieldData
+  std::size_t tuples = 0;      // of FieldData
 };
 
 struct Piece {
@@ -37,23 +39,48 @@ struct Piece {
 
 class VtkXml {
  public:
-  /// `wanted`: the array of PointData to read when points are read.
-  VtkXml(std::string_view contents, const std::string& file, std::string_view wanted = {})
-      : file_(file), size_(contents.size()), tags_(contents, file), wanted_(wanted) {}
+  /// `is_wanted`: the arrays of PointData and FieldData to read when points are read.
+  VtkXml(std::string_view contents, const std::string& file, ArrayFilter is_wanted = {})
+      : file_(file), size_(contents.size()), tags_(contents, file), is_wanted_(std::move(is_wanted)) {}
 
-  PointValues points() {
+  PointValues points(std::string_view wanted) {
     parse_tags();
     PointValues out;
     VtpArrays arrays(encoding_, file_, size_);
     for (const Piece& piece : pieces_) {
       if (piece.points == 0) continue;
-      const VtpArray* wanted = find(piece, "PointData", wanted_);
-      if (wanted == nullptr)
-        tags_.fail(piece.line, "the piece has no scalar point array " + shown(wanted_) + "; it has " +
+      const FoundArray* found = find(piece, "PointData", wanted);
+      if (found == nullptr)
+        tags_.fail(piece.line, "the piece has no scalar point array " + shown(wanted) + "; it has " +
                                    (piece.point_arrays.empty() ? "none." : piece.point_arrays.substr(2) + "."));
-      const std::vector<double> values = arrays.reals(*wanted, piece.points), places = arrays.reals(array(piece, "Points", ""), 3 * piece.points);
+      const std::vector<double> values = arrays.reals(found->array, piece.points);
       out.values.insert(out.values.end(), values.begin(), values.end());
-      for (std::size_t k = 0; k < places.size(); k += 3) out.points.push_back({places[k], places[k + 1], places[k + 2]});
+      add_points(out.points, arrays, piece);
+    }
+    return out;
+  }
+
+  PointArrays point_arrays() {
+    parse_tags();
+    PointArrays out;
+    VtpArrays arrays(encoding_, file_, size_);
+    for (const FoundArray& one : field_data_)
+      out.of_file.push_back({std::string(one.name), one.components, arrays.reals(one.array, one.components * one.tuples)});
+    for (const Piece& piece : pieces_) {
+      if (piece.points == 0) continue;
+      if (out.points.empty()) {
+        for (const FoundArray& one : piece.arrays)
+          if (one.section == "PointData") out.of_points.push_back({std::string(one.name), one.components});
+      }
+      for (TupleArray& one : out.of_points) {
+        const FoundArray* found = find(piece, "PointData", one.name);
+        if (found == nullptr || found->components != one.components)
+          tags_.fail(piece.line,
+                     "the piece lacks the point array " + shown(one.name) + " that the pieces before it have; merge the pieces and export the file again.");
+        const std::vector<double> values = arrays.reals(found->array, one.components * piece.points);
+        one.values.insert(one.values.end(), values.begin(), values.end());
+      }
+      add_points(out.points, arrays, piece);
     }
     return out;
   }
@@ -153,8 +180,14 @@ class VtkXml {
     pieces_.push_back(std::move(piece));
   }
 
+  void add_points(std::vector<Vec3d>& points, VtpArrays& arrays, const Piece& piece) const {
+    const std::vector<double> places = arrays.reals(array(piece, "Points", ""), 3 * piece.points);
+    for (std::size_t k = 0; k < places.size(); k += 3) points.push_back({places[k], places[k + 1], places[k + 2]});
+  }
+
   /// The stored array, or nullptr where it is not needed.
   VtpArray* begin_array(const XmlTag& tag) {
+    if (!open_.empty() && open_.back() == "FieldData") return begin_field_data(tag);
     if (pieces_.empty() || open_.empty()) return nullptr;
     Piece& piece = pieces_.back();
     const std::string_view section = open_.back();
@@ -170,12 +203,21 @@ class VtkXml {
     return &piece.arrays.back().array;
   }
 
+  std::size_t components(const XmlTag& tag) const { return std::max<std::size_t>(1, count(tag, "NumberOfComponents")); }
+
   VtpArray* begin_wanted(const XmlTag& tag, Piece& piece) {
-    if (count(tag, "NumberOfComponents") > 1) return nullptr;
-    piece.point_arrays += ", " + shown(tag["Name"]);
-    if (wanted_.empty() || tag["Name"] != wanted_ || find(piece, "PointData", wanted_) != nullptr) return nullptr;
-    piece.arrays.push_back({"PointData", wanted_, described(tag, "PointData/" + std::string(wanted_))});
+    const std::string_view name = tag["Name"];
+    if (components(tag) == 1) piece.point_arrays += ", " + shown(name);
+    if (!is_wanted_ || !is_wanted_(name, components(tag)) || find(piece, "PointData", name) != nullptr) return nullptr;
+    piece.arrays.push_back({"PointData", name, described(tag, "PointData/" + std::string(name)), components(tag)});
     return &piece.arrays.back().array;
+  }
+
+  VtpArray* begin_field_data(const XmlTag& tag) {
+    const std::string_view name = tag["Name"];
+    if (!is_wanted_ || !is_wanted_(name, components(tag))) return nullptr;
+    field_data_.push_back({"FieldData", name, described(tag, "FieldData/" + std::string(name)), components(tag), count(tag, "NumberOfTuples")});
+    return &field_data_.back().array;
   }
 
   /// Uses the array as part numbers where it ranks higher than the one found so far.
@@ -229,16 +271,16 @@ class VtkXml {
     encoding_.appended_text = encoding_.appended == Encoding::raw ? text : text.substr(0, text.find('<'));
   }
 
-  static const VtpArray* find(const Piece& piece, std::string_view section, std::string_view name) {
+  static const FoundArray* find(const Piece& piece, std::string_view section, std::string_view name) {
     const auto found =
         std::find_if(piece.arrays.begin(), piece.arrays.end(), [&](const FoundArray& one) { return one.section == section && one.name == name; });
-    return found == piece.arrays.end() ? nullptr : &found->array;
+    return found == piece.arrays.end() ? nullptr : &*found;
   }
 
   const VtpArray& array(const Piece& piece, std::string_view section, std::string_view name) const {
     static const VtpArray none;
     if (section == "Points" && piece.points == 0) return none;
-    if (const VtpArray* found = find(piece, section, name)) return *found;
+    if (const FoundArray* found = find(piece, section, name)) return found->array;
     tags_.fail(piece.line, "the piece has no array" + (name.empty() ? "" : " " + shown(name)) + " in " + shown(section) + "; export the file again.");
   }
 
@@ -281,13 +323,20 @@ class VtkXml {
   VtpEncoding encoding_;
   std::vector<std::string_view> open_;  // open elements, outermost first
   std::vector<Piece> pieces_;
-  std::string_view wanted_;
+  std::vector<FoundArray> field_data_;
+  ArrayFilter is_wanted_;
 };
 
 }  // namespace
 
 Elements parse_vtp(std::string_view contents, const std::string& file) { return VtkXml(contents, file).parse(); }
 
-PointValues parse_vtp_points(std::string_view contents, const std::string& file, std::string_view array) { return VtkXml(contents, file, array).points(); }
+PointValues parse_vtp_points(std::string_view contents, const std::string& file, std::string_view array) {
+  return VtkXml(contents, file, [array](std::string_view name, std::size_t components) { return components == 1 && name == array; }).points(array);
+}
+
+PointArrays parse_vtp_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted) {
+  return VtkXml(contents, file, is_wanted).point_arrays();
+}
 
 }  // namespace fccda

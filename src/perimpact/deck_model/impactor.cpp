@@ -178,6 +178,22 @@ std::span<const Field<FloatingImpactorSetup>> FloatingImpactorSetup::fields() {
   return all;
 }
 
+std::span<const Field<ElasticImpactorSetup>> ElasticImpactorSetup::fields() {
+  using S = ElasticImpactorSetup;
+  static const Field<S> all[] = {
+      {"modes",
+       &S::modes,
+       "",
+       {},
+       required,
+       "File of vibration modes on the vertices of the surface, in its axes and in metres: VTU, VTP, VTK or CSV, each also compressed as .gz. A relative path "
+       "starts at the deck's folder. `python3 -m perimpact.modes` writes it from the results of a finite-element program."},
+      {"damping", &S::damping, "1", Range{.low = 0, .high = 1, .high_included = false}, optional,
+       "Damping of every mode as a ratio of critical damping. Where absent, that of the file; 0 where it has none."},
+      {"highest_frequency", &S::highest_frequency, "Hz", positive(), optional, "Modes of higher frequency are left out. Where absent, none."}};
+  return all;
+}
+
 std::span<const Field<ImpactorSetup>> ImpactorSetup::fields() {
   using S = ImpactorSetup;
   static const Field<S> all[] = {

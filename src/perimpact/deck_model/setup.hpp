@@ -232,6 +232,14 @@ struct FloatingImpactorSetup {
   static std::span<const Field<FloatingImpactorSetup>> fields();
 };
 
+/// Elastic deformation of an impactor: vibration modes superposed on its rigid motion (docs/guide/elastic_impactors.md).
+struct ElasticImpactorSetup {
+  std::string modes;                        ///< path of the file of modes; a relative one starts at the deck's folder
+  std::optional<double> damping;            ///< [-] ratio of critical damping of all modes; that of the file where absent
+  std::optional<double> highest_frequency;  ///< [Hz] modes above are left out; none where absent
+  static std::span<const Field<ElasticImpactorSetup>> fields();
+};
+
 struct ImpactorSetup {
   std::string name;
   SurfaceSetup surface;
@@ -249,6 +257,7 @@ struct ImpactorSetup {
   MotionSetup motion;
   std::vector<LoadSetup> loads;
   std::optional<FloatingImpactorSetup> floating;
+  std::optional<ElasticImpactorSetup> elastic;  ///< rigid where absent
   std::vector<GaugeSetup> gauges;
   static std::span<const Field<ImpactorSetup>> fields();
 };

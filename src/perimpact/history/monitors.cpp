@@ -122,6 +122,17 @@ void Monitors::watch(const Scene& scene) {
   is_first_ = false;
 }
 
+// Contact with a structure that does not report its energy is external work.
+void Monitors::add_structure(const DeformingPart& part, double contact_work, Balance& of) {
+  of.energy += part.elastic_energy();
+  of.taken += part.damping_dissipation();
+  if (!part.external()) return;
+  if (const std::optional<double> energy = part.external()->energy())
+    of.energy += *energy;
+  else
+    of.work -= contact_work;
+}
+
 Monitors::Balance Monitors::balance_of(const Scene& scene) {
   Balance of;
   const double dt = scene.clock.dt;
@@ -129,7 +140,8 @@ Monitors::Balance Monitors::balance_of(const Scene& scene) {
     of.momentum += impactor.body().momentum();
     const double kinetic = impactor.kinetic_energy();
     of.energy += kinetic;
-    of.ripple += kinetic - impactor.body().kinetic_energy();
+    of.ripple += kinetic - impactor.kinetic_energy_of_scheme();
+    if (const DeformingPart* part = impactor.deforming()) add_structure(*part, impactor.contact_work(), of);
     of.work += impactor.constraint_work() + impactor.load_work() + impactor.water_work();
     of.contact -= impactor.contact_work() + impactor.work_on_particles();
   }
@@ -197,6 +209,7 @@ void Monitors::add_impactor(const Impactor& impactor) {
   add_mean(name, {"moment", "N m", interval_mean, "of contact on it about its centre of mass"}, account.angular_impulse);
   add(name, {"contacts", "-", instantaneous, "particles in contact in the last step"}, static_cast<double>(account.contacts));
   add(name, {"contact_work", "J", cumulative, "done on it by contact"}, impactor.contact_work());
+  if (const DeformingPart* part = impactor.deforming()) add_structure_columns(name, *part);
   if (impactor.water()) {
     add_mean(name, {"water_force_z", "N", interval_mean, "of weight, buoyancy and their damping"}, account.water_impulse);
     add_mean(name, {"water_moment_x", "N m", interval_mean, "of buoyancy and damping about its centre of mass"}, account.water_angular_impulse.x);
@@ -208,6 +221,16 @@ void Monitors::add_impactor(const Impactor& impactor) {
     add_mean(named.name, {"force", "N", interval_mean, "of contact on the parts of the gauge", true}, reading.impulse);
     add_mean(named.name, {"moment", "N m", interval_mean, "of that about the point of the gauge"}, reading.angular_impulse);
     if (named.gauge.has_axis()) add_mean(named.name, {"torque", "N m", interval_mean, "of that about the axis of the gauge", true}, reading.about_axis);
+  }
+}
+
+void Monitors::add_structure_columns(const std::string& name, const DeformingPart& part) {
+  if (part.elastic()) {
+    add(name, {"elastic_energy", "J", instantaneous, "of its modes"}, part.elastic_energy());
+    add(name, {"damping_dissipation", "J", cumulative, "dissipated by the damping of its modes"}, part.damping_dissipation());
+    add(name, {"largest_deflection", "m", instantaneous, "of a vertex"}, part.largest_deflection());
+  } else if (const std::optional<double> energy = part.external()->energy()) {
+    add(name, {"structure_energy", "J", instantaneous, "as reported by the program that advances it"}, *energy);
   }
 }
 

@@ -76,6 +76,8 @@ class Monitors {
 
     double sum() const { return energy - ripple + taken + contact - work; }  // constant up to the order of the scheme
   };
+  static void add_structure(const DeformingPart& part, double contact_work, Balance& of);
+  void add_structure_columns(const std::string& name, const DeformingPart& part);
   /// Description of a column.
   struct Of {
     std::string_view name, unit;

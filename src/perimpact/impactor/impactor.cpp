@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/impactor/modes_of.hpp"
 #include "perimpact/impactor/rigid_body_of.hpp"
 #include "perimpact/impactor/surface_of.hpp"
 
@@ -82,29 +84,31 @@ Impactor::Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& conta
       region_(contact_bounds_of(setup.contact_bounds, *surface_, setup.name)),
       prescribed_(motion_of(setup)),
       loads_(loads_of(setup)),
-      body_(rigid_body_of(setup, *surface_, prescribed_)),
-      radius_(surface_->radius_about(body_.properties().centre_of_mass)),
+      body_(std::make_unique<RigidBody>(rigid_body_of(setup, *surface_, prescribed_))),
+      radius_(surface_->radius_about(body_->properties().centre_of_mass)),
       friction_(contact.friction),
       unresolved_(bodies.size()),
-      coupling_(body_),
+      coupling_(*body_),
       is_coupled_(contact.detector.as<DetectorKind>() != DetectorKind::published),
-      gauges_(gauges_of(setup, *surface_, body_)),
+      gauges_(gauges_of(setup, *surface_, *body_)),
       water_(water_of(setup)),
-      placed_in_water_(how_placed(water_, body_, *surface_)),
+      placed_in_water_(how_placed(water_, *body_, *surface_)),
       record_(*surface_, spacings_of(bodies)) {
   SharedSurface shared;
   for (const Particles* particles : bodies) detectors_.push_back(make_detector(setup, contact, surface_, shared, region_.region, particles->spacing()));
+  if (setup.elastic) make_elastic(modes_of(setup, *surface_));
 }
 
 std::vector<std::size_t> Impactor::initial_overlap(std::size_t body, const ContactParticles& particles) const {
-  return std::visit([&](const auto& detector) { return detector.initial_overlap(particles, body_.pose()); }, detectors_[body]);
+  return std::visit([&](const auto& detector) { return detector.initial_overlap(particles, body_->pose()); }, detectors_[body]);
 }
 
 std::vector<std::optional<Vec3d>> Impactor::nearest_outside(std::size_t body, std::span<const Vec3d> places) const {
-  return std::visit([&](const auto& detector) { return detector.nearest_outside(places, body_.pose()); }, detectors_[body]);
+  return std::visit([&](const auto& detector) { return detector.nearest_outside(places, body_->pose()); }, detectors_[body]);
 }
 
 std::uint64_t Impactor::entered_inside(std::size_t body) const {
+  if (deforming_) return deforming_->detector(body).entered_inside();
   const auto* swept = std::get_if<Swept>(&detectors_[body]);
   return swept ? swept->entered_inside() : 0;
 }
@@ -115,15 +119,21 @@ std::size_t Impactor::buried_triangles() const {
 }
 
 fccda::Effort Impactor::effort(std::size_t body) const {
+  if (deforming_) return deforming_->detector(body).effort();
   return std::visit([](const auto& detector) { return detector.effort(); }, detectors_[body]);
 }
 
 void Impactor::advance(const Step& step) {
-  prescribed_.impose(body_, step);
+  prescribed_.impose(*body_, step);
   if (water_) float_in_water(step);  // before the loads: otherwise damping would reduce their impulse, and shift the equilibrium by c Δt
-  load_work_ += apply(loads_, body_, step);
-  coupling_ = Coupling(body_);
-  motion_ = in_run(name_, [&] { return coupling_.advance(body_, step.dt); });
+  load_work_ += apply(loads_, *body_, step);
+  coupling_ = Coupling(*body_);
+  const Pose before = body_->pose();
+  if (deforming_) in_run(name_, [&] { deforming_->iteration().advance(step); });
+  if (deforming_ && deforming_->elastic())
+    motion_ = {before, body_->pose(), step.dt, body_->properties().centre_of_mass};
+  else
+    motion_ = in_run(name_, [&] { return coupling_.advance(*body_, step.dt); });
   is_first_pass_ = true;
   pending_.clear();
   put_back_.clear();
@@ -134,27 +144,36 @@ void Impactor::advance(const Step& step) {
 }
 
 void Impactor::float_in_water(const Step& step) {
-  const WaterSum sum = apply(*water_, *surface_, body_, step);
+  const WaterSum sum = apply(*water_, *surface_, *body_, step);
   account_.water_impulse += sum.impulse;
   account_.water_angular_impulse += sum.angular_impulse;
   water_work_ += sum.work;
 }
 
 Vec3d Impactor::fastest_velocity() const {
-  Vec3d velocity = body_.velocity();
+  Vec3d velocity = body_->velocity();
   for (std::size_t axis = 0; axis < 3; ++axis) velocity[axis] = prescribed_.largest_velocity(axis, velocity[axis]);
   return velocity;
 }
 
 Vec3d Impactor::fastest_angular_velocity() const {
-  Vec3d spin = body_.angular_velocity();
+  Vec3d spin = body_->angular_velocity();
   for (std::size_t axis = 0; axis < 3; ++axis) spin[axis] = prescribed_.largest_velocity(3 + axis, spin[axis]);
   return spin;
 }
 
 std::span<const Contact> Impactor::resolve_contact(std::size_t body, ContactParticles& particles) {
   contacts_.clear();
-  const double travel = body_.travel_bound(motion_, radius_);
+  if (deforming_) {
+    Deforming& detector = deforming_->detector(body);
+    deforming_->contacts().clear();
+    if (is_first_pass_)
+      detector.detect(particles, deforming_->contacts());
+    else
+      detector.redetect(particles, deforming_->iteration().correction(), deforming_->contacts());
+    return respond_to_deforming_contacts(body, particles);
+  }
+  const double travel = body_->travel_bound(motion_, radius_);
   std::visit(
       [&](auto& detector) {
         if (is_first_pass_)
@@ -168,13 +187,18 @@ std::span<const Contact> Impactor::resolve_contact(std::size_t body, ContactPart
 
 std::span<const Contact> Impactor::resolve_contact_again(std::size_t body, ContactParticles& particles, std::span<const std::size_t> which) {
   contacts_.clear();
-  const double travel = body_.travel_bound(motion_, radius_);
+  if (deforming_) {
+    deforming_->contacts().clear();
+    deforming_->detector(body).detect_again(particles, which, deforming_->contacts());
+    return respond_to_deforming_contacts(body, particles);
+  }
+  const double travel = body_->travel_bound(motion_, radius_);
   std::visit([&](auto& detector) { detector.detect_again(particles, motion_, travel, which, contacts_); }, detectors_[body]);
   return in_run(name_, [&] { return respond_to_contacts(body, particles); });
 }
 
 std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, ContactParticles& particles) {
-  resolve_points(particles, contacts_, motion_, body_.position_of_com(), friction_, [&](const Contact& contact, const Vec3d& impulse) {
+  resolve_points(particles, contacts_, motion_, body_->position_of_com(), friction_, [&](const Contact& contact, const Vec3d& impulse) {
     const Vec3d place = point_of_application(contact, particles.position_t0(contact.point), particles.position_t1(contact.point), motion_);
     coupling_.add(contact, particles.mass(contact.point), place, impulse, friction_);
     pending_.push_back({{body, contact, impulse}, place, particles.work_of(contact.point, -impulse)});
@@ -182,14 +206,38 @@ std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, Contact
   return contacts_;
 }
 
-bool Impactor::moved_with_contact() const { return !is_coupled_ || coupling_.agrees(radius_); }
+std::span<const Contact> Impactor::respond_to_deforming_contacts(std::size_t body, ContactParticles& particles) {
+  constexpr std::array<double, 3> unyielding{};  // the structure yields by the coupling
+  for (const DeformingContact& deforming : deforming_->contacts()) {
+    const Contact& contact = deforming.contact;
+    const std::size_t i = contact.point;
+    const double mass = particles.mass(i);
+    const PanelImpulse after = resolved(deforming, particles.position_t0(i), particles.velocity(i), mass, motion_.dt, friction_, unyielding);
+    particles.set(i, after.point.position, after.point.velocity);
+    deforming_->iteration().add(deforming, mass, after, friction_);
+    pending_.push_back({{body, contact, after.on_surface}, after.point.position, particles.work_of(i, -after.on_surface)});
+    contacts_.push_back(contact);
+  }
+  return contacts_;
+}
+
+bool Impactor::moved_with_contact() {
+  if (deforming_) return deforming_->iteration().agrees();
+  return !is_coupled_ || coupling_.agrees(radius_);
+}
 
 void Impactor::repeat_step(bool last) {
   constexpr double near = 0.1;
-  const bool leads_nowhere = last && !coupling_.agrees(radius_, near);
-  motion_ = leads_nowhere ? coupling_.retreat(body_, radius_) : coupling_.correct(body_, radius_);
   is_first_pass_ = false;
   pending_.clear();
+  if (deforming_) {
+    StructureCoupling& iteration = deforming_->iteration();
+    in_run(name_, [&] { last && !iteration.agrees(near) ? iteration.retreat() : iteration.correct(); });
+    if (deforming_->elastic()) motion_.t1 = body_->pose();
+    return;
+  }
+  const bool leads_nowhere = last && !coupling_.agrees(radius_, near);
+  motion_ = leads_nowhere ? coupling_.retreat(*body_, radius_) : coupling_.correct(*body_, radius_);
 }
 
 void Impactor::finish_step() {
@@ -200,11 +248,22 @@ void Impactor::finish_step() {
     last_step_.contact_impulses.push_back(pending.contact_impulse);
   }
   count_in_contact();
-  contact_work_ += coupling_.finish(body_);
-  last_step_.impulse = coupling_.found().linear;
-  last_step_.angular_impulse = coupling_.found().angular;
+  const Impulse found = deforming_ ? sum_of_pending() : coupling_.found();
+  contact_work_ += deforming_ ? deforming_->iteration().finish() : coupling_.finish(*body_);
+  last_step_.impulse = found.linear;
+  last_step_.angular_impulse = found.angular;
   account_.impulse += last_step_.impulse;
   account_.angular_impulse += last_step_.angular_impulse;
+}
+
+Impulse Impactor::sum_of_pending() const {
+  Impulse sum;
+  for (const Pending& pending : pending_) {
+    const Vec3d& impulse = pending.contact_impulse.impulse;
+    sum.linear += impulse;
+    sum.angular += cross(pending.place - body_->position_of_com(), impulse);
+  }
+  return sum;
 }
 
 // Counts particles, not impulses: several impactors may act on one within a step.
@@ -223,6 +282,7 @@ void Impactor::count_in_contact() {
 }
 
 std::vector<std::size_t> Impactor::still_inside(std::size_t body, const ContactParticles& particles, std::span<const std::size_t> which) {
+  if (deforming_) return deforming_->detector(body).still_inside(particles, which);
   return std::visit([&](auto& detector) { return detector.still_inside(particles, motion_, which); }, detectors_[body]);
 }
 
@@ -232,6 +292,7 @@ void Impactor::record_unresolved(std::size_t body, std::size_t particles, double
 }
 
 void Impactor::moved(std::size_t body, std::size_t particle) {
+  if (deforming_) return deforming_->detector(body).moved(particle);
   std::visit([&](auto& detector) { detector.moved(particle); }, detectors_[body]);
 }
 
@@ -252,9 +313,58 @@ std::vector<ContactImpulse> Impactor::contact_impulses_now() const {
 }
 
 double Impactor::kinetic_energy() const {
-  RigidBody later = body_;
+  RigidBody later = *body_;
   if (is_coupled_) later.add_impulse(0.5 * last_step_.impulse, 0.5 * last_step_.angular_impulse);
-  return later.kinetic_energy();
+  return later.kinetic_energy() + (deforming_ ? deforming_->kinetic_energy() : 0);
+}
+
+double Impactor::kinetic_energy_of_scheme() const { return body_->kinetic_energy() + (deforming_ ? deforming_->kinetic_energy_of_scheme() : 0); }
+
+void Impactor::expect_deformable() const {
+  const std::string key = "impactors." + name_;
+  if (!std::ranges::all_of(detectors_, [](const Detector& detector) { return std::holds_alternative<Swept>(detector); }))
+    throw SetupError("contact.impactors.detector", fmt::format("impactor {} deforms, which needs detector: swept.", name_));
+  if (remeshing_)
+    throw SetupError(key, fmt::format("impactor {} deforms, so that its mesh cannot be coarsened or refined; its vertices carry the modes.", name_));
+  if (!std::holds_alternative<Unbounded>(region_.region))
+    throw SetupError(key + ".contact_bounds", fmt::format("impactor {} deforms, which excludes contact bounds; remove them.", name_));
+  if (water_) throw SetupError(key + ".floating", fmt::format("impactor {} deforms, which excludes floating; remove one of them.", name_));
+}
+
+std::vector<double> Impactor::contact_radii() const {
+  std::vector<double> radii;
+  for (const Detector& detector : detectors_) radii.push_back(std::get<Swept>(detector).radius());
+  return radii;
+}
+
+std::vector<Vec3d> Impactor::vertices() const {
+  if (deforming_) return {deforming_->vertices().begin(), deforming_->vertices().end()};
+  std::vector<Vec3d> vertices(surface_->panels().vertices);
+  for (Vec3d& vertex : vertices) vertex = body_->pose().to_world(vertex);
+  return vertices;
+}
+
+void Impactor::make_elastic(Modes modes) {
+  expect_deformable();
+  deform([&] { return std::make_unique<ElasticBody>(*body_, std::move(modes), surface_->panels().vertices); });
+}
+
+void Impactor::make_external(StructureSolver solver, std::vector<double> masses) {
+  expect_deformable();
+  if (!loads_.empty() || !prescribed_.is_empty() || fastest_velocity() != Vec3d{} || fastest_angular_velocity() != Vec3d{})
+    throw SetupError("impactors." + name_,
+                     fmt::format("the surface of impactor {} is moved by a structure, which excludes velocities, motion and loads.", name_));
+  deform([&] { return std::make_unique<ExternalStructure>(std::move(solver), std::move(masses), vertices()); });
+}
+
+template <class Make>
+void Impactor::deform(const Make& make) {
+  try {
+    DeformingPart::AnyStructure structure = make();
+    deforming_ = std::make_unique<DeformingPart>(std::move(structure), *surface_, vertices(), contact_radii());
+  } catch (const InputError& error) {
+    throw SetupError("impactors." + name_, fmt::format("impactor {}: {}", name_, error.what()));
+  }
 }
 
 }  // namespace perimpact

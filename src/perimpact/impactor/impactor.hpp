@@ -1,4 +1,4 @@
-/// Rigid impactor: rigid body, surface, contact detectors and ledgers.
+/// Impactor: rigid body, surface, contact detectors and ledgers; with a structure if its surface deforms.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,7 @@
 #include "perimpact/impactor/contact_bounds_of.hpp"
 #include "perimpact/impactor/contact_ledger.hpp"
 #include "perimpact/impactor/contact_particles.hpp"
+#include "perimpact/impactor/deforming_part.hpp"
 #include "perimpact/impactor/gauges_of.hpp"
 #include "perimpact/impactor/remeshed.hpp"
 #include "perimpact/impactor/surface_of.hpp"
@@ -79,6 +80,13 @@ class Impactor {
   /// The same with its surface_of().
   Impactor(const ImpactorSetup& setup, const ImpactorContactSetup& contact, std::span<Particles* const> bodies, ImpactorSurface surface);
 
+  /// Gives the impactor vibration modes, on the vertices of its panels. Before the first step. Throws SetupError.
+  void make_elastic(fccda::Modes modes);
+  /// The same with a surface that another program moves; `masses` [kg] of the vertices.
+  void make_external(fccda::StructureSolver solver, std::vector<double> masses);
+  const DeformingPart* deforming() const { return deforming_.get(); }  ///< null if it is rigid
+  std::vector<Vec3d> vertices() const;                                 ///< [m] current, of its panels, in the world frame
+
   /// Applies motion tables and loads for the step, and moves the impactor as without contact.
   void advance(const fccda::Step& step);
 
@@ -94,7 +102,7 @@ class Impactor {
 
   /// True if the impactor's motion is consistent with the impulses of this pass within tolerance. Always true for constrained impactors, and
   /// for the detector `published`, which applies the impulse after the step as in the FCCDA paper.
-  bool moved_with_contact() const;
+  bool moved_with_contact();
 
   /// Begins another pass over all bodies from the initial particle positions; the impactor moves with the impulses of the previous pass.
   /// `last`: of the last pass; if the passes have not converged, the impactor again moves as without contact.
@@ -113,7 +121,7 @@ class Impactor {
   void put_back(std::size_t body, std::size_t particle);
 
   const std::string& name() const { return name_; }
-  const fccda::RigidBody& body() const { return body_; }
+  const fccda::RigidBody& body() const { return *body_; }
   const fccda::Surface& surface() const { return *surface_; }
   std::size_t crossing_panels() const { return crossing_panels_; }  ///< intersecting panels within one body of the given surface
   const fccda::SurfaceReport& report_as_given() const { return remeshing_ ? remeshing_->given : surface_->report(); }  ///< before remeshing
@@ -141,8 +149,9 @@ class Impactor {
   /// Contact impulses of the last step, without particles relocated to a prescribed position; empty if the impulse is applied after the
   /// step.
   std::vector<ContactImpulse> contact_impulses_now() const;
-  /// [J] at the end of the last step, assuming constant contact forces, since the velocity is that of mid-step.
+  /// [J] at the end of the last step, with vibration, assuming constant contact forces, since the velocity is that of mid-step.
   double kinetic_energy() const;
+  double kinetic_energy_of_scheme() const;                        ///< [J] with the velocity of mid-step
   std::span<const NamedGauge> gauges() const { return gauges_; }  ///< with cumulative sums
 
   /// Largest known velocity: per degree of freedom the current one or the maximum of its table.
@@ -151,15 +160,15 @@ class Impactor {
 
   /// False if a table, a load or water changes the velocity without contact.
   bool coasts() const { return prescribed_.is_empty() && loads_.empty() && !water_; }
-  double constraint_work() const { return body_.constraint_work(); }  ///< [J] cumulative, of constraints and prescribed motion
-  double load_work() const { return load_work_; }                     ///< [J] cumulative, of applied loads
-  double contact_work() const { return contact_work_; }               ///< [J] cumulative, on the impactor by contact
-  double work_on_particles() const { return work_on_particles_; }     ///< [J] cumulative, on particles in contact (docs/theory/energy.md)
-  double water_work() const { return water_work_; }                   ///< [J] cumulative, of weight, buoyancy and their damping
+  double constraint_work() const { return body_->constraint_work(); }  ///< [J] cumulative, of constraints and prescribed motion
+  double load_work() const { return load_work_; }                      ///< [J] cumulative, of applied loads
+  double contact_work() const { return contact_work_; }                ///< [J] cumulative, on the impactor by contact
+  double work_on_particles() const { return work_on_particles_; }      ///< [J] cumulative, on particles in contact (docs/theory/energy.md)
+  double water_work() const { return water_work_; }                    ///< [J] cumulative, of weight, buoyancy and their damping
 
   const std::optional<fccda::StillWater>& water() const { return water_; }
-  fccda::Hydrostatics hydrostatics() const { return fccda::hydrostatics(body_, *surface_, *water_); }  ///< current; requires water
-  double draft() const { return water_->level - keel(body_, *surface_); }                              ///< [m] current; requires water; negative above water
+  fccda::Hydrostatics hydrostatics() const { return fccda::hydrostatics(*body_, *surface_, *water_); }  ///< current; requires water
+  double draft() const { return water_->level - keel(*body_, *surface_); }                              ///< [m] current; requires water; negative above water
   const std::optional<PlacedInWater>& placed_in_water() const { return placed_in_water_; }
 
   const ContactRecord& record() const { return record_; }
@@ -172,7 +181,8 @@ class Impactor {
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     auto its = fccda::under(name_, visit);
-    body_.visit_state(its);
+    body_->visit_state(its);
+    if (deforming_) deforming_->visit_state(its);
     its("load_work", load_work_);
     if (water_) its("work_of_water", water_work_);
     for (std::size_t b = 0; b < detectors_.size(); ++b) {
@@ -214,6 +224,12 @@ class Impactor {
   };
 
   std::span<const fccda::Contact> respond_to_contacts(std::size_t body, ContactParticles& particles);
+  std::span<const fccda::Contact> respond_to_deforming_contacts(std::size_t body, ContactParticles& particles);
+  fccda::Impulse sum_of_pending() const;
+  void expect_deformable() const;
+  template <class Make>
+  void deform(const Make& make);
+  std::vector<double> contact_radii() const;
   void count_in_contact();
   std::string name_;
   std::size_t crossing_panels_;
@@ -222,10 +238,11 @@ class Impactor {
   ImpactorBounds region_;
   fccda::PrescribedMotion prescribed_;
   std::vector<fccda::AppliedLoad> loads_;
-  fccda::RigidBody body_;
-  double radius_;  // [m] of all vertices about the centre of mass
+  std::unique_ptr<fccda::RigidBody> body_;    // an address that its structure may keep
+  std::unique_ptr<DeformingPart> deforming_;  // if its surface deforms
+  double radius_;                             // [m] of all vertices about the centre of mass
   double friction_;
-  std::vector<fccda::Detector> detectors_;  // one per body
+  std::vector<fccda::Detector> detectors_;  // one per body, for the surface as long as it is not deformed
   fccda::Motion motion_;
   std::vector<fccda::Contact> contacts_;           // of the latest detection
   std::vector<UnresolvedPenetration> unresolved_;  // by body

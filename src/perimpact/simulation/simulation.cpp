@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -49,7 +50,37 @@ std::vector<BoundaryConditions> make_boundary_conditions(const Setup& setup, std
 
 constexpr double safety = 0.9;  // factor on the estimate, which is a bound for linear bodies at rest
 
-Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optional<ShortRange>& fragments, std::vector<std::string>& warnings) {
+/// [rad/s] of the modes of all impactors; 0 without any.
+double highest_frequency(std::span<const Impactor> impactors) {
+  double highest = 0;
+  for (const Impactor& impactor : impactors)
+    if (const DeformingPart* part = impactor.deforming(); part && part->elastic())
+      for (const fccda::Mode& mode : part->elastic()->modes()) highest = std::max(highest, mode.angular_frequency);
+  return highest;
+}
+
+constexpr double automatic_angle = 0.5;  // ω Δt of the highest mode: the static deflection of a mode is 2 % too small (elastic_body.hpp)
+constexpr double largest_angle = 2;      // there by 36 %
+
+/// `automatic` [s] with regard to the bodies. Reduced so that modes are resolved; a given step that does not resolve them is refused.
+double resolve_modes(const Setup& setup, double automatic, double highest, std::vector<std::string>& warnings) {
+  if (highest == 0) return automatic;
+  const double resolved = automatic_angle / highest;
+  if (setup.time.step && *setup.time.step * highest > largest_angle)
+    throw SetupError("time.step", fmt::format("the time step of {:.4g} s is too long for the highest mode of an elastic impactor ({:.4g} Hz); use at most "
+                                              "{:.4g} s, or leave out high modes (elastic.highest_frequency).",
+                                              *setup.time.step, highest / (2 * std::numbers::pi), resolved));
+  if (setup.time.step && *setup.time.step > resolved * (1 + 1e-9))
+    warnings.push_back(
+        fmt::format("The time step of {:.4g} s resolves the highest mode of an elastic impactor ({:.4g} Hz) poorly: its static deflection is "
+                    "{:.2g} % too small. Use at most {:.4g} s, or leave out high modes.",
+                    *setup.time.step, highest / (2 * std::numbers::pi),
+                    100 * (1 - 0.5 * *setup.time.step * highest / std::tan(0.5 * *setup.time.step * highest)), resolved));
+  return std::min(automatic, resolved);
+}
+
+Stability find_step(const Setup& setup, std::span<Body> bodies, std::span<const Impactor> impactors, const std::optional<ShortRange>& fragments,
+                    std::vector<std::string>& warnings) {
   Stability stability{0, std::numeric_limits<double>::infinity(), {}};
   const std::vector<ContactingBody> contacting = contacting_bodies(setup, bodies);
   const auto bound = [&](std::size_t b) { return fragments ? fragments->bound(contacting, b) : ShortRange::Bound{}; };
@@ -58,7 +89,7 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optio
     stability.step = setup.time.end / setup.time.relax->increments;
     return stability;
   }
-  const double automatic = safety * stability.estimate;
+  const double of_bodies = safety * stability.estimate, automatic = resolve_modes(setup, of_bodies, highest_frequency(impactors), warnings);
   if (!setup.time.step && !std::isfinite(automatic))
     throw SetupError("time", "no body has bonds, so that the stable time step is undefined; give time.step, or use smaller spacings.");
   stability.step = setup.time.step.value_or(setup.time.end / std::ceil(setup.time.end / automatic));
@@ -69,7 +100,7 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optio
   if (!(setup.time.end / stability.step <= max_steps))
     throw SetupError("time.end", fmt::format("the run would take {:.3g} steps of {:.3g} s; end it earlier, or increase the step.",
                                              setup.time.end / stability.step, stability.step));
-  if (stability.step <= automatic * (1 + 1e-9)) return stability;
+  if (stability.step <= of_bodies * (1 + 1e-9)) return stability;
   double exact = std::numeric_limits<double>::infinity(), own = exact;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double stiffest = stiffest_mode(bodies[b]);
@@ -85,7 +116,7 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, const std::optio
     warnings.push_back(
         fmt::format("The time step of {:.4g} s is {:.3g} times the estimated stable step ({:.4g} s) and {:.3g} times the lower bound for these bodies{}; it "
                     "may be unstable. Use at most {:.4g} s.",
-                    stability.step, stability.step / automatic, automatic, stability.step / own, fragments ? " with fragments in contact" : "", safety * own));
+                    stability.step, stability.step / of_bodies, automatic, stability.step / own, fragments ? " with fragments in contact" : "", safety * own));
   return stability;
 }
 
@@ -142,7 +173,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
       bodies_(make_bodies(setup, std::move(start.particles), stages_)),
       boundary_conditions_(make_boundary_conditions(setup, bodies_, std::move(user_forces))),
       fragments_((stages_.begin("contact of fragments"), short_range_of(setup, bodies_))),
-      stability_((stages_.begin("time step"), find_step(setup, bodies_, fragments_, warnings_))),
+      stability_((stages_.begin("time step"), find_step(setup, bodies_, start.impactors, fragments_, warnings_))),
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
       relaxation_(make_relaxation(setup, bodies_, clock_.dt)),
       impactors_(std::move(start.impactors)),

@@ -172,3 +172,44 @@ TEST_CASE("consistency of impactors: refinement and coarsening require a detecto
   check("refine", "{rim: {edge_length: 1 mm}}");
   check("coarsen", "{max_deviation: 1 mm}");
 }
+
+TEST_CASE("consistency of impactors: the modes of an elastic impactor are a file beside the deck") {
+  const fixtures::TemporaryFolder folder;
+  fixtures::put(folder / "panel.vtu", "content");
+  const auto read = [&](const std::string& keys) { return deck::read_deck_text(with(keys), "deck.yaml", folder.path(), {}).setup.impactors[0].elastic; };
+  const auto elastic = read("elastic: {modes: panel.vtu, damping: 0.02, highest_frequency: 3 kHz}");
+  CHECK(elastic->modes == (folder / "panel.vtu").string());
+  CHECK(*elastic->damping == 0.02);
+  CHECK(*elastic->highest_frequency == 3000);
+  CHECK_FALSE(read("elastic: {modes: panel.vtu}")->damping);
+  CHECK_FALSE(fixtures::read(fixtures::plate).setup.impactors[0].elastic);
+  const auto refused = [&](const std::string& keys) -> std::string {
+    try {
+      read(keys);
+      return "";
+    } catch (const fccda::InputError& error) {
+      return error.what();
+    }
+  };
+  CHECK(refused("elastic: {modes: shell.vtu}") == place_of(with("elastic: {modes: shell.vtu}"), "shell.vtu") + ": there is no file " +
+                                                      (folder / "shell.vtu").string() + "; relative names start at the deck's folder.");
+  const std::string critical = "elastic: {modes: panel.vtu, damping: 1}";
+  CHECK(refused(critical) ==
+        place_of(with(critical), "1}\n    free") +
+            ": damping is 1, but it must be at least 0 and below 1. Damping of every mode as a ratio of critical damping. Where absent, that of the file; 0 "
+            "where it has none.");
+}
+
+TEST_CASE("consistency of impactors: an elastic impactor has the swept detector and the vertices of its modes") {
+  const std::string elastic = "elastic: {modes: panel.vtu}";
+  for (const std::string detector : {"analytic", "published"}) {
+    const std::string text = with(elastic);
+    CHECK(complaint(text, {"contact.impactors.detector=" + detector}) == place_of(text, "elastic: {modes") + ": cylinder is elastic, but the " + detector +
+                                                                             " detector has rigid surfaces only; set detector: swept, or remove elastic.");
+  }
+  const std::string remedy = " changes the vertices of the surface, on which the modes of elastic are given; remove ";
+  check_refused(elastic + "\n    coarsen: {max_deviation: 1 mm}", "coarsen: {max_deviation",
+                "coarsen" + remedy + "coarsen, remesh the surface before its modes are computed, or remove elastic.");
+  check_refused(elastic + "\n    refine: {all: {edge_length: 1 mm}}", "refine: {all",
+                "refine" + remedy + "refine, remesh the surface before its modes are computed, or remove elastic.");
+}
