@@ -14,7 +14,8 @@ from pathlib import Path
 
 import numpy as np
 import perimpact
-from panel import SAFETY, ExplicitPanel, Model
+from panel import ExplicitPanel, Model
+from perimpact import modes
 
 STEP = 2e-6  # [s] below the stable step of the panel, which is by far the shorter one
 MODES = 240
@@ -152,7 +153,7 @@ def write_modes(file, model, count):
     frequencies, shapes = model.modes(count)
     stresses = model.wet_stresses(shapes)
     wet = shapes.reshape(-1, 6, count)[: model.wet, :3]
-    perimpact.modes.write(file, model.points[: model.wet], wet.transpose(2, 0, 1), frequencies / (2 * np.pi), stresses=stresses.transpose(2, 0, 1))
+    modes.write(file, model.points[: model.wet], model.faces, frequencies / (2 * np.pi), wet.transpose(2, 0, 1), stresses.transpose(2, 0, 1))
     return shapes
 
 
@@ -174,7 +175,7 @@ def run(name, panel, model, folder):
     impulse = np.linalg.norm(recorder.start)
     found = recorder.arrays()
     found |= {"time": history["time [s]"], "force": -history["panel.force_z [N]"], "start": impulse, "energy": history["total.energy [J]"],
-              "balance_error": history["total.energy_balance_error [J]"], "broken": recorder.body.broken_bonds, "names": list(history)}  # fmt: skip
+              "balance_error": history["total.energy_balance_error [J]"], "broken": recorder.body.broken_bonds, **{name.split(" ")[0]: values for name, values in history.items() if name.startswith(("total.", "ice.", "panel.elastic", "panel.structure"))}}  # fmt: skip
     np.savez_compressed(folder / f"{name}_{panel}.npz", **found)
     return found
 

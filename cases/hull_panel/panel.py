@@ -197,3 +197,8 @@ class ExplicitPanel:
     def elastic_energy(self):
         """[J] ½ u(t0)·K u(t1): with the kinetic energy in between, central differences conserve the sum exactly."""
         return 0.5 * self.forces @ self.u
+
+    @property
+    def energy(self):
+        """[J] what perimpact.Simulation includes in its energy balance: less the work of the load, and with what damping has dissipated."""
+        return self.kinetic_energy + self.elastic_energy - self.work + self.damped
