@@ -145,13 +145,13 @@ def run(ratio):
         times.append(simulation.time)
         finite.append((bar.mass.reshape(-1, 3)[bar.gauge, 2] @ bar.v.reshape(-1, 3)[bar.gauge, 2]) / bar.mass.reshape(-1, 3)[bar.gauge, 2].sum() - DRIFT)
         particles.append(body.velocities[middle, 2].mean() - DRIFT)
-        total = bar.momentum[2] + particle * body.velocities[body.slots, 2].sum()
         energy.append(bar.unbalanced)
-        momentum = max(momentum, abs(total - bar.load_impulse))
+        momentum = max(momentum, abs(momentum_now() - start - bar.load_impulse))
 
     simulation.run(callback=record)
     history = simulation.history
-    total = history["total.energy [J]"] + history["total.contact_dissipation [J]"] + np.interp(history["time [s]"], [0.0, *times], [passed_on, *energy])
+    of_bar = np.interp(history["time [s]"], [0.0, *(np.array(times) - STEP / 2)], [passed_on, *energy])  # known in the middle of each step
+    total = history["total.energy [J]"] + history["total.contact_dissipation [J]"] + of_bar
     return {"times": np.array(times), "finite": np.array(finite), "particles": np.array(particles), "momentum": momentum / bar.load_impulse,
             "energy": np.abs(total - total[0]).max() / bar.work, "dissipation": history["total.contact_dissipation [J]"][-1] / bar.work}  # fmt: skip
 
