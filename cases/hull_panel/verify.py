@@ -11,6 +11,7 @@ import numpy as np
 from panel import BAYS, BREADTH, DENSITY, FLANGE, HEIGHT, PLATING, POISSON, SAFETY, SPACING, WEB, YOUNG, ExplicitPanel, Model, grid, merged
 
 COUNTS = 20, 40, 80, 160, 240, 320  # modes
+SHOWN = 240
 PATCH, TOTAL, SPEED = (0.6, 0.4), 100e3, 25.0  # [m] along x, y; [N]; [m/s] along y, across the frames
 
 
@@ -155,10 +156,12 @@ def main():
     print(f"largest deflection {1e3 * np.abs(found['deflection']).max():.4f} mm")
     for count in COUNTS:
         deflection, stress = superpose_moving_load(model, (frequencies[:count], shapes[:, :count]), found["times"])
+        if count == SHOWN:
+            shown = deflection
         print(f"    {count} modes, to {frequencies[count - 1] / 2 / np.pi:.0f} Hz: deflection differs by {100 * deviation(found['deflection'], deflection):.3f} %, stress by "
               f"{100 * deviation(found['stress'], stress):.2f} % of the largest")  # fmt: skip
     if len(sys.argv) > 1:
-        np.savez_compressed(sys.argv[1], times=found["times"], finite=found["deflection"], modal=deflection, points=model.points[: model.wet])
+        np.savez_compressed(sys.argv[1], times=found["times"], finite=found["deflection"], modal=shown, points=model.points[: model.wet])
 
 
 if __name__ == "__main__":

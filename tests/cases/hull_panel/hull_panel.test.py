@@ -68,4 +68,48 @@ def moving_load(test):
     test.assertLess(found["energy"], 1e-6)  # central differences conserve it; the load's work is a sum over steps
 
 
+def hit(test, panel, end):
+    """A coarse sphere on the coarse panel: what impacts.py records."""
+    import impacts
+    from panel import Model
+
+    bodies, _ = impacts.ice_sphere(spacing=0.1)
+    impacts.ICE["coarse"] = lambda: (bodies, end)
+    return impacts.run("coarse", panel, Model(COARSE), test.folder)
+
+
+@claim("hull_panel: ice and finite elements, coupled in each step, keep momentum to 1e-10 with the reactions of the clamped edges, and energy to 1e-6")
+def coupled(test):
+    needs("dolfinx", "scipy")
+    found = hit(test, "finite", 12e-3)
+    test.assertLess(found["residual"].max() / found["start"], 1e-10)
+    # second order in the step; paired with the velocity of one step alone the work of contact is wrong by a few per cent
+    test.assertLess(abs(found["balance_error"]).max() / found["energy"][0], 1e-6)
+    test.assertGreater(found["deflection"].max(), 5e-4)
+
+
+@claim("hull_panel: ice that hits the panel's modes causes the force and deflection of that which hits the finite elements, and less than a rigid panel does")
+def three_panels(test):
+    needs("dolfinx", "scipy")
+    rigid, modal, finite = (hit(test, panel, 8e-3) for panel in ("rigid", "modal", "finite"))
+    for quantity in ("force", "deflection"):
+        of = {name: found[quantity].max() for name, found in (("rigid", rigid), ("modal", modal), ("finite", finite))}
+        test.assertLess(abs(of["modal"] / of["finite"] - 1), 0.03, quantity)
+        test.assertLess(of["finite"], 0.8 * of["rigid"], quantity)
+
+
+@claim("hull_panel: a pulse passes from finite elements into particles of the same material without reflection, and with another impedance as theory has it, within 2 %")
+def bars(test):
+    needs("dolfinx", "scipy")
+    import bar
+
+    for ratio in (1.0, 0.5):
+        found = bar.run(ratio)
+        reflection, transmission = bar.coefficients(found)
+        test.assertLess(abs(reflection - (ratio - 1) / (ratio + 1)), 0.02)
+        test.assertLess(abs(ratio * transmission - 2 * ratio / (1 + ratio)), 0.02)
+        test.assertLess(found["momentum"], 1e-10)
+        test.assertLess(found["energy"], 1e-3)
+
+
 main()
