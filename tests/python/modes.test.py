@@ -134,6 +134,19 @@ def command(test):
     test.assertIn("the unit furlong is unknown", run(test, HERE / "beam.frd", "out.vtu", "--units", "furlong", "t", "s").stderr)
 
 
+@claim("modes: vertices of a surface in any order have the modes of their nodes, and their own positions")
+def surface_order(test):
+    read = read_beam()
+    order = np.random.default_rng(3).permutation(len(read.points))[:50]
+    vertices = read.points[order] + 2e-6  # a rounding as of six digits
+    placed = modes.on_surface(read, vertices, [[0, 1, 2]])
+    np.testing.assert_array_equal(placed.points, vertices)
+    np.testing.assert_array_equal(placed.shapes, read.shapes[:, order])
+    np.testing.assert_array_equal(placed.stresses, read.stresses[:, order])
+    vertices[7, 2] += 0.01
+    test.assertIn("vertex 7 of the surface (counted from 0)", complaint(test, modes.on_surface, read, vertices))
+
+
 @claim("modes: eigenvectors of K φ = λ M φ become frequencies and shapes of unit modal mass")
 def eigenvectors(test):
     # a point of 2 kg on springs of 8, 18 and 32 N/m

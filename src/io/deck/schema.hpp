@@ -38,7 +38,7 @@ template <class Walker>
 void sections(Walker& walk, Setup& setup) {
   walk.section("time", setup.time, Presence::required, "Duration of the run and time step.");
   walk.named("bodies", setup.bodies, Presence::required, "The deformable bodies, each under a name of your choice.");
-  walk.named("impactors", setup.impactors, Presence::optional, "The rigid impactors, each under a name of your choice.");
+  walk.named("impactors", setup.impactors, Presence::optional, "The impactors, rigid or elastic, each under a name of your choice.");
   walk.section("contact", setup.contact, Presence::optional, "Contact of bodies and impactors.");
   walk.section("output", setup.output, Presence::optional, "Results of the run.");
 }

@@ -120,6 +120,16 @@ Stability find_step(const Setup& setup, std::span<Body> bodies, std::span<const 
   return stability;
 }
 
+void expect_solid_bodies(std::span<const Body> bodies, std::span<const Impactor> impactors) {
+  for (const Impactor& impactor : impactors)
+    for (const Body& body : bodies)
+      if (impactor.deforming() && body.particles.is_plane())
+        throw SetupError("impactors." + impactor.name(),
+                         fmt::format("impactor {} deforms, but body {} is plane, and contact in a plane needs a prismatic surface; make the body solid, or the "
+                                     "impactor rigid.",
+                                     impactor.name(), body.name));
+}
+
 std::optional<Relaxation> make_relaxation(const Setup& setup, std::span<const Body> bodies, double dt) {
   if (!setup.time.relax) return std::nullopt;
   if (!setup.impactors.empty())
@@ -180,6 +190,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
       load_steps_(std::clamp(std::lround(std::min(response_time(setup, bodies_) / clock_.dt, 1e9)), 1L, clock_.steps)),
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
+  expect_solid_bodies(bodies_, impactors_);
   stages_.begin("diagnostics");
   const auto warn = [&](std::vector<std::string> sentences) { std::ranges::move(sentences, std::back_inserter(warnings_)); };
   warn(warnings_about_bodies(setup_, bodies_, filled_masses_));
