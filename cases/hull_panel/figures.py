@@ -16,11 +16,12 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.ticker  # noqa: E402
 import numpy as np  # noqa: E402
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # noqa: E402
 
 CASE = Path(__file__).resolve().parent
-PANELS = (("rigid", "rigid", "#b3312c", "-"), ("modal", "240 modes", "#8fb8d8", "-"), ("finite", "finite elements", "#12355b", "--"))
+PANELS = (("rigid", "rigid", "#b3312c", "-"), ("modal", "240 modes", "#e8b04a", "-"), ("finite", "finite elements", "#12355b", "--"))
 WINDOW = 2e-4  # [s]
 
 
@@ -45,10 +46,10 @@ def draw_impacts(results):
         for panel, label, colour, style in PANELS:
             found = np.load(results / f"{name}_{panel}.npz")
             times, force = smooth(found)
-            row[0].plot(1e3 * times, force / 1e3, color=colour, ls=style, label=label)
-            row[1].plot(1e3 * found["times"], 1e3 * found["deflection"], color=colour, ls=style)
+            row[0].plot(1e3 * times, force / 1e3, color=colour, ls=style, lw=3 if panel == "modal" else 1.3, label=label)
+            row[1].plot(1e3 * found["times"], 1e3 * found["deflection"], color=colour, ls=style, lw=3 if panel == "modal" else 1.3)
             stress = np.max([found[part] for part in ("plating", "webs", "flanges")], axis=0)
-            row[2].plot(1e3 * found["times"], stress / 1e6, color=colour, ls=style)
+            row[2].plot(1e3 * found["times"], stress / 1e6, color=colour, ls=style, lw=3 if panel == "modal" else 1.3)
         for axis, quantity in zip(row, ("force, mean over 0.2 ms [kN]", "largest deflection [mm]", "largest von Mises stress [MPa]")):
             axis.set(ylabel=quantity, xlim=(0, end), ylim=(0, None), title=title)
             axis.grid(alpha=0.25)
@@ -79,7 +80,9 @@ def draw_panel(results):
             axis.scatter(*ice[shown & kind].T, s=5, c=colour, linewidths=0, zorder=2, depthshade=True)
         axis.set(xlim=(-1, 1), ylim=(-1, 1), zlim=(-0.6, 1.0), xlabel="x [m]", ylabel="y [m]", title=f"{name}: {1e3 * found['picture_deflection']:.2f} mm, drawn 100 times")
         axis.set_box_aspect((2, 2, 1.6))
-        axis.view_init(elev=-14 if name == "panel" else 18, azim=-62)
+        axis.view_init(elev=18, azim=-62)
+        for line in (axis.xaxis, axis.yaxis, axis.zaxis):
+            line.set_major_locator(matplotlib.ticker.MultipleLocator(0.5))
         figure.colorbar(drawn, ax=axis, shrink=0.6, label="von Mises stress [MPa]")
     save(figure, "panel")
 
