@@ -27,7 +27,7 @@ from shell import to_scipy
 
 YOUNG, DENSITY = 1.8e9, 900.0  # [Pa] [kg/m³] of the finite elements
 LENGTH, WIDTH, SIZE = 1.2, 0.08, 0.01  # [m] of each bar; of an element, and the spacing of the particles
-PRESSURE, DURATION = 1e5, 0.4e-3  # [Pa] [s] of the pulse
+PRESSURE, DURATION = 1e5, 0.5e-3  # [Pa] [s] of the pulse
 GAUGE = 0.5 * LENGTH  # [m] from the interface, in both bars
 DRIFT = 0.02  # [m/s] of both bars together: the check for an unstable step compares energies with that of the bodies at t = 0, which must not be zero
 SPEED = np.sqrt(YOUNG / DENSITY)  # [m/s]
@@ -157,22 +157,24 @@ def run(ratio):
 
 
 def coefficients(found):
-    """Reflected and transmitted impulse over the incident one, as stresses: σ = -Z v forwards, Z v backwards."""
+    """Reflected and transmitted impulse over the incident one, as stresses: σ = -Z v forwards, Z v backwards; the transmitted one is still without the factor Z₂/Z₁. Last
+    the largest reflected stress over the largest incident one, at any time."""
     times, finite = found["times"], found["finite"]
     arrives = (LENGTH - GAUGE) / SPEED
     parted = arrives + DURATION + GAUGE / SPEED - DURATION / 2  # halfway between the incident pulse and the reflected one
     incident = np.trapz(np.where(times < parted, finite, 0), times)
     reflected = np.trapz(np.where(times >= parted, finite, 0), times)
-    return -reflected / incident, np.trapz(found["particles"], times) / incident
+    peak = np.abs(finite[times >= parted]).max() / finite[times < parted].max()
+    return -reflected / incident, np.trapz(found["particles"], times) / incident, peak
 
 
 def main():
     perimpact.use_threads(1)
     for ratio in [float(word) for word in sys.argv[1:]] or [1.0, 0.5]:
         found = run(ratio)
-        reflection, transmission = coefficients(found)
+        reflection, transmission, peak = coefficients(found)
         transmission *= ratio
-        print(f"Z2/Z1 = {ratio:g}: reflection {reflection:.4f}, theory {(ratio - 1) / (ratio + 1):.4f}; transmission {transmission:.4f}, theory {2 * ratio / (1 + ratio):.4f}; "
+        print(f"Z2/Z1 = {ratio:g}: reflection {reflection:.4f}, theory {(ratio - 1) / (ratio + 1):.4f}; transmission {transmission:.4f}, theory {2 * ratio / (1 + ratio):.4f}; largest reflected stress {peak:.4f}; "
               f"residual of momentum {found['momentum']:.1e} of the impulse, of energy {found['energy']:.1e} of the work, contact dissipates {found['dissipation']:.1e} of it")  # fmt: skip
 
 

@@ -105,8 +105,9 @@ def bars(test):
 
     for ratio in (1.0, 0.5):
         found = bar.run(ratio)
-        reflection, transmission = bar.coefficients(found)
+        reflection, transmission, peak = bar.coefficients(found)
         test.assertLess(abs(reflection - (ratio - 1) / (ratio + 1)), 0.02)
+        test.assertLess(abs(peak - abs(ratio - 1) / (ratio + 1)), 0.02)
         test.assertLess(abs(ratio * transmission - 2 * ratio / (1 + ratio)), 0.02)
         test.assertLess(found["momentum"], 1e-10)
         test.assertLess(found["energy"], 1e-3)
