@@ -73,6 +73,8 @@ def page():
         stub = STUBS / ("fccda.pyi" if name.endswith("fccda") else "__init__.pyi")
         yield f"## {name}\n"
         for node in ast.parse(stub.read_text()).body:
+            if getattr(node, "name", "").startswith("_"):
+                continue  # for type checkers only
             if isinstance(node, ast.ClassDef):
                 yield from of_class(module, node)
                 yield ""

@@ -115,10 +115,17 @@ export class ImpactorData {
   vertices = new Float32Array(0);
   corners = new Int32Array(0); // four per panel, the last one -1 for triangles
   readonly pictures: Numbers[][] = [];
+  private readonly deformations: Numbers[][] = [];
   private readonly readers: ArrayReader[];
+  private readonly deformationReaders: ArrayReader[];
 
   constructor(readonly about: Impactor) {
     this.readers = about.arrays.map((array) => new ArrayReader(array.bytes));
+    this.deformationReaders = about.deformation.map((array) => new ArrayReader(array.bytes));
+  }
+
+  get isDeformed(): boolean {
+    return this.about.deformation.length > 0;
   }
 
   async readSurface(): Promise<void> {
@@ -141,7 +148,8 @@ export class ImpactorData {
 
   async readPicture(): Promise<void> {
     const arrays: Numbers[] = [];
-    if (this.readers.length > 0) {
+    const deformation: Numbers[] = [];
+    if (this.readers.length > 0 || this.isDeformed) {
       const bytes = await unpacked(`${this.about.id}_${this.about.pictures[this.pictures.length]}`);
       let at = 0;
       for (const reader of this.readers) {
@@ -149,8 +157,25 @@ export class ImpactorData {
         arrays.push(numbers);
         at = end;
       }
+      for (const reader of this.deformationReaders) {
+        const { numbers, end } = reader.next(bytes, at, this.about.vertices);
+        deformation.push(numbers);
+        at = end;
+      }
     }
+    this.deformations.push(deformation);
     this.pictures.push(arrays);
+  }
+
+  /** The vertices of a frame, deformed, before the motion of the surface. */
+  deformed(picture: number): Float32Array {
+    if (!this.isDeformed) return this.vertices;
+    const out = Float32Array.from(this.vertices);
+    this.deformations[picture].forEach((numbers, axis) => {
+      const { low, step } = this.about.deformation[axis];
+      numbers.forEach((value, vertex) => (out[3 * vertex + axis] += low + step * value));
+    });
+    return out;
   }
 
   shownAt(time: number): number {

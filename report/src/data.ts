@@ -26,6 +26,7 @@ export interface Impactor {
   vertices: number;
   panels: number;
   arrays: PackedArray[];
+  deformation: PackedArray[]; // displacements of the vertices along x, y and z before the motion; empty for a rigid surface
   pictures: number[];
   motions: number[][]; // 3 × 4 matrices
 }

@@ -38,7 +38,8 @@ function sheetOf(body: BodyData): Sheet | undefined {
 /** Ends of the lines in which the panels of an impactor cut the plane at half thickness [m], four numbers each. */
 function outline(impactor: ImpactorData, picture: number, { axes: [right, up, through], middle }: Sheet): number[] {
   const m = impactor.about.motions[picture];
-  const { vertices, corners } = impactor;
+  const { corners } = impactor;
+  const vertices = impactor.deformed(picture);
   const moved = new Float32Array(vertices.length);
   for (let k = 0; k < vertices.length; k += 3)
     for (let axis = 0; axis < 3; ++axis) moved[k + axis] = m[4 * axis] * vertices[k] + m[4 * axis + 1] * vertices[k + 1] + m[4 * axis + 2] * vertices[k + 2] + m[4 * axis + 3];

@@ -118,6 +118,12 @@ function texture(kind: Kind): DataTexture {
   return out;
 }
 
+/** Writes the positions of drawn corners, given the vertex of each. */
+function cornersAt(vertices: Float32Array, drawnVertices: Uint32Array, out: Float32Array): Float32Array {
+  drawnVertices.forEach((vertex, k) => out.set(vertices.subarray(3 * vertex, 3 * vertex + 3), 3 * k));
+  return out;
+}
+
 export type View = "+x" | "-x" | "+y" | "-y" | "+z" | "-z" | "iso" | "fit";
 
 const directions: Record<Exclude<View, "fit">, [number, number, number]> = {
@@ -139,6 +145,7 @@ interface ShownImpactor {
   data: ImpactorData;
   mesh: Mesh<BufferGeometry, ShaderMaterial>;
   perPanel: Uint8Array; // vertices drawn per panel: 3 or 6
+  drawnVertices: Uint32Array; // the vertex of each drawn corner
 }
 
 export interface Hit {
@@ -210,22 +217,21 @@ export class Stage {
     const perPanel = new Uint8Array(data.about.panels);
     let drawn = 0;
     for (let panel = 0; panel < perPanel.length; ++panel) drawn += perPanel[panel] = corners[4 * panel + 3] < 0 ? 3 : 6;
-    const position = new Float32Array(3 * drawn);
+    const drawnVertices = new Uint32Array(drawn); // of each drawn corner
     const edge = new Float32Array(3 * drawn);
     let at = 0;
     for (let panel = 0; panel < perPanel.length; ++panel) {
       const isQuad = perPanel[panel] === 6;
       const order = isQuad ? [0, 1, 2, 0, 2, 3] : [0, 1, 2];
       order.forEach((corner, k) => {
-        const vertex = 3 * corners[4 * panel + corner];
-        position.set(vertices.subarray(vertex, vertex + 3), at);
+        drawnVertices[at / 3] = corners[4 * panel + corner];
         edge[at + (k % 3)] = 1;
         if (isQuad) edge[at + (k < 3 ? 1 : 2)] = 1; // the side opposite that corner is the diagonal
         at += 3;
       });
     }
     const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(position, 3));
+    geometry.setAttribute("position", new BufferAttribute(cornersAt(vertices, drawnVertices, new Float32Array(3 * drawn)), 3));
     geometry.setAttribute("edge", new BufferAttribute(edge, 3));
     geometry.setAttribute("value", new BufferAttribute(new Float32Array(drawn), 1));
     const mesh = new Mesh(
@@ -249,7 +255,7 @@ export class Stage {
     mesh.frustumCulled = false;
     mesh.matrixAutoUpdate = false;
     mesh.renderOrder = 1; // drawn after the particles, which show through
-    this.impactors.push({ data, mesh, perPanel });
+    this.impactors.push({ data, mesh, perPanel, drawnVertices });
     this.scene.add(mesh);
     this.include(vertices);
   }
@@ -286,12 +292,17 @@ export class Stage {
     this.draw();
   }
 
-  /** Sets the pose of an impactor, and the colours of its panels if there are values. */
+  /** Sets the pose and the deformation of an impactor, and the colours of its panels if there are values. */
   showImpactor(impactor: number, picture: number, values: Float32Array | undefined, range: Range): void {
-    const { data, mesh, perPanel } = this.impactors[impactor];
+    const { data, mesh, perPanel, drawnVertices } = this.impactors[impactor];
     const m = data.about.motions[picture];
     mesh.matrix = new Matrix4().set(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11], 0, 0, 0, 1);
     mesh.matrixWorldNeedsUpdate = true;
+    if (data.isDeformed) {
+      const attribute = mesh.geometry.getAttribute("position") as BufferAttribute;
+      cornersAt(data.deformed(picture), drawnVertices, attribute.array as Float32Array);
+      attribute.needsUpdate = true;
+    }
     const { uniforms } = mesh.material;
     uniforms.isColoured.value = values !== undefined;
     uniforms.range.value.set(range.low, range.high);

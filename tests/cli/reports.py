@@ -75,9 +75,10 @@ class ReportFile:
 
     @staticmethod
     def _several(content, widths, count, unpackers=None):
+        """`count`: numbers of every array, or of each."""
         at, out = 0, []
         for k, width in enumerate(widths):
-            numbers, at = (unpackers[k] if unpackers else Unpacker(width)).next(content, at, count)
+            numbers, at = (unpackers[k] if unpackers else Unpacker(width)).next(content, at, count if isinstance(count, int) else count[k])
             out.append(numbers)
         assert at == len(content), "a blob is too long"
         return out
@@ -104,7 +105,7 @@ class ReportFile:
         return body, [self._real(array, each) for array, each in zip(body["undeformed"], places)], pictures
 
     def impactor(self, name):
-        """(description, vertices of the first frame, panels, a dictionary of arrays for each frame)"""
+        """(description, undeformed vertices of the first frame, panels, a dictionary of arrays for each frame; those of the deformation are x, y and z)"""
         impactor = next(each for each in self.description["impactors"] if each["name"] == name)
         content, at, columns = self.blob(impactor["id"]), 0, []
         for count in [impactor["vertices"]] * 3 + [impactor["panels"]] * 4:
@@ -112,9 +113,10 @@ class ReportFile:
             columns.append(numbers)
         vertices = [struct.unpack("<3f", struct.pack("<3I", *words)) for words in zip(*columns[:3])]
         panels = [[corner for corner in corners if corner != 0xFFFFFFFF] for corners in zip(*columns[3:])]
-        arrays, pictures = impactor["arrays"], []
+        arrays, pictures = impactor["arrays"] + impactor["deformation"], []
+        counts = [impactor["panels"]] * len(impactor["arrays"]) + [impactor["vertices"]] * len(impactor["deformation"])
         unpackers = [Unpacker(array["bytes"]) for array in arrays]
         for number in impactor["pictures"] if arrays else []:
-            numbers = self._several(self.blob(f'{impactor["id"]}_{number}'), [array["bytes"] for array in arrays], impactor["panels"], unpackers)
+            numbers = self._several(self.blob(f'{impactor["id"]}_{number}'), [array["bytes"] for array in arrays], counts, unpackers)
             pictures.append({array["name"]: self._real(array, each) for array, each in zip(arrays, numbers)})
         return impactor, vertices, panels, pictures

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import package  # makes perimpact importable; must come first
 from claims import claim, main
+from reports import ReportFile, read_pictures
 
 import numpy as np
 
@@ -35,6 +36,27 @@ def clamped_shape(root, x, derivative=0):
     if derivative == 0:
         return (np.cosh(k) - np.cos(k) - s * (np.sinh(k) - np.sin(k))) / np.sqrt(MASS)
     return (root / LENGTH) ** 2 * (np.cosh(k) + np.cos(k) - s * (np.sinh(k) + np.sin(k))) / np.sqrt(MASS)
+
+
+SPIN = 20.0  # rad/s
+DECK = f"""\
+title: A block on a cantilever that turns
+time: {{end: 6 ms}}
+bodies:
+  block:
+    shape: {{box: {{size: [0.1, 0.08, 0.1]}}}}
+    position: [0.9, 0.05, 0.1025]
+    spacing: 0.01
+    velocity: [0, 0, -2]
+    material: {{model: ordinary-state, youngs_modulus: 1 GPa, poissons_ratio: 0.25, density: 2000}}
+impactors:
+  beam:
+    surface: {{file: beam.vtu}}
+    mass: 39
+    angular_velocity: [0, 0, {SPIN}]
+    elastic: {{modes: beam.vtu}}
+output: {{folder: results, frames: 3}}
+"""
 
 
 def read_beam():
@@ -186,6 +208,49 @@ def rigid(test):
     bent = motion.copy()
     bent[:, 2] += 0.1 * points[:, 0] ** 2
     test.assertFalse(modes.is_rigid(points, bent))
+
+
+@claim("modes: frames of an elastic impactor have the deformed surface with its displacements and the stresses that belong to them, and so has the report")
+def deformed_frames(test):
+    read = modes.chosen(read_beam(), [1, 3])  # bending by a force along z
+    modes.write(test.folder / "beam.vtu", read.points, read.faces, read.frequencies, read.shapes, read.stresses, 0.02)
+    (test.folder / "deck.yaml").write_text(DECK)
+    done = subprocess.run([sys.argv[1], "run", "deck.yaml", "--threads", "1"], cwd=test.folder, capture_output=True, text=True)
+    test.assertEqual(done.returncode, 0, done.stderr)
+    test.assertEqual(subprocess.run([sys.argv[1], "report", "results"], cwd=test.folder, capture_output=True).returncode, 0)
+    report = ReportFile(test.folder / "results/report.html")
+    test.assertEqual(report.notes, [])
+    about, vertices, panels, pictures = report.impactor("beam")
+    test.assertEqual([array["unit"] for array in about["arrays"][-2:]], ["m", "Pa"])
+    basis = read.shapes.reshape(2, -1).T
+    centre = np.array([LENGTH, WIDTH, HEIGHT]) / 2
+    for number, (time, motion, picture) in enumerate(zip(report.times, about["motions"], pictures, strict=True)):
+        frame = {name: np.array(rows) for name, rows in read_pictures(test.folder / f"results/frames/beam_{number:05}.vtp").items() if name != "panels"}
+        angle = SPIN * time
+        turn = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+        u = frame["displacement"]
+        np.testing.assert_allclose(frame["points"], (read.points - centre) @ turn.T + centre + u, rtol=0, atol=1e-7)  # single precision
+        q, *_ = np.linalg.lstsq(basis, (u @ turn).ravel(), rcond=None)
+        size = np.abs(u).max()
+        np.testing.assert_allclose((basis @ q).reshape(-1, 3), u @ turn, rtol=0, atol=1e-6 * size + 1e-12)
+        stress = np.einsum("k,knc->nc", q, read.stresses)
+        largest = np.abs(stress).max()
+        np.testing.assert_allclose(frame["stress"], stress, rtol=0, atol=1e-5 * largest + 1)
+        tensors = frame["stress"][:, [[0, 3, 5], [3, 1, 4], [5, 4, 2]]]
+        principal = np.linalg.eigvalsh(tensors)
+        von_mises = np.sqrt(((principal - np.roll(principal, 1, axis=1)) ** 2).sum(axis=1) / 2)
+        np.testing.assert_allclose(frame["von_mises_stress"][:, 0], von_mises, rtol=0, atol=1e-5 * largest + 1)
+        # in the report: the deformed surface, and means over the corners of each panel
+        shown = np.array(vertices) + np.array([picture[axis] for axis in "xyz"]).T
+        rows = np.array(motion).reshape(3, 4)
+        step = max(array["step"] for array in about["deformation"])
+        np.testing.assert_allclose(shown @ rows[:, :3].T + rows[:, 3], frame["points"], rtol=0, atol=1e-6 + step)
+        means = [von_mises[panel].mean() for panel in panels]
+        np.testing.assert_allclose(picture["von_mises_stress"], means, rtol=0, atol=about["arrays"][-1]["step"] + 1e-5 * largest + 1)
+    test.assertGreater(size, 1e-3)  # the beam bends
+    history = test.history("results")
+    test.assertLess(abs(history["beam.largest_deflection [m]"][-1] / np.linalg.norm(u, axis=1).max() - 1), 1e-6)
+    test.assertLess(abs(history["beam.largest_von_mises_stress [Pa]"][-1] / von_mises.max() - 1), 1e-5)
 
 
 @claim("modes: a damaged .frd file is refused with its line, or read")

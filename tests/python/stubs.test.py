@@ -19,7 +19,7 @@ def modules():
 
 
 def stubbed(stub):
-    return {node.name: node for node in ast.parse(stub.read_text()).body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+    return {node.name: node for node in ast.parse(stub.read_text()).body if isinstance(node, (ast.ClassDef, ast.FunctionDef)) and not node.name.startswith("_")}
 
 
 def public(names):

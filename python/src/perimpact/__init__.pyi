@@ -98,7 +98,7 @@ class Impactor:
     @property
     def triangles(self) -> NDArray[np.int32]: ...
 
-class Structure(Protocol):
+class _Structure(Protocol):
     @property
     def masses(self) -> ArrayLike: ...
     def advance(self, time: float, dt: float) -> ArrayLike: ...
@@ -111,7 +111,7 @@ class Simulation:
         *,
         folder: Union[str, PathLike[str]] = ".",
         forces: Optional[Mapping[str, Mapping[str, UserForce]]] = None,
-        structures: Optional[Mapping[str, Structure]] = None,
+        structures: Optional[Mapping[str, _Structure]] = None,
     ) -> None: ...
     @staticmethod
     def from_deck(
@@ -119,7 +119,7 @@ class Simulation:
         *,
         set: Optional[dict[str, Any]] = None,
         forces: Optional[Mapping[str, Mapping[str, UserForce]]] = None,
-        structures: Optional[Mapping[str, Structure]] = None,
+        structures: Optional[Mapping[str, _Structure]] = None,
     ) -> Simulation: ...
     def step(self) -> None: ...
     def run(self, until: Optional[float] = None, callback: Optional[Callable[[Simulation], Optional[bool]]] = None, every: int = 1) -> None: ...

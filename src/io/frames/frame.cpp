@@ -8,10 +8,17 @@
 
 namespace perimpact::frames {
 
-const FrameArray* Frame::find(std::string_view name) const {
+namespace {
+
+const FrameArray* named(const std::vector<FrameArray>& arrays, std::string_view name) {
   const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const FrameArray& array) { return array.name == name; });
   return found == arrays.end() ? nullptr : &*found;
 }
+
+}  // namespace
+
+const FrameArray* Frame::find(std::string_view name) const { return named(arrays, name); }
+const FrameArray* Frame::find_of_vertices(std::string_view name) const { return named(vertex_arrays, name); }
 
 std::vector<output::FrameFile> frames_of(const std::filesystem::path& series) {
   if (series.extension() == ".pvd") return output::frame_files_of(series);

@@ -28,8 +28,10 @@ struct Frame {
   std::vector<fccda::Vec3d> points;        ///< [m]
   std::vector<std::array<int, 4>> panels;  ///< point numbers; the fourth is -1 for triangles
   std::vector<FrameArray> arrays;          ///< point arrays, or cell arrays where there are panels
+  std::vector<FrameArray> vertex_arrays;   ///< point arrays where there are panels
 
-  const FrameArray* find(std::string_view name) const;  ///< nullptr where there is none
+  const FrameArray* find(std::string_view name) const;              ///< of `arrays`; nullptr where there is none
+  const FrameArray* find_of_vertices(std::string_view name) const;  ///< of `vertex_arrays`
 };
 
 /// The frames of a series, in order: of a .pvd list, or of a .vtkhdf file. Throws InputError where the file is none, or damaged.

@@ -47,14 +47,8 @@ class Reader {
     const std::vector<double> places = rows<double>("Points", entry("Steps/PointOffsets", number), points, 3);
     for (std::size_t k = 0; k < places.size(); k += 3) frame.points.push_back({places[k], places[k + 1], places[k + 2]});
     if (cells > 0) frame.panels = panels(number, part, points, cells);
-    const std::string group = cells > 0 ? "CellData" : "PointData";
-    for (const std::string& name : names_in(group)) {
-      const std::string array = group + "/" + name;
-      const int components = static_cast<int>(columns_of(array));
-      frame.arrays.push_back(
-          {name, components,
-           rows<double>(array, entry("Steps/" + group + "Offsets/" + name, number), cells > 0 ? cells : points, static_cast<hsize_t>(components))});
-    }
+    frame.arrays = arrays(cells > 0 ? "CellData" : "PointData", number, cells > 0 ? cells : points);
+    if (cells > 0) frame.vertex_arrays = arrays("PointData", number, points);
     return frame;
   }
 
@@ -101,6 +95,17 @@ class Reader {
     const std::vector<std::int64_t> numbers = rows<std::int64_t>(name, row, 1, columns);
     expect(column < columns && numbers[column] >= 0, name + " has a negative number");
     return static_cast<std::uint64_t>(numbers[column]);
+  }
+
+  /// All arrays of a group at a step, with `count` tuples.
+  std::vector<FrameArray> arrays(const std::string& group, std::size_t step, std::uint64_t count) const {
+    std::vector<FrameArray> found;
+    for (const std::string& name : names_in(group)) {
+      const std::string array = group + "/" + name;
+      const hsize_t components = columns_of(array);
+      found.push_back({name, static_cast<int>(components), rows<double>(array, entry("Steps/" + group + "Offsets/" + name, step), count, components)});
+    }
+    return found;
   }
 
   std::vector<std::array<int, 4>> panels(std::size_t number, std::uint64_t part, std::uint64_t points, std::uint64_t cells) const {

@@ -34,10 +34,13 @@ class Reader {
     const std::vector<double> places = arrays.reals(wanted("Points", "points").array, 3 * points_);
     for (std::size_t k = 0; k < places.size(); k += 3) out.points.push_back({places[k], places[k + 1], places[k + 2]});
     if (polygons_ > 0) out.panels = panels(arrays);
-    const std::string_view section = polygons_ > 0 ? "CellData" : "PointData";
-    for (const Tag& tag : found_)
-      if (tag.section == section)
-        out.arrays.push_back({tag.name, static_cast<int>(tag.components), arrays.reals(tag.array, tag.components * (polygons_ > 0 ? polygons_ : points_))});
+    for (const Tag& tag : found_) {
+      const auto add = [&](std::vector<FrameArray>& to, std::size_t count) {
+        to.push_back({tag.name, static_cast<int>(tag.components), arrays.reals(tag.array, tag.components * count)});
+      };
+      if (tag.section == "PointData") add(polygons_ > 0 ? out.vertex_arrays : out.arrays, points_);
+      if (tag.section == "CellData" && polygons_ > 0) add(out.arrays, polygons_);
+    }
     return out;
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vec3.hpp"
+#include "io/frames/frame.hpp"
 #include "io/output/json.hpp"
 #include "io/output/pvd.hpp"
 #include "io/report/packing.hpp"
@@ -41,8 +42,10 @@ struct BodyFrames {
 struct ImpactorFrames {
   std::string name;
   std::vector<output::FrameFile> frames;  ///< readable frames
-  std::vector<RigidMotion> motions;       ///< per frame
-  std::vector<fccda::Vec3d> vertices;     ///< [m] in the first frame
+  std::vector<RigidMotion> motions;       ///< per frame, of the undeformed surface
+  std::vector<fccda::Vec3d> vertices;     ///< [m] undeformed, in the first frame
+  bool is_deformed = false;               ///< the frames have displacements
+  Range displacement[3];                  ///< [m] over all frames, along the axes that move with the surface
   std::vector<std::array<int, 4>> panels;
   std::vector<std::string> arrays;  ///< names; of vectors the magnitude is used
   std::vector<Range> ranges;        ///< per array
@@ -55,6 +58,13 @@ struct Frames {
   /// The distinct times of all frames [s].
   std::vector<double> times() const;
 };
+
+/// Arrays of a frame with a number or vector for each panel: its own, and the means of those of its vertices over the corners (of vectors, of their
+/// magnitudes).
+std::vector<frames::FrameArray> panel_arrays(const frames::Frame& frame);
+
+/// Displacements of the vertices of a frame [m] along the axes that move with the surface; empty for a rigid one.
+std::vector<fccda::Vec3d> displacements(const frames::Frame& frame, const RigidMotion& motion);
 
 /// Reads every frame of the folder once, of either format. Missing or damaged frames are omitted and reported in `notes`.
 Frames scan_frames(const std::filesystem::path& folder, std::vector<std::string>& notes);

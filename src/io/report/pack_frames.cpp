@@ -128,7 +128,10 @@ class PackedBody {
 };
 
 std::string_view unit_of_panels(std::string_view array) {
-  return array == "contact_pressure" || array == "peak_pressure" ? "Pa" : array == "contact_impulse" ? "N s" : "";
+  constexpr std::pair<std::string_view, std::string_view> units[] = {
+      {"contact_pressure", "Pa"}, {"peak_pressure", "Pa"}, {"contact_impulse", "N s"}, {"displacement", "m"}, {"von_mises_stress", "Pa"}};
+  const auto found = std::find_if(std::begin(units), std::end(units), [&](const auto& unit) { return unit.first == array; });
+  return found == std::end(units) ? "" : found->second;
 }
 
 class PackedImpactor {
@@ -154,6 +157,11 @@ class PackedImpactor {
       arrays_.push_back(reals(impactor.arrays[a], std::string(unit_of_panels(impactor.arrays[a])), impactor.ranges[a], finest));
     description_["arrays"] = Json::array();
     for (const PackedArray& array : arrays_) description_["arrays"].push_back(array.description());
+    description_["deformation"] = Json::array();
+    for (std::size_t axis = 0; axis < 3 && impactor.is_deformed; ++axis) {
+      deformation_.push_back(reals(axis_names[axis], "m", impactor.displacement[axis], finest));
+      description_["deformation"].push_back(deformation_.back().description());
+    }
     description_["pictures"] = Json::array();
     description_["motions"] = Json::array();
   }
@@ -167,14 +175,21 @@ class PackedImpactor {
     }
     description_["pictures"].push_back(time_number);
     description_["motions"].push_back(std::move(rows));
-    if (arrays_.empty()) return;
+    if (arrays_.empty() && deformation_.empty()) return;
     const frames::Frame frame = frames::read_frame(impactor_.frames[number]);
+    const std::vector<frames::FrameArray> arrays = panel_arrays(frame);
     std::string bytes;
     for (PackedArray& packed : arrays_) {
-      const frames::FrameArray& array = *frame.find(packed.name);
+      const auto array = std::find_if(arrays.begin(), arrays.end(), [&](const frames::FrameArray& one) { return one.name == packed.name; });
       std::vector<std::uint32_t> numbers;
-      for (std::size_t i = 0; i < array.count(); ++i) numbers.push_back(packed.scale.number_of(array.scalar(i)));
+      for (std::size_t i = 0; i < array->count(); ++i) numbers.push_back(packed.scale.number_of(array->scalar(i)));
       packed.packer.append(numbers, bytes);
+    }
+    const std::vector<Vec3d> moved = displacements(frame, motion);
+    for (std::size_t axis = 0; axis < deformation_.size(); ++axis) {
+      std::vector<std::uint32_t> numbers;
+      for (const Vec3d& u : moved) numbers.push_back(deformation_[axis].scale.number_of(u[axis]));
+      deformation_[axis].packer.append(numbers, bytes);
     }
     add_blob(out, fmt::format("{}_{}", id_, time_number), bytes);
   }
@@ -186,6 +201,7 @@ class PackedImpactor {
   std::string id_;
   Json description_ = Json::object();
   std::vector<PackedArray> arrays_;
+  std::vector<PackedArray> deformation_;  // along each axis of the first frame, of each vertex; empty for a rigid surface
 };
 
 }  // namespace

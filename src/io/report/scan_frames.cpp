@@ -75,25 +75,43 @@ void add_particles(BodyFrames& body, const frames::Frame& frame, const output::F
   body.frames.push_back(entry);
 }
 
+/// The displacements of the vertices [m], in global axes; nullptr for a rigid surface.
+const frames::FrameArray* displacement_of(const frames::Frame& frame) {
+  const frames::FrameArray* found = frame.find_of_vertices("displacement");
+  return found != nullptr && found->components == 3 ? found : nullptr;
+}
+
+std::vector<Vec3d> undeformed(const frames::Frame& frame) {
+  std::vector<Vec3d> places = frame.points;
+  if (const frames::FrameArray* u = displacement_of(frame))
+    for (std::size_t v = 0; v < places.size(); ++v) places[v] -= Vec3d{u->numbers[3 * v], u->numbers[3 * v + 1], u->numbers[3 * v + 2]};
+  return places;
+}
+
 void add_panels(ImpactorFrames& impactor, const frames::Frame& frame, const output::FrameFile& entry) {
+  const std::vector<frames::FrameArray> arrays = panel_arrays(frame);
+  const std::vector<Vec3d> places = undeformed(frame);
   if (impactor.frames.empty()) {
-    impactor.vertices = frame.points;
+    impactor.vertices = places;
     impactor.panels = frame.panels;
-    for (const frames::FrameArray& array : frame.arrays) impactor.arrays.push_back(array.name);
+    impactor.is_deformed = displacement_of(frame) != nullptr;
+    for (const frames::FrameArray& array : arrays) impactor.arrays.push_back(array.name);
     impactor.ranges.resize(impactor.arrays.size());
   }
   fccda::Box box;
   for (const Vec3d& point : frame.points) box.include(point);
   constexpr double rounding = 1e-9;  // relative to coordinates; the run moves its surfaces in double precision
-  const auto motion = rigid_motion(impactor.vertices, frame.points, rounding * (fccda::largest_magnitude(box.low) + fccda::largest_magnitude(box.high)));
-  if (!motion || frame.panels.size() != impactor.panels.size())
+  const auto motion = rigid_motion(impactor.vertices, places, rounding * (fccda::largest_magnitude(box.low) + fccda::largest_magnitude(box.high)));
+  if (!motion || frame.panels.size() != impactor.panels.size() || impactor.is_deformed != (displacement_of(frame) != nullptr))
     throw InputError(fmt::format("{} has a different surface from the earlier frames; use the files of one run.", entry.name()));
   for (std::size_t a = 0; a < impactor.arrays.size(); ++a) {
-    const frames::FrameArray* array = frame.find(impactor.arrays[a]);
-    if (array == nullptr)
+    const auto array = std::find_if(arrays.begin(), arrays.end(), [&](const frames::FrameArray& one) { return one.name == impactor.arrays[a]; });
+    if (array == arrays.end())
       throw InputError(fmt::format("{} lacks the array {} of the earlier frames; use the files of one run.", entry.name(), impactor.arrays[a]));
     for (std::size_t i = 0; i < array->count(); ++i) impactor.ranges[a].include(array->scalar(i));
   }
+  for (const Vec3d& u : displacements(frame, *motion))
+    for (std::size_t axis = 0; axis < 3; ++axis) impactor.displacement[axis].include(u[axis]);
   impactor.motions.push_back(*motion);
   impactor.frames.push_back(entry);
 }
@@ -117,6 +135,30 @@ void Range::include(double value) {
   low = is_empty ? value : std::min(low, value);
   high = is_empty ? value : std::max(high, value);
   is_empty = false;
+}
+
+std::vector<frames::FrameArray> panel_arrays(const frames::Frame& frame) {
+  std::vector<frames::FrameArray> arrays = frame.arrays;
+  for (const frames::FrameArray& array : frame.vertex_arrays) {
+    if (array.components != 1 && array.components != 3) continue;
+    frames::FrameArray& means = arrays.emplace_back(frames::FrameArray{.name = array.name});
+    for (const std::array<int, 4>& panel : frame.panels) {
+      const std::size_t corners = panel[3] < 0 ? 3 : 4;
+      double sum = 0;
+      for (std::size_t corner = 0; corner < corners; ++corner) sum += array.scalar(static_cast<std::size_t>(panel[corner]));
+      means.numbers.push_back(sum / static_cast<double>(corners));
+    }
+  }
+  return arrays;
+}
+
+std::vector<Vec3d> displacements(const frames::Frame& frame, const RigidMotion& motion) {
+  std::vector<Vec3d> out;
+  const frames::FrameArray* u = displacement_of(frame);
+  if (u == nullptr) return out;
+  const fccda::Mat3 turn_back = fccda::transpose(motion.turn);
+  for (std::size_t v = 0; v < frame.points.size(); ++v) out.push_back(turn_back * Vec3d{u->numbers[3 * v], u->numbers[3 * v + 1], u->numbers[3 * v + 2]});
+  return out;
 }
 
 std::vector<double> Frames::times() const {

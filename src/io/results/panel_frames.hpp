@@ -1,8 +1,14 @@
-/// Contact loads on the panels of an impactor, as cell arrays of its frames:
+/// Frames of an impactor: its panels where they are, with contact loads as cell arrays:
 ///
 ///   contact_pressure [Pa]   normal, mean over the time since the previous frame
 ///   peak_pressure [Pa]      the largest mean over one load interval so far (docs/guide/results.md)
 ///   contact_impulse [N s]   since the start, in the global axes
+///
+/// and, where its surface deforms, point arrays:
+///
+///   displacement [m]        from the place of the undeformed surface, in the global axes
+///   stress [Pa]             xx, yy, zz, xy, yz, zx in the axes of the surface, if its modes have stresses
+///   von_mises_stress [Pa]   of these
 #pragma once
 
 #include <filesystem>

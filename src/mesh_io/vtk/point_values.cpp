@@ -31,7 +31,7 @@ PointValues read_point_values(const std::filesystem::path& path, std::string_vie
   });
 }
 
-PointArrays read_point_arrays(const std::filesystem::path& path, const ArrayFilter& is_wanted) {
+PointData read_point_arrays(const std::filesystem::path& path, const ArrayFilter& is_wanted) {
   return with_contents(path, [&, file = path.string()](const std::string& contents, bool is_legacy) {
     return is_legacy ? parse_vtk_arrays(contents, file, is_wanted) : parse_vtp_arrays(contents, file, is_wanted);
   });

@@ -29,7 +29,7 @@ struct TupleArray {
   std::vector<double> values;  ///< finite
 };
 
-struct PointArrays {
+struct PointData {
   std::vector<Vec3d> points;          ///< in the file's units
   std::vector<TupleArray> of_points;  ///< a tuple for each point
   std::vector<TupleArray> of_file;    ///< field data
@@ -40,6 +40,6 @@ using ArrayFilter = std::function<bool(std::string_view name, std::size_t compon
 
 /// The same with all point arrays and field data that `is_wanted` selects. Throws InputError where the file does not exist, its pieces have different
 /// arrays, an array has not one tuple per point, or the contents are damaged.
-PointArrays read_point_arrays(const std::filesystem::path& path, const ArrayFilter& is_wanted);
+PointData read_point_arrays(const std::filesystem::path& path, const ArrayFilter& is_wanted);
 
 }  // namespace fccda

@@ -50,13 +50,13 @@ class LegacyVtk {
       : file_(file), words_(contents, file), numbers_(at_third_line(words_), file), is_wanted_(std::move(is_wanted)) {}
 
   PointValues points(std::string_view wanted) {
-    PointArrays read = point_arrays();
+    PointData read = point_arrays();
     if (read.of_points.empty())
       numbers_.fail("there is no scalar point array " + shown(wanted) + "; the file has" + (scalar_arrays_.empty() ? " none." : scalar_arrays_ + "."));
     return {.points = std::move(read.points), .values = std::move(read.of_points.front().values)};
   }
 
-  PointArrays point_arrays() {
+  PointData point_arrays() {
     parse_sections();
     const std::size_t count = points_.size() / 3;
     for (const TupleArray& one : read_.of_points) {
@@ -290,7 +290,7 @@ class LegacyVtk {
   std::string part_array_;
   std::vector<std::int64_t> parts_;
   ArrayFilter is_wanted_;
-  PointArrays read_;           // but for the points
+  PointData read_;             // but for the points
   std::string scalar_arrays_;  // names of the scalar point arrays
 };
 
@@ -302,7 +302,7 @@ PointValues parse_vtk_points(std::string_view contents, const std::string& file,
   return LegacyVtk(contents, file, [array](std::string_view name, std::size_t components) { return components == 1 && name == array; }).points(array);
 }
 
-PointArrays parse_vtk_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted) {
+PointData parse_vtk_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted) {
   return LegacyVtk(contents, file, is_wanted).point_arrays();
 }
 

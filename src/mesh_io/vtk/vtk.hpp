@@ -22,6 +22,6 @@ PointValues parse_vtk_points(std::string_view contents, const std::string& file,
 
 /// Reads the points with the selected point arrays (VECTORS, TENSORS6, SCALARS or in a FIELD) and field data (a FIELD before POINT_DATA). Bytes written as %20
 /// and the like are decoded in names.
-PointArrays parse_vtk_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted);
+PointData parse_vtk_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted);
 
 }  // namespace fccda

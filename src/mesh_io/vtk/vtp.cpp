@@ -60,9 +60,9 @@ class VtkXml {
     return out;
   }
 
-  PointArrays point_arrays() {
+  PointData point_arrays() {
     parse_tags();
-    PointArrays out;
+    PointData out;
     VtpArrays arrays(encoding_, file_, size_);
     for (const FoundArray& one : field_data_)
       out.of_file.push_back({std::string(one.name), one.components, arrays.reals(one.array, one.components * one.tuples)});
@@ -335,7 +335,7 @@ PointValues parse_vtp_points(std::string_view contents, const std::string& file,
   return VtkXml(contents, file, [array](std::string_view name, std::size_t components) { return components == 1 && name == array; }).points(array);
 }
 
-PointArrays parse_vtp_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted) {
+PointData parse_vtp_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted) {
   return VtkXml(contents, file, is_wanted).point_arrays();
 }
 

@@ -22,6 +22,6 @@ Elements parse_vtp(std::string_view contents, const std::string& file);
 PointValues parse_vtp_points(std::string_view contents, const std::string& file, std::string_view array);
 
 /// Reads the points with the selected arrays of PointData and FieldData. All pieces must have the same arrays.
-PointArrays parse_vtp_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted);
+PointData parse_vtp_arrays(std::string_view contents, const std::string& file, const ArrayFilter& is_wanted);
 
 }  // namespace fccda

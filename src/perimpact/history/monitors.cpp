@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "fccda/elastic/stress.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 
 namespace perimpact {
@@ -229,6 +230,8 @@ void Monitors::add_structure_columns(const std::string& name, const DeformingPar
     add(name, {"elastic_energy", "J", instantaneous, "of its modes"}, part.elastic_energy());
     add(name, {"damping_dissipation", "J", cumulative, "dissipated by the damping of its modes"}, part.damping_dissipation());
     add(name, {"largest_deflection", "m", instantaneous, "of a vertex"}, part.largest_deflection());
+    if (fccda::have_stresses(part.elastic()->modes()))
+      add(name, {"largest_von_mises_stress", "Pa", instantaneous, "at a vertex"}, fccda::largest_von_mises(*part.elastic()));
   } else if (const std::optional<double> energy = part.external()->energy()) {
     add(name, {"structure_energy", "J", instantaneous, "as reported by the program that advances it"}, *energy);
   }

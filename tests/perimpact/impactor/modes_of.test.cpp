@@ -80,3 +80,24 @@ TEST_CASE("modes of: what is wrong with the file is said at its key") {
   CHECK(block.complaint().starts_with("impactors.ram.elastic.modes: " + block.setup.elastic->modes +
                                       ": vertex 0 of the surface (counted from 0), at (-1, -0.5, "));
 }
+
+TEST_CASE("modes of: a mode that only moves the impactor as its free degrees of freedom do is refused, one that moves it otherwise is not") {
+  Block block;
+  const Vec3d centre = block.surface.report().centroid;
+  std::ostringstream text;
+  text.precision(17);
+  text << "frequency [Hz], 10, 1e-4\nx [m], y [m], z [m], mode_1_x, mode_1_y, mode_1_z, mode_2_x, mode_2_y, mode_2_z\n";
+  for (const Vec3d& X : block.panels.vertices) {
+    const Vec3d motion = Vec3d{0, 0, 0.3} + fccda::cross(Vec3d{0, 0.2, 0}, X - centre);
+    text << X.x << ',' << X.y << ',' << X.z << ",0,0," << X.x * X.x << ',' << motion.x << ',' << motion.y << ',' << motion.z << '\n';
+  }
+  fixtures::put(block.folder / "modes.csv", text.str());
+  for (const std::vector<std::string>& free : {std::vector<std::string>{}, {"x", "y", "z"}, {"z", "rx"}, {"ry"}}) {
+    block.setup.free_dofs = free;
+    CHECK(block.complaint() == "");
+  }
+  block.setup.free_dofs = {"x", "z", "ry"};
+  CHECK(block.complaint() ==
+        "impactors.ram.elastic.modes: " + block.setup.elastic->modes +
+            ": mode_2, of 0.0001 Hz, is a rigid motion, which ram has by its free degrees of freedom (x, z, ry) already; remove the mode.");
+}

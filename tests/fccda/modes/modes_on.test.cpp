@@ -1,4 +1,4 @@
-#include "mesh_io/modes/modes_on.hpp"
+#include "fccda/modes/modes_on.hpp"
 
 #include <doctest/doctest.h>
 

@@ -38,6 +38,6 @@ struct ModesFile {
 ModesFile read_modes(const std::filesystem::path& path);
 
 /// The arrays of such a file in CSV.
-PointArrays parse_modes_csv(std::string_view contents, const std::string& file);
+PointData parse_modes_csv(std::string_view contents, const std::string& file);
 
 }  // namespace fccda

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fccda/elastic/modes.hpp"
+#include "fccda/modes/modes_file.hpp"
 #include "mesh/panels.hpp"
-#include "mesh_io/modes/modes_file.hpp"
 
 namespace fccda {
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "fccda/modes/modes_file.hpp"
 #include "mesh_io/file/text.hpp"
 #include "mesh_io/file/words.hpp"
-#include "mesh_io/modes/modes_file.hpp"
 
 namespace fccda {
 namespace {
@@ -34,7 +34,7 @@ class ModesCsv {
     if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
   }
 
-  PointArrays parse() {
+  PointData parse() {
     while (next_line()) {
       if (columns_ == 0)
         parse_head();
@@ -111,11 +111,11 @@ class ModesCsv {
   std::size_t line_ = 0;
   std::vector<std::string_view> cells_;
   std::size_t columns_ = 0;
-  PointArrays out_;
+  PointData out_;
 };
 
 }  // namespace
 
-PointArrays parse_modes_csv(std::string_view contents, const std::string& file) { return ModesCsv(contents, file).parse(); }
+PointData parse_modes_csv(std::string_view contents, const std::string& file) { return ModesCsv(contents, file).parse(); }
 
 }  // namespace fccda

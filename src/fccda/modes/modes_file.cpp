@@ -1,4 +1,4 @@
-#include "mesh_io/modes/modes_file.hpp"
+#include "fccda/modes/modes_file.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -34,7 +34,7 @@ using Numbered = std::map<std::size_t, const TupleArray*>;
 
 class ModesOfArrays {
  public:
-  ModesOfArrays(std::string file, PointArrays arrays) : file_(std::move(file)), arrays_(std::move(arrays)) {}
+  ModesOfArrays(std::string file, PointData arrays) : file_(std::move(file)), arrays_(std::move(arrays)) {}
 
   ModesFile modes() {
     const Numbered shapes = numbered(shape_prefix, shape_components, "x, y and z"),
@@ -119,7 +119,7 @@ class ModesOfArrays {
   }
 
   std::string file_;
-  PointArrays arrays_;
+  PointData arrays_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "mesh_io/modes/modes_file.hpp"
+#include "fccda/modes/modes_file.hpp"
 
 #include <doctest/doctest.h>
 
