@@ -127,7 +127,7 @@ class Shell:
 
     def _assemble(self, form):
         matrix = to_scipy(form)[self._order][:, self._order]
-        return ((matrix + matrix.T) / 2).tocsr()  # symmetric to the last bit, so that the work of forces is
+        return ((matrix + matrix.T) / 2).tocsr()  # exactly symmetric, so that the work of forces is
 
     def _assemble_stresses(self):
         places = fem.FunctionSpace(self._domain, ufl.VectorElement("DG", self._domain.ufl_cell(), 0, dim=6))
