@@ -6,7 +6,7 @@ set -euo pipefail
 
 # libfmt, yaml-cpp, UDUNITS-2, CLI11, zlib, HDF5: see README, "What is in the box"
 build=(g++ cmake ninja-build libfmt-dev libyaml-cpp-dev libudunits2-dev libcli11-dev zlib1g-dev libhdf5-dev)
-tests=(doctest-dev gfortran pkg-config python3 python3-dev pybind11-dev python3-numpy python3-h5py python3-matplotlib python3-yaml python3-jsonschema gmsh python3-meshio openfoam-examples python3-lammps liblammps-dev python3-mpi4py python3-pysph)
+tests=(doctest-dev gfortran pkg-config python3 python3-dev pybind11-dev python3-numpy python3-h5py python3-matplotlib python3-yaml python3-jsonschema gmsh python3-meshio openfoam-examples python3-lammps liblammps-dev python3-mpi4py python3-pysph python3-scipy python3-dolfinx)
 checks=(clang-14 libclang-rt-14-dev libomp-14-dev clang-format-14 chromium firefox-esr xvfb poppler-utils zsh fish man-db)
 [[ -n "$(type -P npm)" ]] || checks+=(nodejs npm)
 docs=(python3 python3-sphinx python3-myst-parser furo doxygen)

@@ -22,7 +22,7 @@ NAVIGATION = {
         "time", "bodies", "shapes", "cracks", "particle_sets", "materials", "ice", "plasticity", "failure", "boundary_conditions", "impactors", "surfaces",
         "remeshing", "contact_bounds", "motion", "gauges", "contact", "output")],
     "Cases": [
-        f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "ice_specimens", "ice_paddle", "floating_strip",
+        f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "hull_panel", "ice_specimens", "ice_paddle", "floating_strip",
                                              "crack_branching", "kalthoff_winkler")],
     "Theory": [
         f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary_conditions", "floating_bodies", "ice", "ice_plasticity",

@@ -76,7 +76,7 @@ def write(path, points, faces, frequencies, shapes, stresses=None, damping=None)
         raise InputError("there are no modes to write.")
     if not (frequencies > 0).all():
         raise InputError(f"mode {1 + int(np.argmin(frequencies))} has a frequency of {frequencies.min():g} Hz, but that of an elastic mode is positive; leave out rigid-body modes.")
-    faces = [[int(point) for point in face] for face in faces or []]
+    faces = [[int(point) for point in face] for face in ([] if faces is None else faces)]
     if any(not 0 <= point < n for face in faces for point in face):
         raise InputError(f"faces has point numbers outside 0 to {n - 1}.")
     writers = {".vtu": _write_vtu, ".csv": _write_csv}

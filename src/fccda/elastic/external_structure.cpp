@@ -26,11 +26,14 @@ ExternalStructure::ExternalStructure(StructureSolver solver, std::vector<double>
 }
 
 void ExternalStructure::begin(const Step& step) {
+  const bool is_first = dt_ == 0;
   dt_ = step.dt;
   free_ = solver_.advance(step);
   if (free_.size() != masses_.size())
     throw InputError("structure: advance returned the positions of " + std::to_string(free_.size()) + " vertices, but the surface has " +
                      std::to_string(masses_.size()) + ".");
+  if (!is_first) return;
+  for (std::size_t v = 0; v < masses_.size(); ++v) velocity_.push_back((free_[v] - from_[v]) / dt_);
 }
 
 void ExternalStructure::move(std::span<const double> impulse, std::span<Vec3d> vertices) {
@@ -61,7 +64,11 @@ double ExternalStructure::finish(std::span<const double> assumed, std::span<cons
   double work = 0;
   for (std::size_t v = 0; v < masses_.size(); ++v) {
     impulses[v] = at(found, v);
-    if (impulses[v] != Vec3d{}) work += dot(impulses[v], (free_[v] - from_[v]) / dt_ + (0.5 / masses_[v]) * impulses[v]);
+    const Vec3d before = velocity_[v];
+    velocity_[v] = (free_[v] - from_[v]) / dt_ + impulses[v] / masses_[v];
+    // The mean of the velocities of both steps, as for particles: the inner forces of the structure act together with the impulse, and do work on its
+    // displacement.
+    if (impulses[v] != Vec3d{}) work += dot(impulses[v], 0.5 * (before + velocity_[v]));
     from_[v] = free_[v] + (dt_ / masses_[v]) * at(assumed, v);
   }
   solver_.apply(impulses);

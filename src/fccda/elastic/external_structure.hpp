@@ -46,6 +46,7 @@ class ExternalStructure final : public Structure {
   StructureSolver solver_;
   std::vector<double> masses_;
   std::vector<Vec3d> from_, free_;  // [m] at t0, and at t1 without contact
+  std::vector<Vec3d> velocity_;     // [m/s] in the previous step; in the first step that without contact
   double dt_ = 0;
 };
 

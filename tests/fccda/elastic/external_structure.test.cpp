@@ -90,6 +90,30 @@ TEST_CASE("external structure: the work of contact is the energy that the vertic
   CHECK(impacts.work == fixtures::relative(loose.kinetic_energy() - before, 1e-9));
 }
 
+TEST_CASE("external structure: with springs that act in the same steps, the work of contact is the energy that vertices and springs gain") {
+  const Panels panels = sheet(2);
+  const std::size_t count = panels.vertices.size();
+  const double stiffness = 2e4, dt = 1e-4;  // [N/m], [s]; ω dt = 0.017
+  Loose loose{panels.vertices, std::vector<Vec3d>(count), std::vector<double>(count, 0.7)};
+  StructureSolver solver = loose.solver();
+  std::vector<Vec3d> stretched(count);  // at the beginning of the step
+  solver.advance = [&, free = solver.advance](const Step& step) {
+    for (std::size_t i = 0; i < count; ++i) {
+      stretched[i] = loose.x[i] - panels.vertices[i];
+      loose.v[i] -= (step.dt * stiffness / loose.m[i]) * stretched[i];
+    }
+    return free(step);
+  };
+  ExternalStructure structure(solver, loose.m, panels.vertices);
+  Impacts impacts(structure, open_surface(panels), 0);
+  impacts.add({0.1, 0.12, 1e-9}, {0, 0, -2}, 0.3);
+  for (int step = 0; step < 100; ++step) impacts.step(dt);  // the springs push the point back during some of them
+  double energy = loose.kinetic_energy();                   // with ½ k u(t0)·u(t1), symplectic Euler conserves the sum exactly
+  for (std::size_t i = 0; i < count; ++i) energy += 0.5 * stiffness * dot(stretched[i], loose.x[i] - panels.vertices[i]);
+  CHECK(energy > 0.1);
+  CHECK(impacts.work == fixtures::relative(energy, 1e-6));  // passes agree to 1e-6
+}
+
 TEST_CASE("external structure: masses that do not fit are refused with a sentence") {
   const Panels panels = sheet(2);
   Loose loose{panels.vertices, std::vector<Vec3d>(9), std::vector<double>(9, 0.7)};
