@@ -48,7 +48,7 @@ class Monitors {
     const Clock& clock;
     const std::optional<ShortRange>& fragments;  // if contact of fragments is enabled
     std::span<const MovingWindow> windows;
-    const Relaxed* relaxed;                      // convergence of the increment, with time.relax
+    const Relaxed* relaxed;  // convergence of the increment, with time.relax
   };
 
   /// Samples a step: checks it and creates a row if these are due. Throws RunError if values are not finite or energy increases without a
@@ -121,8 +121,8 @@ class Monitors {
   std::vector<Column> columns_;
   std::vector<double> row_;
   bool is_first_ = true;
-  double first_energy_ = 0;   // [J]
-  double first_balance_ = 0;  // [J]
+  double first_energy_ = 0;      // [J]
+  double first_balance_ = 0;     // [J]
   double latest_balance_ = 0;    // [J] Balance::sum() of the latest sampled step
   double discarded_energy_ = 0;  // [J] cumulative, with material of moving windows
   bool is_renewed_ = false;      // material was added and discarded since the latest sampled step

@@ -66,7 +66,8 @@ std::vector<std::byte> MovedState::list(std::string_view name, const std::vector
   if (name == "fragments.pair_slips" && !from.empty()) {
     std::vector<double> slips;
     const std::vector<double> before = numbers_of<double>(from);
-    for (const std::size_t pair : kept_pairs_) slips.insert(slips.end(), before.begin() + static_cast<std::ptrdiff_t>(3 * pair), before.begin() + static_cast<std::ptrdiff_t>(3 * pair + 3));
+    for (const std::size_t pair : kept_pairs_)
+      slips.insert(slips.end(), before.begin() + static_cast<std::ptrdiff_t>(3 * pair), before.begin() + static_cast<std::ptrdiff_t>(3 * pair + 3));
     return bytes_of(slips);
   }
   return from;

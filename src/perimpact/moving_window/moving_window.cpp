@@ -89,10 +89,11 @@ std::vector<std::string> MovingWindow::warnings() const {
   constexpr double least = 0.01;  // of the spacing
   const double spacing = length_of_move_ / cells_of_move;
   if (front_damage_ == 0 && front_displacement_ < least * spacing) return {};
-  return {fmt::format("The moving window of body {} moved although the material at its front was displaced (by up to {:.3g} of the spacing) or damaged (up to "
-                      "{:.3g}); the material attached to it is not. Make the body longer, or reduce moving_window.start_after, so that the impactor stays further "
-                      "from the front.",
-                      name_, front_displacement_ / spacing, front_damage_)};
+  return {
+      fmt::format("The moving window of body {} moved although the material at its front was displaced (by up to {:.3g} of the spacing) or damaged (up to "
+                  "{:.3g}); the material attached to it is not. Make the body longer, or reduce moving_window.start_after, so that the impactor stays further "
+                  "from the front.",
+                  name_, front_displacement_ / spacing, front_damage_)};
 }
 
 std::vector<std::int64_t> MovingWindow::sources(const Lattice& lattice, long moves) const {

@@ -25,9 +25,9 @@ class MovingWindow {
   /// `body`: index of a body with a moving window; `impactors` before the first step. Throws SetupError if what the body is or has cannot move.
   MovingWindow(const Setup& setup, std::size_t body, const Body& its, std::span<const Impactor> impactors);
 
-  std::size_t body() const { return body_; }                                     ///< index
-  const std::string& name() const { return name_; }                              ///< of the body
-  std::array<int, 3> first() const;                                              ///< Lattice::first
+  std::size_t body() const { return body_; }                                       ///< index
+  const std::string& name() const { return name_; }                                ///< of the body
+  std::array<int, 3> first() const;                                                ///< Lattice::first
   double travel() const { return static_cast<double>(moves_) * length_of_move_; }  ///< [m] along its axis, with its sign
 
   /// Moves due with the impactors where they are, with the sign of the direction; the window never moves back.

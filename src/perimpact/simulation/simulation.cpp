@@ -263,9 +263,9 @@ void Simulation::move_window(MovingWindow& window, long moves) {
 void Simulation::build_anew(const MovingWindow& window) {
   const std::size_t b = window.body();
   Body body = make_body(setup_.bodies[b], make_particles(setup_.bodies[b]));
-  boundary_conditions_[b] = BoundaryConditions(setup_.bodies[b], elastic_of(setup_.bodies[b]), body.particles, [&](const std::string& set, const std::string& key) {
-    return slots_in(set, setup_.bodies[b], body.particles, key);
-  });
+  boundary_conditions_[b] =
+      BoundaryConditions(setup_.bodies[b], elastic_of(setup_.bodies[b]), body.particles,
+                         [&](const std::string& set, const std::string& key) { return slots_in(set, setup_.bodies[b], body.particles, key); });
   body.particles.move_lattice(window.first());  // after what is chosen by position: it belongs to slots
   bodies_[b] = body;
   if (fragments_) fragments_ = short_range_of(setup_, bodies_);

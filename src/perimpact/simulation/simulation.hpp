@@ -52,11 +52,11 @@ class Simulation {
   const Setup& setup() const { return setup_; }
   const Clock& clock() const { return clock_; }
   const Stability& stability() const { return stability_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }                                  ///< before the run
-  std::vector<std::string> closing_warnings() const;                                                      ///< at the end of the run
-  const fccda::Timers& timers() const { return timers_; }                                                 ///< of the phases of a step
-  const fccda::Timers& set_up_timers() const { return stages_.timers(); }                                 ///< of the stages of the set-up
-  std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }      ///< removed, or projected onto a surface
+  const std::vector<std::string>& warnings() const { return warnings_; }                              ///< before the run
+  std::vector<std::string> closing_warnings() const;                                                  ///< at the end of the run
+  const fccda::Timers& timers() const { return timers_; }                                             ///< of the phases of a step
+  const fccda::Timers& set_up_timers() const { return stages_.timers(); }                             ///< of the stages of the set-up
+  std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }  ///< removed, or projected onto a surface
   std::span<const Body> bodies() const { return bodies_; }
   const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
   std::span<const BoundaryConditions> boundary_conditions() const { return boundary_conditions_; }  ///< of each body
