@@ -89,6 +89,8 @@ TEST_CASE("moving window: where nothing from its ends can have arrived, a window
     REQUIRE(window.bodies()[0].particles.lattice()->first[0] == -added);
     CHECK(window.bodies()[0].internal.broken_bonds() > 0);
     CHECK(window.bodies()[0].internal.broken_bonds() == whole.bodies()[0].internal.broken_bonds());
+    // new material is attached with all its bonds
+    CHECK(window.bodies()[0].family.intact_bonds() == window.bodies()[0].family.initial_bonds() - window.bodies()[0].internal.broken_bonds());
     const auto [different, all] = differing(window, whole, 0, added, margin);
     CHECK(different == 0);
     CHECK(all > 1000);
