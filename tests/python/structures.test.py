@@ -125,6 +125,22 @@ def rigid(test):
     np.testing.assert_allclose(a.positions[a.slots], b.positions[b.slots], rtol=0, atol=1e-9)
 
 
+@claim("a net at rest that loads push against a block at rest is no unstable step, though the balance starts from zero energy")
+def loaded(test):
+    class Pushed(Net):
+        def forces(self):
+            return super().forces() + np.array([0, 0, 0.05])  # [N] on each vertex
+
+    setup = block_on_sheet(speed=0)
+    setup["bodies"]["block"] |= {"velocity": [0, 0, 0], "position": [0.001, 0.002, 0.0081]}
+    structure = Pushed(mass=2e-5, stiffness=2e4)
+    simulation = perimpact.Simulation(setup, structures={"net": structure})
+    simulation.run()
+    block = simulation.bodies["block"]
+    test.assertGreater(block.momentum[2], 1e-3 * block.mass)  # pushed
+    test.assertGreater(simulation.history["total.energy [J]"][-1], 0)
+
+
 @claim("structures that do not fit are refused with a sentence")
 def refused(test):
     def complaint(structures, **changes):

@@ -112,13 +112,16 @@ void Monitors::add_mean(std::string_view owner, const Of& of, const Vec3d& sum) 
 
 void Monitors::watch(const Scene& scene) {
   const Balance balance = balance_of(scene);
-  if (is_first_) first_energy_ = balance.energy - balance.work, first_balance_ = balance.sum();
+  if (is_first_) first_energy_ = balance.energy - balance.elsewhere - balance.work - balance.from_elsewhere, first_balance_ = balance.sum();
   if (is_renewed_) renew_balance(balance.sum() - latest_balance_);
   latest_balance_ = balance.sum();
   if (is_checked(scene.clock) || scene.relaxed) {
     check_numbers(scene, balance.energy);
     // The forces lack the contribution of an impactor, so that the half kick adds spurious energy; an unstable step increases both.
-    if (!scene.relaxed) check_energy(scene, balance.energy - std::max(0.0, balance.since_amid), balance.work, balance.unpaid, balance.contact);
+    // Loads on a structure of another program are unknown here; what counts is its work on the bodies.
+    if (!scene.relaxed)
+      check_energy(scene, balance.energy - balance.elsewhere - std::max(0.0, balance.since_amid), balance.work + balance.from_elsewhere, balance.unpaid,
+                   balance.contact);
     sound_until_ = scene.clock.step;
   }
   if (is_due(scene.clock)) make_row(scene, balance);
@@ -137,10 +140,13 @@ void Monitors::add_structure(const DeformingPart& part, double contact_work, Bal
   of.energy += part.elastic_energy();
   of.taken += part.damping_dissipation();
   if (!part.external()) return;
-  if (const std::optional<double> energy = part.external()->energy())
+  if (const std::optional<double> energy = part.external()->energy()) {
     of.energy += *energy;
-  else
+    of.elsewhere += *energy;
+    of.from_elsewhere -= contact_work;
+  } else {
     of.work -= contact_work;
+  }
 }
 
 Monitors::Balance Monitors::balance_of(const Scene& scene) {

@@ -81,6 +81,8 @@ class Monitors {
     double unpaid = 0;              // [J] BoundaryConditions::half_kick()
     double ripple = 0;              // [J] of interpolated velocities
     double since_amid = 0;          // [J] of the half kick to this instant
+    double elsewhere = 0;           // [J] of structures that another program moves and loads
+    double from_elsewhere = 0;      // [J] done by them in contact
 
     double sum() const { return energy - ripple + taken + contact - work; }  // constant up to the order of the scheme
   };

@@ -1,4 +1,4 @@
-/// State of a body whose window moves: captured before the body is built anew at its next cells, and restored slot by slot.
+/// State of a body whose window moves: captured before the body is rebuilt at its next cells, and restored slot by slot.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ class CapturedState {
 };
 
 /// A visitor that writes captured arrays into the parts of the simulation, of which the moved body, its boundary conditions and the contact of fragments are
-/// newly built. Arrays over the slots of this body take over the values of their sources (MovingWindow::sources); new material keeps its initial values, and
+/// rebuilt. Arrays over the slots of this body take over the values of their sources (MovingWindow::sources); new material keeps its initial values, and
 /// pairs and points of discarded material are left out. All other arrays are restored as they were.
 class MovedState {
  public:
@@ -39,7 +39,7 @@ class MovedState {
     std::size_t index;
     std::size_t first_particle;             ///< number of particles of the bodies before it
     std::span<const std::int64_t> sources;  ///< of each slot
-    const Family& family;                   ///< newly built
+    const Family& family;                   ///< rebuilt
   };
 
   MovedState(const CapturedState& captured, const MovedBody& body);

@@ -246,7 +246,7 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   CapturedState captured;
   visit_all(captured);
   window.move(moves);
-  build_anew(window);
+  rebuild(window);
   const std::size_t b = window.body();
   const Body& body = bodies_[b];
   std::size_t particles_before = 0;
@@ -259,8 +259,8 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   monitors_.renew_balance();
 }
 
-/// Builds the body of the window at its cells, undeformed. Its parts keep their addresses, and its arrays theirs, to which programs may refer.
-void Simulation::build_anew(const MovingWindow& window) {
+/// Rebuilds the body of the window at its cells, undeformed. Its parts keep their addresses, and its arrays theirs, to which programs may refer.
+void Simulation::rebuild(const MovingWindow& window) {
   const std::size_t b = window.body();
   Body body = make_body(setup_.bodies[b], make_particles(setup_.bodies[b]));
   boundary_conditions_[b] =

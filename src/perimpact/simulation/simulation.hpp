@@ -79,7 +79,7 @@ class Simulation {
     for (MovingWindow& window : windows_) {
       const std::array<int, 3> first = window.first();
       window.visit_state(visit);
-      if (window.first() != first) build_anew(window);  // a restart: what follows belongs to the body there
+      if (window.first() != first) rebuild(window);  // a restart: what follows belongs to the body there
     }
     visit_parts(visit);
   }
@@ -108,7 +108,7 @@ class Simulation {
   }
   void move_windows();
   void move_window(MovingWindow& window, long moves);
-  void build_anew(const MovingWindow& window);
+  void rebuild(const MovingWindow& window);
   void advance_bodies();
   void resolve_impactor_contact();
   std::vector<std::size_t> resolve_body(std::size_t body, ContactParticles& particles);  // number of unresolved penetrations per impactor
