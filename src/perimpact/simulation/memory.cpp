@@ -148,6 +148,7 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
   const bool may_break = body.elastic().may_fail();
   if (setup.output.frames > 0)
     memory.picture = std::max(3 * sizeof(float) * p + 19 * p, may_break ? 2 * slot_number * n : 0) + (may_break ? slot_number * p : 0);
+  if (setup.output.frames > 0 && setup.output.frame_particles) memory.picture += 2 * slot_number * p;  // numbers of the particles, kept and of a frame
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
     // near_pairs.hpp and short_range.hpp: particle, reference position, mark, threshold, cell, point and position in its cell; surfaces, particle of a slot
     memory.fragments = (sizeof(NearPairs::Member) + vector + 1 + number + 2 * slot_number + vector) * p + (1 + 2 + slot_number) * n;
