@@ -150,7 +150,7 @@ void check_body_name(const std::string& name, const Setup& setup, const std::str
 }
 
 void check_output(const Setup& setup, const Places& places) {
-  check_frames(setup.output, places);
+  check_frames(setup, places);
   for (const ProbeSetup& probe : setup.output.probes) check_body_name(probe.body, setup, "output.probes." + probe.name, places);
   for (const LineSetup& line : setup.output.lines) {
     const std::string path = "output.lines." + line.name;

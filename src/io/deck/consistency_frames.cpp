@@ -34,7 +34,8 @@ void check_box(const FrameBoxSetup& box, const std::string& path, const Places& 
 
 }  // namespace
 
-void check_frames(const OutputSetup& output, const Places& places) {
+void check_frames(const Setup& setup, const Places& places) {
+  const OutputSetup& output = setup.output;
   check_fields(output.frame_fields, places.of("output.frame_fields"));
   if (!output.frame_particles) return;
   const std::string path = "output.frame_particles";
@@ -42,6 +43,10 @@ void check_frames(const OutputSetup& output, const Places& places) {
   if (!particles.has_criterion() && particles.boxes.empty())
     refuse(places.of(path),
            "frame_particles gives no selection; set surface, stride, damage_above, detached or boxes, or remove frame_particles to write all particles.");
+  for (const BodySetup& body : setup.bodies)
+    if (body.moving_window)
+      refuse(places.of(path),
+             fmt::format("frame_particles is given, but the particles of {} change with its moving window; remove one of the two.", body.name));
   for (const FrameBoxSetup& box : particles.boxes) check_box(box, path + ".boxes." + box.name, places);
 }
 

@@ -6,7 +6,7 @@
 
 namespace perimpact::deck {
 
-/// Throws InputError for unknown or repeated fields, for a selection without a criterion, and for boxes without a volume.
-void check_frames(const OutputSetup& output, const Places& places);
+/// Throws InputError for unknown or repeated fields, for a selection without a criterion, or beside a moving window, and for boxes without a volume.
+void check_frames(const Setup& setup, const Places& places);
 
 }  // namespace perimpact::deck

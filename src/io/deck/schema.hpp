@@ -62,6 +62,8 @@ void sections(Walker& walk, BodySetup& body) {
   walk.named("boundary_conditions", body.boundary_conditions, Presence::optional,
              "A boundary condition on a particle set (constraint, prescribed motion, load or damping), under a name of your choice; its force and work become "
              "columns of history.csv.");
+  walk.section("moving_window", body.moving_window, Presence::optional,
+               "Makes the body a moving window that follows an impactor: particles are added ahead of it and discarded behind it.");
 }
 
 template <class Walker>

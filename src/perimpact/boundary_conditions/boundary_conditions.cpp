@@ -175,6 +175,11 @@ double BoundaryConditions::half_kick(double time, double dt) const {
   return energy;
 }
 
+void BoundaryConditions::restart_potentials() {
+  for (NamedBoundaryCondition& one : all_)
+    if (auto* floating = std::get_if<Floating>(&one.boundary)) floating->restart_potential();
+}
+
 double BoundaryConditions::work() const {
   double work = 0;
   for (const NamedBoundaryCondition& one : all_) work += one.account().work();

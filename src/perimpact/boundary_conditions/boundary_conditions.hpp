@@ -61,6 +61,9 @@ class BoundaryConditions {
   /// [J] of all loads and user forces, see Load::half_kick().
   double half_kick(double time, double dt) const;
 
+  /// The body has other particles than in the last step: the change of their potential is no work.
+  void restart_potentials();
+
   double work() const;                        ///< [J] cumulative, done on the body
   double constraint_work_correction() const;  ///< [J] of all constraints
 

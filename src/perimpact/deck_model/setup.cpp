@@ -106,6 +106,17 @@ std::span<const Field<BodySetup>> BodySetup::fields() {
   return all;
 }
 
+std::span<const Field<MovingWindowSetup>> MovingWindowSetup::fields() {
+  using S = MovingWindowSetup;
+  static const Field<S> all[] = {
+      {"follow", &S::follow, "", {}, required, "Name of the impactor that the body follows."},
+      {"axis", &S::axis, "", {}, optional, "x or y: the direction in which the impactor travels, either way."},
+      {"start_after", &S::start_after, "m", at_least(0), optional,
+       "Travel of the impactor along the axis before the window follows it. From then on the window moves by multiples of eight spacings, at rows of "
+       "history.csv, so that it falls behind by less than eight spacings and the travel between two rows."}};
+  return all;
+}
+
 std::span<const Field<ImpactorContactSetup>> ImpactorContactSetup::fields() {
   using S = ImpactorContactSetup;
   static const Field<S> all[] = {{"detector",

@@ -103,6 +103,18 @@ struct BoundaryConditionSetup {
   BoundaryConditionKind kind;
 };
 
+inline constexpr std::string_view window_axis_words[] = {"x", "y"};
+enum class WindowAxis { x, y };
+static_assert(fccda::are_enumerators<WindowAxis>(window_axis_words));
+
+/// A body that follows an impactor: material is added ahead and discarded behind (docs/theory/moving_window.md).
+struct MovingWindowSetup {
+  std::string follow;              ///< name of the impactor
+  Choice axis{window_axis_words};  ///< along which it travels
+  double start_after = 0;          ///< [m] travel of the impactor before the window follows it
+  static std::span<const Field<MovingWindowSetup>> fields();
+};
+
 struct BodySetup {
   std::string name;
   BodyShape shape;
@@ -124,6 +136,7 @@ struct BodySetup {
   std::vector<SolidSetup> particle_sets;  ///< named sets of the particles in a solid
   std::vector<CrackSetup> cracks;
   std::vector<BoundaryConditionSetup> boundary_conditions;
+  std::optional<MovingWindowSetup> moving_window;
   static std::span<const Field<BodySetup>> fields();
 
   bool is_plane() const { return plane.as<Plane>() != Plane::none; }

@@ -113,6 +113,8 @@ void Monitors::add_mean(std::string_view owner, const Of& of, const Vec3d& sum) 
 void Monitors::watch(const Scene& scene) {
   const Balance balance = balance_of(scene);
   if (is_first_) first_energy_ = balance.energy - balance.work, first_balance_ = balance.sum();
+  if (is_renewed_) renew_balance(balance.sum() - latest_balance_);
+  latest_balance_ = balance.sum();
   if (is_checked(scene.clock) || scene.relaxed) {
     check_numbers(scene, balance.energy);
     // The forces lack the contribution of an impactor, so that the half kick adds spurious energy; an unstable step increases both.
@@ -121,6 +123,13 @@ void Monitors::watch(const Scene& scene) {
   }
   if (is_due(scene.clock)) make_row(scene, balance);
   is_first_ = false;
+}
+
+void Monitors::renew_balance(double change) {
+  first_energy_ += change;
+  first_balance_ += change;
+  discarded_energy_ -= change;
+  is_renewed_ = false;
 }
 
 // Contact with a structure that does not report its energy is external work.
@@ -185,6 +194,11 @@ void Monitors::make_row(const Scene& scene, const Balance& balance) {
   }
   add("total", {"momentum", "kg m/s", instantaneous, "of all bodies and impactors"}, balance.momentum);
   add("total", {"energy", "J", instantaneous, "kinetic and elastic energy, and contact energy between fragments"}, balance.energy);
+  for (const MovingWindow& window : scene.windows)
+    add(window.name(), {"window_travel", "m", instantaneous, "of its moving window, along the axis of the window"}, window.travel());
+  if (!scene.windows.empty())
+    add("total", {"discarded_energy", "J", cumulative, "that left with the material discarded by moving windows, less that of the material added"},
+        discarded_energy_);
   if (!scene.impactors.empty())
     add("total", {"contact_dissipation", "J", cumulative, "dissipated by contact with impactors, of impactors and bodies together"}, balance.contact);
   if (!scene.relaxed)

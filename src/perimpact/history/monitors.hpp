@@ -15,6 +15,7 @@
 #include "perimpact/impactor/impactor.hpp"
 #include "perimpact/integrate/clock.hpp"
 #include "perimpact/integrate/relax.hpp"
+#include "perimpact/moving_window/moving_window.hpp"
 #include "perimpact/self_contact/short_range.hpp"
 
 namespace perimpact {
@@ -30,7 +31,11 @@ class Monitors {
   /// True if this step is checked, independent of output settings.
   bool is_checked(const Clock& clock) const { return clock.step % check_interval_ == 0 || clock.is_finished(); }
   /// True if either applies, so that the elastic energy is needed.
-  bool samples_step(const Clock& clock) const { return is_due(clock) || is_checked(clock); }
+  bool samples_step(const Clock& clock) const { return is_due(clock) || is_checked(clock) || is_renewed_; }
+
+  /// To be called after a sampled step in which material was added and discarded by moving windows. What energy changes by in the next step, which
+  /// is sampled, is that of this material, and no error of the balance.
+  void renew_balance() { is_renewed_ = true; }
 
   /// Elastic energy [J] of each body, for a sampled step.
   std::vector<double>& elastic_energy() { return elastic_; }
@@ -42,7 +47,8 @@ class Monitors {
     std::span<const Impactor> impactors;
     const Clock& clock;
     const std::optional<ShortRange>& fragments;  // if contact of fragments is enabled
-    const Relaxed* relaxed;                      // convergence of the increment, with time.relax
+    std::span<const MovingWindow> windows;
+    const Relaxed* relaxed;  // convergence of the increment, with time.relax
   };
 
   /// Samples a step: checks it and creates a row if these are due. Throws RunError if values are not finite or energy increases without a
@@ -62,6 +68,8 @@ class Monitors {
     visit("row", std::span<double>(row_));
     visit("sums", std::span<double>(sums_));
     visit("sound_until", sound_until_);
+    visit("latest_balance", latest_balance_);
+    visit("discarded_energy", discarded_energy_);
   }
 
  private:
@@ -93,6 +101,7 @@ class Monitors {
   void add(std::string_view owner, const Of& of, const Vec3d& value);
   void add_mean(std::string_view owner, const Of& of, double sum);
   void add_mean(std::string_view owner, const Of& of, const Vec3d& sum);
+  void renew_balance(double change);
   void check_numbers(const Scene& scene, double energy) const;
   void check_energy(const Scene& scene, double energy, double work, double unpaid, double contact_dissipation) const;
 
@@ -112,8 +121,11 @@ class Monitors {
   std::vector<Column> columns_;
   std::vector<double> row_;
   bool is_first_ = true;
-  double first_energy_ = 0;   // [J]
-  double first_balance_ = 0;  // [J]
+  double first_energy_ = 0;      // [J]
+  double first_balance_ = 0;     // [J]
+  double latest_balance_ = 0;    // [J] Balance::sum() of the latest sampled step
+  double discarded_energy_ = 0;  // [J] cumulative, with material of moving windows
+  bool is_renewed_ = false;      // material was added and discarded since the latest sampled step
 };
 
 }  // namespace perimpact

@@ -107,6 +107,11 @@ std::vector<std::optional<Vec3d>> Impactor::nearest_outside(std::size_t body, st
   return std::visit([&](const auto& detector) { return detector.nearest_outside(places, body_->pose()); }, detectors_[body]);
 }
 
+void Impactor::forget_distances(std::size_t body) {
+  std::visit([](auto& detector) { detector.forget(); }, detectors_[body]);
+  if (deforming_) deforming_->detector(body).forget();
+}
+
 std::uint64_t Impactor::entered_inside(std::size_t body) const {
   if (deforming_) return deforming_->detector(body).entered_inside();
   const auto* swept = std::get_if<Swept>(&detectors_[body]);

@@ -120,6 +120,9 @@ class Impactor {
   /// After finish_step(): the particle was relocated to its prescribed position.
   void put_back(std::size_t body, std::size_t particle);
 
+  /// Discards cached distances to the particles of that body, which were renumbered.
+  void forget_distances(std::size_t body);
+
   const std::string& name() const { return name_; }
   const fccda::RigidBody& body() const { return *body_; }
   const fccda::Surface& surface() const { return *surface_; }

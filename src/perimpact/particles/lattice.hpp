@@ -18,7 +18,8 @@ using fccda::Vec3d;
 struct Lattice {
   std::array<int, 3> cells{};       ///< number of cells in x, y and z
   double spacing{};                 ///< [m]
-  Vec3d origin{};                   ///< [m] centre of cell (0, 0, 0)
+  Vec3d origin{};                   ///< [m] centre of cell (0, 0, 0) of an unbounded lattice
+  std::array<int, 3> first{};       ///< cell of the unbounded lattice that is cell (0, 0, 0) here; not zero after a moving window has moved
   std::optional<double> thickness;  ///< [m] of a plane body, which is one layer of cells in z; if absent, cells are cubes
 
   double cell_volume() const { return spacing * spacing * thickness.value_or(spacing); }  ///< [m³]
@@ -44,7 +45,7 @@ struct Lattice {
   /// Centre of the cell [m].
   Vec3d centre(std::size_t slot) const {
     const auto [i, j, k] = cell(slot);
-    return {origin.x + i * spacing, origin.y + j * spacing, origin.z + k * spacing};
+    return {origin.x + (first[0] + i) * spacing, origin.y + (first[1] + j) * spacing, origin.z + (first[2] + k) * spacing};
   }
 };
 

@@ -81,6 +81,12 @@ void Particles::number_particles() {
     fccda::for_each_bit(occupied_[eight], [&](std::size_t lane) { slot_of_.push_back(static_cast<std::uint32_t>(eight * fccda::byte_lanes + lane)); });
 }
 
+void Particles::move_lattice(const std::array<int, 3>& first) {
+  EXPECTS(lattice_);
+  lattice_->first = first;
+  for (std::size_t slot = 0; slot < slots_; ++slot) position.set(slot, reference(slot));
+}
+
 double Particles::total_mass() const {
   double volume = 0;
   for (const std::uint32_t slot : slot_of_) volume += this->volume(slot);

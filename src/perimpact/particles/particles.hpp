@@ -26,6 +26,9 @@ class Particles {
   /// One particle per point, in the same order.
   Particles(const Cloud& cloud, double density);
 
+  /// Moves the lattice to that first cell, and all particles to the centres of their cells.
+  void move_lattice(const std::array<int, 3>& first);
+
   /// Removes particles, as if their cells were outside the solid. `slots` ascending. Existing families are not updated.
   void remove(std::span<const std::size_t> slots);
 

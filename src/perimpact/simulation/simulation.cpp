@@ -14,6 +14,7 @@
 #include "perimpact/discretisation/particle_set.hpp"
 #include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/integrate/stiffest_mode.hpp"
+#include "perimpact/moving_window/moved_state.hpp"
 #include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/state_hash.hpp"
 
@@ -40,6 +41,9 @@ std::vector<BoundaryConditions> make_boundary_conditions(const Setup& setup, std
       throw SetupError(
           "time.relax",
           fmt::format("user forces such as {} are not supported with time.relax; remove time.relax, or use boundary conditions of the deck.", given.name));
+    if (setup.bodies[given.body].moving_window)
+      throw SetupError("bodies." + setup.bodies[given.body].name + ".moving_window",
+                       fmt::format("user forces such as {} are not supported on a body with a moving window; remove one of them.", given.name));
     const Body& body = bodies[given.body];  // has a stable address for the lifetime of the simulation
     boundary_conditions[given.body].add({body.name + "." + given.name, "user_force",
                                          UserForce(body.name + "." + given.name, body.particles,
@@ -187,6 +191,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
       clock_{stability_.step, std::max(1L, static_cast<long>(std::ceil(setup.time.end / stability_.step - 1e-6)))},
       relaxation_(make_relaxation(setup, bodies_, clock_.dt)),
       impactors_(std::move(start.impactors)),
+      windows_(moving_windows_of(setup, bodies_, impactors_)),
       load_steps_(std::clamp(std::lround(std::min(response_time(setup, bodies_) / clock_.dt, 1e9)), 1L, clock_.steps)),
       monitors_(output_of(setup, clock_.dt), bodies_, clock_) {
   for (const Body& body : bodies_) travel_.emplace_back(travel_blocks(body.particles), 0.0);
@@ -209,6 +214,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
 }
 
 void Simulation::step(const KeepRelaxing& keep_on) {
+  if (!windows_.empty()) timers_.timed("moving_window", [&] { move_windows(); });
   ++clock_.step;
   if (relaxation_) return relax(keep_on);
   timers_.timed("predict", [&] { advance_bodies(); });
@@ -222,6 +228,47 @@ void Simulation::step(const KeepRelaxing& keep_on) {
   timers_.timed("monitors", [&] {
     if (monitors_.samples_step(clock_)) sample_monitors();
   });
+}
+
+// After rows of the history: the next interval of panel loads has not begun, so that no particle in contact in it is discarded.
+void Simulation::move_windows() {
+  if (!monitors_.is_due(clock_)) return;
+  for (MovingWindow& window : windows_)
+    if (const long moves = window.moves_due(impactors_); moves != 0) move_window(window, moves);
+}
+
+void Simulation::move_window(MovingWindow& window, long moves) {
+  const auto visit_all = [&](auto& visit) {
+    visit_parts(visit);
+    visit_record(visit);
+  };
+  window.inspect_front(bodies_[window.body()], moves);
+  CapturedState captured;
+  visit_all(captured);
+  window.move(moves);
+  build_anew(window);
+  const std::size_t b = window.body();
+  const Body& body = bodies_[b];
+  std::size_t particles_before = 0;
+  for (std::size_t before = 0; before < b; ++before) particles_before += bodies_[before].particles.size();
+  const std::vector<std::int64_t> sources = window.sources(*body.particles.lattice(), moves);
+  MovedState moved(captured, {body.name, b, particles_before, sources, body.family});
+  visit_all(moved);
+  boundary_conditions_[b].restart_potentials();
+  for (Impactor& impactor : impactors_) impactor.forget_distances(b);
+  monitors_.renew_balance();
+}
+
+/// Builds the body of the window at its cells, undeformed. Its parts keep their addresses, and its arrays theirs, to which programs may refer.
+void Simulation::build_anew(const MovingWindow& window) {
+  const std::size_t b = window.body();
+  Body body = make_body(setup_.bodies[b], make_particles(setup_.bodies[b]));
+  boundary_conditions_[b] =
+      BoundaryConditions(setup_.bodies[b], elastic_of(setup_.bodies[b]), body.particles,
+                         [&](const std::string& set, const std::string& key) { return slots_in(set, setup_.bodies[b], body.particles, key); });
+  body.particles.move_lattice(window.first());  // after what is chosen by position: it belongs to slots
+  bodies_[b] = body;
+  if (fragments_) fragments_ = short_range_of(setup_, bodies_);
 }
 
 void Simulation::advance_bodies() {
@@ -304,7 +351,7 @@ void Simulation::end_load_interval() {
 
 void Simulation::sample_monitors() {
   const double row_before = monitors_.row_time();
-  monitors_.watch({bodies_, boundary_conditions_, impactors_, clock_, fragments_, relaxation_ ? &relaxation_->latest() : nullptr});
+  monitors_.watch({bodies_, boundary_conditions_, impactors_, clock_, fragments_, windows_, relaxation_ ? &relaxation_->latest() : nullptr});
   if (monitors_.is_due(clock_))
     for (Impactor& impactor : impactors_) impactor.end_history_interval(clock_.time(), clock_.time() - row_before);
   if (monitors_.is_checked(clock_)) proximity_.sample(bodies_, impactors_, setup_.contact.impactors.radius_ratio, clock_.time());
@@ -314,6 +361,12 @@ std::size_t Simulation::contacts() const {
   std::size_t sum = 0;
   for (const Impactor& impactor : impactors_) sum += impactor.account().contacts;
   return sum;
+}
+
+std::vector<std::string> Simulation::closing_warnings() const {
+  std::vector<std::string> warnings = proximity_.warnings(bodies_, impactors_);
+  for (const MovingWindow& window : windows_) std::ranges::move(window.warnings(), std::back_inserter(warnings));
+  return warnings;
 }
 
 std::uint64_t Simulation::state_hash() {

@@ -17,6 +17,7 @@
 #include "perimpact/impactor/impactor.hpp"
 #include "perimpact/integrate/clock.hpp"
 #include "perimpact/integrate/relax.hpp"
+#include "perimpact/moving_window/moving_window.hpp"
 #include "perimpact/self_contact/short_range.hpp"
 #include "perimpact/simulation/start.hpp"
 
@@ -51,15 +52,16 @@ class Simulation {
   const Setup& setup() const { return setup_; }
   const Clock& clock() const { return clock_; }
   const Stability& stability() const { return stability_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }                                  ///< before the run
-  std::vector<std::string> closing_warnings() const { return proximity_.warnings(bodies_, impactors_); }  ///< at the end of the run
-  const fccda::Timers& timers() const { return timers_; }                                                 ///< of the phases of a step
-  const fccda::Timers& set_up_timers() const { return stages_.timers(); }                                 ///< of the stages of the set-up
-  std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }      ///< removed, or projected onto a surface
+  const std::vector<std::string>& warnings() const { return warnings_; }                              ///< before the run
+  std::vector<std::string> closing_warnings() const;                                                  ///< at the end of the run
+  const fccda::Timers& timers() const { return timers_; }                                             ///< of the phases of a step
+  const fccda::Timers& set_up_timers() const { return stages_.timers(); }                             ///< of the stages of the set-up
+  std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }  ///< removed, or projected onto a surface
   std::span<const Body> bodies() const { return bodies_; }
   const std::optional<FilledMass>& filled_mass(std::size_t body) const { return filled_masses_[body]; }
   std::span<const BoundaryConditions> boundary_conditions() const { return boundary_conditions_; }  ///< of each body
   std::span<const Impactor> impactors() const { return impactors_; }
+  std::span<const MovingWindow> moving_windows() const { return windows_; }
   const Monitors& monitors() const { return monitors_; }
   const std::optional<ShortRange>& fragments() const { return fragments_; }    ///< if contact of fragments is enabled
   std::size_t contacts() const;                                                ///< of the last step
@@ -74,11 +76,12 @@ class Simulation {
   template <class Visitor>
   void visit_state(Visitor&& visit) {
     visit("step", clock_.step);
-    for (Body& body : bodies_) body.visit_state(visit);
-    for (BoundaryConditions& boundary_conditions : boundary_conditions_) boundary_conditions.visit_state(visit);
-    for (Impactor& impactor : impactors_) impactor.visit_state(visit);
-    if (fragments_) fragments_->visit_state(fccda::under("fragments", visit));
-    if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
+    for (MovingWindow& window : windows_) {
+      const std::array<int, 3> first = window.first();
+      window.visit_state(visit);
+      if (window.first() != first) build_anew(window);  // a restart: what follows belongs to the body there
+    }
+    visit_parts(visit);
   }
   std::uint64_t state_hash();
 
@@ -89,11 +92,23 @@ class Simulation {
     for (BoundaryConditions& boundary_conditions : boundary_conditions_) boundary_conditions.visit_record(visit);
     for (Impactor& impactor : impactors_) impactor.visit_record(visit);
     if (fragments_) fragments_->visit_record(fccda::under("fragments", visit));
+    for (MovingWindow& window : windows_) window.visit_record(visit);
     monitors_.visit_state(fccda::under("monitors", visit));
     proximity_.visit_state(fccda::under("encounters", visit));
   }
 
  private:
+  template <class Visitor>
+  void visit_parts(Visitor&& visit) {
+    for (Body& body : bodies_) body.visit_state(visit);
+    for (BoundaryConditions& boundary_conditions : boundary_conditions_) boundary_conditions.visit_state(visit);
+    for (Impactor& impactor : impactors_) impactor.visit_state(visit);
+    if (fragments_) fragments_->visit_state(fccda::under("fragments", visit));
+    if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
+  }
+  void move_windows();
+  void move_window(MovingWindow& window, long moves);
+  void build_anew(const MovingWindow& window);
   void advance_bodies();
   void resolve_impactor_contact();
   std::vector<std::size_t> resolve_body(std::size_t body, ContactParticles& particles);  // number of unresolved penetrations per impactor
@@ -116,6 +131,7 @@ class Simulation {
   Clock clock_;  // counts increments with time.relax
   std::optional<Relaxation> relaxation_;
   std::vector<Impactor> impactors_;
+  std::vector<MovingWindow> windows_;
   long load_steps_;                          // averaging interval of panel loads
   std::vector<std::vector<double>> travel_;  // [m] travel of each body's blocks in this step
   Monitors monitors_;

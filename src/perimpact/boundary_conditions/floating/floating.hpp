@@ -75,6 +75,9 @@ class Floating {
   void apply_resistance(Particles& particles, double dt) { account.record_force(lift_ + resist(particles, dt), {}); }
   Vec3d conjugate_displacement(const Particles&, double) const { return {}; }  ///< the work is that of a potential
 
+  /// Other particles float than in the last step: the change of the potential until the next step is no work.
+  void restart_potential() { has_begun_ = false; }
+
   double weight_buoyancy_work() const { return weight_buoyancy_work_; }  ///< [J] cumulative, done on the body
   double drag_work() const { return drag_work_; }                        ///< [J] cumulative, of drag, damping and added mass
 

@@ -1,0 +1,116 @@
+#include "perimpact/moving_window/moving_window.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "perimpact/deck_model/setup_error.hpp"
+
+namespace perimpact {
+
+namespace {
+
+/// What keeps the body from being a window onto uniform material; empty if nothing does.
+std::string obstacle(const Setup& setup, const BodySetup& body, const Particles& particles) {
+  if (setup.time.relax) return "time.relax finds equilibria of one body; remove time.relax";
+  const Lattice* lattice = particles.lattice();
+  if (!lattice) return "its particles are those of a file; fill a shape: box";
+  if (particles.size() != particles.slots()) {
+    const int cells = lattice->cells[0], next = (cells + MovingWindow::cells_of_move - 1) / MovingWindow::cells_of_move * MovingWindow::cells_of_move;
+    if (next != cells)
+      return fmt::format("it has {} particles along x, which must be a multiple of {}; make it {:.6g} m long along x", cells, MovingWindow::cells_of_move,
+                         next * lattice->spacing);
+    return "it does not fill a box; remove holes and added solids, and keep particles out of impactors at the start";
+  }
+  if (!body.cracks.empty()) return "it has initial cracks, which material added later lacks; remove them";
+  if (body.failure && body.failure->weibull_modulus) return "its strength is scattered (failure.weibull_modulus); remove the scatter";
+  if (body.velocity != Vec3d{}) return "it has an initial velocity; let the impactor travel instead";
+  const auto is_on = [&](const auto& one) { return one.body == body.name; };
+  if (std::ranges::any_of(setup.output.probes, is_on) || std::ranges::any_of(setup.output.lines, is_on))
+    return "probes and lines refer to points of it, which are discarded; remove them";
+  for (const BoundaryConditionSetup& one : body.boundary_conditions) {
+    const auto* floating = std::get_if<FloatingSetup>(&one.kind);
+    if (floating && !floating->particle_set.empty()) return fmt::format("boundary condition {} floats a part of it; float all of it", one.name);
+    if (!floating && !std::holds_alternative<FixedSetup>(one.kind) && !std::holds_alternative<AbsorbingSetup>(one.kind))
+      return fmt::format("boundary condition {} is none of fixed, absorbing and floating; remove it", one.name);
+  }
+  return "";
+}
+
+std::size_t impactor_of(const MovingWindowSetup& window, const std::string& key, std::span<const Impactor> impactors) {
+  const auto found = std::ranges::find(impactors, window.follow, &Impactor::name);
+  if (found == impactors.end())
+    throw SetupError(key + ".follow", fmt::format("the window follows impactor {}, which does not exist; name one of the deck's impactors.", window.follow));
+  return static_cast<std::size_t>(found - impactors.begin());
+}
+
+}  // namespace
+
+MovingWindow::MovingWindow(const Setup& setup, std::size_t body, const Body& its, std::span<const Impactor> impactors)
+    : name_(its.name), body_(body), axis_(static_cast<std::size_t>(setup.bodies[body].moving_window->axis.index)) {
+  const MovingWindowSetup& window = *setup.bodies[body].moving_window;
+  const std::string key = "bodies." + name_ + ".moving_window";
+  impactor_ = impactor_of(window, key, impactors);
+  if (const std::string reason = obstacle(setup, setup.bodies[body], its.particles); !reason.empty())
+    throw SetupError(key, fmt::format("body {} cannot be a moving window: {}.", name_, reason));
+  start_after_ = window.start_after;
+  length_of_move_ = cells_of_move * its.particles.spacing();
+  start_ = position(impactors);
+}
+
+double MovingWindow::position(std::span<const Impactor> impactors) const { return impactors[impactor_].body().position_of_com()[axis_]; }
+
+std::array<int, 3> MovingWindow::first() const {
+  std::array<int, 3> cell{};
+  cell[axis_] = static_cast<int>(moves_) * cells_of_move;
+  return cell;
+}
+
+long MovingWindow::moves_due(std::span<const Impactor> impactors) const {
+  const double travelled = position(impactors) - start_;
+  const auto wanted = static_cast<long>(std::floor(std::max(0.0, std::abs(travelled) - start_after_) / length_of_move_));
+  if (wanted <= std::abs(moves_) || (moves_ != 0 && std::signbit(travelled) != (moves_ < 0))) return 0;
+  return (travelled < 0 ? -wanted : wanted) - moves_;
+}
+
+void MovingWindow::inspect_front(const Body& body, long moves) {
+  const Lattice& lattice = *body.particles.lattice();
+  const auto reach = static_cast<int>(std::ceil(body.family.horizon() / lattice.spacing));
+  for (const std::uint32_t slot : body.particles.slot_of()) {
+    const int cell = lattice.cell(slot)[axis_], from_front = moves < 0 ? cell : lattice.cells[axis_] - 1 - cell;
+    if (from_front >= 2 * reach) continue;  // the family of particles with bonds to new material
+    front_displacement_ = std::max(front_displacement_, norm(body.particles.displacement(slot)));
+    front_damage_ = std::max(front_damage_, body.family.damage(slot));
+  }
+}
+
+std::vector<std::string> MovingWindow::warnings() const {
+  constexpr double least = 0.01;  // of the spacing
+  const double spacing = length_of_move_ / cells_of_move;
+  if (front_damage_ == 0 && front_displacement_ < least * spacing) return {};
+  return {
+      fmt::format("The moving window of body {} moved although the material at its front was displaced (by up to {:.3g} of the spacing) or damaged (up to "
+                  "{:.3g}); the material attached to it is not. Make the body longer, or reduce moving_window.start_after, so that the impactor stays further "
+                  "from the front.",
+                  name_, front_displacement_ / spacing, front_damage_)};
+}
+
+std::vector<std::int64_t> MovingWindow::sources(const Lattice& lattice, long moves) const {
+  std::vector<std::int64_t> sources(lattice.slots(), -1);
+  for (std::size_t slot = 0; slot < sources.size(); ++slot) {
+    std::array<int, 3> cell = lattice.cell(slot);
+    cell[axis_] += static_cast<int>(moves) * cells_of_move;
+    if (lattice.contains(cell[0], cell[1], cell[2])) sources[slot] = static_cast<std::int64_t>(lattice.slot(cell[0], cell[1], cell[2]));
+  }
+  return sources;
+}
+
+std::vector<MovingWindow> moving_windows_of(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors) {
+  std::vector<MovingWindow> windows;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (setup.bodies[b].moving_window) windows.emplace_back(setup, b, bodies[b], impactors);
+  return windows;
+}
+
+}  // namespace perimpact

@@ -1,0 +1,72 @@
+/// Moving window: a body on a lattice that follows an impactor, so that a long course costs no more than the material around the impactor
+/// (docs/theory/moving_window.md).
+///
+/// The lattice is a window onto an unbounded one. When it moves by whole cells, each slot takes over the state of the slot ahead of it; the slots at the front
+/// get undeformed material at rest, and the state of those behind is discarded. What belongs to slots stays in place: boundary conditions, surface correction,
+/// edges that do not break.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "perimpact/body/body.hpp"
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/impactor/impactor.hpp"
+
+namespace perimpact {
+
+class MovingWindow {
+ public:
+  static constexpr int cells_of_move = 8;  ///< slots that share bytes of bonds stay together
+
+  /// `body`: index of a body with a moving window; `impactors` before the first step. Throws SetupError if what the body is or has cannot move.
+  MovingWindow(const Setup& setup, std::size_t body, const Body& its, std::span<const Impactor> impactors);
+
+  std::size_t body() const { return body_; }                                       ///< index
+  const std::string& name() const { return name_; }                                ///< of the body
+  std::array<int, 3> first() const;                                                ///< Lattice::first
+  double travel() const { return static_cast<double>(moves_) * length_of_move_; }  ///< [m] along its axis, with its sign
+
+  /// Moves due with the impactors where they are, with the sign of the direction; the window never moves back.
+  long moves_due(std::span<const Impactor> impactors) const;
+  void move(long moves) { moves_ += moves; }
+
+  /// To be called before a move: examines the material at the front, to which new, undeformed material is going to be attached.
+  void inspect_front(const Body& body, long moves);
+  /// A warning if this material was deformed or damaged in any move so far.
+  std::vector<std::string> warnings() const;
+
+  /// For each slot, that whose state it takes over when the window makes these moves; -1 for new material.
+  std::vector<std::int64_t> sources(const Lattice& lattice, long moves) const;
+
+  /// See base/state.hpp.
+  template <class Visitor>
+  void visit_state(Visitor&& visit) {
+    visit(name_ + ".window_moves", moves_);
+  }
+
+  /// Record, which does not affect steps.
+  template <class Visitor>
+  void visit_record(Visitor&& visit) {
+    fccda::visit_members(visit, name_ + ".window_front", std::array{&front_displacement_, &front_damage_});
+  }
+
+ private:
+  double position(std::span<const Impactor> impactors) const;  // [m] of the impactor along the axis
+
+  std::string name_;
+  std::size_t body_, impactor_, axis_;
+  double start_after_, length_of_move_;  // [m]
+  double start_;                         // [m] initial position of the impactor
+  long moves_ = 0;
+  double front_displacement_ = 0;  // [m] largest
+  double front_damage_ = 0;        // [-] largest
+};
+
+/// Of all bodies that have one. Throws SetupError.
+std::vector<MovingWindow> moving_windows_of(const Setup& setup, std::span<const Body> bodies, std::span<const Impactor> impactors);
+
+}  // namespace perimpact

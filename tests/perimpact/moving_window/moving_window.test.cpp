@@ -1,0 +1,223 @@
+// Moving windows: the material around an impactor in place of the whole course (docs/theory/moving_window.md).
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/parallel.hpp"
+#include "fixtures/tolerance.hpp"
+#include "perimpact/bodies.hpp"
+#include "perimpact/resuming.hpp"
+#include "perimpact/simulations.hpp"
+
+namespace perimpact {
+
+namespace {
+
+using fixtures::Model;
+
+constexpr double spacing = 1.0 / 512;  // [m]; positions on the lattice are exact, so that they do not depend on its first cell
+constexpr int added = 8;               // cells of a move
+
+ImpactorSetup ball(const std::string& name, double diameter, const Vec3d& position, const Vec3d& velocity) {
+  ImpactorSetup setup;
+  setup.name = name;
+  setup.surface = SphereSurface{.diameter = diameter, .edge_length = diameter / 8};
+  setup.mass = 0.05;
+  setup.position = position;
+  setup.velocity = velocity;
+  return setup;
+}
+
+/// A strip of cells along x, struck in its middle, and a remote impactor that travels somewhat more than eight spacings in ten steps.
+Setup struck(int cells, double centre, Model model, int steps, const Vec3d& direction = {-1, 0, 0}) {
+  Setup setup;
+  setup.time = {.end = steps * 2e-7, .step = 2e-7};
+  setup.output.history_interval = 1e-6;
+  const double across = 8 * spacing, length = cells * spacing;
+  const bool along_x = direction.x != 0;
+  BodySetup strip = fixtures::body_setup({.size = along_x ? Vec3d{length, across, 4 * spacing} : Vec3d{across, length, 4 * spacing},
+                                          .spacing = spacing,
+                                          .critical_stretch = 4e-4,
+                                          .model = model});
+  strip.position = along_x ? Vec3d{centre, 0, 0} : Vec3d{0, centre, 0};
+  setup.bodies = {strip};
+  const double top = 2 * spacing;
+  setup.impactors = {ball("ball", 6 * spacing, {0.3 * spacing, 0.2 * spacing, top + 3 * spacing}, {0, 0, -150}),
+                     ball("guide", 6 * spacing, {0, 0, 1}, 8400 * direction)};
+  setup.contact.fragments.law.index = 1;
+  setup.contact.fragments.friction = 0.2;
+  return setup;
+}
+
+MovingWindowSetup window_after(double travel, WindowAxis axis = WindowAxis::x) {
+  MovingWindowSetup window{.follow = "guide", .start_after = travel};
+  window.axis.index = static_cast<int>(axis);
+  return window;
+}
+
+/// Particles of the window, at least `margin` cells from its ends, whose velocity, displacement or damage differs in any bit from that of the body of the whole
+/// course at the same place, which begins `before` cells earlier; and all such particles.
+std::array<std::size_t, 2> differing(const Simulation& window, const Simulation& whole, std::size_t axis, int before, int margin) {
+  const Particles &one = window.bodies()[0].particles, &other = whole.bodies()[0].particles;
+  const Lattice& lattice = *one.lattice();
+  std::array<std::size_t, 2> counts{};
+  for (const std::uint32_t slot : one.slot_of()) {
+    std::array<int, 3> cell = lattice.cell(slot);
+    if (std::min(cell[axis], lattice.cells[axis] - 1 - cell[axis]) < margin) continue;
+    cell[axis] += lattice.first[axis] + before;
+    const std::size_t same = other.lattice()->slot(cell[0], cell[1], cell[2]);
+    counts[0] += one.velocity.at(slot) != other.velocity.at(same) || one.displacement(slot) != other.displacement(same) ||
+                 window.bodies()[0].family.damage(slot) != whole.bodies()[0].family.damage(same);
+    ++counts[1];
+  }
+  return counts;
+}
+
+}  // namespace
+
+TEST_CASE("moving window: where nothing from its ends can have arrived, a window has the state of a body of the whole course to the last bit") {
+  for (const Model model : {Model::bond_based, Model::ordinary_state}) {
+    // the sheet is struck, and then the window moves by eight cells; a step carries rounding over three cells, and over six with dilatations
+    const int steps = model == Model::bond_based ? 18 : 14, margin = added + steps * (model == Model::bond_based ? 3 : 6), cells = 256;
+    Setup with_window = struck(cells, 0, model, steps);
+    with_window.bodies[0].moving_window = window_after(0);
+    Simulation window(with_window), whole(struck(cells + added, -0.5 * added * spacing, model, steps));
+    fixtures::run(window), fixtures::run(whole);
+    CAPTURE(static_cast<int>(model));
+    REQUIRE(window.bodies()[0].particles.lattice()->first[0] == -added);
+    CHECK(window.bodies()[0].internal.broken_bonds() > 0);
+    CHECK(window.bodies()[0].internal.broken_bonds() == whole.bodies()[0].internal.broken_bonds());
+    // new material is attached with all its bonds
+    CHECK(window.bodies()[0].family.intact_bonds() == window.bodies()[0].family.initial_bonds() - window.bodies()[0].internal.broken_bonds());
+    const auto [different, all] = differing(window, whole, 0, added, margin);
+    CHECK(different == 0);
+    CHECK(all > 1000);
+  }
+}
+
+TEST_CASE("moving window: likewise along y, and in the positive direction") {
+  const int cells = 256, steps = 18;
+  Setup with_window = struck(cells, 0, Model::bond_based, steps, {0, 1, 0});
+  with_window.bodies[0].moving_window = window_after(0, WindowAxis::y);
+  Simulation window(with_window), whole(struck(cells + added, 0.5 * added * spacing, Model::bond_based, steps, {0, 1, 0}));
+  fixtures::run(window), fixtures::run(whole);
+  REQUIRE(window.bodies()[0].particles.lattice()->first[1] == added);
+  CHECK(window.bodies()[0].internal.broken_bonds() > 0);
+  const auto [different, all] = differing(window, whole, 1, 0, added + 3 * steps);
+  CHECK(different == 0);
+  CHECK(all > 1000);
+}
+
+TEST_CASE("moving window: it follows by multiples of eight spacings once the impactor has travelled start_after, never ahead of it, and never back") {
+  Setup setup = struck(96, 0, Model::bond_based, 60);
+  setup.bodies[0].moving_window = window_after(10 * spacing);
+  setup.impactors[1].velocity = {};
+  setup.impactors[1].motion.x = TranslationTable{{{0, 1e-5, 1.2e-5}, {-5000, -5000, 5000}, {}, {}}};  // 25 to 30 spacings ahead, then back
+  Simulation simulation(setup);
+  double furthest = 0;
+  while (!simulation.clock().is_finished()) {
+    const bool is_row = simulation.clock().step % 5 == 0;
+    const double travelled = -simulation.impactors()[1].body().position_of_com().x, before = -simulation.moving_windows()[0].travel();
+    furthest = std::max(furthest, travelled);
+    simulation.step();
+    const double travel = -simulation.moving_windows()[0].travel();
+    CHECK(travel >= before);
+    if (!is_row) CHECK(travel == before);
+    CHECK(travel <= std::max(0.0, furthest - 10 * spacing) + 1e-12);
+    if (is_row) CHECK(travel > furthest - (10 + 8) * spacing - 1e-12);
+  }
+  CHECK(-simulation.moving_windows()[0].travel() == fixtures::relative(16 * spacing, 1e-12));
+}
+
+TEST_CASE("moving window: energy that leaves with discarded material is recorded apart, and the balance closes as without a window") {
+  Setup setup = struck(64, 0, Model::bond_based, 0);
+  setup.time = {.end = 180e-7, .step = 1e-7};
+  setup.output.history_interval = 1e-7;
+  setup.impactors[0].position.x = 20 * spacing;  // waves have reached the rear, but not the front, when the window moves
+  setup.impactors[1].velocity = {-1094, 0, 0};
+  const auto error_of = [](const Simulation& simulation) { return std::abs(fixtures::value(simulation, "total.energy_balance_error [J]")); };
+  Simulation without(setup);
+  fixtures::run(without);
+  setup.bodies[0].moving_window = window_after(0);
+  Simulation with(setup);
+  // [J] what was put in by the ball, less what is there and what was dissipated
+  const auto missing = [](const Simulation& simulation) {
+    double sum = -fixtures::value(simulation, "ball.contact_work [J]");
+    for (const char* name : {"total.energy", "body.fracture_energy", "total.friction_dissipation", "total.contact_dissipation"})
+      sum -= fixtures::value(simulation, std::string(name) + " [J]");
+    return sum;
+  };
+  double left = 0;
+  while (!with.clock().is_finished()) {
+    const double before = missing(with), travel = with.moving_windows()[0].travel();
+    with.step();
+    if (with.moving_windows()[0].travel() != travel) left += missing(with) - before;
+  }
+  REQUIRE(with.moving_windows()[0].travel() == fixtures::relative(-8 * spacing, 1e-12));
+  CHECK(fixtures::value(with, "total.discarded_energy [J]") == fixtures::relative(left, 0.03));  // rows have the kinetic energy of interpolated velocities
+  CHECK(left > 20 * error_of(with));
+  CHECK(error_of(with) < 1.5 * error_of(without));
+}
+
+TEST_CASE("moving window: a restart after every step is bitwise exact, before and after moves, with rubble, water and ice that yields") {
+  Setup setup = struck(40, 0, Model::bond_based, 32);
+  std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
+  setup.bodies[0].particle_sets = {{.name = "end", .shape = BoxSolid{{6 * spacing, 1, 1}}, .position = {-20 * spacing, 0, 0}}};
+  setup.bodies[0].boundary_conditions = {{"sea", FloatingSetup{.level = 0}}, {"ahead", FixedSetup{.particle_set = "end"}}};
+  setup.bodies[0].moving_window = window_after(0);
+  Simulation simulation(setup);
+  fixtures::run(simulation);
+  CHECK(fixtures::value(simulation, "body.broken_bonds [-]") > 0);
+  CHECK(fixtures::value(simulation, "body.plastic_dissipation [J]") > 0);
+  CHECK(simulation.moving_windows()[0].travel() == fixtures::relative(-24 * spacing, 1e-12));
+  fixtures::expect_same_when_resumed_at_every_step(setup);
+}
+
+TEST_CASE("moving window: the number of threads changes nothing") {
+  Setup setup = struck(40, 0, Model::bond_based, 32);
+  setup.bodies[0].moving_window = window_after(0);
+  const auto hash = [&](int threads) {
+    fccda::use_threads(threads);
+    Simulation simulation(setup);
+    fixtures::run(simulation);
+    return simulation.state_hash();
+  };
+  const int before = omp_get_max_threads();
+  const std::uint64_t one = hash(1), three = hash(3);
+  fccda::use_threads(before);
+  CHECK(one == three);
+}
+
+TEST_CASE("moving window: a window whose front is deformed when it moves is reported at the end") {
+  Setup setup = struck(40, 0, Model::bond_based, 60);
+  setup.impactors[0].position.x = -16 * spacing;
+  setup.bodies[0].moving_window = window_after(20 * spacing);
+  Simulation simulation(setup);
+  fixtures::run(simulation);
+  const std::vector<std::string> warnings = simulation.closing_warnings();
+  CHECK(std::ranges::any_of(warnings, [](const std::string& one) { return one.find("the material at its front was displaced") != std::string::npos; }));
+}
+
+TEST_CASE("moving window: what cannot move is refused with its reason") {
+  const auto refused = [](const std::function<void(Setup&)>& change, const std::string& words) {
+    Setup setup = struck(40, 0, Model::bond_based, 10);
+    setup.bodies[0].moving_window = window_after(0);
+    change(setup);
+    const std::string sentence = fixtures::complaint(setup);
+    CAPTURE(sentence);
+    CHECK(sentence.starts_with("bodies.body.moving_window"));
+    CHECK(sentence.find(words) != std::string::npos);
+  };
+  refused([](Setup& s) { s.bodies[0].moving_window->follow = "tug"; }, "follow: the window follows impactor tug, which does not exist");
+  refused([](Setup& s) { std::get<BoxSolid>(s.bodies[0].shape).size.x = 42 * spacing; },
+          "it has 42 particles along x, which must be a multiple of 8; make it 0.09375 m long");
+  refused([](Setup& s) { s.bodies[0].holes = {{.name = "hole", .shape = BoxSolid{{0.01, 0.01, 0.01}}}}; }, "it does not fill a box");
+  refused([](Setup& s) { s.bodies[0].failure = FailureSetup{.weibull_modulus = 8}; }, "its strength is scattered");
+  refused([](Setup& s) { s.bodies[0].velocity = {1, 0, 0}; }, "it has an initial velocity");
+  refused([](Setup& s) { s.output.probes = {{"end", "body", {}}}; }, "probes and lines refer to points of it");
+  refused([](Setup& s) { s.bodies[0].boundary_conditions = {{"push", BodyForceSetup{}}}; }, "push is none of fixed, absorbing and floating");
+}
+
+}  // namespace perimpact
