@@ -71,8 +71,22 @@ export class BodyData {
     return number < 0 ? undefined : { about: this.about.arrays[number], number };
   }
 
-  /** The values of a quantity in a frame. */
+  /** 1 for particles that are in a frame, 0 for others; undefined where all particles are in all frames. */
+  isWritten(picture: number): Numbers | undefined {
+    const found = this.array("is_written");
+    return found && this.pictures[picture][found.number];
+  }
+
+  /** The values of a quantity in a frame; NaN for particles that are not in it. */
   values(key: string, picture: number, body: number): Float32Array {
+    const out = this.allValues(key, picture, body);
+    this.isWritten(picture)?.forEach((is, i) => {
+      if (!is) out[i] = NaN;
+    });
+    return out;
+  }
+
+  private allValues(key: string, picture: number, body: number): Float32Array {
     const count = this.about.shown;
     const out = new Float32Array(count);
     const arrays = this.pictures[picture];
@@ -220,8 +234,8 @@ export function quantitiesOf(bodies: BodyData[]): Quantity[] {
     { key: "displacement_x", label: "displacement x", unit: "m", kind: "signed" },
     { key: "displacement_y", label: "displacement y", unit: "m", kind: "signed" },
     { key: "displacement_z", label: "displacement z", unit: "m", kind: "signed" },
-  ];
-  if (bodies.some((body) => body.array("plastic_strain"))) out.push({ key: "plastic_strain", label: "plastic strain", unit: "", kind: "increase" });
+    { key: "plastic_strain", label: "plastic strain", unit: "", kind: "increase" },
+  ].filter(({ key }) => key === "displacement" || bodies.some((body) => body.array(key))) as Quantity[];
   if (bodies.length > 1) out.push({ key: "body", label: "body", unit: "", kind: "number" });
   if (bodies.some((body) => body.array("fragment"))) out.push({ key: "fragment", label: "fragment", unit: "", kind: "number" });
   return out;

@@ -126,16 +126,20 @@ function tell(): void {
   const { body, particle } = probed;
   const data = bodies[body];
   const picture = data.shownAt(current);
+  if (data.isWritten(picture)?.[particle] === 0) {
+    home.textContent = `${data.about.name}\nnot in this frame`;
+    return;
+  }
   const value = (key: string) => data.values(key, picture, body)[particle];
   const u = ["x", "y", "z"].map((axis) => value(`displacement_${axis}`));
   const place = u.map((each, axis) => data.undeformed[3 * particle + axis] + each);
   const lines = [
     data.about.name,
     `at (${place.map((each) => text(each)).join(", ")}) m`,
-    `damage ${text(value("damage"), 3)}`,
     `displacement ${withUnit(Math.hypot(...u), "m")}`,
-    `speed ${withUnit(value("speed"), "m/s")}`,
   ];
+  if (data.array("damage")) lines.splice(2, 0, `damage ${text(value("damage"), 3)}`);
+  if (data.array("speed")) lines.push(`speed ${withUnit(value("speed"), "m/s")}`);
   if (data.array("plastic_strain")) lines.push(`plastic strain ${text(value("plastic_strain"), 3)}`);
   if (data.array("fragment")) lines.push(`fragment ${value("fragment")}`);
   home.textContent = lines.join("\n");
@@ -241,8 +245,9 @@ function bindKeys(): void {
 }
 
 function bindControls(): void {
-  const mayBreak = bodies.some((body) => body.array("fragment"));
-  colour.replaceChildren(...quantities.map(({ key, label, unit }) => new Option(unit ? `${label} [${unit}]` : label, key, false, key === (mayBreak ? "damage" : "speed"))));
+  const has = (array: string) => bodies.some((body) => body.array(array));
+  const first = has("damage") && (has("fragment") || !has("speed")) ? "damage" : "speed";
+  colour.replaceChildren(...quantities.map(({ key, label, unit }) => new Option(unit ? `${label} [${unit}]` : label, key, false, key === first)));
   const names = [...new Set(impactors.flatMap((impactor) => impactor.about.arrays.map((array) => array.name)))];
   panels.replaceChildren(new Option("plain", ""), ...names.map((name) => new Option(name.replaceAll("_", " "), name)));
   byId("impactors").hidden = impactors.length === 0;

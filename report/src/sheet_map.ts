@@ -18,6 +18,7 @@ interface Sheet {
 
 /** The cells of a thin body; undefined for others. */
 function sheetOf(body: BodyData): Sheet | undefined {
+  if (!body.array("damage")) return undefined;
   const spacing = body.about["spacing [m]"];
   const extents = body.about.undeformed.map(({ low, high }) => high - low + spacing);
   const through = extents.indexOf(Math.min(...extents));
@@ -116,6 +117,7 @@ export class SheetMap {
     const members = new Uint32Array(values.length);
     const isMean = this.how.value === "mean";
     cells.forEach((cell, i) => {
+      if (Number.isNaN(damage[i])) return; // not in this frame
       values[cell] = isMean ? values[cell] + damage[i] : Math.max(values[cell], damage[i]);
       ++members[cell];
     });

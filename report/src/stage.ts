@@ -40,7 +40,7 @@ const colouring = /* glsl */ `
 `;
 
 const particleVertex = /* glsl */ `
-  attribute float ux, uy, uz, value;
+  attribute float ux, uy, uz, value, written;
   uniform vec3 low, steps;
   uniform float warp, diameter, pixels;
   varying vec3 colour;
@@ -50,7 +50,7 @@ const particleVertex = /* glsl */ `
   void main() {
     vec3 x = position + warp * (low + steps * vec3(ux, uy, uz));
     vec4 seen = modelViewMatrix * vec4(x, 1.0);
-    gl_Position = isClipped(x) ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;
+    gl_Position = isClipped(x) || written < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;
     size = pixels * diameter / -seen.z;
     gl_PointSize = max(size, 1.0);
     colour = colourOf(value);
@@ -186,6 +186,7 @@ export class Stage {
     geometry.setAttribute("position", new BufferAttribute(data.undeformed, 3));
     for (const name of ["ux", "uy", "uz"]) geometry.setAttribute(name, new BufferAttribute(new Uint16Array(count), 1));
     geometry.setAttribute("value", new BufferAttribute(new Float32Array(count), 1));
+    geometry.setAttribute("written", new BufferAttribute(new Uint8Array(count).fill(1), 1));
     const [x, y, z] = data.about.arrays;
     const points = new Points(
       geometry,
@@ -285,6 +286,12 @@ export class Stage {
     const attribute = points.geometry.getAttribute("value") as BufferAttribute;
     attribute.array = values;
     attribute.needsUpdate = true;
+    const isWritten = data.isWritten(picture);
+    if (isWritten) {
+      const written = points.geometry.getAttribute("written") as BufferAttribute;
+      written.array = isWritten;
+      written.needsUpdate = true;
+    }
     const { uniforms } = points.material;
     uniforms.colours.value = this.tables[kind];
     uniforms.isNumber.value = kind === "number";
@@ -442,7 +449,9 @@ export class Stage {
       const arrays = data.pictures[pictures[body]];
       const descriptions = data.about.arrays;
       const radius = points.material.uniforms.diameter.value / 2;
+      const isWritten = data.isWritten(pictures[body]);
       for (let i = 0; i < data.about.shown; ++i) {
+        if (isWritten && !isWritten[i]) continue;
         const place = [0, 1, 2].map((axis) => data.undeformed[3 * i + axis] + warp * (descriptions[axis].low + descriptions[axis].step * arrays[axis][i]));
         at.set(place[0], place[1], place[2]);
         if (this.plane.x * at.x + this.plane.y * at.y + this.plane.z * at.z > this.plane.w) continue;

@@ -16,7 +16,8 @@
 #include "io/output/results_folder.hpp"
 #include "io/output/vtp.hpp"
 #include "io/results/lines.hpp"
-#include "io/results/results_writer.hpp"
+#include "io/results/panel_frames.hpp"
+#include "io/results/particle_frame.hpp"
 #include "perimpact/simulation/memory.hpp"
 
 namespace perimpact {
@@ -36,6 +37,17 @@ std::string lines_text(const std::vector<Line>& lines, const Simulation& simulat
   for (const Line& line : lines)
     text += fmt::format("line {}\n", line.name) + row("samples", fmt::format("{} points of {}, written after step {}", line.samples.size(),
                                                                              simulation.bodies()[line.body].name, fmt::join(line.steps, ", ")));
+  return text;
+}
+
+/// What thinned frames have of each body.
+std::string frames_text(const std::vector<FrameParticles>& frames, const Simulation& simulation) {
+  std::string text;
+  for (std::size_t b = 0; b < frames.size(); ++b)
+    if (frames[b].is_thinned())
+      text += fmt::format("frames of {}\n", simulation.bodies()[b].name) +
+              row("particles", fmt::format("{} of {}{}", frames[b].in_every_frame(), simulation.bodies()[b].particles.size(),
+                                           frames[b].varies() ? ", and those that come to be damaged or detached" : ""));
   return text;
 }
 
@@ -110,7 +122,8 @@ int check_command(const CheckArguments& arguments) {
       Simulation simulation = set_up(deck, messages);
       for (const Impactor& impactor : simulation.impactors()) memory.add(impactor.surface());
       const std::vector<Line> lines = lines_of(simulation);
-      if (!arguments.json) messages.print(setup_text(simulation) + memory_text(memory) + lines_text(lines, simulation));
+      const std::vector<FrameParticles> frames = frame_particles_of(simulation);
+      if (!arguments.json) messages.print(setup_text(simulation) + memory_text(memory) + frames_text(frames, simulation) + lines_text(lines, simulation));
       Json json = arguments.json ? setup_json(simulation) : Json();  // before the trial steps
       for (const std::string& warning : simulation.warnings()) messages.warn(warning);
       write_frames(simulation, folder);

@@ -39,6 +39,7 @@ class ByOffsets:
             group = self.root[kind]
             count, ids = int(group["NumberOfCells"][first_part]), int(group["NumberOfConnectivityIds"][first_part])
             cell, corner = int(steps["CellOffsets"][number][column]), int(steps["ConnectivityIdOffsets"][number][column])
+            cell += first_part  # CellOffsets count cells, and every part before has one offset more than cells: as vtkHDFReader.cxx reads them
             ends = group["Offsets"][cell : cell + count + 1]
             corners = group["Connectivity"][corner : corner + ids]
             assert len(ends) == count + 1 and len(corners) == ids and ends[-1] == ids

@@ -11,6 +11,7 @@
 
 #include "io/deck/consistency_boundary.hpp"
 #include "io/deck/consistency_fragments.hpp"
+#include "io/deck/consistency_frames.hpp"
 #include "io/deck/consistency_impactor.hpp"
 #include "io/deck/consistency_material.hpp"
 #include "io/deck/consistency_solid.hpp"
@@ -149,6 +150,7 @@ void check_body_name(const std::string& name, const Setup& setup, const std::str
 }
 
 void check_output(const Setup& setup, const Places& places) {
+  check_frames(setup, places);
   for (const ProbeSetup& probe : setup.output.probes) check_body_name(probe.body, setup, "output.probes." + probe.name, places);
   for (const LineSetup& line : setup.output.lines) {
     const std::string path = "output.lines." + line.name;

@@ -45,7 +45,8 @@ Deck read_deck_text(std::string_view text, const std::string& name, const fs::pa
 }
 
 Deck deck_of_tree(YamlNode document, const std::string& name, const fs::path& folder, const SurfacesInMemory& surfaces) {
-  Deck deck{.setup = {}, .places = Places(name), .warnings = rename_deprecated_keys(document)};
+  std::vector<std::string> warnings = rename_deprecated_keys(document);  // may throw; first, as GCC 12 destroys members of an unfinished Setup wrongly
+  Deck deck{.setup = {}, .places = Places(name), .warnings = std::move(warnings)};
   Reader(document, "", name, deck.places).read(deck.setup);
   make_consistent(deck.setup, deck.places, folder, surfaces);
   return deck;

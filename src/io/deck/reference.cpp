@@ -31,7 +31,7 @@ Description describe_value(const Vec3d& value, std::string_view unit) {
   return {with_unit("three numbers", unit), fmt::format("[{}, {}, {}]", value.x, value.y, value.z)};
 }
 Description describe_value(const std::vector<double>&, std::string_view unit) { return {with_unit("list of numbers", unit), "[]"}; }
-Description describe_value(const std::vector<std::string>&, std::string_view) { return {"list of words", "[]"}; }
+Description describe_value(const std::vector<std::string>& value, std::string_view) { return {"list of words", fmt::format("[{}]", fmt::join(value, ", "))}; }
 Description describe_value(const std::vector<Vec3d>&, std::string_view unit) { return {with_unit("list of points", unit), "[]"}; }
 template <class T>
 Description describe_value(const std::optional<T>&, std::string_view unit) {

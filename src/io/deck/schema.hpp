@@ -128,8 +128,18 @@ void sections(Walker& walk, ContactSetup& contact) {
 
 template <class Walker>
 void sections(Walker& walk, OutputSetup& output) {
+  walk.section(
+      "frame_particles", output.frame_particles, Presence::optional,
+      "Thins frames to a part of the particles: of those in boxes, or of all, the ones that meet surface, stride, damage_above or detached, one of those "
+      "given. Each particle then has its number in the body as the field particle. Where absent, all particles are written.");
   walk.named("probes", output.probes, Presence::optional, "Points whose displacements become columns of history.csv, each under a name of your choice.");
   walk.named("lines", output.lines, Presence::optional, "Lines along which displacements are written at chosen times, each under a name of your choice.");
+}
+
+template <class Walker>
+void sections(Walker& walk, FrameParticlesSetup& particles) {
+  walk.named("boxes", particles.boxes, Presence::optional,
+             "A box in the reference (undeformed) configuration, under a name of your choice. Only particles in one of the boxes are written.");
 }
 
 /// True where an alternative is written without a nested map.

@@ -2,7 +2,8 @@
 ///
 /// Format: https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/
 ///
-/// Cells and arrays marked is_constant are stored once; PartOffsets, CellOffsets and ConnectivityIdOffsets are therefore 0 in every step. All
+/// Cells and arrays marked is_constant are stored once; PartOffsets, CellOffsets and ConnectivityIdOffsets are therefore 0 in every step. Where the
+/// number of points varies, each step is a part with cells of its own. All
 /// other arrays grow by whole chunks with each step, shuffled and deflated, so that a step may begin a few rows behind the end of the previous
 /// one: PointOffsets, PointDataOffsets and CellDataOffsets tell where.
 ///
@@ -25,7 +26,8 @@ namespace perimpact::frames {
 /// Writes a file with one step into empty storage. Throws RunError, with `file`, where that fails.
 void create_vtkhdf(hdf5::Storage& storage, const std::string& file, const output::PolyData& frame, double time);
 
-/// Appends a step of the same points, cells and arrays. Throws RunError where that fails; the file then has the steps that it had.
+/// Appends a step of the same arrays, points and cells; where these vary, only of the same arrays. Throws RunError where that fails; the file then has the
+/// steps that it had.
 void append_vtkhdf(hdf5::Storage& storage, const std::string& file, const output::PolyData& frame, double time);
 
 /// Truncates a file to its first `steps`, at least one; space before the last index of chunks stays unused. Throws RunError where that fails.

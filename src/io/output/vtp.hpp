@@ -46,6 +46,7 @@ struct PolyData {
   std::vector<VtpArray> point_arrays = {};
   std::vector<VtpArray> cell_arrays = {};
   std::optional<double> time = {};  ///< [s]
+  bool varies = false;              ///< the number of points changes from frame to frame; without panels
 };
 
 /// Measured with 180 000 particles (position, displacement, velocity, damage as float) on two cores: plain 8.6 MB in 8 ms,

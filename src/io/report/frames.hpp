@@ -4,7 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "base/vec3.hpp"
@@ -29,13 +33,21 @@ struct BodyFrames {
   std::string name;
   double spacing = 0;                      ///< [m]
   std::vector<output::FrameFile> frames;   ///< readable frames
-  std::vector<fccda::Vec3d> undeformed;    ///< reference positions of all particles [m]
+  std::set<std::string> fields;            ///< of the frames, by their names there
+  std::vector<fccda::Vec3d> undeformed;    ///< reference positions of all particles that are in a frame [m]
   Range place[3], displacement[3], speed;  ///< over all frames [m] [m] [m/s]
   std::uint32_t highest_fragment = 0;
-  bool has_fragments = false;
-  Range plastic_strain;  ///< [-] over all frames
-  bool has_plastic_strain = false;
-  std::vector<bool> is_damaged;  ///< in the last frame
+  Range plastic_strain;                                     ///< [-] over all frames
+  std::vector<bool> is_damaged;                             ///< in their last frame
+  std::unordered_map<std::int32_t, std::uint32_t> indices;  ///< of thinned frames: the index in `undeformed` by the number of the particle in its body
+  bool varies = false;                                      ///< not all particles are in all frames
+
+  bool has(std::string_view field) const { return fields.contains(std::string(field)); }
+  bool is_thinned() const { return has("particle"); }
+  /// The row of each particle in a frame; none where it is not in the frame.
+  std::vector<std::optional<std::uint32_t>> rows_in(const frames::Frame& frame) const;
+  /// [m] of a particle, by its row in a frame. Without the field displacement, from its positions in the frame and in the first frame that has it.
+  fccda::Vec3d displacement_in(const frames::Frame& frame, std::size_t particle, std::size_t row) const;
 };
 
 /// The panels of an impactor over the run.

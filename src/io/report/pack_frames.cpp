@@ -82,29 +82,31 @@ class PackedBody {
                               steps_of_displacement(body.displacement[axis], body.place[axis])));
     }
     add_blob(out, id_, bytes);
-    arrays_.push_back(reals("speed", "m/s", {0, body.speed.high, false}, coarsest));
-    arrays_.emplace_back("damage", "", 1, Scale(0, 1, 255));
-    if (body.has_plastic_strain) arrays_.push_back(reals("plastic_strain", "", {0, body.plastic_strain.high, false}, coarsest));
-    if (body.has_fragments) arrays_.push_back(whole_numbers("fragment", body.highest_fragment));
+    if (body.has("velocity")) arrays_.push_back(reals("speed", "m/s", {0, body.speed.high, false}, coarsest));
+    if (body.has("damage")) arrays_.emplace_back("damage", "", 1, Scale(0, 1, 255));
+    if (body.has("plastic_strain")) arrays_.push_back(reals("plastic_strain", "", {0, body.plastic_strain.high, false}, coarsest));
+    if (body.has("fragment")) arrays_.push_back(whole_numbers("fragment", body.highest_fragment));
+    if (body.varies) arrays_.push_back(whole_numbers("is_written", 1));
     for (const PackedArray& array : arrays_) description_["arrays"].push_back(array.description());
     description_["pictures"] = Json::array();
   }
 
   void add(std::size_t number, std::size_t time_number, PackedFrames& out) {
     const frames::Frame frame = frames::read_frame(body_.frames[number]);
-    const frames::FrameArray &u = *frame.find("displacement"), &v = *frame.find("velocity"), &damage = *frame.find("damage");
-    const frames::FrameArray *fragment = frame.find("fragment"), *plastic_strain = frame.find("plastic_strain");
+    const std::vector<std::optional<std::uint32_t>> rows = body_.rows_in(frame);
     std::string bytes;
     std::size_t a = 0;
-    const auto pack = [&](const auto& value) {
-      arrays_[a].packer.append(numbers(arrays_[a].scale, value), bytes);
+    const auto pack = [&](const auto& value) {  // 0 of a particle that is not in the frame
+      arrays_[a].packer.append(numbers(arrays_[a].scale, [&](std::uint32_t i) { return rows[i] ? value(i, *rows[i]) : 0; }), bytes);
       ++a;
     };
-    for (std::size_t axis = 0; axis < 3; ++axis) pack([&, axis](std::uint32_t i) { return u.numbers[3 * i + axis]; });
-    pack([&](std::uint32_t i) { return v.scalar(i); });
-    pack([&](std::uint32_t i) { return damage.numbers[i]; });
-    if (body_.has_plastic_strain) pack([&](std::uint32_t i) { return plastic_strain->numbers[i]; });
-    if (body_.has_fragments) pack([&](std::uint32_t i) { return fragment->numbers[i]; });
+    const auto pack_field = [&](std::string_view field) {
+      if (const frames::FrameArray* found = body_.has(field) ? frame.find(field) : nullptr)
+        pack([&](std::uint32_t, std::uint32_t row) { return found->scalar(row); });
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) pack([&, axis](std::uint32_t i, std::uint32_t row) { return body_.displacement_in(frame, i, row)[axis]; });
+    for (const std::string_view field : {"velocity", "damage", "plastic_strain", "fragment"}) pack_field(field);
+    if (body_.varies) pack([](std::uint32_t, std::uint32_t) { return 1.0; });
     description_["pictures"].push_back(time_number);
     add_blob(out, fmt::format("{}_{}", id_, time_number), bytes);
   }

@@ -51,8 +51,9 @@ for name, extension, spacing, array in BODIES:
     shown.SetRepresentationType("Point Gaussian")
     shown.GaussianRadius = 0.6 * spacing
     shown.ShaderPreset = "Sphere"
-    simple.ColorBy(shown, ("POINTS", array, "Magnitude") if array == "velocity" else ("POINTS", array))
-    shown.SetScalarBarVisibility(view, True)
+    if array:
+        simple.ColorBy(shown, ("POINTS", array, "Magnitude") if array == "velocity" else ("POINTS", array))
+        shown.SetScalarBarVisibility(view, True)
     shown_bodies.append((source, shown, array))
 for name, extension in IMPACTORS:
     shown = simple.Show(read(name, extension), view)
@@ -63,7 +64,7 @@ for name, extension in IMPACTORS:
 
 scene = simple.GetAnimationScene()
 scene.UpdateAnimationUsingDataTimeSteps()
-for array in {array for _, _, array in shown_bodies}:
+for array in {array for _, _, array in shown_bodies if array}:
     colours = simple.GetColorTransferFunction(array)
     if array == "damage":
         colours.ApplyPreset("Black-Body Radiation", True)
@@ -96,14 +97,20 @@ std::string quoted(const std::string& word) {
   return text;
 }
 
+/// The array that colours a body. Damage of one that cannot break is zero, and frames have those fields that were requested.
+std::string_view array_of(const BodyFrames& body) {
+  const bool may_break = body.has("fragment") || !body.has("velocity");
+  if (body.has("damage") && may_break) return "\"damage\"";
+  return body.has("velocity") ? "\"velocity\"" : "None";
+}
+
 }  // namespace
 
 std::string paraview_script(const Frames& frames) {
   std::string out(head);
   const auto series = [](const auto& each) { return quoted(each.name) + ", " + quoted(each.frames.front().step ? ".vtkhdf" : ".pvd"); };
   out += "BODIES = [  # name, extension of its series, spacing [m], array that colours it\n";
-  for (const BodyFrames& each : frames.bodies)  // damage of a body that cannot break is zero
-    out += fmt::format("    ({}, {}, \"{}\"),\n", series(each), each.spacing, each.has_fragments ? "damage" : "velocity");
+  for (const BodyFrames& each : frames.bodies) out += fmt::format("    ({}, {}, {}),\n", series(each), each.spacing, array_of(each));
   out += "]\nIMPACTORS = [";
   for (const ImpactorFrames& each : frames.impactors) out += fmt::format("{}({})", &each == &frames.impactors.front() ? "" : ", ", series(each));
   out += "]\n";

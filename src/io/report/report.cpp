@@ -31,9 +31,10 @@ struct Run {
   std::string text;
   std::optional<deck::YamlNode> tree;
 
-  double spacing_of(const std::string& body) const {
+  /// Of a body; 0 where it is not known.
+  double number_of(const std::string& body, std::string_view quantity) const {
     const deck::YamlNode* node = tree ? &*tree : nullptr;
-    for (const std::string_view key : {std::string_view("bodies"), std::string_view(body), std::string_view("spacing [m]")}) {
+    for (const std::string_view key : {std::string_view("bodies"), std::string_view(body), quantity}) {
       const deck::YamlNode::Entry* entry = node ? node->find(key) : nullptr;
       node = entry ? &entry->value : nullptr;
     }
@@ -97,6 +98,20 @@ std::vector<double> evenly(const std::vector<double>& times, std::size_t count) 
   for (std::size_t k = 0; k < count; ++k)
     out.push_back(times[static_cast<std::size_t>(std::llround(static_cast<double>(k * (times.size() - 1)) / static_cast<double>(count - 1)))]);
   return out;
+}
+
+/// Notes that the frames have a part of the particles (of `all`, 0: not known) or of the fields.
+void note_selection(const BodyFrames& body, double all, std::vector<std::string>& notes) {
+  if (body.is_thinned())
+    notes.push_back(fmt::format("The frames of {} are thinned by output.frame_particles: {}{} of its{} particles were written{}.", body.name,
+                                body.varies ? "up to " : "", body.undeformed.size(), all > 0 ? fmt::format(" {:.0f}", all) : "",
+                                body.varies ? ", each in the frames in which it meets the selection" : ""));
+  if (!body.has("displacement"))
+    notes.push_back(fmt::format(
+        "The frames of {} have no field displacement (output.frame_fields), so its displacements are from the first frame of each particle on.", body.name));
+  for (const auto& [field, what] : {std::pair("velocity", "speed"), std::pair("damage", "damage")})
+    if (!body.has(field))
+      notes.push_back(fmt::format("The frames of {} have no field {} (output.frame_fields), so its {} is not shown.", body.name, field, what));
 }
 
 /// Thins frames first, then particles, until the number of particles times frames is at most `most`.
@@ -169,7 +184,8 @@ Report write_report(const fs::path& folder, const Limits& limits) {
   const std::optional<Table> history = rows_of_history(folder, limits.history_rows, report.notes);
   Frames frames = scan_frames(folder, report.notes);
   for (BodyFrames& body : frames.bodies) {
-    if (const double spacing = run.spacing_of(body.name); spacing > 0) body.spacing = spacing;
+    if (const double spacing = run.number_of(body.name, "spacing [m]"); spacing > 0) body.spacing = spacing;
+    note_selection(body, run.number_of(body.name, "particles"), report.notes);
     report.particles_of_run += body.undeformed.size();
   }
   report.frame_files_of_run = frames.times().size();

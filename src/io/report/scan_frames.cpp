@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "base/error.hpp"
 #include "io/frames/frame.hpp"
@@ -15,16 +17,21 @@ namespace {
 using fccda::InputError;
 using fccda::Vec3d;
 
-/// The array with that number of components, or nullptr.
-const frames::FrameArray* array_of(const frames::Frame& frame, std::string_view name, int components) {
-  const frames::FrameArray* found = frame.find(name);
-  return found != nullptr && found->components == components ? found : nullptr;
-}
+/// Fields of particles with the numbers each has.
+constexpr std::pair<std::string_view, int> known_fields[] = {{"displacement", 3},   {"velocity", 3}, {"damage", 1},
+                                                             {"plastic_strain", 1}, {"fragment", 1}, {"particle", 1}};
 
-const frames::FrameArray& needed(const frames::Frame& frame, const output::FrameFile& entry, std::string_view name, int components) {
-  if (const frames::FrameArray* found = array_of(frame, name, components)) return *found;
-  throw InputError(
-      fmt::format("{}: the frame has no array {} of {} numbers per particle; use the file as written by the run.", entry.name(), name, components));
+/// The fields of a frame, as the run writes them.
+std::set<std::string> fields_of(const frames::Frame& frame, const output::FrameFile& entry) {
+  std::set<std::string> fields;
+  for (const auto& [name, components] : known_fields) {
+    const frames::FrameArray* found = frame.find(name);
+    if (found != nullptr && found->components != components)
+      throw InputError(fmt::format("{}: the array {} has {} numbers per particle instead of {}; use the file as written by the run.", entry.name(), name,
+                                   found->components, components));
+    if (found != nullptr) fields.emplace(name);
+  }
+  return fields;
 }
 
 /// The most frequent distance between successive particles [m]: the lattice spacing.
@@ -37,40 +44,50 @@ double default_distance(const std::vector<Vec3d>& points) {
   return *middle > 0 ? *middle : 1;
 }
 
-void add_particles(BodyFrames& body, const frames::Frame& frame, const output::FrameFile& entry) {
-  const frames::FrameArray& displacement = needed(frame, entry, "displacement", 3);
-  const frames::FrameArray& velocity = needed(frame, entry, "velocity", 3);
-  const frames::FrameArray& damage = needed(frame, entry, "damage", 1);
-  const frames::FrameArray* fragment = array_of(frame, "fragment", 1);
-  const frames::FrameArray* plastic_strain = array_of(frame, "plastic_strain", 1);
-  const std::size_t count = frame.points.size();
-  const bool is_first = body.frames.empty();
-  if (!is_first && count != body.undeformed.size())
+void expect_same_run(const BodyFrames& body, const std::set<std::string>& fields, std::size_t count, const output::FrameFile& entry) {
+  if (body.frames.empty()) return;
+  if (!body.is_thinned() && count != body.undeformed.size())
     throw InputError(
         fmt::format("{} has {} particles, but the earlier frames have {}; use the files of one run.", entry.name(), count, body.undeformed.size()));
-  if (!is_first && (fragment != nullptr) != body.has_fragments)
-    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} fragments; use the files of one run.", entry.name(),
-                                 fragment ? "it lists" : "those list"));
-  if (!is_first && (plastic_strain != nullptr) != body.has_plastic_strain)
-    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} plastic strains; use the files of one run.", entry.name(),
-                                 plastic_strain ? "it lists" : "those list"));
-  if (is_first) {
-    body.has_fragments = fragment != nullptr;
-    body.has_plastic_strain = plastic_strain != nullptr;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double* u = &displacement.numbers[3 * i];
-      body.undeformed.push_back(frame.points[i] - Vec3d{u[0], u[1], u[2]});
-      for (std::size_t axis = 0; axis < 3; ++axis) body.place[axis].include(body.undeformed.back()[axis]);
-    }
-    body.spacing = default_distance(body.undeformed);
+  std::vector<std::string> others;
+  std::ranges::set_symmetric_difference(fields, body.fields, std::back_inserter(others));
+  if (!others.empty())
+    throw InputError(fmt::format("{} and the earlier frames are not of one run: only {} the field {}; use the files of one run.", entry.name(),
+                                 fields.contains(others.front()) ? "it has" : "those have", others.front()));
+}
+
+/// Adds the particles that no earlier frame has. The displacement of a particle without the field is reckoned from here.
+void add_new_particles(BodyFrames& body, const frames::Frame& frame) {
+  const frames::FrameArray *displacement = frame.find("displacement"), *number = frame.find("particle");
+  for (std::size_t row = 0; row < frame.points.size(); ++row) {
+    const auto index = static_cast<std::uint32_t>(body.undeformed.size());
+    if (number ? !body.indices.emplace(static_cast<std::int32_t>(number->numbers[row]), index).second : index > row) continue;
+    const Vec3d u = displacement ? Vec3d{displacement->numbers[3 * row], displacement->numbers[3 * row + 1], displacement->numbers[3 * row + 2]} : Vec3d{};
+    body.undeformed.push_back(frame.points[row] - u);
+    for (std::size_t axis = 0; axis < 3; ++axis) body.place[axis].include(body.undeformed.back()[axis]);
   }
-  body.is_damaged.assign(count, false);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) body.displacement[axis].include(displacement.numbers[3 * i + axis]);
-    body.speed.include(velocity.scalar(i));
-    body.is_damaged[i] = damage.numbers[i] > 0;
-    if (plastic_strain) body.plastic_strain.include(plastic_strain->numbers[i]);
-    if (fragment) body.highest_fragment = std::max(body.highest_fragment, static_cast<std::uint32_t>(std::max(0.0, fragment->numbers[i])));
+  body.is_damaged.resize(body.undeformed.size(), false);
+}
+
+void add_particles(BodyFrames& body, const frames::Frame& frame, const output::FrameFile& entry) {
+  const std::set<std::string> fields = fields_of(frame, entry);
+  expect_same_run(body, fields, frame.points.size(), entry);
+  body.fields = fields;
+  const std::size_t before = body.undeformed.size();
+  add_new_particles(body, frame);
+  body.varies = body.varies || (!body.frames.empty() && body.undeformed.size() > before) || frame.points.size() < body.undeformed.size();
+  const frames::FrameArray *velocity = frame.find("velocity"), *damage = frame.find("damage"), *plastic_strain = frame.find("plastic_strain"),
+                           *fragment = frame.find("fragment");
+  const std::vector<std::optional<std::uint32_t>> rows = body.rows_in(frame);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i]) continue;
+    const std::size_t row = *rows[i];
+    const Vec3d u = body.displacement_in(frame, i, row);
+    for (std::size_t axis = 0; axis < 3; ++axis) body.displacement[axis].include(u[axis]);
+    if (velocity) body.speed.include(velocity->scalar(row));
+    if (damage) body.is_damaged[i] = damage->numbers[row] > 0;
+    if (plastic_strain) body.plastic_strain.include(plastic_strain->numbers[row]);
+    if (fragment) body.highest_fragment = std::max(body.highest_fragment, static_cast<std::uint32_t>(std::max(0.0, fragment->numbers[row])));
   }
   body.frames.push_back(entry);
 }
@@ -125,7 +142,7 @@ void scan_series(const std::filesystem::path& list, Frames& frames, std::vector<
     } catch (const InputError& error) {
       notes.emplace_back(error.what());
     }
-  if (!body.frames.empty()) frames.bodies.push_back(std::move(body));
+  if (!body.frames.empty()) body.spacing = default_distance(body.undeformed), frames.bodies.push_back(std::move(body));
   if (!impactor.frames.empty()) frames.impactors.push_back(std::move(impactor));
 }
 
@@ -135,6 +152,18 @@ void Range::include(double value) {
   low = is_empty ? value : std::min(low, value);
   high = is_empty ? value : std::max(high, value);
   is_empty = false;
+}
+
+std::vector<std::optional<std::uint32_t>> BodyFrames::rows_in(const frames::Frame& frame) const {
+  std::vector<std::optional<std::uint32_t>> rows(undeformed.size());
+  const frames::FrameArray* number = is_thinned() ? frame.find("particle") : nullptr;
+  for (std::uint32_t row = 0; row < frame.points.size(); ++row) rows[number ? indices.at(static_cast<std::int32_t>(number->numbers[row])) : row] = row;
+  return rows;
+}
+
+Vec3d BodyFrames::displacement_in(const frames::Frame& frame, std::size_t particle, std::size_t row) const {
+  const frames::FrameArray* u = has("displacement") ? frame.find("displacement") : nullptr;
+  return u ? Vec3d{u->numbers[3 * row], u->numbers[3 * row + 1], u->numbers[3 * row + 2]} : frame.points[row] - undeformed[particle];
 }
 
 std::vector<frames::FrameArray> panel_arrays(const frames::Frame& frame) {

@@ -6,37 +6,16 @@
 #include <cmath>
 #include <cstddef>
 #include <fstream>
-#include <type_traits>
 
 #include "base/error.hpp"
-#include "base/parallel.hpp"
 #include "io/output/file.hpp"
 #include "io/output/json.hpp"
-#include "io/output/vtp.hpp"
+#include "io/results/particle_frame.hpp"
 #include "io/results/run_report.hpp"
 
 namespace perimpact {
 
 namespace {
-
-/// value(slot) of each particle, a number or a vector, as floats for the frames.
-template <class Value>
-output::MadeFloats of_particles(const Body& body, const Value& value) {
-  using Of = std::invoke_result_t<const Value&, std::uint32_t>;
-  constexpr std::size_t components = std::is_same_v<Of, Vec3d> ? 3 : 1;
-  return {components * body.particles.size(), [&body, value] {
-            std::vector<float> numbers(components * body.particles.size());
-            fccda::parallel_for(static_cast<std::ptrdiff_t>(body.particles.size()), [&](std::ptrdiff_t number) {
-              const auto particle = static_cast<std::size_t>(number);
-              const Of v = value(body.particles.slot_of()[particle]);
-              if constexpr (components == 3)
-                for (std::size_t c = 0; c < 3; ++c) numbers[3 * particle + c] = static_cast<float>(v[c]);
-              else
-                numbers[particle] = static_cast<float>(v);
-            });
-            return numbers;
-          }};
-}
 
 std::vector<std::string> headings_of(std::span<const Column> columns) {
   std::vector<std::string> headings;
@@ -150,28 +129,9 @@ void expect_files(const Simulation& simulation, const std::filesystem::path& fol
 
 }  // namespace
 
-void write_particles(const frames::Sink& sink, const Body& body, const Fragments* fragments) {
-  const Particles& particles = body.particles;
-  std::vector<output::VtpArray> arrays = {{"displacement", 3, of_particles(body, [&particles](std::uint32_t slot) { return particles.displacement(slot); })},
-                                          {"velocity", 3, of_particles(body, [&particles](std::uint32_t slot) { return particles.velocity.at(slot); })},
-                                          {"damage", 1, of_particles(body, [&body](std::uint32_t slot) { return body.family.damage(slot); })}};
-  if (const PlasticForce* plastic = body.internal.plastic())
-    arrays.push_back({"plastic_strain", 1, of_particles(body, [plastic](std::uint32_t slot) { return plastic->equivalent_strain(slot); })});
-  if (fragments) arrays.push_back({"fragment", 1, fragments->of_particles()});
-  std::vector<std::int32_t> numbers;
-  if (!particles.numbers().empty()) {
-    for (const std::uint32_t slot : particles.slot_of()) numbers.push_back(static_cast<std::int32_t>(particles.numbers()[slot]));
-    arrays.push_back({"original", 1, std::span<const std::int32_t>(numbers), true});
-  }
-  sink({.points = of_particles(body, [&particles](std::uint32_t slot) { return particles.position.at(slot); }), .point_arrays = std::move(arrays)});
-}
-
-void write_particles(const std::filesystem::path& path, const Body& body) {
-  write_particles([&](const output::PolyData& frame) { output::write_vtp(path, frame, output::Compression::zlib); }, body, nullptr);
-}
-
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
     : lines_(lines_of(simulation)),  // first, so that an error leaves the results of an earlier run in the folder
+      frame_particles_(frame_particles_of(simulation)),
       folder_(folder, planned_files(simulation, lines_)),
       history_(folder_.history(), headings_of(simulation.monitors().columns())),
       panel_frames_(simulation.impactors().size()),
@@ -186,6 +146,7 @@ ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder, Written written)
     : lines_(lines_of(simulation)),
+      frame_particles_(frame_particles_of(simulation)),
       folder_((expect_files(simulation, folder, lines_, written), folder), planned_files(simulation, lines_), later_files(simulation, folder, lines_)),
       history_(folder_.history(), simulation.monitors().columns().size(), written.history),
       panel_frames_(std::move(written.panel_frames)),
@@ -249,7 +210,9 @@ void ResultsWriter::write_frame(const Simulation& simulation) {
     const Body& body = simulation.bodies()[b];
     std::optional<Fragments> fragments;
     if (body.failure) fragments.emplace(body.particles, body.family);
-    body_series_[b].add(time, [&](const frames::Sink& sink) { write_particles(sink, body, fragments ? &*fragments : nullptr); });
+    const Fragments* const known = fragments ? &*fragments : nullptr;
+    const ParticleFrame frame(body, known, simulation.setup().output.frame_fields, frame_particles_[b].now(body, known), frame_particles_[b].varies());
+    body_series_[b].add(time, [&](const frames::Sink& sink) { frame.write(sink); });
     if (fragments) fragment_tables_[b].after_frame(folder_, body.name, time, *fragments);
   }
   for (std::size_t i = 0; i < simulation.impactors().size(); ++i)

@@ -10,6 +10,7 @@
 #include "io/output/csv.hpp"
 #include "io/output/results_folder.hpp"
 #include "io/results/fragment_tables.hpp"
+#include "io/results/frame_particles.hpp"
 #include "io/results/lines.hpp"
 #include "io/results/panel_frames.hpp"
 #include "io/results/pressure_area.hpp"
@@ -24,7 +25,7 @@ enum class Outcome { finished, interrupted, failed };
 class ResultsWriter {
  public:
   /// Prepares the folder (InputError where that fails), removes the files of an earlier run, and writes the results at t = 0. Throws what
-  /// lines_of throws, before any file is removed, and RunError where a file cannot be written.
+  /// lines_of and frame_particles_of throw, before any file is removed, and RunError where a file cannot be written.
   ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder);
 
   /// Restart: resumes the output at `written` of a run that is now at the step of the checkpoint; later output is removed.
@@ -48,6 +49,7 @@ class ResultsWriter {
   void skip_frames_until(long step, const Clock& clock);
 
   std::vector<Line> lines_;
+  std::vector<FrameParticles> frame_particles_;  // per body
   output::ResultsFolder folder_;
   output::CsvWriter history_;
   std::vector<frames::Series> body_series_, impactor_series_;
@@ -62,10 +64,5 @@ class ResultsWriter {
 
 /// The step of an output frame, of `frames` in a run of `steps`.
 long step_of_frame(int frame, int frames, long steps);
-
-/// Passes the particles of a body to the sink: displacement, velocity, damage and, if given, fragments.
-void write_particles(const frames::Sink& sink, const Body& body, const Fragments* fragments);
-/// Writes them without fragments, for ParaView.
-void write_particles(const std::filesystem::path& path, const Body& body);
 
 }  // namespace perimpact

@@ -155,8 +155,14 @@ ChannelFrame read_channel_frame(const std::filesystem::path& results, const std:
   frame.name = last.name();
   frame.time = last.time;
   const frames::Frame read = frames::read_frame(last);
+  if (read.find("particle") != nullptr)
+    throw fccda::InputError(fmt::format(
+        "{} has a part of the particles only, but the channel width needs all of them; run the deck without output.frame_particles for it.", frame.name));
   const frames::FrameArray* fragments = read.find("fragment");
-  if (fragments == nullptr || fragments->components != 1)
+  if (fragments == nullptr)
+    throw fccda::InputError(
+        fmt::format("{} has no field fragment, from which the channel width is determined; run the deck with fragment in output.frame_fields.", frame.name));
+  if (fragments->components != 1)
     throw fccda::InputError(fmt::format("{} has no array fragment of one number per particle; use the file as written by the run.", frame.name));
   for (const double fragment : fragments->numbers) frame.fragments.push_back(static_cast<std::int32_t>(fragment));
   frame.places = frames::read_frame(all.front()).points;  // frame at t = 0

@@ -1,5 +1,7 @@
 #include "perimpact/deck_model/setup.hpp"
 
+#include <algorithm>
+
 namespace perimpact {
 
 using namespace fccda;  // the ranges
@@ -195,6 +197,14 @@ std::span<const Field<OutputSetup>> OutputSetup::fields() {
        {},
        optional,
        "vtp: a file for each frame and a .pvd list, read by any ParaView. vtkhdf: one file for each body and impactor, read by ParaView 5.12 and later."},
+      {"frame_fields",
+       &S::frame_fields,
+       "",
+       {},
+       optional,
+       "Fields of the particles in frames, where the body has them: displacement, velocity, damage, plastic_strain, fragment, original (the number in the file "
+       "of particles). Positions are always written.",
+       frame_field_words},
       {"history_interval", &S::history_interval, "s", positive(), optional, "Time between rows of history.csv. Where absent, a hundredth of the run."},
       {"checkpoint_interval", &S::checkpoint_interval, "s", at_least(0), optional,
        "Wall-clock time between checkpoints, from which a stopped run can be restarted (perimpact run DECK --resume). One is always written before the last "
@@ -203,6 +213,8 @@ std::span<const Field<OutputSetup>> OutputSetup::fields() {
        "Number of checkpoints kept: checkpoint.h5, the latest, and checkpoint_1.h5, … before it. A restart takes the newest that is readable."}};
   return all;
 }
+
+bool OutputSetup::writes(std::string_view field) const { return std::find(frame_fields.begin(), frame_fields.end(), field) != frame_fields.end(); }
 
 std::span<const Field<Setup>> Setup::fields() {
   static const Field<Setup> all[] = {{"title", &Setup::title, "", {}, optional, "One line that describes the simulation."}};

@@ -2,6 +2,7 @@
 /// Each struct lists its simple fields in setup.cpp (base/parameter.hpp); io/deck/schema.hpp lists the nested ones. SI units throughout.
 #pragma once
 
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "base/vec3.hpp"
 #include "perimpact/boundary_conditions/all_setups.hpp"
 #include "perimpact/contact_bounds/all_setups.hpp"
+#include "perimpact/deck_model/frame_selection.hpp"
 #include "perimpact/deck_model/generated_surfaces.hpp"
 #include "perimpact/deck_model/motion_table.hpp"
 #include "perimpact/deck_model/solids.hpp"
@@ -328,12 +330,16 @@ struct OutputSetup {
   std::string folder = "results";
   int frames = 40;                          ///< number of output frames after the one at t = 0; 0: none
   Choice frame_format{frame_format_words};  // FrameFormat
-  std::optional<double> history_interval;   ///< [s] between rows of history.csv; a hundredth of the run where absent
-  double checkpoint_interval = 300;         ///< [s] wall-clock time; 0: only the final one
-  int checkpoints_kept = 1;                 ///< number of the latest checkpoints that are kept
+  std::vector<std::string> frame_fields{std::begin(frame_field_words), std::end(frame_field_words)};
+  std::optional<FrameParticlesSetup> frame_particles;  ///< all where absent
+  std::optional<double> history_interval;              ///< [s] between rows of history.csv; a hundredth of the run where absent
+  double checkpoint_interval = 300;                    ///< [s] wall-clock time; 0: only the final one
+  int checkpoints_kept = 1;                            ///< number of the latest checkpoints that are kept
   std::vector<ProbeSetup> probes;
   std::vector<LineSetup> lines;
   static std::span<const Field<OutputSetup>> fields();
+
+  bool writes(std::string_view field) const;  ///< field of the particles, in frames
 };
 
 struct Setup {

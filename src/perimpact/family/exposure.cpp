@@ -19,6 +19,8 @@ constexpr std::array<std::uint64_t, 256> spread_bits() {
 }
 constexpr std::array<std::uint64_t, 256> spread = spread_bits();
 
+}  // namespace
+
 bool is_at_surface(const Particles& particles, std::size_t slot) {
   const Lattice* lattice = particles.lattice();
   if (!lattice) return true;
@@ -27,8 +29,6 @@ bool is_at_surface(const Particles& particles, std::size_t slot) {
   const bool is_enclosed = is_filled(i - 1, j, k) && is_filled(i + 1, j, k) && is_filled(i, j - 1, k) && is_filled(i, j + 1, k);
   return !is_enclosed || !(particles.is_plane() || (is_filled(i, j, k - 1) && is_filled(i, j, k + 1)));
 }
-
-}  // namespace
 
 std::array<std::uint16_t, byte_lanes> count_bonds(const Family& family, std::size_t eight) {
   std::array<std::uint16_t, byte_lanes> counts{};

@@ -33,6 +33,9 @@ class Exposure {
   std::vector<std::size_t> broken_ends_;    // of each row, at the last update
 };
 
+/// True if the particle in this slot is at the surface, whatever its bonds.
+bool is_at_surface(const Particles& particles, std::size_t slot);
+
 /// Number of intact bonds of each of the slots 8·eight … 8·eight + 7.
 std::array<std::uint16_t, fccda::byte_lanes> count_bonds(const Family& family, std::size_t eight);
 

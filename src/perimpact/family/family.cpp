@@ -1,5 +1,6 @@
 #include "perimpact/family/family.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -22,7 +23,7 @@ unsigned occupied_from(const Particles& particles, std::size_t first, std::ptrdi
 
 }  // namespace
 
-Family::Family(Stencil stencil, const Particles& particles) : geometry_(std::move(stencil)), initial_volume_(particles.slots(), 0) {
+Family::Family(Stencil stencil, const Particles& particles) : geometry_(std::move(stencil)), volumes_of_(particles.slots() / byte_lanes, 0) {
   EXPECTS(particles.lattice());
   const Lattice& lattice = *particles.lattice();
   const std::vector<StencilBond>& bonds = this->stencil()->bonds();
@@ -50,7 +51,7 @@ Family::Family(Stencil stencil, const Particles& particles) : geometry_(std::mov
   sum_initial_volumes();
 }
 
-Family::Family(BondList list, const Particles& particles) : geometry_(std::move(list)), initial_volume_(particles.slots(), 0) {
+Family::Family(BondList list, const Particles& particles) : geometry_(std::move(list)), volumes_of_(particles.slots() / byte_lanes, 0) {
   bits_ = std::move(std::get<BondList>(geometry_).bits);
   reference_.reserve(particles.slots());
   for (std::size_t slot = 0; slot < particles.slots(); ++slot) reference_.push_back(particles.reference(slot));
@@ -61,10 +62,19 @@ void Family::sum_initial_volumes() {
   double whole = 0;  // of a complete family, in the order of intact_volume()
   if (stencil())
     for (const StencilBond& bond : stencil()->bonds()) whole += bond.volume;
-  fccda::parallel_for(static_cast<std::ptrdiff_t>(initial_volume_.size() / byte_lanes), [&](std::ptrdiff_t number) {
+  constexpr std::uint32_t complete = 0, empty = 1;
+  std::uint32_t others = empty;
+  for (std::size_t eight = 0; eight < volumes_of_.size(); ++eight) {
+    const std::uint8_t* rows = bytes(eight);
+    const bool is_empty = std::all_of(rows, rows + (begin(eight + 1) - begin(eight)), [](std::uint8_t row) { return row == 0; });
+    volumes_of_[eight] = is_complete(eight) ? complete : is_empty ? empty : ++others;
+  }
+  initial_volumes_.assign((others + std::size_t{1}) * byte_lanes, 0);
+  std::fill_n(initial_volumes_.begin(), byte_lanes, whole);
+  fccda::parallel_for(static_cast<std::ptrdiff_t>(volumes_of_.size()), [&](std::ptrdiff_t number) {
     const auto eight = static_cast<std::size_t>(number);
-    const bool all_complete = is_complete(eight);
-    for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot) initial_volume_[slot] = all_complete ? whole : intact_volume(slot);
+    if (volumes_of_[eight] <= empty) return;
+    for (std::size_t lane = 0; lane < byte_lanes; ++lane) initial_volumes_[volumes_of_[eight] * byte_lanes + lane] = intact_volume(eight * byte_lanes + lane);
   });
   initial_bonds_ = intact_bonds();
 }
@@ -84,14 +94,14 @@ double Family::intact_volume(std::size_t slot) const {
 }
 
 double Family::damage(std::size_t slot) const {
-  const double initial = initial_volume_[slot];
+  const double initial = initial_volume(slot);
   return initial > 0 ? 1 - intact_volume(slot) / initial : 0;
 }
 
 double Family::bytes() const {
-  const std::size_t slots = initial_volume_.size();
+  const std::size_t slots = volumes_of_.size() * byte_lanes;
   const std::size_t of_list = list() ? list()->neighbour.size() * (sizeof(std::int32_t) + 2 * sizeof(double)) + slots * sizeof(Vec3d) : 0;
-  return static_cast<double>(bits_.size() + slots * sizeof(double) + of_list);
+  return static_cast<double>(bits_.size() + volumes_of_.size() * sizeof(std::uint32_t) + initial_volumes_.size() * sizeof(double) + of_list);
 }
 
 }  // namespace perimpact

@@ -69,7 +69,7 @@ class Family {
   template <class IsCut>
   std::size_t cut(const IsCut& is_cut) {
     std::size_t ends = 0;
-    for (std::size_t i = 0; i < initial_volume_.size(); ++i) {
+    for (std::size_t i = 0; i < volumes_of_.size() * fccda::byte_lanes; ++i) {
       const std::size_t eight = i / fccda::byte_lanes, lane = i % fccda::byte_lanes, first = begin(eight), rows = begin(eight + 1) - first;
       for (std::size_t r = 0; r < rows; ++r) {
         std::uint8_t& byte = bits_[first + r];
@@ -86,8 +86,11 @@ class Family {
   std::size_t initial_bonds() const { return initial_bonds_; }  ///< each counted once
   std::size_t intact_bonds() const;                             ///< each counted once
 
-  double initial_volume(std::size_t slot) const { return initial_volume_[slot]; }  ///< [m³] Σ v V over the initial family
-  double intact_volume(std::size_t slot) const;                                    ///< [m³] the same over intact bonds
+  /// [m³] Σ v V over the initial family.
+  double initial_volume(std::size_t slot) const {
+    return initial_volumes_[volumes_of_[slot / fccda::byte_lanes] * fccda::byte_lanes + slot % fccda::byte_lanes];
+  }
+  double intact_volume(std::size_t slot) const;  ///< [m³] the same over intact bonds
   /// φ = 1 - Σ µ v V / Σ v V [-] (Silling and Askari 2005); 0 for a particle without initial bonds.
   double damage(std::size_t slot) const;
 
@@ -113,7 +116,8 @@ class Family {
   std::vector<std::ptrdiff_t> offsets_;
   std::vector<Vec3d> reference_;  // [m] of a cloud
   std::vector<std::uint8_t> bits_;
-  std::vector<double> initial_volume_;
+  std::vector<std::uint32_t> volumes_of_;  // of each eight slots, their place in initial_volumes_, in eights
+  std::vector<double> initial_volumes_;    // [m³] those of complete families, of empty cells, and of eights with others
   std::size_t initial_bonds_ = 0;
 };
 

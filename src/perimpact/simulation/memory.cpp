@@ -75,7 +75,7 @@ ArrayLengths lengths_of(const BodySetup& setup, const Discretisation& discretisa
   const auto inner = [&](std::size_t axis, double depth) { return axis == 2 && setup.is_plane() ? cells[2] : std::max(0.0, cells[axis] - 2 * depth); };
   // particles near a surface have factors of their own, and so have those bonded to them
   const double changed = 2 * reach, affected = 3 * reach;
-  const double unchanged = std::floor(inner(0, changed) / lanes) * lanes * inner(1, changed) * inner(2, changed);
+  const auto packs_within = [&](double depth) { return std::floor(inner(0, depth) / lanes) * lanes * inner(1, depth) * inner(2, depth); };
   // rows at the same distances from the faces share a table, if four packs of their interior do
   const auto classes = [&](std::size_t axis) { return std::min(cells[axis], 2 * affected + 1); };
   const double tables = inner(0, affected) >= 4 * lanes ? classes(1) * (setup.is_plane() ? 1 : classes(2)) : 1;
@@ -84,7 +84,8 @@ ArrayLengths lengths_of(const BodySetup& setup, const Discretisation& discretisa
           .with_slack = slots + 2 * slack,
           .rows = slots / lanes * family,
           .tables = tables * family,
-          .surface = 1 - unchanged / slots};
+          .surface = 1 - packs_within(changed) / slots,
+          .partial = 1 - packs_within(reach) / slots};
 }
 
 /// [bytes] of one body, and what is added to it for a while.
@@ -127,8 +128,8 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
   const ArrayLengths length = lengths_of(body, discretisation);
   const double n = length.slots, p = length.particles;
   BodyMemory memory{.count = p};
-  memory.particles = 9 * number * length.with_slack + n / lanes + slot_number * p;  // x, v, f; occupied; slot_of
-  memory.bonds = length.rows + number * n;                                          // bits; initial volumes
+  memory.particles = 9 * number * length.with_slack + n / lanes + slot_number * p;     // x, v, f; occupied; slot_of
+  memory.bonds = length.rows + number * n * length.partial + slot_number * n / lanes;  // bits; initial volumes and their places
   if (length.is_list()) {
     memory.particles += (vector + number) * n + slot_number * p;  // reference positions, volumes, numbers in the file
     memory.bonds +=
@@ -148,6 +149,7 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
   const bool may_break = body.elastic().may_fail();
   if (setup.output.frames > 0)
     memory.picture = std::max(3 * sizeof(float) * p + 19 * p, may_break ? 2 * slot_number * n : 0) + (may_break ? slot_number * p : 0);
+  if (setup.output.frames > 0 && setup.output.frame_particles) memory.picture += 2 * slot_number * p;  // numbers of the particles, kept and of a frame
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
     // near_pairs.hpp and short_range.hpp: particle, reference position, mark, threshold, cell, point and position in its cell; surfaces, particle of a slot
     memory.fragments = (sizeof(NearPairs::Member) + vector + 1 + number + 2 * slot_number + vector) * p + (1 + 2 + slot_number) * n;

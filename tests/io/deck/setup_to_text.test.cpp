@@ -139,6 +139,23 @@ void check_same(const Setup& a, const Setup& b) {
   for (std::size_t i = 0; i < a.output.probes.size(); ++i) check_fields(a.output.probes[i], b.output.probes[i]);
   REQUIRE(a.output.lines.size() == b.output.lines.size());
   for (std::size_t i = 0; i < a.output.lines.size(); ++i) check_fields(a.output.lines[i], b.output.lines[i]);
+  const auto &ours = a.output.frame_particles, &theirs = b.output.frame_particles;
+  REQUIRE(ours.has_value() == theirs.has_value());
+  if (!ours) return;
+  check_fields(*ours, *theirs);
+  REQUIRE(ours->boxes.size() == theirs->boxes.size());
+  for (std::size_t i = 0; i < ours->boxes.size(); ++i) check_fields(ours->boxes[i], theirs->boxes[i]);
+}
+
+/// Fields and particles of frames, of which a deck allows few.
+void fill_frames(Random& random, OutputSetup& output) {
+  output.frame_fields.resize(random() % 4);
+  for (std::size_t i = 0; i < output.frame_fields.size(); ++i) output.frame_fields[i] = std::array{"velocity", "fragment", "damage"}[i];
+  if (random() % 2 == 0) return;
+  fill_fields(random, output.frame_particles.emplace());
+  FrameBoxSetup& box = output.frame_particles->boxes.emplace_back();
+  fill_fields(random, box);
+  box.name = "bow", box.upper = box.lower + Vec3d{1, 2, 3};
 }
 
 /// Increasing times with a value each.
@@ -358,6 +375,7 @@ Setup some_setup(Random& random) {
   if (!relaxes) fill_fields(random, setup.contact.fragments);
   if (setup.contact.fragments.law.as<FragmentLaw>() == FragmentLaw::none) setup.contact.fragments = {};
   fill_fields(random, setup.output);
+  fill_frames(random, setup.output);
   if (relaxes) setup.output.history_interval.reset();
   ProbeSetup& probe = setup.output.probes.emplace_back();
   fill_fields(random, probe);

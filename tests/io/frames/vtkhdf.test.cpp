@@ -43,15 +43,32 @@ struct Numbers {
       panels.push_back({at, at + 1, at + 2, p % 3 == 0 && p + 3 < count ? at + 3 : -1});
     }
   }
-  output::PolyData particles() const {
+  output::PolyData particles(bool varies = false) const {
     return {.points = std::span(points),
             .point_arrays = {{"velocity", 3, std::span(vectors)},
                              {"damage", 1, output::MadeFloats{made.size(), [this] { return made; }}},
                              {"fragment", 1, std::span(fragments)},
-                             {"original", 1, std::span(original), true}}};
+                             {"original", 1, std::span(original), !varies}},
+            .varies = varies};
   }
   output::PolyData surface() const { return {.points = std::span(vertices), .panels = panels, .cell_arrays = {{"pressure", 1, std::span(pressure)}}}; }
 };
+
+/// The number of particles in the steps of a series: one number, or with each step another one, from none to several chunks.
+struct Count {
+  std::size_t always = 0;
+  bool varies = false;
+
+  Count(std::size_t count) : always(count) {}  // NOLINT: a number is a count
+  explicit Count(bool it_varies) : varies(it_varies) {}
+
+  std::size_t of(std::size_t step) const {
+    constexpr std::size_t counts[] = {3, 0, 50, 8191, 8192, 20000, 1};
+    return varies ? counts[step % std::size(counts)] : always;
+  }
+  Numbers numbers(std::size_t step) const { return {of(step), static_cast<unsigned>(step)}; }
+};
+const Count varying(true);
 
 template <class T>
 bool same(const std::vector<double>& found, const std::vector<T>& wanted) {
@@ -65,9 +82,9 @@ std::vector<double> places(const Frame& frame) {
   return numbers;
 }
 
-bool holds_particles(const std::filesystem::path& file, unsigned step, std::size_t count) {
+bool holds_particles(const std::filesystem::path& file, unsigned step, const Count& count) {
   const Frame found = read_vtkhdf(file, step);
-  const Numbers wanted(count, step);
+  const Numbers wanted = count.numbers(step);
   return found.panels.empty() && found.arrays.size() == 4 && found.arrays[0].name == "velocity" && same(places(found), wanted.points) &&
          same(found.find("velocity")->numbers, wanted.vectors) && same(found.find("damage")->numbers, wanted.made) &&
          same(found.find("fragment")->numbers, wanted.fragments) && same(found.find("original")->numbers, wanted.original);
@@ -87,9 +104,9 @@ std::vector<double> times(std::size_t count) {
 }
 
 /// A series of particles with steps 0 … last.
-void write(const std::filesystem::path& file, std::size_t count, std::size_t steps, std::size_t from = 0) {
+void write(const std::filesystem::path& file, const Count& count, std::size_t steps, std::size_t from = 0) {
   VtkhdfSeries series(file, times(from));
-  for (std::size_t step = from; step < steps; ++step) series.add(Numbers(count, static_cast<unsigned>(step)).particles(), 0.1 * static_cast<double>(step));
+  for (std::size_t step = from; step < steps; ++step) series.add(count.numbers(step).particles(count.varies), 0.1 * static_cast<double>(step));
 }
 
 /// Number of entries of a data set.
@@ -164,52 +181,70 @@ TEST_CASE("vtkhdf: cells and constant arrays are stored once, whatever the numbe
   for (const unsigned step : {0U, 1U, 127U, 128U, 299U}) CHECK(holds_particles(file, step, 2000));  // beyond one chunk of the offsets
 }
 
+TEST_CASE("vtkhdf: every number is read back where the number of particles varies, with steps of none and of several chunks") {
+  const fixtures::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "plate.vtkhdf";
+  write(file, varying, 140);  // beyond one chunk of the offsets
+  CHECK(times_of_vtkhdf(file) == times(140));
+  for (unsigned step = 0; step < 140; ++step) CHECK(holds_particles(file, step, varying));
+}
+
+/// Repeats every single write of the step that follows `steps`, and requires the earlier ones to be there each time, and the run to be resumable.
+void check_every_write(const std::filesystem::path& folder, const Count& count, std::size_t steps) {
+  const std::filesystem::path file = folder / "plate.vtkhdf", cut = folder / "cut.vtkhdf";
+  write(file, count, steps);
+  Recorded storage(file);
+  append_vtkhdf(storage, "plate", count.numbers(steps).particles(count.varies), 0.1 * static_cast<double>(steps));
+  CHECK(storage.largest_changed_page <= hdf5::StagedStorage::page);
+  CHECK(storage.states.size() > 20);
+  for (const std::vector<std::byte>& state : storage.states) {
+    put(cut, state);
+    CHECK(times_of_vtkhdf(cut) == times(steps));
+    CHECK(length_of(cut, "VTKHDF/Steps/Values") == steps);  // VTK copies them all
+    for (std::size_t step = 0; step < steps; step += std::max<std::size_t>(1, steps / 4)) CHECK(holds_particles(cut, static_cast<unsigned>(step), count));
+    CHECK(holds_particles(cut, static_cast<unsigned>(steps - 1), count));
+    write(cut, count, steps + 2, steps);
+    CHECK(times_of_vtkhdf(cut) == times(steps + 2));
+    for (std::size_t step = steps - 1; step < steps + 2; ++step) CHECK(holds_particles(cut, static_cast<unsigned>(step), count));
+  }
+  put(cut, storage.bytes);
+  CHECK(times_of_vtkhdf(cut) == times(steps + 1));
+  CHECK(holds_particles(cut, static_cast<unsigned>(steps), count));
+  std::filesystem::remove(file);
+}
+
 TEST_CASE("vtkhdf: after every single write of a step the file holds the earlier steps, and can be resumed") {
   const fixtures::TemporaryFolder folder;
-  const std::filesystem::path file = folder / "plate.vtkhdf", cut = folder / "cut.vtkhdf";
-  constexpr std::size_t count = 50;
-  for (const std::size_t steps : {1, 4, 5, 40, 128}) {  // with more of them, the indices of chunks grow
-    write(file, count, steps);
-    Recorded storage(file);
-    append_vtkhdf(storage, "plate", Numbers(count, static_cast<unsigned>(steps)).particles(), 0.1 * static_cast<double>(steps));
-    CHECK(storage.largest_changed_page <= hdf5::StagedStorage::page);
-    CHECK(storage.states.size() > 20);
-    for (const std::vector<std::byte>& state : storage.states) {
-      put(cut, state);
-      CHECK(times_of_vtkhdf(cut) == times(steps));
-      CHECK(length_of(cut, "VTKHDF/Steps/Values") == steps);  // VTK copies them all
-      for (std::size_t step = 0; step < steps; step += std::max<std::size_t>(1, steps / 4)) CHECK(holds_particles(cut, static_cast<unsigned>(step), count));
-      CHECK(holds_particles(cut, static_cast<unsigned>(steps - 1), count));
-      write(cut, count, steps + 2, steps);
-      CHECK(times_of_vtkhdf(cut) == times(steps + 2));
-      for (std::size_t step = steps - 1; step < steps + 2; ++step) CHECK(holds_particles(cut, static_cast<unsigned>(step), count));
-    }
-    put(cut, storage.bytes);
-    CHECK(times_of_vtkhdf(cut) == times(steps + 1));
-    CHECK(holds_particles(cut, static_cast<unsigned>(steps), count));
-    std::filesystem::remove(file);
-  }
+  for (const std::size_t steps : {1, 4, 5, 40, 128}) check_every_write(folder.path(), 50, steps);  // with more of them, the indices of chunks grow
+}
+
+TEST_CASE("vtkhdf: where the number of particles varies, after every single write of a step the file holds the earlier steps, and can be resumed") {
+  const fixtures::TemporaryFolder folder;
+  for (const std::size_t steps : {1, 2, 5, 128}) check_every_write(folder.path(), varying, steps);
 }
 
 TEST_CASE("vtkhdf: while later steps are removed, the file can be read after every single write") {
   const fixtures::TemporaryFolder folder;
   const std::filesystem::path file = folder / "plate.vtkhdf", cut = folder / "cut.vtkhdf";
-  constexpr std::size_t count = 500, steps = 30, kept = 7;
-  write(file, count, steps);
-  Recorded storage(file);
-  truncate_vtkhdf(storage, "plate", kept);
-  CHECK(storage.bytes.size() < storage.states.front().size());  // an index of chunks among the removed steps keeps what lies before it
-  for (const std::vector<std::byte>& state : storage.states) {
-    put(cut, state);
-    const std::size_t there = times_of_vtkhdf(cut).size();
-    CHECK((there == steps || there == kept));
-    CHECK(length_of(cut, "VTKHDF/Steps/Values") == there);
-    for (std::size_t step = 0; step < kept; ++step) CHECK(holds_particles(cut, static_cast<unsigned>(step), count));
+  constexpr std::size_t steps = 30, kept = 7;
+  for (const Count& count : {Count(std::size_t{500}), varying}) {
+    write(file, count, steps);
+    Recorded storage(file);
+    truncate_vtkhdf(storage, "plate", kept);
+    CHECK(storage.bytes.size() < storage.states.front().size());  // an index of chunks among the removed steps keeps what lies before it
+    for (const std::vector<std::byte>& state : storage.states) {
+      put(cut, state);
+      const std::size_t there = times_of_vtkhdf(cut).size();
+      CHECK((there == steps || there == kept));
+      CHECK(length_of(cut, "VTKHDF/Steps/Values") == there);
+      for (std::size_t step = 0; step < kept; ++step) CHECK(holds_particles(cut, static_cast<unsigned>(step), count));
+    }
+    put(cut, storage.bytes);
+    write(cut, count, steps, kept);
+    CHECK(times_of_vtkhdf(cut) == times(steps));
+    for (unsigned step = 0; step < steps; ++step) CHECK(holds_particles(cut, step, count));
+    std::filesystem::remove(file);
   }
-  put(cut, storage.bytes);
-  write(cut, count, steps, kept);
-  CHECK(times_of_vtkhdf(cut) == times(steps));
-  for (unsigned step = 0; step < steps; ++step) CHECK(holds_particles(cut, step, count));
 }
 
 TEST_CASE("vtkhdf: on a full disk the step is refused in a sentence, and the file is as it was") {

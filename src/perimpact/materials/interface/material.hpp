@@ -50,6 +50,7 @@ struct ArrayLengths {
   double entries = 0;  ///< of a list; 0 for a stencil
   double tables = 0;   ///< bonds in tables of shared surface factors
   double surface = 1;  ///< share of the slots whose surface factors differ from 1
+  double partial = 1;  ///< share of the slots in packs without eight complete families
 
   bool is_list() const { return entries > 0; }
 };
