@@ -188,7 +188,9 @@ def _(t):
         deck(t, box(112, 112, 112), "state", "contact: {fragments: {law: repulsive}}\n")
         done = subprocess.run([*group, t.program, "run", "deck.yaml", "--threads", "2"], cwd=t.folder, capture_output=True, text=True)
         t.assertEqual(done.returncode, 2, done.stdout)
-        t.assertIn("the run needs 0.5", done.stderr)
+        needed = re.search(r"the run needs ([\d.]+) GB", done.stderr)
+        t.assertIsNotNone(needed, done.stderr)
+        t.assertAlmostEqual(float(needed[1]), 0.5, delta=0.1, msg="the size of the box belongs to the title")
         t.assertIn("the control group of this process allows 0.315 GB", done.stderr)
         t.assertEqual(t.files("r"), [])
 
