@@ -5,6 +5,8 @@
 #include <random>
 #include <vector>
 
+#include "perimpact/particles/sum_over_eights.hpp"
+
 namespace perimpact {
 
 namespace {
@@ -19,9 +21,8 @@ class Stiffness {
 
   std::size_t size() const { return body_.particles.size(); }
   double inner(const Displacements& a, const Displacements& b) const {
-    double sum = 0;
-    for (std::size_t n = 0; n < size(); ++n) sum += densities_[slot(n)] * body_.particles.volume(slot(n)) * dot(a[n], b[n]);
-    return sum;
+    return exact_sum_over_eights(body_.particles.slot_of(),
+                                 [&](std::size_t n) { return densities_[slot(n)] * body_.particles.volume(slot(n)) * dot(a[n], b[n]); });
   }
 
   Displacements times(const Displacements& u) {

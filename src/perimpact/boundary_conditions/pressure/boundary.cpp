@@ -22,8 +22,7 @@ Load make_boundary(const PressureSetup& load, const BoundarySite& site) {
     if (!load.area)
       throw SetupError(site.key,
                        fmt::format("body {} is a point cloud without faces; give the area [m2] that the particles of the set share.", site.of.body.name));
-    double volume = 0;
-    for (const std::uint32_t slot : slots) volume += particles.volume(slot);
+    const double volume = exact_sum_over_eights(slots, [&](std::size_t k) { return particles.volume(slots[k]); });
     for (const std::uint32_t slot : slots) areas.push_back(*load.area * particles.volume(slot) / volume);
   }
   return Load(std::move(slots), std::move(areas), particles, -load.value * face.normal(), site.factor(load.times, load.factors));
