@@ -76,6 +76,16 @@ fccda_status fccda_deforming_detector_points_inside(fccda_deforming_detector* de
   });
 }
 
+fccda_status fccda_deforming_detector_balls_inside(fccda_deforming_detector* detector, const fccda_vectors* x, const fccda_numbers* radius,
+                                                   const int64_t** points, size_t* count) {
+  return guarded([&] {
+    fccda_deforming_detector& with = given(detector, "detector");
+    const Numbers radii = numbers_of(given(radius, "radius"), "radius");
+    with.points_inside = as_c(with.detector.points_inside(const_vectors_of(given(x, "x"), "x"), radii));
+    return_list(with.points_inside, points, count);
+  });
+}
+
 fccda_status fccda_deforming_detector_state(fccda_deforming_detector* detector, const int64_t** numbers, size_t* count) {
   return return_state(detector, numbers, count);
 }
