@@ -47,13 +47,13 @@ module fccda
   end type
 
   type, bind(C) :: fccda_hull
-    real(c_double) :: length = 0, breadth = 0, draft = 0, freeboard = 0, stem_angle = 0, waterline_angle = 0, fullness = 0, stern_angle = 0
-    real(c_double) :: stern_waterline_angle = 0, bilge_radius = 0, flare = 0, edge_length = 0, bow_edge_length = 0
+    real(c_double) :: length = 0, breadth = 0, draft = 0, freeboard = 0, stem_angle = 0, waterline_angle = 0, fullness = 0
+    real(c_double) :: stern_angle = 0, stern_waterline_angle = 0, bilge_radius = 0, flare = 0, edge_length = 0, bow_edge_length = 0
   end type
 
   type, bind(C) :: fccda_propeller
-    real(c_double) :: diameter = 0, pitch_ratio = 0, area_ratio = 0, hub_ratio = 0, hub_length = 0, rake = 0, skew = 0, thickness_factor = 0
-    real(c_double) :: edge_thickness = 0, edge_length = 0, blade_edge_length = 0
+    real(c_double) :: diameter = 0, pitch_ratio = 0, area_ratio = 0, hub_ratio = 0, hub_length = 0, rake = 0, skew = 0
+    real(c_double) :: thickness_factor = 0, edge_thickness = 0, edge_length = 0, blade_edge_length = 0
     integer(c_int32_t) :: blades = 0, axis = 0, is_left_handed = 0, reserved = 0
   end type
 
