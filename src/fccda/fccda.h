@@ -445,6 +445,10 @@ fccda_status fccda_deforming_surface_create(const fccda_surface* surface, fccda_
 /// another number of them, what is not finite, vertices that were merged and part, panels that lose their area, closed surfaces turned inside out.
 fccda_status fccda_deforming_surface_move(fccda_deforming_surface* surface, const fccda_vectors* vertices);
 
+/// Writes to `text`, in lines that belong to the handle, what is unusual about the step that the surface has begun: panels that move farther than their
+/// longest edge, turn by more than 90°, or pass through others. "" if nothing is. Takes longer than the move: for a check now and then.
+fccda_status fccda_deforming_surface_warnings(fccda_deforming_surface* surface, const char** text);
+
 /// Ends the use of the handle; NULL is allowed.
 void fccda_deforming_surface_destroy(fccda_deforming_surface* surface);
 

@@ -2,6 +2,7 @@
 #include "fccda/c/detector_calls.hpp"
 #include "fccda/c/guarded.hpp"
 #include "fccda/c/handles.hpp"
+#include "fccda/deforming/step_warnings.hpp"
 
 using namespace fccda;
 using namespace fccda::c_interface;
@@ -21,6 +22,16 @@ fccda_status fccda_deforming_surface_move(fccda_deforming_surface* surface, cons
     std::vector<Vec3d> positions(view.size());
     for (std::size_t v = 0; v < view.size(); ++v) positions[v] = view[v];
     moved.move(positions);
+  });
+}
+
+fccda_status fccda_deforming_surface_warnings(fccda_deforming_surface* surface, const char** text) {
+  return guarded([&] {
+    fccda_deforming_surface& of = given(surface, "surface");
+    const char*& out = given(text, "text");
+    of.warnings.clear();
+    for (const std::string& sentence : step_warnings(*of.surface)) of.warnings += sentence + '\n';
+    out = of.warnings.c_str();
   });
 }
 

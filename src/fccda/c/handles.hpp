@@ -26,6 +26,7 @@ struct fccda_body {
 /// A deforming surface, which its detectors share.
 struct fccda_deforming_surface {
   std::shared_ptr<fccda::DeformingSurface> surface;
+  std::string warnings{};  // as returned
 };
 
 namespace fccda::c_interface {

@@ -344,6 +344,7 @@ TEST_CASE("C interface: an open surface is refused with the remedy in the words 
 TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of the argument") {
   Scene s;
   const std::int32_t panel[] = {0, 1, 2};
+  const char* text = nullptr;
   const std::vector<std::pair<const char*, fccda_status>> refused{
       {"path", fccda_surface_read(nullptr, nullptr, &s.surface)},
       {"surface", fccda_surface_read("a.stl", nullptr, nullptr)},
@@ -399,6 +400,8 @@ TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of
       {"deforming", fccda_deforming_surface_create(s.cube, nullptr)},
       {"surface", fccda_deforming_surface_move(nullptr, &s.at)},
       {"vertices", fccda_deforming_surface_move(s.soft, nullptr)},
+      {"surface", fccda_deforming_surface_warnings(nullptr, &text)},
+      {"text", fccda_deforming_surface_warnings(s.soft, nullptr)},
       {"surface", fccda_deforming_detector_create(nullptr, 0, &s.other_soft_detector)},
       {"detector", fccda_deforming_detect(nullptr, &s.points, nullptr)},
       {"points", fccda_deforming_detect(s.soft_detector, nullptr, nullptr)},

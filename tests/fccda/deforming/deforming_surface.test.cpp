@@ -10,7 +10,9 @@
 
 #include "base/error.hpp"
 #include "fccda/deforming/scenes.hpp"
+#include "fccda/deforming/step_warnings.hpp"
 #include "fixtures/tolerance.hpp"
+#include "mesh/shapes/box.hpp"
 
 using namespace deforming;
 
@@ -192,6 +194,41 @@ TEST_CASE("deforming surface: unusable vertices are refused in a sentence, and n
   CHECK(refusal(surface, flat).find(" has no area at the end of the step, so it has no side; use a shorter step, or a finer mesh where it is compressed.") !=
         std::string::npos);
   CHECK(surface.steps() == 1);
+}
+
+TEST_CASE("deforming surface: a step in which panels overtake their size, turn over or pass through others is accepted, with a sentence about each") {
+  const Panels cube = fixtures::unit_cube();
+  DeformingSurface moved{Surface(cube)};
+  std::vector<Vec3d> to = cube.vertices;
+  for (Vec3d& x : to) x += Vec3d{1.4, 0, 0};  // the longest edges of its triangles are diagonals, 1.414
+  moved.move(to);
+  CHECK(step_warnings(moved).empty());
+  for (Vec3d& x : to) x.z -= 2;
+  moved.move(to);
+  CHECK(step_warnings(moved) ==
+        std::vector<std::string>{
+            "deforming surface: 6 panels move farther than their longest edge in this step, panel 0 by 1.41421 of it. No contact is missed, but "
+            "all that a panel passes in the step is relocated to where it ends; use a shorter step for the forces."});
+
+  DeformingSurface spun{Surface(cube)};
+  to = cube.vertices;
+  for (Vec3d& x : to) x = Vec3d{1 - x.x, 1 - x.y, x.z};  // half a turn about the axis z: the top and the bottom keep their normals
+  spun.move(to);
+  CHECK(step_warnings(spun) == std::vector<std::string>{"deforming surface: the normal of 4 panels turns by more than 90° in this step, the first is panel 2. "
+                                                        "Vertices move straight within a step, which shrinks what rotates; use a shorter step."});
+
+  // The middle of one side of a box is pushed out through the opposite side, in small steps.
+  const Panels box = make_box({.size = {1, 1, 1}, .edge_length = 0.25});
+  DeformingSurface pushed{Surface(box)};
+  std::vector<Vec3d> vertices = box.vertices;
+  for (int step = 0; step < 12; ++step) {
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      if (box.vertices[v] == Vec3d{0, 0, 0.5}) vertices[v].z -= 0.12;
+    pushed.move(vertices);
+    CHECK(step_warnings(pushed).size() == (step < 8 ? 0 : 1));
+  }
+  CHECK(step_warnings(pushed)[0].find("pass through others at the end of this step, the first is panel ") != std::string::npos);
+  CHECK(step_warnings(pushed)[0].ends_with("; stop the structure from passing through itself."));
 }
 
 TEST_CASE("deforming surface: closed parts that may overlap are refused") {
