@@ -292,6 +292,29 @@ def calculix(test):
         test.assertLess(abs(float(line.split()[2]) / frequency(FREE[0], thickness) - 1), 0.2 * (FREE[0] * thickness / LENGTH) ** 2)
 
 
+@claim("modes: the automatic time step resolves bodies and the highest mode; a given step that resolves it poorly is reported, one that does not is refused")
+def time_step(test):
+    read = read_beam()
+    highest = 2 * np.pi * read.frequencies.max()
+    modes.write(test.folder / "beam.vtu", read.points, read.faces, read.frequencies, read.shapes, read.stresses)
+
+    def simulation(modulus, **settings):
+        (test.folder / "deck.yaml").write_text(DECK.replace("youngs_modulus: 1 GPa", f"youngs_modulus: {modulus}"))
+        return perimpact.Simulation.from_deck(test.folder / "deck.yaml", set={f"time.{key}": value for key, value in settings.items()})
+
+    end = 6e-3
+    test.assertEqual(simulation("1 MPa").steps, np.ceil(end / (0.5 / highest)))  # the block alone allows more
+    stiff, stiffer = simulation("1 GPa").steps, simulation("4 GPa").steps
+    test.assertGreater(stiff, 2 * end * highest)
+    test.assertLess(abs(stiffer / stiff - 2), 0.02)  # the block decides
+    poor = simulation("1 MPa", step=1.2 / highest)
+    test.assertTrue(any("resolves the highest mode of an elastic impactor" in warning for warning in poor.warnings), poor.warnings)
+    test.assertFalse(any("highest mode" in warning for warning in simulation("1 MPa", step=0.4 / highest).warnings))
+    with test.assertRaises(perimpact.InputError) as caught:
+        simulation("1 MPa", step=2.1 / highest)
+    test.assertIn("is too long for the highest mode of an elastic impactor", str(caught.exception))
+
+
 @claim("modes: the example for dolfinx has frequencies, shapes and stresses between those of a beam and of a wide plate, and its file makes an impactor elastic")
 def dolfinx(test):
     if importlib.util.find_spec("dolfinx") is None:
