@@ -36,15 +36,16 @@ void RunLoop::run(const Watch& watch) {
   } const period(*this);
 
   bool is_paused = false;
+  Ranks& ranks = simulation_.ranks();  // which receive signals and look at clocks at different times, but pause and write together
   const Watch watched{.after_step = watch.after_step, .in_increment = [&] {
-                        is_paused = !watch.in_increment();
-                        return !is_paused && !StopSignals::save_is_pending();
+                        is_paused = ranks.any(!watch.in_increment());
+                        return !is_paused && !ranks.any(StopSignals::save_is_pending());
                       }};
   while (!is_paused && !simulation_.clock().is_finished()) {
     const long before = simulation_.clock().step;
     step(watched);
-    if (StopSignals::take_save_request()) save();
-    if (simulation_.clock().step > before) is_paused = !watch.after_step();
+    if (ranks.any(StopSignals::take_save_request())) save();
+    if (simulation_.clock().step > before) is_paused = ranks.any(!watch.after_step());
   }
   if (!results_ || !simulation_.clock().is_finished()) return;
   write([&] { results_->finish(simulation_, Outcome::finished, "", seconds()); });

@@ -14,7 +14,7 @@
 
 namespace perimpact {
 
-/// What a front end does during a run. Each returns false to pause it.
+/// What a front end does during a run. Each returns false to pause it, on all ranks if any does.
 struct Watch {
   std::function<bool()> after_step;    ///< its results are written
   std::function<bool()> in_increment;  ///< after each iteration of an increment of relaxation, which may take minutes

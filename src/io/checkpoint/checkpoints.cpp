@@ -82,7 +82,7 @@ Written Checkpoints::resume(Simulation& simulation) {
 void Checkpoints::after_step(Simulation& simulation, ResultsWriter& results) {
   const Clock& clock = simulation.clock();
   const auto now = std::chrono::steady_clock::now();
-  const bool is_due = every_ > 0 && std::chrono::duration<double>(now - written_).count() >= every_;
+  const bool is_due = every_ > 0 && simulation.ranks().any(std::chrono::duration<double>(now - written_).count() >= every_);
   if ((is_due && !clock.is_finished()) || clock.step == clock.steps - 1) write(simulation, results);
 }
 
