@@ -73,7 +73,7 @@ Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const
     const std::string key = "output.probes." + probe.name;
     if (body == bodies.end()) throw SetupError(key + ".body", fmt::format("probe {} refers to body {}, which does not exist.", probe.name, probe.body));
     probes_.push_back({probe.name, static_cast<std::size_t>(body - bodies.begin()), Sample(*body, probe.at)});
-    const double away = probes_.back().sample.distance(*body), spacing = body->particles.spacing();
+    const double away = probes_.back().sample.distance(), spacing = body->particles.spacing();
     if (away > spacing)
       throw SetupError(key + ".at",
                        fmt::format("probe {} lies {:.3g} m from the nearest particle of body {}, more than its spacing of {:.3g} m; move it into the body.",
