@@ -130,7 +130,7 @@ int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments
     members["outcome"] = "failed";
     members["text"] = error.what();
     messages.print("end", members, "");
-    if (!arguments.no_report) try_report(folder.path(), messages);
+    if (!arguments.no_report && ranks.size() == 1) try_report(folder.path(), messages);  // others wait for the end of a failed rank
     throw;
   }
   print_end(simulation, folder, signal, messages);

@@ -98,8 +98,8 @@ void RunLoop::fail(const fccda::RunError& error, bool can_be_resumed) {
   std::string sentence = error.what();
   if (const auto last = checkpoints_->last())
     sentence += fmt::format(" The last checkpoint is at step {}{}", *last, can_be_resumed ? "; resume from it with " + resume_ : ".");
-  try {
-    results_->finish(simulation_, Outcome::failed, sentence, seconds());
+  try {  // of several ranks perhaps only this one has failed: then nothing can be gathered, and the results remain as they are
+    if (simulation_.ranks().size() == 1) results_->finish(simulation_, Outcome::failed, sentence, seconds());
   } catch (const fccda::RunError&) {
     // nothing more can be written; the first error is the one to report
   }

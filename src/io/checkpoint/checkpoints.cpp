@@ -93,7 +93,7 @@ void Checkpoints::write(Simulation& simulation, ResultsWriter& results) {
 void Checkpoints::write_within_increment(Simulation& simulation, ResultsWriter& results) {
   const fs::path latest = aged(folder_, 0), next = kept_ > 1 ? output::ResultsFolder::next_checkpoint_in(folder_) : latest;
   write_checkpoint(next, simulation, at_start_, results.written());
-  rotate();
+  if (simulation.ranks().is_root()) rotate();
   resumed_age_ = 0;
   last_ = simulation.clock().step;
   written_ = std::chrono::steady_clock::now();
