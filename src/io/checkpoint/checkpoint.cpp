@@ -56,15 +56,20 @@ std::vector<long> frame_steps(int frames, long steps, long last) {
 std::uint64_t fingerprint_at_start(Simulation& simulation) {
   StateHash hash;
   hash("state", std::span<const std::uint64_t>(std::array{simulation.state_hash()}));
-  for (const std::filesystem::path& path : deck::named_files(deck::setup_to_text(simulation.setup()))) {
-    std::ifstream file(path, std::ios::binary);
+  const std::vector<std::filesystem::path> files = deck::named_files(deck::setup_to_text(simulation.setup()));
+  for (std::size_t number = 0; number < files.size(); ++number) {
+    std::ifstream file(files[number], std::ios::binary);
     if (!file) {  // a mesh defined in code; its name identifies its contents
-      const std::string name = path.string();
-      hash("mesh", std::span<const char>(name));
+      const std::string name = files[number].string();
+      hash.add(fmt::format("mesh {}", number), 0, std::span<const char>(name));
     }
     std::vector<char> bytes(std::size_t{1} << 20);
-    while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0)
-      hash("file", std::span<const char>(bytes.data(), static_cast<std::size_t>(file.gcount())));
+    std::uint64_t read = 0;
+    while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0) {
+      const auto count = static_cast<std::size_t>(file.gcount());
+      hash.add(fmt::format("file {}", number), read, std::span<const char>(bytes.data(), count));
+      read += count;
+    }
   }
   return hash.value();
 }

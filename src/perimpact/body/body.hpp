@@ -26,7 +26,7 @@ struct Body {
   std::vector<CrackCut> cracks = {};             ///< initial cracks
   std::optional<double> bending = {};            ///< factor k_b of all bond stiffnesses, with bending_calibration
 
-  /// Linear momentum [kg m/s], summed in blocks, in order.
+  /// Linear momentum [kg m/s].
   Vec3d momentum() const;
   /// [J] with velocities advanced from the middle of the step to its end by the current forces: v + f dt/(2ρ).
   double kinetic_energy(double dt) const;

@@ -98,7 +98,7 @@ void BoundaryConditions::set_initial_state(Particles& particles, double time, Pr
   for_each([&](const PrescribedDisplacement& constraint) { constraint.set_initial_state(particles, time, pace); });
 }
 
-void BoundaryConditions::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
+void BoundaryConditions::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends) {
   for_each([&](auto& one) {
     if constexpr (requires { one.update_exposed_surface(particles, family, broken_ends); }) one.update_exposed_surface(particles, family, broken_ends);
   });

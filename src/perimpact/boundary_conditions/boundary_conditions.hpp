@@ -40,7 +40,7 @@ class BoundaryConditions {
   void set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace);
 
   /// Updates exposed particles after bond failure; `broken_ends` as in InternalForce. To be called before add_forces().
-  void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+  void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends);
 
   /// Adds forces at the beginning of the next step to those of the bonds.
   void add_forces(Particles& particles, const fccda::Step& next);

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "base/contract.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -161,21 +162,30 @@ std::vector<FragmentState> states_of(const Fragments& fragments, const Particles
   EXPECTS(count <= fragments.all().size() && fragments.of_particles().size() == particles.size());
   constexpr double infinite = std::numeric_limits<double>::infinity();
   std::vector<FragmentState> states(count);
-  std::vector<Vec3d> low(count, Vec3d{infinite, infinite, infinite}), high(count, Vec3d{-infinite, -infinite, -infinite});
+  struct Means {
+    Vec3d centre, velocity;
+  };
+  std::vector<fccda::ExactSums<Means>> means(count);
+  std::vector<double> most(6 * count, -infinite);  // of the coordinates, and of the negative ones
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const std::size_t slot = particles.slot_of()[p], n = static_cast<std::size_t>(fragments.of_particles()[p]);
     if (n >= count) continue;
     const Vec3d x = particles.position.at(slot);
     const double share = particles.mass(slot) / fragments.all()[n].mass, half = 0.5 * particles.size_of(slot);
-    states[n].centre += share * x;
-    states[n].velocity += share * particles.velocity.at(slot);
+    means[n].add({share * x, share * particles.velocity.at(slot)});
     for (std::size_t c = 0; c < 3; ++c) {
       const double reach = c == 2 && particles.is_plane() ? 0.5 * *particles.thickness() : half;
-      low[n][c] = std::min(low[n][c], x[c] - reach);
-      high[n][c] = std::max(high[n][c], x[c] + reach);
+      most[6 * n + c] = std::max(most[6 * n + c], x[c] + reach);
+      most[6 * n + 3 + c] = std::max(most[6 * n + 3 + c], reach - x[c]);
     }
   }
-  for (std::size_t n = 0; n < count; ++n) states[n].extent = high[n] - low[n];
+  Ranks& ranks = particles.share().ranks();
+  ranks.max(most);
+  for (std::size_t n = 0; n < count; ++n) {
+    const Means of_all = value_of_all(ranks, means[n]);
+    states[n].centre = of_all.centre, states[n].velocity = of_all.velocity;
+    for (std::size_t c = 0; c < 3; ++c) states[n].extent[c] = most[6 * n + c] + most[6 * n + 3 + c];
+  }
   return states;
 }
 

@@ -6,8 +6,8 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <cstring>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -86,6 +86,9 @@ class Share {
   void take_listed(std::span<const T> all, std::span<T> own, std::span<const std::uint32_t> slots) const;
   /// The slot of this rank's lattice, or nothing if another rank owns it.
   std::optional<std::size_t> owned_slot(std::size_t whole_slot) const;
+  /// Calls f(first, first in the whole body, count) for runs of the numbers of owned eights.
+  template <class F>
+  void for_each_owned_run(std::size_t per_eight, const F& f) const;
   std::size_t eights_of_whole() const { return plan_->whole.slots() / fccda::byte_lanes; }
 
   std::size_t peers() const { return plan_ ? plan_->peers.size() : 0; }  ///< ranks with which ghosts are exchanged
@@ -108,6 +111,9 @@ class Share {
   std::vector<std::size_t> order_of(std::span<const std::uint32_t> slots) const;
   /// How many the ranks before this one have, if each calls with its count. Collective.
   std::size_t first_of_own(std::size_t count) const;
+  /// Calls f(first, count) for the numbers of the eights of each row of a box of cells.
+  template <class F>
+  static void for_each_row_of_eights(const Lattice& lattice, const CellBox& box, std::size_t per_eight, const F& f);
   /// Calls f(slot, count) for the runs of consecutive slots of a box of cells of the own lattice.
   template <class F>
   void for_each_run(const CellBox& box, const F& f) const {
@@ -119,24 +125,32 @@ class Share {
   std::shared_ptr<const Plan> plan_;
 };
 
+template <class F>
+void Share::for_each_row_of_eights(const Lattice& lattice, const CellBox& box, std::size_t per_eight, const F& f) {
+  const std::size_t eights = (static_cast<std::size_t>(box.size(0)) + fccda::byte_lanes - 1) / fccda::byte_lanes;
+  for (int k = box.low[2]; k < box.high[2]; ++k)
+    for (int j = box.low[1]; j < box.high[1]; ++j) f(lattice.slot(box.low[0], j, k) / fccda::byte_lanes * per_eight, eights * per_eight);
+}
+
+template <class F>
+void Share::for_each_owned_run(std::size_t per_eight, const F& f) const {
+  for_each_row_of_eights(plan_->lattice, owned(), per_eight, [&](std::size_t first, std::size_t count) {
+    f(first, per_eight == 0 ? 0 : whole_slot(first / per_eight * fccda::byte_lanes) / fccda::byte_lanes * per_eight, count);
+  });
+}
+
 template <class T>
 std::vector<T> Share::gather(std::span<const T> own, std::size_t per_eight) const {
   if (!plan_) return {own.begin(), own.end()};
-  const auto eights_of_row = [](const CellBox& box) { return (static_cast<std::size_t>(box.size(0)) + fccda::byte_lanes - 1) / fccda::byte_lanes; };
-  const auto for_each_row = [&](const Lattice& lattice, const CellBox& box, const auto& visit) {  // visit(first number, count)
-    for (int k = box.low[2]; k < box.high[2]; ++k)
-      for (int j = box.low[1]; j < box.high[1]; ++j)
-        visit(lattice.slot(box.low[0], j, k) / fccda::byte_lanes * per_eight, eights_of_row(box) * per_eight);
-  };
   std::vector<T> sent;
-  for_each_row(plan_->lattice, owned(), [&](std::size_t first, std::size_t count) {
+  for_each_row_of_eights(plan_->lattice, owned(), per_eight, [&](std::size_t first, std::size_t count) {
     sent.insert(sent.end(), own.begin() + static_cast<std::ptrdiff_t>(first), own.begin() + static_cast<std::ptrdiff_t>(first + count));
   });
   const std::vector<Ranks::Bytes> all = ranks_->gather(std::as_bytes(std::span<const T>(sent)));
   std::vector<T> whole(all.empty() ? 0 : eights_of_whole() * per_eight);
   for (std::size_t rank = 0; rank < all.size(); ++rank) {
     const std::byte* from = all[rank].data();
-    for_each_row(plan_->whole, plan_->boxes[rank], [&](std::size_t first, std::size_t count) {
+    for_each_row_of_eights(plan_->whole, plan_->boxes[rank], per_eight, [&](std::size_t first, std::size_t count) {
       if (count > 0) std::memcpy(whole.data() + first, from, count * sizeof(T));
       from += count * sizeof(T);
     });
@@ -164,7 +178,8 @@ std::vector<T> Share::gather_listed(std::span<const T> own, std::span<const std:
   std::vector<T> sorted;
   if (!ranks_->is_root()) return sorted;
   sorted.reserve(joined.size());
-  for (const std::size_t at : order) sorted.insert(sorted.end(), joined.begin() + static_cast<std::ptrdiff_t>(at * per_slot), joined.begin() + static_cast<std::ptrdiff_t>((at + 1) * per_slot));
+  for (const std::size_t at : order)
+    sorted.insert(sorted.end(), joined.begin() + static_cast<std::ptrdiff_t>(at * per_slot), joined.begin() + static_cast<std::ptrdiff_t>((at + 1) * per_slot));
   return sorted;
 }
 

@@ -13,6 +13,7 @@
 #include "base/state.hpp"
 #include "perimpact/body/body.hpp"
 #include "perimpact/particles/shared_numbers.hpp"
+#include "perimpact/simulation/state_hash.hpp"
 
 namespace perimpact {
 
@@ -60,6 +61,35 @@ class GatheredState {
   std::span<const Body> bodies_;
   Ranks& ranks_;
   Sink sink_;
+};
+
+/// Adds this rank's terms of the hash of the whole run. Collective.
+class HashOfRanks {
+ public:
+  HashOfRanks(std::span<const Body> bodies, Ranks& ranks, StateHash& hash) : hash_(hash), rest_(bodies, ranks, Root{hash}) {}
+
+  template <class Values>
+  void operator()(std::string_view name, Values&& values) {
+    if constexpr (requires { values.per_eight; }) {
+      if (values.share->is_whole()) return hash_(name, values);
+      values.share->for_each_owned_run(values.per_eight, [&](std::size_t first, std::size_t first_of_whole, std::size_t count) {
+        hash_.add(name, first_of_whole, std::span(values).subspan(first, count));
+      });
+    } else {
+      rest_(name, values);
+    }
+  }
+
+ private:
+  struct Root {
+    StateHash& hash;
+    template <class Values>
+    void operator()(std::string_view name, Values&& values) {
+      hash(name, values);
+    }
+  };
+  StateHash& hash_;
+  GatheredState<Root> rest_;
 };
 
 /// Restores the state of this rank from a source of arrays of the whole run, which every rank reads. Collective.

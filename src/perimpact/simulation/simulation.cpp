@@ -383,10 +383,10 @@ std::vector<std::string> Simulation::closing_warnings() const {
 }
 
 std::uint64_t Simulation::state_hash() {
-  StateHash hash;
-  visit_whole_state([&](std::string_view name, auto&& values) { hash(name, values); });
-  std::int64_t of_root = ranks_->is_root() ? static_cast<std::int64_t>(hash.value()) : 0;
-  return static_cast<std::uint64_t>(ranks_->sum(of_root));
+  StateHash hash;  // of the root's arrays, and of each rank's part of those that ranks share
+  HashOfRanks of_ranks(bodies(), *ranks_, hash);
+  visit_state(of_ranks);
+  return static_cast<std::uint64_t>(ranks_->sum(static_cast<std::int64_t>(hash.value())));
 }
 
 }  // namespace perimpact

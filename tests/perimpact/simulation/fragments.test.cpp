@@ -62,9 +62,9 @@ void break_all(Simulation& simulation, const std::string& body) {
     using Values = std::remove_cvref_t<decltype(values)>;
     if constexpr (std::is_same_v<Values, std::span<std::uint8_t>>) {
       if (name == body + ".bonds") std::fill(values.begin(), values.end(), std::uint8_t{0});
-    } else if constexpr (std::is_same_v<Values, std::span<std::size_t>>) {
-      if (name == body + ".broken_ends_of_row")
-        for (std::size_t& ends : values) ++ends;
+    } else if constexpr (std::is_same_v<Values, std::span<std::uint32_t>>) {
+      if (name == body + ".broken_ends_of_eight")
+        for (std::uint32_t& ends : values) ++ends;
     }
   });
 }

@@ -61,7 +61,7 @@ class Floating {
   void leave_out(std::span<const std::uint32_t> constrained, std::size_t axis);
 
   /// Updates exposed particles at the body's surface, and what columns lose with their bonds and by their depth.
-  void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+  void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends);
 
   /// Floods the columns whose top lies deeper than it stays dry.
   void flood_deep_columns(const Particles& particles);
@@ -107,7 +107,7 @@ class Floating {
   void update_wetness(const Particles& particles);
   double entrained(std::size_t k, double height, double wet) const;  // [kg/m³]
   double flood(std::size_t column, const Particles& particles);      // [J] that the water loses
-  void update_intact_share(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+  void update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends);
   void record_flooding(double loss);
 
   std::vector<std::uint32_t> slots_;
@@ -119,7 +119,7 @@ class Floating {
   std::optional<WaterColumns> columns_;
   std::vector<double> wetness_;                      // W of each column; empty without an entrained depth
   std::vector<double> intact_;                       // 1 - D of each slot; empty without an entrained depth
-  std::vector<std::size_t> broken_ends_;             // of each row, when intact_ was updated
+  std::vector<std::uint32_t> broken_ends_;           // of each eight, when intact_ was updated
   std::vector<std::uint8_t> dry_tops_;               // 1 for the top of a column that is dry there, of each slot; empty where none was
   ForcesOnTheWay forces_;                            // of drag, damping and added mass; empty without them
   double potential_ = 0;                             // [J] at the latest instant
