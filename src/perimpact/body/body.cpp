@@ -11,6 +11,7 @@
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/discretisation/particle_set.hpp"
 #include "perimpact/materials/ordinary_state/stencil_sums.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -22,15 +23,28 @@ Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
 
 int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
+/// Share of this rank in the lattice of a body. The water under a floating body acts on columns of its lattice.
+Share share_of(const BodySetup& setup, const Lattice& lattice, int reach, Ranks& ranks) {
+  const bool floats = std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
+  try {
+    return Share(ranks, lattice, reach, floats);
+  } catch (const fccda::InputError& error) {
+    throw SetupError("bodies." + setup.name, fmt::format("body {}: {}.", setup.name, error.what()));
+  }
+}
+
 /// One particle in each cell of the lattice whose centre is inside the solid.
-Particles filled(const BodySetup& setup, const BodySolid& solid) {
-  const Lattice lattice = lattice_that_fills(setup, solid);
+Particles filled(const BodySetup& setup, const BodySolid& solid, Ranks& ranks) {
+  Lattice lattice = lattice_that_fills(setup, solid);
+  const int reach = stencil_of(setup, lattice).reach();
+  Share share = share_of(setup, lattice, reach, ranks);
+  if (!share.is_whole()) lattice = share.lattice();
   const std::vector<std::uint8_t> inside = cells_inside(lattice, solid);
-  if (std::find(inside.begin(), inside.end(), 1) == inside.end())
+  if (!ranks.any(std::find(inside.begin(), inside.end(), 1) != inside.end()))
     throw SetupError("bodies." + setup.name + ".spacing",
                      fmt::format("no particle of a lattice of {} m is inside body {}; take a smaller spacing, or check the units of its shape and holes.",
                                  lattice.spacing, setup.name));
-  return Particles(lattice, stencil_of(setup, lattice).reach(), setup.elastic().density, inside);
+  return Particles(lattice, reach, setup.elastic().density, inside, std::move(share));
 }
 
 Influences influences_of(const BodySetup& setup) {
@@ -39,19 +53,6 @@ Influences influences_of(const BodySetup& setup) {
 
 CorrectionKind correction_of(const BodySetup& setup) {
   return with_material(setup, [&](const auto&, auto kind) { return kind.correction(setup); });
-}
-
-/// Sums f(slot) over the particles in blocks, so that rounding does not grow with their number.
-template <class Value, class F>
-Value sum_over(const Particles& particles, Value total, const F& f) {
-  constexpr std::size_t block = 256;
-  const auto slots = particles.slot_of();
-  for (std::size_t begin = 0; begin < slots.size(); begin += block) {
-    Value part = f(slots[begin]);
-    for (std::size_t i = begin + 1; i < std::min(begin + block, slots.size()); ++i) part += f(slots[i]);
-    total += part;
-  }
-  return total;
 }
 
 constexpr int most_layers_that_bend = 40;  // beyond, the deficit is below 1 %
@@ -119,9 +120,9 @@ IsotropicElastic elastic_of(const BodySetup& setup) {
   return IsotropicElastic::in(plane, *modulus, std::visit([&](const auto& material) { return material.poissons_ratio_in(plane); }, setup.material));
 }
 
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation) {
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks) {
   const auto* cloud = std::get_if<Cloud>(&discretisation);
-  Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation));
+  Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation), ranks);
   for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
   return particles;
 }
@@ -165,19 +166,19 @@ Body make_body(const BodySetup& setup, Particles particles, fccda::Stages& stage
 }
 
 Vec3d Body::momentum() const {
-  return sum_over(particles, Vec3d{}, [&](std::size_t slot) { return particles.mass(slot) * particles.velocity.at(slot); });
+  return exact_sum_over_eights(particles, [&](std::size_t slot) { return particles.mass(slot) * particles.velocity.at(slot); });
 }
 
 double Body::kinetic_energy(double dt) const {
   const double half_kick = 0.5 * dt / particles.density();
-  return 0.5 * sum_over(particles, 0.0, [&](std::size_t slot) {
+  return 0.5 * exact_sum_over_eights(particles, [&](std::size_t slot) {
            return particles.mass(slot) * fccda::squared_norm(particles.velocity.at(slot) + half_kick * particles.force_density.at(slot));
          });
 }
 
 double Body::kinetic_energy_of_scheme(double dt) const {
   const double kick = dt / particles.density();
-  return 0.5 * sum_over(particles, 0.0, [&](std::size_t slot) {
+  return 0.5 * exact_sum_over_eights(particles, [&](std::size_t slot) {
            const Vec3d velocity = particles.velocity.at(slot);
            return particles.mass(slot) * dot(velocity, velocity + kick * particles.force_density.at(slot));
          });

@@ -13,6 +13,7 @@
 #include "perimpact/family/family.hpp"
 #include "perimpact/materials/internal_force.hpp"
 #include "perimpact/particles/particles.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
 
@@ -25,7 +26,7 @@ struct Body {
   std::vector<CrackCut> cracks = {};             ///< initial cracks
   std::optional<double> bending = {};            ///< factor k_b of all bond stiffnesses, with bending_calibration
 
-  /// Linear momentum [kg m/s], summed in blocks, in order.
+  /// Linear momentum [kg m/s].
   Vec3d momentum() const;
   /// [J] with velocities advanced from the middle of the step to its end by the current forces: v + f dt/(2ρ).
   double kinetic_energy(double dt) const;
@@ -36,21 +37,22 @@ struct Body {
 
   template <class Visitor>
   void visit_state(Visitor&& visit) {
-    particles.visit_state(name, visit);
-    family.visit_state(name, visit);
-    internal.visit_state(name, visit);
+    auto shared = of_eights(particles, visit);
+    particles.visit_state(name, shared);
+    family.visit_state(name, shared);
+    internal.visit_state(name, shared);
   }
 
   /// Recorded data that do not affect any step.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
-    internal.visit_record(name, visit);
+    internal.visit_record(name, of_eights(particles, visit));
   }
 };
 
-/// Particles that fill the solid, or those of the cloud, with their initial velocities. Throws SetupError if there are none, or more than can be
-/// indexed.
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation);
+/// Particles that fill the solid, or those of the cloud, with their initial velocities; the share of this rank. Throws SetupError if there are none, or more
+/// than can be indexed.
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone());
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 
 /// Elastic constants of its material, 3-D or 2-D.

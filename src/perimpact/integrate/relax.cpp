@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/integrate/stiffest_mode.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -63,8 +64,7 @@ Relaxation::Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, do
     double furthest = 0;  // [m]
     for (const std::uint32_t slot : particles.slot_of()) furthest = std::max(furthest, largest_magnitude(particles.reference(slot)));
     const double slack = 4 * std::numeric_limits<double>::epsilon() * furthest;  // [m] rounding of a position
-    search.rounding = std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) {
-      const std::size_t slot = particles.slot_of()[k];
+    search.rounding = std::sqrt(exact_sum_over_eights(particles, [&](std::size_t slot) {
       const double force = particles.volume(slot) * 4 * search.density[slot] / (dt * dt) * slack;
       return force * force;
     }));
@@ -124,10 +124,8 @@ double Relaxation::residual(std::span<Body> bodies, std::span<BoundaryConditions
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Particles& particles = bodies[b].particles;
     const double applied = boundary_conditions[b].balance(particles, time);
-    const double unbalanced = std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) {
-      const std::size_t slot = particles.slot_of()[k];
-      return squared_norm(particles.volume(slot) * particles.force_density.at(slot));
-    }));
+    const double unbalanced =
+        std::sqrt(exact_sum_over_eights(particles, [&](std::size_t slot) { return squared_norm(particles.volume(slot) * particles.force_density.at(slot)); }));
     const double share = unbalanced / (applied + searches_[b].rounding / setup_.tolerance);
     if (!(share <= largest)) largest = share;  // also for NaN
   }
@@ -148,7 +146,7 @@ void Relaxation::start(std::span<const Body> bodies) {
 
 double Relaxation::damping(const Body& body, const Search& search) const {
   const Particles& particles = body.particles;
-  const Quotient rayleigh = sum_in_blocks<Quotient>(particles.size(), [&](std::size_t k) {
+  const Quotient rayleigh = exact_sum_over_eights(particles.share().ranks(), particles.slot_of(), [&](std::size_t k) {
     const std::size_t slot = particles.slot_of()[k];
     const Vec3d u = particles.position.at(slot) - vector_at(search.position0, k);
     return Quotient{dot(u, vector_at(search.force0, k) - particles.force_density.at(slot)), search.density[slot] * squared_norm(u)};

@@ -130,6 +130,7 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
   BodyMemory memory{.count = p};
   memory.particles = 9 * number * length.with_slack + n / lanes + slot_number * p;     // x, v, f; occupied; slot_of
   memory.bonds = length.rows + number * n * length.partial + slot_number * n / lanes;  // bits; initial volumes and their places
+  memory.bonds += SumsOfEights::bytes_of_eight * n / lanes;
   if (length.is_list()) {
     memory.particles += (vector + number) * n + slot_number * p;  // reference positions, volumes, numbers in the file
     memory.bonds +=
@@ -151,8 +152,10 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
     memory.picture = std::max(3 * sizeof(float) * p + 19 * p, may_break ? 2 * slot_number * n : 0) + (may_break ? slot_number * p : 0);
   if (setup.output.frames > 0 && setup.output.frame_particles) memory.picture += 2 * slot_number * p;  // numbers of the particles, kept and of a frame
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
-    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, threshold, cell, point and position in its cell; surfaces, particle of a slot
-    memory.fragments = (sizeof(NearPairs::Member) + vector + 1 + number + 2 * slot_number + vector) * p + (1 + 2 + slot_number) * n;
+    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, threshold, cell, point and position in its cell; surfaces, particle of a slot,
+    // broken ends of eights
+    memory.fragments =
+        (sizeof(NearPairs::Member) + vector + 1 + number + 2 * slot_number + vector) * p + (1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
     memory.rubble = rubble_of(body, setup.contact.fragments) * n;
   }
   return memory;

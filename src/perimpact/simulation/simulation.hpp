@@ -19,6 +19,7 @@
 #include "perimpact/integrate/relax.hpp"
 #include "perimpact/moving_window/moving_window.hpp"
 #include "perimpact/self_contact/short_range.hpp"
+#include "perimpact/simulation/shared_state.hpp"
 #include "perimpact/simulation/start.hpp"
 
 namespace perimpact {
@@ -41,7 +42,7 @@ struct UserForceOnBody {
 class Simulation {
  public:
   /// Throws SetupError if the Setup is invalid.
-  explicit Simulation(const Setup& setup, fccda::Stages::Announce announce = {});
+  explicit Simulation(const Setup& setup, fccda::Stages::Announce announce = {}, Ranks& ranks = alone());
   /// The same from a Start of this Setup, possibly modified.
   Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces = {});
 
@@ -49,6 +50,7 @@ class Simulation {
   /// call resumes it. Throws RunError.
   void step(const KeepRelaxing& keep_on = {});
 
+  Ranks& ranks() const { return *ranks_; }  ///< which share the bodies
   const Setup& setup() const { return setup_; }
   const Clock& clock() const { return clock_; }
   const Stability& stability() const { return stability_; }
@@ -83,7 +85,26 @@ class Simulation {
     }
     visit_parts(visit);
   }
-  std::uint64_t state_hash();
+  std::uint64_t state_hash();  ///< of the whole state; the same for any number of ranks and threads. Collective.
+
+  /// The arrays of the whole run, as one rank has them, passed to the sink on the root. Collective.
+  template <class Sink>
+  void visit_whole_state(Sink sink) {
+    visit_state(GatheredState(bodies(), *ranks_, std::move(sink)));
+  }
+  template <class Sink>
+  void visit_whole_record(Sink sink) {
+    visit_record(GatheredState(bodies(), *ranks_, std::move(sink)));
+  }
+  /// Takes the state of this rank from a source of these arrays. Collective.
+  template <class Source>
+  void take_whole_state(Source source) {
+    visit_state(TakenState(bodies(), *ranks_, std::move(source)));
+  }
+  template <class Source>
+  void take_whole_record(Source source) {
+    visit_record(TakenState(bodies(), *ranks_, std::move(source)));
+  }
 
   /// Record of the run, which affects history, warnings and run.json, but not the steps.
   template <class Visitor>
@@ -112,6 +133,7 @@ class Simulation {
   void advance_bodies();
   void resolve_impactor_contact();
   std::vector<std::size_t> resolve_body(std::size_t body, ContactParticles& particles);  // number of unresolved penetrations per impactor
+  void refresh_ghosts();
   void compute_bond_forces();
   void add_short_range_forces();
   void apply_boundary_conditions();
@@ -119,6 +141,7 @@ class Simulation {
   void end_load_interval();
   void sample_monitors();
 
+  Ranks* ranks_;
   Setup setup_;
   fccda::Stages stages_;
   std::vector<std::string> warnings_;
