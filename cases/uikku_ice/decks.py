@@ -20,6 +20,7 @@ UIKKU = ShipInIce(length=150, beam=21.3, draft=9.5, stem=30, waterline=21, paral
 LAYERS = 3
 ASTERN = 39.0  # [m] of ice behind the stem, the length of the bow
 STEP = 0.5  # over spacing/√(E/ρ); `perimpact check` accepts up to 0.504 for these decks
+DISPLACEMENT = 21655  # [t] of the panels of this hull, by `perimpact shape hull`, in water of 1025 kg/m3
 TRAVEL = 75.0  # [m]; the whole breadth breaks ice from ASTERN on, for at least ten cusps of the formula
 
 
@@ -46,7 +47,8 @@ def deflection_at_breaking(ship):
     return 2 * load * wavenumber / foundation
 
 
-def deck(number, test):
+def deck(number, test, is_free=False):
+    """The deck of a test; of a ship that is free in surge and heave and driven by the resistance that was measured, where `is_free`."""
     ship = ship_in(test)
     length, spacing = ship.characteristic_length, ship.thickness / LAYERS
     along = 8 * ceil((ASTERN + 2 * length) / spacing / 8)
@@ -56,11 +58,17 @@ def deck(number, test):
     entrained = 2 / pi * 0.32 * length
     dry = max(0.0, deflection_at_breaking(ship) - (ship.thickness - draft))
     step = STEP * spacing / sqrt(ship.young / ship.ice)
+    motion = f"""velocity: [{-ship.speed:g} m/s, 0, 0]                     # prescribed: no degree of freedom is free"""
+    if is_free:
+        motion = f"""velocity: [{-ship.speed:g} m/s, 0, 0]
+    free_dofs: [x, z]
+    floating: {{level: 0, damping: 1}}
+    loads: {{thrust: {{force: [{-test["resistance"]:g} kN, 0, 0]}}}}    # the resistance that was measured at this speed"""
     strength = (1 - ship.poisson**2) * test["flexural strength"]
     return f"""# yaml-language-server: $schema=../../docs/guide/deck.schema.json
 # MT Uikku in level ice, model test {number} of Hu and Zhou (2016) at full scale. Written by decks.py: why each number is what it is, and what was
 # measured, is in README.md of this folder.
-title: MT Uikku, test {number}, {ship.thickness:g} m of ice at {ship.speed:g} m/s
+title: MT Uikku{", free" if is_free else ""}, test {number}, {ship.thickness:g} m of ice at {ship.speed:g} m/s
 
 time: {{end: {TRAVEL / ship.speed:g} s, step: {1e3 * step:.3g} ms}}                 # {TRAVEL:g} m of travel
 
@@ -93,8 +101,8 @@ impactors:
   ship:
     surface: {{hull: {{length: 150 m, breadth: 21.3 m, draft: 9.5 m, freeboard: 6 m, stem_angle: 30 deg, waterline_angle: 21 deg, fullness: 1.4, edge_length: 1.5 m, bow_edge_length: 0.75 m}}}}
     position: [0.25 m, 0, 0]                       # just in front of the upper edge of the ice
-    mass: 21000 t                                  # without effect: no degree of freedom is free
-    velocity: [{-ship.speed:g} m/s, 0, 0]
+    mass: {DISPLACEMENT} t                                  # its displacement
+    {motion}
     contact_bounds: {{auto: {{}}}}
     gauges:
       bow: {{surface_parts: [bow]}}
@@ -106,7 +114,7 @@ contact:
   fragments: {{law: repulsive, friction: 0.1}}
 
 output:
-  folder: results/uikku_ice_{number}
+  folder: results/uikku_ice_{"free" if is_free else number}
   frames: 150                                      # every {TRAVEL / 150:g} m
   frame_fields: [displacement, damage, plastic_strain]
   history_interval: {0.05 / ship.speed:g} s
@@ -119,6 +127,7 @@ def main():
     folder = arguments.parse_args().out
     for number, test in tests().items():
         (folder / name_of(number)).write_text(deck(number, test), encoding="utf-8")
+    (folder / "free.yaml").write_text(deck(302, tests()[302], is_free=True), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Claims about the decks of MT Uikku. Python with numpy; the run is on a coarse, small sheet."""
 
 import math
+import re
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -18,6 +19,7 @@ def written(t):
     t.assertEqual(sorted(tests()), [103, 104, 205, 302, 403])
     for number, test in tests().items():
         t.assertEqual((CASE / name_of(number)).read_text(encoding="utf-8"), deck(number, test), number)
+    t.assertEqual((CASE / "free.yaml").read_text(encoding="utf-8"), deck(302, tests()[302], is_free=True))
 
 
 @claim("uikku_ice: no deck of the case is warned of, and each has the strengths that were measured")
@@ -27,6 +29,12 @@ def checked(t):
         t.assertIn(f"yields            at {1e6 * test['compressive strength']:.4g} Pa in uniaxial compression\n", said.out)
         # a wide sheet carries 1/(1 - ν²) times the strength of the deck, with ν = 1/4 of bond-based peridynamics
         t.assertIn(f"flexural strength {1e3 * test['flexural strength'] * 15 / 16:.4g} Pa with 3 layers\n", said.out)
+
+
+@claim("uikku_ice: the ship that is free floats at its draft, and no warning is given for it")
+def free(t):
+    said = t.expect_no_warning("check", CASE / "free.yaml", "--out", "checked")
+    t.assertAlmostEqual(float(re.search(r"in this attitude it floats at a draft of (\S+) m", said.out)[1]), 9.5, delta=0.01)
 
 
 @claim("uikku_ice: the edge of a floating strip is as deep at breaking as the theory of the strip has it")
