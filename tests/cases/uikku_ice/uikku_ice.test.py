@@ -1,7 +1,8 @@
-"""Claims about the decks of MT Uikku. Python with numpy; the run is on a coarse, small sheet."""
+"""Claims about the decks of MT Uikku. The run is on a coarse, small sheet."""
 
 import math
 import re
+import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -29,6 +30,15 @@ def checked(t):
         t.assertIn(f"yields            at {1e6 * test['compressive strength']:.4g} Pa in uniaxial compression\n", said.out)
         # a wide sheet carries 1/(1 - ν²) times the strength of the deck, with ν = 1/4 of bond-based peridynamics
         t.assertIn(f"flexural strength {1e3 * test['flexural strength'] * 15 / 16:.4g} Pa with 3 layers\n", said.out)
+
+
+@claim("uikku_ice: the page has the formulas that compare.py prints")
+def page(t):
+    cells = lambda text: [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if re.match(r"\| \d+ \| [\d.]+ \|", line)]  # noqa: E731
+    printed = cells(subprocess.run([sys.executable, CASE / "compare.py"], capture_output=True, text=True, check=True).stdout)
+    t.assertEqual(len(printed), 5)
+    run = 7  # its column, which needs results
+    t.assertEqual([row[:run] + row[run + 1 :] for row in cells((CASE / "README.md").read_text(encoding="utf-8"))], [row[:run] + row[run + 1 :] for row in printed])
 
 
 @claim("uikku_ice: the ship that is free floats at its draft, and no warning is given for it")
