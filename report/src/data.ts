@@ -18,6 +18,7 @@ export interface Body {
   undeformed: PackedArray[];
   arrays: PackedArray[];
   pictures: number[]; // indices into times
+  offsets: number[][]; // [m] per picture, of the reference positions; other than zero after a window has moved
 }
 
 export interface Impactor {

@@ -132,7 +132,7 @@ function tell(): void {
   }
   const value = (key: string) => data.values(key, picture, body)[particle];
   const u = ["x", "y", "z"].map((axis) => value(`displacement_${axis}`));
-  const place = u.map((each, axis) => data.undeformed[3 * particle + axis] + each);
+  const place = u.map((each, axis) => data.undeformed[3 * particle + axis] + data.about.offsets[picture][axis] + each);
   const lines = [
     data.about.name,
     `at (${place.map((each) => text(each)).join(", ")}) m`,

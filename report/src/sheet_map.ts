@@ -112,6 +112,7 @@ export class SheetMap {
   private drawSheet({ sheet, canvas, legend, caption }: SheetMap["sheets"][number], width: number): void {
     const { body, axes, counts, cells, middle } = sheet;
     const picture = body.shownAt(this.frame);
+    const lowest = [0, 1].map((k) => sheet.low[k] + body.about.offsets[picture][axes[k]]);
     const damage = body.values("damage", picture, 0);
     const values = new Float32Array(counts[0] * counts[1]);
     const members = new Uint32Array(values.length);
@@ -138,7 +139,7 @@ export class SheetMap {
     const spacing = body.about["spacing [m]"];
     const around = 0.06 * Math.max(...counts) * spacing; // [m] where an impactor is seen before it arrives
     const size = counts.map((count) => count * spacing + 2 * around);
-    const low = sheet.low.map((each) => each - around);
+    const low = lowest.map((each) => each - around);
     const margin = { left: 52, bottom: 38, top: 6, right: 12 };
     const perMetre = Math.min((width - margin.left - margin.right) / size[0], 560 / size[1]);
     const [wide, tall] = [size[0] * perMetre, size[1] * perMetre];
@@ -153,7 +154,7 @@ export class SheetMap {
     const x = (metres: number) => margin.left + (metres - low[0]) * perMetre;
     const y = (metres: number) => margin.top + tall - (metres - low[1]) * perMetre;
     context.imageSmoothingEnabled = false;
-    context.drawImage(cellsOnly, x(sheet.low[0]), y(sheet.low[1]) - counts[1] * spacing * perMetre, counts[0] * spacing * perMetre, counts[1] * spacing * perMetre);
+    context.drawImage(cellsOnly, x(lowest[0]), y(lowest[1]) - counts[1] * spacing * perMetre, counts[0] * spacing * perMetre, counts[1] * spacing * perMetre);
     context.strokeStyle = context.fillStyle = ink;
     context.strokeRect(margin.left, margin.top, wide, tall);
 

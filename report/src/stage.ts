@@ -1,5 +1,6 @@
 // 3-D view: particles as shaded discs, impactors as panels, an orbit camera.
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   Color,
@@ -41,14 +42,14 @@ const colouring = /* glsl */ `
 
 const particleVertex = /* glsl */ `
   attribute float ux, uy, uz, value, written;
-  uniform vec3 low, steps;
+  uniform vec3 low, steps, offset;
   uniform float warp, diameter, pixels;
   varying vec3 colour;
   varying float size;
   ${clipped}
   ${colouring}
   void main() {
-    vec3 x = position + warp * (low + steps * vec3(ux, uy, uz));
+    vec3 x = position + offset + warp * (low + steps * vec3(ux, uy, uz));
     vec4 seen = modelViewMatrix * vec4(x, 1.0);
     gl_Position = isClipped(x) || written < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * seen;
     size = pixels * diameter / -seen.z;
@@ -196,6 +197,7 @@ export class Stage {
         uniforms: {
           low: { value: new Vector3(x.low, y.low, z.low) },
           steps: { value: new Vector3(x.step, y.step, z.step) },
+          offset: { value: new Vector3() },
           warp: { value: 1 },
           diameter: { value: 1.2 * data.about["spacing [m]"] },
           pixels: { value: 1 },
@@ -210,6 +212,8 @@ export class Stage {
     this.bodies.push({ data, points });
     this.scene.add(points);
     this.include(data.undeformed);
+    const { min, max } = new Box3().setFromArray(data.undeformed);
+    for (const offset of data.about.offsets) for (const corner of [min, max]) this.include(new Vector3(...offset).add(corner).toArray());
     this.reach = this.low.distanceTo(this.high);
   }
 
@@ -262,7 +266,7 @@ export class Stage {
   }
 
   /** Extends the bounding box by points; for impactors only by those near the bodies, so that a large ship does not dominate the view. */
-  private include(points: Float32Array): void {
+  private include(points: ArrayLike<number>): void {
     const least = this.low.clone().subScalar(0.3 * this.reach);
     const most = this.high.clone().addScalar(0.3 * this.reach);
     const point = new Vector3();
@@ -293,6 +297,7 @@ export class Stage {
       written.needsUpdate = true;
     }
     const { uniforms } = points.material;
+    uniforms.offset.value.fromArray(data.about.offsets[picture]);
     uniforms.colours.value = this.tables[kind];
     uniforms.isNumber.value = kind === "number";
     uniforms.range.value.set(range.low, range.high);
@@ -450,9 +455,10 @@ export class Stage {
       const descriptions = data.about.arrays;
       const radius = points.material.uniforms.diameter.value / 2;
       const isWritten = data.isWritten(pictures[body]);
+      const offset = data.about.offsets[pictures[body]];
       for (let i = 0; i < data.about.shown; ++i) {
         if (isWritten && !isWritten[i]) continue;
-        const place = [0, 1, 2].map((axis) => data.undeformed[3 * i + axis] + warp * (descriptions[axis].low + descriptions[axis].step * arrays[axis][i]));
+        const place = [0, 1, 2].map((axis) => data.undeformed[3 * i + axis] + offset[axis] + warp * (descriptions[axis].low + descriptions[axis].step * arrays[axis][i]));
         at.set(place[0], place[1], place[2]);
         if (this.plane.x * at.x + this.plane.y * at.y + this.plane.z * at.z > this.plane.w) continue;
         const away = at.distanceTo(this.camera.position);

@@ -44,6 +44,15 @@ output:
     along_y: {body: plate, from: [0, -30 mm, 0], to: [0, 30 mm, 0]}
 """
 
+# the plate is a moving window that follows the cylinder, which deforms it
+MOVES = (
+    ("[100 mm, 60 mm, 20 mm]}}", "[80 mm, 60 mm, 20 mm]}}\n    moving_window: {follow: cylinder, axis: x, start_after: 0 m}"),
+    ("[0, 50 mm, 0]", "[0, 50.5 mm, 0]"),
+    ("[0, -32 m/s, 0]", "[6000 m/s, -100 m/s, 0]"),
+    ("free_dofs: [y]", "free_dofs: []"),
+    ("  probes:\n    centre: {body: plate, at: [0, 0, 0]}\n  lines:\n    along_y: {body: plate, from: [0, -30 mm, 0], to: [0, 30 mm, 0]}\n", ""),
+)
+
 
 def claim(sentence):
     def add(function):

@@ -5,7 +5,7 @@ import os
 import resource
 import shutil
 
-from claims import claim, main, table
+from claims import MOVES, claim, main, table
 from reports import ReportFile, read_pictures
 
 # two bodies, one of which breaks to fragments, and an impactor that turns freely
@@ -26,7 +26,8 @@ def expect_frames(t, report, folder, name, kept=None):
     body, places, pictures = report.body(name)
     half = {array["name"]: half_step(array) for array in body["arrays"]}
     t.assertEqual(len(pictures), len(body["pictures"]))
-    for number, picture in zip(body["pictures"], pictures):
+    t.assertEqual(len(pictures), len(body["offsets"]))
+    for number, picture, offset in zip(body["pictures"], pictures, body["offsets"]):
         file = folder / f"frames/{name}_{t.file_numbers[report.times[number]]:05}.vtp"
         arrays = read_pictures(file)
         particles = range(len(arrays["points"])) if kept is None else kept
@@ -35,9 +36,10 @@ def expect_frames(t, report, folder, name, kept=None):
             u, v = arrays["displacement"][particle], arrays["velocity"][particle]
             for axis in range(3):
                 t.assertLessEqual(abs(picture[f"displacement_{'xyz'[axis]}"][shown] - u[axis]), half[f"displacement_{'xyz'[axis]}"])
-                x = places[axis][shown] + picture[f"displacement_{'xyz'[axis]}"][shown]
-                # files contain positions as floats, and the undeformed position is a difference
-                bound = half_step(body["undeformed"][axis], half[f"displacement_{'xyz'[axis]}"] + 2 * FLOAT * abs(arrays["points"][particle][axis]))
+                x = places[axis][shown] + offset[axis] + picture[f"displacement_{'xyz'[axis]}"][shown]
+                # files contain positions as floats; the undeformed position is a difference, and the offset is one of two of these
+                rounding = FLOAT * (2 * abs(arrays["points"][particle][axis]) + 4 * abs(offset[axis]))
+                bound = half_step(body["undeformed"][axis], half[f"displacement_{'xyz'[axis]}"] + rounding)
                 t.assertLessEqual(abs(x - arrays["points"][particle][axis]), bound)
             t.assertLessEqual(abs(picture["speed"][shown] - math.hypot(*v)), half["speed"])
             t.assertLessEqual(abs(picture["damage"][shown] - arrays["damage"][particle][0]), half["damage"])
@@ -72,6 +74,22 @@ def _(t):
         for array in [*body["undeformed"], *body["arrays"]]:
             if array["unit"]:  # 16 bits of the range
                 t.assertLessEqual(array["bytes"], 2)
+
+
+@claim("report: a body with a moving window is where its files have it, in every frame, and its displacements are those of its particles")
+def _(t):
+    t.expect_success("run", t.deck(*MOVES), "--out", "r", "--no-report")
+    report = report_of(t, "r")
+    expect_frames(t, report, t.folder / "r", "plate")
+    offsets = report.body("plate")[0]["offsets"]
+    travels = table(t.folder / "r/history.csv")
+    wanted = dict(zip(travels["time [s]"], travels["plate.window_travel [m]"]))
+    for time, offset in zip(report.times, offsets):
+        row = min(row for row in wanted if row >= time * (1 - 1e-9))  # windows move after rows: until the next row nothing changes
+        t.assertLess(abs(offset[0] - wanted[row]), 1e-6 * 0.2, "floats of coordinates up to 0.2 m")
+        t.assertEqual(offset[1:], [0, 0])
+    t.assertEqual(offsets[0], [0, 0, 0])
+    t.assertEqual({round(offset[0] / 0.04) for offset in offsets}, {0, 1, 2}, "eight cells of 5 mm a move")
 
 
 @claim("report: impactors are at the positions of their files, to single precision, with the loads on their panels")

@@ -2,7 +2,7 @@
 
 import unittest
 
-from claims import claim, main
+from claims import MOVES, claim, main
 from folders import contents
 from reports import ReportFile
 
@@ -223,6 +223,15 @@ def _(t):
     refused("frame_particles: {boxes: {a: {lower: [0, 0, 0], upper: [1, 0, 1]}}}", "upper is 0 m along y, but lower is 0 m, so the box a is empty", at=58)
     refused("frame_particles: {boxes: {a: {lower: [1, 1, 1], upper: [2, 2, 2]}}}", "box a contains no particle of any body", at=29)
     refused("frame_particles: {stride: 1}", "stride is 1", at=29)
+
+
+@claim("thinned frames: of a body with a moving window they are refused, as are frames without its displacement")
+def _(t):
+    deck = t.deck(*MOVES)
+    t.expect_complaint(t.run_program("run", deck, *output(frame_particles="{stride: 2}")), 2, "--set output.frame_particles: frame_particles is given, but the particles of plate change with its moving window")
+    t.expect_complaint(t.run_program("run", deck, *output(frame_fields="[damage]")), 2, "--set output.frame_fields: frame_fields lacks displacement, but plate has a moving window")
+    t.assertEqual(t.files("results"), [])
+    t.expect_success("run", deck, *output(frame_fields="[displacement]"))
 
 
 main()

@@ -37,16 +37,20 @@ void check_box(const FrameBoxSetup& box, const std::string& path, const Places& 
 void check_frames(const Setup& setup, const Places& places) {
   const OutputSetup& output = setup.output;
   check_fields(output.frame_fields, places.of("output.frame_fields"));
+  const auto window = std::find_if(setup.bodies.begin(), setup.bodies.end(), [](const BodySetup& body) { return body.moving_window.has_value(); });
+  if (window != setup.bodies.end() && std::find(output.frame_fields.begin(), output.frame_fields.end(), "displacement") == output.frame_fields.end())
+    refuse(places.of("output.frame_fields"),
+           fmt::format("frame_fields lacks displacement, but {} has a moving window, so that displacements do not follow from positions; add displacement.",
+                       window->name));
   if (!output.frame_particles) return;
   const std::string path = "output.frame_particles";
   const FrameParticlesSetup& particles = *output.frame_particles;
   if (!particles.has_criterion() && particles.boxes.empty())
     refuse(places.of(path),
            "frame_particles gives no selection; set surface, stride, damage_above, detached or boxes, or remove frame_particles to write all particles.");
-  for (const BodySetup& body : setup.bodies)
-    if (body.moving_window)
-      refuse(places.of(path),
-             fmt::format("frame_particles is given, but the particles of {} change with its moving window; remove one of the two.", body.name));
+  if (window != setup.bodies.end())
+    refuse(places.of(path),
+           fmt::format("frame_particles is given, but the particles of {} change with its moving window; remove one of the two.", window->name));
   for (const FrameBoxSetup& box : particles.boxes) check_box(box, path + ".boxes." + box.name, places);
 }
 

@@ -35,10 +35,11 @@ struct BodyFrames {
   std::vector<output::FrameFile> frames;   ///< readable frames
   std::set<std::string> fields;            ///< of the frames, by their names there
   std::vector<fccda::Vec3d> undeformed;    ///< reference positions of all particles that are in a frame [m]
+  std::vector<fccda::Vec3d> offsets;       ///< [m] per frame, of its reference positions from `undeformed`; zero without a moving window
   Range place[3], displacement[3], speed;  ///< over all frames [m] [m] [m/s]
   std::uint32_t highest_fragment = 0;
   Range plastic_strain;                                     ///< [-] over all frames
-  std::vector<bool> is_damaged;                             ///< in their last frame
+  std::vector<bool> is_damaged;                             ///< in any frame
   std::unordered_map<std::int32_t, std::uint32_t> indices;  ///< of thinned frames: the index in `undeformed` by the number of the particle in its body
   bool varies = false;                                      ///< not all particles are in all frames
 

@@ -89,6 +89,7 @@ class PackedBody {
     if (body.varies) arrays_.push_back(whole_numbers("is_written", 1));
     for (const PackedArray& array : arrays_) description_["arrays"].push_back(array.description());
     description_["pictures"] = Json::array();
+    description_["offsets"] = Json::array();
   }
 
   void add(std::size_t number, std::size_t time_number, PackedFrames& out) {
@@ -108,6 +109,9 @@ class PackedBody {
     for (const std::string_view field : {"velocity", "damage", "plastic_strain", "fragment"}) pack_field(field);
     if (body_.varies) pack([](std::uint32_t, std::uint32_t) { return 1.0; });
     description_["pictures"].push_back(time_number);
+    Json offset = Json::array();
+    for (std::size_t axis = 0; axis < 3; ++axis) offset.push_back(body_.offsets[number][axis]);
+    description_["offsets"].push_back(std::move(offset));
     add_blob(out, fmt::format("{}_{}", id_, time_number), bytes);
   }
 

@@ -69,6 +69,13 @@ void add_new_particles(BodyFrames& body, const frames::Frame& frame) {
   body.is_damaged.resize(body.undeformed.size(), false);
 }
 
+/// A moving window moves its lattice by whole spacings, so any particle has the offset of all.
+Vec3d offset_of(const BodyFrames& body, const frames::Frame& frame) {
+  const frames::FrameArray* u = frame.find("displacement");
+  if (u == nullptr || body.is_thinned() || frame.points.empty()) return {};
+  return frame.points.front() - Vec3d{u->numbers[0], u->numbers[1], u->numbers[2]} - body.undeformed.front();
+}
+
 void add_particles(BodyFrames& body, const frames::Frame& frame, const output::FrameFile& entry) {
   const std::set<std::string> fields = fields_of(frame, entry);
   expect_same_run(body, fields, frame.points.size(), entry);
@@ -85,10 +92,11 @@ void add_particles(BodyFrames& body, const frames::Frame& frame, const output::F
     const Vec3d u = body.displacement_in(frame, i, row);
     for (std::size_t axis = 0; axis < 3; ++axis) body.displacement[axis].include(u[axis]);
     if (velocity) body.speed.include(velocity->scalar(row));
-    if (damage) body.is_damaged[i] = damage->numbers[row] > 0;
+    if (damage && damage->numbers[row] > 0) body.is_damaged[i] = true;
     if (plastic_strain) body.plastic_strain.include(plastic_strain->numbers[row]);
     if (fragment) body.highest_fragment = std::max(body.highest_fragment, static_cast<std::uint32_t>(std::max(0.0, fragment->numbers[row])));
   }
+  body.offsets.push_back(offset_of(body, frame));
   body.frames.push_back(entry);
 }
 
@@ -142,7 +150,13 @@ void scan_series(const std::filesystem::path& list, Frames& frames, std::vector<
     } catch (const InputError& error) {
       notes.emplace_back(error.what());
     }
-  if (!body.frames.empty()) body.spacing = default_distance(body.undeformed), frames.bodies.push_back(std::move(body));
+  if (!body.frames.empty()) {
+    body.spacing = default_distance(body.undeformed);
+    for (Vec3d& offset : body.offsets)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (std::abs(offset[axis]) < body.spacing / 2) offset[axis] = 0;  // rounding
+    frames.bodies.push_back(std::move(body));
+  }
   if (!impactor.frames.empty()) frames.impactors.push_back(std::move(impactor));
 }
 

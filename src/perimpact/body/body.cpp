@@ -22,15 +22,28 @@ Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
 
 int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
+/// Share of this rank in the lattice of a body. The water under a floating body acts on columns of its lattice.
+Share share_of(const BodySetup& setup, const Lattice& lattice, int reach, Ranks& ranks) {
+  const bool floats = std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
+  try {
+    return Share(ranks, lattice, reach, floats);
+  } catch (const fccda::InputError& error) {
+    throw SetupError("bodies." + setup.name, fmt::format("body {}: {}.", setup.name, error.what()));
+  }
+}
+
 /// One particle in each cell of the lattice whose centre is inside the solid.
-Particles filled(const BodySetup& setup, const BodySolid& solid) {
-  const Lattice lattice = lattice_that_fills(setup, solid);
+Particles filled(const BodySetup& setup, const BodySolid& solid, Ranks& ranks) {
+  Lattice lattice = lattice_that_fills(setup, solid);
+  const int reach = stencil_of(setup, lattice).reach();
+  Share share = share_of(setup, lattice, reach, ranks);
+  if (!share.is_whole()) lattice = share.lattice();
   const std::vector<std::uint8_t> inside = cells_inside(lattice, solid);
-  if (std::find(inside.begin(), inside.end(), 1) == inside.end())
+  if (!ranks.any(std::find(inside.begin(), inside.end(), 1) != inside.end()))
     throw SetupError("bodies." + setup.name + ".spacing",
                      fmt::format("no particle of a lattice of {} m is inside body {}; take a smaller spacing, or check the units of its shape and holes.",
                                  lattice.spacing, setup.name));
-  return Particles(lattice, stencil_of(setup, lattice).reach(), setup.elastic().density, inside);
+  return Particles(lattice, reach, setup.elastic().density, inside, std::move(share));
 }
 
 Influences influences_of(const BodySetup& setup) {
@@ -119,9 +132,9 @@ IsotropicElastic elastic_of(const BodySetup& setup) {
   return IsotropicElastic::in(plane, *modulus, std::visit([&](const auto& material) { return material.poissons_ratio_in(plane); }, setup.material));
 }
 
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation) {
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks) {
   const auto* cloud = std::get_if<Cloud>(&discretisation);
-  Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation));
+  Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation), ranks);
   for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
   return particles;
 }

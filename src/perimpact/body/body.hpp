@@ -48,9 +48,9 @@ struct Body {
   }
 };
 
-/// Particles that fill the solid, or those of the cloud, with their initial velocities. Throws SetupError if there are none, or more than can be
-/// indexed.
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation);
+/// Particles that fill the solid, or those of the cloud, with their initial velocities; the share of this rank. Throws SetupError if there are none, or more
+/// than can be indexed.
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone());
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 
 /// Elastic constants of its material, 3-D or 2-D.

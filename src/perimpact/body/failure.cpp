@@ -59,10 +59,11 @@ BreakingRule breaking_rule(const std::optional<FailureSetup>& setup, const Failu
 
 std::vector<double> strength_of(const std::optional<FailureSetup>& setup, const Particles& particles, const std::vector<std::size_t>& never) {
   const std::optional<double> modulus = setup ? setup->weibull_modulus : std::nullopt;
-  if (!modulus && never.empty()) return {};
+  if (!modulus && !particles.share().ranks().any(!never.empty())) return {};
   std::vector<double> strength(particles.slots(), 1.0);
   if (modulus)
-    for (const std::uint32_t slot : particles.slot_of()) strength[slot] = weibull_factor(*modulus, static_cast<std::uint64_t>(setup->seed.value_or(1)), slot);
+    for (const std::uint32_t slot : particles.slot_of())
+      strength[slot] = weibull_factor(*modulus, static_cast<std::uint64_t>(setup->seed.value_or(1)), particles.share().whole_slot(slot));
   for (const std::size_t slot : never) strength[slot] = unbreakable;
   return strength;
 }

@@ -26,7 +26,7 @@ Crack crack_of(const CrackSetup& setup, const BodySetup& body, const Particles& 
       throw fccda::InputError(
           fmt::format("the crack has {} corners, but a crack in a plane body is a line of two points, a cut through the thickness.", corners.size()));
     // at any z, it cuts the single layer
-    const double z = particles.reference(particles.slot_of().front()).z;
+    const double z = particles.reference(0).z;
     return Crack::through_thickness({corners[0].x, corners[0].y, z}, {corners[1].x, corners[1].y, z}, tolerance);
   } catch (const fccda::InputError& error) {
     throw SetupError(key_of(setup, body), error.what());
@@ -47,11 +47,12 @@ std::vector<CrackCut> cut_first_cracks(const BodySetup& body, const Particles& p
   // only particles within the reach of a bond across a crack are tested in detail
   const double reach = family.horizon() + particles.spacing();
   std::vector<std::uint8_t> is_near(particles.slots(), 0);
-  for (const std::uint32_t slot : particles.slot_of()) {
+  for (std::size_t slot = 0; slot < particles.slots(); ++slot) {
+    if (!particles.is_occupied(slot)) continue;
     const Vec3d X = particles.reference(slot);
     for (std::size_t c = 0; c < cracks.size(); ++c) {
       if (cracks[c].may_reach(X, reach)) is_near[slot] = 1;
-      if (cracks[c].contains(X)) ++cuts[c].in_plane;
+      if (particles.owns(slot) && cracks[c].contains(X)) ++cuts[c].in_plane;
     }
   }
   family.cut([&](std::size_t i, std::size_t j) {
@@ -62,7 +63,9 @@ std::vector<CrackCut> cut_first_cracks(const BodySetup& body, const Particles& p
     return false;
   });
   for (std::size_t c = 0; c < cuts.size(); ++c) {
-    cuts[c].bonds /= 2;  // each was counted at both ends
+    Ranks& ranks = particles.share().ranks();
+    cuts[c].bonds = static_cast<std::size_t>(ranks.sum(static_cast<std::int64_t>(cuts[c].bonds))) / 2;  // each was counted at both ends
+    cuts[c].in_plane = static_cast<std::size_t>(ranks.sum(static_cast<std::int64_t>(cuts[c].in_plane)));
     if (cuts[c].bonds == 0)
       throw SetupError(
           key_of(body.cracks[c], body),

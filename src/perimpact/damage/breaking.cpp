@@ -15,6 +15,7 @@ Breaking::Breaking(const BreakingRule& rule, const std::vector<double>& strength
   if (!strength.empty() || rule.compression) {
     half_strength_ = ScalarArray(particles.slots(), particles.slack(), 0.5);
     for (std::size_t slot = 0; slot < strength.size(); ++slot) half_strength_.component(0)[slot] = 0.5 * strength[slot];
+    particles.share().refresh({half_strength_.component(0)});
   }
   if (rule.hardening == 0) return;
   pressed_half_strength_ = half_strength_.slots() != 0 ? half_strength_ : ScalarArray(particles.slots(), particles.slack(), 0.5);
@@ -38,6 +39,14 @@ Pack least_stretch(const Bonds& bonds, const Lengths& lengths, const std::array<
 }
 
 }  // namespace
+
+void Breaking::pass_requests(const Share& share) {
+  std::vector<std::uint8_t> of_slots(is_asked_.size() * fccda::byte_lanes, no);
+  share.for_each_ghost([&](std::size_t slot) { of_slots[slot] = is_asked_[slot / fccda::byte_lanes]; });
+  share.collect_flags(of_slots.data());
+  for (std::size_t slot = 0; slot < of_slots.size(); ++slot)
+    if (of_slots[slot] != no) is_asked_[slot / fccda::byte_lanes] = yes;
+}
 
 template <class Pack>
 void Breaking::find_pressed_strength(const Particles& particles, Family& family) {

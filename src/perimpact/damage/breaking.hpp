@@ -160,6 +160,9 @@ class Breaking {
     });
   }
 
+  /// Requests the strength of ghosts from their owners.
+  void pass_requests(const Share& share);
+
   /// Computes the strength of the requested particles at their current positions.
   template <class Pack>
   void find_pressed_strength(const Particles& particles, Family& family);
@@ -196,7 +199,9 @@ void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Fam
       if (options.with_energy) rows.energy[row] = energy;
     });
   });
-  if (!hardens || std::find(row_has_postponed_.begin(), row_has_postponed_.end(), yes) == row_has_postponed_.end()) return;
+  if (!hardens) return;
+  const bool has_postponed = std::find(row_has_postponed_.begin(), row_has_postponed_.end(), yes) != row_has_postponed_.end();
+  if (!particles.share().ranks().any(has_postponed)) return;
 
   choose<Bonds>(family, true, [&](const auto& breaker) {
     using Breaker = std::decay_t<decltype(breaker)>;
@@ -214,7 +219,9 @@ void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Fam
         if (beyond == 0) postponed_[slot / fccda::lanes<Pack>] = needlessly;
       });
   });
+  if (!particles.share().is_whole()) pass_requests(particles.share());
   find_pressed_strength<Pack>(particles, family);
+  particles.share().refresh({pressed_half_strength_.component(0)});
   choose_by_strength<Bonds>(family, pressed_half_strength_, [&](const auto& breaker) {
     for_each_postponed<Pack>(particles, [&](std::size_t row, std::size_t slot) {
       const double of_pack = per_pack(row, slot, breaker.with({&rows.broken_ends[row]}));

@@ -142,7 +142,8 @@ std::size_t particles_behind(const Impactor& impactor, const Particles& particle
       behind[static_cast<std::size_t>(k)] += dot(place - closest->point, surface.pseudonormal(triangle, closest->feature)) < 0;
     }
   });
-  return std::accumulate(behind.begin(), behind.end(), std::size_t{0});
+  const auto own = std::accumulate(behind.begin(), behind.end(), std::int64_t{0});
+  return static_cast<std::size_t>(particles.share().ranks().sum(own));
 }
 
 Diagnosis starts_behind(const Impactor& impactor, const Target& target, const Particles& particles) {
@@ -151,7 +152,7 @@ Diagnosis starts_behind(const Impactor& impactor, const Target& target, const Pa
   return fmt::format(
       "{} of the {} particles of body {} start behind the open surface of impactor {}, on the side opposite to its normals, and have no contact with it. If "
       "they should be outside, set orientation: normals or reversed; if the surface represents a solid, close it.",
-      behind, particles.size(), target.name, impactor.name());
+      behind, particles.size_of_body(), target.name, impactor.name());
 }
 
 std::vector<KindAndSentence> diagnose(const Impactor& impactor, const Target& target, double dt) {

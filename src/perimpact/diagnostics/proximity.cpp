@@ -28,7 +28,8 @@ double nearest_distance(const fccda::Bvh& tree, const fccda::Pose& pose, const P
         guess = closest->triangle;
       }
   });
-  return nearest.empty() ? cap : *std::min_element(nearest.begin(), nearest.end());
+  const double own = nearest.empty() ? cap : *std::min_element(nearest.begin(), nearest.end());
+  return particles.share().ranks().min(own);
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ void ProximityMonitor::sample(std::span<const Body> bodies, std::span<const Impa
     bool all_were_in_contact = true;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       Proximity& proximity = of_impactor_[i][b];
-      if (!proximity.entered_by && impactor.entered_inside(b) > 0) proximity.entered_by = time;
+      if (bodies[b].particles.share().ranks().any(impactor.entered_inside(b) > 0) && !proximity.entered_by) proximity.entered_by = time;
       if (impactor.record().was_in_contact(b)) continue;
       all_were_in_contact = false;
       if (!trees_[i]) trees_[i] = std::make_unique<fccda::Bvh>(impactor.surface());
@@ -68,7 +69,8 @@ std::vector<std::string> ProximityMonitor::warnings(std::span<const Body> bodies
         warnings.add(
             "entered", pair,
             fmt::format("{} particles of body {} penetrated impactor {} outside the contact bounds, the first by t = {:.4g} s, and had no contact. {}",
-                        impactors[i].entered_inside(b), body, impactor, *proximity.entered_by,
+                        bodies[b].particles.share().ranks().sum(static_cast<std::int64_t>(impactors[i].entered_inside(b))), body, impactor,
+                        *proximity.entered_by,
                         impactors[i].surface().is_closed() ? fmt::format("Enlarge impactors.{}.contact_bounds.", impactor)
                                                            : fmt::format("They passed the boundary edge of its open surface, or impactors.{}.contact_bounds; "
                                                                          "extend them, or, if its normals point to the wrong side, set orientation.",

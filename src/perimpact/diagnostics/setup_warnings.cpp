@@ -20,7 +20,7 @@ void warn_of_thin_bodies(std::span<const Body> bodies, GroupedSentences& warning
   constexpr int enough = 4;
   for (const Body& body : bodies) {
     if (!body.particles.lattice() || body.bending) continue;  // calibrated in bending
-    const auto& cells = body.particles.lattice()->cells;
+    const auto& cells = body.particles.whole_lattice()->cells;
     const int thinnest = *std::min_element(cells.begin(), cells.end() - (body.particles.is_plane() ? 1 : 0));
     if (thinnest < enough)
       warnings.add(
@@ -56,6 +56,7 @@ void warn_of_mass(const std::string& body, const std::optional<FilledMass>& mass
 void warn_of_loose_particles(const Body& body, GroupedSentences& warnings) {
   std::size_t loose = 0;
   for (const std::uint32_t slot : body.particles.slot_of()) loose += body.family.initial_volume(slot) > 0 ? 0 : 1;
+  loose = static_cast<std::size_t>(body.particles.share().ranks().sum(static_cast<std::int64_t>(loose)));
   if (loose > 0)
     warnings.add(
         "loose", body.name,

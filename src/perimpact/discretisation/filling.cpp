@@ -55,7 +55,8 @@ Lattice lattice_that_fills(const BodySetup& body, const BodySolid& solid) {
 namespace {
 
 void mark_row(const Lattice& lattice, const BodySolid& solid, std::size_t first_slot, std::span<std::uint8_t> inside) {
-  solid.mark({lattice.centre(first_slot), lattice.spacing, lattice.cells[0]}, surface_share * lattice.spacing, inside);
+  const Vec3d centre = lattice.centre(first_slot);
+  solid.mark({{lattice.origin.x, centre.y, centre.z}, lattice.spacing, lattice.cells[0], lattice.first[0]}, surface_share * lattice.spacing, inside);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::vector<std::size_t> slots_in(std::string_view region, const BodySetup& body
   std::vector<std::size_t> in;
   for (std::size_t k = 0; k < slots.size(); ++k)
     if (inside[k] != 0) in.push_back(slots[k]);
-  if (in.empty())
+  if (!particles.share().ranks().any(!in.empty()))
     throw SetupError(key_of_region, fmt::format("particle set {} of body {} contains no particle; its position is relative to the body's position, in metres: "
                                                 "move it, or make it larger than a spacing of {:.3g} m.",
                                                 region, body.name, particles.spacing()));

@@ -8,11 +8,12 @@ namespace perimpact {
 using fccda::Vec3d;
 
 struct Row {
-  Vec3d first{};       ///< [m]
+  Vec3d first{};       ///< [m] point -begin, of the row of an undivided lattice
   double spacing = 0;  ///< [m]
   int count = 1;
+  int begin = 0;
 
-  double x(int i) const { return first.x + i * spacing; }
+  double x(int i) const { return first.x + (begin + i) * spacing; }
   Vec3d point(int i) const { return {x(i), first.y, first.z}; }
 };
 

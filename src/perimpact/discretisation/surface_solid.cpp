@@ -69,10 +69,10 @@ void SurfaceSolid::mark(const Row& row, double margin, std::span<std::uint8_t> i
   const Box bounds = this->bounds();
   const double y = row.first.y, z = row.first.z;
   if (y < bounds.low.y - margin || y > bounds.high.y + margin || z < bounds.low.z - margin || z > bounds.high.z + margin) return;
-  if (row.first.x > bounds.high.x + margin || row.x(row.count - 1) < bounds.low.x - margin) return;
+  if (row.x(0) > bounds.high.x + margin || row.x(row.count - 1) < bounds.low.x - margin) return;
 
   const auto number_at = [&](double x) {  // number of the first point not before x
-    const double number = row.count > 1 ? std::ceil((x - row.first.x) / row.spacing) : (x > row.first.x ? 1 : 0);
+    const double number = row.count > 1 ? std::ceil((x - row.first.x) / row.spacing) - row.begin : (x > row.x(0) ? 1 : 0);
     return static_cast<int>(std::clamp(number, 0.0, static_cast<double>(row.count)));
   };
   const RayCrossing crosses(surface_->vertices(), surface_->triangles());

@@ -36,7 +36,7 @@ Family::Family(Stencil stencil, const Particles& particles) : geometry_(std::mov
     const std::array<int, 3> cell = lattice.cell(row * lattice.row_slots());
     for (std::size_t e = 0; e < eights; ++e) {
       const unsigned own = particles.occupied(row * eights + e);
-      if (own == 0) continue;
+      if (own == 0 || !particles.is_owned_eight(row * eights + e)) continue;
       std::uint8_t* of_eight = bytes(row * eights + e);
       for (std::size_t b = 0; b < bonds.size(); ++b) {
         const StencilBond& bond = bonds[b];
@@ -49,6 +49,7 @@ Family::Family(Stencil stencil, const Particles& particles) : geometry_(std::mov
     }
   });
   sum_initial_volumes();
+  initial_bonds_ = intact_bonds(particles.share());
 }
 
 Family::Family(BondList list, const Particles& particles) : geometry_(std::move(list)), volumes_of_(particles.slots() / byte_lanes, 0) {
@@ -56,6 +57,7 @@ Family::Family(BondList list, const Particles& particles) : geometry_(std::move(
   reference_.reserve(particles.slots());
   for (std::size_t slot = 0; slot < particles.slots(); ++slot) reference_.push_back(particles.reference(slot));
   sum_initial_volumes();
+  initial_bonds_ = intact_bonds(particles.share());
 }
 
 void Family::sum_initial_volumes() {
@@ -76,13 +78,14 @@ void Family::sum_initial_volumes() {
     if (volumes_of_[eight] <= empty) return;
     for (std::size_t lane = 0; lane < byte_lanes; ++lane) initial_volumes_[volumes_of_[eight] * byte_lanes + lane] = intact_volume(eight * byte_lanes + lane);
   });
-  initial_bonds_ = intact_bonds();
 }
 
-std::size_t Family::intact_bonds() const {
+std::size_t Family::intact_bonds(const Share& share) const { return static_cast<std::size_t>(share.ranks().sum(static_cast<std::int64_t>(intact_ends()))) / 2; }
+
+std::size_t Family::intact_ends() const {
   std::size_t ends = 0;
   for (const std::uint8_t byte : bits_) ends += static_cast<std::size_t>(std::popcount(byte));
-  return ends / 2;
+  return ends;
 }
 
 double Family::intact_volume(std::size_t slot) const {

@@ -1,7 +1,7 @@
 /// Families of a body: the bonds of its particles, one bit per bond, stored at both ends and always equal there.
 ///
 /// The bits of one bond of eight neighbouring slots form a byte, which is the mask of a pack in the kernel. On a lattice all particles share
-/// one stencil and neighbours are not stored; for a point cloud the geometry is a bond list.
+/// one stencil and neighbours are not stored; for a point cloud the geometry is a bond list. Ghosts of other ranks have no bonds of their own.
 #pragma once
 
 #include <cstdint>
@@ -65,6 +65,20 @@ class Family {
     }
   }
 
+  /// Calls visit(i, row) for each owned particle i whose bond to this ghost is bit i % 8 of the byte `row` of its eight, whether it is intact or not.
+  /// Requires a stencil.
+  template <class Visit>
+  void for_each_end_at_ghost(std::size_t ghost, const Particles& particles, const Visit& visit) const {
+    const Lattice& lattice = *particles.lattice();
+    const std::vector<StencilBond>& bonds = stencil()->bonds();
+    const std::array<int, 3> cell = lattice.cell(ghost);
+    for (std::size_t row = 0; row < bonds.size(); ++row) {  // from the other end: its offset is the opposite
+      const int i = cell[0] - bonds[row].di, j = cell[1] - bonds[row].dj, k = cell[2] - bonds[row].dk;
+      if (!lattice.contains(i, j, k)) continue;
+      if (const std::size_t slot = lattice.slot(i, j, k); particles.owns(slot)) visit(slot, row);
+    }
+  }
+
   /// Breaks the bonds for which is_cut(i, j): they count as damage, and corrections remain unchanged. Returns their number.
   template <class IsCut>
   std::size_t cut(const IsCut& is_cut) {
@@ -83,8 +97,9 @@ class Family {
     return ends / 2;
   }
 
-  std::size_t initial_bonds() const { return initial_bonds_; }  ///< each counted once
-  std::size_t intact_bonds() const;                             ///< each counted once
+  std::size_t initial_bonds() const { return initial_bonds_; }  ///< of the body, each counted once
+  /// Each counted once; with the share of its particles, of the whole body (collective).
+  std::size_t intact_bonds(const Share& share = Share()) const;
 
   /// [m³] Σ v V over the initial family.
   double initial_volume(std::size_t slot) const {
@@ -110,6 +125,7 @@ class Family {
     const auto j = static_cast<std::size_t>(list.neighbour[entry]);
     return {entry, j, (reference_[j] - reference_[slot]) / list.length[entry], list.length[entry], list.volume[entry]};
   }
+  std::size_t intact_ends() const;  // of intact bonds at owned particles
   void sum_initial_volumes();
 
   std::variant<Stencil, BondList> geometry_;

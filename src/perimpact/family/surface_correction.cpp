@@ -154,6 +154,15 @@ Marks incomplete(const Family& family, const Particles& particles) {
         for (std::size_t lane = 0; lane < byte_lanes; ++lane)
           marks[eight * byte_lanes + lane] = particles.is_occupied(eight * byte_lanes + lane) && !(family.stencil() && bonds[lane] == family.stencil()->size());
       });
+  particles.share().refresh({marks.data()});
+  return marks;
+}
+
+/// Owned particles that are marked or have a marked neighbour; ghosts as their owners mark them.
+Marks with_neighbours_of_share(const Marks& marked, const Family& family, const Particles& particles) {
+  Marks marks = marked;
+  for_each_particle(particles, [&](std::size_t slot) { family.for_each_bond(slot, [&](const FamilyBond& bond) { marks[slot] |= marked[bond.j]; }); });
+  particles.share().refresh({marks.data()});
   return marks;
 }
 
@@ -161,6 +170,7 @@ Marks incomplete(const Family& family, const Particles& particles) {
 Marks with_neighbours(const Marks& marked, const Family& family, const Particles& particles) {
   Marks marks = marked;
   if (!family.stencil()) return marks;  // all are marked
+  if (!particles.share().is_whole()) return with_neighbours_of_share(marked, family, particles);
   for_each_eight(
       particles, [&](std::size_t eight) { return any_of_eight(marked, eight); },
       [&](std::size_t eight) {
@@ -193,7 +203,8 @@ CorrectionFactors::CorrectionFactors(CorrectionKind kind, const CorrectionBasis&
   const Marks affected = with_neighbours(changed, family, particles);
   for (std::size_t slot = 0; slot < affected.size(); ++slot)
     if (affected[slot]) table_of_[slot / fccda::byte_lanes] = no_table;
-  if (family.stencil() && kind != CorrectionKind::family) gather_tables(family);  // the factor of a family is squared in the dilatation and not a bond factor
+  if (family.stencil() && kind != CorrectionKind::family)
+    gather_tables(family, particles);  // the factor of a family is squared in the dilatation and not a bond factor
 }
 
 void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Family& family, const Particles& particles,
@@ -229,10 +240,33 @@ void CorrectionFactors::balance_energy(const CorrectionBasis& basis, const Famil
         if (basis.dilatation_weight) dilatation_.set(slot, times(dilatation_.at(slot), ratios(whole_dilatation, sums.dilatation(lane), axes)));
       }
     });
+    particles.share().refresh({stretch_.component(0), stretch_.component(1), stretch_.component(2)});
+    if (basis.dilatation_weight) particles.share().refresh({dilatation_.component(0), dilatation_.component(1), dilatation_.component(2)});
   }
 }
 
-void CorrectionFactors::gather_tables(const Family& family) {
+namespace {
+
+/// How often each hash other than 0 occurs on all ranks.
+std::unordered_map<std::uint64_t, int> count(std::span<const std::uint64_t> hashes, Ranks& ranks) {
+  struct Counted {
+    std::uint64_t hash;
+    std::int64_t count;
+  };
+  std::unordered_map<std::uint64_t, int> counts;
+  for (const std::uint64_t hash : hashes)
+    if (hash != 0) ++counts[hash];
+  if (ranks.size() == 1) return counts;
+  std::vector<Counted> own;
+  for (const auto& [hash, number] : counts) own.push_back({hash, number});
+  counts.clear();
+  for (const Counted& counted : ranks.join_all(std::span<const Counted>(own))) counts[counted.hash] += static_cast<int>(counted.count);
+  return counts;
+}
+
+}  // namespace
+
+void CorrectionFactors::gather_tables(const Family& family, const Particles& particles) {
   constexpr int fewest = 4;  // packs per table; fewer cost more memory than they save
   std::vector<Vec3d> weights;
   for (const StencilBond& bond : family.stencil()->bonds()) weights.push_back(interpolation_weights(bond.direction));
@@ -263,17 +297,15 @@ void CorrectionFactors::gather_tables(const Family& family) {
   std::vector<std::uint64_t> hashes(table_of_.size(), 0);  // 0: not shared
   fccda::parallel_for(eights, [&](std::ptrdiff_t e) {
     const auto eight = static_cast<std::size_t>(e);
-    if (table_of_[eight] != no_table) return;
+    if (table_of_[eight] != no_table || !particles.is_owned_eight(eight)) return;
     const std::vector<BondFactors> factors = first_factors(eight);
     if (agree(eight, factors))
       hashes[eight] = std::hash<std::string_view>{}({reinterpret_cast<const char*>(factors.data()), factors.size() * sizeof(BondFactors)}) | 1;
   });
-  std::unordered_map<std::uint64_t, int> packs;
-  for (const std::uint64_t hash : hashes)
-    if (hash != 0) ++packs[hash];
+  const std::unordered_map<std::uint64_t, int> packs = count(hashes, particles.share().ranks());  // of the whole body, as the choice affects rounding
   std::unordered_map<std::uint64_t, std::int32_t> table_of_hash;
   for (std::size_t eight = 0; eight < hashes.size(); ++eight)
-    if (hashes[eight] != 0 && packs[hashes[eight]] >= fewest && table_of_hash.emplace(hashes[eight], static_cast<std::int32_t>(tables_.size())).second)
+    if (hashes[eight] != 0 && packs.at(hashes[eight]) >= fewest && table_of_hash.emplace(hashes[eight], static_cast<std::int32_t>(tables_.size())).second)
       tables_.push_back(first_factors(eight));
   fccda::parallel_for(eights, [&](std::ptrdiff_t e) {
     const auto eight = static_cast<std::size_t>(e);
@@ -290,6 +322,7 @@ void CorrectionFactors::weigh_volume(const CorrectionBasis& basis, const Family&
     for (const StencilBond& bond : stencil->bonds()) whole += bond.volume;
   }
   for_each_particle(particles, [&](std::size_t slot) { volume_.component(0)[slot] = 0.5 * family.initial_volume(slot) / whole; });
+  particles.share().refresh({volume_.component(0)});
 }
 
 void CorrectionFactors::weigh_own_family(const CorrectionBasis& basis, const Family& family, const Particles& particles) {
@@ -304,6 +337,7 @@ void CorrectionFactors::weigh_own_family(const CorrectionBasis& basis, const Fam
     family.for_each_bond(slot, [&](const FamilyBond& bond) { own += basis.dilatation_weight(bond.length) * bond.volume; });
     if (own > 0) own_family_.component(0)[slot] = 0.5 * whole / own;
   });
+  particles.share().refresh({own_family_.component(0)});
 }
 
 namespace {

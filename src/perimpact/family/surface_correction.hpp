@@ -71,7 +71,7 @@ class CorrectionFactors {
   void weigh_volume(const CorrectionBasis& basis, const Family& family, const Particles& particles);
   void weigh_own_family(const CorrectionBasis& basis, const Family& family, const Particles& particles);
 
-  void gather_tables(const Family& family);
+  void gather_tables(const Family& family, const Particles& particles);
 
   CorrectionKind kind_;
   VectorArray stretch_, dilatation_;

@@ -26,10 +26,10 @@ struct PassOptions {
   double dt = 0;          ///< [s] last step, which led to these positions at the current velocities; 0: state of equilibrium
 };
 
-/// Calls f(slot) for all packs of a row, in order.
+/// Calls f(slot) for all packs of owned slots of a row, in order.
 template <class Pack, class F>
 void for_each_pack_of_row(const Particles& particles, std::size_t row, const F& f) {
-  const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
+  const auto [begin, end] = particles.owned_slots(row);
   for (std::size_t slot = begin; slot < end; slot += fccda::lanes<Pack>) f(slot);
 }
 

@@ -47,7 +47,7 @@ double contact_share(std::size_t body, const Particles& particles, std::span<con
   std::vector<Push> pushes;
   for (const Impactor& impactor : impactors)
     for (const ContactImpulse& contact_impulse : impactor.contact_impulses_now())
-      if (contact_impulse.body == body) pushes.push_back({contact_impulse.contact.point, -contact_impulse.impulse});
+      if (contact_impulse.body == body) pushes.push_back({*contact_impulse.slot, -contact_impulse.impulse});
   std::stable_sort(pushes.begin(), pushes.end(), [](const Push& a, const Push& b) { return a.slot < b.slot; });
   double energy = 0;
   for (auto push = pushes.begin(); push != pushes.end();) {

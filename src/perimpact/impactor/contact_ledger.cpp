@@ -28,19 +28,18 @@ void ContactRecord::add(std::size_t body, const fccda::Contact& contact, const f
   normal_impulse_ += normal, load_impulse_ += normal;
   Resolved& resolved = in_contact_[body];
   resolved.ever = true;
-  if (contact.point >= resolved.last.size()) resolved.last.resize(std::max(contact.point + 1, 2 * resolved.last.size()), 0);
-  if (resolved.last[contact.point] != number_) ++resolved.particles;
-  resolved.last[contact.point] = number_;
+  const auto at = std::ranges::lower_bound(resolved.particles, contact.point);
+  if (at == resolved.particles.end() || *at != contact.point) resolved.particles.insert(at, contact.point);
 }
 
 void ContactRecord::end_interval(double time, double duration) {
   interval_ = {.time = time, .normal_force = duration > 0 ? normal_impulse_ / duration : 0};
   for (Resolved& body : in_contact_) {
-    interval_.contact_area += static_cast<double>(body.particles) * body.face;
+    interval_.contact_area += static_cast<double>(body.particles.size()) * body.face;
     if (steps_ > 0) interval_.mean_contact_area += static_cast<double>(body.contacts) * body.face / static_cast<double>(steps_);
-    body.contacts = body.particles = 0;
+    body.contacts = 0;
+    body.particles.clear();
   }
-  ++number_;
   steps_ = 0;
   normal_impulse_ = 0;
 }

@@ -61,9 +61,7 @@ class ContactRecord {
       fccda::visit_flag(visit, named("was_in_contact"), body.ever);
       visit(named("contacts"), body.contacts);
       visit(named("particles"), body.particles);
-      visit(named("last_interval"), body.last);
     }
-    visit("intervals", number_);
     visit("steps", steps_);
     fccda::visit_members(visit, "normal_impulse", std::array{&normal_impulse_, &load_impulse_});
     fccda::visit_members(visit, "interval", std::array{&interval_.time, &interval_.contact_area, &interval_.mean_contact_area, &interval_.normal_force});
@@ -75,14 +73,13 @@ class ContactRecord {
   struct Resolved {  // of one body
     double face;     // Δ² of a particle [m²]
     bool ever = false;
-    std::size_t contacts = 0, particles = 0;  // in the open interval; each particle counted once
-    std::vector<std::uint32_t> last = {};     // last interval with contact of each particle
+    std::size_t contacts = 0;                 // in the open interval
+    std::vector<std::size_t> particles = {};  // in contact in it, ascending
   };
 
   fccda::PanelLoads panels_;
   std::vector<Resolved> in_contact_;  // of each body
-  std::uint32_t number_ = 1;          // of the open interval
-  long steps_ = 0;                    // steps in it
+  long steps_ = 0;                    // in the open interval
   double normal_impulse_ = 0;         // [N s] in it
   double load_impulse_ = 0;           // [N s] of the open load interval
   Interval interval_;

@@ -17,11 +17,13 @@ class ContactParticles {
   ContactParticles(Particles& particles, std::span<const double> travel, double dt) : particles_(particles), travel_(travel), dt_(dt) {}
 
   std::size_t size() const { return particles_.slots(); }
-  bool occupied(std::size_t slot) const { return particles_.is_occupied(slot); }
+  bool occupied(std::size_t slot) const { return particles_.owns(slot); }
   Vec3d position_t1(std::size_t slot) const { return particles_.position.at(slot); }
   Vec3d position_t0(std::size_t slot) const { return particles_.position.at(slot) - dt_ * particles_.velocity.at(slot); }
   Vec3d velocity(std::size_t slot) const { return particles_.velocity.at(slot); }
   double mass(std::size_t slot) const { return particles_.mass(slot); }
+  /// Slot in the lattice of the whole body, which ranks share.
+  std::size_t whole_slot(std::size_t slot) const { return particles_.share().whole_slot(slot); }
   /// [J] work of an impulse [N s] that led to the current velocity, paired with the mean of this velocity and that of the previous step. It
   /// includes the work of all other forces on the displacement by contact (docs/theory/energy.md).
   double work_of(std::size_t slot, const Vec3d& impulse) const {

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <type_traits>
+#include <utility>
 
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/impactor/modes_of.hpp"
@@ -205,8 +208,10 @@ std::span<const Contact> Impactor::resolve_contact_again(std::size_t body, Conta
 std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, ContactParticles& particles) {
   resolve_points(particles, contacts_, motion_, body_->position_of_com(), friction_, [&](const Contact& contact, const Vec3d& impulse) {
     const Vec3d place = point_of_application(contact, particles.position_t0(contact.point), particles.position_t1(contact.point), motion_);
-    coupling_.add(contact, particles.mass(contact.point), place, impulse, friction_);
-    pending_.push_back({{body, contact, impulse}, place, particles.work_of(contact.point, -impulse)});
+    const std::size_t slot = contact.point;
+    ContactImpulse contact_impulse{body, contact, impulse, slot};
+    contact_impulse.contact.point = particles.whole_slot(slot);
+    pending_.push_back({contact_impulse, place, particles.work_of(slot, -impulse), particles.mass(slot)});
   });
   return contacts_;
 }
@@ -220,10 +225,29 @@ std::span<const Contact> Impactor::respond_to_deforming_contacts(std::size_t bod
     const PanelImpulse after = resolved(deforming, particles.position_t0(i), particles.velocity(i), mass, motion_.dt, friction_, unyielding);
     particles.set(i, after.point.position, after.point.velocity);
     deforming_->iteration().add(deforming, mass, after, friction_);
-    pending_.push_back({{body, contact, after.on_surface}, after.point.position, particles.work_of(i, -after.on_surface)});
+    pending_.push_back({{body, contact, after.on_surface, i}, after.point.position, particles.work_of(i, -after.on_surface), mass});
     contacts_.push_back(contact);
   }
   return contacts_;
+}
+
+void Impactor::collect_contacts(Ranks& ranks) {
+  if (ranks.size() > 1) {
+    static_assert(std::is_trivially_copyable_v<Pending>);
+    const std::vector<Ranks::Bytes> all = ranks.gather_all(std::as_bytes(std::span(pending_)));
+    pending_.clear();
+    for (std::size_t rank = 0; rank < all.size(); ++rank)
+      for (std::size_t at = 0; at < all[rank].size(); at += sizeof(Pending)) {
+        Pending& pending = pending_.emplace_back();
+        std::memcpy(&pending, all[rank].data() + at, sizeof(Pending));
+        pending.contact_impulse.contact.sliding = nullptr;
+        if (static_cast<int>(rank) != ranks.rank()) pending.contact_impulse.slot.reset();
+      }
+  }
+  const auto body_and_slot = [](const Pending& one) { return std::pair(one.contact_impulse.body, one.contact_impulse.contact.point); };
+  std::ranges::stable_sort(pending_, {}, body_and_slot);
+  if (deforming_) return;  // contacts are added as they are found
+  for (const Pending& one : pending_) coupling_.add(one.contact_impulse.contact, one.mass, one.place, one.contact_impulse.impulse, friction_);
 }
 
 bool Impactor::moved_with_contact() {
@@ -312,7 +336,7 @@ std::vector<ContactImpulse> Impactor::contact_impulses_now() const {
   std::vector<std::pair<std::size_t, std::size_t>> left_out = put_back_;
   std::sort(left_out.begin(), left_out.end());
   for (const ContactImpulse& contact_impulse : last_step_.contact_impulses)
-    if (!std::binary_search(left_out.begin(), left_out.end(), std::pair(contact_impulse.body, contact_impulse.contact.point)))
+    if (contact_impulse.slot && !std::binary_search(left_out.begin(), left_out.end(), std::pair(contact_impulse.body, *contact_impulse.slot)))
       contact_impulses.push_back(contact_impulse);
   return contact_impulses;
 }

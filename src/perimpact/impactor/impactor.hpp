@@ -39,16 +39,17 @@ struct Account {
 
 /// Contact impulse of a particle on an impactor.
 struct ContactImpulse {
-  std::size_t body;  ///< index; the contact's point is a slot of it
-  fccda::Contact contact;
-  Vec3d impulse;  ///< [N s] on the impactor
+  std::size_t body;                 ///< index
+  fccda::Contact contact;           ///< of the particle in this slot, on the lattice of the whole body
+  Vec3d impulse;                    ///< [N s] on the impactor
+  std::optional<std::size_t> slot;  ///< of the particle; empty if another rank owns it
 };
 
 /// Contact on an impactor in the last step.
 struct LastStep {
   Vec3d impulse{};                               ///< [N s]
   Vec3d angular_impulse{};                       ///< [N m s] about the centre of mass
-  std::vector<ContactImpulse> contact_impulses;  ///< by body; a particle pushed back by other impactors may occur more than once
+  std::vector<ContactImpulse> contact_impulses;  ///< of all ranks, by body; a particle pushed back by other impactors may occur more than once
 };
 
 /// Hydrostatics of an impactor at t = 0.
@@ -100,6 +101,9 @@ class Impactor {
   /// Those particles that are inside the surface at the end of the step, or nearer to it than the contact radius.
   std::vector<std::size_t> still_inside(std::size_t body, const ContactParticles& particles, std::span<const std::size_t> which);
 
+  /// After a pass over all bodies: collects its contacts, in the order of body and slot, from all ranks. Collective.
+  void collect_contacts(Ranks& ranks);
+
   /// True if the impactor's motion is consistent with the impulses of this pass within tolerance. Always true for constrained impactors, and
   /// for the detector `published`, which applies the impulse after the step as in the FCCDA paper.
   bool moved_with_contact();
@@ -149,8 +153,8 @@ class Impactor {
 
   const Account& account() const { return account_; }
   const LastStep& last_step() const { return last_step_; }  ///< empty before the first step, and after a restart
-  /// Contact impulses of the last step, without particles relocated to a prescribed position; empty if the impulse is applied after the
-  /// step.
+  /// Contact impulses of particles of this rank in the last step, without those relocated to a prescribed position; empty if the impulse is applied after
+  /// the step.
   std::vector<ContactImpulse> contact_impulses_now() const;
   /// [J] at the end of the last step, with vibration, assuming constant contact forces, since the velocity is that of mid-step.
   double kinetic_energy() const;
@@ -224,6 +228,7 @@ class Impactor {
     ContactImpulse contact_impulse;
     Vec3d place;              // [m] where it acts
     double work_on_particle;  // [J]
+    double mass;              // [kg] of the particle
   };
 
   std::span<const fccda::Contact> respond_to_contacts(std::size_t body, ContactParticles& particles);

@@ -30,9 +30,9 @@ void expect_in_plane(const ImpactorSetup& setup, const Impactor& impactor, const
     throw SetupError(
         key, fmt::format("{} moves or is free in {}, but a body that it may contact is plane: restrict it to motion along x and y and rotation about z.",
                          setup.name, *degree));
-  if (particles.size() == 0) return;
+  if (particles.slots() == 0) return;
   constexpr double upright = 1e-6;  // of a unit normal along z: vertices rounded to single precision
-  const double plane = particles.position.at(particles.slot_of().front()).z;
+  const double plane = particles.position.at(0).z;
   const fccda::Surface& surface = impactor.surface();
   const fccda::Pose& pose = impactor.body().pose();
   for (std::size_t t = 0; t < surface.triangles().size(); ++t) {

@@ -82,7 +82,7 @@ class Groups {
       });
     };
     for_each_slot([&](std::size_t slot, std::size_t first) {
-      if (slot == first && body.particles.is_occupied(slot)) f(slot);
+      if (slot == first && body.particles.owns(slot)) f(slot);
     });
     for_each_slot([&](std::size_t slot, std::size_t first) {
       if (slot != first) copy(first, slot);
@@ -111,6 +111,11 @@ class Groups {
   std::vector<std::uint32_t> first_of_;  // of each eight slots: the first eight of their group, or themselves
 };
 
+/// Of values by slot, none of which is negative.
+double largest_of_body(const std::vector<double>& values, const Body& body) {
+  return body.particles.share().ranks().max(*std::max_element(values.begin(), values.end()));
+}
+
 /// Largest of Σ_j C_ij v V [N/m⁴].
 template <class Force>
 double stiffest_springs(const Body& body, const Force& force) {
@@ -124,7 +129,7 @@ double stiffest_springs(const Body& body, const Force& force) {
             stiffness[slot] = sum;
           },
           [&](std::size_t from, std::size_t to) { stiffness[to] = stiffness[from]; });
-  return *std::max_element(stiffness.begin(), stiffness.end());
+  return largest_of_body(stiffness, body);
 }
 
 double stiffest_springs(const Body& body) {
@@ -157,7 +162,8 @@ double stiffest_with_dilatation(const Body& body, const Force& force) {
             push[slot] = force.family_factor(slot) * force.family_factor(slot) * reach[slot];
           },
           [&](std::size_t from, std::size_t to) { springs[to] = springs[from], both[to] = both[from], reach[to] = reach[from], push[to] = push[from]; });
-  const double least = *std::max_element(springs.begin(), springs.end()), hardest_of_all = *std::max_element(push.begin(), push.end());
+  const double least = largest_of_body(springs, body), hardest_of_all = largest_of_body(push, body);
+  body.particles.share().refresh({push.data()});
   const auto occupied = body.particles.slot_of();
   fccda::parallel_for(static_cast<std::ptrdiff_t>(occupied.size()), [&](std::ptrdiff_t particle) {
     const std::size_t slot = occupied[static_cast<std::size_t>(particle)];
@@ -167,7 +173,7 @@ double stiffest_with_dilatation(const Body& body, const Force& force) {
     body.family.for_each_bond(slot, [&](const FamilyBond& bond) { hardest = std::max(hardest, push[bond.j]); });
     springs[slot] = std::max(springs[slot], norm_with(hardest));
   });
-  return *std::max_element(springs.begin(), springs.end());
+  return largest_of_body(springs, body);
 }
 
 /// Stable step for this Σ_j C_ij V_j [N/m⁴] and contacts.

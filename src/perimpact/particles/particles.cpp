@@ -1,9 +1,12 @@
 #include "perimpact/particles/particles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "base/parallel.hpp"
 
@@ -28,8 +31,9 @@ double size_of_volume(double volume, const std::optional<double>& thickness) { r
 
 }  // namespace
 
-Particles::Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside)
-    : lattice_(lattice),
+Particles::Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside, Share share)
+    : share_(std::move(share)),
+      lattice_(lattice),
       slots_(lattice.slots()),
       row_slots_(lattice.row_slots()),
       slack_(static_cast<std::size_t>(lattice.offset(reach, reach, lattice.thickness ? 0 : reach)) + fccda::byte_lanes),
@@ -39,6 +43,12 @@ Particles::Particles(const Lattice& lattice, int reach, double density, std::spa
       cell_volume_(lattice.cell_volume()),
       occupied_(slots_ / fccda::byte_lanes, 0) {
   EXPECTS(inside.size() == slots_);
+  if (!share_.is_whole()) {
+    const CellBox owned = share_.owned();
+    owned_eights_.assign(slots_ / fccda::byte_lanes, 0);
+    for (std::size_t eight = 0; eight < owned_eights_.size(); ++eight)
+      owned_eights_[eight] = owned.contains(lattice.cell(eight * fccda::byte_lanes)) ? 1 : 0;  // cuts are between eights
+  }
   position = velocity = force_density = VectorArray(slots_, slack_);
   fccda::parallel_for(static_cast<std::ptrdiff_t>(lattice.rows()), [&](std::ptrdiff_t row) {
     const std::size_t begin = static_cast<std::size_t>(row) * row_slots_;
@@ -75,16 +85,23 @@ Particles::Particles(const Cloud& cloud, double density)
 
 void Particles::number_particles() {
   std::size_t count = 0;
-  for (const std::uint8_t bits : occupied_) count += static_cast<std::size_t>(std::popcount(bits));
+  for (std::size_t eight = 0; eight < occupied_.size(); ++eight)
+    if (is_owned_eight(eight)) count += static_cast<std::size_t>(std::popcount(occupied_[eight]));
+  slot_of_.clear();
   slot_of_.reserve(count);
   for (std::size_t eight = 0; eight < occupied_.size(); ++eight)
-    fccda::for_each_bit(occupied_[eight], [&](std::size_t lane) { slot_of_.push_back(static_cast<std::uint32_t>(eight * fccda::byte_lanes + lane)); });
+    if (is_owned_eight(eight))
+      fccda::for_each_bit(occupied_[eight], [&](std::size_t lane) { slot_of_.push_back(static_cast<std::uint32_t>(eight * fccda::byte_lanes + lane)); });
 }
 
 void Particles::move_lattice(const std::array<int, 3>& first) {
   EXPECTS(lattice_);
   lattice_->first = first;
   for (std::size_t slot = 0; slot < slots_; ++slot) position.set(slot, reference(slot));
+}
+
+void Particles::refresh_ghosts() {
+  share_.refresh({position.component(0), position.component(1), position.component(2), velocity.component(0), velocity.component(1), velocity.component(2)});
 }
 
 double Particles::total_mass() const {
@@ -96,12 +113,16 @@ double Particles::total_mass() const {
 double Particles::size_of(std::size_t slot) const { return lattice_ ? spacing_ : size_of_volume(volumes_[slot], thickness_); }
 
 Vec3d extent(const Particles& particles) {
-  Vec3d low = particles.reference(particles.slot_of().front()), high = low;
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  std::array<double, 6> most{none, none, none, none, none, none};  // of the coordinates, and of the negative ones
   for (const std::uint32_t slot : particles.slot_of()) {
     const Vec3d X = particles.reference(slot);
-    for (std::size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], X[c]), high[c] = std::max(high[c], X[c]);
+    for (std::size_t c = 0; c < 3; ++c) most[c] = std::max(most[c], X[c]), most[3 + c] = std::max(most[3 + c], -X[c]);
   }
-  return high - low + particles.spacing() * Vec3d{1, 1, 1};
+  particles.share().ranks().max(most);
+  Vec3d size;
+  for (std::size_t c = 0; c < 3; ++c) size[c] = most[c] + most[3 + c] + particles.spacing();
+  return size;
 }
 
 void Particles::remove(std::span<const std::size_t> slots) {
@@ -109,7 +130,16 @@ void Particles::remove(std::span<const std::size_t> slots) {
     occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] & ~(1u << (slot % 8)));
     velocity.set(slot, {});  // value of slots without a particle
   }
-  std::erase_if(slot_of_, [&](std::uint32_t slot) { return std::binary_search(slots.begin(), slots.end(), std::size_t{slot}); });
+  if (share_.is_whole()) {
+    std::erase_if(slot_of_, [&](std::uint32_t slot) { return std::binary_search(slots.begin(), slots.end(), std::size_t{slot}); });
+    return;
+  }
+  std::vector<std::uint8_t> marks(slots_);
+  for (std::size_t slot = 0; slot < slots_; ++slot) marks[slot] = is_occupied(slot) ? 1 : 0;
+  share_.refresh({marks.data()});
+  for (std::size_t slot = 0; slot < slots_; ++slot)
+    if (marks[slot] == 0) occupied_[slot / 8] = static_cast<std::uint8_t>(occupied_[slot / 8] & ~(1u << (slot % 8)));
+  number_particles();
 }
 
 }  // namespace perimpact

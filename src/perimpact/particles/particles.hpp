@@ -1,6 +1,7 @@
 /// Particles of one body: positions, velocities and force densities.
 ///
 /// Arrays run over *slots*: cells of a lattice or points of a cloud, padded to packs of eight. `slot_of` skips slots without a particle.
+/// In a run of several ranks they are those of this rank: the slots of its share, which owns some of their particles; the others are ghosts.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +13,7 @@
 
 #include "perimpact/particles/cloud.hpp"
 #include "perimpact/particles/lattice.hpp"
+#include "perimpact/particles/share.hpp"
 #include "perimpact/particles/slot_array.hpp"
 
 namespace perimpact {
@@ -19,7 +21,9 @@ namespace perimpact {
 class Particles {
  public:
   /// One particle in each cell that is `inside`: 1 for each slot with a particle, else 0. `reach`: of the stencil, in cells per direction.
-  Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside);
+  Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside) : Particles(lattice, reach, density, inside, Share()) {}
+  /// The same of a share, whose lattice that is.
+  Particles(const Lattice& lattice, int reach, double density, std::span<const std::uint8_t> inside, Share share);
   /// The same for each cell whose centre is `inside`.
   Particles(const Lattice& lattice, int reach, double density, const std::function<bool(const Vec3d&)>& inside);
 
@@ -29,17 +33,33 @@ class Particles {
   /// Moves the lattice to that first cell, and all particles to the centres of their cells.
   void move_lattice(const std::array<int, 3>& first);
 
-  /// Removes particles, as if their cells were outside the solid. `slots` ascending. Existing families are not updated.
+  /// Removes particles, as if their cells were outside the solid. `slots` ascending, owned. Existing families are not updated. Collective.
   void remove(std::span<const std::size_t> slots);
+
+  const Share& share() const { return share_; }
+  /// Number of particles of the body, on all ranks. Collective.
+  std::size_t size_of_body() const { return static_cast<std::size_t>(share_.ranks().sum(static_cast<std::int64_t>(size()))); }
+  /// Lattice of the body on all ranks; null for a point cloud.
+  const Lattice* whole_lattice() const { return share_.is_whole() ? lattice() : &share_.whole(); }
+  /// Positions and velocities of ghosts become those of their owners.
+  void refresh_ghosts();
 
   const Lattice* lattice() const { return lattice_ ? &*lattice_ : nullptr; }  ///< null for a point cloud
   std::size_t slots() const { return slots_; }                                ///< length of the arrays; a multiple of eight
   std::size_t row_slots() const { return row_slots_; }                        ///< of a row of the lattice; of a cloud, of a block of it
   std::size_t rows() const { return (slots_ + row_slots_ - 1) / row_slots_; }
-  std::size_t size() const { return slot_of_.size(); }                 ///< number of particles
-  std::span<const std::uint32_t> slot_of() const { return slot_of_; }  ///< slot of each particle, ascending
+  std::size_t size() const { return slot_of_.size(); }                 ///< number of owned particles
+  std::span<const std::uint32_t> slot_of() const { return slot_of_; }  ///< slot of each owned particle, ascending
   bool is_occupied(std::size_t slot) const { return (occupied_[slot / 8] >> (slot % 8)) & 1u; }
-  std::uint8_t occupied(std::size_t eight) const { return occupied_[eight]; }  ///< bit l: of slot 8·eight + l
+  std::uint8_t occupied(std::size_t eight) const { return occupied_[eight]; }  ///< bit l: of slot 8·eight + l, also of ghosts
+  bool owns(std::size_t slot) const { return is_occupied(slot) && is_owned_eight(slot / 8); }
+  /// True for eights whose particles are owned; all, unless the body is shared by ranks.
+  bool is_owned_eight(std::size_t eight) const { return owned_eights_.empty() || owned_eights_[eight] != 0; }
+  /// Slots of the owned cells of a row; an empty range for rows of ghosts.
+  struct Range {
+    std::size_t begin, end;
+  };
+  Range owned_slots(std::size_t row) const;
 
   double density() const { return density_; }                                                 ///< [kg/m³]
   double spacing() const { return spacing_; }                                                 ///< [m] of the lattice; for a cloud, the mean particle size
@@ -69,6 +89,7 @@ class Particles {
  private:
   void number_particles();
 
+  Share share_;
   std::optional<Lattice> lattice_;
   std::size_t slots_, row_slots_, slack_;
   double density_, spacing_;
@@ -78,10 +99,20 @@ class Particles {
   std::vector<double> volumes_;         // of a cloud
   std::vector<std::uint32_t> numbers_;  // of a cloud
   std::vector<std::uint8_t> occupied_;
+  std::vector<std::uint8_t> owned_eights_;  // 1 for eights that are owned; empty if all are
   std::vector<std::uint32_t> slot_of_;
 };
 
-/// [m] bounding box of all particles, each with half a spacing around it.
+inline Particles::Range Particles::owned_slots(std::size_t row) const {
+  const std::size_t begin = row * row_slots_, end = begin + row_slots_ < slots_ ? begin + row_slots_ : slots_;
+  if (owned_eights_.empty()) return {begin, end};
+  std::size_t first = begin, last = end;
+  while (first < end && owned_eights_[first / 8] == 0) first += 8;
+  while (last > first && owned_eights_[last / 8 - 1] == 0) last -= 8;
+  return {first, last};
+}
+
+/// [m] bounding box of all particles of the body, each with half a spacing around it. Collective.
 Vec3d extent(const Particles& particles);
 
 }  // namespace perimpact

@@ -177,10 +177,12 @@ struct ImpactorOnBody {
 
 }  // namespace
 
-Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce) : Simulation(setup, Start(setup, fccda::Stages(std::move(announce)))) {}
+Simulation::Simulation(const Setup& setup, fccda::Stages::Announce announce, Ranks& ranks)
+    : Simulation(setup, Start(setup, fccda::Stages(std::move(announce)), ranks)) {}
 
 Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces)
-    : setup_(setup),
+    : ranks_(start.ranks),
+      setup_(setup),
       stages_(std::move(start.stages)),
       initial_penetrations_(std::move(start.inside)),
       filled_masses_(std::move(start.filled_masses)),
@@ -204,6 +206,7 @@ Simulation::Simulation(const Setup& setup, Start start, std::vector<UserForceOnB
   if (!relaxation_) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) boundary_conditions_[b].set_initial_state(bodies_[b].particles, 0, PrescribedDisplacement::Regime::moving);
     stages_.begin("initial forces");
+    refresh_ghosts();
     compute_bond_forces();
     add_short_range_forces();
     apply_boundary_conditions();
@@ -222,6 +225,7 @@ void Simulation::step(const KeepRelaxing& keep_on) {
     resolve_impactor_contact();
     end_load_interval();
   });
+  if (ranks_->size() > 1) timers_.timed("ghosts", [&] { refresh_ghosts(); });
   timers_.timed("forces", [&] { compute_bond_forces(); });
   if (fragments_) timers_.timed("fragments", [&] { add_short_range_forces(); });
   timers_.timed("boundary_conditions", [&] { apply_boundary_conditions(); });
@@ -286,6 +290,7 @@ void Simulation::resolve_impactor_contact() {
   // The motion of impactors depends on their contact impulses (docs/theory/contact_response.md, "One velocity"), hence the passes.
   for (int pass = 1;; ++pass) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) unresolved[b] = resolve_body(b, particles[b]);
+    for (Impactor& impactor : impactors_) impactor.collect_contacts(*ranks_);
     if (pass == fccda::Coupling::max_passes || std::ranges::all_of(impactors_, &Impactor::moved_with_contact)) break;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
       particles[b].undo([&](std::size_t slot) {
@@ -307,6 +312,10 @@ std::vector<std::size_t> Simulation::resolve_body(std::size_t body, ContactParti
   std::vector<std::size_t> unresolved;
   for (const std::vector<std::size_t>& points : fccda::resolve_together(std::span(resolvers), particles)) unresolved.push_back(points.size());
   return unresolved;
+}
+
+void Simulation::refresh_ghosts() {
+  for (Body& body : bodies_) body.particles.refresh_ghosts();
 }
 
 void Simulation::compute_bond_forces() {

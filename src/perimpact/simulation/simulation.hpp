@@ -41,7 +41,7 @@ struct UserForceOnBody {
 class Simulation {
  public:
   /// Throws SetupError if the Setup is invalid.
-  explicit Simulation(const Setup& setup, fccda::Stages::Announce announce = {});
+  explicit Simulation(const Setup& setup, fccda::Stages::Announce announce = {}, Ranks& ranks = alone());
   /// The same from a Start of this Setup, possibly modified.
   Simulation(const Setup& setup, Start start, std::vector<UserForceOnBody> user_forces = {});
 
@@ -49,6 +49,7 @@ class Simulation {
   /// call resumes it. Throws RunError.
   void step(const KeepRelaxing& keep_on = {});
 
+  Ranks& ranks() const { return *ranks_; }  ///< which share the bodies
   const Setup& setup() const { return setup_; }
   const Clock& clock() const { return clock_; }
   const Stability& stability() const { return stability_; }
@@ -112,6 +113,7 @@ class Simulation {
   void advance_bodies();
   void resolve_impactor_contact();
   std::vector<std::size_t> resolve_body(std::size_t body, ContactParticles& particles);  // number of unresolved penetrations per impactor
+  void refresh_ghosts();
   void compute_bond_forces();
   void add_short_range_forces();
   void apply_boundary_conditions();
@@ -119,6 +121,7 @@ class Simulation {
   void end_load_interval();
   void sample_monitors();
 
+  Ranks* ranks_;
   Setup setup_;
   fccda::Stages stages_;
   std::vector<std::string> warnings_;

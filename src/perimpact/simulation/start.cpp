@@ -13,11 +13,11 @@ namespace perimpact {
 
 namespace {
 
-std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies, fccda::Stages& stages) {
+std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies, fccda::Stages& stages, Ranks& ranks) {
   std::vector<Particles> particles;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     stages.begin("particles", setup.bodies[b].name);
-    particles.push_back(make_particles(setup.bodies[b], bodies[b]));
+    particles.push_back(make_particles(setup.bodies[b], bodies[b], ranks));
   }
   return particles;
 }
@@ -51,32 +51,36 @@ std::vector<std::size_t> inside_now(const Impactor& impactor, std::size_t body, 
   return impactor.initial_overlap(body, ContactParticles(particles, {}, 0));
 }
 
+/// Calls visit(impactor, body, slots of this rank, their number on all ranks) for each pair that overlaps on any rank.
 template <class Visit>
 void for_each_inside(Start& start, const Visit& visit) {
   for (std::size_t i = 0; i < start.impactors.size(); ++i)
-    for (std::size_t b = 0; b < start.particles.size(); ++b)
-      if (std::vector<std::size_t> slots = inside_now(start.impactors[i], b, start.particles[b]); !slots.empty()) visit(i, b, std::move(slots));
+    for (std::size_t b = 0; b < start.particles.size(); ++b) {
+      std::vector<std::size_t> slots = inside_now(start.impactors[i], b, start.particles[b]);
+      const auto all = static_cast<std::size_t>(start.ranks->sum(static_cast<std::int64_t>(slots.size())));
+      if (all > 0) visit(i, b, std::move(slots), all);
+    }
 }
 
 void refuse(Start& start, const Setup& setup) {
-  for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
+  for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>&, std::size_t all) {
     const std::string& impactor = setup.impactors[i].name;
     throw SetupError("impactors." + impactor + ".position",
                      fmt::format("impactor {} starts inside body {}: {} particles are inside its surface, or nearer to it than the contact radius. Move it "
                                  "away, check the units of its surface, or set contact.impactors.initial_overlap: remove or project.",
-                                 impactor, setup.bodies[b].name, slots.size()));
+                                 impactor, setup.bodies[b].name, all));
   });
 }
 
 void remove(Start& start, const Setup& setup) {
-  for_each_inside(start, [&](std::size_t i, std::size_t b, std::vector<std::size_t> slots) {
-    if (slots.size() == start.particles[b].size())
+  for_each_inside(start, [&](std::size_t i, std::size_t b, std::vector<std::size_t> slots, std::size_t all) {
+    if (all == start.particles[b].size_of_body())
       throw SetupError("impactors." + setup.impactors[i].name + ".position",
                        fmt::format("all remaining particles of body {} are inside impactor {}, so that initial_overlap: remove leaves nothing of it. Move the "
                                    "impactor away, or check the units of its surface.",
                                    setup.bodies[b].name, setup.impactors[i].name));
     start.particles[b].remove(slots);
-    start.inside.push_back({i, b, std::move(slots)});
+    start.inside.push_back({i, b, std::move(slots), all});
   });
 }
 
@@ -84,12 +88,12 @@ void remove(Start& start, const Setup& setup) {
 void project(Start& start, const Setup& setup) {
   constexpr int most_rounds = 4;
   for (int round = 0; round < most_rounds; ++round)
-    for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
+    for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots, std::size_t) {
       Particles& particles = start.particles[b];
       std::vector<Vec3d> places;
       for (const std::size_t slot : slots) places.push_back(particles.position.at(slot));
       const std::vector<std::optional<Vec3d>> outside = start.impactors[i].nearest_outside(b, places);
-      if (std::none_of(outside.begin(), outside.end(), [](const auto& place) { return place.has_value(); })) return;
+      if (!start.ranks->any(std::ranges::any_of(outside, [](const auto& place) { return place.has_value(); }))) return;
       auto entry =
           std::find_if(start.inside.begin(), start.inside.end(), [&](const InitialPenetration& known) { return known.impactor == i && known.body == b; });
       if (entry == start.inside.end()) entry = start.inside.insert(entry, {i, b, {}});
@@ -101,13 +105,16 @@ void project(Start& start, const Setup& setup) {
       std::sort(entry->slots.begin(), entry->slots.end());
       entry->slots.erase(std::unique(entry->slots.begin(), entry->slots.end()), entry->slots.end());
     });
-  for (InitialPenetration& entry : start.inside)
+  for (InitialPenetration& entry : start.inside) {
     for (const std::size_t slot : entry.slots) entry.furthest = std::max(entry.furthest, norm(start.particles[entry.body].displacement(slot)));
-  for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>& slots) {
+    entry.furthest = start.ranks->max(entry.furthest);
+    entry.particles = static_cast<std::size_t>(start.ranks->sum(static_cast<std::int64_t>(entry.slots.size())));
+  }
+  for_each_inside(start, [&](std::size_t i, std::size_t b, const std::vector<std::size_t>&, std::size_t all) {
     throw SetupError("impactors." + setup.impactors[i].name + ".position",
                      fmt::format("{} particles of body {} that start inside impactor {} cannot be projected onto its surface, because no position near them is "
                                  "outside all impactors. Set initial_overlap: remove, or move the impactor away.",
-                                 slots.size(), setup.bodies[b].name, setup.impactors[i].name));
+                                 all, setup.bodies[b].name, setup.impactors[i].name));
   });
 }
 
@@ -131,11 +138,12 @@ Start::Read Start::read(const Setup& setup, fccda::Stages& stages) {
   return all;
 }
 
-Start::Start(const Setup& setup, fccda::Stages given) : Start(setup, given, read(setup, given)) {}
+Start::Start(const Setup& setup, fccda::Stages given, Ranks& all) : Start(setup, given, read(setup, given), all) {}
 
-Start::Start(const Setup& setup, fccda::Stages& given, Read read)
-    : stages(std::move(given)),
-      particles(fill(setup, read.bodies, stages)),
+Start::Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& all)
+    : ranks(&all),
+      stages(std::move(given)),
+      particles(fill(setup, read.bodies, stages, all)),
       filled_masses(masses_of(read.bodies, particles)),
       impactors(place(setup, std::move(read.surfaces), particles, stages)) {
   if (!impactors.empty()) stages.begin("initial overlap");
@@ -160,7 +168,7 @@ double largest_stretch(const Body& body, std::span<const std::size_t> slots) {
       const double length = norm(body.particles.position.at(bond.j) - body.particles.position.at(slot));
       largest = std::max(largest, std::fabs(length / bond.length - 1));
     });
-  return largest;
+  return body.particles.share().ranks().max(largest);
 }
 
 std::vector<std::string> warnings_of(std::span<const InitialPenetration> inside, const Setup& setup, std::span<const Body> bodies) {
@@ -168,7 +176,7 @@ std::vector<std::string> warnings_of(std::span<const InitialPenetration> inside,
   for (const InitialPenetration& entry : inside) {
     const std::string where =
         fmt::format("Impactor {} starts inside body {}: {} particles that were inside its surface, or nearer to it than the contact radius,",
-                    setup.impactors[entry.impactor].name, bodies[entry.body].name, entry.slots.size());
+                    setup.impactors[entry.impactor].name, bodies[entry.body].name, entry.particles);
     if (setup.contact.impactors.initial_overlap.as<InitialOverlap>() == InitialOverlap::remove)
       warnings.push_back(fmt::format("{} were removed; the body has a hole there.", where));
     else

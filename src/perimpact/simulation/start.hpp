@@ -20,11 +20,13 @@ namespace perimpact {
 /// Particles of a body initially inside an impactor, or nearer to it than the contact radius, that were removed or projected.
 struct InitialPenetration {
   std::size_t impactor, body;      ///< index
-  std::vector<std::size_t> slots;  ///< ascending
+  std::vector<std::size_t> slots;  ///< of this rank, ascending
+  std::size_t particles = 0;       ///< on all ranks
   double furthest = 0;             ///< [m] largest displacement by projection
 };
 
 struct Start {
+  Ranks* ranks;                                          ///< which share the bodies
   fccda::Stages stages;                                  ///< of the set-up so far
   std::vector<Particles> particles;                      ///< of each body
   std::vector<std::optional<FilledMass>> filled_masses;  ///< of each body whose solid has a known volume
@@ -32,7 +34,7 @@ struct Start {
   std::vector<InitialPenetration> inside;
 
   /// Throws SetupError for insufficient memory, invalid impactors, or initial penetration that is refused or cannot be resolved.
-  explicit Start(const Setup& setup, fccda::Stages given = fccda::Stages());
+  explicit Start(const Setup& setup, fccda::Stages given = fccda::Stages(), Ranks& ranks = alone());
 
  private:
   /// What is read before memory is allocated for bodies and searches.
@@ -41,7 +43,7 @@ struct Start {
     std::vector<ImpactorSurface> surfaces;
   };
   static Read read(const Setup& setup, fccda::Stages& stages);
-  Start(const Setup& setup, fccda::Stages& given, Read read);
+  Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& ranks);
 };
 
 /// The largest magnitude of stretch (|x_j - x_i| - |ξ|)/|ξ| among the bonds of these particles.

@@ -68,6 +68,7 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking 
         follow_bonds<D, NativePack>(body, slot, known_.data() + family.begin(begin / byte_lanes));
     });
   });
+  particles.share().refresh({shape_.component(symmetric), shape_.component(symmetric + 1)});
   std::copy_n(shape_.component(symmetric + 1), particles.slots(), bound_at_first_.begin());  // here χ is 1, or 0 where the bound is 0
 }
 
@@ -82,17 +83,28 @@ template <class Pack, class View>
       body.bound_at_first, body.response, body.gradient,
       body.carried,        body.rate,     body.family};
   // a broken bond changes F at its ends, and thus the energy of their families, which needs dF/dt of the families of these
-  for (const std::uint8_t from : {broke_here, changed})
+  for (const std::uint8_t from : {broke_here, changed}) {
+    const std::vector<std::uint8_t> of_ghosts = particles.share().refreshed_flags(broken_);
+    const auto raise = [&](std::size_t slot) {
+      std::uint8_t& of_j = broken_[slot / byte_lanes];
+      of_j = std::max(of_j, static_cast<std::uint8_t>(from - 1));
+    };
+    particles.share().for_each_ghost([&](std::size_t ghost) {
+      if (of_ghosts[ghost] < from) return;
+      family.for_each_end_at_ghost(ghost, particles, [&](std::size_t i, std::size_t row) {
+        if ((known_[family.begin(i / byte_lanes) + row] >> (i % byte_lanes)) & 1u) raise(i);
+      });
+    });
     for (std::size_t eight = 0; eight < broken_.size(); ++eight) {
       if (broken_[eight] < from) continue;
       for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; slot += lanes<Pack>)
         for_each_bond<Pack>(before.bonds, body.x, slot, Unbreakable{}, [&](const auto& bond) {
           for_each_bit(bond.intact, [&](std::size_t lane) {
-            std::uint8_t& of_j = broken_[bond.neighbour.slot_of(lane) / byte_lanes];
-            of_j = std::max(of_j, static_cast<std::uint8_t>(from - 1));
+            if (const std::size_t j = bond.neighbour.slot_of(lane); particles.owns(j)) raise(j);
           });
         });
     }
+  }
   const auto for_each = [&](Nearness least, const auto& f) {
     for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
       if (broken_[slot / byte_lanes] >= least) f(row, slot);
@@ -107,14 +119,20 @@ template <class Pack, class View>
       rows.fracture_energy[row] += sign * energy_of_pack(bond_level_energy<D, Pack, true>(view, slot, dt), particles, slot);
     });
   };
+  const auto refresh = [&](const auto& matrices) { particles.share().refresh(std::span<double* const>(matrices)); };
   for_each(broke_here, [&](std::size_t, std::size_t slot) { make_gradient(before, slot); });
+  refresh(body.gradient);
   for_each(beside_changed, [&](std::size_t, std::size_t slot) { make_rate(before, slot); });
+  refresh(body.rate);
   add_energy(before, 1);
   for_each(broke_here, [&](std::size_t, std::size_t slot) {
     follow_bonds<D, Pack>(body, slot, known_.data() + family.begin(slot / byte_lanes));
     make_gradient(body, slot);
     make_rate(body, slot);
   });
+  refresh(body.gradient);
+  refresh(body.rate);
+  particles.share().refresh({shape_.component(symmetric)});
   add_energy(body, -1);
   std::fill(broken_.begin(), broken_.end(), std::uint8_t{far_off});
 }
@@ -126,12 +144,17 @@ void CorrespondenceForce<D>::bond_level_pass(const View& body, Particles& partic
     gradient_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), broken_.data());
     return 0.0;
   });
-  if (std::find(broken_.begin(), broken_.end(), broke_here) != broken_.end()) account_for_broken<Pack>(body, particles, options.dt, rows);
+  const Share& share = particles.share();
+  share.refresh(std::span<double* const>(body.gradient));
+  if (breaking_.is_armed()) share.refresh({shape_.component(symmetric)});
+  if (share.ranks().any(std::find(broken_.begin(), broken_.end(), broke_here) != broken_.end())) account_for_broken<Pack>(body, particles, options.dt, rows);
   for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
     bond_level_stress<D, Pack>(body, slot);
     if (options.with_energy) rows.energy[row] += energy_of_pack(bond_level_energy<D, Pack, false>(body, slot, 0), particles, slot);
   });
+  share.refresh(std::span<double* const>(body.carried));
   for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { bond_level_return<D, Pack>(body, slot); });
+  share.refresh(std::span<double* const>(body.response));
   for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
 }
 
@@ -144,6 +167,7 @@ void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const Pa
       const Pack density = response_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), options, rows.fracture_energy[row]);
       return options.with_energy ? energy_of_pack(density, particles, slot) : 0.0;
     });
+    particles.share().refresh(std::span<double* const>(body.response));
     for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { force_of_pack<D, Pack>(body, slot, particles.force_density); });
   });
 }

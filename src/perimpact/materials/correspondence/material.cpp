@@ -14,7 +14,8 @@ namespace {
 template <std::size_t D>
 CorrespondenceForce<D> require_full_rank(CorrespondenceForce<D> force, const MaterialParts& parts) {
   const auto slots = parts.particles.slot_of();
-  if (std::any_of(slots.begin(), slots.end(), [&](std::size_t slot) { return force.remaining(slot) > 0; })) return force;
+  const bool any = std::any_of(slots.begin(), slots.end(), [&](std::size_t slot) { return force.remaining(slot) > 0; });
+  if (parts.particles.share().ranks().any(any)) return force;
   throw SetupError("bodies." + parts.body.name + ".material.model",
                    fmt::format("body {} is too thin for the model correspondence: its particles have neighbours in one {} only, which define no deformation "
                                "gradient; use a smaller spacing{}.",

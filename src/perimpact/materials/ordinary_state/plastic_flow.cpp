@@ -1,5 +1,6 @@
 // Plastic flow of particles after each evaluation of forces.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <utility>
@@ -37,10 +38,29 @@ bool PlasticForce::flow(const Particles& particles, const Family& family) {
     for (std::size_t eight = begin / byte_lanes; eight < end / byte_lanes; ++eight)
       if (is_hot_[eight])
         for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
-          if (is_stress_known(slot) && particles.is_occupied(slot)) most = std::max(most, flow(slot, row, particles, family));
+          if (is_stress_known(slot) && particles.owns(slot)) most = std::max(most, flow(slot, row, particles, family));
     if (most > tolerated_) overshoots.store(true, std::memory_order_relaxed);
   });
-  return overshoots;
+  if (particles.share().is_whole()) return overshoots;
+  const bool is_hot = std::any_of(is_hot_.begin(), is_hot_.end(), [](std::uint8_t bits) { return bits != 0; });
+  std::array<double, 2> of_all{overshoots ? 1.0 : 0.0, is_hot ? 1.0 : 0.0};
+  particles.share().ranks().max(of_all);
+  if (of_all[1] != 0) refresh_ghosts(particles, family);
+  return of_all[0] != 0;
+}
+
+/// After flow on any rank.
+void PlasticForce::refresh_ghosts(const Particles& particles, const Family& family) {
+  std::vector<double*> arrays{equivalent_.component(0), pressure_slope_.component(0), resistance_.component(0)};
+  for (std::size_t c = 0; c < 6; ++c) arrays.push_back(strain_.component(c)), arrays.push_back(increment_.component(c));
+  particles.share().refresh(std::span<double* const>(arrays));
+  particles.share().for_each_ghost([&](std::size_t ghost) {
+    if (equivalent_.component(0)[ghost] == 0 || is_known_ghost_[ghost]) return;
+    is_known_ghost_[ghost] = 1;
+    family.for_each_end_at_ghost(ghost, particles, [&](std::size_t i, std::size_t row) {
+      if ((family.bytes(i / byte_lanes)[row] >> (i % byte_lanes)) & 1u) is_plastic_[i / byte_lanes] = 1;
+    });
+  });
 }
 
 /// [Pa] the equivalent stress and the pressure that it removes.
@@ -90,13 +110,22 @@ void PlasticForce::mark_affected(const Particles& particles, const Family& famil
     parallel_for(static_cast<std::ptrdiff_t>(affected_.size()), [&](std::ptrdiff_t number) {
       const auto eight = static_cast<std::size_t>(number);
       for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
-        if (particles.is_occupied(slot) && is_source(slot)) mark_family(affected_, with, slot, family);
+        if (particles.owns(slot) && is_source(slot)) mark_family(affected_, with, slot, family);
+    });
+  };
+  // more packs than necessary are evaluated again beside ghosts, which changes nothing
+  const auto mark_beside_ghosts = [&](std::uint8_t with, const auto& is_source) {
+    particles.share().for_each_ghost([&](std::size_t ghost) {
+      if (is_source(ghost)) family.for_each_end_at_ghost(ghost, particles, [&](std::size_t i, std::size_t) { affected_[i / byte_lanes] |= with; });
     });
   };
   mark_families_of(of_strain, [&](std::size_t slot) { return is_stress_known(slot) && perimpact::equivalent_strain(tensor_at(increment_, slot)) > 0; });
+  mark_beside_ghosts(of_strain, [&](std::size_t ghost) { return perimpact::equivalent_strain(tensor_at(increment_, ghost)) > 0; });
   if (!theta_.slots()) return;
+  const std::vector<std::uint8_t> of_ghosts = particles.share().refreshed_flags(affected_);
   mark_families_of(of_dilatation,
                    [&](std::size_t slot) { return (std::atomic_ref(affected_[slot / byte_lanes]).load(std::memory_order_relaxed) & of_strain) != 0; });
+  mark_beside_ghosts(of_dilatation, [&](std::size_t ghost) { return (of_ghosts[ghost] & of_strain) != 0; });
 }
 
 void PlasticForce::set_plastic_strain(std::size_t slot, const SymmetricTensor& strain, const Family& family) {

@@ -40,8 +40,10 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
   const double limit = rule ? rule->stretch + 0.5 * rule->stretch * rule->stretch : unbreakable;
   resistance_ = ScalarArray(slots, slack, 0.5 * limit);
   for (std::size_t slot = 0; slot < strength.size(); ++slot) resistance_.component(0)[slot] = 0.5 * limit * strength[slot];
+  particles.share().refresh({resistance_.component(0)});
   if (law_.needs_dilatation()) theta_ = ScalarArray(slots, slack);
   has_failed_.assign(slots, 0);
+  if (!particles.share().is_whole()) is_known_ghost_.assign(slots, 0);
   is_plastic_.assign(slots / byte_lanes, 0);
   is_hot_.assign(slots / byte_lanes, 0);
   affected_.assign(slots / byte_lanes, 0);
@@ -100,6 +102,7 @@ void PlasticForce::pass(Particles& particles, Family& family, const PassOptions&
     evaluate<Pack>(Packs::affected, particles, family, options, rows);
   }
   std::swap(pressure_, latest_pressure_);
+  particles.share().refresh({pressure_.component(0)});
 }
 
 /// Bonds break, and lose their energy, where all packs are evaluated.
@@ -119,6 +122,7 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
           });
         });
       });
+    if constexpr (with_theta) particles.share().refresh({theta_.component(0)});
     if (options.with_energy) std::fill(rows.energy.begin(), rows.energy.end(), 0.0);
     std::array<double*, 6> stress;
     for (std::size_t c = 0; c < 6; ++c) stress[c] = stress_.component(c);

@@ -135,6 +135,7 @@ class PlasticForce {
   void evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
   bool flow(const Particles& particles, const Family& family);
   double flow(std::size_t slot, std::size_t row, const Particles& particles, const Family& family);
+  void refresh_ghosts(const Particles& particles, const Family& family);
   void mark(std::size_t slot, const Family& family);
   void mark_affected(const Particles& particles, const Family& family);
 
@@ -157,15 +158,16 @@ class PlasticForce {
   VectorArray direction_;                              // n
 
   // of each slot
-  TensorArray strain_;                      // ε^p
-  TensorArray increment_;                   // the latest Δε^p, contained in ε^p
-  TensorArray stress_;                      // [Pa] of packs that are hot
-  ScalarArray equivalent_;                  // Σ √(2/3 Δε^p:Δε^p)
-  ScalarArray pressure_, latest_pressure_;  // [Pa] of the pass before, and of this one
-  ScalarArray pressure_slope_;              // [1/Pa] what the limit of a bond gains by each pressure of its two particles; half at each end
-  ScalarArray resistance_;                  // [-] s_c k/2
-  ScalarArray theta_;                       // [-] elastic dilatation; empty where the material has none
-  std::vector<std::uint8_t> has_failed_;    // beyond ε_f
+  TensorArray strain_;                        // ε^p
+  TensorArray increment_;                     // the latest Δε^p, contained in ε^p
+  TensorArray stress_;                        // [Pa] of packs that are hot
+  ScalarArray equivalent_;                    // Σ √(2/3 Δε^p:Δε^p)
+  ScalarArray pressure_, latest_pressure_;    // [Pa] of the pass before, and of this one
+  ScalarArray pressure_slope_;                // [1/Pa] what the limit of a bond gains by each pressure of its two particles; half at each end
+  ScalarArray resistance_;                    // [-] s_c k/2
+  ScalarArray theta_;                         // [-] elastic dilatation; empty where the material has none
+  std::vector<std::uint8_t> has_failed_;      // beyond ε_f
+  std::vector<std::uint8_t> is_known_ghost_;  // ghosts with plastic strain that is known here; empty where the body is whole
 
   // of each eight slots
   std::vector<std::uint8_t> is_plastic_;  // one of them, or one that is bonded to them, has plastic strain

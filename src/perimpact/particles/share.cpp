@@ -1,0 +1,98 @@
+#include "perimpact/particles/share.hpp"
+
+#include <string>
+
+#include "base/contract.hpp"
+#include "base/error.hpp"
+#include "base/pack.hpp"
+#include "perimpact/particles/partition.hpp"
+
+namespace perimpact {
+
+namespace {
+
+CellBox shifted(const CellBox& box, const std::array<int, 3>& by) {
+  CellBox other = box;
+  for (std::size_t axis = 0; axis < 3; ++axis) other.low[axis] -= by[axis], other.high[axis] -= by[axis];
+  return other;
+}
+
+}  // namespace
+
+Share::Share() : ranks_(&alone()) {}
+
+Share::Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns) : ranks_(&alone()) {
+  if (ranks.size() == 1) return;
+  ranks_ = &ranks;
+  const std::vector<CellBox> boxes = partition({whole.cells, reach, keeps_columns}, ranks.size());
+  if (boxes.size() < static_cast<std::size_t>(ranks.size()))
+    throw fccda::InputError("the lattice of " + std::to_string(whole.cells[0]) + " x " + std::to_string(whole.cells[1]) + " x " +
+                            std::to_string(whole.cells[2]) + " cells can be divided among at most " + std::to_string(boxes.size()) +
+                            " ranks, since cuts across x are at multiples of eight cells; use fewer");
+  const int eight = static_cast<int>(fccda::byte_lanes);
+  const std::array<int, 3> within = {reach, reach, whole.thickness ? 0 : reach}, around = {(reach + eight - 1) / eight * eight, within[1], within[2]};
+  const CellBox all{{0, 0, 0}, whole.cells};
+  Plan plan{.whole = whole, .lattice = whole, .owned = boxes[static_cast<std::size_t>(ranks.rank())]};
+  const CellBox local = intersection(plan.owned.grown(around), all);
+  plan.offset = local.low;
+  for (std::size_t axis = 0; axis < 3; ++axis) plan.lattice.cells[axis] = local.size(axis), plan.lattice.first[axis] = whole.first[axis] + local.low[axis];
+  for (std::size_t other = 0; other < boxes.size(); ++other) {
+    if (static_cast<int>(other) == ranks.rank()) continue;
+    const CellBox receive = intersection(plan.owned.grown(within), boxes[other]), send = intersection(boxes[other].grown(within), plan.owned);
+    if (receive.cells() + send.cells() > 0) plan.peers.push_back({static_cast<int>(other), shifted(send, plan.offset), shifted(receive, plan.offset)});
+  }
+  plan_ = std::make_shared<const Plan>(std::move(plan));
+}
+
+const Lattice& Share::whole() const {
+  EXPECTS(plan_);
+  return plan_->whole;
+}
+
+Lattice Share::lattice() const {
+  EXPECTS(plan_);
+  return plan_->lattice;
+}
+
+CellBox Share::owned() const {
+  EXPECTS(plan_);
+  return shifted(plan_->owned, plan_->offset);
+}
+
+void Share::collect_flags(std::uint8_t* flags) const {
+  if (!plan_) return;
+  std::vector<std::vector<std::uint8_t>> sent(plan_->peers.size()), received(plan_->peers.size());
+  std::vector<Ranks::Outgoing> outgoing;
+  std::vector<Ranks::Incoming> incoming;
+  for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
+    const Peer& peer = plan_->peers[p];
+    for_each_run(peer.receive, [&](std::size_t slot, std::size_t count) { sent[p].insert(sent[p].end(), flags + slot, flags + slot + count); });
+    received[p].resize(peer.send.cells());
+    outgoing.push_back({peer.rank, std::as_bytes(std::span(sent[p]))});
+    incoming.push_back({peer.rank, std::as_writable_bytes(std::span(received[p]))});
+  }
+  ranks_->exchange(outgoing, incoming);
+  for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
+    const std::uint8_t* from = received[p].data();
+    for_each_run(plan_->peers[p].send, [&](std::size_t slot, std::size_t count) {
+      for (std::size_t k = 0; k < count; ++k, ++from)
+        if (*from != 0) flags[slot + k] = *from;
+    });
+  }
+}
+
+std::size_t Share::ghosts() const {
+  std::size_t cells = 0;
+  if (plan_)
+    for (const Peer& peer : plan_->peers) cells += peer.receive.cells();
+  return cells;
+}
+
+std::size_t Share::sent_cells() const {
+  std::size_t cells = 0;
+  if (plan_)
+    for (const Peer& peer : plan_->peers) cells += peer.send.cells();
+  return cells;
+}
+
+}  // namespace perimpact

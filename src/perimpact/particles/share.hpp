@@ -1,0 +1,124 @@
+/// The part of a body that a rank owns, and the ghosts around it: particles of other ranks within reach of the stencil.
+///
+/// A rank has a lattice of its own, a window onto that of the whole body (Lattice::first): its box of cells (partition.hpp), and around it `reach` cells,
+/// in x whole eights. Only owned particles are summed and advanced. What is read of ghosts is refreshed from their owners after it has changed there:
+/// both ends of a bond compute the same bits, so that nothing else of a bond is sent.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/pack.hpp"
+#include "perimpact/particles/cell_box.hpp"
+#include "perimpact/particles/lattice.hpp"
+#include "perimpact/ranks/ranks.hpp"
+
+namespace perimpact {
+
+class Share {
+ public:
+  /// The whole body, in a run of one rank.
+  Share();
+  /// The share of this rank in a body on that lattice. `keeps_columns`: columns along z are not divided. Throws InputError if there are more ranks than
+  /// blocks of cells.
+  Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns);
+
+  Ranks& ranks() const { return *ranks_; }
+  bool is_whole() const { return !plan_; }
+  const Lattice& whole() const;  ///< lattice of the whole body; requires a partial share
+  Lattice lattice() const;       ///< that of this rank, with ghosts
+  CellBox owned() const;         ///< cells of lattice()
+
+  /// Sets the values of ghosts to those of their owners. `arrays`: by slot of lattice().
+  template <class T>
+  void refresh(std::initializer_list<T*> arrays) const {
+    refresh(std::span<T* const>(arrays.begin(), arrays.size()));
+  }
+  template <class T>
+  void refresh(std::span<T* const> arrays) const;
+
+  /// Sets flags of owned slots that another rank has set for its ghost there. Values other than 0 are flags.
+  void collect_flags(std::uint8_t* flags) const;
+
+  /// Slot in the lattice of the whole body.
+  std::size_t whole_slot(std::size_t slot) const {
+    if (!plan_) return slot;
+    std::array<int, 3> cell = plan_->lattice.cell(slot);
+    for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] += plan_->offset[axis];
+    return plan_->whole.slot(cell[0], cell[1], cell[2]);
+  }
+
+  /// Calls visit(slot) for the ghosts that are refreshed, once each.
+  template <class Visit>
+  void for_each_ghost(const Visit& visit) const {
+    if (!plan_) return;
+    for (const Peer& peer : plan_->peers)
+      for_each_run(peer.receive, [&](std::size_t slot, std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) visit(slot + k);
+      });
+  }
+
+  /// Sets the flags of the eights of ghosts to those of their owners; each ghost's, since an eight may be only partly within reach.
+  std::vector<std::uint8_t> refreshed_flags(std::span<const std::uint8_t> of_eights) const {
+    std::vector<std::uint8_t> of_slots(of_eights.size() * fccda::byte_lanes);
+    for (std::size_t slot = 0; slot < of_slots.size(); ++slot) of_slots[slot] = of_eights[slot / fccda::byte_lanes];
+    refresh({of_slots.data()});
+    return of_slots;
+  }
+
+  std::size_t peers() const { return plan_ ? plan_->peers.size() : 0; }  ///< ranks with which ghosts are exchanged
+  std::size_t ghosts() const;                                            ///< cells of other ranks that are refreshed
+  std::size_t sent_cells() const;                                        ///< cells sent in a refresh, with repetition
+
+ private:
+  struct Peer {
+    int rank;
+    CellBox send, receive;  // cells of the own lattice
+  };
+  struct Plan {
+    Lattice whole, lattice;
+    std::array<int, 3> offset{};  // of the own lattice's first cell in the whole
+    CellBox owned;                // cells of the whole
+    std::vector<Peer> peers;
+  };
+  /// Calls f(slot, count) for the runs of consecutive slots of a box of cells of the own lattice.
+  template <class F>
+  void for_each_run(const CellBox& box, const F& f) const {
+    for (int k = box.low[2]; k < box.high[2]; ++k)
+      for (int j = box.low[1]; j < box.high[1]; ++j) f(plan_->lattice.slot(box.low[0], j, k), static_cast<std::size_t>(box.size(0)));
+  }
+
+  Ranks* ranks_;
+  std::shared_ptr<const Plan> plan_;
+};
+
+template <class T>
+void Share::refresh(std::span<T* const> arrays) const {
+  if (!plan_) return;
+  std::vector<std::vector<T>> sent(plan_->peers.size()), received(plan_->peers.size());
+  std::vector<Ranks::Outgoing> outgoing;
+  std::vector<Ranks::Incoming> incoming;
+  for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
+    const Peer& peer = plan_->peers[p];
+    sent[p].reserve(arrays.size() * peer.send.cells());
+    received[p].resize(arrays.size() * peer.receive.cells());
+    for (const T* array : arrays)
+      for_each_run(peer.send, [&](std::size_t slot, std::size_t count) { sent[p].insert(sent[p].end(), array + slot, array + slot + count); });
+    outgoing.push_back({peer.rank, std::as_bytes(std::span(sent[p]))});
+    incoming.push_back({peer.rank, std::as_writable_bytes(std::span(received[p]))});
+  }
+  ranks_->exchange(outgoing, incoming);
+  for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
+    const T* from = received[p].data();
+    for (T* array : arrays)
+      for_each_run(plan_->peers[p].receive, [&](std::size_t slot, std::size_t count) {
+        std::copy_n(from, count, array + slot);
+        from += count;
+      });
+  }
+}
+
+}  // namespace perimpact

@@ -1,0 +1,178 @@
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "perimpact/bodies.hpp"
+#include "perimpact/ranks/in_process.hpp"
+#include "perimpact/simulations.hpp"
+
+namespace perimpact {
+
+namespace {
+
+/// The state of a body by slot of its whole lattice, whatever the number of ranks that computed it.
+struct WholeBody {
+  std::map<std::string, std::vector<double>> values;  // of each slot
+  std::vector<std::uint8_t> bonds;                    // of each slot, one byte per bond of the stencil
+
+  bool operator==(const WholeBody&) const = default;
+};
+
+struct Whole {
+  std::vector<WholeBody> bodies;
+  std::vector<double> impactors;  // positions, velocities and ledgers
+  std::size_t contacts = 0, broken = 0;
+};
+
+void add_state(const Simulation& simulation, Whole& whole, std::mutex& mutex) {
+  const std::lock_guard guard(mutex);
+  whole.bodies.resize(simulation.bodies().size());
+  for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
+    const Body& body = simulation.bodies()[b];
+    const std::size_t slots = body.particles.whole_lattice()->slots(), bonds = body.family.stencil()->size();
+    WholeBody& its = whole.bodies[b];
+    its.bonds.resize(slots * bonds, 2);
+    const auto put = [&](const std::string& name, std::size_t slot, double value) {
+      its.values[name].resize(slots, -1e300);
+      its.values[name][body.particles.share().whole_slot(slot)] = value;
+    };
+    for (const std::uint32_t slot : body.particles.slot_of()) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        put("x" + std::to_string(c), slot, body.particles.position.at(slot)[c]);
+        put("v" + std::to_string(c), slot, body.particles.velocity.at(slot)[c]);
+        put("f" + std::to_string(c), slot, body.particles.force_density.at(slot)[c]);
+      }
+      if (const PlasticForce* plastic = body.internal.plastic()) put("plastic", slot, plastic->equivalent_strain(slot));
+      for (std::size_t r = 0; r < bonds; ++r)
+        its.bonds[body.particles.share().whole_slot(slot) * bonds + r] = (body.family.bytes(slot / 8)[r] >> (slot % 8)) & 1u;
+    }
+  }
+  if (!simulation.ranks().is_root()) return;
+  for (const Impactor& impactor : simulation.impactors()) {
+    const auto put = [&](const Vec3d& v) { whole.impactors.insert(whole.impactors.end(), {v.x, v.y, v.z}); };
+    put(impactor.body().position_of_com()), put(impactor.body().velocity()), put(impactor.body().angular_velocity());
+    put(impactor.account().impulse), put(impactor.account().angular_impulse);
+    whole.impactors.insert(whole.impactors.end(), {impactor.contact_work(), impactor.work_on_particles()});
+  }
+  whole.contacts = simulation.contacts();
+}
+
+Whole after(const Setup& setup, int ranks) {
+  Whole whole;
+  std::mutex mutex;
+  run_in_process(ranks, [&](Ranks& its) {
+    Simulation simulation(setup, {}, its);
+    fixtures::run(simulation);
+    add_state(simulation, whole, mutex);
+  });
+  return whole;
+}
+
+void check_equal(const Whole& a, const Whole& b) {
+  REQUIRE(a.bodies.size() == b.bodies.size());
+  for (std::size_t body = 0; body < a.bodies.size(); ++body) {
+    for (const auto& [name, values] : a.bodies[body].values) {
+      CAPTURE(name);
+      CHECK(std::memcmp(values.data(), b.bodies[body].values.at(name).data(), values.size() * sizeof(double)) == 0);
+    }
+    CHECK(a.bodies[body].bonds == b.bodies[body].bonds);
+  }
+  CHECK(a.impactors == b.impactors);
+  CHECK(a.contacts == b.contacts);
+}
+
+/// A free cylinder that spins hits the edge of a plate and breaks bonds.
+Setup plate(const fixtures::BodyOptions& options = {}) {
+  Setup setup;
+  setup.time = {.end = 12e-6, .step = 2e-7};
+  fixtures::BodyOptions its = options;
+  its.size = {0.068, 0.042, options.plane == Plane::none ? 0.010 : 0.002}, its.spacing = 0.002;
+  BodySetup plate = fixtures::body_setup(its);
+  plate.name = "plate";
+  setup.bodies = {plate};
+  ImpactorSetup cylinder;
+  cylinder.name = "cylinder";
+  cylinder.surface = CylinderSurface{.diameter = 0.03, .height = 0.03, .edge_length = 0.002};
+  cylinder.mass = 0.02;
+  cylinder.position = {0.003, 0.0361, 0};
+  cylinder.velocity = {5, -200, 0};
+  cylinder.angular_velocity = {0, 0, 800};
+  cylinder.free_dofs = {"x", "y", "rz"};
+  setup.impactors = {cylinder};
+  setup.contact.impactors.friction = 0.2;
+  return setup;
+}
+
+constexpr int counts[] = {2, 3, 4, 7, 8};
+
+}  // namespace
+
+TEST_CASE("ranks: particles, bonds and a free impactor with friction are bitwise those of one rank, for every elastic material and correction that breaks") {
+  for (const double nu : {0.25, 0.3})
+    for (const SurfaceCorrection correction : {SurfaceCorrection::automatic, SurfaceCorrection::volume})
+      for (const fixtures::Model model : {fixtures::Model::ordinary_state, fixtures::Model::linear_solid}) {
+        const Setup setup = plate({.poissons_ratio = nu, .correction = correction, .critical_stretch = 2e-3, .model = model});
+        const Whole one = after(setup, 1);
+        CHECK(one.contacts > 10);
+        CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
+        for (const int ranks : counts) {
+          CAPTURE(ranks);
+          CAPTURE(nu);
+          CAPTURE(static_cast<int>(model));
+          check_equal(one, after(setup, ranks));
+        }
+      }
+}
+
+TEST_CASE("ranks: correspondence materials are bitwise those of one rank") {
+  for (const Stabilisation stabilisation : {Stabilisation::bond_level, Stabilisation::wan})
+    for (const Plane plane : {Plane::none, Plane::strain}) {
+      const Setup setup =
+          ::perimpact::plate({.critical_stretch = 2e-3, .model = fixtures::Model::correspondence, .stabilisation = stabilisation, .plane = plane});
+      const Whole one = after(setup, 1);
+      CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
+      for (const int ranks : counts) {
+        CAPTURE(ranks);
+        CAPTURE(static_cast<int>(stabilisation));
+        check_equal(one, after(setup, ranks));
+      }
+    }
+}
+
+TEST_CASE("ranks: bonds that are stronger under compression, or scattered in strength, break as with one rank") {
+  FailureSetup hardening, weibull, limit;
+  hardening.compression_hardening = 0.3;
+  weibull.weibull_modulus = 8;
+  limit.compression = Choice{limit.compression.words, static_cast<int>(CompressionFailure::symmetric)};
+  for (const FailureSetup& failure : {hardening, weibull, limit}) {
+    const Setup setup = plate({.critical_stretch = 2e-3, .failure = failure});
+    const Whole one = after(setup, 1);
+    CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
+    for (const int ranks : counts) {
+      CAPTURE(ranks);
+      check_equal(one, after(setup, ranks));
+    }
+  }
+}
+
+TEST_CASE("ranks: material that yields under pressure flows as with one rank") {
+  for (const double nu : {0.25, 0.3}) {
+    Setup setup = plate({.poissons_ratio = nu, .critical_stretch = 4e-3});
+    PlasticitySetup& plasticity = std::get<OrdinaryStateSetup>(setup.bodies[0].material).plasticity.emplace();
+    plasticity.compressive_strength = 400e6;
+    const Whole one = after(setup, 1);
+    const std::vector<double>& strain = one.bodies[0].values.at("plastic");
+    CHECK(std::count_if(strain.begin(), strain.end(), [](double each) { return each > 0; }) > 50);
+    for (const int ranks : counts) {
+      CAPTURE(ranks);
+      CAPTURE(nu);
+      check_equal(one, after(setup, ranks));
+    }
+  }
+}
+
+}  // namespace perimpact
