@@ -135,6 +135,8 @@ class ExactSums {
   void add(const ExactSums& other) {
     for (std::size_t n = 0; n < sums_.size(); ++n) sums_[n].add(other.sums_[n]);
   }
+  /// The sum of each member.
+  std::span<ExactSum> of_members() { return sums_; }
   /// The sums, as ExactSum::value().
   Value value() const {
     Numbers numbers;
@@ -149,7 +151,7 @@ class ExactSums {
 /// Exact sum of the terms that add(share, sums) adds to `sums` for share = 0 … count - 1, each called once, in parallel for many shares. `Value`: double, or
 /// a struct of doubles.
 template <class Value, class Add>
-Value exact_sum_of_shares(std::ptrdiff_t count, const Add& add) {
+ExactSums<Value> exact_sum_of_shares(std::ptrdiff_t count, const Add& add) {
   ExactSums<Value> total;
 #pragma omp parallel if (count > 8)
   {
@@ -159,11 +161,11 @@ Value exact_sum_of_shares(std::ptrdiff_t count, const Add& add) {
 #pragma omp critical(fccda_exact_sum)
     total.add(own);
   }
-  return total.value();
+  return total;
 }
 
 /// Exact sum of numbers.
-inline double exact_sum(std::span<const double> numbers) {
+inline ExactSums<double> exact_sum(std::span<const double> numbers) {
   constexpr std::size_t share_size = 1024;
   return exact_sum_of_shares<double>(static_cast<std::ptrdiff_t>((numbers.size() + share_size - 1) / share_size),
                                      [&](std::ptrdiff_t share, ExactSums<double>& sum) {

@@ -13,6 +13,7 @@
 #include "perimpact/family/family.hpp"
 #include "perimpact/materials/internal_force.hpp"
 #include "perimpact/particles/particles.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
 
@@ -36,15 +37,16 @@ struct Body {
 
   template <class Visitor>
   void visit_state(Visitor&& visit) {
-    particles.visit_state(name, visit);
-    family.visit_state(name, visit);
-    internal.visit_state(name, visit);
+    auto shared = of_eights(particles, visit);
+    particles.visit_state(name, shared);
+    family.visit_state(name, shared);
+    internal.visit_state(name, shared);
   }
 
   /// Recorded data that do not affect any step.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
-    internal.visit_record(name, visit);
+    internal.visit_record(name, of_eights(particles, visit));
   }
 };
 

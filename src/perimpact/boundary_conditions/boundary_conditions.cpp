@@ -34,7 +34,8 @@ void BoundaryConditions::for_each(const Act& act) {
         one.boundary);
 }
 
-BoundaryConditions::BoundaryConditions(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of) {
+BoundaryConditions::BoundaryConditions(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of)
+    : share_(particles.share()) {
   for (const BoundaryConditionSetup& boundary : body.boundary_conditions) all_.push_back(make_named(boundary, {body, elastic, particles, slots_of}));
   refuse_constrained_twice(body, particles);
   refuse_floating_twice(body, particles);

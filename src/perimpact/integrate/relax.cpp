@@ -146,7 +146,7 @@ void Relaxation::start(std::span<const Body> bodies) {
 
 double Relaxation::damping(const Body& body, const Search& search) const {
   const Particles& particles = body.particles;
-  const Quotient rayleigh = exact_sum_over_eights(particles.slot_of(), [&](std::size_t k) {
+  const Quotient rayleigh = exact_sum_over_eights(particles.share().ranks(), particles.slot_of(), [&](std::size_t k) {
     const std::size_t slot = particles.slot_of()[k];
     const Vec3d u = particles.position.at(slot) - vector_at(search.position0, k);
     return Quotient{dot(u, vector_at(search.force0, k) - particles.force_density.at(slot)), search.density[slot] * squared_norm(u)};

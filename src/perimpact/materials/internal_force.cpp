@@ -1,12 +1,12 @@
 #include "perimpact/materials/internal_force.hpp"
 
-#include "base/exact_sum.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
 using fccda::NativePack;
 
-InternalForce::InternalForce(Kind kind, const Particles& particles) : kind_(std::move(kind)) {
+InternalForce::InternalForce(Kind kind, const Particles& particles) : kind_(std::move(kind)), share_(particles.share()) {
   const std::size_t eights = particles.slots() / fccda::byte_lanes;
   sums_.energy.assign(eights, 0);
   sums_.broken_ends.assign(eights, 0);
@@ -19,7 +19,7 @@ void InternalForce::evaluate(Particles& particles, Family& family, double dt) {
 
 double InternalForce::evaluate_with_energy(Particles& particles, Family& family, double dt) {
   std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.with_energy = true, .dt = dt}, sums_); }, kind_);
-  return fccda::exact_sum(sums_.energy);
+  return exact_sum(share_.ranks(), sums_.energy);
 }
 
 void InternalForce::evaluate_unbroken(Particles& particles, Family& family) {
@@ -33,10 +33,10 @@ void InternalForce::evaluate_scalar(Particles& particles, Family& family, double
 std::size_t InternalForce::broken_bonds() const {
   std::size_t ends = 0;
   for (const std::size_t count : sums_.broken_ends) ends += count;
-  return ends / 2;
+  return static_cast<std::size_t>(share_.ranks().sum(static_cast<std::int64_t>(ends))) / 2;
 }
 
-double InternalForce::fracture_energy() const { return fccda::exact_sum(sums_.fracture_energy); }
+double InternalForce::fracture_energy() const { return exact_sum(share_.ranks(), sums_.fracture_energy); }
 
 const Correspondence* InternalForce::correspondence() const {
   if (const auto* space = std::get_if<CorrespondenceForce<3>>(&kind_)) return &space->law();

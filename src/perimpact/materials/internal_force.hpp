@@ -62,8 +62,8 @@ class InternalForce {
   const Correspondence* correspondence() const;  ///< null for other materials
   const PlasticForce* plastic() const { return std::get_if<PlasticForce>(&kind_); }
   PlasticForce* plastic() { return std::get_if<PlasticForce>(&kind_); }
-  double plastic_dissipation() const { return plastic() ? plastic()->dissipation() : 0; }  ///< [J] since construction
-  double bytes() const;                                                                    ///< [bytes] of memory
+  double plastic_dissipation() const { return plastic() ? plastic()->dissipation(share_.ranks()) : 0; }  ///< [J] since construction
+  double bytes() const;                                                                                  ///< [bytes] of memory
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
@@ -88,6 +88,7 @@ class InternalForce {
 
  private:
   Kind kind_;
+  Share share_;  // of the particles, over which sums are taken
   SumsOfEights sums_;
 };
 

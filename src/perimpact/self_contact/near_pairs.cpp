@@ -61,8 +61,7 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
 bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies) {
   bool is_valid = is_known_;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (const std::uint32_t slot : exposures_[b].update(bodies[b].family, bodies[b].broken_ends))
-      is_valid = is_valid && near_damage_[particle_at_[b][slot]];
+    for (const std::uint32_t slot : exposures_[b].update(bodies[b].family, bodies[b].broken_ends)) is_valid = is_valid && near_damage_[particle_at_[b][slot]];
   return !is_valid || has_moved_by_skin(bodies);
 }
 

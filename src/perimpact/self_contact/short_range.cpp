@@ -65,7 +65,7 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
 
   // members that are not in contact add zeros, so that the sums do not depend on the list
   const auto eight_of = [&](std::size_t m) { return std::pair(members[m].body, members[m].slot / byte_lanes); };
-  const PairSum sum = exact_sum_over_eights(members.size(), eight_of, [&](std::size_t m) { return pair_sums_[m]; });
+  const PairSum sum = exact_sum_over_eights(alone(), members.size(), eight_of, [&](std::size_t m) { return pair_sums_[m]; });
   energy_ = sum.energy;
   in_contact_now_ = static_cast<std::size_t>(sum.contacts) / 2;
   work_[0] += sum.friction_dissipation, work_[1] += sum.damped_work, work_[2] += sum.compaction;

@@ -25,7 +25,8 @@ struct WholeBody {
 struct Whole {
   std::vector<WholeBody> bodies;
   std::vector<double> impactors;  // positions, velocities and ledgers
-  std::size_t contacts = 0, broken = 0;
+  std::size_t contacts = 0;
+  std::uint64_t hash = 0;
 };
 
 void add_state(const Simulation& simulation, Whole& whole, std::mutex& mutex) {
@@ -68,6 +69,8 @@ Whole after(const Setup& setup, int ranks) {
     Simulation simulation(setup, {}, its);
     fixtures::run(simulation);
     add_state(simulation, whole, mutex);
+    const std::uint64_t hash = simulation.state_hash();
+    if (its.is_root()) whole.hash = hash;
   });
   return whole;
 }
@@ -83,6 +86,7 @@ void check_equal(const Whole& a, const Whole& b) {
   }
   CHECK(a.impactors == b.impactors);
   CHECK(a.contacts == b.contacts);
+  CHECK(a.hash == b.hash);
 }
 
 /// A free cylinder that spins hits the edge of a plate and breaks bonds.

@@ -57,15 +57,16 @@ void PrescribedDisplacement::reimpose_after_contact(Particles& particles, const 
     changes.add({impulse, dot(impulse, velocity), dot(impulse, unbalanced)});
     displaced.push_back(slot);
   }
-  if (displaced.size() == displaced_before) return;
-  const Changes sum = changes.value();
+  Ranks& ranks = particles.share().ranks();
+  if (!ranks.any(displaced.size() != displaced_before)) return;
+  const Changes sum = value_of_all(ranks, changes);
   account.add(sum.impulse, sum.work);
   constraint_work_correction_ += sum.correction;
 }
 
 template <class Target>
 ForceSum PrescribedDisplacement::take_over(Particles& particles, const Target& target) const {
-  return exact_sum_over_eights(slots_, [&](std::size_t k) {
+  return exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     Vec3d force{};
     for (std::size_t c = 0; c < 3; ++c) {

@@ -36,7 +36,7 @@ void UserForce::apply_load(Particles& particles, const fccda::Step& next) {
   density_ = VectorArray(particles.slots(), 0);
   function_(next.t0, density_);
   const double dt = next.t0 > 0 ? next.dt : 0;  // [s] of the step before
-  const UserForceSums sums = exact_sum_over_eights(slots_, [&](std::size_t k) {
+  const UserForceSums sums = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d f = density_.at(slot);
     const double volume = particles.volume(slot);

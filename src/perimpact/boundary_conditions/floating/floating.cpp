@@ -25,13 +25,16 @@ std::optional<double> floating_level(const Particles& particles, std::span<const
     const double z = particles.position.at(slot).z, half = 0.5 * particles.size_of(slot);
     low = std::min(low, z - half), high = std::max(high, z + half);
   }
-  const double volume = exact_sum_over_eights(slots, [&](std::size_t k) { return particles.volume(slots[k]); }), mass = particles.density() * volume;
+  Ranks& ranks = particles.share().ranks();
+  low = ranks.min(low), high = ranks.max(high);
+  const double volume = exact_sum_over_eights(ranks, slots, [&](std::size_t k) { return particles.volume(slots[k]); }), mass = particles.density() * volume;
   if (mass > water.density * volume) return std::nullopt;
   Water trial = water;
   for (int halvings = 0; halvings < 100 && high - low > 1e-15 * (std::fabs(high) + std::fabs(low)); ++halvings) {
     trial.level = 0.5 * (low + high);
-    const double displaced = exact_sum_over_eights(
-        slots, [&](std::size_t k) { return particles.volume(slots[k]) * trial.submerged(particles.position.at(slots[k]).z, particles.size_of(slots[k])); });
+    const double displaced = exact_sum_over_eights(ranks, slots, [&](std::size_t k) {
+      return particles.volume(slots[k]) * trial.submerged(particles.position.at(slots[k]).z, particles.size_of(slots[k]));
+    });
     (water.density * displaced < mass ? low : high) = trial.level;
   }
   return 0.5 * (low + high);
@@ -66,7 +69,7 @@ void Floating::update_exposed_surface(const Particles& particles, const Family& 
     newly_damaged = exposure_->update(family, broken_ends);
   if (water_.entrained_depth != 0) update_intact_share(family, broken_ends);
   if (!has_dry_top()) return;
-  fccda::ExactSum loss;  // [J]
+  fccda::ExactSums<double> loss;  // [J]
   if (is_first) {
     for (std::size_t k = 0; k < slots_.size(); ++k)
       if (exposure_->has_lost(slots_[k])) loss.add(flood(columns_->column_of(k), particles));
@@ -76,7 +79,7 @@ void Floating::update_exposed_surface(const Particles& particles, const Family& 
       if (found != slots_.end() && *found == slot) loss.add(flood(columns_->column_of(static_cast<std::size_t>(found - slots_.begin())), particles));
     }
   }
-  record_flooding(loss.value());
+  record_flooding(value_of_all(particles.share().ranks(), loss));
   flood_deep_columns(particles);
 }
 
@@ -112,7 +115,7 @@ void Floating::record_flooding(double loss) {
 void Floating::flood_deep_columns(const Particles& particles) {
   if (!has_dry_top()) return;
   const auto each_column = [](std::size_t c) { return c; };  // the particles of a column are in several eights
-  record_flooding(exact_sum_over_eights(columns_->count(), each_column, [&](std::size_t c) {
+  record_flooding(exact_sum_over_eights(particles.share().ranks(), columns_->count(), each_column, [&](std::size_t c) {
     const std::uint32_t top = columns_->top(c);
     if (top == WaterColumns::none || dry_tops_[top] == 0) return 0.0;
     const double depth = water_.level - particles.position.at(slots_[top]).z - 0.5 * particles.size_of(slots_[top]);
@@ -122,7 +125,7 @@ void Floating::flood_deep_columns(const Particles& particles) {
 
 ForceSum Floating::static_hydrostatics(Particles& particles) {
   const double weight = particles.density() * water_.gravity, lift = water_.density * water_.gravity;  // [N/m³]
-  const Hydrostatics sum = exact_sum_over_eights(slots_, [&](std::size_t k) {
+  const Hydrostatics sum = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const double z = particles.position.at(slot).z, height = particles.size_of(slot), volume = particles.volume(slot);
     const bool is_dry = has_dry_top() && dry_tops_[k] != 0;
@@ -164,7 +167,7 @@ Vec3d Floating::resist(Particles& particles, double dt) {
   if (!resists()) return {};
   if (water_.entrained_depth != 0) update_wetness(particles);
   const double density = particles.density();
-  const Resistance sum = exact_sum_over_eights(slots_, [&](std::size_t k) {
+  const Resistance sum = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d velocity = particles.velocity.at(slot);
     const bool is_exposed = exposure_ && exposure_->is_exposed(slot);

@@ -89,13 +89,13 @@ class Floating {
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
-    if (has_dry_top()) visit(name + ".dry_tops", std::span<std::uint8_t>(dry_tops_));
+    if (has_dry_top()) visit(name + ".dry_tops", ListNumbers(std::span<std::uint8_t>(dry_tops_), slots_));
   }
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     if (has_dry_top()) visit(name + ".flooding", std::span<double>(&flooding_dissipation_, 1));
     account.visit_record(name, visit);
-    forces_.visit_record(name, visit);
+    forces_.visit_record(name, slots_, visit);
     double all[] = {potential_, has_begun_ ? 1.0 : 0.0, weight_buoyancy_work_, drag_work_};
     visit(name + ".water", std::span<double>(all));
     potential_ = all[0], has_begun_ = all[1] != 0, weight_buoyancy_work_ = all[2], drag_work_ = all[3];

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "base/exact_sum.hpp"
 #include "base/parallel.hpp"
 #include "perimpact/damage/strength.hpp"
 #include "perimpact/materials/ordinary_state/plastic_force.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -136,6 +136,6 @@ void PlasticForce::set_plastic_strain(std::size_t slot, const SymmetricTensor& s
   mark(slot, family);
 }
 
-double PlasticForce::dissipation() const { return exact_sum(dissipation_); }
+double PlasticForce::dissipation(Ranks& ranks) const { return perimpact::exact_sum(ranks, dissipation_); }
 
 }  // namespace perimpact

@@ -75,8 +75,8 @@ class PlasticForce {
   /// [Pa] at the last pass, before flow; up to date where is_stress_known().
   SymmetricTensor stress(std::size_t slot) const { return tensor_at(stress_, slot); }
   bool is_stress_known(std::size_t slot) const { return (is_hot_[slot / fccda::byte_lanes] >> (slot % fccda::byte_lanes)) & 1u; }
-  double dissipation() const;  ///< [J] by plastic flow, up to the last pass
-  double bytes() const;        ///< [bytes] of memory
+  double dissipation(Ranks& ranks = alone()) const;  ///< [J] by plastic flow on these ranks, up to the last pass
+  double bytes() const;                              ///< [bytes] of memory
 
   /// Gives a particle a plastic strain, as if it had flowed: for tests.
   void set_plastic_strain(std::size_t slot, const SymmetricTensor& strain, const Family& family);
