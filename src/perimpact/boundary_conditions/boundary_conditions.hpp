@@ -86,7 +86,7 @@ class BoundaryConditions {
  private:
   template <class Visitor>
   auto with_share(Visitor& visit) const {
-    return [this, &visit](std::string_view name, auto&& values) {
+    return [this, &visit](const auto& name, auto&& values) {
       if constexpr (requires { values.per_slot; }) {
         auto numbers = values;
         numbers.share = &share_;

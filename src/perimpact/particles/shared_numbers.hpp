@@ -24,7 +24,7 @@ struct EightNumbers : std::span<T> {
 /// A visitor that passes all arrays on as numbers of the eights of a body.
 template <class Visitor>
 auto of_eights(const Particles& particles, Visitor& visit) {
-  return [&](std::string_view name, auto&& values) { visit(name, EightNumbers(fccda::numbers_in(values), particles)); };
+  return [&](const auto& name, auto&& values) { visit(name, EightNumbers(fccda::numbers_in(values), particles)); };
 }
 
 /// `per_slot` numbers of each of some owned slots, ascending.

@@ -68,7 +68,7 @@ TEST_CASE("sums over eights: the order of the eights and the number of threads d
   REQUIRE(particles.size() > 5000);  // many shares of work
   std::mt19937_64 random(2);
   const auto sum_of = [&](std::span<const std::uint32_t> slots) {
-    return exact_sum_over_eights(slots, [&](std::size_t k) {
+    return exact_sum_over_eights(alone(), slots, [&](std::size_t k) {
       return MassAndEnergy{particles.mass(slots[k]), particles.mass(slots[k]) * squared_norm(particles.velocity.at(slots[k]))};
     });
   };
@@ -101,7 +101,7 @@ TEST_CASE("sums over eights: parts of a list of slots, cut between eights, add u
     std::size_t end = begin;
     while (end < slots.size() && slots[end] / 8 == slots[begin] / 8) ++end;
     const auto eight = slots.subspan(begin, end - begin);
-    parts[slots[begin] / 8 % 3].add(exact_sum_over_eights(eight, [&](std::size_t k) { return energy(eight[k]); }));
+    parts[slots[begin] / 8 % 3].add(exact_sum_over_eights(alone(), eight, [&](std::size_t k) { return energy(eight[k]); }));
     begin = end;
   }
   parts[0].add(parts[1]), parts[0].add(parts[2]);
@@ -117,5 +117,5 @@ TEST_CASE("sums over eights: each particle is visited once") {
   });
   for (std::size_t slot = 0; slot < particles.slots(); ++slot) REQUIRE(visits[slot] == (particles.is_occupied(slot) ? 1 : 0));
   CHECK(exact_sum_over_eights(particles, [](std::size_t) { return 1.0; }) == static_cast<double>(particles.size()));
-  CHECK(exact_sum_over_eights(std::span<const std::uint32_t>(), [](std::size_t) { return 1.0; }) == 0);
+  CHECK(exact_sum_over_eights(alone(), std::span<const std::uint32_t>(), [](std::size_t) { return 1.0; }) == 0);
 }
