@@ -38,12 +38,17 @@ class Sets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Calls visit(i, j) for each intact bond once or twice; bonds of the stencil from the smaller slot only, but those to ghosts from their owned end.
+/// Calls visit(i, j) for each intact bond once or twice; bonds of the stencil from the smaller slot only, but those to ghosts from their owned end: after a
+/// restart ghosts have bonds too, some of which lead out of the lattice of this rank.
 template <class Visit>
 void for_each_intact_bond(const Family& family, const Particles& particles, const Visit& visit) {
   const std::span<const std::ptrdiff_t> offsets = family.offsets();
   const bool is_whole = particles.share().is_whole();
+  std::vector<std::uint8_t> is_owned(particles.slots() / byte_lanes, is_whole ? 1 : 0);
+  if (!is_whole)
+    for (const std::uint32_t slot : particles.slot_of()) is_owned[slot / byte_lanes] = 1;
   for (std::size_t eight = 0; eight < particles.slots() / byte_lanes; ++eight) {
+    if (is_owned[eight] == 0) continue;
     const std::uint8_t* bytes = family.bytes(eight);
     const std::size_t first = family.begin(eight), rows = family.begin(eight + 1) - first;
     for (std::size_t r = 0; r < rows; ++r) {
