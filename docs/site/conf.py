@@ -19,10 +19,10 @@ NAVIGATION = {
         "guide/real_surfaces", "guide/elastic_impactors", "guide/spacing_and_layers", "guide/calibration", "guide/contact_bounds", "guide/results", "guide/loads", "guide/report", "guide/restart", "guide/command_line", "guide/messages", "guide/cluster", "guide/python", "guide/python_reference",
         "guide/troubleshooting", "guide/diagnoses", "guide/errors"],
     "Deck reference": ["guide/deck/index"] + [f"guide/deck/{name}" for name in (
-        "time", "bodies", "shapes", "cracks", "particle_sets", "materials", "ice", "plasticity", "failure", "boundary_conditions", "impactors", "surfaces",
+        "time", "bodies", "moving_window", "shapes", "cracks", "particle_sets", "materials", "ice", "plasticity", "failure", "boundary_conditions", "impactors", "surfaces",
         "remeshing", "contact_bounds", "motion", "gauges", "contact", "output")],
     "Cases": [
-        f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "hull_panel", "ice_specimens", "ice_paddle", "floating_strip",
+        f"/cases/{name}/README" for name in ("plate_impact", "ship_ice", "uikku_ice", "propeller_ice", "submarine_surfacing", "ice_sphere", "hull_panel", "ice_specimens", "ice_paddle", "floating_strip",
                                              "crack_branching", "kalthoff_winkler")],
     "Theory": [
         f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary_conditions", "floating_bodies", "moving_window", "ice", "ice_plasticity",
@@ -30,7 +30,7 @@ NAVIGATION = {
                                       "resistance", "fccda_variants", "glossary")],
     "Library": ["library/README", "library/recipes", "library/deforming_surfaces", "library/c_api", "library/couplings", "library/reference"],
     "Validation": ["validation"],
-    "Developer": ["developer/structure", "developer/testing", "/validation/README", "/benchmarks/README", "/CONTRIBUTING", "/CHANGELOG"],
+    "Developer": ["developer/structure", "developer/ranks", "developer/testing", "/validation/README", "/benchmarks/README", "/CONTRIBUTING", "/CHANGELOG"],
 }
 
 extensions = ["myst_parser"]
