@@ -147,7 +147,7 @@ int main(int argc, char** argv) {
                static_cast<double>(effort.panels_tested) / count, contacts, hash.value());
   };
 
-  for (const double length : {0.1, 1.0, 10.0})
+  for (const double length : {0.01, 0.1, 1.0, 10.0})
     for (const double radius : {0.0, 0.5, 2.0}) {
       const double offset = 1e-12;
       const PathTest test(indexed, Unbounded(), radius * panel);

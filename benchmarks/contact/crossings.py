@@ -49,7 +49,7 @@ def main():
     if len(programs) != 2:
         print(__doc__, file=sys.stderr)
         return 2
-    rows = [row for order, arguments in (("random", []), ("of triangles", ["--in-order"])) for row in compared(programs, order, arguments)]
+    rows = [row for order, arguments in report.ORDERS.items() for row in compared(programs, order, arguments)]
     report.write(rows, results_file("contact_crossings"))
     return any(row["contacts are"] == "different" for row in rows)
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Times contact detection by method, its queries against CGAL and Embree, and its share of a run against an impactor of particles.
+"""Times contact detection by method, its queries against CGAL and Embree, its share of a run against an impactor of particles, deforming surfaces, and single crossings.
 
     benchmarks/contact/measure.py               about twenty minutes; nothing else may run meanwhile
-    benchmarks/contact/measure.py --only cost   one of cost, queries, share
+    benchmarks/contact/measure.py --only cost   one of cost, queries, share, deforming, crossing
     benchmarks/contact/measure.py --tables      no measurement: rewrites tables and figure
 
-Writes results/contact_{cost,queries,share}_<machine>.csv, the tables of README.md and docs/theory/figures/contact_cost.png. Exit code 1:
+Writes results/contact_{cost,queries,share,deforming,crossing}_<machine>.csv, the tables of README.md and docs/theory/figures/contact_cost.png. Exit code 1:
 a claim is not met. 2: something is missing.
 """
 
@@ -69,13 +69,25 @@ def share(build):
     return rows_of(build, "contact_share", ROOT / "cases/plate_impact/deck.yaml")
 
 
-KINDS = {"cost": cost, "queries": queries, "share": share}
+def deforming(build):
+    return rows_of(build, "contact_deforming")
+
+
+def crossing(build):
+    rows = []
+    for order, arguments in report.ORDERS.items():
+        rows += [{"order": order, **row} for row in rows_of(build, "crossing_cost", *arguments)]
+        print(f"crossings in the order {order} done", flush=True)
+    return rows
+
+
+KINDS = {"cost": cost, "queries": queries, "share": share, "deforming": deforming, "crossing": crossing}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=ROOT / "build/release", help="build folder (default: build/release)")
-    parser.add_argument("--only", choices=KINDS, help="one of the three")
+    parser.add_argument("--only", choices=KINDS, help="one kind of measurement")
     parser.add_argument("--tables", action="store_true", help="write tables and figure from the CSV files without measuring")
     arguments = parser.parse_args()
     if not arguments.tables:

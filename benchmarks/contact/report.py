@@ -8,6 +8,8 @@ BENCHMARKS = Path(__file__).resolve().parents[1]
 README = BENCHMARKS / "README.md"
 RESULTS = BENCHMARKS / "results"
 BEGIN, END = "<!-- contact: written by contact/measure.py -->\n", "<!-- end of contact -->\n"
+ORDERS = {"random": [], "of triangles": ["--in-order"]}  # of the points of crossing_cost
+KINDS = ("cost", "queries", "share", "deforming", "crossing")
 METHODS = ["all panels", "box then all panels", "box then bvh", "swept"]
 
 
@@ -36,13 +38,37 @@ def is_counted(row):
     return row["method"] in ("all panels", "box then all panels")
 
 
+def deforming_claims(machine):
+    """The same of surfaces that deform, and of crossings, for one machine."""
+    table = []
+    times = {(row["what"], row["surface"]): float(row["value"]) for row in read("deforming") if row["machine"] == machine}
+    steps = [float(row["rest_ms"]) * 1e6 / float(row["particles"]) for row in read("share") if row["machine"] == machine and row["search"] == "swept"]
+    if times and steps:
+        share = times["move", "bending"] / steps[0]
+        table.append(("moving 2e5 panels, of a step of 1e6 particles", "≤ 5 %", f"{share:.1%}", share <= 0.05))
+    for kind in ("points", "balls") if times else ():
+        ratio = times["query", f"{kind} at vertices moved individually"] / times["query", f"rigid {kind}"]
+        table.append((f"evaluation of {kind} near vertices that move, over that near a rigid surface", "≤ 3", f"{ratio:.2f}", ratio <= 3))
+    for motion, of in (("moved", "a rigid surface in translation"), ("turned", "a rigid surface that rotates by 0.05 rad"), ("deforming", "vertices that move")):
+        for kind, limit, radii in (("point", 3, ("0",)), ("ball", 8, ("0.5", "2"))):
+            for order in ORDERS:
+                found = [float(row["ns/crossing"]) / 1e3 for row in read("crossing")
+                         if (row["machine"], row["motion"], row["order"]) == (machine, motion, order) and row["radius"] in radii and row["path"] in ("0.1", "1")]  # fmt: skip
+                if found:
+                    what = f"µs a crossing with its relocation, {kind}, {of}, points in {'random order' if order == 'random' else 'the order of triangles'}"
+                    table.append((what, f"≤ {limit}", f"{min(found):.1f} to {max(found):.1f}", max(found) <= limit))
+    return table
+
+
 def claims():
-    """(claim, required, measured, met) for the slowest machine."""
+    """(claim, required, measured, met) for the slowest machine; for each machine where deforming surfaces are concerned."""
     table = []
     for scene, limit in (("paper", 2), ("debris", 10)):
         values = [nanoseconds(row) for row in read("cost") if row["method"] == "swept" and row["scene"] == scene and row["panels"] == "200000"]
         if values:
             table.append((f"ns a particle and step, 1e6 particles, 2e5 panels, {scene}", f"≤ {limit}", f"{max(values):.2f}", max(values) <= limit))
+    for machine in dict.fromkeys(row["machine"] for kind in ("deforming", "crossing") for row in read(kind)):
+        table += [(f"{what} ({machine})", *rest) for what, *rest in deforming_claims(machine)]
     return table
 
 
@@ -71,10 +97,10 @@ def cost_table(rows):
 
 def sections():
     lines = []
-    machines = dict.fromkeys(row["machine"] for kind in ("cost", "queries", "share") for row in read(kind))
+    machines = dict.fromkeys(row["machine"] for kind in KINDS for row in read(kind))
     lines += table(["claim", "wanted", "measured", "met"], [[what, wanted, shown, "yes" if met else "**no**"] for what, wanted, shown, met in claims()])
     for machine in machines:
-        own = {kind: [row for row in read(kind) if row["machine"] == machine] for kind in ("cost", "queries", "share")}
+        own = {kind: [row for row in read(kind) if row["machine"] == machine] for kind in KINDS}
         lines += [f"### {machine}", ""]
         if own["cost"]:
             lines += ["Nanoseconds a particle of the body and step, one core. \\*: 10 000 particles timed, counted for all.", "", *cost_table(own["cost"])]
@@ -88,6 +114,11 @@ def sections():
             heads = ["impactor", "search", "elements", "contacts", "contact [ms]", "rest of the step [ms]", "share"]
             rows = [[*(row[c] for c in ("impactor", "search", "impactor_elements", "contacts", "contact_ms", "rest_ms")), f"{float(row['share']):.2%}"] for row in own["share"]]
             lines += table(heads, rows)
+        if own["deforming"]:
+            lines += table(["surface that deforms", "panels", "value", "unit", "contacts"], [[f"{row['what']}, {row['surface']}", *(row[c] for c in ("panels", "value", "unit", "contacts"))] for row in own["deforming"]])
+        if own["crossing"]:
+            heads = ["crossing: order", "motion", "radius [panels]", "path [panels]", "ns", "triangles evaluated"]
+            lines += table(heads, [[row[c] for c in ("order", "motion", "radius", "path", "ns/crossing", "triangles")] for row in own["crossing"]])
     return "\n".join(lines)
 
 

@@ -69,8 +69,8 @@ void loosen(Simulation& simulation, double share) {
       });
     }
   });
-  with_state<std::size_t>(simulation, "plate.broken_ends_of_row", [&](std::span<std::size_t> ends) {
-    for (std::size_t& count : ends) count += share > 0;
+  with_state<std::uint32_t>(simulation, "plate.broken_ends_of_eight", [&](std::span<std::uint32_t> ends) {
+    for (std::uint32_t& count : ends) count += share > 0;
   });
   std::mt19937_64 random(1);
   std::normal_distribution<double> speed(0, 0.01 * std::sqrt(youngs_modulus / density));

@@ -26,11 +26,11 @@ NAVIGATION = {
                                              "crack_branching", "kalthoff_winkler")],
     "Theory": [
         f"theory/{name}" for name in ("peridynamics", "ordinary_state", "correspondence", "lattice", "damage", "time_step", "relaxation", "boundary_conditions", "floating_bodies", "moving_window", "ice", "ice_plasticity",
-                                      "contact", "contact_bounds", "contact_response", "short_range", "energy", "remeshing", "convergence", "detection_evidence", "floating_strip",
+                                      "contact", "contact_bounds", "contact_response", "deforming_contact", "short_range", "energy", "remeshing", "convergence", "detection_evidence", "floating_strip",
                                       "resistance", "fccda_variants", "glossary")],
     "Library": ["library/README", "library/recipes", "library/deforming_surfaces", "library/c_api", "library/couplings", "library/reference"],
     "Validation": ["validation"],
-    "Developer": ["developer/structure", "developer/testing", "/validation/README", "/benchmarks/README", "/CONTRIBUTING", "/CHANGELOG"],
+    "Developer": ["developer/structure", "developer/ranks", "developer/testing", "/validation/README", "/benchmarks/README", "/CONTRIBUTING", "/CHANGELOG"],
 }
 
 extensions = ["myst_parser"]

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "contact_rows.hpp"
 #include "fccda/api/deforming_contact_detector.hpp"
+#include "fccda/deforming/step_warnings.hpp"
 #include "given_surface.hpp"
 
 namespace perimpact::python {
@@ -121,6 +122,9 @@ that the surface was made of; not modified.
 
 Raises InputError, and changes nothing, if their number differs, one is not finite or moves farther than 1e6 sizes of the surface, welded vertices part, a
 panel loses its area, or a closed surface is turned inside out.)")
+      .def("step_warnings", &fccda::step_warnings,
+           R"(Sentences about the step that the surface has begun: panels that move farther than their longest edge, turn by more than 90°, or pass through
+others at its end. Empty if there is nothing to report. Takes longer than move: for a check now and then.)")
       .def_property_readonly("vertex_count", &vertices_of, "Number of vertices of the Mesh that the surface was made of: the rows that move takes.");
 }
 

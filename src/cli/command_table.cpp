@@ -56,6 +56,11 @@ Command run_of(RunArguments& arguments) {
                           .help = "line: a line with the progress; json: all messages as JSON, one object a line",
                           .target = &arguments.progress,
                           .words = {"line", "json"}},
+                         {.name = "--ranks",
+                          .value = "N",
+                          .help = "Number of processes that mpirun starts; recognised by default. 1: a run of its own, also within mpirun",
+                          .target = &arguments.ranks,
+                          .range = {{1, 1000000}}},
                      },
           .run = [&arguments] { return run_command(arguments); }};
 }

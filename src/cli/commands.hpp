@@ -25,6 +25,7 @@ struct RunArguments : DeckArguments {
   bool force = false;   ///< replace the run in the results folder
   bool no_report = false;
   std::string progress = "line";  ///< or json
+  int ranks = 0;                  ///< processes that a launcher has started together; 0: as its environment says
 };
 
 struct CheckArguments : DeckArguments {

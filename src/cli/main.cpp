@@ -12,12 +12,20 @@
 #include "cli/command_table.hpp"
 #include "cli/messages.hpp"
 #include "cli/parse_command_line.hpp"
+#include "run/launch.hpp"
 
 namespace {
 
 using namespace perimpact;
 
-void print_error(const std::string& sentence) { std::fprintf(stderr, "error: %s\n", sentence.c_str()); }
+/// Reports the error and ends the other ranks of the run, if any.
+int fail(int exit_code, const std::string& sentence) {
+  end_failed(exit_code, [&] {
+    std::fprintf(stderr, "error: %s\n", sentence.c_str());
+    std::fflush(stdout);
+  });
+  return exit_code;
+}
 
 /// Detects output lost on a full disk.
 void expect_printed() {
@@ -35,18 +43,15 @@ int main(int argc, char** argv) {
     Arguments arguments;
     const int code = parse_command_line(command_table(arguments), argc, argv)();
     expect_printed();
+    close_ranks();
     return code;
   } catch (const fccda::InputError& error) {
-    print_error(error.what());
-    return 2;
+    return fail(2, error.what());
   } catch (const fccda::RunError& error) {
-    print_error(error.what());
-    return 3;
+    return fail(3, error.what());
   } catch (const std::system_error& error) {  // from fmt on a failed print
-    print_error(fmt::format("the output cannot be printed: {}. Free disk space, or redirect it elsewhere.", error.code().message()));
-    return 3;
+    return fail(3, fmt::format("the output cannot be printed: {}. Free disk space, or redirect it elsewhere.", error.code().message()));
   } catch (const std::bad_alloc&) {
-    print_error("there is not enough memory for this set-up; use a larger spacing or fewer panels.");
-    return 3;
+    return fail(3, "there is not enough memory for this set-up; use a larger spacing or fewer panels.");
   }
 }

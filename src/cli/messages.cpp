@@ -61,7 +61,7 @@ std::string line_within(std::size_t width, const std::vector<Messages::Part>& pa
 }
 
 Messages::Messages(const MessageArguments& arguments, Form form)
-    : arguments_(arguments), form_(form), is_terminal_(form == Form::text && !arguments.quiet && has_redrawn_lines()) {
+    : arguments_(arguments), form_(form), is_terminal_(form == Form::text && !arguments.quiet && arguments.has_terminal && has_redrawn_lines()) {
   if (arguments_.log.empty()) return;
   output::expect_place_for(arguments_.log);
   log_.reset(std::fopen(arguments_.log.c_str(), "ae"));

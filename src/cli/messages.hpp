@@ -24,6 +24,7 @@ struct MessageArguments {
   bool quiet = false;    ///< warnings and errors only
   bool verbose = false;  ///< details too
   std::filesystem::path log;
+  bool has_terminal = true;  ///< if standard output is one; not through mpirun, whose own output may go to a file
 };
 
 class Messages {

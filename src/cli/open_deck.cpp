@@ -27,9 +27,10 @@ deck::Deck open_deck(const DeckArguments& arguments, Messages& messages) {
   return deck;
 }
 
-Simulation set_up(const deck::Deck& deck, Messages& messages, const RunFolder* folder) {
-  const SetupSignals signals(messages.last_words("Interrupted during the set-up; no results were written."), folder);
-  return Simulation(deck.setup, [&](std::string_view stage, std::string_view of) { messages.stage(stage, of); });
+Simulation set_up(const deck::Deck& deck, Messages& messages, const RunFolder* folder, Ranks& ranks) {
+  const SetupSignals signals(messages.last_words("Interrupted during the set-up; no results were written."), ranks.is_root() ? folder : nullptr);
+  return Simulation(
+      deck.setup, [&](std::string_view stage, std::string_view of) { messages.stage(stage, of); }, ranks);
 }
 
 std::filesystem::path results_folder(const DeckArguments& arguments, const Setup& setup) {
@@ -42,10 +43,12 @@ void rethrow_with_place(const deck::Deck& deck, const DefectFolder& folder) {
   try {
     throw;
   } catch (const DefectiveSurface& error) {
-    output::prepare_folder(folder.path);
     const std::filesystem::path file = defect_file_of(folder.path, error.impactor());
-    write_defects(file, error.panels(), {&error.defect(), 1});
-    if (folder.lists_files) output::list_file(folder.path, file.filename().string());
+    if (folder.is_written) {
+      output::prepare_folder(folder.path);
+      write_defects(file, error.panels(), {&error.defect(), 1});
+    }
+    if (folder.is_written && folder.lists_files) output::list_file(folder.path, file.filename().string());
     throw fccda::InputError(fmt::format("{}: {} These panels are in {}, for ParaView.", deck.places.of(error.key()), error.what(), file.string()));
   } catch (const SetupError& error) {
     throw fccda::InputError(deck.places.of(error.key()) + ": " + error.what());

@@ -13,6 +13,7 @@
 #include "cli/report_command.hpp"
 #include "cli/setup_text.hpp"
 #include "io/output/results_folder.hpp"
+#include "run/launch.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_loop.hpp"
 #include "run/stop_signals.hpp"
@@ -33,6 +34,12 @@ std::string timers_text(const Simulation& simulation) {
   return text;
 }
 
+/// "4 threads", or "2 ranks with 4 threads each".
+std::string processors_text(const Ranks& ranks) {
+  const std::string threads = fmt::format("{} threads", fccda::thread_count());
+  return ranks.size() == 1 ? threads : fmt::format("{} ranks with {} each", ranks.size(), fccda::thread_count() == 1 ? "1 thread" : threads);
+}
+
 /// A command-line word, quoted for the shell.
 std::string quoted(const std::string& word) {
   if (!word.empty() && word.find_first_of(" \t\n\"'\\$`&|;<>()[]{}*?!#~") == std::string::npos) return word;
@@ -49,6 +56,9 @@ std::string resuming(const RunArguments& arguments) {
   return text + " --resume";
 }
 
+/// The signal to end that any rank has received, or 0. Collective.
+int pending_signal(const Simulation& simulation) { return static_cast<int>(simulation.ranks().max(StopSignals::pending())); }
+
 /// Performs the steps, with the progress line. The signal that ended the run, or 0.
 int run_steps(Simulation& simulation, RunLoop& loop, Messages& messages) {
   Progress progress(simulation, messages);
@@ -64,7 +74,7 @@ int run_steps(Simulation& simulation, RunLoop& loop, Messages& messages) {
                 }});
   progress.finish(simulation);
   loop.interrupt();  // of a finished run, the results are closed
-  return simulation.clock().is_finished() ? 0 : StopSignals::pending();
+  return simulation.clock().is_finished() ? 0 : pending_signal(simulation);
 }
 
 void print_start(const Simulation& simulation, const RunFolder& folder, Messages& messages) {
@@ -75,11 +85,12 @@ void print_start(const Simulation& simulation, const RunFolder& folder, Messages
   members["title"] = simulation.setup().title;
   members["folder"] = folder.path().string();
   members["threads"] = fccda::thread_count();
+  if (const int ranks = simulation.ranks().size(); ranks > 1) members["ranks"] = ranks;
   members[simulation.relaxation() ? "increments" : "steps"] = clock.steps;
   members[simulation.relaxation() ? "increment [s]" : "step [s]"] = clock.dt;
   if (folder.is_resumed()) members["resumed_at"] = clock.step;
   messages.print("start", members,
-                 fmt::format("{} threads, {} {} of {:.4g} s; results go to {}\n", fccda::thread_count(), clock.steps,
+                 fmt::format("{}, {} {} of {:.4g} s; results go to {}\n", processors_text(simulation.ranks()), clock.steps,
                              simulation.relaxation() ? "increments" : "steps", clock.dt, folder.path().string()));
   if (folder.is_resumed()) messages.print(fmt::format("Resumed at step {} (t = {:.4g} s).\n", clock.step, clock.time()));
   if (messages.is_verbose()) messages.print(setup_text(simulation));
@@ -106,8 +117,9 @@ void print_end(const Simulation& simulation, const RunFolder& folder, int signal
 }
 
 /// Runs the deck in the folder; signals are recorded from the end of the set-up. The signal that ended the run, or 0.
-int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments& arguments, std::optional<StopSignals>& signals, Messages& messages) {
-  Simulation simulation = set_up(deck, messages, &folder);
+int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments& arguments, std::optional<StopSignals>& signals, Messages& messages,
+             Ranks& ranks) {
+  Simulation simulation = set_up(deck, messages, &folder, ranks);
   signals.emplace(StopSignals::SecondInterrupt::ends_program);
   RunLoop loop(simulation);
   messages.stage("first output frame");
@@ -123,25 +135,41 @@ int run_deck(const deck::Deck& deck, const RunFolder& folder, const RunArguments
     members["outcome"] = "failed";
     members["text"] = error.what();
     messages.print("end", members, "");
-    if (!arguments.no_report) try_report(folder.path(), messages);
+    if (!arguments.no_report && ranks.size() == 1) try_report(folder.path(), messages);  // others wait for the end of a failed rank
     throw;
   }
   print_end(simulation, folder, signal, messages);
   return signal;
 }
 
+/// The arguments of this rank: only the root prints and reports, and threads share the processors of a machine.
+RunArguments arguments_of(Ranks& ranks, RunArguments arguments) {
+  if (ranks.size() == 1) return arguments;
+  const int threads = threads_of_rank(ranks);
+  if (arguments.threads == 0) arguments.threads = threads;
+  arguments.messages.has_terminal = false;
+  if (ranks.is_root()) return arguments;
+  arguments.messages.log.clear();
+  arguments.no_report = true;
+  return arguments;
+}
+
 }  // namespace
 
-int run_command(const RunArguments& arguments) {
+int run_command(const RunArguments& given) {
   std::signal(SIGPIPE, SIG_IGN);  // a run does not depend on who reads its messages
-  Messages messages(arguments.messages, arguments.progress == "json" ? Messages::Form::json_lines : Messages::Form::text);
+  Ranks& ranks = launched_ranks(given.ranks);
+  const RunArguments arguments = arguments_of(ranks, given);
+  const auto form = arguments.progress == "json" ? Messages::Form::json_lines : Messages::Form::text;
+  Messages messages(arguments.messages, ranks.is_root() ? form : Messages::Form::none);
   return logged(messages, [&] {
     const deck::Deck deck = open_deck(arguments, messages);
     const std::filesystem::path path = results_folder(arguments, deck.setup);
-    return with_places(deck, {.path = path, .lists_files = true}, [&] {
+    return with_places(deck, {.path = path, .lists_files = true, .is_written = ranks.is_root()}, [&] {
       const EarlierRun earlier = arguments.resume ? EarlierRun::resume : arguments.force ? EarlierRun::replace : EarlierRun::keep;
       std::optional<StopSignals> signals;  // outlives the lock of the folder: while the report of a finished run is written, a signal leaves no lock behind
-      const RunFolder folder(path, earlier, {.resume = resuming(arguments), .replace = "--force", .folder = "choose another folder with --out"}, deck.setup);
+      const RunFolder folder(path, earlier, {.resume = resuming(arguments), .replace = "--force", .folder = "choose another folder with --out"}, deck.setup,
+                             ranks);
       for (const std::string& note : folder.notes()) messages.note(note);
       if (folder.is_finished()) {
         messages.note(fmt::format("The run in {} is finished (step {} of {}); there is nothing to resume.", path.string(), folder.steps(), folder.steps()));
@@ -150,7 +178,7 @@ int run_command(const RunArguments& arguments) {
         return 0;
       }
       messages.print(deck.setup.title + '\n');
-      if (const int signal = run_deck(deck, folder, arguments, signals, messages)) return 128 + signal;
+      if (const int signal = run_deck(deck, folder, arguments, signals, messages, ranks)) return 128 + signal;
       if (!arguments.no_report) try_report(path, messages);  // after the memory of the run is released
       return 0;
     });

@@ -178,6 +178,48 @@ fccda_status fccda_surface_sphere(double diameter, double edge_length, fccda_sur
 /// A cylinder about the origin [m]; `axis` 0, 1 or 2 for x, y or z. `edge_length` [m] of its triangles; 0: diameter/20.
 fccda_status fccda_surface_cylinder(double diameter, double height, int32_t axis, double edge_length, fccda_surface** surface);
 
+/// Main dimensions of an icebreaker's hull. Axes: x aft, y to starboard, z up, from where the stem meets the waterline. Members with a default may be 0.
+typedef struct fccda_hull {
+  double length;                 ///< [m] of the waterline
+  double breadth;                ///< [m] on the waterline
+  double draft;                  ///< [m]
+  double freeboard;              ///< [m] height of the deck above the waterline
+  double stem_angle;             ///< [rad] between stem and waterline
+  double waterline_angle;        ///< [rad] half angle of entrance
+  double fullness;               ///< [-] exponent of the bow's waterlines, 1 for a wedge; 0: 2
+  double stern_angle;            ///< [rad] between stern and waterline; 0: 35°
+  double stern_waterline_angle;  ///< [rad] half angle of the waterline at the stern; 0: 30°
+  double bilge_radius;           ///< [m] 0: a hard chine
+  double flare;                  ///< [rad] of the sides from the vertical
+  double edge_length;            ///< [m] of the triangles aft of the bow
+  double bow_edge_length;        ///< [m] in the bow; 0: as edge_length
+} fccda_hull;
+
+/// A hull of these dimensions, closed by a flat deck. Refuses dimensions that are inconsistent.
+fccda_status fccda_surface_hull(const fccda_hull* hull, fccda_surface** surface);
+
+/// Main dimensions of a propeller of the Wageningen B-series, about the origin. Members with a default may be 0.
+typedef struct fccda_propeller {
+  double diameter;           ///< [m]
+  double pitch_ratio;        ///< [-] pitch over diameter
+  double area_ratio;         ///< [-] expanded area ratio
+  double hub_ratio;          ///< [-] hub diameter over diameter
+  double hub_length;         ///< [m]
+  double rake;               ///< [rad] aft
+  double skew;               ///< [rad] of the tip, added to that of the series
+  double thickness_factor;   ///< [-] on all thicknesses; 0: 1
+  double edge_thickness;     ///< [-] of edges and tip, over the greatest thickness of a section; 0: 0.1
+  double edge_length;        ///< [m] longest edge of the triangles
+  double blade_edge_length;  ///< [m] the same at the edges and tips of the blades; 0: as edge_length
+  int32_t blades;            ///< 4 to 7
+  int32_t axis;              ///< of the shaft, which points ahead: 0, 1 or 2 for x, y or z
+  int32_t is_left_handed;    ///< 1 if it drives ahead while it turns the other way, otherwise 0
+  int32_t reserved;          ///< 0
+} fccda_propeller;
+
+/// A propeller of these dimensions: the union of a hub and blades. Refuses dimensions that are inconsistent.
+fccda_status fccda_surface_propeller(const fccda_propeller* propeller, fccda_surface** surface);
+
 /// What a surface is.
 typedef struct fccda_surface_info {
   int64_t panels;          ///< as given
@@ -315,6 +357,45 @@ typedef struct fccda_detector fccda_detector;
 /// `radius` [m]: contact radius of points without one of their own; 0 for points without extent.
 fccda_status fccda_detector_create(const fccda_surface* surface, double radius, fccda_detector** detector);
 
+/// Contact bounds: where contact is possible, in the body frame. Points that stay away from them need no evaluation of the surface.
+enum {
+  FCCDA_REFUSE_BEYOND = 0,  ///< refuses a surface that extends beyond its contact bounds
+  FCCDA_IGNORE_BEYOND = 1   ///< ignores contact with the part of the surface beyond them
+};
+
+/// A box along the axes of the body frame.
+typedef struct fccda_box {
+  double size[3];    ///< [m] edge lengths
+  double centre[3];  ///< [m] from the origin of the body frame
+} fccda_box;
+
+/// A cylinder, and within it a hub and equal sectors that rotate with the blades of a propeller.
+typedef struct fccda_sectors {
+  double axis[3];       ///< direction of the cylinder; need not be a unit vector
+  double point[3];      ///< [m] centre of the cylinder
+  double radius;        ///< [m]
+  double length;        ///< [m]
+  double hub_radius;    ///< [m] occupied at all angles
+  double sector_angle;  ///< [rad] of each sector; 0: the whole cylinder
+  double start_angle;   ///< [rad] begin of the first sector, from x for the axis z, from y for x, from z for y
+  int32_t blades;       ///< number of sectors
+  int32_t reserved;     ///< 0
+} fccda_sectors;
+
+/// A detector within contact bounds of one or several boxes, which may overlap. `beyond`: FCCDA_REFUSE_BEYOND or FCCDA_IGNORE_BEYOND.
+fccda_status fccda_detector_create_in_boxes(const fccda_surface* surface, double radius, const fccda_box* boxes, size_t box_count, int32_t beyond,
+                                            fccda_detector** detector);
+
+/// A detector within contact bounds of a cylinder with sectors.
+fccda_status fccda_detector_create_in_sectors(const fccda_surface* surface, double radius, const fccda_sectors* sectors, int32_t beyond,
+                                              fccda_detector** detector);
+
+/// A detector within the contact bounds that save most of one box, several boxes and a cylinder with sectors, each fitted to the surface.
+fccda_status fccda_detector_create_in_fitted_bounds(const fccda_surface* surface, double radius, fccda_detector** detector);
+
+/// The contact bounds of a detector in a sentence, which belongs to the handle; NULL for the handle NULL.
+const char* fccda_detector_bounds(const fccda_detector* detector);
+
 /// Finds the contacts of a step, in the order of points, and keeps them up to the next step. It changes no point. `count`, which may be NULL: their number.
 /// Refuses positions that differ in number, and poses that are none; a position that is not finite, or a point that moves farther than 1e6 sizes of the
 /// surface, is a run error. Points may be appended or removed at the end between two steps.
@@ -364,6 +445,10 @@ fccda_status fccda_deforming_surface_create(const fccda_surface* surface, fccda_
 /// another number of them, what is not finite, vertices that were merged and part, panels that lose their area, closed surfaces turned inside out.
 fccda_status fccda_deforming_surface_move(fccda_deforming_surface* surface, const fccda_vectors* vertices);
 
+/// Writes to `text`, in lines that belong to the handle, what is unusual about the step that the surface has begun: panels that move farther than their
+/// longest edge, turn by more than 90°, or pass through others. "" if nothing is. Takes longer than the move: for a check now and then.
+fccda_status fccda_deforming_surface_warnings(fccda_deforming_surface* surface, const char** text);
+
 /// Ends the use of the handle; NULL is allowed.
 void fccda_deforming_surface_destroy(fccda_deforming_surface* surface);
 
@@ -404,6 +489,10 @@ fccda_status fccda_deforming_detector_points_changed(fccda_deforming_detector* d
 
 /// The points that are inside the surface where it is now, or nearer than the contact radius of the detector: for a check before the first step.
 fccda_status fccda_deforming_detector_points_inside(fccda_deforming_detector* detector, const fccda_vectors* x, const int64_t** points, size_t* count);
+
+/// The same with a radius for each point, or one for all.
+fccda_status fccda_deforming_detector_balls_inside(fccda_deforming_detector* detector, const fccda_vectors* x, const fccda_numbers* radius,
+                                                   const int64_t** points, size_t* count);
 
 /// As fccda_detector_state().
 fccda_status fccda_deforming_detector_state(fccda_deforming_detector* detector, const int64_t** numbers, size_t* count);

@@ -5,6 +5,7 @@
 #include "fccda/api/contact_detector.hpp"            // ContactDetector::detect: positions in, contacts out
 #include "fccda/api/deforming_contact_detector.hpp"  // DeformingContactDetector: the same for surfaces whose vertices move
 #include "fccda/api/respond_arrays.hpp"              // respond: relocation, velocities, impulse
+#include "fccda/deforming/step_warnings.hpp"         // step_warnings: what is unusual about the motion of a deforming surface
 #include "fccda/detect/points.hpp"                   // Points: the interface for solvers that have blocks and bounds of their own
 #include "fccda/detect/swept.hpp"                    // Swept: the detector behind it
 #include "fccda/rigid_body/rigid_body.hpp"           // RigidBody, Motion, Pose

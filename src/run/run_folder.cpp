@@ -9,6 +9,7 @@
 #include "io/checkpoint/checkpoints.hpp"
 #include "io/deck/expanded_path.hpp"
 #include "io/output/results_folder.hpp"
+#include "perimpact/ranks/on_root.hpp"
 
 namespace perimpact {
 
@@ -46,9 +47,15 @@ fs::path results_path(const std::string& folder, const std::string& place) {
   return path;
 }
 
-RunFolder::RunFolder(fs::path folder, EarlierRun earlier, Requests requests, const Setup& setup)
-    : folder_(std::move(folder)), earlier_(earlier), requests_(std::move(requests)), lock_(prepared(folder_, earlier)) {
-  if (!lock_.note().empty()) notes_.push_back(lock_.note());
+RunFolder::RunFolder(fs::path folder, EarlierRun earlier, Requests requests, const Setup& setup, Ranks& ranks)
+    : folder_(std::move(folder)), earlier_(earlier), requests_(std::move(requests)) {
+  on_root(ranks, [&] { claim(setup); });
+  is_finished_ = ranks.any(is_finished_);
+}
+
+void RunFolder::claim(const Setup& setup) {
+  lock_.emplace(prepared(folder_, earlier_));
+  if (!lock_->note().empty()) notes_.push_back(lock_->note());
   if (earlier_ == EarlierRun::keep) expect_no_run();
   if (earlier_ == EarlierRun::resume) find_checkpoint(setup);
 }

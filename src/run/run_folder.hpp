@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/ranks/ranks.hpp"
 #include "run/folder_lock.hpp"
 
 namespace perimpact {
@@ -25,25 +27,27 @@ std::filesystem::path results_path(const std::string& folder, const std::string&
 class RunFolder {
  public:
   /// Creates and locks the folder. Throws InputError where that fails, where another run is writing there, where it contains a run and
-  /// `earlier` is `keep`, and where that run cannot be resumed; SetupError where its deck differs. An earlier run remains unchanged.
-  RunFolder(std::filesystem::path folder, EarlierRun earlier, Requests requests, const Setup& setup);
+  /// `earlier` is `keep`, and where that run cannot be resumed; SetupError where its deck differs. An earlier run remains unchanged. Of several ranks the
+  /// root does this, and its error is thrown on all.
+  RunFolder(std::filesystem::path folder, EarlierRun earlier, Requests requests, const Setup& setup, Ranks& ranks = alone());
 
   const std::filesystem::path& path() const { return folder_; }
   bool is_resumed() const { return earlier_ == EarlierRun::resume; }
   /// Of a run to be resumed: it has ended at the time.end of this deck.
   bool is_finished() const { return is_finished_; }
-  long steps() const { return steps_; }  ///< of the run to be resumed
+  long steps() const { return steps_; }  ///< of the run to be resumed, on the root
   const Requests& requests() const { return requests_; }
-  const std::vector<std::string>& notes() const { return notes_; }  ///< sentences for the user
+  const std::vector<std::string>& notes() const { return notes_; }  ///< sentences for the user, on the root
 
  private:
+  void claim(const Setup& setup);
   void expect_no_run() const;
   void find_checkpoint(const Setup& setup);
 
   std::filesystem::path folder_;
   EarlierRun earlier_;
   Requests requests_;
-  FolderLock lock_;
+  std::optional<FolderLock> lock_;  // of the root
   bool is_finished_ = false;
   long steps_ = 0;
   std::vector<std::string> notes_;

@@ -36,15 +36,16 @@ void RunLoop::run(const Watch& watch) {
   } const period(*this);
 
   bool is_paused = false;
+  Ranks& ranks = simulation_.ranks();  // which receive signals and look at clocks at different times, but pause and write together
   const Watch watched{.after_step = watch.after_step, .in_increment = [&] {
-                        is_paused = !watch.in_increment();
-                        return !is_paused && !StopSignals::save_is_pending();
+                        is_paused = ranks.any(!watch.in_increment());
+                        return !is_paused && !ranks.any(StopSignals::save_is_pending());
                       }};
   while (!is_paused && !simulation_.clock().is_finished()) {
     const long before = simulation_.clock().step;
     step(watched);
-    if (StopSignals::take_save_request()) save();
-    if (simulation_.clock().step > before) is_paused = !watch.after_step();
+    if (ranks.any(StopSignals::take_save_request())) save();
+    if (simulation_.clock().step > before) is_paused = ranks.any(!watch.after_step());
   }
   if (!results_ || !simulation_.clock().is_finished()) return;
   write([&] { results_->finish(simulation_, Outcome::finished, "", seconds()); });
@@ -97,8 +98,8 @@ void RunLoop::fail(const fccda::RunError& error, bool can_be_resumed) {
   std::string sentence = error.what();
   if (const auto last = checkpoints_->last())
     sentence += fmt::format(" The last checkpoint is at step {}{}", *last, can_be_resumed ? "; resume from it with " + resume_ : ".");
-  try {
-    results_->finish(simulation_, Outcome::failed, sentence, seconds());
+  try {  // of several ranks perhaps only this one has failed: then nothing can be gathered, and the results remain as they are
+    if (simulation_.ranks().size() == 1) results_->finish(simulation_, Outcome::failed, sentence, seconds());
   } catch (const fccda::RunError&) {
     // nothing more can be written; the first error is the one to report
   }

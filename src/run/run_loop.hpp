@@ -14,7 +14,7 @@
 
 namespace perimpact {
 
-/// What a front end does during a run. Each returns false to pause it.
+/// What a front end does during a run. Each returns false to pause it, on all ranks if any does.
 struct Watch {
   std::function<bool()> after_step;    ///< its results are written
   std::function<bool()> in_increment;  ///< after each iteration of an increment of relaxation, which may take minutes
@@ -31,8 +31,8 @@ class RunLoop {
   const std::string& note() const { return note_; }  ///< a sentence about the checkpoint from which the run resumed, or empty
 
   /// Performs steps to the end of the run, or until the watch pauses it. After the last step the results are complete and closed. On SIGUSR1, if
-  /// StopSignals records it, a checkpoint is written. A RunError closes the results as those of a failed run; the sentence then names the last
-  /// checkpoint.
+  /// StopSignals records it, a checkpoint is written. A RunError closes the results as those of a failed run, unless there are several ranks; the sentence then
+  /// names the last checkpoint.
   void run(const Watch& watch);
 
   /// Writes a checkpoint of the current state. Does nothing without results.

@@ -24,6 +24,12 @@ LAYOUT = {
     "fccda_surface_options": (24, {"weld_distance": 0, "name": 8, "orientation": 16, "reserved": 20}),
     "fccda_surface_info": (136, {"panels": 0, "panel_vertices": 8, "triangles": 16, "vertices": 24, "repairs": 32, "is_closed": 40, "area": 48, "volume": 56,
                                  "centroid": 64, "low": 88, "high": 112}),
+    "fccda_hull": (104, {name: 8 * at for at, name in enumerate(["length", "breadth", "draft", "freeboard", "stem_angle", "waterline_angle", "fullness", "stern_angle",
+                                                                 "stern_waterline_angle", "bilge_radius", "flare", "edge_length", "bow_edge_length"])}),
+    "fccda_propeller": (104, {"diameter": 0, "pitch_ratio": 8, "area_ratio": 16, "hub_ratio": 24, "hub_length": 32, "rake": 40, "skew": 48, "thickness_factor": 56,
+                              "edge_thickness": 64, "edge_length": 72, "blade_edge_length": 80, "blades": 88, "axis": 92, "is_left_handed": 96, "reserved": 100}),
+    "fccda_box": (48, {"size": 0, "centre": 24}),
+    "fccda_sectors": (96, {"axis": 0, "point": 24, "radius": 48, "length": 56, "hub_radius": 64, "sector_angle": 72, "start_angle": 80, "blades": 88, "reserved": 92}),
     "fccda_pose": (56, {"position": 0, "attitude": 24}),
     "fccda_motion": (144, {"t0": 0, "t1": 56, "centre": 112, "dt": 136}),
     "fccda_body_properties": (256, {"mass": 0, "centre_of_mass": 8, "inertia": 32, "added_mass": 104, "pose": 128, "velocity": 184, "angular_velocity": 208,
@@ -34,7 +40,7 @@ LAYOUT = {
     "fccda_deforming_contact": (208, {"contact": 0, "vertices": 136, "weights": 160, "displacement": 184}),
 }
 CONSTANTS = {"ABI_VERSION": 1, "OK": 0, "INPUT_ERROR": 1, "RUN_ERROR": 2, "INTERNAL_ERROR": 3, "UNSET": 0, "DOUBLE": 1, "FLOAT": 2, "ONE": 3, "UNDECLARED": 0,
-             "NORMALS": 1, "REVERSED": 2}
+             "NORMALS": 1, "REVERSED": 2, "REFUSE_BEYOND": 0, "IGNORE_BEYOND": 1}
 
 
 def expected_layout():

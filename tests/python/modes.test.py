@@ -1,5 +1,6 @@
 """Modes of elastic impactors from CalculiX and from arrays, against the theory of beams."""
 
+import importlib.util
 import os
 import shutil
 import subprocess
@@ -289,6 +290,74 @@ def calculix(test):
     test.assertEqual([line.endswith("Hz: rigid motion, left out") for line in lines[:6]], 6 * [True])
     for line, thickness in zip(lines[6:8], (HEIGHT, WIDTH)):
         test.assertLess(abs(float(line.split()[2]) / frequency(FREE[0], thickness) - 1), 0.2 * (FREE[0] * thickness / LENGTH) ** 2)
+
+
+@claim("modes: the automatic time step resolves bodies and the highest mode; a given step that resolves it poorly is reported, one that does not is refused")
+def time_step(test):
+    read = read_beam()
+    highest = 2 * np.pi * read.frequencies.max()
+    modes.write(test.folder / "beam.vtu", read.points, read.faces, read.frequencies, read.shapes, read.stresses)
+
+    def simulation(modulus, **settings):
+        (test.folder / "deck.yaml").write_text(DECK.replace("youngs_modulus: 1 GPa", f"youngs_modulus: {modulus}"))
+        return perimpact.Simulation.from_deck(test.folder / "deck.yaml", set={f"time.{key}": value for key, value in settings.items()})
+
+    end = 6e-3
+    test.assertEqual(simulation("1 MPa").steps, np.ceil(end / (0.5 / highest)))  # the block alone allows more
+    stiff, stiffer = simulation("1 GPa").steps, simulation("4 GPa").steps
+    test.assertGreater(stiff, 2 * end * highest)
+    test.assertLess(abs(stiffer / stiff - 2), 0.02)  # the block decides
+    poor = simulation("1 MPa", step=1.2 / highest)
+    test.assertTrue(any("resolves the highest mode of an elastic impactor" in warning for warning in poor.warnings), poor.warnings)
+    test.assertFalse(any("highest mode" in warning for warning in simulation("1 MPa", step=0.4 / highest).warnings))
+    with test.assertRaises(perimpact.InputError) as caught:
+        simulation("1 MPa", step=2.1 / highest)
+    test.assertIn("is too long for the highest mode of an elastic impactor", str(caught.exception))
+
+
+@claim("modes: the example for dolfinx has frequencies, shapes and stresses between those of a beam and of a wide plate, and its file makes an impactor elastic")
+def dolfinx(test):
+    if importlib.util.find_spec("dolfinx") is None:
+        test.skipTest("dolfinx is not installed")
+    sys.path.insert(0, str(package.ROOT / "python" / "examples"))
+    os.environ["XDG_CACHE_HOME"] = str(test.folder)  # of compiled forms
+    import dolfinx_modes as example
+
+    vertices, faces, frequencies, shapes, stresses = example.plate()
+    wide = 1 / np.sqrt(1 - example.POISSON**2)  # of the frequency, where the plate cannot bend across
+    root, length, thickness = CLAMPED[0], example.LENGTH, example.THICKNESS
+    slender = root**2 / (2 * np.pi) * np.sqrt(example.YOUNG * thickness**2 / (12 * example.DENSITY * length**4))
+    test.assertGreater(frequencies[0], slender)
+    test.assertLess(frequencies[0], wide * slender)
+    mass = example.DENSITY * length * example.BREADTH * thickness
+    tip = np.abs(shapes[0, np.isclose(vertices[:, 0], length), 2]).mean()
+    test.assertLess(abs(tip / (2 / np.sqrt(mass)) - 1), 0.01)  # shear, and corners that bend
+    # the curvature of the beam where the clamp disturbs it no more, on the top, in the middle of the breadth
+    k, s = root / 2, (np.cosh(root) + np.cos(root)) / (np.sinh(root) + np.sin(root))
+    curvature = (root / length) ** 2 * (np.cosh(k) + np.cos(k) - s * (np.sinh(k) + np.sin(k))) / np.sqrt(mass)
+    here = np.isclose(vertices, [length / 2, example.BREADTH / 2, thickness]).all(axis=1)
+    test.assertEqual(here.sum(), 1)
+    ratio = np.abs(stresses[0, here, 0])[0] / (0.5 * example.YOUNG * thickness * curvature)
+    test.assertGreater(ratio, 1)
+    test.assertLess(ratio, wide**2)
+
+    modes.write(test.folder / "plate.vtu", vertices, faces.tolist(), frequencies, shapes, stresses)
+    deck = f"""\
+title: A block on a plate
+time: {{end: 2 ms}}
+bodies:
+  block:
+    shape: {{box: {{size: [0.1, 0.08, 0.1]}}}}
+    position: [0.9, 0.15, 0.0715]
+    spacing: 0.01
+    velocity: [0, 0, -2]
+    material: {{model: ordinary-state, youngs_modulus: 1 GPa, poissons_ratio: 0.25, density: 2000}}
+impactors: {{plate: {{surface: {{file: plate.vtu}}, mass: {mass}, elastic: {{modes: plate.vtu}}}}}}
+"""
+    (test.folder / "deck.yaml").write_text(deck)
+    simulation = perimpact.Simulation.from_deck(test.folder / "deck.yaml")
+    simulation.run()
+    test.assertGreater(simulation.history["plate.elastic_energy [J]"][-1], 0)
 
 
 main()

@@ -2,6 +2,7 @@
 #include "fccda/c/detector_calls.hpp"
 #include "fccda/c/guarded.hpp"
 #include "fccda/c/handles.hpp"
+#include "fccda/deforming/step_warnings.hpp"
 
 using namespace fccda;
 using namespace fccda::c_interface;
@@ -21,6 +22,16 @@ fccda_status fccda_deforming_surface_move(fccda_deforming_surface* surface, cons
     std::vector<Vec3d> positions(view.size());
     for (std::size_t v = 0; v < view.size(); ++v) positions[v] = view[v];
     moved.move(positions);
+  });
+}
+
+fccda_status fccda_deforming_surface_warnings(fccda_deforming_surface* surface, const char** text) {
+  return guarded([&] {
+    fccda_deforming_surface& of = given(surface, "surface");
+    const char*& out = given(text, "text");
+    of.warnings.clear();
+    for (const std::string& sentence : step_warnings(*of.surface)) of.warnings += sentence + '\n';
+    out = of.warnings.c_str();
   });
 }
 
@@ -72,6 +83,16 @@ fccda_status fccda_deforming_detector_points_inside(fccda_deforming_detector* de
   return guarded([&] {
     fccda_deforming_detector& with = given(detector, "detector");
     with.points_inside = as_c(with.detector.points_inside(const_vectors_of(given(x, "x"), "x")));
+    return_list(with.points_inside, points, count);
+  });
+}
+
+fccda_status fccda_deforming_detector_balls_inside(fccda_deforming_detector* detector, const fccda_vectors* x, const fccda_numbers* radius,
+                                                   const int64_t** points, size_t* count) {
+  return guarded([&] {
+    fccda_deforming_detector& with = given(detector, "detector");
+    const Numbers radii = numbers_of(given(radius, "radius"), "radius");
+    with.points_inside = as_c(with.detector.points_inside(const_vectors_of(given(x, "x"), "x"), radii));
     return_list(with.points_inside, points, count);
   });
 }

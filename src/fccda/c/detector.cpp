@@ -1,7 +1,15 @@
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
 #include "fccda/c/convert.hpp"
 #include "fccda/c/detector_calls.hpp"
 #include "fccda/c/guarded.hpp"
 #include "fccda/c/handles.hpp"
+#include "fccda/contact_bounds/fit_contact_bounds.hpp"
 
 using namespace fccda;
 using namespace fccda::c_interface;
@@ -14,15 +22,75 @@ ContactSum respond_alone(const std::vector<Contact>& contacts, const Motion& mot
   return respond_without_body(contacts, motion, stand_in, points, friction);
 }
 
-}  // namespace
-
-fccda_status fccda_detector_create(const fccda_surface* surface, double radius, fccda_detector** detector) {
+/// Writes the handle of a detector within the contact bounds that `bounds(surface)` returns with their sentence.
+template <class MakeBounds>
+fccda_status create_within(const MakeBounds& bounds, const fccda_surface* surface, double radius, fccda_detector** detector) {
   return guarded([&] {
     fccda_detector*& out = given(detector, "detector");
     out = nullptr;
-    out = new fccda_detector(given(surface, "surface").shared, ContactDetector::Options{.radius = radius});
+    const SharedSurface& shared = given(surface, "surface").shared;
+    FittedBounds within = bounds(shared->surface());
+    out = new fccda_detector(std::move(within.choice), shared, ContactDetector::Options{.radius = radius, .region = std::move(within.region)});
   });
 }
+
+Beyond beyond_of(int32_t beyond) {
+  if (beyond != FCCDA_REFUSE_BEYOND && beyond != FCCDA_IGNORE_BEYOND)
+    throw InputError("contact bounds: the treatment of panels beyond them is " + std::to_string(beyond) +
+                     ", but it must be FCCDA_REFUSE_BEYOND or FCCDA_IGNORE_BEYOND.");
+  return beyond == FCCDA_IGNORE_BEYOND ? Beyond::clip : Beyond::error;
+}
+
+/// Contact bounds as given, with their sentence. `name`: "boxes".
+template <class Bounds>
+FittedBounds as_given(Bounds bounds, const std::string& name) {
+  std::ostringstream sentence;
+  sentence << name << " as given, of " << bounds.volume() << " m³" << (bounds.clips() ? "; contact beyond them is ignored" : "");
+  return {std::move(bounds), sentence.str()};
+}
+
+}  // namespace
+
+fccda_status fccda_detector_create(const fccda_surface* surface, double radius, fccda_detector** detector) {
+  return create_within([](const Surface&) { return FittedBounds{Unbounded(), "none"}; }, surface, radius, detector);
+}
+
+fccda_status fccda_detector_create_in_boxes(const fccda_surface* surface, double radius, const fccda_box* boxes, size_t box_count, int32_t beyond,
+                                            fccda_detector** detector) {
+  const auto bounds = [&](const Surface& within) {
+    if (box_count == 0) throw InputError("contact bounds: no boxes are given; give one at least.");
+    std::vector<BoxUnion::Shape> shapes;
+    for (std::size_t b = 0; b < box_count; ++b) {
+      const fccda_box& box = (&given(boxes, "boxes"))[b];
+      shapes.push_back({.size = vector_of(box.size), .centre = vector_of(box.centre)});
+    }
+    return as_given(BoxUnion(shapes, within, beyond_of(beyond)), box_count == 1 ? "one box" : std::to_string(box_count) + " boxes");
+  };
+  return create_within(bounds, surface, radius, detector);
+}
+
+fccda_status fccda_detector_create_in_sectors(const fccda_surface* surface, double radius, const fccda_sectors* sectors, int32_t beyond,
+                                              fccda_detector** detector) {
+  const auto bounds = [&](const Surface& within) {
+    const fccda_sectors& from = given(sectors, "sectors");
+    const CylinderSectors::Shape shape{.axis = vector_of(from.axis),
+                                       .point = vector_of(from.point),
+                                       .radius = from.radius,
+                                       .length = from.length,
+                                       .hub_radius = from.hub_radius,
+                                       .blades = from.blades,
+                                       .sector_angle = from.sector_angle == 0 ? 2 * std::numbers::pi : from.sector_angle,
+                                       .start_angle = from.start_angle};
+    return as_given(CylinderSectors(shape, within, beyond_of(beyond)), "a cylinder with sectors");
+  };
+  return create_within(bounds, surface, radius, detector);
+}
+
+fccda_status fccda_detector_create_in_fitted_bounds(const fccda_surface* surface, double radius, fccda_detector** detector) {
+  return create_within(fit_contact_bounds, surface, radius, detector);
+}
+
+const char* fccda_detector_bounds(const fccda_detector* detector) { return detector == nullptr ? nullptr : detector->bounds.c_str(); }
 
 fccda_status fccda_detect(fccda_detector* detector, const fccda_motion* motion, const fccda_points* points, size_t* count) {
   return guarded([&] {

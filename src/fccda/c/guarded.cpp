@@ -15,7 +15,7 @@ thread_local std::string last_error;
 constexpr AdviceWords c_words{
     .declare_orientation = "with the orientation of fccda_surface_options, FCCDA_NORMALS (the one that the normals point to) or FCCDA_REVERSED",
     .cut_open = "with the orientation of fccda_surface_options, FCCDA_NORMALS (the side that the normals point to)",
-    .clip = ""};
+    .clip = "pass FCCDA_IGNORE_BEYOND"};
 
 fccda_status failed(fccda_status status, const std::string& sentence) {
   last_error = sentence;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fccda/api/contact_detector.hpp"
@@ -25,6 +26,7 @@ struct fccda_body {
 /// A deforming surface, which its detectors share.
 struct fccda_deforming_surface {
   std::shared_ptr<fccda::DeformingSurface> surface;
+  std::string warnings{};  // as returned
 };
 
 namespace fccda::c_interface {
@@ -48,7 +50,10 @@ struct DetectorHandle {
 
 /// A detector of contact with a rigid surface.
 struct fccda_detector : fccda::c_interface::DetectorHandle<fccda::ContactDetector, fccda::Contact, fccda_contact> {
-  using DetectorHandle::DetectorHandle;
+  fccda_detector(std::string of_bounds, const fccda::SharedSurface& surface, const fccda::ContactDetector::Options& options)
+      : DetectorHandle(surface, options), bounds(std::move(of_bounds)) {}
+
+  std::string bounds;  // the sentence that describes the contact bounds
 };
 
 /// A detector of contact with a deforming surface.

@@ -6,6 +6,8 @@
 #include "fccda/c/convert.hpp"
 #include "fccda/c/guarded.hpp"
 #include "fccda/c/handles.hpp"
+#include "marine/hull.hpp"
+#include "marine/propeller.hpp"
 #include "mesh/shapes/box.hpp"
 #include "mesh/shapes/cylinder.hpp"
 #include "mesh/shapes/sphere.hpp"
@@ -80,6 +82,49 @@ Panels panels_of(const fccda_vectors& vertices, const int32_t* panels, std::size
   return out;
 }
 
+Axis axis_of(int32_t axis, const char* shape) {
+  if (axis < 0 || axis > 2) throw InputError(std::string(shape) + ": the axis is " + std::to_string(axis) + ", but it must be 0, 1 or 2 for x, y or z.");
+  return static_cast<Axis>(axis);
+}
+
+double or_default(double given, double otherwise) { return given == 0 ? otherwise : given; }
+
+HullShape shape_of(const fccda_hull& hull) {
+  const HullShape defaults;
+  return {.length = hull.length,
+          .breadth = hull.breadth,
+          .draft = hull.draft,
+          .freeboard = hull.freeboard,
+          .stem_angle = hull.stem_angle,
+          .waterline_angle = hull.waterline_angle,
+          .fullness = or_default(hull.fullness, defaults.fullness),
+          .stern_angle = or_default(hull.stern_angle, defaults.stern_angle),
+          .stern_waterline_angle = or_default(hull.stern_waterline_angle, defaults.stern_waterline_angle),
+          .bilge_radius = hull.bilge_radius,
+          .flare = hull.flare,
+          .edge_length = hull.edge_length,
+          .bow_edge_length = hull.bow_edge_length};
+}
+
+PropellerShape shape_of(const fccda_propeller& propeller) {
+  const PropellerShape defaults;
+  return {.blades = propeller.blades,
+          .diameter = propeller.diameter,
+          .pitch_ratio = propeller.pitch_ratio,
+          .area_ratio = propeller.area_ratio,
+          .hub_ratio = propeller.hub_ratio,
+          .hub_length = propeller.hub_length,
+          .rake = propeller.rake,
+          .skew = propeller.skew,
+          .thickness_factor = or_default(propeller.thickness_factor, defaults.thickness_factor),
+          .edge_thickness = or_default(propeller.edge_thickness, defaults.edge_thickness),
+          .hand = propeller.is_left_handed ? Hand::left : Hand::right,
+          .axis = axis_of(propeller.axis, "propeller"),
+          .sections = std::nullopt,
+          .edge_length = propeller.edge_length,
+          .blade_edge_length = propeller.blade_edge_length};
+}
+
 fccda_surface_info info_of(const Surface& surface) {
   const SurfaceReport& report = surface.report();
   fccda_surface_info info{};
@@ -123,11 +168,16 @@ fccda_status fccda_surface_sphere(double diameter, double edge_length, fccda_sur
 }
 
 fccda_status fccda_surface_cylinder(double diameter, double height, int32_t axis, double edge_length, fccda_surface** surface) {
-  const auto panels = [&] {
-    if (axis < 0 || axis > 2) throw InputError("cylinder: the axis is " + std::to_string(axis) + ", but it must be 0, 1 or 2 for x, y or z.");
-    return make_cylinder({.diameter = diameter, .height = height, .axis = static_cast<Axis>(axis), .edge_length = edge_length});
-  };
+  const auto panels = [&] { return make_cylinder({.diameter = diameter, .height = height, .axis = axis_of(axis, "cylinder"), .edge_length = edge_length}); };
   return create_from(panels, nullptr, surface);
+}
+
+fccda_status fccda_surface_hull(const fccda_hull* hull, fccda_surface** surface) {
+  return create_from([&] { return make_hull(shape_of(given(hull, "hull"))); }, nullptr, surface);
+}
+
+fccda_status fccda_surface_propeller(const fccda_propeller* propeller, fccda_surface** surface) {
+  return create_from([&] { return make_propeller(shape_of(given(propeller, "propeller"))); }, nullptr, surface);
 }
 
 fccda_status fccda_surface_measure(const fccda_surface* surface, fccda_surface_info* info) {

@@ -32,7 +32,8 @@ Vec3d MovingPathTest::carried(int triangle, double fraction, const Vec3d& vector
   return transpose(axes(moving.t1)) * (axes(moving.at(fraction)) * vector);
 }
 
-std::optional<Crossing> MovingPathTest::first_meeting(const Path& path, double radius, double tolerance, int guess, std::size_t& tested) const {
+std::optional<Crossing> MovingPathTest::first_meeting(const Path& path, double radius, double tolerance, int guess, const Bvh::Nearby& nearby,
+                                                      std::size_t& tested) const {
   std::optional<Crossing> first;
   double until = 1;
   const auto consider = [&](int triangle) {
@@ -43,24 +44,26 @@ std::optional<Crossing> MovingPathTest::first_meeting(const Path& path, double r
   };
   consider(guess);
   const Bvh::MovingBall ball{path.start, path.end, radius + tolerance, way(path)};
-  surface_->bvh_t1().visit_moving(surface_->bvh_t0(), ball, until, consider);
+  surface_->bvh_t1().visit_moving(surface_->bvh_t0(), ball, nearby, until, [&](int triangle) {
+    if (triangle != guess) consider(triangle);
+  });
   return first;
 }
 
-bool MovingPathTest::leads_to_contact(const Approach& approach, std::size_t& tested) const {
+bool MovingPathTest::leads_to_contact(const Approach& approach, const Bvh::Nearby& nearby, std::size_t& tested) const {
   const auto& [path, at_start, at_end, ball] = approach;
   if (surface_->at_t1().is_closed() && t1_.too_near(at_end, path.end, ball.radius - ball.offset, tested)) return true;
   // No point of the path is nearer than half of the difference between the distances at its ends and its length.
   if (at_start.distance + at_end.distance > 2 * ball.radius + way(path) + ball.offset) return false;
-  if (ball.radius == 0) return first_meeting(path, 0, 0, at_start.triangle, tested).has_value();
+  if (ball.radius == 0) return first_meeting(path, 0, 0, at_start.triangle, nearby, tested).has_value();
   const double tolerance = 1e-3 * ball.offset;
-  return first_meeting(path, ball.radius - ball.offset - tolerance, tolerance, at_start.triangle, tested).has_value();
+  return first_meeting(path, ball.radius - ball.offset - tolerance, tolerance, at_start.triangle, nearby, tested).has_value();
 }
 
 // First contact, and a position there at t1: the fallback of relocation.
-BodyFrameContact MovingPathTest::first_contact(const Approach& approach, std::size_t& tested) const {
+BodyFrameContact MovingPathTest::first_contact(const Approach& approach, const Bvh::Nearby& nearby, std::size_t& tested) const {
   const auto& [path, at_start, at_end, ball] = approach;
-  const std::optional<Crossing> first = first_meeting(path, ball.radius, ball.radius == 0 ? 0 : 1e-3 * ball.offset, at_start.triangle, tested);
+  const std::optional<Crossing> first = first_meeting(path, ball.radius, ball.radius == 0 ? 0 : 1e-3 * ball.offset, at_start.triangle, nearby, tested);
   const int triangle = first ? first->triangle : at_start.triangle;
   const double fraction = first ? first->fraction : 0;
   const MovingTriangle moving = surface_->triangle(static_cast<std::size_t>(triangle));
@@ -87,7 +90,7 @@ MovingPathTest::CarriedStart MovingPathTest::carried_start(const Approach& appro
   const Vec3d start = contact.hit + carried(contact.triangle, 0, path.start - hit_t0);
   const std::optional<ClosestPoint> closest = bvh.closest(start, nearby, contact.triangle, tested);
   const bool is_clear = closest && !t1_.too_near(*closest, start, ball.radius - ball.offset, tested);
-  if (is_clear && !bvh.first_hit(start, contact.relocation, tested)) return {start, *closest};
+  if (is_clear && !bvh.first_hit(start, contact.relocation, nearby, tested)) return {start, *closest};
   return {contact.relocation, *bvh.closest(contact.relocation, nearby, contact.triangle, tested)};
 }
 
@@ -122,7 +125,7 @@ PathResult MovingPathTest::evaluate(const MovingQuery& query, int& guess, Effort
   }
 
   // Near: determine the side of the start.
-  const std::optional<ClosestPoint> found = surface_->bvh_t0().closest(path.start, Bvh::no_cap, guess, tested);
+  const std::optional<ClosestPoint> found = surface_->bvh_t0().closest_before(path.start, nearby, path_length, guess, tested);
   if (!found) return nothing(0);
   ClosestPoint at_start = *found;
   PathResult result = nothing(at_end ? at_end->distance - reach : cap - reach);
@@ -153,11 +156,11 @@ PathResult MovingPathTest::evaluate(const MovingQuery& query, int& guess, Effort
     // The whole ball is clear beside or behind the surface. It may come round to the front, and counts as a ball if it makes contact there first.
     Approach whole = approach;
     whole.ball.radius = query.radius;
-    if (leads_to_contact(whole, tested)) contact = first_contact(whole, tested);
+    if (leads_to_contact(whole, nearby, tested)) contact = first_contact(whole, nearby, tested);
     if (contact && !contact->front) contact.reset();
     if (contact) approach = whole;
   }
-  if (!contact && leads_to_contact(approach, tested)) contact = first_contact(approach, tested);
+  if (!contact && leads_to_contact(approach, nearby, tested)) contact = first_contact(approach, nearby, tested);
   if (!contact) return result;
 
   result.clearance = 0;

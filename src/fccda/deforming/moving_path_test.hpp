@@ -55,9 +55,9 @@ class MovingPathTest {
   };
 
   double way(const Path& path) const;
-  std::optional<Crossing> first_meeting(const Path& path, double radius, double tolerance, int guess, std::size_t& tested) const;
-  bool leads_to_contact(const Approach& approach, std::size_t& tested) const;
-  BodyFrameContact first_contact(const Approach& approach, std::size_t& tested) const;
+  std::optional<Crossing> first_meeting(const Path& path, double radius, double tolerance, int guess, const Bvh::Nearby& nearby, std::size_t& tested) const;
+  bool leads_to_contact(const Approach& approach, const Bvh::Nearby& nearby, std::size_t& tested) const;
+  BodyFrameContact first_contact(const Approach& approach, const Bvh::Nearby& nearby, std::size_t& tested) const;
   CarriedStart carried_start(const Approach& approach, const BodyFrameContact& contact, const Bvh::Nearby& nearby, std::size_t& tested) const;
   void relocate(BodyFrameContact& contact, const Approach& approach, bool pushed, const Bvh::Nearby& nearby, std::size_t& tested) const;
   Vec3d carried(int triangle, double fraction, const Vec3d& vector) const;

@@ -1,20 +1,19 @@
 /// Response to contact with a deforming surface: relocation and velocity of the points as at a rigid surface (respond/respond.hpp), and impulses on
 /// the vertices of the panels in contact.
 ///
-/// A panel of finite mass yields. With the mass m of the point, M_i of the vertices and the weights w_i of the place of contact, the velocity change Δv
-/// of a point at an unyielding panel is reduced to
-///   f Δv,   f = 1/(1 + m W),   W = Σ w_i²/M_i
-/// so that after the impulses on both sides their relative velocity is that at an unyielding panel: a perfectly inelastic impact. The position is that
-/// of relocation. Each contact is resolved by itself: where the points in contact with a vertex together are much heavier than it, the sum of
-/// their impulses is too large, and a shorter step or a larger mass of the vertex is needed.
+/// Panels of finite mass yield. All contacts of the step are resolved together as one perfectly inelastic impact: impact_shares.hpp reduces the change of
+/// each point's velocity so that, after the impulses on both sides, the velocities of point and panel differ along the normal as at an unyielding panel.
+/// Many points that are heavier than the vertices they meet then leave with them, and nothing gains energy. Positions are those of relocation.
 ///
 /// Linear momentum of points and vertices is conserved, and the angular one with the positions at t1 (vertex_impulse.hpp).
 #pragma once
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "fccda/deforming/deforming.hpp"
+#include "fccda/deforming/impact_shares.hpp"
 #include "fccda/deforming/vertex_impulse.hpp"
 #include "fccda/respond/respond.hpp"
 
@@ -27,19 +26,17 @@ struct PanelImpulse {
   std::array<Vec3d, 3> on_vertices;  ///< [N s] of DeformingContact::place
 };
 
-/// Response of one point. `inverse_masses` [1/kg] of the three vertices, 0 for prescribed motion.
-inline PanelImpulse resolved(const DeformingContact& contact, const Vec3d& position_t0, const Vec3d& velocity, double mass, double dt, double friction,
-                             const std::array<double, 3>& inverse_masses) {
-  const PanelPlace& place = contact.place;
-  const Vec3d surface_velocity = place.displacement / dt;
-  PanelImpulse out{resolved(contact.contact, position_t0, velocity, Pose(), dt, friction, [&](const Vec3d&) { return surface_velocity; }), {}, {}};
-  double compliance = 0;
-  for (std::size_t k = 0; k < 3; ++k) compliance += place.weights[k] * place.weights[k] * inverse_masses[k];
-  const Vec3d change = (out.point.velocity - velocity) / (1 + mass * compliance);
-  out.point.velocity = velocity + change;
-  out.on_surface = -mass * change;
-  out.on_vertices = vertex_impulses(out.on_surface, out.point.position, place.corners, place.weights);
-  return out;
+/// The impulses on panel and vertices of a point of `mass` [kg] whose velocity changes from `before` [m/s] to that of `after`.
+inline PanelImpulse panel_impulse(const DeformingContact& contact, double mass, const Vec3d& before, const Resolved& after) {
+  const Vec3d on_surface = -mass * (after.velocity - before);
+  return {after, on_surface, vertex_impulses(on_surface, after.position, contact.place.corners, contact.place.weights)};
+}
+
+/// Response of one point to a panel that does not yield.
+inline PanelImpulse resolved(const DeformingContact& contact, const Vec3d& position_t0, const Vec3d& velocity, double mass, double dt, double friction) {
+  const Vec3d surface_velocity = contact.place.displacement / dt;
+  return panel_impulse(contact, mass, velocity,
+                       resolved(contact.contact, position_t0, velocity, Pose(), dt, friction, [&](const Vec3d&) { return surface_velocity; }));
 }
 
 /// Relocates the points, sets their velocities, and adds the impulses on the surface to `impulses` [N s], one for each vertex of the panels that the
@@ -49,16 +46,29 @@ template <PointsInContact P, class InverseMass, class Report>
 ContactSum respond(P& points, std::span<const DeformingContact> contacts, double dt, double friction, const InverseMass& inverse_mass,
                    std::span<Vec3d> impulses, Report&& report) {
   expect_friction(friction);
-  ContactSum sum;
+  std::vector<Resolved> after;
+  std::vector<PanelImpact> impacts;
   for (const DeformingContact& contact : contacts) {
     const std::size_t i = contact.contact.point;
-    std::array<double, 3> inverse_masses;
-    for (std::size_t k = 0; k < 3; ++k) inverse_masses[k] = inverse_mass(static_cast<std::size_t>(contact.place.vertices[k]));
-    const PanelImpulse after = resolved(contact, points.position_t0(i), points.velocity(i), points.mass(i), dt, friction, inverse_masses);
-    points.set(i, after.point.position, after.point.velocity);
-    for (std::size_t k = 0; k < 3; ++k) impulses[static_cast<std::size_t>(contact.place.vertices[k])] += after.on_vertices[k];
-    sum += {after.on_surface, cross(after.point.position, after.on_surface), 1};
-    report(contact, after.on_surface);
+    const Vec3d before = points.velocity(i);
+    after.push_back(resolved(contact, points.position_t0(i), before, points.mass(i), dt, friction).point);
+    PanelImpact& impact = impacts.emplace_back(
+        PanelImpact{.vertices = contact.place.vertices, .weights = contact.place.weights, .mass = points.mass(i), .change = after.back().velocity - before});
+    impact.normal = contact.contact.normal;
+    for (std::size_t k = 0; k < 3; ++k) impact.inverse_masses[k] = inverse_mass(static_cast<std::size_t>(contact.place.vertices[k]));
+  }
+  const std::vector<double> shares = impact_shares(impacts);
+  ContactSum sum;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const DeformingContact& contact = contacts[c];
+    const std::size_t i = contact.contact.point;
+    const Vec3d before = points.velocity(i);
+    after[c].velocity = before + shares[c] * impacts[c].change;
+    const PanelImpulse impulse = panel_impulse(contact, impacts[c].mass, before, after[c]);
+    points.set(i, after[c].position, after[c].velocity);
+    for (std::size_t k = 0; k < 3; ++k) impulses[static_cast<std::size_t>(contact.place.vertices[k])] += impulse.on_vertices[k];
+    sum += {impulse.on_surface, cross(after[c].position, impulse.on_surface), 1};
+    report(contact, impulse.on_surface);
   }
   return sum;
 }

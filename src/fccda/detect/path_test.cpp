@@ -58,7 +58,7 @@ std::optional<PathTest::Leg> PathTest::first_leg(const CurvedPath& path, const V
 }
 
 // First contact along the path and a position there: the fallback of relocation.
-BodyFrameContact PathTest::first_contact(const Leg& leg, const Ball& ball, std::size_t& tested) const {
+BodyFrameContact PathTest::first_contact(const Leg& leg, const Ball& ball, const Bvh::Nearby& nearby, std::size_t& tested) const {
   const Path& path = leg.path;
   BodyFrameContact contact{.time_fraction = leg.begin,
                            .hit = leg.at_start.point,
@@ -67,8 +67,8 @@ BodyFrameContact PathTest::first_contact(const Leg& leg, const Ball& ball, std::
                            .triangle = leg.at_start.triangle};
   // At the radius itself, without the offset: where the path grazes an edge, the normal depends on it.
   const double sharp = 1e-3 * ball.offset;
-  const std::optional<Crossing> first = ball.radius == 0 ? bvh().first_hit(path.start, path.end, tested)
-                                                         : bvh().first_contact(path.start, path.end, ball.radius, sharp, leg.at_start.triangle, tested);
+  const std::optional<Crossing> first = ball.radius == 0 ? bvh().first_hit(path.start, path.end, nearby, tested)
+                                                         : bvh().first_contact(path.start, path.end, ball.radius, sharp, leg.at_start.triangle, nearby, tested);
   if (!first) return contact;
   const Vec3d place = path.at(first->fraction);
   const ClosestPoint closest = closest_on(first->triangle, place);
@@ -152,7 +152,7 @@ PathResult PathTest::evaluate(const PathQuery& query, int& guess, Effort& effort
     // The whole ball is clear beside or behind the surface. It may come round to the front, and counts as a ball if it makes contact there first.
     const Ball whole{query.radius, offset};
     leg = first_leg(query.path, start, at_start, *at_end, whole, tested);
-    if (leg && first_contact(*leg, whole, tested).front)
+    if (leg && first_contact(*leg, whole, nearby, tested).front)
       ball = whole;
     else
       leg.reset();
@@ -161,7 +161,7 @@ PathResult PathTest::evaluate(const PathQuery& query, int& guess, Effort& effort
   if (!leg) return result;
 
   result.clearance = 0;
-  BodyFrameContact contact = first_contact(*leg, ball, tested);
+  BodyFrameContact contact = first_contact(*leg, ball, nearby, tested);
   if (!std::visit([&](const auto& region) { return region.contains(contact.hit); }, region_)) {
     result.enters = surface().is_closed() && too_near(*at_end, path.end, query.radius - offset, tested);
     return result;

@@ -91,7 +91,7 @@ class PathTest : private Relocator {
   bool leads_to_contact(const Path& path, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball, std::size_t& tested) const;
   std::optional<Leg> first_leg(const CurvedPath& path, const Vec3d& start, const ClosestPoint& at_start, const ClosestPoint& at_end, const Ball& ball,
                                std::size_t& tested) const;
-  BodyFrameContact first_contact(const Leg& leg, const Ball& ball, std::size_t& tested) const;
+  BodyFrameContact first_contact(const Leg& leg, const Ball& ball, const Bvh::Nearby& nearby, std::size_t& tested) const;
 
   SharedSurface shared_;  // owner of what the base refers to
   ContactBounds region_;

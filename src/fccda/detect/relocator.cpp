@@ -104,7 +104,7 @@ std::optional<Relocator::Place> Relocator::clear_place(Place place, const Vec3d&
     const std::optional<Vec3d> common = before.nearest(wanted, 0.25 * ball.offset);
     if (common && norm(*common - wanted) <= furthest) place.point = *common;
   }
-  if (bvh_->first_hit(around.start, place.point, tested)) return std::nullopt;
+  if (bvh_->first_hit(around.start, place.point, around.nearby, tested)) return std::nullopt;
   return place;
 }
 

@@ -18,6 +18,7 @@ module fccda
   integer(c_int), parameter :: FCCDA_OK = 0, FCCDA_INPUT_ERROR = 1, FCCDA_RUN_ERROR = 2, FCCDA_INTERNAL_ERROR = 3
   integer(c_int32_t), parameter :: FCCDA_TYPE_UNSET = 0, FCCDA_DOUBLE = 1, FCCDA_FLOAT = 2, FCCDA_TYPE_ONE = 3
   integer(c_int32_t), parameter :: FCCDA_UNDECLARED = 0, FCCDA_NORMALS = 1, FCCDA_REVERSED = 2
+  integer(c_int32_t), parameter :: FCCDA_REFUSE_BEYOND = 0, FCCDA_IGNORE_BEYOND = 1
 
   type, bind(C) :: fccda_vectors
     type(c_ptr) :: x = c_null_ptr, y = c_null_ptr, z = c_null_ptr
@@ -43,6 +44,26 @@ module fccda
     real(c_double) :: weld_distance = 0
     type(c_ptr) :: name = c_null_ptr
     integer(c_int32_t) :: orientation = 0, reserved = 0
+  end type
+
+  type, bind(C) :: fccda_hull
+    real(c_double) :: length = 0, breadth = 0, draft = 0, freeboard = 0, stem_angle = 0, waterline_angle = 0, fullness = 0
+    real(c_double) :: stern_angle = 0, stern_waterline_angle = 0, bilge_radius = 0, flare = 0, edge_length = 0, bow_edge_length = 0
+  end type
+
+  type, bind(C) :: fccda_propeller
+    real(c_double) :: diameter = 0, pitch_ratio = 0, area_ratio = 0, hub_ratio = 0, hub_length = 0, rake = 0, skew = 0
+    real(c_double) :: thickness_factor = 0, edge_thickness = 0, edge_length = 0, blade_edge_length = 0
+    integer(c_int32_t) :: blades = 0, axis = 0, is_left_handed = 0, reserved = 0
+  end type
+
+  type, bind(C) :: fccda_box
+    real(c_double) :: size(3) = 0, centre(3) = 0
+  end type
+
+  type, bind(C) :: fccda_sectors
+    real(c_double) :: axis(3) = [0, 0, 1], point(3) = 0, radius = 0, length = 0, hub_radius = 0, sector_angle = 0, start_angle = 0
+    integer(c_int32_t) :: blades = 1, reserved = 0
   end type
 
   type, bind(C) :: fccda_surface_info
@@ -152,6 +173,18 @@ module fccda
       type(c_ptr), intent(out) :: surface
     end function
 
+    integer(c_int) function fccda_surface_hull(hull, surface) bind(C)
+      import
+      type(fccda_hull), intent(in) :: hull
+      type(c_ptr), intent(out) :: surface
+    end function
+
+    integer(c_int) function fccda_surface_propeller(propeller, surface) bind(C)
+      import
+      type(fccda_propeller), intent(in) :: propeller
+      type(c_ptr), intent(out) :: surface
+    end function
+
     integer(c_int) function fccda_surface_measure(surface, info) bind(C)
       import
       type(c_ptr), value :: surface
@@ -243,6 +276,37 @@ module fccda
       type(c_ptr), intent(out) :: detector
     end function
 
+    integer(c_int) function fccda_detector_create_in_boxes(surface, radius, boxes, box_count, beyond, detector) bind(C)
+      import
+      type(c_ptr), value :: surface
+      real(c_double), value :: radius
+      type(fccda_box), intent(in) :: boxes(*)
+      integer(c_size_t), value :: box_count
+      integer(c_int32_t), value :: beyond
+      type(c_ptr), intent(out) :: detector
+    end function
+
+    integer(c_int) function fccda_detector_create_in_sectors(surface, radius, sectors, beyond, detector) bind(C)
+      import
+      type(c_ptr), value :: surface
+      real(c_double), value :: radius
+      type(fccda_sectors), intent(in) :: sectors
+      integer(c_int32_t), value :: beyond
+      type(c_ptr), intent(out) :: detector
+    end function
+
+    integer(c_int) function fccda_detector_create_in_fitted_bounds(surface, radius, detector) bind(C)
+      import
+      type(c_ptr), value :: surface
+      real(c_double), value :: radius
+      type(c_ptr), intent(out) :: detector
+    end function
+
+    type(c_ptr) function fccda_detector_bounds(detector) bind(C)
+      import
+      type(c_ptr), value :: detector
+    end function
+
     integer(c_int) function fccda_detect(detector, motion, points, count) bind(C)
       import
       type(c_ptr), value :: detector
@@ -326,6 +390,12 @@ module fccda
       type(fccda_vectors), intent(in) :: vertices
     end function
 
+    integer(c_int) function fccda_deforming_surface_warnings(surface, text) bind(C)
+      import
+      type(c_ptr), value :: surface
+      type(c_ptr), intent(out) :: text
+    end function
+
     subroutine fccda_deforming_surface_destroy(surface) bind(C)
       import
       type(c_ptr), value :: surface
@@ -384,6 +454,15 @@ module fccda
       import
       type(c_ptr), value :: detector
       type(fccda_vectors), intent(in) :: x
+      type(c_ptr), intent(out) :: points
+      integer(c_size_t), intent(out) :: count
+    end function
+
+    integer(c_int) function fccda_deforming_detector_balls_inside(detector, x, radius, points, count) bind(C)
+      import
+      type(c_ptr), value :: detector
+      type(fccda_vectors), intent(in) :: x
+      type(fccda_numbers), intent(in) :: radius
       type(c_ptr), intent(out) :: points
       integer(c_size_t), intent(out) :: count
     end function

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -54,25 +55,36 @@ std::vector<long> frame_steps(int frames, long steps, long last) {
 
 std::uint64_t fingerprint_at_start(Simulation& simulation) {
   StateHash hash;
-  simulation.visit_state(hash);
-  for (const std::filesystem::path& path : deck::named_files(deck::setup_to_text(simulation.setup()))) {
-    std::ifstream file(path, std::ios::binary);
+  hash("state", std::span<const std::uint64_t>(std::array{simulation.state_hash()}));
+  const std::vector<std::filesystem::path> files = deck::named_files(deck::setup_to_text(simulation.setup()));
+  for (std::size_t number = 0; number < files.size(); ++number) {
+    std::ifstream file(files[number], std::ios::binary);
     if (!file) {  // a mesh defined in code; its name identifies its contents
-      const std::string name = path.string();
-      hash("mesh", std::span<const char>(name));
+      const std::string name = files[number].string();
+      hash.add(fmt::format("mesh {}", number), 0, std::span<const char>(name));
     }
     std::vector<char> bytes(std::size_t{1} << 20);
-    while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0)
-      hash("file", std::span<const char>(bytes.data(), static_cast<std::size_t>(file.gcount())));
+    std::uint64_t read = 0;
+    while (file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) || file.gcount() > 0) {
+      const auto count = static_cast<std::size_t>(file.gcount());
+      hash.add(fmt::format("file {}", number), read, std::span<const char>(bytes.data(), count));
+      read += count;
+    }
   }
   return hash.value();
 }
 
 void write_checkpoint(const std::filesystem::path& path, Simulation& simulation, std::uint64_t at_start, Written written) {
+  const std::uint64_t state_hash = simulation.state_hash();
+  if (!simulation.ranks().is_root()) {
+    simulation.visit_whole_state([](std::string_view, auto&&) {});
+    simulation.visit_whole_record([](std::string_view, auto&&) {});
+    return;
+  }
   checkpoint::ArraysWriter file(path);
   file.text("setup", deck::setup_to_text(simulation.setup()));
-  simulation.visit_state([&](std::string_view name, auto&& values) { file("state/" + std::string(name), values); });
-  simulation.visit_record([&](std::string_view name, auto&& values) { file("record/" + std::string(name), values); });
+  simulation.visit_whole_state([&](std::string_view name, auto&& values) { file("state/" + std::string(name), values); });
+  simulation.visit_whole_record([&](std::string_view name, auto&& values) { file("record/" + std::string(name), values); });
   written.visit_state([&](std::string_view name, auto&& values) { file("written/" + std::string(name), values); });
   file.word("program", program);
   file.number("step", std::int64_t{simulation.clock().step});
@@ -83,7 +95,7 @@ void write_checkpoint(const std::filesystem::path& path, Simulation& simulation,
   file.number("steps per row", std::int64_t{simulation.monitors().interval()});
   file.number("frames", std::int64_t{simulation.setup().output.frames});
   file.number("fingerprint_at_start", at_start);
-  file.number("state_hash", simulation.state_hash());
+  file.number("state_hash", state_hash);
   file.finish();
 }
 
@@ -144,8 +156,8 @@ Written Checkpoint::restore(Simulation& simulation, std::uint64_t at_start) {
                     "Restore the file, or start a new run without --resume.",
                     path_.string()));
   Written written(simulation.bodies().size(), simulation.impactors().size());
-  simulation.visit_state([&](std::string_view name, auto&& values) { file_("state/" + std::string(name), values); });
-  simulation.visit_record([&](std::string_view name, auto&& values) { file_("record/" + std::string(name), values); });
+  simulation.take_whole_state([&](std::string_view name, auto&& values) { file_("state/" + std::string(name), values); });
+  simulation.take_whole_record([&](std::string_view name, auto&& values) { file_("record/" + std::string(name), values); });
   written.visit_state([&](std::string_view name, auto&& values) { file_("written/" + std::string(name), values); });
   file_.expect_all_read();
   if (simulation.state_hash() != file_.natural("state_hash"))

@@ -82,7 +82,7 @@ Written Checkpoints::resume(Simulation& simulation) {
 void Checkpoints::after_step(Simulation& simulation, ResultsWriter& results) {
   const Clock& clock = simulation.clock();
   const auto now = std::chrono::steady_clock::now();
-  const bool is_due = every_ > 0 && std::chrono::duration<double>(now - written_).count() >= every_;
+  const bool is_due = every_ > 0 && simulation.ranks().any(std::chrono::duration<double>(now - written_).count() >= every_);
   if ((is_due && !clock.is_finished()) || clock.step == clock.steps - 1) write(simulation, results);
 }
 
@@ -93,7 +93,7 @@ void Checkpoints::write(Simulation& simulation, ResultsWriter& results) {
 void Checkpoints::write_within_increment(Simulation& simulation, ResultsWriter& results) {
   const fs::path latest = aged(folder_, 0), next = kept_ > 1 ? output::ResultsFolder::next_checkpoint_in(folder_) : latest;
   write_checkpoint(next, simulation, at_start_, results.written());
-  rotate();
+  if (simulation.ranks().is_root()) rotate();
   resumed_age_ = 0;
   last_ = simulation.clock().step;
   written_ = std::chrono::steady_clock::now();

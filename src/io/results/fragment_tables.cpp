@@ -30,7 +30,7 @@ void FragmentTable::sync() {
   if (table_) table_->sync();
 }
 
-void write_last_fragments(const output::ResultsFolder& folder, const Body& body) {
+void write_last_fragments(const output::ResultsFolder* folder, const Body& body) {
   constexpr std::size_t most = 10'000;
   const Fragments fragments(body.particles, body.family);
   const std::vector<FragmentState> states = states_of(fragments, body.particles, std::min(most, fragments.all().size()));
@@ -44,7 +44,7 @@ void write_last_fragments(const output::ResultsFolder& folder, const Body& body)
   }
   const std::vector<std::string> columns = {"fragment [-]", "particles [-]", "mass [kg]",    "centre_x [m]",     "centre_y [m]",     "centre_z [m]",
                                             "extent_x [m]", "extent_y [m]",  "extent_z [m]", "velocity_x [m/s]", "velocity_y [m/s]", "velocity_z [m/s]"};
-  output::write_csv(folder.fragments() / (body.name + "_end.csv"), columns, rows);
+  if (folder) output::write_csv(folder->fragments() / (body.name + "_end.csv"), columns, rows);
 }
 
 output::Json fragment_report(const FragmentCount& count) {

@@ -36,8 +36,8 @@ class FragmentTable {
   std::optional<output::CsvWriter> table_;  // opened by the first frame
 };
 
-/// Writes the table at the end, with at most the 10 000 heaviest fragments.
-void write_last_fragments(const output::ResultsFolder& folder, const Body& body);
+/// Writes the table at the end, with at most the 10 000 heaviest fragments; null: only takes part in gathering it. Collective.
+void write_last_fragments(const output::ResultsFolder* folder, const Body& body);
 
 /// Fragment counts for run.json.
 output::Json fragment_report(const FragmentCount& count);

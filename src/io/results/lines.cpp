@@ -23,7 +23,7 @@ Line line_of(const LineSetup& setup, const Simulation& simulation) {
   const Body& body = simulation.bodies()[b];
   Line line{setup.name, b, samples_along(body, setup.from, setup.to), {}};
   for (const Sample& sample : line.samples)
-    if (sample.distance(body) > body.particles.spacing())
+    if (sample.distance() > body.particles.spacing())
       throw SetupError(key, fmt::format("line {} runs outside body {} at ({:.4g}, {:.4g}, {:.4g}) m; move its ends into the body.", setup.name, setup.body,
                                         sample.at.x, sample.at.y, sample.at.z));
   for (const double time : setup.times) {

@@ -1,6 +1,7 @@
 #include "io/results/particle_frame.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -19,15 +20,23 @@ template <class Value>
 output::MadeFloats ParticleFrame::floats(const Value& value) const {
   using Of = std::invoke_result_t<const Value&, std::uint32_t>;
   constexpr std::size_t components = std::is_same_v<Of, Vec3d> ? 3 : 1;
-  return {components * size(), [this, value] {
+  const auto put = [](const Of& v, float* to) {
+    if constexpr (components == 3)
+      for (std::size_t c = 0; c < 3; ++c) to[c] = static_cast<float>(v[c]);
+    else
+      *to = static_cast<float>(v);
+  };
+  if (!body_.particles.share().is_whole()) {  // all ranks take part, whether the sink asks for the numbers or not
+    std::vector<float> of_slots(components * body_.particles.slots());
+    for (const std::uint32_t slot : body_.particles.slot_of()) put(value(slot), of_slots.data() + components * slot);
+    const auto gathered = std::make_shared<std::vector<float>>(body_.particles.gather(std::span<const float>(of_slots), components));
+    return {gathered->size(), [gathered] { return std::move(*gathered); }};
+  }
+  return {components * size(), [this, value, put] {
             std::vector<float> numbers(components * size());
             fccda::parallel_for(static_cast<std::ptrdiff_t>(size()), [&](std::ptrdiff_t at) {
               const auto index = static_cast<std::size_t>(at);
-              const Of v = value(body_.particles.slot_of()[number(index)]);
-              if constexpr (components == 3)
-                for (std::size_t c = 0; c < 3; ++c) numbers[3 * index + c] = static_cast<float>(v[c]);
-              else
-                numbers[index] = static_cast<float>(v);
+              put(value(body_.particles.slot_of()[number(index)]), numbers.data() + components * index);
             });
             return numbers;
           }};
@@ -55,7 +64,16 @@ void ParticleFrame::write(const frames::Sink& sink) const {
   if (const PlasticForce* plastic = body_.internal.plastic())
     add("plastic_strain", 1, [plastic](std::uint32_t slot) { return plastic->equivalent_strain(slot); });
   std::vector<std::int32_t> fragments, originals;
-  if (fragments_ && is_wanted("fragment")) arrays.push_back({"fragment", 1, selected(fragments_->of_particles(), fragments)});
+  if (fragments_ && is_wanted("fragment")) {
+    if (particles.share().is_whole()) {
+      arrays.push_back({"fragment", 1, selected(fragments_->of_particles(), fragments)});
+    } else {
+      std::vector<std::int32_t> of_slots(particles.slots());
+      for (std::size_t p = 0; p < particles.size(); ++p) of_slots[particles.slot_of()[p]] = fragments_->of_particles()[p];
+      fragments = particles.gather(std::span<const std::int32_t>(of_slots), 1);
+      arrays.push_back({"fragment", 1, std::span<const std::int32_t>(fragments)});
+    }
+  }
   if (!particles.numbers().empty() && is_wanted("original")) {
     for (std::size_t index = 0; index < size(); ++index)
       originals.push_back(static_cast<std::int32_t>(particles.numbers()[particles.slot_of()[number(index)]]));

@@ -129,58 +129,69 @@ void expect_files(const Simulation& simulation, const std::filesystem::path& fol
 
 }  // namespace
 
+ResultsWriter::Files::Files(const Simulation& simulation, const std::filesystem::path& path, std::span<const Line> lines)
+    : folder(path, planned_files(simulation, lines)),
+      history(folder.history(), headings_of(simulation.monitors().columns())),
+      panel_frames(simulation.impactors().size()),
+      pressure_area(simulation.impactors().size()),
+      fragment_tables(simulation.bodies().size()) {
+  for (const Body& body : simulation.bodies()) body_series.emplace_back(folder.frames(), body.name, format_of(simulation));
+  for (const Impactor& impactor : simulation.impactors()) impactor_series.emplace_back(folder.frames(), impactor.name(), format_of(simulation));
+  write_columns(folder.history_columns(), simulation.monitors().columns());
+}
+
+ResultsWriter::Files::Files(const Simulation& simulation, const std::filesystem::path& path, std::span<const Line> lines, Written& written)
+    : folder((expect_files(simulation, path, lines, written), path), planned_files(simulation, lines), later_files(simulation, path, lines)),
+      history(folder.history(), simulation.monitors().columns().size(), written.history),
+      panel_frames(std::move(written.panel_frames)) {
+  auto times = written.frame_times.begin();
+  for (const Body& body : simulation.bodies()) body_series.emplace_back(folder.frames(), body.name, format_of(simulation), std::move(*times++));
+  for (const Impactor& impactor : simulation.impactors())
+    impactor_series.emplace_back(folder.frames(), impactor.name(), format_of(simulation), std::move(*times++));
+  for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
+    pressure_area.emplace_back(folder, simulation.impactors()[i].name(), written.pressure_area[i]);
+  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) fragment_tables.emplace_back(folder, simulation.bodies()[b].name, written.fragments[b]);
+  write_columns(folder.history_columns(), simulation.monitors().columns());
+}
+
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder)
     : lines_(lines_of(simulation)),  // first, so that an error leaves the results of an earlier run in the folder
       frame_particles_(frame_particles_of(simulation)),
-      folder_(folder, planned_files(simulation, lines_)),
-      history_(folder_.history(), headings_of(simulation.monitors().columns())),
-      panel_frames_(simulation.impactors().size()),
-      pressure_area_(simulation.impactors().size()),
-      fragment_tables_(simulation.bodies().size()),
       frames_wanted_(simulation.setup().output.frames) {
-  for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name, format_of(simulation));
-  for (const Impactor& impactor : simulation.impactors()) impactor_series_.emplace_back(folder_.frames(), impactor.name(), format_of(simulation));
-  write_columns(folder_.history_columns(), simulation.monitors().columns());
+  if (simulation.ranks().is_root()) files_.emplace(simulation, folder, lines_);
   after_step(simulation);
 }
 
 ResultsWriter::ResultsWriter(const Simulation& simulation, const std::filesystem::path& folder, Written written)
     : lines_(lines_of(simulation)),
       frame_particles_(frame_particles_of(simulation)),
-      folder_((expect_files(simulation, folder, lines_, written), folder), planned_files(simulation, lines_), later_files(simulation, folder, lines_)),
-      history_(folder_.history(), simulation.monitors().columns().size(), written.history),
-      panel_frames_(std::move(written.panel_frames)),
       frames_wanted_(simulation.setup().output.frames),
       last_frame_step_(written.last_frame_step),
-      resumed_at_(std::move(written.resumed_at)) {
-  auto times = written.frame_times.begin();
-  for (const Body& body : simulation.bodies()) body_series_.emplace_back(folder_.frames(), body.name, format_of(simulation), std::move(*times++));
-  for (const Impactor& impactor : simulation.impactors())
-    impactor_series_.emplace_back(folder_.frames(), impactor.name(), format_of(simulation), std::move(*times++));
-  for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
-    pressure_area_.emplace_back(folder_, simulation.impactors()[i].name(), written.pressure_area[i]);
-  for (std::size_t b = 0; b < simulation.bodies().size(); ++b) fragment_tables_.emplace_back(folder_, simulation.bodies()[b].name, written.fragments[b]);
+      resumed_at_(written.resumed_at) {
+  if (simulation.ranks().is_root()) files_.emplace(simulation, folder, lines_, written);
   skip_frames_until(last_frame_step_, simulation.clock());
-  write_columns(folder_.history_columns(), simulation.monitors().columns());
   resumed_at_.push_back(simulation.clock().step);
 }
 
 Written ResultsWriter::written() {
-  history_.sync();
-  for (PressureArea& curve : pressure_area_) curve.sync();
-  for (FragmentTable& table : fragment_tables_) table.sync();
-  for (const frames::Series& series : body_series_) series.sync();
-  for (const frames::Series& series : impactor_series_) series.sync();
-  for (const std::filesystem::path& folder : {folder_.frames(), folder_.lines(), folder_.pressure_area(), folder_.fragments()}) output::sync_folder(folder);
+  if (!files_) return Written(0, 0);
+  Files& files = *files_;
+  files.history.sync();
+  for (PressureArea& curve : files.pressure_area) curve.sync();
+  for (FragmentTable& table : files.fragment_tables) table.sync();
+  for (const frames::Series& series : files.body_series) series.sync();
+  for (const frames::Series& series : files.impactor_series) series.sync();
+  const output::ResultsFolder& folder = files.folder;
+  for (const std::filesystem::path& inner : {folder.frames(), folder.lines(), folder.pressure_area(), folder.fragments()}) output::sync_folder(inner);
 
-  Written written(body_series_.size(), impactor_series_.size());
-  written.history = history_.size();
-  for (std::size_t i = 0; i < pressure_area_.size(); ++i) written.pressure_area[i] = pressure_area_[i].size();
-  for (std::size_t b = 0; b < fragment_tables_.size(); ++b) written.fragments[b] = fragment_tables_[b].size();
-  written.panel_frames = panel_frames_;
+  Written written(files.body_series.size(), files.impactor_series.size());
+  written.history = files.history.size();
+  for (std::size_t i = 0; i < files.pressure_area.size(); ++i) written.pressure_area[i] = files.pressure_area[i].size();
+  for (std::size_t b = 0; b < files.fragment_tables.size(); ++b) written.fragments[b] = files.fragment_tables[b].size();
+  written.panel_frames = files.panel_frames;
   auto times = written.frame_times.begin();
-  for (const frames::Series& series : body_series_) *times++ = series.times();
-  for (const frames::Series& series : impactor_series_) *times++ = series.times();
+  for (const frames::Series& series : files.body_series) *times++ = series.times();
+  for (const frames::Series& series : files.impactor_series) *times++ = series.times();
   written.last_frame_step = last_frame_step_;
   written.resumed_at = resumed_at_;
   return written;
@@ -195,9 +206,9 @@ void ResultsWriter::skip_frames_until(long step, const Clock& clock) {
 
 void ResultsWriter::after_step(const Simulation& simulation) {
   const Clock& clock = simulation.clock();
-  if (simulation.monitors().is_due(clock)) {
-    history_.append(simulation.monitors().row());
-    for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].after_interval(folder_, simulation.impactors()[i]);
+  if (files_ && simulation.monitors().is_due(clock)) {
+    files_->history.append(simulation.monitors().row());
+    for (std::size_t i = 0; i < files_->pressure_area.size(); ++i) files_->pressure_area[i].after_interval(files_->folder, simulation.impactors()[i]);
   }
   for (const Line& line : lines_)
     if (std::find(line.steps.begin(), line.steps.end(), clock.step) != line.steps.end()) write_line(simulation, line);
@@ -212,11 +223,15 @@ void ResultsWriter::write_frame(const Simulation& simulation) {
     if (body.failure) fragments.emplace(body.particles, body.family);
     const Fragments* const known = fragments ? &*fragments : nullptr;
     const ParticleFrame frame(body, known, simulation.setup().output.frame_fields, frame_particles_[b].now(body, known), frame_particles_[b].varies());
-    body_series_[b].add(time, [&](const frames::Sink& sink) { frame.write(sink); });
-    if (fragments) fragment_tables_[b].after_frame(folder_, body.name, time, *fragments);
+    if (!files_) {
+      frame.write([](const output::PolyData&) {});
+      continue;
+    }
+    files_->body_series[b].add(time, [&](const frames::Sink& sink) { frame.write(sink); });
+    if (fragments) files_->fragment_tables[b].after_frame(files_->folder, body.name, time, *fragments);
   }
-  for (std::size_t i = 0; i < simulation.impactors().size(); ++i)
-    impactor_series_[i].add(time, [&](const frames::Sink& sink) { panel_frames_[i].write(sink, simulation.impactors()[i], time); });
+  for (std::size_t i = 0; files_ && i < simulation.impactors().size(); ++i)
+    files_->impactor_series[i].add(time, [&](const frames::Sink& sink) { files_->panel_frames[i].write(sink, simulation.impactors()[i], time); });
   last_frame_step_ = simulation.clock().step;
   skip_frames_until(last_frame_step_, simulation.clock());
 }
@@ -230,16 +245,17 @@ void ResultsWriter::write_line(const Simulation& simulation, const Line& line) c
     const Vec3d u = sample.displacement(body);
     rows.insert(rows.end(), {sample.at.x, sample.at.y, sample.at.z, u.x, u.y, u.z});
   }
-  output::write_csv(folder_.line(line.name, simulation.clock().time()), columns, rows);
+  if (files_) output::write_csv(files_->folder.line(line.name, simulation.clock().time()), columns, rows);
 }
 
 void ResultsWriter::finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds) {
   if (frames_wanted_ > 0 && last_frame_step_ != simulation.clock().step && outcome != Outcome::failed) write_frame(simulation);
-  for (std::size_t i = 0; i < pressure_area_.size(); ++i) pressure_area_[i].finish(folder_, simulation.impactors()[i]);
+  if (files_)
+    for (std::size_t i = 0; i < files_->pressure_area.size(); ++i) files_->pressure_area[i].finish(files_->folder, simulation.impactors()[i]);
   for (const Body& body : simulation.bodies())
-    if (body.failure) write_last_fragments(folder_, body);
-  // last: a run is finished once this file says so
-  output::write_whole_file(folder_.run(), run_report(simulation, outcome, failure, wall_seconds, resumed_at_).text());
+    if (body.failure) write_last_fragments(files_ ? &files_->folder : nullptr, body);
+  const std::string report = run_report(simulation, outcome, failure, wall_seconds, resumed_at_).text();
+  if (files_) output::write_whole_file(files_->folder.run(), report);  // last: a run is finished once this file says so
 }
 
 }  // namespace perimpact

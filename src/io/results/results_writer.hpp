@@ -1,5 +1,5 @@
 /// Writes the results during a run: history.json (description of the columns of history.csv) at the start, history.csv row by row, frames
-/// and lines at their times, run.json at the end.
+/// and lines at their times, run.json at the end. Collective in a run of several ranks, in which the root writes.
 #pragma once
 
 #include <optional>
@@ -38,7 +38,7 @@ class ResultsWriter {
   /// Writes a last frame unless there is one of this time, and run.json. `failure`: the message of the error, if one ended the run.
   void finish(Simulation& simulation, Outcome outcome, const std::string& failure, double wall_seconds);
 
-  /// The amount of output so far, all flushed to disk.
+  /// The amount of output so far, all flushed to disk; on the root.
   Written written();
 
   const std::vector<std::int64_t>& resumed_at() const { return resumed_at_; }  ///< steps
@@ -48,14 +48,22 @@ class ResultsWriter {
   void write_line(const Simulation& simulation, const Line& line) const;
   void skip_frames_until(long step, const Clock& clock);
 
+  /// What is written, by the root of a run of several ranks alone; the others only take part in gathering it.
+  struct Files {
+    Files(const Simulation& simulation, const std::filesystem::path& path, std::span<const Line> lines);
+    Files(const Simulation& simulation, const std::filesystem::path& path, std::span<const Line> lines, Written& written);
+
+    output::ResultsFolder folder;
+    output::CsvWriter history;
+    std::vector<frames::Series> body_series, impactor_series;
+    std::vector<PanelFrames> panel_frames;       // per impactor
+    std::vector<PressureArea> pressure_area;     // per impactor
+    std::vector<FragmentTable> fragment_tables;  // per body
+  };
+
   std::vector<Line> lines_;
   std::vector<FrameParticles> frame_particles_;  // per body
-  output::ResultsFolder folder_;
-  output::CsvWriter history_;
-  std::vector<frames::Series> body_series_, impactor_series_;
-  std::vector<PanelFrames> panel_frames_;       // per impactor
-  std::vector<PressureArea> pressure_area_;     // per impactor
-  std::vector<FragmentTable> fragment_tables_;  // per body
+  std::optional<Files> files_;
   int frames_wanted_;
   int next_frame_ = 0;
   long last_frame_step_ = -1;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/parallel.hpp"
 #include "io/deck/setup_to_text.hpp"
 #include "io/results/contact_bounds_report.hpp"
@@ -16,9 +18,10 @@ namespace {
 
 Json body_report(const Body& body, const BoundaryConditions& boundary_conditions, const std::optional<FilledMass>& filled) {
   Json json = Json::object();
-  json["particles"] = body.particles.size();
+  const Share& share = body.particles.share();
+  json["particles"] = body.particles.size_of_body();
   json["bonds"] = body.family.initial_bonds();
-  json["intact_bonds"] = body.family.intact_bonds();
+  json["intact_bonds"] = body.family.intact_bonds(share);
   if (const Stencil* stencil = body.family.stencil()) json["interior_family"] = stencil->size();
   json["spacing [m]"] = body.particles.spacing();
   json["horizon [m]"] = body.family.horizon();
@@ -30,14 +33,14 @@ Json body_report(const Body& body, const BoundaryConditions& boundary_conditions
     json["failure"]["layers"] = failure->layers;
     json["fragments"] = fragment_report(Fragments(body.particles, body.family).count());
   }
-  json["memory [byte]"] = body.memory();
+  json["memory [byte]"] = static_cast<double>(share.ranks().sum(std::llround(body.memory())));
   json["mass [kg]"] = body.particles.total_mass();
   if (filled) json["mass_of_solid [kg]"] = filled->solid;
   for (const CrackCut& crack : body.cracks) json["cracks"][crack.name]["bonds"] = crack.bonds;
   for (const NamedBoundaryCondition& one : boundary_conditions.all()) {
     Json& entry = json["boundary_conditions"][one.name.substr(body.name.size() + 1)];
     entry["kind"] = one.kind;
-    entry["particles"] = one.particles();
+    entry["particles"] = share.ranks().sum(static_cast<std::int64_t>(one.particles()));
     entry["work [J]"] = one.account().work();
     if (const auto* floating = std::get_if<Floating>(&one.boundary)) {
       entry["level [m]"] = floating->water().level;
@@ -49,7 +52,7 @@ Json body_report(const Body& body, const BoundaryConditions& boundary_conditions
 
 std::size_t particles_initially_inside(const Simulation& simulation, std::size_t impactor, std::size_t body) {
   for (const InitialPenetration& inside : simulation.initial_penetrations())
-    if (inside.impactor == impactor && inside.body == body) return inside.slots.size();
+    if (inside.impactor == impactor && inside.body == body) return inside.particles;
   return 0;
 }
 
@@ -94,19 +97,20 @@ Json impactor_report(const Simulation& simulation, std::size_t number) {
   json["contact_bounds"] = contact_bounds_report(impactor);
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     const fccda::Effort effort = impactor.effort(b);
+    const auto of_all = [&](std::size_t count) { return simulation.ranks().sum(static_cast<std::int64_t>(count)); };
     Json& against = json["detection"][simulation.bodies()[b].name];
-    against["points_in_bounds"] = effort.points_in_bounds;
-    against["points_tested"] = effort.points_tested;
-    against["panels_tested"] = effort.panels_tested;
+    against["points_in_bounds"] = of_all(effort.points_in_bounds);
+    against["points_tested"] = of_all(effort.points_tested);
+    against["panels_tested"] = of_all(effort.panels_tested);
     if (const fccda::Published* published = impactor.published(b)) {
       const fccda::Rejections& rejections = published->rejections();
-      against["rejected_by"]["eq. 14"] = rejections.by_eq14;
-      against["rejected_by"]["eq. 15"] = rejections.by_eq15;
-      against["rejected_by"]["eq. 17"] = rejections.by_eq17;
-      against["rejected_by"]["eq. 20"] = rejections.by_eq20;
+      against["rejected_by"]["eq. 14"] = of_all(rejections.by_eq14);
+      against["rejected_by"]["eq. 15"] = of_all(rejections.by_eq15);
+      against["rejected_by"]["eq. 17"] = of_all(rejections.by_eq17);
+      against["rejected_by"]["eq. 20"] = of_all(rejections.by_eq20);
     }
     against["initial_overlap"] = particles_initially_inside(simulation, number, b);
-    against["entered_inside"] = impactor.entered_inside(b);
+    against["entered_inside"] = of_all(impactor.entered_inside(b));
     against["unresolved_penetrations"] = impactor.unresolved(b).count;
   }
   json["constraint_work [J]"] = impactor.constraint_work();
@@ -198,6 +202,7 @@ Json run_report(Simulation& simulation, Outcome outcome, const std::string& fail
   json["time [s]"] = clock.time();
   if (!resumed_at.empty()) json["resumed_at_steps"] = std::vector(resumed_at.begin(), resumed_at.end());
   json["threads"] = fccda::thread_count();
+  if (simulation.ranks().size() > 1) json["ranks"] = simulation.ranks().size();
   json["wall_time [s]"] = wall_seconds;
   json["state_hash"] = fmt::format("{:016x}", simulation.state_hash());
   if (simulation.relaxation()) {

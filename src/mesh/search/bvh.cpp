@@ -170,7 +170,10 @@ std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int gue
 std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int guess, double reach, Nearby& nearby, std::size_t& tested) const {
   nearby = {.centre = point, .reach = reach <= worthwhile_ ? reach : 0};
   const std::optional<ClosestPoint> closest = search_closest(point, cap, guess, tested, &nearby, any);
-  if (!closest) nearby.reach = 0;
+  if (closest)
+    nearby.distance = closest->distance;
+  else
+    nearby.reach = 0;
   return closest;
 }
 
@@ -179,6 +182,17 @@ std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, double cap, int gue
 // so T is not the closest to q. A hundredth of the reach is reserved for rounding.
 std::optional<ClosestPoint> Bvh::closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& tested) const {
   if (!(norm(point - nearby.centre) < 0.99 * nearby.reach)) return closest(point, no_cap, guess, tested);
+  return closest_of(point, nearby, tested);
+}
+
+// With d the distances from the centre after the motion, and d' those from the point before it, T and C as above,
+//   d'(T) >= d(T) - way > d(C) + 2 reach - way >= d'(C) + 2 (reach - way).
+std::optional<ClosestPoint> Bvh::closest_before(const Vec3d& point, const Nearby& nearby, double way, int guess, std::size_t& tested) const {
+  if (!(way < 0.99 * nearby.reach)) return closest(point, no_cap, guess, tested);
+  return closest_of(point, nearby, tested);
+}
+
+std::optional<ClosestPoint> Bvh::closest_of(const Vec3d& point, const Nearby& nearby, std::size_t& tested) const {
   Closest best(*this, point, no_cap);
   for (std::size_t k = 0; k < nearby.count; ++k) best.consider(nearby.leaves[k], tested, any);
   return best.found();

@@ -48,6 +48,7 @@ class Bvh {
   /// Cached surroundings of a search: further searches nearby need no traversal of the tree. The results are the same.
   struct Nearby {
     Vec3d centre{};                         ///< [m] of the first search
+    double distance = 0;                    ///< [m] of the surface from the centre
     double reach = 0;                       ///< [m] radius about the centre in which the cache is valid
     std::size_t count = 0;                  ///< number of leaves
     std::array<std::int32_t, 16> leaves{};  ///< leaves that may contain the closest point for any point within reach
@@ -57,6 +58,9 @@ class Bvh {
       if (count == leaves.size()) reach = 0;  // too many for the cache to pay off
       if (reach > 0) leaves[count++] = leaf;
     }
+
+    /// Whether it has every leaf with a triangle at most `furthest` [m] from the centre. A hundredth of the reach is reserved for rounding.
+    bool covers(double furthest) const { return reach > 0 && furthest < distance + 1.98 * reach; }
   };
 
   /// `surface` must outlive the object.
@@ -87,15 +91,26 @@ class Bvh {
   /// The closest point of the surface, found with the cached surroundings.
   std::optional<ClosestPoint> closest(const Vec3d& point, const Nearby& nearby, int guess, std::size_t& tested) const;
 
+  /// The same before a motion, with surroundings of the centre after it, in a tree of the same shape: `point` was no farther than `way` [m] from the centre, as
+  /// seen from any point of the surface.
+  std::optional<ClosestPoint> closest_before(const Vec3d& point, const Nearby& nearby, double way, int guess, std::size_t& tested) const;
+
   /// The closest point within `cap` [m] among the triangles whose front faces `viewer`.
   std::optional<ClosestPoint> closest_facing(const Vec3d& point, const Vec3d& viewer, double cap, std::size_t& tested) const;
 
   /// The first triangle that the segment crosses from its front.
-  std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, std::size_t& tested) const;
+  std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, std::size_t& tested) const { return first_hit(start, end, {}, tested); }
+  /// The same with cached surroundings.
+  std::optional<Crossing> first_hit(const Vec3d& start, const Vec3d& end, const Nearby& nearby, std::size_t& tested) const;
 
   /// First contact of a ball of `radius` [m] whose centre moves along the segment: the triangle and the fraction, at most `tolerance` [m]
   /// early. A triangle in contact at the start counts only if the ball moves towards it. `guess`: a triangle expected to be met, or -1.
-  std::optional<Crossing> first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, int guess, std::size_t& tested) const;
+  std::optional<Crossing> first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, int guess, std::size_t& tested) const {
+    return first_contact(start, end, radius, tolerance, guess, {}, tested);
+  }
+  /// The same with cached surroundings.
+  std::optional<Crossing> first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, int guess, const Nearby& nearby,
+                                        std::size_t& tested) const;
 
   /// Distance between the segment and the surface if it is at most `cap` [m].
   std::optional<double> distance_to_segment(const Vec3d& start, const Vec3d& end, double cap, std::size_t& tested) const;
@@ -117,9 +132,9 @@ class Bvh {
   /// Calls visit(triangle) for all triangles that the ball meets in the first `until` of a step, and possibly for some nearby, about in the order in
   /// which it meets them. Each vertex moves straight from its place in `at_t0`, a tree of the same shape, to its place in this one. So a vertex is
   /// always between the bounds of its boxes at the two ends, interpolated in time, which follow a surface that moves as a whole more closely than a
-  /// box about both ends. `until` may shrink meanwhile.
+  /// box about both ends. `until` may shrink meanwhile. `nearby`: surroundings of the end of the ball's path, in this tree.
   template <class Visit>
-  void visit_moving(const Bvh& at_t0, const MovingBall& ball, const double& until, const Visit& visit) const;
+  void visit_moving(const Bvh& at_t0, const MovingBall& ball, const Nearby& nearby, const double& until, const Visit& visit) const;
 
  private:
   static constexpr std::size_t width = 4;
@@ -146,8 +161,11 @@ class Bvh {
 
   template <class Accept>
   std::optional<ClosestPoint> search_closest(const Vec3d& point, double cap, int guess, std::size_t& tested, Nearby* nearby, const Accept& accept) const;
+  std::optional<ClosestPoint> closest_of(const Vec3d& point, const Nearby& nearby, std::size_t& tested) const;
   template <class Visit>
   void visit_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Visit& visit) const;
+  template <class Visit>
+  void visit_near_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Nearby& nearby, const Visit& visit) const;
   void fill(Leaf& leaf) const;
   template <class Corner>
   static void set_corners(Leaf& leaf, const Vec3d& origin, const Corner& corner);
@@ -182,7 +200,7 @@ class Bvh {
 
   const Surface* surface_;
   Vec3d origin_;       // centre of the surface, where floats are finest
-  double worthwhile_;  // [m] reach of a cache of surroundings that costs less than it saves: an eighth of the mean size of a triangle
+  double worthwhile_;  // [m] reach of a cache of surroundings that costs less than it saves: 0.3 of the mean size of a triangle
   AlignedVector<Node> nodes_;
   AlignedVector<Leaf> leaves_;
   // Once refitted, the coordinates of the leaves are outdated; the vertices of their triangles stand here, in the order of the leaves.
@@ -238,7 +256,17 @@ void Bvh::visit_box(const Box& box, const Visit& visit) const {
 }
 
 template <class Visit>
-void Bvh::visit_moving(const Bvh& at_t0, const MovingBall& ball, const double& until, const Visit& visit) const {
+void Bvh::visit_moving(const Bvh& at_t0, const MovingBall& ball, const Nearby& nearby, const double& until, const Visit& visit) const {
+  const auto visit_leaf = [&](std::int32_t index) {
+    const Leaf& leaf = leaves_[static_cast<std::size_t>(index)];
+    for (unsigned left = may_meet(at_t0, index, ball, until); left != 0; left &= left - 1)
+      visit(leaf.triangle[static_cast<std::size_t>(std::countr_zero(left))]);
+  };
+  // A triangle that the ball meets is at t1 no farther from its centre than its radius and the way that is left.
+  if (nearby.covers(norm(ball.end - nearby.centre) + ball.radius + ball.way)) {
+    for (std::size_t k = 0; k < nearby.count; ++k) visit_leaf(nearby.leaves[k]);
+    return;
+  }
   const Vec3d p = ball.start - at_t0.origin_, q = ball.end - origin_;
   const double margin = ball.radius;
   std::array<Pending, stack_size> stack;
@@ -248,9 +276,7 @@ void Bvh::visit_moving(const Bvh& at_t0, const MovingBall& ball, const double& u
     const Pending next = stack[--depth];
     if (next.enter > until) continue;
     if (next.child < 0) {
-      const Leaf& leaf = leaves_[static_cast<std::size_t>(~next.child)];
-      for (unsigned left = may_meet(at_t0, ~next.child, ball, until); left != 0; left &= left - 1)
-        visit(leaf.triangle[static_cast<std::size_t>(std::countr_zero(left))]);
+      visit_leaf(~next.child);
       continue;
     }
     const Node &a = at_t0.nodes_[static_cast<std::size_t>(next.child)], &b = nodes_[static_cast<std::size_t>(next.child)];

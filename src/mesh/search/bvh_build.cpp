@@ -41,7 +41,7 @@ class Bvh::Builder {
       include(all, boxes_[i]);
     }
     slack_ = slack_of(all);
-    bvh.worthwhile_ = 0.125 * std::sqrt(surface.report().area / static_cast<double>(surface.triangles().size()));
+    bvh.worthwhile_ = 0.3 * std::sqrt(surface.report().area / static_cast<double>(surface.triangles().size()));
     add_node(order_, 0);
   }
 

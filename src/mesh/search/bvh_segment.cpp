@@ -51,6 +51,14 @@ void Bvh::visit_segment(const Vec3d& start, const Vec3d& end, const double& unti
   }
 }
 
+// The same from cached surroundings, where they have all of these leaves.
+template <class Visit>
+void Bvh::visit_near_segment(const Vec3d& start, const Vec3d& end, const double& until, const double& margin, const Nearby& nearby, const Visit& visit) const {
+  if (!nearby.covers(margin + std::max(norm(start - nearby.centre), norm(end - nearby.centre)))) return visit_segment(start, end, until, margin, visit);
+  Leaf room;
+  for (std::size_t k = 0; k < nearby.count; ++k) visit(current_leaf(nearby.leaves[k], room));
+}
+
 // Upper bound of the coordinates that a query computes with [m].
 double Bvh::scale_of(const Vec3d& start, const Vec3d& end) const {
   const Box& bounds = surface_->report().bounds;
@@ -122,13 +130,13 @@ void take_if_first(const Surface& surface, const Crossing& found, std::optional<
   until = found.fraction;
 }
 
-std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, std::size_t& tested) const {
+std::optional<Crossing> Bvh::first_hit(const Vec3d& start, const Vec3d& end, const Nearby& nearby, std::size_t& tested) const {
   std::optional<Crossing> first;
   if (!is_finite(start) || !is_finite(end)) return first;
   double until = 1;
   const double margin = 0;
   const double scale = scale_of(start, end);
-  visit_segment(start, end, until, margin, [&](const Leaf& leaf) {
+  visit_near_segment(start, end, until, margin, nearby, [&](const Leaf& leaf) {
     tested += static_cast<std::size_t>(leaf.count);
     for (unsigned left = may_cross(leaf, start - origin_, end - origin_, scale); left != 0; left &= left - 1) {
       const int triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(left))];
@@ -179,7 +187,8 @@ std::optional<double> time_of_contact(const Vec3d& start, const Vec3d& displacem
 
 }  // namespace
 
-std::optional<Crossing> Bvh::first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, int guess, std::size_t& tested) const {
+std::optional<Crossing> Bvh::first_contact(const Vec3d& start, const Vec3d& end, double radius, double tolerance, int guess, const Nearby& nearby,
+                                           std::size_t& tested) const {
   std::optional<Crossing> first;
   if (!is_finite(start) || !is_finite(end)) return first;
   double until = 1;
@@ -192,11 +201,13 @@ std::optional<Crossing> Bvh::first_contact(const Vec3d& start, const Vec3d& end,
   };
   if (guess >= 0) consider(guess);
   const double length = norm(way);
-  visit_segment(start, end, until, margin, [&](const Leaf& leaf) {
+  visit_near_segment(start, end, until, margin, nearby, [&](const Leaf& leaf) {
     // The ball about the middle of the path until then contains all of it.
     const Vec3d middle = start - origin_ + 0.5 * until * way;
-    for (unsigned left = may_be_within(leaf, middle, margin + 0.5 * until * length, scale); left != 0; left &= left - 1)
-      consider(leaf.triangle[static_cast<std::size_t>(std::countr_zero(left))]);
+    for (unsigned left = may_be_within(leaf, middle, margin + 0.5 * until * length, scale); left != 0; left &= left - 1) {
+      const int triangle = leaf.triangle[static_cast<std::size_t>(std::countr_zero(left))];
+      if (triangle != guess) consider(triangle);
+    }
   });
   return first;
 }

@@ -11,6 +11,7 @@
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/discretisation/particle_set.hpp"
 #include "perimpact/materials/ordinary_state/stencil_sums.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -22,11 +23,10 @@ Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
 
 int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
-/// Share of this rank in the lattice of a body. The water under a floating body acts on columns of its lattice.
+/// Share of this rank in the lattice of a body.
 Share share_of(const BodySetup& setup, const Lattice& lattice, int reach, Ranks& ranks) {
-  const bool floats = std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
   try {
-    return Share(ranks, lattice, reach, floats);
+    return Share(ranks, lattice, reach, keeps_columns(setup));
   } catch (const fccda::InputError& error) {
     throw SetupError("bodies." + setup.name, fmt::format("body {}: {}.", setup.name, error.what()));
   }
@@ -52,19 +52,6 @@ Influences influences_of(const BodySetup& setup) {
 
 CorrectionKind correction_of(const BodySetup& setup) {
   return with_material(setup, [&](const auto&, auto kind) { return kind.correction(setup); });
-}
-
-/// Sums f(slot) over the particles in blocks, so that rounding does not grow with their number.
-template <class Value, class F>
-Value sum_over(const Particles& particles, Value total, const F& f) {
-  constexpr std::size_t block = 256;
-  const auto slots = particles.slot_of();
-  for (std::size_t begin = 0; begin < slots.size(); begin += block) {
-    Value part = f(slots[begin]);
-    for (std::size_t i = begin + 1; i < std::min(begin + block, slots.size()); ++i) part += f(slots[i]);
-    total += part;
-  }
-  return total;
 }
 
 constexpr int most_layers_that_bend = 40;  // beyond, the deficit is below 1 %
@@ -125,6 +112,10 @@ std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Par
   return BendingOfLayers{thin, layers, relative_bending_stiffness(setup, thin, layers)};
 }
 
+bool keeps_columns(const BodySetup& setup) {
+  return std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
+}
+
 IsotropicElastic elastic_of(const BodySetup& setup) {
   const std::optional<double> modulus = setup.elastic().youngs_modulus;
   if (!modulus) throw SetupError("bodies." + setup.name + ".material.youngs_modulus", fmt::format("body {} has no Young's modulus; give it.", setup.name));
@@ -178,19 +169,19 @@ Body make_body(const BodySetup& setup, Particles particles, fccda::Stages& stage
 }
 
 Vec3d Body::momentum() const {
-  return sum_over(particles, Vec3d{}, [&](std::size_t slot) { return particles.mass(slot) * particles.velocity.at(slot); });
+  return exact_sum_over_eights(particles, [&](std::size_t slot) { return particles.mass(slot) * particles.velocity.at(slot); });
 }
 
 double Body::kinetic_energy(double dt) const {
   const double half_kick = 0.5 * dt / particles.density();
-  return 0.5 * sum_over(particles, 0.0, [&](std::size_t slot) {
+  return 0.5 * exact_sum_over_eights(particles, [&](std::size_t slot) {
            return particles.mass(slot) * fccda::squared_norm(particles.velocity.at(slot) + half_kick * particles.force_density.at(slot));
          });
 }
 
 double Body::kinetic_energy_of_scheme(double dt) const {
   const double kick = dt / particles.density();
-  return 0.5 * sum_over(particles, 0.0, [&](std::size_t slot) {
+  return 0.5 * exact_sum_over_eights(particles, [&](std::size_t slot) {
            const Vec3d velocity = particles.velocity.at(slot);
            return particles.mass(slot) * dot(velocity, velocity + kick * particles.force_density.at(slot));
          });

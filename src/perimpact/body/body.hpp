@@ -13,6 +13,7 @@
 #include "perimpact/family/family.hpp"
 #include "perimpact/materials/internal_force.hpp"
 #include "perimpact/particles/particles.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
 
@@ -25,7 +26,7 @@ struct Body {
   std::vector<CrackCut> cracks = {};             ///< initial cracks
   std::optional<double> bending = {};            ///< factor k_b of all bond stiffnesses, with bending_calibration
 
-  /// Linear momentum [kg m/s], summed in blocks, in order.
+  /// Linear momentum [kg m/s].
   Vec3d momentum() const;
   /// [J] with velocities advanced from the middle of the step to its end by the current forces: v + f dt/(2ρ).
   double kinetic_energy(double dt) const;
@@ -36,15 +37,16 @@ struct Body {
 
   template <class Visitor>
   void visit_state(Visitor&& visit) {
-    particles.visit_state(name, visit);
-    family.visit_state(name, visit);
-    internal.visit_state(name, visit);
+    auto shared = of_eights(particles, visit);
+    particles.visit_state(name, shared);
+    family.visit_state(name, shared);
+    internal.visit_state(name, shared);
   }
 
   /// Recorded data that do not affect any step.
   template <class Visitor>
   void visit_record(Visitor&& visit) {
-    internal.visit_record(name, visit);
+    internal.visit_record(name, of_eights(particles, visit));
   }
 };
 
@@ -52,6 +54,9 @@ struct Body {
 /// than can be indexed.
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone());
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
+
+/// True if ranks must not divide its lattice across z: the water under a floating body acts on columns of it.
+bool keeps_columns(const BodySetup& setup);
 
 /// Elastic constants of its material, 3-D or 2-D.
 IsotropicElastic elastic_of(const BodySetup& setup);

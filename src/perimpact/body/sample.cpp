@@ -10,17 +10,32 @@ Sample::Sample(const Body& body, const Vec3d& point) : at(point) {
   const Particles& particles = body.particles;
   double nearest = std::numeric_limits<double>::infinity();
   for (const std::uint32_t slot : particles.slot_of()) nearest = std::min(nearest, norm(particles.reference(slot) - point));
+  Ranks& ranks = particles.share().ranks();
+  nearest = ranks.min(nearest);
   const double limit = nearest + 1e-6 * particles.spacing();
+  std::vector<Near> own;
   for (const std::uint32_t slot : particles.slot_of())
-    if (slots.size() < 8 && norm(particles.reference(slot) - point) <= limit) slots.push_back(slot);
+    if (const double distance = norm(particles.reference(slot) - point); own.size() < most && distance <= limit)
+      own.push_back({particles.share().whole_slot(slot), slot, ranks.rank(), distance});
+  near_ = ranks.join_all(std::span<const Near>(own));
+  std::ranges::sort(near_, {}, &Near::whole_slot);
+  near_.resize(std::min(near_.size(), most));
 }
 
-double Sample::distance(const Body& body) const { return norm(body.particles.reference(slots.front()) - at); }
-
 Vec3d Sample::displacement(const Body& body) const {
+  Ranks& ranks = body.particles.share().ranks();
+  std::vector<double> all(3 * near_.size());  // each is that of one rank: sums with zeros are exact
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    const Vec3d u = near_[k].rank == ranks.rank() ? body.particles.displacement(near_[k].slot) : Vec3d{};
+    for (std::size_t c = 0; c < 3; ++c) all[3 * k + c] = u[c];
+  }
+  const std::vector<double> of_ranks = ranks.join_all(std::span<const double>(all));
   Vec3d sum{};
-  for (const std::uint32_t slot : slots) sum += body.particles.displacement(slot);
-  return sum / static_cast<double>(slots.size());
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    const double* u = of_ranks.data() + static_cast<std::size_t>(near_[k].rank) * all.size() + 3 * k;
+    sum += Vec3d{u[0], u[1], u[2]};
+  }
+  return sum / static_cast<double>(near_.size());
 }
 
 std::vector<Sample> samples_along(const Body& body, const Vec3d& from, const Vec3d& to) {

@@ -34,7 +34,8 @@ void BoundaryConditions::for_each(const Act& act) {
         one.boundary);
 }
 
-BoundaryConditions::BoundaryConditions(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of) {
+BoundaryConditions::BoundaryConditions(const BodySetup& body, const IsotropicElastic& elastic, const Particles& particles, const SlotsOfRegion& slots_of)
+    : share_(particles.share()) {
   for (const BoundaryConditionSetup& boundary : body.boundary_conditions) all_.push_back(make_named(boundary, {body, elastic, particles, slots_of}));
   refuse_constrained_twice(body, particles);
   refuse_floating_twice(body, particles);
@@ -97,7 +98,7 @@ void BoundaryConditions::set_initial_state(Particles& particles, double time, Pr
   for_each([&](const PrescribedDisplacement& constraint) { constraint.set_initial_state(particles, time, pace); });
 }
 
-void BoundaryConditions::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
+void BoundaryConditions::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends) {
   for_each([&](auto& one) {
     if constexpr (requires { one.update_exposed_surface(particles, family, broken_ends); }) one.update_exposed_surface(particles, family, broken_ends);
   });

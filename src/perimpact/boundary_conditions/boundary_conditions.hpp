@@ -40,7 +40,7 @@ class BoundaryConditions {
   void set_initial_state(Particles& particles, double time, PrescribedDisplacement::Regime pace);
 
   /// Updates exposed particles after bond failure; `broken_ends` as in InternalForce. To be called before add_forces().
-  void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+  void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends);
 
   /// Adds forces at the beginning of the next step to those of the bonds.
   void add_forces(Particles& particles, const fccda::Step& next);
@@ -70,24 +70,38 @@ class BoundaryConditions {
   /// What the next step depends on beyond particles and bonds.
   template <class Visitor>
   void visit_state(Visitor&& visit) {
+    const auto shared = with_share(visit);
     for (NamedBoundaryCondition& one : all_)
       std::visit(
           [&](auto& boundary) {
-            if constexpr (requires { boundary.visit_state(one.name, visit); }) boundary.visit_state(one.name, visit);
+            if constexpr (requires { boundary.visit_state(one.name, shared); }) boundary.visit_state(one.name, shared);
           },
           one.boundary);
   }
   template <class Visitor>
   void visit_record(Visitor&& visit) {
-    for (NamedBoundaryCondition& one : all_) std::visit([&](auto& boundary) { boundary.visit_record(one.name, visit); }, one.boundary);
+    for (NamedBoundaryCondition& one : all_) std::visit([&](auto& boundary) { boundary.visit_record(one.name, with_share(visit)); }, one.boundary);
   }
 
  private:
+  template <class Visitor>
+  auto with_share(Visitor& visit) const {
+    return [this, &visit](const auto& name, auto&& values) {
+      if constexpr (requires { values.per_slot; }) {
+        auto numbers = values;
+        numbers.share = &share_;
+        visit(name, numbers);
+      } else {
+        visit(name, values);
+      }
+    };
+  }
   template <class Act>
   void for_each(const Act& act);
   void refuse_floating_twice(const BodySetup& body, const Particles& particles) const;
   void refuse_constrained_twice(const BodySetup& body, const Particles& particles) const;
 
+  Share share_;
   std::vector<NamedBoundaryCondition> all_;
   std::vector<ForceSum> balanced_;  // of each, of the latest balance()
 };

@@ -103,14 +103,14 @@ class Breaking {
   /// `strength` [-] of each slot (damage/strength.hpp); where empty, 1 everywhere.
   Breaking(const BreakingRule& rule, const std::vector<double>& strength, const Family& family, const Particles& particles);
 
-  /// Pass over the bonds in which they break, if options.may_break. per_pack(row, slot, breaker) visits the bonds of a pack of particles with the breaker,
-  /// writes the results of the pack, and returns its energy [J]. Counts broken ends, and sums the energy of each row if options.with_energy.
+  /// Pass over the bonds in which they break, if options.may_break. per_pack(eight, slot, breaker) visits the bonds of a pack of particles with the breaker,
+  /// writes the results of the pack, and returns its energy [J]. Counts broken ends, and sums the energy of each eight if options.with_energy.
   ///
   /// With hardening, the critical stretch depends on compression, but this matters only for bonds beyond their unconfined limit. Packs with such a bond
   /// are postponed: their strength is evaluated after all other packs. Packs postponed in the previous pass are postponed at once, so that little is
   /// evaluated twice; not so where energies are summed, since the order of summation would then depend on the previous pass.
   template <class Pack, class Bonds, class PerPack>
-  void for_each_pack(const Bonds& bonds, const Particles& particles, Family& family, const PassOptions& options, RowSums& rows, const PerPack& per_pack);
+  void for_each_pack(const Bonds& bonds, const Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums, const PerPack& per_pack);
 
   bool is_armed() const { return rule_.has_value(); }
   const std::optional<BreakingRule>& rule() const { return rule_; }
@@ -148,14 +148,14 @@ class Breaking {
       f(BreakByStrength<Lengths<Bonds>, false>{lengths<Bonds>(family), rule_->stretch, 0, half_strength.component(0)});
   }
 
-  /// Calls f(row, slot) for the postponed packs.
+  /// Calls f(slot) for the postponed packs.
   template <class Pack, class F>
   void for_each_postponed(const Particles& particles, const F& f) const {
     fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t r) {
       const auto row = static_cast<std::size_t>(r);
       if (!row_has_postponed_[row]) return;
       for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) {
-        if (postponed_[slot / fccda::lanes<Pack>]) f(row, slot);
+        if (postponed_[slot / fccda::lanes<Pack>]) f(slot);
       });
     });
   }
@@ -180,23 +180,23 @@ class Breaking {
 };
 
 template <class Pack, class Bonds, class PerPack>
-void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Family& family, const PassOptions& options, RowSums& rows,
+void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums,
                              const PerPack& per_pack) {
   const bool hardens = options.may_break && rule_ && rule_->hardening > 0;
   if (hardens && options.with_energy) std::fill(postponed_.begin(), postponed_.end(), no);
   choose<Bonds>(family, options.may_break, [&](const auto& breaker) {
     fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t r) {
       const auto row = static_cast<std::size_t>(r);
-      double energy = 0;
       for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) {
+        const std::size_t eight = slot / fccda::byte_lanes;
+        if (options.with_energy && slot % fccda::byte_lanes == 0) sums.energy[eight] = 0;
         bool is_postponed = hardens && postponed_[slot / fccda::lanes<Pack>] != no;
         if (!is_postponed) {
-          const double of_pack = per_pack(row, slot, breaker.with({&rows.broken_ends[row], hardens ? &is_postponed : nullptr}));
-          if (!is_postponed) energy += of_pack;
+          const double of_pack = per_pack(eight, slot, breaker.with({&sums.broken_ends[eight], hardens ? &is_postponed : nullptr}));
+          if (!is_postponed && options.with_energy) sums.energy[eight] += of_pack;
         }
         if (is_postponed) postponed_[slot / fccda::lanes<Pack>] = row_has_postponed_[row] = yes;
       });
-      if (options.with_energy) rows.energy[row] = energy;
     });
   });
   if (!hardens) return;
@@ -206,7 +206,7 @@ void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Fam
   choose<Bonds>(family, true, [&](const auto& breaker) {
     using Breaker = std::decay_t<decltype(breaker)>;
     if constexpr (Breaker::is_armed)
-      for_each_postponed<Pack>(particles, [&](std::size_t, std::size_t slot) {
+      for_each_postponed<Pack>(particles, [&](std::size_t slot) {
         const Pack of_i = breaker.template of<Pack>(slot);
         unsigned beyond = 0;
         for_each_bond<Pack>(bonds, particles.position.pointers(), slot, Unbreakable{}, [&](const auto& bond) {
@@ -223,9 +223,10 @@ void Breaking::for_each_pack(const Bonds& bonds, const Particles& particles, Fam
   find_pressed_strength<Pack>(particles, family);
   particles.share().refresh({pressed_half_strength_.component(0)});
   choose_by_strength<Bonds>(family, pressed_half_strength_, [&](const auto& breaker) {
-    for_each_postponed<Pack>(particles, [&](std::size_t row, std::size_t slot) {
-      const double of_pack = per_pack(row, slot, breaker.with({&rows.broken_ends[row]}));
-      if (options.with_energy) rows.energy[row] += of_pack;
+    for_each_postponed<Pack>(particles, [&](std::size_t slot) {
+      const std::size_t eight = slot / fccda::byte_lanes;
+      const double of_pack = per_pack(eight, slot, breaker.with({&sums.broken_ends[eight]}));
+      if (options.with_energy) sums.energy[eight] += of_pack;
       std::uint8_t& postponed = postponed_[slot / fccda::lanes<Pack>];
       if (postponed == needlessly) postponed = no;
     });

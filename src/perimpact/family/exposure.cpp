@@ -43,7 +43,7 @@ std::array<std::uint16_t, byte_lanes> count_bonds(const Family& family, std::siz
   return counts;
 }
 
-Exposure::Exposure(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends)
+Exposure::Exposure(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends)
     : marks_(particles.slots(), 0), first_bonds_(particles.slots(), 0), broken_ends_(broken_ends.begin(), broken_ends.end()) {
   fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.slots() / byte_lanes), [&](std::ptrdiff_t e) {
     const std::size_t eight = static_cast<std::size_t>(e);
@@ -58,31 +58,30 @@ Exposure::Exposure(const Particles& particles, const Family& family, std::span<c
   });
 }
 
-std::vector<std::uint32_t> Exposure::update(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < broken_ends.size(); ++row)
-    if (broken_ends[row] != broken_ends_[row]) rows.push_back(row);
-  std::vector<std::vector<std::uint32_t>> found(rows.size());
-  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(rows.size()), [&](std::ptrdiff_t r) {
-    const std::size_t row = rows[static_cast<std::size_t>(r)];
-    broken_ends_[row] = broken_ends[row];
-    const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
-    for (std::size_t first = begin; first < end; first += byte_lanes) {
-      const auto is_settled = [&](std::size_t slot) { return has_lost(slot) || first_bonds_[slot] == 0; };
-      std::size_t lane = 0;
-      while (lane < byte_lanes && is_settled(first + lane)) ++lane;
-      if (lane == byte_lanes) continue;
-      const auto counts = count_bonds(family, first / byte_lanes);
-      for (; lane < byte_lanes; ++lane) {
-        const std::size_t slot = first + lane;
-        if (has_lost(slot) || counts[lane] == first_bonds_[slot]) continue;
-        marks_[slot] = static_cast<std::uint8_t>(marks_[slot] | lost);
-        found[static_cast<std::size_t>(r)].push_back(static_cast<std::uint32_t>(slot));
-      }
+std::vector<std::uint32_t> Exposure::update(const Family& family, std::span<const std::uint32_t> broken_ends) {
+  std::vector<std::size_t> eights;
+  for (std::size_t eight = 0; eight < broken_ends.size(); ++eight)
+    if (broken_ends[eight] != broken_ends_[eight]) eights.push_back(eight);
+  std::vector<std::uint8_t> found(eights.size(), 0);  // bit l: slot l of the eight
+  fccda::parallel_for_uneven(static_cast<std::ptrdiff_t>(eights.size()), [&](std::ptrdiff_t e) {
+    const std::size_t eight = eights[static_cast<std::size_t>(e)], first = eight * byte_lanes;
+    broken_ends_[eight] = broken_ends[eight];
+    const auto is_settled = [&](std::size_t slot) { return has_lost(slot) || first_bonds_[slot] == 0; };
+    std::size_t lane = 0;
+    while (lane < byte_lanes && is_settled(first + lane)) ++lane;
+    if (lane == byte_lanes) return;
+    const auto counts = count_bonds(family, eight);
+    std::uint8_t& bits = found[static_cast<std::size_t>(e)];
+    for (; lane < byte_lanes; ++lane) {
+      const std::size_t slot = first + lane;
+      if (has_lost(slot) || counts[lane] == first_bonds_[slot]) continue;
+      marks_[slot] = static_cast<std::uint8_t>(marks_[slot] | lost);
+      bits = static_cast<std::uint8_t>(bits | 1u << lane);
     }
   });
   std::vector<std::uint32_t> all;
-  for (const std::vector<std::uint32_t>& of_row : found) all.insert(all.end(), of_row.begin(), of_row.end());
+  for (std::size_t e = 0; e < eights.size(); ++e)
+    fccda::for_each_bit(found[e], [&](std::size_t lane) { all.push_back(static_cast<std::uint32_t>(eights[e] * byte_lanes + lane)); });
   return all;
 }
 

@@ -16,11 +16,11 @@ namespace perimpact {
 
 class Exposure {
  public:
-  /// `broken_ends`: cumulative, of each row (InternalForce::broken_ends).
-  Exposure(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+  /// `broken_ends`: cumulative, of each eight (InternalForce::broken_ends).
+  Exposure(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends);
 
-  /// Updates rows with bonds broken since the last call. Returns the slots, ascending, of particles that lost their first bond.
-  std::vector<std::uint32_t> update(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+  /// Updates eights with bonds broken since the last call. Returns the slots, ascending, of particles that lost their first bond.
+  std::vector<std::uint32_t> update(const Family& family, std::span<const std::uint32_t> broken_ends);
 
   bool is_exposed(std::size_t slot) const { return marks_[slot] != 0; }
   bool has_lost(std::size_t slot) const { return (marks_[slot] & lost) != 0; }  ///< lost a bond
@@ -30,7 +30,7 @@ class Exposure {
 
   std::vector<std::uint8_t> marks_;         // of each slot
   std::vector<std::uint16_t> first_bonds_;  // of each slot
-  std::vector<std::size_t> broken_ends_;    // of each row, at the last update
+  std::vector<std::uint32_t> broken_ends_;  // of each eight, at the last update
 };
 
 /// True if the particle in this slot is at the surface, whatever its bonds.

@@ -74,8 +74,8 @@ struct DeformedBond {
 
 /// Treatment of bonds beyond their limits.
 struct BeyondLimit {
-  std::size_t* broken = nullptr;  ///< they break; counter of broken ends
-  bool* is_noted = nullptr;       ///< if given, they stay intact, this is set to true, and the remaining bonds are skipped
+  std::uint32_t* broken = nullptr;  ///< they break; counter of broken ends
+  bool* is_noted = nullptr;         ///< if given, they stay intact, this is set to true, and the remaining bonds are skipped
 };
 
 /// Breaker that breaks no bond.
@@ -121,7 +121,7 @@ inline void for_each_bond(const Bonds& bonds, const std::array<const double*, 3>
           *breaking.beyond.is_noted = true;
           return;
         }
-        *breaking.beyond.broken += static_cast<std::size_t>(__builtin_popcount(broken));
+        *breaking.beyond.broken += static_cast<std::uint32_t>(__builtin_popcount(broken));
         bytes[row] = static_cast<std::uint8_t>(bytes[row] & ~(broken << first));
         intact &= ~broken;
         per_broken(DeformedBond<Pack, Bonds>{index, neighbour, broken, between, squared_length});

@@ -1,8 +1,9 @@
-/// Options of a pass over the bonds of a body, and its sums by row.
+/// Options of a pass over the bonds of a body, and its sums by eight.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -12,11 +13,14 @@
 
 namespace perimpact {
 
-/// Sums over the particles of each row.
-struct RowSums {
-  std::vector<double> energy;            ///< [J] elastic energy, of the last pass with_energy
-  std::vector<std::size_t> broken_ends;  ///< since construction
-  std::vector<double> fracture_energy;   ///< [J] since construction: elastic energy released by bond failure (docs/theory/energy.md)
+/// Sums over the particles of each eight, the slots 8 n … 8 n + 7: their totals do not depend on how eights are distributed
+/// (particles/sum_over_eights.hpp).
+struct SumsOfEights {
+  static constexpr std::size_t bytes_of_eight = 2 * sizeof(double) + sizeof(std::uint32_t);
+
+  std::vector<double> energy;              ///< [J] elastic energy, of the last pass with_energy
+  std::vector<std::uint32_t> broken_ends;  ///< since construction
+  std::vector<double> fracture_energy;     ///< [J] since construction: elastic energy released by bond failure (docs/theory/energy.md)
 };
 
 /// Options of a pass.
@@ -33,12 +37,12 @@ void for_each_pack_of_row(const Particles& particles, std::size_t row, const F& 
   for (std::size_t slot = begin; slot < end; slot += fccda::lanes<Pack>) f(slot);
 }
 
-/// Calls f(row, slot) for all packs of a body, rows in parallel.
+/// Calls f(eight, slot) for all packs of a body, rows in parallel.
 template <class Pack, class F>
 void for_each_pack(const Particles& particles, const F& f) {
   fccda::parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
     const auto row = static_cast<std::size_t>(number);
-    for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) { f(row, slot); });
+    for_each_pack_of_row<Pack>(particles, row, [&](std::size_t slot) { f(slot / fccda::byte_lanes, slot); });
   });
 }
 

@@ -9,6 +9,7 @@
 
 #include "fccda/elastic/stress.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -20,6 +21,7 @@ double energy_of_rounding(std::span<const Body> bodies, double dt) {
   for (const Body& body : bodies) {
     double furthest = 0;
     for (const std::uint32_t slot : body.particles.slot_of()) furthest = std::max(furthest, largest_magnitude(body.particles.reference(slot)));
+    furthest = body.particles.share().ranks().max(furthest);
     const double speed = 100 * std::numeric_limits<double>::epsilon() * furthest / dt;
     energy += 0.5 * body.particles.total_mass() * speed * speed;
   }
@@ -28,9 +30,7 @@ double energy_of_rounding(std::span<const Body> bodies, double dt) {
 
 /// [J] with the mid-step velocities.
 double kinetic_energy_amid_step(const Particles& particles) {
-  double energy = 0;
-  for (const std::uint32_t slot : particles.slot_of()) energy += 0.5 * particles.mass(slot) * squared_norm(particles.velocity.at(slot));
-  return energy;
+  return 0.5 * exact_sum_over_eights(particles, [&](std::size_t slot) { return particles.mass(slot) * squared_norm(particles.velocity.at(slot)); });
 }
 
 /// Limits the work of a long run after it has become invalid.
@@ -49,15 +49,17 @@ double contact_share(std::size_t body, const Particles& particles, std::span<con
     for (const ContactImpulse& contact_impulse : impactor.contact_impulses_now())
       if (contact_impulse.body == body) pushes.push_back({*contact_impulse.slot, -contact_impulse.impulse});
   std::stable_sort(pushes.begin(), pushes.end(), [](const Push& a, const Push& b) { return a.slot < b.slot; });
-  double energy = 0;
+  std::vector<std::uint32_t> slots;
+  std::vector<double> energies;  // [J] of each
   for (auto push = pushes.begin(); push != pushes.end();) {
     const std::size_t slot = push->slot;
     Vec3d impulse{};
     for (; push != pushes.end() && push->slot == slot; ++push) impulse += push->impulse;
     const Vec3d velocity = particles.velocity.at(slot) + (0.5 * dt / particles.density()) * particles.force_density.at(slot);
-    energy += 0.5 * dot(impulse, velocity + 0.25 * (impulse / particles.mass(slot)));
+    slots.push_back(static_cast<std::uint32_t>(slot));
+    energies.push_back(0.5 * dot(impulse, velocity + 0.25 * (impulse / particles.mass(slot))));
   }
-  return energy;
+  return exact_sum_over_eights(particles.share().ranks(), slots, [&](std::size_t k) { return energies[k]; });
 }
 
 }  // namespace
@@ -73,7 +75,7 @@ Monitors::Monitors(const OutputSetup& setup, std::span<const Body> bodies, const
     const std::string key = "output.probes." + probe.name;
     if (body == bodies.end()) throw SetupError(key + ".body", fmt::format("probe {} refers to body {}, which does not exist.", probe.name, probe.body));
     probes_.push_back({probe.name, static_cast<std::size_t>(body - bodies.begin()), Sample(*body, probe.at)});
-    const double away = probes_.back().sample.distance(*body), spacing = body->particles.spacing();
+    const double away = probes_.back().sample.distance(), spacing = body->particles.spacing();
     if (away > spacing)
       throw SetupError(key + ".at",
                        fmt::format("probe {} lies {:.3g} m from the nearest particle of body {}, more than its spacing of {:.3g} m; move it into the body.",
@@ -291,6 +293,7 @@ void Monitors::check_numbers(const Scene& scene, double energy) const {
             "At step {} ({:.6g} s) particle {} of {} has a position or force that is not a number. Output up to step {} is valid; use a smaller time step.",
             clock.step, clock.time(), i, body.name, sound_until_));
     }
+  // in a run of several ranks the particle may be that of another
   throw fccda::RunError(fmt::format("At step {} ({:.6g} s) the energy is not a number. Output up to step {} is valid; use a smaller time step.", clock.step,
                                     clock.time(), sound_until_));
 }

@@ -217,12 +217,11 @@ std::span<const Contact> Impactor::respond_to_contacts(std::size_t body, Contact
 }
 
 std::span<const Contact> Impactor::respond_to_deforming_contacts(std::size_t body, ContactParticles& particles) {
-  constexpr std::array<double, 3> unyielding{};  // the structure yields by the coupling
   for (const DeformingContact& deforming : deforming_->contacts()) {
     const Contact& contact = deforming.contact;
     const std::size_t i = contact.point;
     const double mass = particles.mass(i);
-    const PanelImpulse after = resolved(deforming, particles.position_t0(i), particles.velocity(i), mass, motion_.dt, friction_, unyielding);
+    const PanelImpulse after = resolved(deforming, particles.position_t0(i), particles.velocity(i), mass, motion_.dt, friction_);
     particles.set(i, after.point.position, after.point.velocity);
     deforming_->iteration().add(deforming, mass, after, friction_);
     pending_.push_back({{body, contact, after.on_surface, i}, after.point.position, particles.work_of(i, -after.on_surface), mass});

@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "perimpact/boundary_conditions/actions/slot_sum.hpp"
 #include "perimpact/integrate/stiffest_mode.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -46,7 +47,7 @@ std::vector<double> fictitious_density(const Body& body, double dt, double safet
     const std::size_t slot = slots[static_cast<std::size_t>(k)];
     density[slot] = 0.25 * dt * dt * largest_row(body, slot);
   });
-  const double stiffest = *std::max_element(density.begin(), density.end());
+  const double stiffest = body.particles.share().ranks().max(*std::max_element(density.begin(), density.end()));
   for (const std::uint32_t slot : slots)
     if (density[slot] == 0) density[slot] = stiffest > 0 ? stiffest : body.particles.density();  // without bonds
   const double ratio = 0.25 * dt * dt * stiffest_mode(body, density);                            // stability limit at 1
@@ -62,9 +63,9 @@ Relaxation::Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, do
     const Particles& particles = body.particles;
     double furthest = 0;  // [m]
     for (const std::uint32_t slot : particles.slot_of()) furthest = std::max(furthest, largest_magnitude(particles.reference(slot)));
+    furthest = particles.share().ranks().max(furthest);
     const double slack = 4 * std::numeric_limits<double>::epsilon() * furthest;  // [m] rounding of a position
-    search.rounding = std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) {
-      const std::size_t slot = particles.slot_of()[k];
+    search.rounding = std::sqrt(exact_sum_over_eights(particles, [&](std::size_t slot) {
       const double force = particles.volume(slot) * 4 * search.density[slot] / (dt * dt) * slack;
       return force * force;
     }));
@@ -86,8 +87,13 @@ std::optional<std::vector<double>> Relaxation::relax(std::span<Body> bodies, std
     return sum;
   };
   while (true) {
-    if (keep_on && !keep_on(latest_)) return std::nullopt;
-    for (Body& body : bodies) body.internal.evaluate_unbroken(body.particles, body.family);
+    // several ranks complete the increment: they would have to agree on where to stop, and to store it
+    const bool is_alone = bodies.front().particles.share().is_whole();
+    if (keep_on && !keep_on(latest_) && is_alone) return std::nullopt;
+    for (Body& body : bodies) {
+      body.particles.refresh_ghosts();
+      body.internal.evaluate_unbroken(body.particles, body.family);
+    }
     latest_.residual = residual(bodies, boundary_conditions, time);
     if (latest_.residual <= setup_.tolerance) {
       const std::size_t before = broken_bonds();
@@ -124,10 +130,8 @@ double Relaxation::residual(std::span<Body> bodies, std::span<BoundaryConditions
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Particles& particles = bodies[b].particles;
     const double applied = boundary_conditions[b].balance(particles, time);
-    const double unbalanced = std::sqrt(sum_in_blocks<double>(particles.size(), [&](std::size_t k) {
-      const std::size_t slot = particles.slot_of()[k];
-      return squared_norm(particles.volume(slot) * particles.force_density.at(slot));
-    }));
+    const double unbalanced =
+        std::sqrt(exact_sum_over_eights(particles, [&](std::size_t slot) { return squared_norm(particles.volume(slot) * particles.force_density.at(slot)); }));
     const double share = unbalanced / (applied + searches_[b].rounding / setup_.tolerance);
     if (!(share <= largest)) largest = share;  // also for NaN
   }
@@ -148,7 +152,7 @@ void Relaxation::start(std::span<const Body> bodies) {
 
 double Relaxation::damping(const Body& body, const Search& search) const {
   const Particles& particles = body.particles;
-  const Quotient rayleigh = sum_in_blocks<Quotient>(particles.size(), [&](std::size_t k) {
+  const Quotient rayleigh = exact_sum_over_eights(particles.share().ranks(), particles.slot_of(), [&](std::size_t k) {
     const std::size_t slot = particles.slot_of()[k];
     const Vec3d u = particles.position.at(slot) - vector_at(search.position0, k);
     return Quotient{dot(u, vector_at(search.force0, k) - particles.force_density.at(slot)), search.density[slot] * squared_norm(u)};

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
+
+#include "perimpact/damage/strength.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -19,18 +21,19 @@ class Stiffness {
 
   std::size_t size() const { return body_.particles.size(); }
   double inner(const Displacements& a, const Displacements& b) const {
-    double sum = 0;
-    for (std::size_t n = 0; n < size(); ++n) sum += densities_[slot(n)] * body_.particles.volume(slot(n)) * dot(a[n], b[n]);
-    return sum;
+    return exact_sum_over_eights(body_.particles.share().ranks(), body_.particles.slot_of(),
+                                 [&](std::size_t n) { return densities_[slot(n)] * body_.particles.volume(slot(n)) * dot(a[n], b[n]); });
   }
 
   Displacements times(const Displacements& u) {
     double largest = 0;
     for (const Vec3d& one : u) largest = std::max(largest, fccda::largest_magnitude(one));
+    largest = body_.particles.share().ranks().max(largest);
     // strains of 1e-6: linear to the same accuracy, with relative rounding of 1e-9
     const double scale = 1e-6 * body_.particles.spacing() / largest;
     Particles& particles = body_.particles;
     for (std::size_t n = 0; n < size(); ++n) particles.position.set(slot(n), particles.reference(slot(n)) + scale * u[n]);
+    particles.refresh_ghosts();
     body_.internal.evaluate_unbroken(particles, body_.family);
     Displacements product(size());
     for (std::size_t n = 0; n < size(); ++n) product[n] = (-1 / (scale * densities_[slot(n)])) * particles.force_density.at(slot(n));
@@ -38,10 +41,12 @@ class Stiffness {
   }
 
   Displacements random() const {
-    std::mt19937_64 bits(1);
-    const auto number = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53 - 0.5; };  // portable, unlike std distributions
     Displacements start(size());
-    for (Vec3d& one : start) one = {number(), number(), body_.particles.is_plane() ? 0 : number()};
+    for (std::size_t n = 0; n < size(); ++n) {
+      const std::uint64_t whole = body_.particles.share().whole_slot(slot(n));  // the same number of a particle on any rank
+      const auto number = [&](std::uint64_t c) { return uniform_of(1, 3 * whole + c) - 0.5; };
+      start[n] = {number(0), number(1), body_.particles.is_plane() ? 0 : number(2)};
+    }
     return start;
   }
 

@@ -1,45 +1,42 @@
 #include "perimpact/materials/internal_force.hpp"
 
+#include "perimpact/particles/sum_over_eights.hpp"
+
 namespace perimpact {
 
 using fccda::NativePack;
 
-InternalForce::InternalForce(Kind kind, const Particles& particles) : kind_(std::move(kind)) {
-  rows_.energy.assign(particles.rows(), 0);
-  rows_.broken_ends.assign(particles.rows(), 0);
-  rows_.fracture_energy.assign(particles.rows(), 0);
+InternalForce::InternalForce(Kind kind, const Particles& particles) : kind_(std::move(kind)), share_(particles.share()) {
+  const std::size_t eights = particles.slots() / fccda::byte_lanes;
+  sums_.energy.assign(eights, 0);
+  sums_.broken_ends.assign(eights, 0);
+  sums_.fracture_energy.assign(eights, 0);
 }
 
 void InternalForce::evaluate(Particles& particles, Family& family, double dt) {
-  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.dt = dt}, rows_); }, kind_);
+  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.dt = dt}, sums_); }, kind_);
 }
 
 double InternalForce::evaluate_with_energy(Particles& particles, Family& family, double dt) {
-  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.with_energy = true, .dt = dt}, rows_); }, kind_);
-  double sum = 0;
-  for (const double energy : rows_.energy) sum += energy;
-  return sum;
+  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.with_energy = true, .dt = dt}, sums_); }, kind_);
+  return exact_sum(share_.ranks(), sums_.energy);
 }
 
 void InternalForce::evaluate_unbroken(Particles& particles, Family& family) {
-  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.may_break = false}, rows_); }, kind_);
+  std::visit([&](auto& force) { force.template pass<NativePack>(particles, family, {.may_break = false}, sums_); }, kind_);
 }
 
 void InternalForce::evaluate_scalar(Particles& particles, Family& family, double dt) {
-  std::visit([&](auto& force) { force.template pass<double>(particles, family, {.dt = dt}, rows_); }, kind_);
+  std::visit([&](auto& force) { force.template pass<double>(particles, family, {.dt = dt}, sums_); }, kind_);
 }
 
 std::size_t InternalForce::broken_bonds() const {
   std::size_t ends = 0;
-  for (const std::size_t count : rows_.broken_ends) ends += count;
-  return ends / 2;
+  for (const std::size_t count : sums_.broken_ends) ends += count;
+  return static_cast<std::size_t>(share_.ranks().sum(static_cast<std::int64_t>(ends))) / 2;
 }
 
-double InternalForce::fracture_energy() const {
-  double sum = 0;
-  for (const double energy : rows_.fracture_energy) sum += energy;
-  return sum;
-}
+double InternalForce::fracture_energy() const { return exact_sum(share_.ranks(), sums_.fracture_energy); }
 
 const Correspondence* InternalForce::correspondence() const {
   if (const auto* space = std::get_if<CorrespondenceForce<3>>(&kind_)) return &space->law();
@@ -48,7 +45,8 @@ const Correspondence* InternalForce::correspondence() const {
 }
 
 double InternalForce::bytes() const {
-  return std::visit([](const auto& force) { return force.bytes(); }, kind_);
+  const auto of_eights = static_cast<double>(SumsOfEights::bytes_of_eight * sums_.energy.size());
+  return of_eights + std::visit([](const auto& force) { return force.bytes(); }, kind_);
 }
 
 }  // namespace perimpact

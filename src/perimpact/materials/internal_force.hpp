@@ -8,7 +8,7 @@
 
 namespace perimpact {
 
-/// The force kernels of all materials. Each has pass<Pack>(particles, family, options, rows), breaking(), bond_stiffness(slot, bond) and bytes(); visit_state
+/// The force kernels of all materials. Each has pass<Pack>(particles, family, options, sums), breaking(), bond_stiffness(slot, bond) and bytes(); visit_state
 /// if the next step depends on more than particles and bonds, and visit_record for what is only summed.
 template <class Setups>
 struct ForcesOf;
@@ -38,8 +38,8 @@ class InternalForce {
   /// The same as evaluate(), one particle at a time: reference for the tests.
   void evaluate_scalar(Particles& particles, Family& family, double dt = 0);
 
-  std::size_t broken_bonds() const;                                               ///< since construction, each counted once
-  std::span<const std::size_t> broken_ends() const { return rows_.broken_ends; }  ///< since construction, by row of particles
+  std::size_t broken_bonds() const;                                                 ///< since construction, each counted once
+  std::span<const std::uint32_t> broken_ends() const { return sums_.broken_ends; }  ///< since construction, of each eight
 
   /// [J] elastic energy released by bond failure since construction (docs/theory/energy.md).
   double fracture_energy() const;
@@ -62,12 +62,12 @@ class InternalForce {
   const Correspondence* correspondence() const;  ///< null for other materials
   const PlasticForce* plastic() const { return std::get_if<PlasticForce>(&kind_); }
   PlasticForce* plastic() { return std::get_if<PlasticForce>(&kind_); }
-  double plastic_dissipation() const { return plastic() ? plastic()->dissipation() : 0; }  ///< [J] since construction
-  double bytes() const;                                                                    ///< [bytes] of memory
+  double plastic_dissipation() const { return plastic() ? plastic()->dissipation(share_.ranks()) : 0; }  ///< [J] since construction
+  double bytes() const;                                                                                  ///< [bytes] of memory
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
-    visit(name + ".broken_ends_of_row", std::span<std::size_t>(rows_.broken_ends));
+    visit(name + ".broken_ends_of_eight", std::span<std::uint32_t>(sums_.broken_ends));
     std::visit(
         [&](auto& force) {
           if constexpr (requires { force.visit_state(name, visit); }) force.visit_state(name, visit);
@@ -78,7 +78,7 @@ class InternalForce {
   /// Accumulated energies; they do not affect any step.
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
-    visit(name + ".fracture_energy_of_row", std::span<double>(rows_.fracture_energy));
+    visit(name + ".fracture_energy_of_eight", std::span<double>(sums_.fracture_energy));
     std::visit(
         [&](auto& force) {
           if constexpr (requires { force.visit_record(name, visit); }) force.visit_record(name, visit);
@@ -88,7 +88,8 @@ class InternalForce {
 
  private:
   Kind kind_;
-  RowSums rows_;
+  Share share_;  // of the particles, over which sums are taken
+  SumsOfEights sums_;
 };
 
 }  // namespace perimpact

@@ -28,6 +28,10 @@ bool get_bit(std::span<const std::byte> bytes, std::size_t row, std::size_t lane
 }  // namespace
 
 MovedState::MovedState(const CapturedState& captured, const MovedBody& body) : captured_(captured), body_(body), target_of_(body.sources.size(), -1) {
+  for (std::size_t slot = 0; slot < body_.sources.size(); slot += byte_lanes) {
+    EXPECTS(body_.sources[slot] < 0 || body_.sources[slot] % static_cast<std::int64_t>(byte_lanes) == 0);
+    source_eights_.push_back(body_.sources[slot] < 0 ? -1 : body_.sources[slot] / static_cast<std::int64_t>(byte_lanes));
+  }
   for (std::size_t slot = 0; slot < body_.sources.size(); ++slot)
     if (body_.sources[slot] >= 0) target_of_[static_cast<std::size_t>(body_.sources[slot])] = static_cast<std::int64_t>(slot);
 }
@@ -73,21 +77,27 @@ std::vector<std::byte> MovedState::list(std::string_view name, const std::vector
   return from;
 }
 
+void MovedState::take_over(std::span<const std::int64_t> sources, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number) {
+  for (std::size_t k = 0; k < sources.size(); ++k)
+    if (sources[k] >= 0) std::memcpy(to.data() + k * size_of_number, from.data() + static_cast<std::size_t>(sources[k]) * size_of_number, size_of_number);
+}
+
 void MovedState::array(std::string_view name, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number) const {
   EXPECTS(from.size() == to.size());
   const std::size_t slots = body_.sources.size();
   const bool is_own = name.starts_with(body_.name + ".");
   if (is_own && name.ends_with(".bonds")) return bonds(from, to);
   const bool is_of_particles = name == "fragments.threshold" || (name == "fragments.latest_pressure" && !to.empty());
-  if (!is_of_particles && !(is_own && to.size() == slots * size_of_number)) return copy(from, to);
-  const std::size_t first = is_of_particles ? body_.first_particle : 0;
-  for (std::size_t k = 0; k < to.size() / size_of_number; ++k) {
-    const bool is_moved = k >= first && k < first + slots;
-    const std::int64_t source = is_moved ? body_.sources[k - first] : static_cast<std::int64_t>(k);
-    if (source < 0) continue;
-    const std::size_t at = static_cast<std::size_t>(source) + (is_moved ? first : 0);
-    std::memcpy(to.data() + k * size_of_number, from.data() + at * size_of_number, size_of_number);
-  }
+  const std::size_t count = to.size() / size_of_number;
+  const bool is_of_body = is_own && name.find('.', body_.name.size() + 1) == std::string_view::npos;  // not of one of its boundary conditions
+  if (is_of_body && count == source_eights_.size() && !name.ends_with("_of_eight")) return take_over(source_eights_, from, to, size_of_number);
+  if (is_own && count == slots) return take_over(body_.sources, from, to, size_of_number);
+  if (!is_of_particles) return copy(from, to);
+  // the particles of all bodies, of which those of others keep their values
+  const std::size_t first = body_.first_particle * size_of_number, length = slots * size_of_number;
+  copy(from.first(first), to.first(first));
+  take_over(body_.sources, from.subspan(first, length), to.subspan(first, length), size_of_number);
+  copy(from.subspan(first + length), to.subspan(first + length));
 }
 
 // Bonds to or from new material are intact, and those to discarded material do not exist. `to`: all bonds of the newly built body.

@@ -30,8 +30,9 @@ class CapturedState {
 };
 
 /// A visitor that writes captured arrays into the parts of the simulation, of which the moved body, its boundary conditions and the contact of fragments are
-/// rebuilt. Arrays over the slots of this body take over the values of their sources (MovingWindow::sources); new material keeps its initial values, and
-/// pairs and points of discarded material are left out. All other arrays are restored as they were.
+/// rebuilt. Arrays over the slots, or over the eights, of this body take over the values of their sources (MovingWindow::sources); new material keeps its
+/// initial values, and pairs and points of discarded material are left out. Sums since the beginning (names that end in "_of_eight") stay in their eights, so
+/// that their totals include what is discarded. All other arrays are restored as they were.
 class MovedState {
  public:
   struct MovedBody {
@@ -62,14 +63,16 @@ class MovedState {
   static void copy(std::span<const std::byte> from, std::span<std::byte> to);
   std::vector<std::byte> list(std::string_view name, const std::vector<std::byte>& from);
   void array(std::string_view name, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number) const;
+  static void take_over(std::span<const std::int64_t> sources, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number);
   void bonds(std::span<const std::byte> from, std::span<std::byte> to) const;
   /// Index of a particle of all bodies after the move; -1 if it is discarded.
   std::int64_t moved_particle(std::size_t particle) const;
 
   const CapturedState& captured_;
   MovedBody body_;
-  std::vector<std::int64_t> target_of_;  // of each slot before the move; -1 if it is discarded
-  std::vector<std::size_t> kept_pairs_;  // of the latest list of pairs
+  std::vector<std::int64_t> source_eights_;  // of each eight; -1 for new material
+  std::vector<std::int64_t> target_of_;      // of each slot before the move; -1 if it is discarded
+  std::vector<std::size_t> kept_pairs_;      // of the latest list of pairs
 };
 
 }  // namespace perimpact

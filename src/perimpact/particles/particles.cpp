@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -105,9 +106,7 @@ void Particles::refresh_ghosts() {
 }
 
 double Particles::total_mass() const {
-  double volume = 0;
-  for (const std::uint32_t slot : slot_of_) volume += this->volume(slot);
-  return density_ * volume;
+  return density_ * exact_sum_over_eights(*this, [&](std::size_t slot) { return volume(slot); });
 }
 
 double Particles::size_of(std::size_t slot) const { return lattice_ ? spacing_ : size_of_volume(volumes_[slot], thickness_); }

@@ -37,6 +37,9 @@ class Particles {
   void remove(std::span<const std::size_t> slots);
 
   const Share& share() const { return share_; }
+  /// Numbers of all particles of the body, `components` of each, in order, from those by slot of this rank; on the root, elsewhere empty. Collective.
+  template <class T>
+  std::vector<T> gather(std::span<const T> of_slots, std::size_t components) const;
   /// Number of particles of the body, on all ranks. Collective.
   std::size_t size_of_body() const { return static_cast<std::size_t>(share_.ranks().sum(static_cast<std::int64_t>(size()))); }
   /// Lattice of the body on all ranks; null for a point cloud.
@@ -102,6 +105,19 @@ class Particles {
   std::vector<std::uint8_t> owned_eights_;  // 1 for eights that are owned; empty if all are
   std::vector<std::uint32_t> slot_of_;
 };
+
+template <class T>
+std::vector<T> Particles::gather(std::span<const T> of_slots, std::size_t components) const {
+  const std::vector<T> all = share_.gather(of_slots, fccda::byte_lanes * components);
+  const std::vector<std::uint8_t> occupied = share_.gather(std::span<const std::uint8_t>(occupied_), 1);
+  std::vector<T> particles;
+  for (std::size_t eight = 0; eight < occupied.size() && !all.empty(); ++eight)
+    fccda::for_each_bit(occupied[eight], [&](std::size_t lane) {
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>((eight * fccda::byte_lanes + lane) * components);
+      particles.insert(particles.end(), first, first + static_cast<std::ptrdiff_t>(components));
+    });
+  return particles;
+}
 
 inline Particles::Range Particles::owned_slots(std::size_t row) const {
   const std::size_t begin = row * row_slots_, end = begin + row_slots_ < slots_ ? begin + row_slots_ : slots_;

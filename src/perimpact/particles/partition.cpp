@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "base/pack.hpp"
 
@@ -12,6 +14,69 @@ namespace {
 
 constexpr double cost_of_ghost = 0.3;  // of the cost of a cell that is computed: packed, sent, unpacked and kept up to date
 
+/// Cells that a cut across this axis may not divide.
+int unit_of(std::size_t axis) { return axis == 0 ? static_cast<int>(fccda::byte_lanes) : 1; }
+
+int units_of(int cells, std::size_t axis) { return (cells + unit_of(axis) - 1) / unit_of(axis); }
+
+/// Work of a rank, in cells that are computed.
+double work_of(const CellBox& box, const PartitionRule& rule) {
+  const CellBox around = intersection(box.grown({rule.reach, rule.reach, rule.reach}), {{0, 0, 0}, rule.cells});
+  const auto cells = static_cast<double>(box.cells());
+  return cells + cost_of_ghost * (static_cast<double>(around.cells()) - cells);
+}
+
+double largest_work(const std::vector<CellBox>& boxes, const PartitionRule& rule) {
+  double largest = 0;
+  for (const CellBox& box : boxes) largest = std::max(largest, work_of(box, rule));
+  return largest;
+}
+
+using Parts = std::array<int, 3>;  // boxes along each axis
+
+/// Work of an interior box of the largest size in a grid, or of one with fewer neighbours where there is no interior.
+double largest_work(const Parts& parts, const PartitionRule& rule) {
+  double own = 1, around = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int units = units_of(rule.cells[axis], axis), most = (units + parts[axis] - 1) / parts[axis] * unit_of(axis);
+    const int size = std::min(most, rule.cells[axis]), sides = std::min(parts[axis] - 1, 2);
+    own *= size;
+    around *= std::min(size + sides * rule.reach, rule.cells[axis]);
+  }
+  return own + cost_of_ghost * (around - own);
+}
+
+/// The grid with the least work of the busiest rank; nothing if none has a unit for every box, and no box narrower than the reach.
+std::optional<Parts> best_parts(const PartitionRule& rule, int ranks) {
+  std::optional<Parts> best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto is_possible = [&](int parts, std::size_t axis) {
+    if (parts == 1) return true;
+    const int units = units_of(rule.cells[axis], axis), narrowest = units / parts * unit_of(axis) - (units * unit_of(axis) - rule.cells[axis]);
+    return narrowest >= std::max(1, rule.reach) && !(axis == 2 && rule.keeps_columns);
+  };
+  for (int x = 1; x <= ranks; ++x)
+    for (int y = 1; ranks % x == 0 && y <= ranks / x; ++y) {
+      if (ranks / x % y != 0) continue;
+      const Parts parts{x, y, ranks / x / y};
+      if (!is_possible(x, 0) || !is_possible(y, 1) || !is_possible(parts[2], 2)) continue;
+      if (const double work = largest_work(parts, rule); work < least) best = parts, least = work;
+    }
+  return best;
+}
+
+std::vector<CellBox> grid_of(const Parts& parts, const PartitionRule& rule) {
+  const auto cut = [&](std::size_t axis, int part) {
+    const auto units = static_cast<std::int64_t>(units_of(rule.cells[axis], axis));
+    return std::min(static_cast<int>(units * part / parts[axis]) * unit_of(axis), rule.cells[axis]);
+  };
+  std::vector<CellBox> boxes;
+  for (int k = 0; k < parts[2]; ++k)
+    for (int j = 0; j < parts[1]; ++j)
+      for (int i = 0; i < parts[0]; ++i) boxes.push_back({{cut(0, i), cut(1, j), cut(2, k)}, {cut(0, i + 1), cut(1, j + 1), cut(2, k + 1)}});
+  return boxes;
+}
+
 struct Cut {
   std::size_t axis;
   int at;  // cell
@@ -20,7 +85,7 @@ struct Cut {
 
 /// The best cut across an axis, for `first` of `ranks` on its lower side; cost infinite if there is none.
 Cut best_cut(const CellBox& box, std::size_t axis, int first, int ranks, const PartitionRule& rule) {
-  const int unit = axis == 0 ? static_cast<int>(fccda::byte_lanes) : 1, size = box.size(axis), units = (size + unit - 1) / unit;
+  const int unit = unit_of(axis), size = box.size(axis), units = units_of(size, axis);
   if (units < 2 || (axis == 2 && rule.keeps_columns)) return {axis, 0, std::numeric_limits<double>::infinity()};
   const double share = static_cast<double>(first) / ranks;
   const int lower = std::clamp(static_cast<int>(std::lround(share * size / unit)), 1, units - 1) * unit;
@@ -44,9 +109,13 @@ void bisect(const CellBox& box, int ranks, const PartitionRule& rule, std::vecto
 }  // namespace
 
 std::vector<CellBox> partition(const PartitionRule& rule, int ranks) {
-  std::vector<CellBox> boxes;
-  bisect({{0, 0, 0}, rule.cells}, ranks, rule, boxes);
-  return boxes;
+  std::vector<CellBox> bisected;
+  bisect({{0, 0, 0}, rule.cells}, ranks, rule, bisected);
+  const std::optional<Parts> parts = best_parts(rule, ranks);
+  if (!parts) return bisected;
+  const bool is_complete = bisected.size() == static_cast<std::size_t>(ranks);
+  std::vector<CellBox> regular = grid_of(*parts, rule);
+  return is_complete && largest_work(bisected, rule) < largest_work(regular, rule) ? bisected : regular;
 }
 
 }  // namespace perimpact

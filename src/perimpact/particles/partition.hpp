@@ -1,9 +1,11 @@
-/// Partition of a lattice over ranks: one box of cells each, by recursive bisection. A pure function of the number of cells, so that every rank knows the
-/// boxes of all without messages.
+/// Partition of a lattice over ranks: one box of cells each. A pure function of the number of cells, so that every rank knows the boxes of all without
+/// messages.
 ///
-/// Cuts across x are at multiples of eight cells, since eight slots share the bytes of their bonds and are summed together. Each bisection divides the
-/// ranks in half, and takes the axis with the least of imbalance and communication: what the busier half has too much, and the cells within the reach of
-/// the cut.
+/// Cuts across x are at multiples of eight cells, since eight slots share the bytes of their bonds and are summed together. Two kinds of partition are
+/// compared, and the one whose busiest rank has the least work is taken, where a ghost counts as a part of a cell that is computed:
+///
+///   regular    a grid of boxes, by every way to write the number of ranks as a product of three: at most 26 neighbours
+///   bisected   recursive bisection, each time along the best axis: for numbers of ranks without suitable factors
 #pragma once
 
 #include <array>

@@ -1,5 +1,7 @@
 #include "perimpact/particles/share.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <string>
 
 #include "base/contract.hpp"
@@ -41,6 +43,7 @@ Share::Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns) 
     const CellBox receive = intersection(plan.owned.grown(within), boxes[other]), send = intersection(boxes[other].grown(within), plan.owned);
     if (receive.cells() + send.cells() > 0) plan.peers.push_back({static_cast<int>(other), shifted(send, plan.offset), shifted(receive, plan.offset)});
   }
+  plan.boxes = boxes;
   plan_ = std::make_shared<const Plan>(std::move(plan));
 }
 
@@ -79,6 +82,31 @@ void Share::collect_flags(std::uint8_t* flags) const {
         if (*from != 0) flags[slot + k] = *from;
     });
   }
+}
+
+std::vector<std::size_t> Share::order_of(std::span<const std::uint32_t> slots) const {
+  std::vector<std::uint64_t> own;
+  own.reserve(slots.size());
+  for (const std::uint32_t slot : slots) own.push_back(whole_slot(slot));
+  const std::vector<std::uint64_t> all = ranks_->join_all(std::span<const std::uint64_t>(own));
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t at) { return all[at]; });
+  return order;
+}
+
+std::size_t Share::first_of_own(std::size_t count) const {
+  const std::uint64_t own = count;
+  const std::vector<std::uint64_t> counts = ranks_->join_all(std::span(&own, 1));
+  return static_cast<std::size_t>(std::accumulate(counts.begin(), counts.begin() + ranks_->rank(), std::uint64_t{0}));
+}
+
+std::optional<std::size_t> Share::owned_slot(std::size_t slot) const {
+  if (!plan_) return slot;
+  std::array<int, 3> cell = plan_->whole.cell(slot);
+  if (!plan_->owned.contains(cell)) return std::nullopt;
+  for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] -= plan_->offset[axis];
+  return plan_->lattice.slot(cell[0], cell[1], cell[2]);
 }
 
 std::size_t Share::ghosts() const {

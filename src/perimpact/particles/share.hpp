@@ -6,8 +6,10 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -69,6 +71,26 @@ class Share {
     return of_slots;
   }
 
+  /// Numbers of the whole body, `per_eight` of each eight slots, from those of the owned eights of each rank; on the root, elsewhere empty. Collective.
+  template <class T>
+  std::vector<T> gather(std::span<const T> own, std::size_t per_eight) const;
+  /// Sets the numbers of this rank, with those of its ghosts, from those of the whole body.
+  template <class T>
+  void take(std::span<const T> whole, std::span<T> own, std::size_t per_eight) const;
+  /// Numbers of listed particles, `per_slot` of each, in the order of their slots in the whole body; on the root, elsewhere empty. `slots`: owned.
+  /// Collective.
+  template <class T>
+  std::vector<T> gather_listed(std::span<const T> own, std::span<const std::uint32_t> slots, std::size_t per_slot) const;
+  /// Sets the numbers of the listed particles of this rank from those of all. Collective.
+  template <class T>
+  void take_listed(std::span<const T> all, std::span<T> own, std::span<const std::uint32_t> slots) const;
+  /// The slot of this rank's lattice, or nothing if another rank owns it.
+  std::optional<std::size_t> owned_slot(std::size_t whole_slot) const;
+  /// Calls f(first, first in the whole body, count) for runs of the numbers of owned eights.
+  template <class F>
+  void for_each_owned_run(std::size_t per_eight, const F& f) const;
+  std::size_t eights_of_whole() const { return plan_->whole.slots() / fccda::byte_lanes; }
+
   std::size_t peers() const { return plan_ ? plan_->peers.size() : 0; }  ///< ranks with which ghosts are exchanged
   std::size_t ghosts() const;                                            ///< cells of other ranks that are refreshed
   std::size_t sent_cells() const;                                        ///< cells sent in a refresh, with repetition
@@ -82,8 +104,16 @@ class Share {
     Lattice whole, lattice;
     std::array<int, 3> offset{};  // of the own lattice's first cell in the whole
     CellBox owned;                // cells of the whole
+    std::vector<CellBox> boxes;   // of all ranks, cells of the whole
     std::vector<Peer> peers;
   };
+  /// Of the listed particles of all ranks, one rank after another: their numbers there, in the order of their slots in the whole body. Collective.
+  std::vector<std::size_t> order_of(std::span<const std::uint32_t> slots) const;
+  /// How many the ranks before this one have, if each calls with its count. Collective.
+  std::size_t first_of_own(std::size_t count) const;
+  /// Calls f(first, count) for the numbers of the eights of each row of a box of cells.
+  template <class F>
+  static void for_each_row_of_eights(const Lattice& lattice, const CellBox& box, std::size_t per_eight, const F& f);
   /// Calls f(slot, count) for the runs of consecutive slots of a box of cells of the own lattice.
   template <class F>
   void for_each_run(const CellBox& box, const F& f) const {
@@ -94,6 +124,77 @@ class Share {
   Ranks* ranks_;
   std::shared_ptr<const Plan> plan_;
 };
+
+template <class F>
+void Share::for_each_row_of_eights(const Lattice& lattice, const CellBox& box, std::size_t per_eight, const F& f) {
+  const std::size_t eights = (static_cast<std::size_t>(box.size(0)) + fccda::byte_lanes - 1) / fccda::byte_lanes;
+  for (int k = box.low[2]; k < box.high[2]; ++k)
+    for (int j = box.low[1]; j < box.high[1]; ++j) f(lattice.slot(box.low[0], j, k) / fccda::byte_lanes * per_eight, eights * per_eight);
+}
+
+template <class F>
+void Share::for_each_owned_run(std::size_t per_eight, const F& f) const {
+  for_each_row_of_eights(plan_->lattice, owned(), per_eight, [&](std::size_t first, std::size_t count) {
+    f(first, per_eight == 0 ? 0 : whole_slot(first / per_eight * fccda::byte_lanes) / fccda::byte_lanes * per_eight, count);
+  });
+}
+
+template <class T>
+std::vector<T> Share::gather(std::span<const T> own, std::size_t per_eight) const {
+  if (!plan_) return {own.begin(), own.end()};
+  std::vector<T> sent;
+  for_each_row_of_eights(plan_->lattice, owned(), per_eight, [&](std::size_t first, std::size_t count) {
+    sent.insert(sent.end(), own.begin() + static_cast<std::ptrdiff_t>(first), own.begin() + static_cast<std::ptrdiff_t>(first + count));
+  });
+  const std::vector<Ranks::Bytes> all = ranks_->gather(std::as_bytes(std::span<const T>(sent)));
+  std::vector<T> whole(all.empty() ? 0 : eights_of_whole() * per_eight);
+  for (std::size_t rank = 0; rank < all.size(); ++rank) {
+    const std::byte* from = all[rank].data();
+    for_each_row_of_eights(plan_->whole, plan_->boxes[rank], per_eight, [&](std::size_t first, std::size_t count) {
+      if (count > 0) std::memcpy(whole.data() + first, from, count * sizeof(T));
+      from += count * sizeof(T);
+    });
+  }
+  return whole;
+}
+
+template <class T>
+void Share::take(std::span<const T> whole, std::span<T> own, std::size_t per_eight) const {
+  if (!plan_) {
+    std::copy(whole.begin(), whole.end(), own.begin());
+    return;
+  }
+  for (std::size_t row = 0; row < plan_->lattice.rows(); ++row) {
+    const std::size_t slot = row * plan_->lattice.row_slots(), count = plan_->lattice.row_slots() / fccda::byte_lanes * per_eight;
+    std::copy_n(whole.data() + whole_slot(slot) / fccda::byte_lanes * per_eight, count, own.data() + slot / fccda::byte_lanes * per_eight);
+  }
+}
+
+template <class T>
+std::vector<T> Share::gather_listed(std::span<const T> own, std::span<const std::uint32_t> slots, std::size_t per_slot) const {
+  if (!plan_) return {own.begin(), own.end()};
+  const std::vector<T> joined = ranks_->join(own);
+  const std::vector<std::size_t> order = order_of(slots);
+  std::vector<T> sorted;
+  if (!ranks_->is_root()) return sorted;
+  sorted.reserve(joined.size());
+  for (const std::size_t at : order)
+    sorted.insert(sorted.end(), joined.begin() + static_cast<std::ptrdiff_t>(at * per_slot), joined.begin() + static_cast<std::ptrdiff_t>((at + 1) * per_slot));
+  return sorted;
+}
+
+template <class T>
+void Share::take_listed(std::span<const T> all, std::span<T> own, std::span<const std::uint32_t> slots) const {
+  if (!plan_) {
+    std::copy(all.begin(), all.end(), own.begin());
+    return;
+  }
+  const std::vector<std::size_t> order = order_of(slots);
+  const std::size_t per_slot = order.empty() ? 0 : all.size() / order.size(), before = first_of_own(slots.size());
+  for (std::size_t place = 0; place < order.size(); ++place)
+    if (order[place] >= before && order[place] < before + slots.size())
+      std::copy_n(all.data() + place * per_slot, per_slot, own.data() + (order[place] - before) * per_slot);
+}
 
 template <class T>
 void Share::refresh(std::span<T* const> arrays) const {

@@ -59,14 +59,25 @@ class Ranks {
   /// The values of all ranks, one after another, on every rank.
   template <class T>
   std::vector<T> join_all(std::span<const T> values) {
+    return joined<T>(gather_all(std::as_bytes(values)));
+  }
+  /// The same on the root; empty elsewhere.
+  template <class T>
+  std::vector<T> join(std::span<const T> values) {
+    return joined<T>(gather(std::as_bytes(values)));
+  }
+
+ private:
+  template <class T>
+  static std::vector<T> joined(const std::vector<Bytes>& of_ranks) {
     static_assert(std::is_trivially_copyable_v<T>);
-    std::vector<T> joined;
-    for (const Bytes& bytes : gather_all(std::as_bytes(values))) {
-      const std::size_t before = joined.size();
-      joined.resize(before + bytes.size() / sizeof(T));
-      if (!bytes.empty()) std::memcpy(joined.data() + before, bytes.data(), bytes.size());
+    std::vector<T> all;
+    for (const Bytes& bytes : of_ranks) {
+      const std::size_t before = all.size();
+      all.resize(before + bytes.size() / sizeof(T));
+      if (!bytes.empty()) std::memcpy(all.data() + before, bytes.data(), bytes.size());
     }
-    return joined;
+    return all;
   }
 };
 

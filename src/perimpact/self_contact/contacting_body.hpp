@@ -12,7 +12,7 @@ namespace perimpact {
 struct ContactingBody {
   Particles& particles;
   const Family& family;
-  std::span<const std::size_t> broken_ends;                           ///< broken bond ends of each row so far
+  std::span<const std::uint32_t> broken_ends;                         ///< broken bond ends of each eight so far
   double stiffness;                                                   ///< [N/m⁷] k of its springs (ShortRangeLaw::stiffness)
   double largest_pressure = std::numeric_limits<double>::infinity();  ///< [Pa] between its own fragments; beyond it they are compacted
 };

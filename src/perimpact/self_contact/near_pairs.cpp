@@ -61,8 +61,7 @@ NearPairs::NearPairs(const ShortRangeLaw& law, std::span<const ContactingBody> b
 bool NearPairs::needs_new_list(std::span<const ContactingBody> bodies) {
   bool is_valid = is_known_;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (const std::uint32_t slot : exposures_[b].update(bodies[b].particles, bodies[b].family, bodies[b].broken_ends))
-      is_valid = is_valid && near_damage_[particle_at_[b][slot]];
+    for (const std::uint32_t slot : exposures_[b].update(bodies[b].family, bodies[b].broken_ends)) is_valid = is_valid && near_damage_[particle_at_[b][slot]];
   return !is_valid || has_moved_by_skin(bodies);
 }
 
@@ -131,8 +130,7 @@ void NearPairs::make(std::span<const ContactingBody> bodies) {
     member_of[p] = static_cast<std::uint32_t>(members_.size());
     members_.push_back(particles_[p]);
     pair_counts_.push_back(count);
-    const ContactingBody& body = bodies[particles_[p].body];
-    broken_ends_.push_back(body.broken_ends[particles_[p].slot / body.particles.row_slots()]);
+    broken_ends_.push_back(bodies[particles_[p].body].broken_ends[particles_[p].slot / fccda::byte_lanes]);
     first_pair_.push_back(first_pair_.back() + (count + fccda::byte_lanes - 1) / fccda::byte_lanes * fccda::byte_lanes);
   }
   resize_to(others_, first_pair_.back());

@@ -100,7 +100,7 @@ class NearPairs {
   std::vector<Member> members_;
   std::vector<std::size_t> first_pair_;
   std::vector<std::uint32_t> pair_counts_, unbonded_counts_;  // of each member; pairs without an intact bond come first
-  std::vector<std::size_t> broken_ends_;                      // of each member's row, when its bonds were last examined
+  std::vector<std::uint32_t> broken_ends_;                    // of each member's eight, when its bonds were last examined
   fccda::AlignedVector<std::int32_t> others_;
   std::vector<std::uint32_t> bonds_;  // row of the bond in the family of the member's eight slots if it is intact; else no_bond
   bool is_known_ = false;
@@ -113,7 +113,7 @@ void NearPairs::insert_broken(std::size_t member, std::span<const ContactingBody
   if (unbonded == pair_counts_[member]) return;
   const Member& i = members_[member];
   const ContactingBody& body = bodies[i.body];
-  const std::size_t ends = body.broken_ends[i.slot / body.particles.row_slots()];
+  const std::uint32_t ends = body.broken_ends[i.slot / fccda::byte_lanes];
   if (broken_ends_[member] == ends) return;
   broken_ends_[member] = ends;
   const std::uint8_t* bits = body.family.bytes(i.slot / fccda::byte_lanes);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -61,15 +63,12 @@ void ShortRange::add_forces(std::span<const ContactingBody> bodies, double dt) {
   for_each_member([&](std::size_t m) { evaluate(m, bodies, dt); });
   for_each_member([&](std::size_t m) { pair_sums_[m] = add_to(m, bodies, dt); });
 
-  // serially: partial sums would depend on the members of the list
-  double energy = 0;
-  std::array<double, 3> work{};
-  std::size_t contacts = 0;
-  for (const PairSum& got : pair_sums_)
-    energy += got.energy, work[0] += got.friction_dissipation, work[1] += got.damped_work, work[2] += got.compaction, contacts += got.contacts;
-  energy_ = energy;
-  in_contact_now_ = contacts / 2;
-  for (std::size_t k = 0; k < work.size(); ++k) work_[k] += work[k];
+  // members that are not in contact add zeros, so that the sums do not depend on the list
+  const auto eight_of = [&](std::size_t m) { return std::pair(members[m].body, members[m].slot / byte_lanes); };
+  const PairSum sum = exact_sum_over_eights(alone(), members.size(), eight_of, [&](std::size_t m) { return pair_sums_[m]; });
+  energy_ = sum.energy;
+  in_contact_now_ = static_cast<std::size_t>(sum.contacts) / 2;
+  work_[0] += sum.friction_dissipation, work_[1] += sum.damped_work, work_[2] += sum.compaction;
 }
 
 ShortRange::Eight ShortRange::eight_of(std::size_t m, const std::int32_t* others) const {
@@ -200,7 +199,7 @@ void ShortRange::add_pairs(std::size_t m, std::size_t first, std::size_t last, s
     const Vec3<Pack> between{x - Pack(place.x), y - Pack(place.y), z - Pack(place.z)};
     const Pack squared = between.x * between.x + between.y * between.y + between.z * between.z;
     pushes &= bits_where_greater(squared, Pack(0.0));  // coincident particles have no direction of repulsion
-    got.contacts += static_cast<std::uint32_t>(__builtin_popcount(pushes));
+    got.contacts += __builtin_popcount(pushes);
     Vec3<Pack> slip{};
     if (slides) {
       for (std::size_t c = 0; c < 3; ++c) slip[c] = gather<Pack>(slip_[c].data() + first_pair, numbers);

@@ -59,11 +59,17 @@ class ShortRange {
   }
 
  private:
-  /// Sums over the pairs of a member, other than its force density.
+  /// Sums over the pairs of a member, other than its force density; all of them doubles, for exact_sum_over_eights().
   struct PairSum {
     double energy = 0, friction_dissipation = 0, damped_work = 0;  // [J] half of each pair's
     double compaction = 0;                                         // [J]
-    std::uint32_t contacts = 0;
+    double contacts = 0;                                           // pairs
+
+    PairSum& operator+=(const PairSum& other) {
+      energy += other.energy, friction_dissipation += other.friction_dissipation, damped_work += other.damped_work;
+      compaction += other.compaction, contacts += other.contacts;
+      return *this;
+    }
   };
   /// One value per member for contact with its own body, and one for contact with others.
   using OwnAndOthers = std::array<fccda::AlignedVector<double>, 2>;

@@ -12,10 +12,12 @@
 
 #include "base/pack.hpp"
 #include "base/parallel.hpp"
+#include "perimpact/body/body.hpp"
 #include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/family/stencil.hpp"
 #include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/materials/internal_force.hpp"
+#include "perimpact/particles/partition.hpp"
 #include "perimpact/self_contact/near_pairs.hpp"
 #include "perimpact/simulation/sample_block.hpp"
 
@@ -130,6 +132,7 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
   BodyMemory memory{.count = p};
   memory.particles = 9 * number * length.with_slack + n / lanes + slot_number * p;     // x, v, f; occupied; slot_of
   memory.bonds = length.rows + number * n * length.partial + slot_number * n / lanes;  // bits; initial volumes and their places
+  memory.bonds += SumsOfEights::bytes_of_eight * n / lanes;
   if (length.is_list()) {
     memory.particles += (vector + number) * n + slot_number * p;  // reference positions, volumes, numbers in the file
     memory.bonds +=
@@ -151,8 +154,10 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
     memory.picture = std::max(3 * sizeof(float) * p + 19 * p, may_break ? 2 * slot_number * n : 0) + (may_break ? slot_number * p : 0);
   if (setup.output.frames > 0 && setup.output.frame_particles) memory.picture += 2 * slot_number * p;  // numbers of the particles, kept and of a frame
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
-    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, threshold, cell, point and position in its cell; surfaces, particle of a slot
-    memory.fragments = (sizeof(NearPairs::Member) + vector + 1 + number + 2 * slot_number + vector) * p + (1 + 2 + slot_number) * n;
+    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, threshold, cell, point and position in its cell; surfaces, particle of a slot,
+    // broken ends of eights
+    memory.fragments =
+        (sizeof(NearPairs::Member) + vector + 1 + number + 2 * slot_number + vector) * p + (1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
     memory.rubble = rubble_of(body, setup.contact.fragments) * n;
   }
   return memory;
@@ -178,6 +183,33 @@ Memory sum_of(std::span<const BodyMemory> bodies) {
 }
 
 }  // namespace
+
+void Memory::reduce_to(double share) {
+  const double others = at_rest - std::accumulate(of_bodies.begin(), of_bodies.end(), 0.0);
+  for (double& of_body : of_bodies) of_body *= share;
+  at_rest = others + std::accumulate(of_bodies.begin(), of_bodies.end(), 0.0);
+  setting_up *= share;
+}
+
+double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks) {
+  if (ranks.size() == 1) return 1;
+  double largest = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto* solid = std::get_if<BodySolid>(&bodies[b]);
+    if (!solid) return 1;
+    const Lattice whole = lattice_that_fills(setup.bodies[b], *solid);
+    const int reach = Stencil(setup.bodies[b].family.as<FamilyRule>(), whole.spacing, setup.bodies[b].horizon_ratio, whole.thickness).reach();
+    const std::vector<CellBox> boxes = partition({whole.cells, reach, keeps_columns(setup.bodies[b])}, ranks.size());
+    const auto rank = static_cast<std::size_t>(ranks.rank());
+    if (rank >= boxes.size()) continue;  // refused when the body is built
+    constexpr int eight = fccda::byte_lanes;
+    const CellBox local = intersection(boxes[rank].grown({(reach + eight - 1) / eight * eight, reach, reach}), {{0, 0, 0}, whole.cells});
+    Lattice own = whole;
+    for (std::size_t axis = 0; axis < 3; ++axis) own.cells[axis] = local.size(axis);
+    largest = std::max(largest, static_cast<double>(own.slots()) / static_cast<double>(whole.slots()));
+  }
+  return largest;
+}
 
 double Memory::peak() const { return at_rest + std::max(setting_up, pictures); }
 

@@ -300,7 +300,11 @@ void Simulation::resolve_impactor_contact() {
   }
   for (Impactor& impactor : impactors_) impactor.finish_step();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    for (std::size_t i = 0; i < impactors_.size(); ++i) impactors_[i].record_unresolved(b, unresolved[b][i], clock_.time());
+    for (std::size_t i = 0; i < impactors_.size(); ++i) {
+      const bool may_remain = impactors_.size() > 1;  // between impactors
+      const auto all = may_remain ? ranks_->sum(static_cast<std::int64_t>(unresolved[b][i])) : static_cast<std::int64_t>(unresolved[b][i]);
+      impactors_[i].record_unresolved(b, static_cast<std::size_t>(all), clock_.time());
+    }
     for (const std::uint32_t slot : boundary_conditions_[b].reimpose_after_contact(bodies_[b].particles, clock_.latest()))
       for (Impactor& impactor : impactors_) impactor.put_back(b, slot);
   }
@@ -379,9 +383,10 @@ std::vector<std::string> Simulation::closing_warnings() const {
 }
 
 std::uint64_t Simulation::state_hash() {
-  StateHash hash;
-  visit_state(hash);
-  return hash.value();
+  StateHash hash;  // of the root's arrays, and of each rank's part of those that ranks share
+  HashOfRanks of_ranks(bodies(), *ranks_, hash);
+  visit_state(of_ranks);
+  return static_cast<std::uint64_t>(ranks_->sum(static_cast<std::int64_t>(hash.value())));
 }
 
 }  // namespace perimpact

@@ -19,6 +19,7 @@
 #include "perimpact/integrate/relax.hpp"
 #include "perimpact/moving_window/moving_window.hpp"
 #include "perimpact/self_contact/short_range.hpp"
+#include "perimpact/simulation/shared_state.hpp"
 #include "perimpact/simulation/start.hpp"
 
 namespace perimpact {
@@ -84,7 +85,26 @@ class Simulation {
     }
     visit_parts(visit);
   }
-  std::uint64_t state_hash();
+  std::uint64_t state_hash();  ///< of the whole state; the same for any number of ranks and threads. Collective.
+
+  /// The arrays of the whole run, as one rank has them, passed to the sink on the root. Collective.
+  template <class Sink>
+  void visit_whole_state(Sink sink) {
+    visit_state(GatheredState(bodies(), *ranks_, std::move(sink)));
+  }
+  template <class Sink>
+  void visit_whole_record(Sink sink) {
+    visit_record(GatheredState(bodies(), *ranks_, std::move(sink)));
+  }
+  /// Takes the state of this rank from a source of these arrays. Collective.
+  template <class Source>
+  void take_whole_state(Source source) {
+    visit_state(TakenState(bodies(), *ranks_, std::move(source)));
+  }
+  template <class Source>
+  void take_whole_record(Source source) {
+    visit_record(TakenState(bodies(), *ranks_, std::move(source)));
+  }
 
   /// Record of the run, which affects history, warnings and run.json, but not the steps.
   template <class Visitor>

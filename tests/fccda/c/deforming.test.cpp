@@ -7,6 +7,7 @@
 #include "fccda/api/deforming_contact_detector.hpp"
 #include "fccda/c/scenes.hpp"
 #include "fccda/deforming/scenes.hpp"
+#include "fccda/deforming/step_warnings.hpp"
 
 using namespace c_scenes;
 
@@ -155,4 +156,21 @@ TEST_CASE("C interface: a deforming run that is resumed continues bitwise, kept 
   CHECK(fccda_deforming_detect(second.detector, &points, &of_second) == FCCDA_OK);
   CHECK(number == of_second);
   CHECK(fccda_deforming_detector_points_changed(first.detector) == FCCDA_OK);
+}
+
+TEST_CASE("C interface: warnings about a step of a deforming surface are those of C++, a line for each") {
+  Net net;
+  CNet c;
+  std::vector<Vec3d> to = net.x;
+  c.move(to);
+  const char* text = nullptr;
+  CHECK(fccda_deforming_surface_warnings(c.net, &text) == FCCDA_OK);
+  CHECK(std::string(text).empty());
+  for (Vec3d& x : to) x.z += 1;
+  c.move(to);
+  CHECK(fccda_deforming_surface_warnings(c.net, &text) == FCCDA_OK);
+  DeformingSurface surface(Surface(deforming::sheet(12), {.orientation = Orientation::normals}));
+  surface.move(net.x), surface.move(to);
+  REQUIRE(step_warnings(surface).size() == 1);
+  CHECK(std::string(text) == step_warnings(surface)[0] + '\n');
 }

@@ -33,6 +33,9 @@ struct Scene {
   fccda_numbers heavy = fccda_one(HUGE_VAL);
   fccda_body_state state{};
   fccda_surface_info info{};
+  fccda_hull hull{};
+  fccda_propeller propeller{};
+  fccda_box box{{1, 1, 1}, {0.6, 0.5, 0.5}};
   const std::int64_t* list = nullptr;
   const fccda_contact* contacts = nullptr;
   const fccda_deforming_contact* soft_contacts = nullptr;
@@ -135,6 +138,35 @@ const std::vector<Refusal>& refusals() {
       {"no panels", [](Scene& s) { return fccda_surface_create(&s.at, nullptr, 0, 3, nullptr, &s.surface); }, FCCDA_INPUT_ERROR, "surface: "},
       {"a sphere without size", [](Scene& s) { return fccda_surface_sphere(-1, 0, &s.surface); }, FCCDA_INPUT_ERROR, "sphere: "},
       {"an axis that is none", [](Scene& s) { return fccda_surface_cylinder(1, 1, 3, 0, &s.surface); }, FCCDA_INPUT_ERROR, "cylinder: the axis is 3"},
+      {"a hull without length", [](Scene& s) { return fccda_surface_hull(&s.hull, &s.surface); }, FCCDA_INPUT_ERROR, "hull: "},
+      {"a propeller of one blade", [](Scene& s) { return fccda_surface_propeller(&s.propeller, &s.surface); }, FCCDA_INPUT_ERROR, "propeller: "},
+      {"a propeller along an axis that is none",
+       [](Scene& s) {
+         fccda_propeller propeller = s.propeller;
+         propeller.axis = -1;
+         return fccda_surface_propeller(&propeller, &s.surface);
+       },
+       FCCDA_INPUT_ERROR, "propeller: the axis is -1, but it must be 0, 1 or 2"},
+      {"no boxes", [](Scene& s) { return fccda_detector_create_in_boxes(s.cube, 0, &s.box, 0, FCCDA_REFUSE_BEYOND, &s.other); }, FCCDA_INPUT_ERROR,
+       "contact bounds: no boxes are given"},
+      {"a box that the surface exceeds", [](Scene& s) { return fccda_detector_create_in_boxes(s.cube, 0, &s.box, 1, FCCDA_REFUSE_BEYOND, &s.other); },
+       FCCDA_INPUT_ERROR,
+       "contact bounds: 5 of 6 panels extend beyond the box by up to 0.1 m (panels 0, 1, 2, 3, 4), and contact there would be missed; enlarge the box, or pass "
+       "FCCDA_IGNORE_BEYOND if this is intended."},
+      {"a treatment of panels beyond that is none", [](Scene& s) { return fccda_detector_create_in_boxes(s.cube, 0, &s.box, 1, 2, &s.other); },
+       FCCDA_INPUT_ERROR, "contact bounds: the treatment of panels beyond them is 2, but it must be FCCDA_REFUSE_BEYOND or FCCDA_IGNORE_BEYOND."},
+      {"sectors without radius",
+       [](Scene& s) {
+         const fccda_sectors sectors{{0, 0, 1}, {0, 0, 0}, 0, 1, 0, 0, 0, 1, 0};
+         return fccda_detector_create_in_sectors(s.cube, 0, &sectors, FCCDA_REFUSE_BEYOND, &s.other);
+       },
+       FCCDA_INPUT_ERROR, "contact bounds: "},
+      {"a ball with a radius below zero",
+       [](Scene& s) {
+         const fccda_numbers radius = fccda_one(-1);
+         return fccda_deforming_detector_balls_inside(s.soft_detector, &s.x, &radius, &s.list, &s.count);
+       },
+       FCCDA_INPUT_ERROR, "contact: the contact radius is -1 m"},
       {"too little space for vertices",
        [](Scene& s) {
          const fccda_vectors less = fccda_xyz(s.vertices.data(), 7);
@@ -312,6 +344,7 @@ TEST_CASE("C interface: an open surface is refused with the remedy in the words 
 TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of the argument") {
   Scene s;
   const std::int32_t panel[] = {0, 1, 2};
+  const char* text = nullptr;
   const std::vector<std::pair<const char*, fccda_status>> refused{
       {"path", fccda_surface_read(nullptr, nullptr, &s.surface)},
       {"surface", fccda_surface_read("a.stl", nullptr, nullptr)},
@@ -321,6 +354,8 @@ TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of
       {"size", fccda_surface_box(nullptr, 0, &s.surface)},
       {"surface", fccda_surface_sphere(1, 0, nullptr)},
       {"surface", fccda_surface_cylinder(1, 1, 0, 0, nullptr)},
+      {"hull", fccda_surface_hull(nullptr, &s.surface)},
+      {"propeller", fccda_surface_propeller(nullptr, &s.surface)},
       {"surface", fccda_surface_measure(nullptr, &s.info)},
       {"info", fccda_surface_measure(s.cube, nullptr)},
       {"surface", fccda_surface_vertices(nullptr, &s.at)},
@@ -342,6 +377,9 @@ TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of
       {"body", fccda_body_resume(nullptr, &s.state)},
       {"surface", fccda_detector_create(nullptr, 0, &s.other)},
       {"detector", fccda_detector_create(s.cube, 0, nullptr)},
+      {"boxes", fccda_detector_create_in_boxes(s.cube, 0, nullptr, 1, FCCDA_REFUSE_BEYOND, &s.other)},
+      {"sectors", fccda_detector_create_in_sectors(s.cube, 0, nullptr, FCCDA_REFUSE_BEYOND, &s.other)},
+      {"surface", fccda_detector_create_in_fitted_bounds(nullptr, 0, &s.other)},
       {"detector", fccda_detect(nullptr, &s.rest, &s.points, nullptr)},
       {"motion", fccda_detect(s.detector, nullptr, &s.points, nullptr)},
       {"points", fccda_detect(s.detector, &s.rest, nullptr, nullptr)},
@@ -362,6 +400,8 @@ TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of
       {"deforming", fccda_deforming_surface_create(s.cube, nullptr)},
       {"surface", fccda_deforming_surface_move(nullptr, &s.at)},
       {"vertices", fccda_deforming_surface_move(s.soft, nullptr)},
+      {"surface", fccda_deforming_surface_warnings(nullptr, &text)},
+      {"text", fccda_deforming_surface_warnings(s.soft, nullptr)},
       {"surface", fccda_deforming_detector_create(nullptr, 0, &s.other_soft_detector)},
       {"detector", fccda_deforming_detect(nullptr, &s.points, nullptr)},
       {"points", fccda_deforming_detect(s.soft_detector, nullptr, nullptr)},
@@ -369,7 +409,8 @@ TEST_CASE("C interface: NULL is refused wherever it is no choice, by the name of
       {"points", fccda_deforming_respond(s.soft_detector, 1, nullptr, 0, &s.heavy, &s.onto, nullptr)},
       {"vertex_mass", fccda_deforming_respond(s.soft_detector, 1, &s.points, 0, nullptr, &s.onto, nullptr)},
       {"vertex_impulses", fccda_deforming_respond(s.soft_detector, 1, &s.points, 0, &s.heavy, nullptr, nullptr)},
-      {"x", fccda_deforming_detector_points_inside(s.soft_detector, nullptr, &s.list, &s.count)}};
+      {"x", fccda_deforming_detector_points_inside(s.soft_detector, nullptr, &s.list, &s.count)},
+      {"radius", fccda_deforming_detector_balls_inside(s.soft_detector, &s.x, nullptr, &s.list, &s.count)}};
   for (const auto& call : refused) {
     CAPTURE(call.first);
     CHECK(call.second == FCCDA_INPUT_ERROR);

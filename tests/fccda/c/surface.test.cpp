@@ -5,6 +5,8 @@
 
 #include "fccda/c/scenes.hpp"
 #include "fixtures/temporary_folder.hpp"
+#include "marine/hull.hpp"
+#include "marine/propeller.hpp"
 
 using namespace c_scenes;
 
@@ -52,6 +54,43 @@ TEST_CASE("C interface: surfaces from files, arrays and sizes are measured, and 
   fccda_surface_destroy(surface);
   REQUIRE(fccda_surface_sphere(2, 0, &surface) == FCCDA_OK);
   fccda_surface_destroy(surface);
+}
+
+TEST_CASE("C interface: hulls and propellers are those of C++, and a member that is 0 has its default") {
+  const auto panels_of = [](const fccda_surface* surface) {
+    fccda_surface_info info{};
+    CHECK(fccda_surface_measure(surface, &info) == FCCDA_OK);
+    Panels panels;
+    panels.vertices.resize(static_cast<std::size_t>(info.panel_vertices)), panels.panels.resize(static_cast<std::size_t>(info.panels));
+    const fccda_vectors into = fccda_xyz(&panels.vertices[0].x, panels.vertices.size());
+    CHECK(fccda_surface_vertices(surface, &into) == FCCDA_OK);
+    CHECK(fccda_surface_panels(surface, panels.panels[0].data(), panels.panels.size()) == FCCDA_OK);
+    return panels;
+  };
+  const auto expect_same = [&](fccda_surface* surface, const Panels& expected) {
+    const Panels found = panels_of(surface);
+    CHECK(found.vertices == expected.vertices);
+    CHECK(found.panels == expected.panels);
+    fccda_surface_destroy(surface);
+  };
+  fccda_hull hull{120, 20, 6, 3, 0.5, 0.4, 0, 0, 0, 1.5, 0.1, 4, 2};
+  HullShape shape{.length = 120, .breadth = 20, .draft = 6, .freeboard = 3, .stem_angle = 0.5, .waterline_angle = 0.4, .bilge_radius = 1.5, .flare = 0.1};
+  shape.edge_length = 4, shape.bow_edge_length = 2;
+  fccda_surface* surface = nullptr;
+  REQUIRE(fccda_surface_hull(&hull, &surface) == FCCDA_OK);
+  expect_same(surface, make_hull(shape));
+  hull.fullness = shape.fullness = 1.5, hull.stern_angle = shape.stern_angle = 0.7, hull.stern_waterline_angle = shape.stern_waterline_angle = 0.6;
+  REQUIRE(fccda_surface_hull(&hull, &surface) == FCCDA_OK);
+  expect_same(surface, make_hull(shape));
+
+  fccda_propeller propeller{3, 0.9, 0.6, 0.3, 0.8, 0.1, 0.05, 0, 0, 0.2, 0.1, 5, 2, 1, 0};
+  PropellerShape blades{.blades = 5, .diameter = 3, .pitch_ratio = 0.9, .area_ratio = 0.6, .hub_ratio = 0.3, .hub_length = 0.8, .rake = 0.1, .skew = 0.05};
+  blades.hand = Hand::left, blades.axis = Axis::z, blades.edge_length = 0.2, blades.blade_edge_length = 0.1;
+  REQUIRE(fccda_surface_propeller(&propeller, &surface) == FCCDA_OK);
+  expect_same(surface, make_propeller(blades));
+  propeller.thickness_factor = blades.thickness_factor = 1.2, propeller.edge_thickness = blades.edge_thickness = 0.2;
+  REQUIRE(fccda_surface_propeller(&propeller, &surface) == FCCDA_OK);
+  expect_same(surface, make_propeller(blades));
 }
 
 TEST_CASE("C interface: header and library have one version of the binary interface, and helpers describe the arrays that they are given") {

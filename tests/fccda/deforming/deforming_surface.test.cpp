@@ -10,7 +10,9 @@
 
 #include "base/error.hpp"
 #include "fccda/deforming/scenes.hpp"
+#include "fccda/deforming/step_warnings.hpp"
 #include "fixtures/tolerance.hpp"
+#include "mesh/shapes/box.hpp"
 
 using namespace deforming;
 
@@ -62,7 +64,7 @@ TEST_CASE("deforming surface: the search visits every triangle that comes within
         const Path path = path_near(surface, 0.1, 0.3, random);
         std::set<int> seen;
         const double until = 1, margin = 0.02;
-        surface.bvh_t1().visit_moving(surface.bvh_t0(), {path.start, path.end, margin, way(surface, path)}, until,
+        surface.bvh_t1().visit_moving(surface.bvh_t0(), {path.start, path.end, margin, way(surface, path)}, {}, until,
                                       [&](int triangle) { seen.insert(triangle); });
         visited += seen.size(), all += surface.at_t1().triangles().size();
         for (std::size_t t = 0; t < surface.at_t1().triangles().size(); ++t) {
@@ -78,6 +80,50 @@ TEST_CASE("deforming surface: the search visits every triangle that comes within
     }
   CHECK(near > 200);
   CHECK(visited < all / 10);  // and few others
+}
+
+TEST_CASE(
+    "deforming surface: with cached surroundings of the end of a path, its start has the same closest point before the motion, and what it meets is the same") {
+  std::mt19937_64 random(26);
+  const Panels panels = fixtures::hull();
+  std::size_t cached = 0, searched = 0, contacts = 0;
+  for (const Deformation& deformation : deformations()) {
+    const DeformingSurface surface = moved_surface(panels, deformation, 0.1, 0.1002);
+    for (int k = 0; k < 2000; ++k) {
+      const double radius = k % 3 == 0 ? 0 : 0.02;
+      const Path path = path_near(surface, radius + 0.002, k % 2 == 0 ? 0.002 : 0.02, random);
+      const double moved = way(surface, path);
+      std::size_t tested = 0;
+      Bvh::Nearby nearby;
+      const std::optional<ClosestPoint> at_end = surface.bvh_t1().closest(path.end, Bvh::no_cap, -1, 2 * moved, nearby, tested);
+      const std::optional<ClosestPoint> expected = surface.bvh_t0().closest(path.start),
+                                        found = surface.bvh_t0().closest_before(path.start, nearby, moved, -1, tested);
+      CHECK(found->triangle == expected->triangle);
+      CHECK(found->distance == expected->distance);
+      const auto earliest = [&](const Bvh::Nearby& surroundings) {
+        std::optional<Crossing> first;
+        double until = 1;
+        surface.bvh_t1().visit_moving(surface.bvh_t0(), {path.start, path.end, radius + 1e-12, moved}, surroundings, until, [&](int triangle) {
+          const MovingTriangle of = surface.triangle(static_cast<std::size_t>(triangle));
+          const std::optional<double> fraction = radius == 0 ? front_crossing(path, of) : first_contact(path, of, radius, 1e-12, until);
+          if (fraction) take_if_first(surface.at_t1(), {triangle, *fraction}, first, until);
+        });
+        return first ? std::pair(first->triangle, first->fraction) : std::pair(-1, 2.0);
+      };
+      CHECK(earliest(nearby) == earliest({}));
+      contacts += earliest({}).first >= 0;
+      (nearby.covers(radius + moved) ? cached : searched) += 1;
+      const auto same = [](const std::optional<Crossing>& a, const std::optional<Crossing>& b) {
+        return a.has_value() == b.has_value() && (!a || (a->triangle == b->triangle && a->fraction == b->fraction));
+      };
+      CHECK(same(surface.bvh_t1().first_hit(path.start, path.end, nearby, tested), surface.bvh_t1().first_hit(path.start, path.end, tested)));
+      CHECK(same(surface.bvh_t1().first_contact(path.start, path.end, 0.02, 1e-12, -1, nearby, tested),
+                 surface.bvh_t1().first_contact(path.start, path.end, 0.02, 1e-12, -1, tested)));
+    }
+  }
+  CHECK(cached > 1000);  // both ways are taken
+  CHECK(searched > 1000);
+  CHECK(contacts > 1000);
 }
 
 TEST_CASE("deforming surface: its normals are those of a surface made where the vertices are") {
@@ -110,7 +156,7 @@ TEST_CASE("deforming surface: a tree that has become slow is rebuilt, and both e
     const exact::Answer answer = Near(surface, path, 0).crossing(path);
     std::size_t found = 0;
     const double until = 1;
-    surface.bvh_t1().visit_moving(surface.bvh_t0(), {path.start, path.end, 0, way(surface, path)}, until,
+    surface.bvh_t1().visit_moving(surface.bvh_t0(), {path.start, path.end, 0, way(surface, path)}, {}, until,
                                   [&](int t) { found += front_crossing(path, surface.triangle(static_cast<std::size_t>(t))).has_value(); });
     CHECK((found > 0) == answer.crosses);
   }
@@ -192,6 +238,41 @@ TEST_CASE("deforming surface: unusable vertices are refused in a sentence, and n
   CHECK(refusal(surface, flat).find(" has no area at the end of the step, so it has no side; use a shorter step, or a finer mesh where it is compressed.") !=
         std::string::npos);
   CHECK(surface.steps() == 1);
+}
+
+TEST_CASE("deforming surface: a step in which panels overtake their size, turn over or pass through others is accepted, with a sentence about each") {
+  const Panels cube = fixtures::unit_cube();
+  DeformingSurface moved{Surface(cube)};
+  std::vector<Vec3d> to = cube.vertices;
+  for (Vec3d& x : to) x += Vec3d{1.4, 0, 0};  // the longest edges of its triangles are diagonals, 1.414
+  moved.move(to);
+  CHECK(step_warnings(moved).empty());
+  for (Vec3d& x : to) x.z -= 2;
+  moved.move(to);
+  CHECK(step_warnings(moved) ==
+        std::vector<std::string>{
+            "deforming surface: 6 panels move farther than their longest edge in this step, panel 0 by 1.41421 of it. No contact is missed, but "
+            "all that a panel passes in the step is relocated to where it ends; use a shorter step for the forces."});
+
+  DeformingSurface spun{Surface(cube)};
+  to = cube.vertices;
+  for (Vec3d& x : to) x = Vec3d{1 - x.x, 1 - x.y, x.z};  // half a turn about the axis z: the top and the bottom keep their normals
+  spun.move(to);
+  CHECK(step_warnings(spun) == std::vector<std::string>{"deforming surface: the normal of 4 panels turns by more than 90° in this step, the first is panel 2. "
+                                                        "Vertices move straight within a step, which shrinks what rotates; use a shorter step."});
+
+  // The middle of one side of a box is pushed out through the opposite side, in small steps.
+  const Panels box = make_box({.size = {1, 1, 1}, .edge_length = 0.25});
+  DeformingSurface pushed{Surface(box)};
+  std::vector<Vec3d> vertices = box.vertices;
+  for (int step = 0; step < 12; ++step) {
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      if (box.vertices[v] == Vec3d{0, 0, 0.5}) vertices[v].z -= 0.12;
+    pushed.move(vertices);
+    CHECK(step_warnings(pushed).size() == (step < 8 ? 0 : 1));
+  }
+  CHECK(step_warnings(pushed)[0].find("pass through others at the end of this step, the first is panel ") != std::string::npos);
+  CHECK(step_warnings(pushed)[0].ends_with("; stop the structure from passing through itself."));
 }
 
 TEST_CASE("deforming surface: closed parts that may overlap are refused") {

@@ -44,7 +44,7 @@ struct Impacts {
       impulse = {};
       for (const DeformingContact& contact : contacts) {
         const std::size_t i = contact.contact.point;
-        const PanelImpulse after = resolved(contact, points.position_t0(i), points.velocity(i), points.mass(i), dt, friction, {});
+        const PanelImpulse after = resolved(contact, points.position_t0(i), points.velocity(i), points.mass(i), dt, friction);
         points.set(i, after.point.position, after.point.velocity);
         coupling.add(contact, points.mass(i), after, friction);
         impulse += after.on_surface;

@@ -55,7 +55,7 @@ TEST_CASE("load: a pressure on each face of a box adds up to pressure times area
 TEST_CASE("load: on a body of any shape pressure acts on the last particle of each row only") {
   Lattice lattice{.cells = {9, 9, 9}, .spacing = 0.001, .origin = {-0.004, -0.004, -0.004}};
   const Particles ball(lattice, 3, 1000, [](const Vec3d& X) { return norm(X) < 0.0042; });
-  const std::vector<std::uint32_t> pressed = outermost(lattice, ball.slot_of(), BodyFace(1));  // -x
+  const std::vector<std::uint32_t> pressed = outermost(ball, ball.slot_of(), BodyFace(1));  // -x
   std::size_t rows = 0, last = 0;
   for (int j = 0; j < 9; ++j)
     for (int k = 0; k < 9; ++k)

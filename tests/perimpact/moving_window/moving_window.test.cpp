@@ -97,6 +97,27 @@ TEST_CASE("moving window: where nothing from its ends can have arrived, a window
   }
 }
 
+TEST_CASE("moving window: ice that has yielded takes its plastic strain along, and totals include what is discarded") {
+  const int cells = 256, steps = 18;
+  const auto yielding = [&](int length, double centre) {
+    Setup setup = struck(length, centre, Model::bond_based, steps);
+    std::get<BondBasedSetup>(setup.bodies[0].material).plasticity = PlasticitySetup{.compressive_strength = 2e7};
+    return setup;
+  };
+  Setup with_window = yielding(cells, 0);
+  with_window.bodies[0].moving_window = window_after(0);
+  Simulation window(with_window), whole(yielding(cells + added, -0.5 * added * spacing));
+  fixtures::run(window), fixtures::run(whole);
+  REQUIRE(window.bodies()[0].particles.lattice()->first[0] == -added);
+  const auto [different, all] = differing(window, whole, 0, added, added + 3 * steps);
+  CHECK(different == 0);
+  CHECK(all > 1000);
+  for (const char* total : {"body.broken_bonds [-]", "body.fracture_energy [J]", "body.plastic_dissipation [J]"}) {
+    CAPTURE(total);
+    CHECK(fixtures::value(window, total) == fixtures::relative(fixtures::value(whole, total), 1e-12));  // rounding: eights add what they have now to what was
+  }
+}
+
 TEST_CASE("moving window: likewise along y, and in the positive direction") {
   const int cells = 256, steps = 18;
   Setup with_window = struck(cells, 0, Model::bond_based, steps, {0, 1, 0});

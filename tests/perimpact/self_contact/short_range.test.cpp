@@ -245,8 +245,8 @@ TEST_CASE("short range: bond failure, motion and compaction take effect in the s
       const std::size_t where = body.particles.slot_of()[static_cast<std::size_t>(round) * 17];
       body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
       body.internal.visit_state("", [&](const std::string&, auto values) {
-        if constexpr (std::is_same_v<decltype(values), std::span<std::size_t>>)
-          for (std::size_t& end : values) ++end;
+        if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
+          for (std::uint32_t& end : values) ++end;
       });
     }
     pile.clear_forces();
@@ -275,8 +275,8 @@ TEST_CASE("short range: bond failure in place causes no repulsion, and contact a
     const std::size_t where = lattice.slot(5, 4, 4);  // deep inside, where nothing is listed yet
     body.family.cut([&](std::size_t i, std::size_t j) { return i == where || j == where; });
     body.internal.visit_state("", [&](const std::string&, auto values) {
-      if constexpr (std::is_same_v<decltype(values), std::span<std::size_t>>)
-        for (std::size_t& end : values) ++end;  // as the bond pass counts them
+      if constexpr (std::is_same_v<decltype(values), std::span<std::uint32_t>>)
+        for (std::uint32_t& end : values) ++end;  // as the bond pass counts them
     });
     const auto evaluate = [&] {
       pile.clear_forces();

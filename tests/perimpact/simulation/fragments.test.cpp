@@ -60,11 +60,11 @@ Setup shattering() {
 void break_all(Simulation& simulation, const std::string& body) {
   simulation.visit_state([&](const std::string& name, auto&& values) {
     using Values = std::remove_cvref_t<decltype(values)>;
-    if constexpr (std::is_same_v<Values, std::span<std::uint8_t>>) {
+    if constexpr (std::is_base_of_v<std::span<std::uint8_t>, Values>) {
       if (name == body + ".bonds") std::fill(values.begin(), values.end(), std::uint8_t{0});
-    } else if constexpr (std::is_same_v<Values, std::span<std::size_t>>) {
-      if (name == body + ".broken_ends_of_row")
-        for (std::size_t& ends : values) ++ends;
+    } else if constexpr (std::is_base_of_v<std::span<std::uint32_t>, Values>) {
+      if (name == body + ".broken_ends_of_eight")
+        for (std::uint32_t& ends : values) ++ends;
     }
   });
 }
@@ -200,7 +200,7 @@ namespace {
 void turn(Simulation& simulation, const std::string& body, const Vec3d& centre, std::size_t axis, double angle) {
   std::vector<std::span<double>> x;
   simulation.visit_state([&](const std::string& name, auto&& values) {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<double>>)
+    if constexpr (std::is_base_of_v<std::span<double>, std::remove_cvref_t<decltype(values)>>)
       if (name.starts_with(body + ".position_")) x.push_back(values);
   });
   const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;

@@ -102,7 +102,7 @@ TEST_CASE("simulation: the hash detects a single changed bit of the state") {
   const std::uint64_t hash = simulation.state_hash();
   std::span<double> velocity;
   simulation.visit_state([&](const std::string& name, auto&& values) {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<double>>)
+    if constexpr (std::is_base_of_v<std::span<double>, std::remove_cvref_t<decltype(values)>>)
       if (name == "plate.velocity_z") velocity = values;
   });
   velocity[17] = 5e-324;  // the smallest positive number, in place of 0
@@ -165,7 +165,7 @@ TEST_CASE("simulation: an energy increase without a source ends the run with a m
   Simulation simulation(impacted_plate());
   for (int step = 0; step < 20; ++step) simulation.step();
   simulation.visit_state([&](const std::string& name, auto&& values) {  // what an unstable step would do
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::span<double>>)
+    if constexpr (std::is_base_of_v<std::span<double>, std::remove_cvref_t<decltype(values)>>)
       if (name.find("plate.velocity") != std::string::npos)
         for (double& one : values) one *= 30;
   });

@@ -25,7 +25,7 @@ void Absorbing::leave_out(std::span<const std::uint32_t> constrained, std::size_
 
 void Absorbing::damp(Particles& particles, double dt) {
   const double density = particles.density();
-  const Resistance sum = sum_in_blocks<Resistance>(slots_.size(), [&](std::size_t k) {
+  const Resistance sum = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d before = particles.force_density.at(slot), velocity = particles.velocity.at(slot);
     Vec3d after{};

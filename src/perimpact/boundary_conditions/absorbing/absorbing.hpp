@@ -43,7 +43,7 @@ class Absorbing {
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     account.visit_record(name, visit);
-    forces_.visit_record(name, visit);
+    forces_.visit_record(name, slots_, visit);
   }
 
  private:

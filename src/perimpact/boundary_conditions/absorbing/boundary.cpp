@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "perimpact/deck_model/setup_error.hpp"
@@ -18,15 +19,17 @@ void expect_end_of_body(const AbsorbingSetup& layer, const std::vector<std::uint
   const Lattice* lattice = site.of.particles.lattice();
   if (!lattice) return;
   const BodyFace face(layer.face.index);
-  const std::vector<std::uint32_t> ends = outermost(*lattice, slots, face);
+  const Particles& particles = site.of.particles;
+  const std::vector<std::uint32_t> ends = outermost(particles, slots, face);
   std::size_t behind = 0;
   for (const std::uint32_t slot : ends) {
     std::array<int, 3> cell = lattice->cell(slot);
     cell[face.axis] += face.sign > 0 ? 1 : -1;
     const bool is_inside = lattice->contains(cell[0], cell[1], cell[2]);
-    behind += is_inside && site.of.particles.is_occupied(lattice->slot(cell[0], cell[1], cell[2])) ? 1 : 0;
+    behind += is_inside && particles.is_occupied(lattice->slot(cell[0], cell[1], cell[2])) ? 1 : 0;
   }
-  if (2 * behind <= ends.size()) return;
+  Ranks& ranks = particles.share().ranks();
+  if (2 * ranks.sum(static_cast<std::int64_t>(behind)) <= ranks.sum(static_cast<std::int64_t>(ends.size()))) return;
   throw SetupError(site.key, fmt::format("the layer ends where body {} continues towards {}, so that waves from there are reflected at its "
                                          "strongest damping; extend particle set {} to the end of the body, or name the face that it reaches.",
                                          site.of.body.name, layer.face.word(), layer.particle_set));
@@ -40,8 +43,10 @@ Absorbing make_boundary(const AbsorbingSetup& layer, const BoundarySite& site) {
   expect_end_of_body(layer, slots, site);
   std::vector<double> depths;  // [m] along the face's normal
   for (const std::uint32_t slot : slots) depths.push_back(face.sign * site.of.particles.reference(slot)[face.axis]);
-  const auto [first, last] = std::minmax_element(depths.begin(), depths.end());
-  const double spacing = site.of.particles.spacing(), inner = *first - 0.5 * spacing, thickness = *last + 0.5 * spacing - inner;
+  std::array<double, 2> most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};  // of -depth and depth
+  for (const double depth : depths) most[0] = std::max(most[0], -depth), most[1] = std::max(most[1], depth);
+  site.of.particles.share().ranks().max(most);
+  const double spacing = site.of.particles.spacing(), inner = -most[0] - 0.5 * spacing, thickness = most[1] + 0.5 * spacing - inner;
   const double speed = std::sqrt(site.of.elastic.p_wave_modulus() / site.of.particles.density());
   std::vector<double> damping;
   for (const double depth : depths) damping.push_back(layer_damping(depth - inner, thickness, speed, layer.reflection));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/vec3.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
 
@@ -42,9 +43,10 @@ class ForcesOnTheWay {
     return noted;
   }
 
+  /// `slots`: of the particles.
   template <class Visitor>
-  void visit_record(const std::string& name, Visitor&& visit) {
-    visit(name + ".latest_forces", std::span<double>(latest_));
+  void visit_record(const std::string& name, std::span<const std::uint32_t> slots, Visitor&& visit) {
+    visit(name + ".latest_forces", ListNumbers(std::span<double>(latest_), slots));
   }
 
  private:

@@ -7,9 +7,10 @@ namespace perimpact {
 Load::Load(std::vector<std::uint32_t> slots, std::vector<double> weights, const Particles& particles, const Vec3d& intensity, fccda::TimeTable factor)
     : slots_(std::move(slots)),
       weights_(std::move(weights)),
-      total_weight_(sum_in_blocks<double>(weights_.size(), [&](std::size_t k) { return weights_[k]; })),
-      squared_weights_(sum_in_blocks<double>(weights_.size(), [&](std::size_t k) { return weights_[k] * weights_[k]; })),
-      weights_by_mass_(sum_in_blocks<double>(weights_.size(), [&](std::size_t k) { return weights_[k] * weights_[k] / particles.mass(slots_[k]); })),
+      total_weight_(exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) { return weights_[k]; })),
+      squared_weights_(exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) { return weights_[k] * weights_[k]; })),
+      weights_by_mass_(
+          exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) { return weights_[k] * weights_[k] / particles.mass(slots_[k]); })),
       intensity_(intensity),
       factor_(std::move(factor)) {
   EXPECTS(slots_.size() == weights_.size());
@@ -29,7 +30,8 @@ ForceSum Load::static_load(Particles& particles, double time) const {
 double Load::half_kick(double time, double dt) const { return 0.125 * dt * dt * weights_by_mass_ * squared_norm(factor_.at(time) * intensity_); }
 
 Vec3d Load::displacement(const Particles& particles) const {
-  return sum_in_blocks<Vec3d>(slots_.size(), [&](std::size_t k) { return weights_[k] * particles.displacement(slots_[k]); }) / total_weight_;
+  return exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) { return weights_[k] * particles.displacement(slots_[k]); }) /
+         total_weight_;
 }
 
 }  // namespace perimpact

@@ -37,6 +37,12 @@ void PrescribedDisplacement::reimpose_after_contact(Particles& particles, const 
   Vec3d displacement{}, velocity{};
   for (std::size_t c = 0; c < 3; ++c)
     if (histories_[c]) displacement[c] = histories_[c]->displacement(step.t1), velocity[c] = histories_[c]->velocity(step.t0, step.t1);
+  struct Changes {
+    Vec3d impulse;            // [N s]
+    double work, correction;  // [J]
+  };
+  fccda::ExactSums<Changes> changes;
+  const std::size_t displaced_before = displaced.size();
   for (const std::uint32_t slot : slots_) {
     Vec3d change{}, unbalanced{};  // [m/s]
     for (std::size_t c = 0; c < 3; ++c) {
@@ -48,15 +54,19 @@ void PrescribedDisplacement::reimpose_after_contact(Particles& particles, const 
     }
     if (change == Vec3d{}) continue;
     const Vec3d impulse = particles.mass(slot) * change;
-    account.add(impulse, dot(impulse, velocity));
-    constraint_work_correction_ += dot(impulse, unbalanced);
+    changes.add({impulse, dot(impulse, velocity), dot(impulse, unbalanced)});
     displaced.push_back(slot);
   }
+  Ranks& ranks = particles.share().ranks();
+  if (!ranks.any(displaced.size() != displaced_before)) return;
+  const Changes sum = value_of_all(ranks, changes);
+  account.add(sum.impulse, sum.work);
+  constraint_work_correction_ += sum.correction;
 }
 
 template <class Target>
 ForceSum PrescribedDisplacement::take_over(Particles& particles, const Target& target) const {
-  return sum_in_blocks<ForceSum>(slots_.size(), [&](std::size_t k) {
+  return exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     Vec3d force{};
     for (std::size_t c = 0; c < 3; ++c) {

@@ -27,17 +27,35 @@ fccda::TimeTable BoundarySite::table(const std::string& key, const std::vector<d
   }
 }
 
-std::vector<std::uint32_t> outermost(const Lattice& lattice, std::span<const std::uint32_t> slots, const BodyFace& face) {
-  std::map<std::array<int, 2>, std::uint32_t> last_of_row;
-  for (const std::uint32_t slot : slots) {
-    const std::array<int, 3> cell = lattice.cell(slot);
-    const std::array<int, 2> row = {cell[(face.axis + 1) % 3], cell[(face.axis + 2) % 3]};
-    const auto [found, is_first] = last_of_row.try_emplace(row, slot);
-    if (!is_first && face.sign * (cell[face.axis] - lattice.cell(found->second)[face.axis]) > 0) found->second = slot;
-  }
+namespace {
+
+/// Particle of a lattice row along an axis.
+struct OfRow {
+  std::array<int, 2> row;  // the other two cells, on the lattice of the whole body
+  int cell;                // along the axis
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> outermost(const Particles& particles, std::span<const std::uint32_t> slots, const BodyFace& face) {
+  const Lattice& lattice = *particles.lattice();
+  const auto of_row = [&](std::uint32_t slot) {
+    std::array<int, 3> cell = lattice.cell(slot);
+    for (std::size_t axis = 0; axis < 3; ++axis) cell[axis] += lattice.first[axis];
+    return OfRow{{cell[(face.axis + 1) % 3], cell[(face.axis + 2) % 3]}, cell[face.axis]};
+  };
+  std::map<std::array<int, 2>, int> last;  // of each row
+  const auto include = [&](const OfRow& one) {
+    const auto [found, is_first] = last.try_emplace(one.row, one.cell);
+    if (!is_first && face.sign * (one.cell - found->second) > 0) found->second = one.cell;
+  };
+  for (const std::uint32_t slot : slots) include(of_row(slot));
+  std::vector<OfRow> own;
+  for (const auto& [row, cell] : last) own.push_back({row, cell});
+  for (const OfRow& one : particles.share().ranks().join_all(std::span<const OfRow>(own))) include(one);
   std::vector<std::uint32_t> all;
-  for (const auto& entry : last_of_row) all.push_back(entry.second);
-  std::sort(all.begin(), all.end());
+  for (const std::uint32_t slot : slots)
+    if (const OfRow one = of_row(slot); last.at(one.row) == one.cell) all.push_back(slot);
   return all;
 }
 

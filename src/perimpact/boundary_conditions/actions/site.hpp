@@ -48,7 +48,7 @@ struct BodyFace {
   }
 };
 
-/// The slots, ascending, whose particle is the outermost of its lattice row towards the face.
-std::vector<std::uint32_t> outermost(const Lattice& lattice, std::span<const std::uint32_t> slots, const BodyFace& face);
+/// Those of the slots, ascending, whose particle is the outermost of them in its lattice row towards the face, on all ranks. Collective.
+std::vector<std::uint32_t> outermost(const Particles& particles, std::span<const std::uint32_t> slots, const BodyFace& face);
 
 }  // namespace perimpact

@@ -12,10 +12,10 @@ namespace perimpact {
 namespace {
 
 struct UserForceSums {
-  Vec3d force{};                             // [N]
-  double work = 0;                           // [J]
-  double squared = 0;                        // [N m]
-  std::size_t not_finite{}, out_of_plane{};  // particles
+  Vec3d force{};                            // [N]
+  double work = 0;                          // [J]
+  double squared = 0;                       // [N m]
+  double not_finite = 0, out_of_plane = 0;  // particles; all members are doubles, for exact_sum_over_eights()
   UserForceSums& operator+=(const UserForceSums& other) {
     force += other.force, work += other.work, squared += other.squared, not_finite += other.not_finite, out_of_plane += other.out_of_plane;
     return *this;
@@ -36,13 +36,13 @@ void UserForce::apply_load(Particles& particles, const fccda::Step& next) {
   density_ = VectorArray(particles.slots(), 0);
   function_(next.t0, density_);
   const double dt = next.t0 > 0 ? next.dt : 0;  // [s] of the step before
-  const UserForceSums sums = sum_in_blocks<UserForceSums>(slots_.size(), [&](std::size_t k) {
+  const UserForceSums sums = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d f = density_.at(slot);
     const double volume = particles.volume(slot);
     particles.force_density.set(slot, particles.force_density.at(slot) + f);
     return UserForceSums{volume * f, 0.5 * volume * dt * dot(before_.at(slot) + f, particles.velocity.at(slot)), volume * squared_norm(f) / particles.density(),
-                         std::size_t{!is_finite(f)}, std::size_t{particles.is_plane() && f.z != 0}};
+                         is_finite(f) ? 0.0 : 1.0, particles.is_plane() && f.z != 0 ? 1.0 : 0.0};
   });
   if (sums.not_finite > 0)
     throw fccda::RunError(

@@ -20,18 +20,21 @@ struct Hydrostatics {
 }  // namespace
 
 std::optional<double> floating_level(const Particles& particles, std::span<const std::uint32_t> slots, const Water& water) {
-  double low = std::numeric_limits<double>::infinity(), high = -low, mass = 0, volume = 0;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const std::uint32_t slot : slots) {
     const double z = particles.position.at(slot).z, half = 0.5 * particles.size_of(slot);
     low = std::min(low, z - half), high = std::max(high, z + half);
-    mass += particles.mass(slot), volume += particles.volume(slot);
   }
+  Ranks& ranks = particles.share().ranks();
+  low = ranks.min(low), high = ranks.max(high);
+  const double volume = exact_sum_over_eights(ranks, slots, [&](std::size_t k) { return particles.volume(slots[k]); }), mass = particles.density() * volume;
   if (mass > water.density * volume) return std::nullopt;
   Water trial = water;
   for (int halvings = 0; halvings < 100 && high - low > 1e-15 * (std::fabs(high) + std::fabs(low)); ++halvings) {
     trial.level = 0.5 * (low + high);
-    double displaced = 0;
-    for (const std::uint32_t slot : slots) displaced += particles.volume(slot) * trial.submerged(particles.position.at(slot).z, particles.size_of(slot));
+    const double displaced = exact_sum_over_eights(ranks, slots, [&](std::size_t k) {
+      return particles.volume(slots[k]) * trial.submerged(particles.position.at(slots[k]).z, particles.size_of(slots[k]));
+    });
     (water.density * displaced < mass ? low : high) = trial.level;
   }
   return 0.5 * (low + high);
@@ -56,41 +59,41 @@ void Floating::leave_out(std::span<const std::uint32_t> constrained, std::size_t
     if (std::binary_search(constrained.begin(), constrained.end(), slots_[k])) moves_[k][axis] = false;
 }
 
-void Floating::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
+void Floating::update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends) {
   if (water_.drag == 0 && !columns_) return;
   const bool is_first = !exposure_;
   std::vector<std::uint32_t> newly_damaged;
   if (is_first)
     exposure_.emplace(particles, family, broken_ends);
   else
-    newly_damaged = exposure_->update(particles, family, broken_ends);
-  if (water_.entrained_depth != 0) update_intact_share(particles, family, broken_ends);
+    newly_damaged = exposure_->update(family, broken_ends);
+  if (water_.entrained_depth != 0) update_intact_share(family, broken_ends);
   if (!has_dry_top()) return;
-  double loss = 0;
+  fccda::ExactSums<double> loss;  // [J]
   if (is_first) {
     for (std::size_t k = 0; k < slots_.size(); ++k)
-      if (exposure_->has_lost(slots_[k])) loss += flood(columns_->column_of(k), particles);
+      if (exposure_->has_lost(slots_[k])) loss.add(flood(columns_->column_of(k), particles));
   } else {
     for (const std::uint32_t slot : newly_damaged) {
       const auto found = std::lower_bound(slots_.begin(), slots_.end(), slot);
-      if (found != slots_.end() && *found == slot) loss += flood(columns_->column_of(static_cast<std::size_t>(found - slots_.begin())), particles);
+      if (found != slots_.end() && *found == slot) loss.add(flood(columns_->column_of(static_cast<std::size_t>(found - slots_.begin())), particles));
     }
   }
-  record_flooding(loss);
+  record_flooding(value_of_all(particles.share().ranks(), loss));
   flood_deep_columns(particles);
 }
 
-void Floating::update_intact_share(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends) {
+void Floating::update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends) {
   const bool is_first = broken_ends_.empty();
   if (is_first) broken_ends_.assign(broken_ends.begin(), broken_ends.end());
   std::vector<std::uint8_t> has_changed(broken_ends.size(), is_first ? 1 : 0);
   bool any = is_first;
-  for (std::size_t row = 0; row < broken_ends.size(); ++row)
-    if (broken_ends[row] != broken_ends_[row]) has_changed[row] = 1, broken_ends_[row] = broken_ends[row], any = true;
+  for (std::size_t eight = 0; eight < broken_ends.size(); ++eight)
+    if (broken_ends[eight] != broken_ends_[eight]) has_changed[eight] = 1, broken_ends_[eight] = broken_ends[eight], any = true;
   if (!any) return;
   for_each_block(slots_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k)
-      if (has_changed[slots_[k] / particles.row_slots()] != 0 && exposure_->has_lost(slots_[k])) intact_[k] = 1 - family.damage(slots_[k]);
+      if (has_changed[slots_[k] / fccda::byte_lanes] != 0 && exposure_->has_lost(slots_[k])) intact_[k] = 1 - family.damage(slots_[k]);
   });
 }
 
@@ -111,7 +114,8 @@ void Floating::record_flooding(double loss) {
 
 void Floating::flood_deep_columns(const Particles& particles) {
   if (!has_dry_top()) return;
-  record_flooding(sum_in_blocks<double>(columns_->count(), [&](std::size_t c) {
+  const auto each_column = [](std::size_t c) { return c; };  // the particles of a column are in several eights
+  record_flooding(exact_sum_over_eights(particles.share().ranks(), columns_->count(), each_column, [&](std::size_t c) {
     const std::uint32_t top = columns_->top(c);
     if (top == WaterColumns::none || dry_tops_[top] == 0) return 0.0;
     const double depth = water_.level - particles.position.at(slots_[top]).z - 0.5 * particles.size_of(slots_[top]);
@@ -121,7 +125,7 @@ void Floating::flood_deep_columns(const Particles& particles) {
 
 ForceSum Floating::static_hydrostatics(Particles& particles) {
   const double weight = particles.density() * water_.gravity, lift = water_.density * water_.gravity;  // [N/m³]
-  const Hydrostatics sum = sum_in_blocks<Hydrostatics>(slots_.size(), [&](std::size_t k) {
+  const Hydrostatics sum = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const double z = particles.position.at(slot).z, height = particles.size_of(slot), volume = particles.volume(slot);
     const bool is_dry = has_dry_top() && dry_tops_[k] != 0;
@@ -163,7 +167,7 @@ Vec3d Floating::resist(Particles& particles, double dt) {
   if (!resists()) return {};
   if (water_.entrained_depth != 0) update_wetness(particles);
   const double density = particles.density();
-  const Resistance sum = sum_in_blocks<Resistance>(slots_.size(), [&](std::size_t k) {
+  const Resistance sum = exact_sum_over_eights(particles.share().ranks(), slots_, [&](std::size_t k) {
     const std::size_t slot = slots_[k];
     const Vec3d velocity = particles.velocity.at(slot);
     const bool is_exposed = exposure_ && exposure_->is_exposed(slot);

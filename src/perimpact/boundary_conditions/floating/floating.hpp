@@ -61,7 +61,7 @@ class Floating {
   void leave_out(std::span<const std::uint32_t> constrained, std::size_t axis);
 
   /// Updates exposed particles at the body's surface, and what columns lose with their bonds and by their depth.
-  void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+  void update_exposed_surface(const Particles& particles, const Family& family, std::span<const std::uint32_t> broken_ends);
 
   /// Floods the columns whose top lies deeper than it stays dry.
   void flood_deep_columns(const Particles& particles);
@@ -89,13 +89,13 @@ class Floating {
 
   template <class Visitor>
   void visit_state(const std::string& name, Visitor&& visit) {
-    if (has_dry_top()) visit(name + ".dry_tops", std::span<std::uint8_t>(dry_tops_));
+    if (has_dry_top()) visit(name + ".dry_tops", ListNumbers(std::span<std::uint8_t>(dry_tops_), slots_));
   }
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
     if (has_dry_top()) visit(name + ".flooding", std::span<double>(&flooding_dissipation_, 1));
     account.visit_record(name, visit);
-    forces_.visit_record(name, visit);
+    forces_.visit_record(name, slots_, visit);
     double all[] = {potential_, has_begun_ ? 1.0 : 0.0, weight_buoyancy_work_, drag_work_};
     visit(name + ".water", std::span<double>(all));
     potential_ = all[0], has_begun_ = all[1] != 0, weight_buoyancy_work_ = all[2], drag_work_ = all[3];
@@ -107,7 +107,7 @@ class Floating {
   void update_wetness(const Particles& particles);
   double entrained(std::size_t k, double height, double wet) const;  // [kg/m³]
   double flood(std::size_t column, const Particles& particles);      // [J] that the water loses
-  void update_intact_share(const Particles& particles, const Family& family, std::span<const std::size_t> broken_ends);
+  void update_intact_share(const Family& family, std::span<const std::uint32_t> broken_ends);
   void record_flooding(double loss);
 
   std::vector<std::uint32_t> slots_;
@@ -119,7 +119,7 @@ class Floating {
   std::optional<WaterColumns> columns_;
   std::vector<double> wetness_;                      // W of each column; empty without an entrained depth
   std::vector<double> intact_;                       // 1 - D of each slot; empty without an entrained depth
-  std::vector<std::size_t> broken_ends_;             // of each row, when intact_ was updated
+  std::vector<std::uint32_t> broken_ends_;           // of each eight, when intact_ was updated
   std::vector<std::uint8_t> dry_tops_;               // 1 for the top of a column that is dry there, of each slot; empty where none was
   ForcesOnTheWay forces_;                            // of drag, damping and added mass; empty without them
   double potential_ = 0;                             // [J] at the latest instant

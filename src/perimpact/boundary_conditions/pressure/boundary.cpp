@@ -15,15 +15,14 @@ Load make_boundary(const PressureSetup& load, const BoundarySite& site) {
   std::vector<std::uint32_t> slots = site.slots(load.particle_set);
   std::vector<double> areas;
   if (const Lattice* lattice = particles.lattice()) {
-    slots = outermost(*lattice, slots, face);
+    slots = outermost(particles, slots, face);
     const double cell = lattice->spacing * particles.thickness().value_or(lattice->spacing);
-    areas.assign(slots.size(), load.area ? *load.area / static_cast<double>(slots.size()) : cell);
+    areas.assign(slots.size(), load.area ? *load.area / static_cast<double>(particles.share().ranks().sum(static_cast<std::int64_t>(slots.size()))) : cell);
   } else {
     if (!load.area)
       throw SetupError(site.key,
                        fmt::format("body {} is a point cloud without faces; give the area [m2] that the particles of the set share.", site.of.body.name));
-    double volume = 0;
-    for (const std::uint32_t slot : slots) volume += particles.volume(slot);
+    const double volume = exact_sum_over_eights(particles.share().ranks(), slots, [&](std::size_t k) { return particles.volume(slots[k]); });
     for (const std::uint32_t slot : slots) areas.push_back(*load.area * particles.volume(slot) / volume);
   }
   return Load(std::move(slots), std::move(areas), particles, -load.value * face.normal(), site.factor(load.times, load.factors));

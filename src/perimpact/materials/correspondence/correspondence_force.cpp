@@ -74,7 +74,7 @@ CorrespondenceForce<D>::CorrespondenceForce(const Correspondence& law, Breaking 
 
 template <std::size_t D>
 template <class Pack, class View>
-[[gnu::noinline, gnu::cold]] void CorrespondenceForce<D>::account_for_broken(const View& body, const Particles& particles, double dt, RowSums& rows) {
+[[gnu::noinline, gnu::cold]] void CorrespondenceForce<D>::account_for_broken(const View& body, const Particles& particles, double dt, SumsOfEights& sums) {
   using Bonds = std::decay_t<decltype(body.bonds)>;
   const Family& family = *body.family;
   const BodyView<D, KnownBonds<Bonds>, std::decay_t<decltype(body.shapes)>> before{
@@ -106,8 +106,8 @@ template <class Pack, class View>
     }
   }
   const auto for_each = [&](Nearness least, const auto& f) {
-    for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
-      if (broken_[slot / byte_lanes] >= least) f(row, slot);
+    for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
+      if (broken_[slot / byte_lanes] >= least) f(eight, slot);
     });
   };
   const auto make_gradient = [](const auto& view, std::size_t slot) { store_gradient<D, Pack>(view, slot, moment_of_pack<D, Pack>(view, slot, view.x)); };
@@ -115,8 +115,8 @@ template <class Pack, class View>
     store_matrix<D>(view.rate, slot, moment_of_pack<D, Pack>(view, slot, view.particles.velocity.pointers()) * inverse_shape_of<D, Pack>(view, slot));
   };
   const auto add_energy = [&](const auto& view, double sign) {
-    for_each(changed, [&](std::size_t row, std::size_t slot) {
-      rows.fracture_energy[row] += sign * energy_of_pack(bond_level_energy<D, Pack, true>(view, slot, dt), particles, slot);
+    for_each(changed, [&](std::size_t eight, std::size_t slot) {
+      sums.fracture_energy[eight] += sign * energy_of_pack(bond_level_energy<D, Pack, true>(view, slot, dt), particles, slot);
     });
   };
   const auto refresh = [&](const auto& matrices) { particles.share().refresh(std::span<double* const>(matrices)); };
@@ -139,18 +139,18 @@ template <class Pack, class View>
 
 template <std::size_t D>
 template <class Pack, class View>
-void CorrespondenceForce<D>::bond_level_pass(const View& body, Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
-  breaking_.template for_each_pack<Pack>(body.bonds, particles, family, options, rows, [&](std::size_t, std::size_t slot, const auto& breaker) {
+void CorrespondenceForce<D>::bond_level_pass(const View& body, Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums) {
+  breaking_.template for_each_pack<Pack>(body.bonds, particles, family, options, sums, [&](std::size_t, std::size_t slot, const auto& breaker) {
     gradient_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), broken_.data());
     return 0.0;
   });
   const Share& share = particles.share();
   share.refresh(std::span<double* const>(body.gradient));
   if (breaking_.is_armed()) share.refresh({shape_.component(symmetric)});
-  if (share.ranks().any(std::find(broken_.begin(), broken_.end(), broke_here) != broken_.end())) account_for_broken<Pack>(body, particles, options.dt, rows);
-  for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
+  if (share.ranks().any(std::find(broken_.begin(), broken_.end(), broke_here) != broken_.end())) account_for_broken<Pack>(body, particles, options.dt, sums);
+  for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
     bond_level_stress<D, Pack>(body, slot);
-    if (options.with_energy) rows.energy[row] += energy_of_pack(bond_level_energy<D, Pack, false>(body, slot, 0), particles, slot);
+    if (options.with_energy) sums.energy[eight] += energy_of_pack(bond_level_energy<D, Pack, false>(body, slot, 0), particles, slot);
   });
   share.refresh(std::span<double* const>(body.carried));
   for_each_pack<Pack>(particles, [&](std::size_t, std::size_t slot) { bond_level_return<D, Pack>(body, slot); });
@@ -160,11 +160,12 @@ void CorrespondenceForce<D>::bond_level_pass(const View& body, Particles& partic
 
 template <std::size_t D>
 template <class Pack>
-void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+void CorrespondenceForce<D>::pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums) {
   with_bonds(particles, family, [&](const auto& body) {
-    if (law_.is_bond_level()) return bond_level_pass<Pack>(body, particles, family, options, rows);
-    breaking_.template for_each_pack<Pack>(body.bonds, particles, family, options, rows, [&](std::size_t row, std::size_t slot, const auto& breaker) {
-      const Pack density = response_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), options, rows.fracture_energy[row]);
+    if (law_.is_bond_level()) return bond_level_pass<Pack>(body, particles, family, options, sums);
+    breaking_.template for_each_pack<Pack>(body.bonds, particles, family, options, sums, [&](std::size_t eight, std::size_t slot, const auto& breaker) {
+      const Pack density =
+          response_of_pack<D, Pack>(body, slot, breaker, known_.data() + family.begin(slot / byte_lanes), options, sums.fracture_energy[eight]);
       return options.with_energy ? energy_of_pack(density, particles, slot) : 0.0;
     });
     particles.share().refresh(std::span<double* const>(body.response));
@@ -190,11 +191,11 @@ double CorrespondenceForce<D>::bytes() const {
 
 template class CorrespondenceForce<2>;
 template class CorrespondenceForce<3>;
-template void CorrespondenceForce<2>::pass<double>(Particles&, Family&, const PassOptions&, RowSums&);
-template void CorrespondenceForce<3>::pass<double>(Particles&, Family&, const PassOptions&, RowSums&);
+template void CorrespondenceForce<2>::pass<double>(Particles&, Family&, const PassOptions&, SumsOfEights&);
+template void CorrespondenceForce<3>::pass<double>(Particles&, Family&, const PassOptions&, SumsOfEights&);
 #if defined(__AVX2__) && !defined(FCCDA_SCALAR_PACK)
-template void CorrespondenceForce<2>::pass<NativePack>(Particles&, Family&, const PassOptions&, RowSums&);
-template void CorrespondenceForce<3>::pass<NativePack>(Particles&, Family&, const PassOptions&, RowSums&);
+template void CorrespondenceForce<2>::pass<NativePack>(Particles&, Family&, const PassOptions&, SumsOfEights&);
+template void CorrespondenceForce<3>::pass<NativePack>(Particles&, Family&, const PassOptions&, SumsOfEights&);
 #endif
 
 }  // namespace perimpact

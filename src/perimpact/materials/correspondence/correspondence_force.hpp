@@ -24,9 +24,9 @@ class CorrespondenceForce {
   /// D: 2 for 2-D particles, else 3.
   CorrespondenceForce(const Correspondence& law, Breaking breaking, Family& family, const Particles& particles);
 
-  /// Writes particles.force_density and the sums of the rows.
+  /// Writes particles.force_density and the sums of the eights.
   template <class Pack>
-  void pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
+  void pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
 
   const Breaking& breaking() const { return breaking_; }
   const Correspondence& law() const { return law_; }
@@ -43,10 +43,10 @@ class CorrespondenceForce {
 
  private:
   template <class Pack, class View>
-  void bond_level_pass(const View& body, Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
+  void bond_level_pass(const View& body, Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
   /// Adds the elastic energy released by bond failure in this pass, and recomputes K⁻¹, χ and F of the particles affected.
   template <class Pack, class View>
-  void account_for_broken(const View& body, const Particles& particles, double dt, RowSums& rows);
+  void account_for_broken(const View& body, const Particles& particles, double dt, SumsOfEights& sums);
   template <class Visit>
   void with_bonds(const Particles& particles, Family& family, const Visit& visit);
 

@@ -37,8 +37,9 @@ MaterialMemory OrdinaryStateMaterial::memory(const ElasticSetup& setup, const Me
   const double constants = setup.plasticity ? sizeof(PlasticForce::Constants<double>) : sizeof(OrdinaryState::Folded<double>);
   arrays += length.is_list() ? (has_dilatation ? 2 : 1) * number * length.entries : (sizeof(BondFactors) + constants) * length.tables;
   if (!setup.plasticity) arrays += breaking_memory(question.body, length);
-  if (setup.plasticity)  // plastic_force.hpp: three tensors and five numbers a slot, directions of the entries of a list
-    arrays += 23 * number * length.with_slack + n + n / 4 + (length.is_list() ? (has_dilatation ? 3 : 4) * number * length.entries : 0);
+  if (setup.plasticity)  // plastic_force.hpp: three tensors and five numbers a slot, marks and dissipation of eights, directions of the entries of a list
+    arrays +=
+        23 * number * length.with_slack + n + 3 * n / 8 + 2 * number * n / 8 + (length.is_list() ? (has_dilatation ? 3 : 4) * number * length.entries : 0);
   // marks and hashes; the sweeps of the energy correction make new factors of particles near surfaces beside the old ones
   return {arrays, by_energy ? 2 * vector * length.surface * n + 3 * n : by_volume ? 3 * n : 0};
 }

@@ -46,10 +46,10 @@ struct BodyView {
   Constants constants;
   const CorrectionFactors& correction;
   const OrdinaryState& law;
-  RowSums& rows;
+  SumsOfEights& sums;
   double dt;  // [s], as in PassOptions
 
-  BodyView with(const Constants& others) const { return {particles, x, force, theta, bonds, others, correction, law, rows, dt}; }
+  BodyView with(const Constants& others) const { return {particles, x, force, theta, bonds, others, correction, law, sums, dt}; }
 };
 
 /// Relative velocity y_j' - y_i' [m/s] of the bonds of a pack.
@@ -162,18 +162,18 @@ void all_packs(const View& body, Breaking& breaking, Family& family, const PassO
   if constexpr (has_dilatation) {
     PassOptions dilatations = options;
     dilatations.with_energy = false;
-    breaking.for_each_pack<Pack>(body.bonds, body.particles, family, dilatations, body.rows, [&](std::size_t row, std::size_t slot, const auto& breaker) {
+    breaking.for_each_pack<Pack>(body.bonds, body.particles, family, dilatations, body.sums, [&](std::size_t eight, std::size_t slot, const auto& breaker) {
       with_factors(body, slot, corrections, [&](const View& view, std::size_t at, const auto& factors) {
-        dilatation_of_pack<Pack>(view, at, breaker, factors, body.rows.fracture_energy[row]);
+        dilatation_of_pack<Pack>(view, at, breaker, factors, body.sums.fracture_energy[eight]);
       });
       return 0.0;
     });
     body.particles.share().refresh({body.theta});
     forces.may_break = false;  // bonds have broken in the dilatation pass
   }
-  breaking.for_each_pack<Pack>(body.bonds, body.particles, family, forces, body.rows, [&](std::size_t row, std::size_t slot, const auto& breaker) {
+  breaking.for_each_pack<Pack>(body.bonds, body.particles, family, forces, body.sums, [&](std::size_t eight, std::size_t slot, const auto& breaker) {
     return with_factors(body, slot, corrections, [&](const View& view, std::size_t at, const auto& factors) {
-      return force_of_pack<Pack, has_dilatation, with_energy>(view, at, breaker, factors, body.rows.fracture_energy[row]);
+      return force_of_pack<Pack, has_dilatation, with_energy>(view, at, breaker, factors, body.sums.fracture_energy[eight]);
     });
   });
 }
@@ -219,11 +219,11 @@ OrdinaryStateForce::OrdinaryStateForce(OrdinaryState law, Breaking breaking, Cor
 }
 
 template <class Pack>
-void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums) {
   const auto over = [&](const auto& bonds, const auto& constants, const auto& corrections) {
     using Bonds = std::decay_t<decltype(bonds)>;
     const BodyView<Bonds, std::decay_t<decltype(constants)>> body{
-        particles, particles.position.pointers(), particles.force_density, theta_.component(0), bonds, constants, correction_, law_, rows, options.dt};
+        particles, particles.position.pointers(), particles.force_density, theta_.component(0), bonds, constants, correction_, law_, sums, options.dt};
     with_constant(law_.needs_dilatation(), [&](auto has_dilatation) {
       with_constant(options.with_energy,
                     [&](auto energy) { all_packs<Pack, has_dilatation.value, energy.value>(body, breaking_, family, options, corrections); });
@@ -248,9 +248,9 @@ void OrdinaryStateForce::pass(Particles& particles, Family& family, const PassOp
     with_bond_corrections(correction_, half_squares_, [&](const auto& corrections) { over(bonds, constants, corrections); });
 }
 
-template void OrdinaryStateForce::pass<double>(Particles&, Family&, const PassOptions&, RowSums&);
+template void OrdinaryStateForce::pass<double>(Particles&, Family&, const PassOptions&, SumsOfEights&);
 #if defined(__AVX2__) && !defined(FCCDA_SCALAR_PACK)
-template void OrdinaryStateForce::pass<NativePack>(Particles&, Family&, const PassOptions&, RowSums&);
+template void OrdinaryStateForce::pass<NativePack>(Particles&, Family&, const PassOptions&, SumsOfEights&);
 #endif
 
 double OrdinaryStateForce::bytes() const {

@@ -21,9 +21,9 @@ class OrdinaryStateForce {
  public:
   OrdinaryStateForce(OrdinaryState law, Breaking breaking, CorrectionFactors correction, const Family& family, const Particles& particles);
 
-  /// Writes particles.force_density and the sums of the rows.
+  /// Writes particles.force_density and the sums of the eights.
   template <class Pack>
-  void pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
+  void pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
 
   const Breaking& breaking() const { return breaking_; }
   const OrdinaryState& law() const { return law_; }

@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "perimpact/damage/strength.hpp"
 #include "perimpact/materials/ordinary_state/plastic_force.hpp"
+#include "perimpact/particles/sum_over_eights.hpp"
 
 namespace perimpact {
 
@@ -31,14 +32,15 @@ bool PlasticForce::flow(const Particles& particles, const Family& family) {
   std::atomic<bool> overshoots = false;
   parallel_for(static_cast<std::ptrdiff_t>(particles.rows()), [&](std::ptrdiff_t number) {
     const auto row = static_cast<std::size_t>(number);
-    dissipation_[row] += pending_[row];
-    pending_[row] = 0;
     double most = 0;
     const std::size_t begin = row * particles.row_slots(), end = std::min(begin + particles.row_slots(), particles.slots());
-    for (std::size_t eight = begin / byte_lanes; eight < end / byte_lanes; ++eight)
-      if (is_hot_[eight])
-        for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
-          if (is_stress_known(slot) && particles.owns(slot)) most = std::max(most, flow(slot, row, particles, family));
+    for (std::size_t eight = begin / byte_lanes; eight < end / byte_lanes; ++eight) {
+      dissipation_[eight] += pending_[eight];
+      pending_[eight] = 0;
+      if (!is_hot_[eight]) continue;
+      for (std::size_t slot = eight * byte_lanes; slot < (eight + 1) * byte_lanes; ++slot)
+        if (is_stress_known(slot) && particles.owns(slot)) most = std::max(most, flow(slot, particles, family));
+    }
     if (most > tolerated_) overshoots.store(true, std::memory_order_relaxed);
   });
   if (particles.share().is_whole()) return overshoots;
@@ -64,11 +66,11 @@ void PlasticForce::refresh_ghosts(const Particles& particles, const Family& fami
 }
 
 /// [Pa] the equivalent stress and the pressure that it removes.
-double PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& particles, const Family& family) {
+double PlasticForce::flow(std::size_t slot, const Particles& particles, const Family& family) {
   SymmetricTensor stress = tensor_at(stress_, slot);
   const SymmetricTensor before = stress;
   const double half_volume = 0.5 * particles.volume(slot), p = pressure_of(stress);
-  dissipation_[row] += half_volume * double_contraction(before, tensor_at(increment_, slot));
+  dissipation_[slot / byte_lanes] += half_volume * double_contraction(before, tensor_at(increment_, slot));
   SymmetricTensor increment{};
   double overshoot = 0;
   const bool is_crushed = has_failed_[slot] && second_invariant(stress) > plasticity_.residual * p * p;
@@ -84,7 +86,7 @@ double PlasticForce::flow(std::size_t slot, std::size_t row, const Particles& pa
     double& equivalent = equivalent_.component(0)[slot];
     if (equivalent == 0) mark(slot, family);
     equivalent += perimpact::equivalent_strain(increment);
-    pending_[row] += half_volume * double_contraction(before, increment);
+    pending_[slot / byte_lanes] += half_volume * double_contraction(before, increment);
     if (!has_failed_[slot] && breaking_.is_armed() && resistance_.component(0)[slot] < unbreakable &&
         equivalent > plasticity_.failure.at(p / largest_pressure_)) {
       has_failed_[slot] = 1;
@@ -134,10 +136,6 @@ void PlasticForce::set_plastic_strain(std::size_t slot, const SymmetricTensor& s
   mark(slot, family);
 }
 
-double PlasticForce::dissipation() const {
-  double sum = 0;
-  for (const double of_row : dissipation_) sum += of_row;
-  return sum;
-}
+double PlasticForce::dissipation(Ranks& ranks) const { return perimpact::exact_sum(ranks, dissipation_); }
 
 }  // namespace perimpact

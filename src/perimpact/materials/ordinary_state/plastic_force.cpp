@@ -47,7 +47,7 @@ PlasticForce::PlasticForce(OrdinaryState law, const Plasticity& plasticity, cons
   is_plastic_.assign(slots / byte_lanes, 0);
   is_hot_.assign(slots / byte_lanes, 0);
   affected_.assign(slots / byte_lanes, 0);
-  dissipation_.assign(particles.rows(), 0);
+  dissipation_.assign(particles.slots() / byte_lanes, 0);
   pending_ = dissipation_;
 
   if (const Stencil* stencil = family.stencil()) {
@@ -94,12 +94,12 @@ double lost_work(const Particles& particles, std::size_t slot, const Vec3<Pack>&
 }  // namespace
 
 template <class Pack>
-void PlasticForce::pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
-  evaluate<Pack>(Packs::all, particles, family, options, rows);
+void PlasticForce::pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums) {
+  evaluate<Pack>(Packs::all, particles, family, options, sums);
   if (!options.may_break) return;
   for (int returns = 1; flow(particles, family) && options.dt > 0 && returns < max_returns; ++returns) {
     mark_affected(particles, family);
-    evaluate<Pack>(Packs::affected, particles, family, options, rows);
+    evaluate<Pack>(Packs::affected, particles, family, options, sums);
   }
   std::swap(pressure_, latest_pressure_);
   particles.share().refresh({pressure_.component(0)});
@@ -107,29 +107,29 @@ void PlasticForce::pass(Particles& particles, Family& family, const PassOptions&
 
 /// Bonds break, and lose their energy, where all packs are evaluated.
 template <class Pack>
-void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, RowSums& rows) {
+void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums) {
   const bool again = which == Packs::affected;
   const auto skips = [&](std::size_t slot) { return again && !options.with_energy && affected_[slot / byte_lanes] == 0; };
   const auto all_packs = [&](const auto& body, const auto& corrections, auto has_dilatation, auto may_break) {
     constexpr bool with_theta = decltype(has_dilatation)::value, breaks = decltype(may_break)::value;
     if constexpr (with_theta)
-      for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
+      for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
         if (skips(slot)) return;
-        const BeyondLimit beyond{&rows.broken_ends[row]};
+        const BeyondLimit beyond{&sums.broken_ends[eight]};
         with_factors(body, slot, corrections, [&](const auto& view, std::size_t at, const auto& factors) {
           with_constant(is_plastic_[at / byte_lanes] != 0, [&](auto plastic) {
-            dilatation_of_pack<Pack, decltype(plastic)::value, breaks>(view, at, beyond, factors, rows.fracture_energy[row]);
+            dilatation_of_pack<Pack, decltype(plastic)::value, breaks>(view, at, beyond, factors, sums.fracture_energy[eight]);
           });
         });
       });
     if constexpr (with_theta) particles.share().refresh({theta_.component(0)});
-    if (options.with_energy) std::fill(rows.energy.begin(), rows.energy.end(), 0.0);
+    if (options.with_energy) std::fill(sums.energy.begin(), sums.energy.end(), 0.0);
     std::array<double*, 6> stress;
     for (std::size_t c = 0; c < 6; ++c) stress[c] = stress_.component(c);
-    for_each_pack<Pack>(particles, [&](std::size_t row, std::size_t slot) {
+    for_each_pack<Pack>(particles, [&](std::size_t eight, std::size_t slot) {
       if (skips(slot)) return;
-      const BeyondLimit beyond{&rows.broken_ends[row]};
-      double& fracture = rows.fracture_energy[row];
+      const BeyondLimit beyond{&sums.broken_ends[eight]};
+      double& fracture = sums.fracture_energy[eight];
       constexpr bool breaks_here = breaks && !with_theta;  // the pass before has broken what breaks
       std::uint8_t& hot = is_hot_[slot / byte_lanes];
       const std::size_t first = slot % byte_lanes;
@@ -148,10 +148,10 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
         }
         return elastic;
       });
-      if (again) dissipation_[row] += lost_work(particles, slot, of.force, options.dt);
+      if (again) dissipation_[eight] += lost_work(particles, slot, of.force, options.dt);
       for (std::size_t c = 0; c < 3; ++c) store(particles.force_density.component(c) + slot, of.force[c]);
       if (options.may_break) store(latest_pressure_.component(0) + slot, of.pressure);
-      if (options.with_energy) rows.energy[row] += energy_of_pack(of.energy, particles, slot);
+      if (options.with_energy) sums.energy[eight] += energy_of_pack(of.energy, particles, slot);
     });
   };
   const auto over = [&](const auto& bonds, const auto& constants, const auto& corrections) {
@@ -183,15 +183,16 @@ void PlasticForce::evaluate(Packs which, Particles& particles, Family& family, c
   }
 }
 
-template void PlasticForce::pass<double>(Particles&, Family&, const PassOptions&, RowSums&);
+template void PlasticForce::pass<double>(Particles&, Family&, const PassOptions&, SumsOfEights&);
 #if defined(__AVX2__) && !defined(FCCDA_SCALAR_PACK)
-template void PlasticForce::pass<NativePack>(Particles&, Family&, const PassOptions&, RowSums&);
+template void PlasticForce::pass<NativePack>(Particles&, Family&, const PassOptions&, SumsOfEights&);
 #endif
 
 double PlasticForce::bytes() const {
   const std::size_t numbers = 18 * strain_.slots() + 5 * equivalent_.slots() + theta_.slots() + stretch_.size() + dilatation_.size() + 3 * direction_.slots();
   return correction_.bytes() + breaking_.bytes() +
-         static_cast<double>(sizeof(double) * numbers + has_failed_.size() + is_plastic_.size() + is_hot_.size() + affected_.size());
+         static_cast<double>(sizeof(double) * numbers + sizeof(double) * (dissipation_.size() + pending_.size()) + has_failed_.size() + is_plastic_.size() +
+                             is_hot_.size() + affected_.size());
 }
 
 }  // namespace perimpact

@@ -53,9 +53,9 @@ class PlasticForce {
   PlasticForce(OrdinaryState law, const Plasticity& plasticity, const std::optional<BreakingRule>& rule, const std::vector<double>& strength,
                CorrectionFactors correction, const Family& family, const Particles& particles);
 
-  /// Writes particles.force_density and the sums of the rows; unless bonds are held together (options.may_break), particles flow.
+  /// Writes particles.force_density and the sums of the eights; unless bonds are held together (options.may_break), particles flow.
   template <class Pack>
-  void pass(Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
+  void pass(Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
 
   const Breaking& breaking() const { return breaking_; }
   const OrdinaryState& law() const { return law_; }
@@ -75,8 +75,8 @@ class PlasticForce {
   /// [Pa] at the last pass, before flow; up to date where is_stress_known().
   SymmetricTensor stress(std::size_t slot) const { return tensor_at(stress_, slot); }
   bool is_stress_known(std::size_t slot) const { return (is_hot_[slot / fccda::byte_lanes] >> (slot % fccda::byte_lanes)) & 1u; }
-  double dissipation() const;  ///< [J] by plastic flow, up to the last pass
-  double bytes() const;        ///< [bytes] of memory
+  double dissipation(Ranks& ranks = alone()) const;  ///< [J] by plastic flow on these ranks, up to the last pass
+  double bytes() const;                              ///< [bytes] of memory
 
   /// Gives a particle a plastic strain, as if it had flowed: for tests.
   void set_plastic_strain(std::size_t slot, const SymmetricTensor& strain, const Family& family);
@@ -97,8 +97,8 @@ class PlasticForce {
   }
   template <class Visitor>
   void visit_record(const std::string& name, Visitor&& visit) {
-    visit(name + ".dissipation_of_row", std::span<double>(dissipation_));
-    visit(name + ".pending_dissipation_of_row", std::span<double>(pending_));
+    visit(name + ".dissipation_of_eight", std::span<double>(dissipation_));
+    visit(name + ".pending_dissipation_of_eight", std::span<double>(pending_));
   }
 
   /// The constants of a bond, or of a pack of bonds of a list.
@@ -132,9 +132,9 @@ class PlasticForce {
   /// Which packs are evaluated: all, or again those whose plastic strain, or that of their families, has changed since.
   enum class Packs { all, affected };
   template <class Pack>
-  void evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, RowSums& rows);
+  void evaluate(Packs which, Particles& particles, Family& family, const PassOptions& options, SumsOfEights& sums);
   bool flow(const Particles& particles, const Family& family);
-  double flow(std::size_t slot, std::size_t row, const Particles& particles, const Family& family);
+  double flow(std::size_t slot, const Particles& particles, const Family& family);
   void refresh_ghosts(const Particles& particles, const Family& family);
   void mark(std::size_t slot, const Family& family);
   void mark_affected(const Particles& particles, const Family& family);
@@ -170,11 +170,10 @@ class PlasticForce {
   std::vector<std::uint8_t> is_known_ghost_;  // ghosts with plastic strain that is known here; empty where the body is whole
 
   // of each eight slots
-  std::vector<std::uint8_t> is_plastic_;  // one of them, or one that is bonded to them, has plastic strain
-  std::vector<std::uint8_t> is_hot_;      // bit l: the stress of slot l was computed in the last pass
-  std::vector<std::uint8_t> affected_;    // by the last flow (mark_affected)
-
-  std::vector<double> dissipation_, pending_;  // [J] of each row: to the last pass; half of the latest flow, which belongs to the next step
+  std::vector<std::uint8_t> is_plastic_;       // one of them, or one that is bonded to them, has plastic strain
+  std::vector<std::uint8_t> is_hot_;           // bit l: the stress of slot l was computed in the last pass
+  std::vector<std::uint8_t> affected_;         // by the last flow (mark_affected)
+  std::vector<double> dissipation_, pending_;  // [J] to the last pass; half of the latest flow, which belongs to the next step
 };
 
 }  // namespace perimpact

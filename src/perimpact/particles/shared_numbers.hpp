@@ -1,0 +1,40 @@
+/// Arrays of the state over the particles of a body that ranks share, for visitors of state (base/state.hpp). To other visitors they are spans.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "base/state.hpp"
+#include "perimpact/particles/particles.hpp"
+
+namespace perimpact {
+
+/// `per_eight` numbers of each eight slots: 8 of an array by slot, 1 of an array by eight.
+template <class T>
+struct EightNumbers : std::span<T> {
+  EightNumbers(std::span<T> numbers, const Particles& particles) : std::span<T>(numbers), share(&particles.share()) {
+    const std::size_t eights = particles.slots() / fccda::byte_lanes;
+    per_eight = eights == 0 ? 0 : numbers.size() / eights;
+  }
+  const Share* share;
+  std::size_t per_eight;
+};
+
+/// A visitor that passes all arrays on as numbers of the eights of a body.
+template <class Visitor>
+auto of_eights(const Particles& particles, Visitor& visit) {
+  return [&](const auto& name, auto&& values) { visit(name, EightNumbers(fccda::numbers_in(values), particles)); };
+}
+
+/// `per_slot` numbers of each of some owned slots, ascending.
+template <class T>
+struct ListNumbers : std::span<T> {
+  ListNumbers(std::span<T> numbers, std::span<const std::uint32_t> of_slots)
+      : std::span<T>(numbers), slots(of_slots), per_slot(of_slots.empty() ? 0 : numbers.size() / of_slots.size()) {}
+  std::span<const std::uint32_t> slots;
+  std::size_t per_slot;
+  const Share* share = nullptr;  // of the body; set by the boundary conditions of the body
+};
+
+}  // namespace perimpact

@@ -1,0 +1,12 @@
+/// What a run of several ranks does not support.
+#pragma once
+
+#include "perimpact/deck_model/setup.hpp"
+#include "perimpact/ranks/ranks.hpp"
+
+namespace perimpact {
+
+/// Throws SetupError with the key of the first part of the deck that several ranks do not support. Does nothing for one rank.
+void expect_supported_by(const Ranks& ranks, const Setup& setup);
+
+}  // namespace perimpact

@@ -1,0 +1,134 @@
+/// Visitors between the state of the ranks of a run and that of the run as a whole, which is that of one rank: for checkpoints and hashes, which therefore
+/// do not depend on the number of ranks.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "base/state.hpp"
+#include "perimpact/body/body.hpp"
+#include "perimpact/particles/shared_numbers.hpp"
+#include "perimpact/simulation/state_hash.hpp"
+
+namespace perimpact {
+
+/// The body of a list of points of a detector, "<impactor>.<body>.points_inside" and the like; null for other names.
+const Body* body_of_points(std::string_view name, std::span<const Body> bodies);
+/// True for counters that each rank has of its own work.
+bool is_counter_of_work(std::string_view name);
+
+/// Passes the arrays of the whole run to the sink on the root, on which other arrays are the same as everywhere. Collective.
+template <class Sink>
+class GatheredState {
+ public:
+  GatheredState(std::span<const Body> bodies, Ranks& ranks, Sink sink) : bodies_(bodies), ranks_(ranks), sink_(std::move(sink)) {}
+
+  template <class Values>
+  void operator()(std::string_view name, Values&& values) {
+    if (ranks_.size() == 1) return sink_(name, values);
+    const auto numbers = fccda::numbers_in(values);
+    using T = typename decltype(numbers)::value_type;
+    if constexpr (requires { values.per_eight; }) {
+      pass(name, values.share->gather(std::span<const T>(numbers), values.per_eight));
+    } else if constexpr (requires { values.per_slot; }) {
+      pass(name, values.share->gather_listed(std::span<const T>(numbers), values.slots, values.per_slot));
+    } else if (const Body* body = body_of_points(name, bodies_)) {
+      std::vector<T> points;
+      for (const T point : numbers) points.push_back(static_cast<T>(body->particles.share().whole_slot(static_cast<std::size_t>(point))));
+      points = ranks_.join_all(std::span<const T>(points));
+      std::ranges::sort(points);
+      pass(name, std::move(points));
+    } else if (is_counter_of_work(name)) {
+      std::vector<T> sums;
+      for (const T number : numbers) sums.push_back(static_cast<T>(ranks_.sum(static_cast<std::int64_t>(number))));
+      pass(name, std::move(sums));
+    } else if (ranks_.is_root()) {
+      sink_(name, values);
+    }
+  }
+
+ private:
+  template <class T>
+  void pass(std::string_view name, std::vector<T> whole) {
+    if (ranks_.is_root()) sink_(name, std::span<T>(whole));
+  }
+
+  std::span<const Body> bodies_;
+  Ranks& ranks_;
+  Sink sink_;
+};
+
+/// Adds this rank's terms of the hash of the whole run. Collective.
+class HashOfRanks {
+ public:
+  HashOfRanks(std::span<const Body> bodies, Ranks& ranks, StateHash& hash) : hash_(hash), rest_(bodies, ranks, Root{hash}) {}
+
+  template <class Values>
+  void operator()(std::string_view name, Values&& values) {
+    if constexpr (requires { values.per_eight; }) {
+      if (values.share->is_whole()) return hash_(name, values);
+      values.share->for_each_owned_run(values.per_eight, [&](std::size_t first, std::size_t first_of_whole, std::size_t count) {
+        hash_.add(name, first_of_whole, std::span(values).subspan(first, count));
+      });
+    } else {
+      rest_(name, values);
+    }
+  }
+
+ private:
+  struct Root {
+    StateHash& hash;
+    template <class Values>
+    void operator()(std::string_view name, Values&& values) {
+      hash(name, values);
+    }
+  };
+  StateHash& hash_;
+  GatheredState<Root> rest_;
+};
+
+/// Restores the state of this rank from a source of arrays of the whole run, which every rank reads. Collective.
+template <class Source>
+class TakenState {
+ public:
+  TakenState(std::span<const Body> bodies, Ranks& ranks, Source source) : bodies_(bodies), ranks_(ranks), source_(std::move(source)) {}
+
+  template <class Values>
+  void operator()(std::string_view name, Values&& values) {
+    if (ranks_.size() == 1) return source_(name, values);
+    const auto numbers = fccda::numbers_in(values);
+    using T = typename decltype(numbers)::value_type;
+    if constexpr (requires { values.per_eight; }) {
+      std::vector<T> whole(values.share->eights_of_whole() * values.per_eight);
+      source_(name, std::span<T>(whole));
+      values.share->take(std::span<const T>(whole), numbers, values.per_eight);
+    } else if constexpr (requires { values.per_slot; }) {
+      std::vector<T> whole(static_cast<std::size_t>(ranks_.sum(static_cast<std::int64_t>(numbers.size()))));
+      source_(name, std::span<T>(whole));
+      values.share->take_listed(std::span<const T>(whole), numbers, values.slots);
+    } else if constexpr (fccda::is_list<std::remove_cvref_t<Values>>) {
+      source_(name, values);
+      const Body* body = body_of_points(name, bodies_);
+      if (!body) return;
+      std::vector<T> own;
+      for (const T point : values)
+        if (const auto slot = body->particles.share().owned_slot(static_cast<std::size_t>(point))) own.push_back(static_cast<T>(*slot));
+      values = std::move(own);
+    } else {
+      source_(name, values);
+      if (is_counter_of_work(name) && !ranks_.is_root()) std::ranges::fill(numbers, T{});
+    }
+  }
+
+ private:
+  std::span<const Body> bodies_;
+  Ranks& ranks_;
+  Source source_;
+};
+
+}  // namespace perimpact
