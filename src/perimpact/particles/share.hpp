@@ -2,7 +2,7 @@
 ///
 /// A rank has a lattice of its own, a window onto that of the whole body (Lattice::first): its box of cells (partition.hpp), and around it `reach` cells,
 /// in x whole eights. Only owned particles are summed and advanced. What is read of ghosts is refreshed from their owners after it has changed there:
-/// both ends of a bond compute the same bits, so that nothing else of a bond is sent.
+/// both ends of a bond compute bitwise identical values, so that nothing else of a bond is sent.
 #pragma once
 
 #include <cstdint>
