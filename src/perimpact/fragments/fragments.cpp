@@ -38,8 +38,7 @@ class Sets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Calls visit(i, j) for each intact bond once or twice; bonds of the stencil from the smaller slot only, but those to ghosts from their owned end: after a
-/// restart ghosts have bonds too, some of which lead out of the lattice of this rank.
+/// Calls visit(i, j) for each intact bond once or twice; bonds of the stencil from the smaller slot only, but those to ghosts from their owned end.
 template <class Visit>
 void for_each_intact_bond(const Family& family, const Particles& particles, const Visit& visit) {
   const std::span<const std::ptrdiff_t> offsets = family.offsets();
