@@ -38,7 +38,8 @@ class Sets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Calls visit(i, j) for each intact bond once or twice; bonds of the stencil from the smaller slot only, but those to ghosts from their owned end.
+/// Calls visit(i, j) for each intact bond once or twice; bonds of the stencil from the smaller slot only, but those to ghosts from their owned end: after a
+/// restart ghosts have bonds too, some of which lead out of the lattice of this rank.
 template <class Visit>
 void for_each_intact_bond(const Family& family, const Particles& particles, const Visit& visit) {
   const std::span<const std::ptrdiff_t> offsets = family.offsets();
@@ -121,7 +122,7 @@ Fragments::Fragments(const Particles& particles, const Family& family) : of_part
   }
   for (std::size_t p = 0; p < names.size(); ++p) of_particles_[p] = number.at(names[p]);
   if (particles.lattice()) {
-    for (Fragment& fragment : fragments_) fragment.mass = static_cast<double>(fragment.particles) * particles.mass(0);
+    for (Fragment& fragment : fragments_) fragment.mass = static_cast<double>(fragment.particles) * particles.mass(0);  // as Particles::total_mass()
   } else {
     for (std::size_t p = 0; p < names.size(); ++p) fragments_[static_cast<std::size_t>(of_particles_[p])].mass += particles.volume(particles.slot_of()[p]);
     for (Fragment& fragment : fragments_) fragment.mass *= particles.density();
