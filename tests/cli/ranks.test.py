@@ -82,7 +82,7 @@ def _(t):
 
 @claim("ranks: a signal to one process ends all after the same step, as does SIGTERM to mpirun, and the run resumes on another number of ranks to the same state")
 def _(t):
-    deck = t.deck(*SHORT, ("30 us, step", "100 us, step"))
+    deck = t.deck(*SHORT, ("30 us, step", "400 us, step"))
     t.expect_success("run", deck, "--out", "whole", "--no-report")
     two, three = launched(t, 2, SLOW_KILL), launched(t, 3)
     for to_one in True, False:
