@@ -1,6 +1,7 @@
 # What `cmake --install` puts where, beside fccda (install_fccda.cmake) and the Python package (python/CMakeLists.txt), and the Debian packages that CPack makes of it:
 #
 #   bin/perimpact
+#   lib/perimpact/libperimpact_ranks.so             opened in runs of several processes; where MPI was found
 #   share/perimpact/cases/                          to look at, copy and run
 #   share/perimpact/docs/guide/deck.schema.json     where the first line of each case's deck says
 #   share/perimpact/docs/guide/tutorials/           their decks
@@ -11,6 +12,9 @@ include(GNUInstallDirs)
 
 set(shared ${CMAKE_INSTALL_DATADIR}/perimpact)
 install(TARGETS perimpact COMPONENT perimpact)
+if(TARGET ranks_library)
+  install(TARGETS ranks_library LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/perimpact COMPONENT mpi)
+endif()
 install(DIRECTORY cases/ DESTINATION ${shared}/cases COMPONENT perimpact USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
 install(FILES docs/guide/deck.schema.json DESTINATION ${shared}/docs/guide COMPONENT perimpact)
 install(DIRECTORY docs/guide/tutorials/ DESTINATION ${shared}/docs/guide/tutorials COMPONENT perimpact FILES_MATCHING PATTERN "*.yaml")
@@ -36,8 +40,12 @@ set(components perimpact fccda)
 if(PERIMPACT_PYTHON)
   list(APPEND components python)
 endif()
+if(TARGET ranks_library)
+  list(APPEND components mpi)
+endif()
 foreach(component ${components})
   set(package ${component})
+  string(REGEX REPLACE "^mpi$" perimpact-mpi package ${package})
   string(REGEX REPLACE "^fccda$" libfccda-dev package ${package})
   string(REGEX REPLACE "^python$" python3-perimpact package ${package})
   install(FILES packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
@@ -60,12 +68,19 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_NAME perimpact)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PERIMPACT_PACKAGE_RECOMMENDS "python3, python3-numpy, python3-matplotlib")  # figures of the cases
-set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "paraview, gmsh, libfccda-dev, python3-perimpact")
+set(CPACK_DEBIAN_PERIMPACT_PACKAGE_SUGGESTS "paraview, gmsh, libfccda-dev, perimpact-mpi, python3-perimpact")
 set(CPACK_COMPONENT_PERIMPACT_DESCRIPTION "Impact of peridynamic bodies, ice first, with rigid bodies of any shape given
 as surface meshes. Bonds between particles break. Contact is detected along the
 whole path of every particle.
 .
 The program needs a processor with AVX2 (x86-64-v3).")
+set(CPACK_DEBIAN_MPI_PACKAGE_NAME perimpact-mpi)
+set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "perimpact (= ${PROJECT_VERSION}-1), openmpi-bin")
+set(CPACK_COMPONENT_MPI_DESCRIPTION "Runs of perimpact as several processes, on one machine or many: mpirun perimpact run.
+The program opens the library of this package, which uses Open MPI.
+.
+The library needs a processor with AVX2 (x86-64-v3).")
 set(CPACK_DEBIAN_FCCDA_PACKAGE_NAME libfccda-dev)
 set(CPACK_DEBIAN_FCCDA_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_FCCDA_PACKAGE_DEPENDS "zlib1g-dev, libc6-dev")

@@ -30,7 +30,7 @@ NAVIGATION = {
                                       "resistance", "fccda_variants", "glossary")],
     "Library": ["library/README", "library/recipes", "library/deforming_surfaces", "library/c_api", "library/couplings", "library/reference"],
     "Validation": ["validation"],
-    "Developer": ["developer/structure", "developer/testing", "/validation/README", "/benchmarks/README", "/CONTRIBUTING", "/CHANGELOG"],
+    "Developer": ["developer/structure", "developer/ranks", "developer/testing", "/validation/README", "/benchmarks/README", "/CONTRIBUTING", "/CHANGELOG"],
 }
 
 extensions = ["myst_parser"]

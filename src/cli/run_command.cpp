@@ -34,6 +34,12 @@ std::string timers_text(const Simulation& simulation) {
   return text;
 }
 
+/// "4 threads", or "2 ranks with 4 threads each".
+std::string processors_text(const Ranks& ranks) {
+  const std::string threads = fmt::format("{} threads", fccda::thread_count());
+  return ranks.size() == 1 ? threads : fmt::format("{} ranks with {} each", ranks.size(), fccda::thread_count() == 1 ? "1 thread" : threads);
+}
+
 /// A command-line word, quoted for the shell.
 std::string quoted(const std::string& word) {
   if (!word.empty() && word.find_first_of(" \t\n\"'\\$`&|;<>()[]{}*?!#~") == std::string::npos) return word;
@@ -79,14 +85,13 @@ void print_start(const Simulation& simulation, const RunFolder& folder, Messages
   members["title"] = simulation.setup().title;
   members["folder"] = folder.path().string();
   members["threads"] = fccda::thread_count();
-  const int ranks = simulation.ranks().size();
-  if (ranks > 1) members["ranks"] = ranks;
+  if (const int ranks = simulation.ranks().size(); ranks > 1) members["ranks"] = ranks;
   members[simulation.relaxation() ? "increments" : "steps"] = clock.steps;
   members[simulation.relaxation() ? "increment [s]" : "step [s]"] = clock.dt;
   if (folder.is_resumed()) members["resumed_at"] = clock.step;
   messages.print("start", members,
-                 fmt::format("{}{} threads, {} {} of {:.4g} s; results go to {}\n", ranks > 1 ? fmt::format("{} ranks with ", ranks) : "",
-                             fccda::thread_count(), clock.steps, simulation.relaxation() ? "increments" : "steps", clock.dt, folder.path().string()));
+                 fmt::format("{}, {} {} of {:.4g} s; results go to {}\n", processors_text(simulation.ranks()), clock.steps,
+                             simulation.relaxation() ? "increments" : "steps", clock.dt, folder.path().string()));
   if (folder.is_resumed()) messages.print(fmt::format("Resumed at step {} (t = {:.4g} s).\n", clock.step, clock.time()));
   if (messages.is_verbose()) messages.print(setup_text(simulation));
   for (const std::string& warning : simulation.warnings()) messages.warn(warning);

@@ -129,7 +129,7 @@ void end_failed(int exit_code, const std::function<void()>& print) {
     processes->end_all(exit_code);
   }
   if (is_root) return;
-  std::this_thread::sleep_for(std::chrono::duration<double>(time_of_root));  // the launcher ends this process when the root has ended
+  std::this_thread::sleep_for(std::chrono::duration<double>(time_of_root));  // the launcher ends this process once the root has ended
   print();
 }
 

@@ -75,7 +75,7 @@ def _(t):
     done = subprocess.run(["/usr/bin/python3", "-c", code], cwd=t.folder, env=alone, capture_output=True, text=True)
     t.assertEqual((done.stdout, done.stderr), (f"{modules[0] / '__init__.py'} True\n", ""))
     examples = next(root.rglob("doc/python3-perimpact/examples"))
-    t.assertEqual({path.name for path in examples.iterdir()}, {"grains.py", "impact.py", "lammps_grains.py", "lammps_net.py", "pysph_boat.py", "user_force.py"})
+    t.assertEqual({path.name for path in examples.iterdir()}, {"dolfinx_modes.py", "grains.py", "impact.py", "lammps_grains.py", "lammps_net.py", "pysph_boat.py", "user_force.py"})
 
 
 def source_of(path, prefix):

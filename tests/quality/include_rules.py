@@ -32,18 +32,19 @@ LAYERS = {
     "marine": ["base", "mesh", "fccda/rigid_body"],
     "perimpact": ["base", "mesh", "mesh_io", "marine", "fccda"],
     "perimpact/deck_model": ["base", *CONSTANTS],
-    "perimpact/particles": ["base"],
-    "perimpact/family": ["base", *DECK, "perimpact/particles"],
-    "perimpact/fragments": ["base", *DECK, "perimpact/particles", "perimpact/family"],
-    "perimpact/force": ["base", *DECK, "perimpact/particles", "perimpact/family"],
-    "perimpact/damage": ["base", *DECK, "perimpact/particles", "perimpact/family", "perimpact/force"],
-    "perimpact/materials": ["base", *DECK, "perimpact/particles", "perimpact/family", "perimpact/force", "perimpact/damage"],
+    "perimpact/ranks": ["base"],
+    "perimpact/particles": ["base", "perimpact/ranks"],
+    "perimpact/family": ["base", *DECK, "perimpact/ranks", "perimpact/particles"],
+    "perimpact/fragments": ["base", *DECK, "perimpact/ranks", "perimpact/particles", "perimpact/family"],
+    "perimpact/force": ["base", *DECK, "perimpact/ranks", "perimpact/particles", "perimpact/family"],
+    "perimpact/damage": ["base", *DECK, "perimpact/ranks", "perimpact/particles", "perimpact/family", "perimpact/force"],
+    "perimpact/materials": ["base", *DECK, "perimpact/ranks", "perimpact/particles", "perimpact/family", "perimpact/force", "perimpact/damage"],
     "perimpact/materials/elastic": ["base"],
     "perimpact/materials/ice": ["base"],
     "perimpact/materials/plasticity": ["base"],
-    "perimpact/self_contact": ["base", *DECK, "perimpact/particles", "perimpact/family"],
-    "perimpact/discretisation": ["base", "mesh", "mesh_io", *DECK, "perimpact/particles"],
-    "perimpact/impactor": ["base", "mesh", "mesh_io", "marine", "fccda", *DECK, "perimpact/contact_bounds", "perimpact/particles", "perimpact/discretisation"],
+    "perimpact/self_contact": ["base", *DECK, "perimpact/ranks", "perimpact/particles", "perimpact/family"],
+    "perimpact/discretisation": ["base", "mesh", "mesh_io", *DECK, "perimpact/ranks", "perimpact/particles"],
+    "perimpact/impactor": ["base", "mesh", "mesh_io", "marine", "fccda", *DECK, "perimpact/contact_bounds", "perimpact/ranks", "perimpact/particles", "perimpact/discretisation"],
     "perimpact/contact_bounds": ["base", "mesh", "fccda", *DECK],
     "io": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact"],
     "io/deck": ["base", "mesh", *DECK],
@@ -52,12 +53,13 @@ LAYERS = {
     "io/statistics": ["base", "mesh", "mesh_io", *DECK, "io/output", "io/hdf5", "io/frames", "io/deck"],
     "io/report": ["base", "mesh", "mesh_io", *DECK, "io/output", "io/hdf5", "io/frames", "io/deck", "io/statistics"],
     "io/output": ["base", "mesh"],
+    "ranks_mpi": ["base", "perimpact/ranks"],
     "run": ["base", "mesh", "mesh_io", "marine", "fccda", "perimpact", "io/output", "io/hdf5", "io/frames", "io/deck", "io/results", "io/checkpoint"],
 }
 
 # Headers of other libraries → what a module that includes them must LINK
-LIBRARIES = {"fmt/": "fmt::fmt", "yaml-cpp/": "yaml-cpp", "udunits2.h": "${UDUNITS2_LIBRARY}", "zlib.h": "ZLIB::ZLIB", "hdf5.h": "${HDF5_LIBRARY}", "CLI/": "CLI11::CLI11"}
-ONLY_IN = {"omp.h": "base/parallel.hpp", "CLI/": "cli/parse_command_line.cpp"}  # the one home of loops over threads, and a header that is slow to compile
+LIBRARIES = {"fmt/": "fmt::fmt", "yaml-cpp/": "yaml-cpp", "udunits2.h": "${UDUNITS2_LIBRARY}", "zlib.h": "ZLIB::ZLIB", "hdf5.h": "${HDF5_LIBRARY}", "CLI/": "CLI11::CLI11", "mpi.h": "MPI::MPI_CXX"}
+ONLY_IN = {"omp.h": "base/parallel.hpp", "CLI/": "cli/parse_command_line.cpp", "mpi.h": "ranks_mpi/mpi_ranks.hpp"}  # the one home of loops over threads, and a header that is slow to compile
 
 # Features: a line add_material(name …) declares the module in this folder. Its setup.hpp and setup.cpp are part of the deck model.
 FEATURES = {"material": "perimpact/materials", "boundary_condition": "perimpact/boundary_conditions", "contact_bounds": "perimpact/contact_bounds"}

@@ -23,11 +23,10 @@ Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
 
 int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
-/// Share of this rank in the lattice of a body. The water under a floating body acts on columns of its lattice.
+/// Share of this rank in the lattice of a body.
 Share share_of(const BodySetup& setup, const Lattice& lattice, int reach, Ranks& ranks) {
-  const bool floats = std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
   try {
-    return Share(ranks, lattice, reach, floats);
+    return Share(ranks, lattice, reach, keeps_columns(setup));
   } catch (const fccda::InputError& error) {
     throw SetupError("bodies." + setup.name, fmt::format("body {}: {}.", setup.name, error.what()));
   }
@@ -111,6 +110,10 @@ std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Par
   const int layers = layers_along(thin, particles);
   if (layers < 2 || layers > most_layers_that_bend || next < slender * size[thin]) return {};
   return BendingOfLayers{thin, layers, relative_bending_stiffness(setup, thin, layers)};
+}
+
+bool keeps_columns(const BodySetup& setup) {
+  return std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
 }
 
 IsotropicElastic elastic_of(const BodySetup& setup) {

@@ -55,6 +55,9 @@ struct Body {
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone());
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 
+/// True if ranks must not divide its lattice across z: the water under a floating body acts on columns of it.
+bool keeps_columns(const BodySetup& setup);
+
 /// Elastic constants of its material, 3-D or 2-D.
 IsotropicElastic elastic_of(const BodySetup& setup);
 

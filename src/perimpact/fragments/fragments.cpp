@@ -121,7 +121,7 @@ Fragments::Fragments(const Particles& particles, const Family& family) : of_part
   }
   for (std::size_t p = 0; p < names.size(); ++p) of_particles_[p] = number.at(names[p]);
   if (particles.lattice()) {
-    for (Fragment& fragment : fragments_) fragment.mass = static_cast<double>(fragment.particles) * particles.mass(0);
+    for (Fragment& fragment : fragments_) fragment.mass = static_cast<double>(fragment.particles) * particles.mass(0);  // as Particles::total_mass()
   } else {
     for (std::size_t p = 0; p < names.size(); ++p) fragments_[static_cast<std::size_t>(of_particles_[p])].mass += particles.volume(particles.slot_of()[p]);
     for (Fragment& fragment : fragments_) fragment.mass *= particles.density();

@@ -47,7 +47,7 @@ std::vector<double> fictitious_density(const Body& body, double dt, double safet
     const std::size_t slot = slots[static_cast<std::size_t>(k)];
     density[slot] = 0.25 * dt * dt * largest_row(body, slot);
   });
-  const double stiffest = *std::max_element(density.begin(), density.end());
+  const double stiffest = body.particles.share().ranks().max(*std::max_element(density.begin(), density.end()));
   for (const std::uint32_t slot : slots)
     if (density[slot] == 0) density[slot] = stiffest > 0 ? stiffest : body.particles.density();  // without bonds
   const double ratio = 0.25 * dt * dt * stiffest_mode(body, density);                            // stability limit at 1
@@ -63,6 +63,7 @@ Relaxation::Relaxation(const RelaxSetup& setup, std::span<const Body> bodies, do
     const Particles& particles = body.particles;
     double furthest = 0;  // [m]
     for (const std::uint32_t slot : particles.slot_of()) furthest = std::max(furthest, largest_magnitude(particles.reference(slot)));
+    furthest = particles.share().ranks().max(furthest);
     const double slack = 4 * std::numeric_limits<double>::epsilon() * furthest;  // [m] rounding of a position
     search.rounding = std::sqrt(exact_sum_over_eights(particles, [&](std::size_t slot) {
       const double force = particles.volume(slot) * 4 * search.density[slot] / (dt * dt) * slack;
@@ -86,8 +87,13 @@ std::optional<std::vector<double>> Relaxation::relax(std::span<Body> bodies, std
     return sum;
   };
   while (true) {
-    if (keep_on && !keep_on(latest_)) return std::nullopt;
-    for (Body& body : bodies) body.internal.evaluate_unbroken(body.particles, body.family);
+    // several ranks complete the increment: they would have to agree on where to stop, and to store it
+    const bool is_alone = bodies.front().particles.share().is_whole();
+    if (keep_on && !keep_on(latest_) && is_alone) return std::nullopt;
+    for (Body& body : bodies) {
+      body.particles.refresh_ghosts();
+      body.internal.evaluate_unbroken(body.particles, body.family);
+    }
     latest_.residual = residual(bodies, boundary_conditions, time);
     if (latest_.residual <= setup_.tolerance) {
       const std::size_t before = broken_bonds();

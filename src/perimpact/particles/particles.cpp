@@ -106,6 +106,7 @@ void Particles::refresh_ghosts() {
 }
 
 double Particles::total_mass() const {
+  if (lattice_) return static_cast<double>(size_of_body()) * mass(0);
   return density_ * exact_sum_over_eights(*this, [&](std::size_t slot) { return volume(slot); });
 }
 

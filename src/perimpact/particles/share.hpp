@@ -2,7 +2,7 @@
 ///
 /// A rank has a lattice of its own, a window onto that of the whole body (Lattice::first): its box of cells (partition.hpp), and around it `reach` cells,
 /// in x whole eights. Only owned particles are summed and advanced. What is read of ghosts is refreshed from their owners after it has changed there:
-/// both ends of a bond compute the same bits, so that nothing else of a bond is sent.
+/// what both ends of a bond compute is bitwise identical, so that nothing else of a bond is sent.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "base/pack.hpp"
@@ -74,7 +75,8 @@ class Share {
   /// Numbers of the whole body, `per_eight` of each eight slots, from those of the owned eights of each rank; on the root, elsewhere empty. Collective.
   template <class T>
   std::vector<T> gather(std::span<const T> own, std::size_t per_eight) const;
-  /// Sets the numbers of this rank, with those of its ghosts, from those of the whole body.
+  /// Sets the numbers of this rank from those of the whole body. Ghosts have values by slot, but neither bonds nor sums of their own: only for numbers of 8
+  /// of each eight that are not integers they are set too, else to 0.
   template <class T>
   void take(std::span<const T> whole, std::span<T> own, std::size_t per_eight) const;
   /// Numbers of listed particles, `per_slot` of each, in the order of their slots in the whole body; on the root, elsewhere empty. `slots`: owned.
@@ -164,10 +166,13 @@ void Share::take(std::span<const T> whole, std::span<T> own, std::size_t per_eig
     std::copy(whole.begin(), whole.end(), own.begin());
     return;
   }
-  for (std::size_t row = 0; row < plan_->lattice.rows(); ++row) {
-    const std::size_t slot = row * plan_->lattice.row_slots(), count = plan_->lattice.row_slots() / fccda::byte_lanes * per_eight;
-    std::copy_n(whole.data() + whole_slot(slot) / fccda::byte_lanes * per_eight, count, own.data() + slot / fccda::byte_lanes * per_eight);
-  }
+  const bool with_ghosts = std::is_floating_point_v<T> && per_eight == fccda::byte_lanes;
+  const CellBox all{{0, 0, 0}, plan_->lattice.cells};
+  if (!with_ghosts) std::fill(own.begin(), own.end(), T{});
+  for_each_row_of_eights(plan_->lattice, with_ghosts ? all : owned(), per_eight, [&](std::size_t first, std::size_t count) {
+    const std::size_t slot = first / per_eight * fccda::byte_lanes;
+    std::copy_n(whole.data() + whole_slot(slot) / fccda::byte_lanes * per_eight, count, own.data() + first);
+  });
 }
 
 template <class T>

@@ -13,31 +13,31 @@ namespace perimpact {
 /// Calls f() on the root, while the others wait. Its InputError or RunError is thrown on all ranks. Collective.
 template <class F>
 void on_root(Ranks& ranks, const F& f) {
-  enum class Outcome : char { done, input_error, run_error };
+  enum class Verdict : char { done, input_error, run_error };
   std::exception_ptr error;
-  Ranks::Bytes verdict;
-  const auto state = [&](Outcome outcome, const std::string& sentence) {
-    verdict.push_back(static_cast<std::byte>(outcome));
-    std::ranges::transform(sentence, std::back_inserter(verdict), [](char c) { return static_cast<std::byte>(c); });
+  Ranks::Bytes message;
+  const auto state = [&](Verdict verdict, const std::string& sentence) {
+    message.push_back(static_cast<std::byte>(verdict));
+    std::ranges::transform(sentence, std::back_inserter(message), [](char c) { return static_cast<std::byte>(c); });
   };
   if (ranks.is_root()) {
     try {
       f();
-      state(Outcome::done, "");
+      state(Verdict::done, "");
     } catch (const fccda::InputError& input_error) {
       error = std::current_exception();
-      state(Outcome::input_error, input_error.what());
+      state(Verdict::input_error, input_error.what());
     } catch (const fccda::RunError& run_error) {
       error = std::current_exception();
-      state(Outcome::run_error, run_error.what());
+      state(Verdict::run_error, run_error.what());
     }
   }
-  ranks.broadcast(verdict);
+  ranks.broadcast(message);
   if (error) std::rethrow_exception(error);
   std::string sentence;
-  std::ranges::transform(verdict.begin() + 1, verdict.end(), std::back_inserter(sentence), [](std::byte byte) { return static_cast<char>(byte); });
-  if (static_cast<Outcome>(verdict.front()) == Outcome::input_error) throw fccda::InputError(sentence);
-  if (static_cast<Outcome>(verdict.front()) == Outcome::run_error) throw fccda::RunError(sentence);
+  std::ranges::transform(message.begin() + 1, message.end(), std::back_inserter(sentence), [](std::byte byte) { return static_cast<char>(byte); });
+  if (static_cast<Verdict>(message.front()) == Verdict::input_error) throw fccda::InputError(sentence);
+  if (static_cast<Verdict>(message.front()) == Verdict::run_error) throw fccda::RunError(sentence);
 }
 
 }  // namespace perimpact

@@ -7,6 +7,7 @@
 #include "mesh/surface.hpp"
 #include "perimpact/deck_model/setup.hpp"
 #include "perimpact/discretisation/discretise.hpp"
+#include "perimpact/ranks/ranks.hpp"
 #include "perimpact/simulation/available_memory.hpp"
 
 namespace perimpact {
@@ -32,10 +33,16 @@ struct Memory {
   void add(const fccda::Surface& surface);
 
   double peak() const;  ///< without rubble
+
+  /// Reduces what the bodies need to this share. Frames are gathered by one rank.
+  void reduce_to(double share);
 };
 
 /// `bodies`: discretisation of each. The bonds of a point cloud are estimated from a sample of its particles. Surfaces are to be added when they are known.
 Memory memory_of(const Setup& setup, std::span<const Discretisation> bodies);
+
+/// Share of the memory of the bodies that this rank needs: of the largest share of slots in any of them, with ghosts.
+double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks);
 
 /// Throws SetupError, with the key of the largest body or surface, if the peak exceeds what is available. `memory`: memory_of these bodies.
 void expect_to_fit(const Setup& setup, std::span<const Discretisation> bodies, const Memory& memory, const AvailableMemory& available);

@@ -121,13 +121,14 @@ void project(Start& start, const Setup& setup) {
 
 }  // namespace
 
-Start::Read Start::read(const Setup& setup, fccda::Stages& stages) {
+Start::Read Start::read(const Setup& setup, fccda::Stages& stages, const Ranks& ranks) {
   Read all;
   for (const BodySetup& body : setup.bodies) {
     stages.begin("solids and points", body.name);
     all.bodies.push_back(discretise(body));
   }
   Memory memory = memory_of(setup, all.bodies);
+  memory.reduce_to(share_of_memory(setup, all.bodies, ranks));
   const AvailableMemory available = available_memory();
   expect_to_fit(setup, all.bodies, memory, available);
   for (const ImpactorSetup& impactor : setup.impactors) {
@@ -139,7 +140,7 @@ Start::Read Start::read(const Setup& setup, fccda::Stages& stages) {
   return all;
 }
 
-Start::Start(const Setup& setup, fccda::Stages given, Ranks& all) : Start(setup, given, (expect_supported_by(all, setup), read(setup, given)), all) {}
+Start::Start(const Setup& setup, fccda::Stages given, Ranks& all) : Start(setup, given, (expect_supported_by(all, setup), read(setup, given, all)), all) {}
 
 Start::Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& all)
     : ranks(&all),

@@ -42,7 +42,7 @@ struct Start {
     std::vector<Discretisation> bodies;
     std::vector<ImpactorSurface> surfaces;
   };
-  static Read read(const Setup& setup, fccda::Stages& stages);
+  static Read read(const Setup& setup, fccda::Stages& stages, const Ranks& ranks);
   Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& ranks);
 };
 

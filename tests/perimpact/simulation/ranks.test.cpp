@@ -27,6 +27,7 @@ struct Whole {
   std::vector<double> impactors;  // positions, velocities and ledgers
   std::size_t contacts = 0;
   std::uint64_t hash = 0;
+  std::vector<double> row;  // the last of the history
 };
 
 void add_state(const Simulation& simulation, Whole& whole, std::mutex& mutex) {
@@ -60,6 +61,7 @@ void add_state(const Simulation& simulation, Whole& whole, std::mutex& mutex) {
     whole.impactors.insert(whole.impactors.end(), {impactor.contact_work(), impactor.work_on_particles()});
   }
   whole.contacts = simulation.contacts();
+  whole.row.assign(simulation.monitors().row().begin(), simulation.monitors().row().end());
 }
 
 Whole after(const Setup& setup, int ranks) {
@@ -87,6 +89,7 @@ void check_equal(const Whole& a, const Whole& b) {
   CHECK(a.impactors == b.impactors);
   CHECK(a.contacts == b.contacts);
   CHECK(a.hash == b.hash);
+  CHECK(a.row == b.row);
 }
 
 /// A free cylinder that spins hits the edge of a plate and breaks bonds.
@@ -176,6 +179,64 @@ TEST_CASE("ranks: material that yields under pressure flows as with one rank") {
       CAPTURE(nu);
       check_equal(one, after(setup, ranks));
     }
+  }
+}
+
+TEST_CASE("ranks: equilibria under prescribed displacements and pressure, with bonds that break, are those of one rank") {
+  fixtures::BodyOptions options{.size = {0.068, 0.032, 0.010}, .spacing = 0.002, .poissons_ratio = 0.3, .critical_stretch = 1.2e-3};
+  BodySetup plate = fixtures::body_setup(options);
+  SolidSetup low, high;
+  low.name = "low", low.shape = BoxSolid{{0.1, 0.007, 0.1}}, low.position = {0, -0.014, 0};
+  high.name = "high", high.shape = BoxSolid{{0.1, 0.007, 0.1}}, high.position = {0, 0.014, 0};
+  plate.particle_sets = {low, high};
+  DisplacementSetup up;
+  up.displacement = 2e-5;
+  Setup setup;
+  setup.time.end = 1;
+  setup.time.relax = RelaxSetup{.increments = 3, .tolerance = 1e-4};
+  plate.boundary_conditions = {{"grip", FixedSetup{.particle_set = "low"}},
+                               {"pull", PrescribedSetup{.particle_set = "high", .y = up}},
+                               {"push", PressureSetup{.face = Choice{face_words, 0}, .value = 2e8}}};
+  setup.bodies = {plate};
+  const Whole one = after(setup, 1);
+  CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
+  for (const int ranks : {2, 5}) {
+    CAPTURE(ranks);
+    check_equal(one, after(setup, ranks));
+  }
+}
+
+TEST_CASE("ranks: a floating sheet with a dry top and drag, between fixed and absorbing edges, breaks under a falling ball as with one rank") {
+  BodySetup sheet = fixtures::body_setup({.size = {3.6, 2.0, 0.4}, .spacing = 0.1, .critical_stretch = 2e-4, .model = fixtures::Model::bond_based});
+  BondBasedSetup ice;
+  ice.youngs_modulus = 1.8e9, ice.density = 900, ice.critical_stretch = 2e-4;
+  sheet.material = ice;
+  SolidSetup left, right;
+  left.name = "left", left.shape = BoxSolid{{0.4, 3, 1}}, left.position = {-1.7, 0, 0};
+  right.name = "right", right.shape = BoxSolid{{0.6, 3, 1}}, right.position = {1.6, 0, 0};
+  sheet.particle_sets = {left, right};
+  FloatingSetup water;
+  water.drag = 1, water.damping = 2, water.dry_top = 0.1;
+  AbsorbingSetup end;
+  end.particle_set = "right", end.face = Choice{face_words, 0}, end.reflection = 0.01;
+  sheet.boundary_conditions = {{"water", water}, {"edge", FixedSetup{.particle_set = "left"}}, {"end", end}};
+  Setup setup;
+  setup.time = {.end = 2e-3, .step = 2e-5};
+  setup.bodies = {sheet};
+  ImpactorSetup ball;
+  ball.name = "ball";
+  ball.surface = SphereSurface{.diameter = 0.8, .edge_length = 0.1};
+  ball.mass = 500;
+  ball.position = {-1.4, 0.1, 0.601};  // upon the fixed edge too, whose displacement is imposed again after contact
+  ball.velocity = {0, 0, -10};
+  ball.free_dofs = {"z"};
+  setup.impactors = {ball};
+  const Whole one = after(setup, 1);
+  CHECK(one.contacts > 0);
+  CHECK(std::count(one.bodies[0].bonds.begin(), one.bodies[0].bonds.end(), 0) > 0);
+  for (const int ranks : counts) {
+    CAPTURE(ranks);
+    check_equal(one, after(setup, ranks));
   }
 }
 

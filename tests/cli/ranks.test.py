@@ -1,0 +1,211 @@
+"""Runs of several processes under mpirun. Claims that need the library of ranks are skipped where it was not built."""
+
+import os
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from claims import MOVES, claim, main
+from folders import LONG, SHORT, contents, ended, started
+
+LAUNCHER = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+# time between SIGTERM and SIGKILL to the processes when mpirun ends them [s], which it always waits
+SLOW_KILL = "--mca odls_base_sigkill_timeout 3"
+
+
+def launched(t, ranks, *options):
+    """From here on, t's program is that many of its processes. Skipped without mpirun or the library."""
+    build = Path(t.program).parent
+    if not (shutil.which("mpirun") and (build / "libperimpact_ranks.so").exists()):
+        raise unittest.SkipTest("the program was built without MPI")
+    return script(t, f"ranks_{ranks}", f'exec mpirun --oversubscribe {" ".join(options)} -n {ranks} {t.program} "$@"')
+
+
+def script(t, name, line):
+    file = t.folder / name
+    file.write_text("#!/bin/sh\n" + "".join(f"export {key}={value}\n" for key, value in LAUNCHER.items()) + line + "\n")
+    file.chmod(0o755)
+    return str(file)
+
+
+def with_program(t, program, use):
+    before, t.program = t.program, program
+    try:
+        return use()
+    finally:
+        t.program = before
+
+
+def errors(done):
+    return [line for line in done.err.splitlines() if line.startswith("error:")]
+
+
+def expect_one_error(t, done, code, begins, *words):
+    """One sentence of the program on stderr, beside what mpirun says."""
+    t.assertEqual(done.code, code, done)
+    t.assertEqual(len(errors(done)), 1, done.err)
+    t.assertTrue(errors(done)[0].startswith(f"error: {begins}"), done.err)
+    for word in words:
+        t.assertIn(word, errors(done)[0])
+
+
+def processes_of(t, folder):
+    """Numbers of the processes that run into this folder, without mpirun."""
+    found = []
+    for path in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (path / "cmdline").read_bytes().split(b"\0")
+            if words[0] == t.program.encode() and str(folder).encode() in words and (path / "cwd").resolve() == t.folder:
+                found.append(int(path.name))
+        except OSError:
+            pass  # it has ended
+    return sorted(found)
+
+
+@claim("ranks: 2, 3 and 4 processes write the results of one, byte for byte, and the root alone prints")
+def _(t):
+    deck = t.deck(*SHORT)
+    t.expect_success("run", deck, "--out", "1")
+    for ranks in 2, 3, 4:
+        done = with_program(t, launched(t, ranks), lambda: t.run_program("run", deck, "--out", str(ranks), "--threads", "1"))
+        t.assertEqual(done.code, 0, done)
+        t.assertEqual(done.out.count("Small plate\n"), 1, done.out)
+        t.assertEqual(done.out.count(f"{ranks} ranks with 1 thread each, 600 steps of "), 1, done.out)
+        t.assertEqual(contents(t, str(ranks)), contents(t, "1"))
+        t.assertEqual(t.report(str(ranks))["state_hash"], t.report("1")["state_hash"])
+        t.assertEqual(t.report(str(ranks))["ranks"], ranks)
+        t.assertNotIn("run.lock", t.files(str(ranks)))
+
+
+@claim("ranks: a signal to one process ends all after the same step, as does SIGTERM to mpirun, and the run resumes on another number of ranks to the same state")
+def _(t):
+    deck = t.deck(*SHORT, ("30 us, step", "400 us, step"))
+    t.expect_success("run", deck, "--out", "whole", "--no-report")
+    two, three = launched(t, 2, SLOW_KILL), launched(t, 3)
+    for to_one in True, False:
+        shutil.rmtree(t.folder / "r", ignore_errors=True)
+        process = with_program(t, two, lambda: started(t, deck, "--out", "r", "--threads", "1", "--no-report"))
+        if to_one:
+            os.kill(processes_of(t, "r")[1], signal.SIGTERM)
+        code, out, err = ended(process, 0 if to_one else signal.SIGTERM)
+        t.assertIn("Interrupted at ", out)
+        t.assertEqual([line for line in err.splitlines() if line.startswith("error:")], [])
+        if to_one:
+            t.assertEqual(code, 143)
+        t.assertEqual(t.report("r")["outcome"], "interrupted")
+        t.assertNotIn("run.lock", t.files("r"))
+        done = with_program(t, three, lambda: t.run_program("run", deck, "--out", "r", "--threads", "1", "--no-report", "--resume"))
+        t.assertEqual(done.code, 0, done)
+        t.assertEqual(done.out.count("Resumed at step "), 1)
+        t.assertEqual(contents(t, "r"), contents(t, "whole"))
+
+
+@claim("ranks: SIGUSR1 to mpirun writes one checkpoint, and the run continues")
+def _(t):
+    deck = t.deck(*LONG, ("  history_interval: 2 us", "  history_interval: 2 us\n  checkpoint_interval: 0"))
+    process = with_program(t, launched(t, 2), lambda: started(t, deck, "--out", "r", "--threads", "1"))
+    t.assertFalse((t.folder / "r/checkpoint.h5").exists())
+    process.send_signal(signal.SIGUSR1)
+    deadline = time.monotonic() + 60
+    while not (t.folder / "r/checkpoint.h5").exists() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    t.assertTrue((t.folder / "r/checkpoint.h5").exists())
+    rows = len((t.folder / "r/history.csv").read_text().splitlines())
+    while len((t.folder / "r/history.csv").read_text().splitlines()) <= rows:
+        t.assertLess(time.monotonic(), deadline)
+        t.assertIsNone(process.poll())
+        time.sleep(0.01)
+    ended(process)
+
+
+@claim("ranks: a killed process ends all others within ten seconds, and one process resumes the run to the state of an uninterrupted run")
+def _(t):
+    deck = t.deck(*SHORT, ("30 us, step", "100 us, step"))
+    t.expect_success("run", deck, "--out", "whole", "--no-report")
+    three = launched(t, 3)
+    process = with_program(t, three, lambda: started(t, deck, "--out", "r", "--threads", "1", "--no-report"))
+    while process.poll() is None and not (t.folder / "r/checkpoint.h5").exists():
+        time.sleep(0.005)
+    ranks = processes_of(t, "r")
+    t.assertEqual(len(ranks), 3)
+    os.kill(ranks[1], signal.SIGKILL)
+    process.communicate(timeout=10)
+    t.assertNotEqual(process.returncode, 0)
+    t.assertEqual(processes_of(t, "r"), [])
+    t.assertIn("Resumed at step ", t.expect_success("run", deck, "--out", "r", "--no-report", "--resume").out)
+    t.assertEqual(contents(t, "r"), contents(t, "whole"))
+
+
+@claim("ranks: an error of all processes is one sentence, with its exit status: of a missing deck, a value, a folder, and what several ranks do not support")
+def _(t):
+    two = launched(t, 2)
+    deck = t.deck(*SHORT)
+    t.expect_success("run", deck, "--out", "taken")
+    moves = t.deck(*MOVES, name="moves.yaml")
+    for arguments, begins in (
+        (["none.yaml"], "none.yaml: there is no such file"),
+        ([deck, "--set", "bodies.plate.spacing=0"], "--set bodies.plate.spacing"),
+        ([deck, "--out", "taken"], "the folder taken contains a finished run"),
+        ([moves, "--out", "new"], "moves.yaml:6:"),
+        ([deck, "--bogus"], "The following argument was not expected: --bogus"),
+    ):
+        done = with_program(t, two, lambda: t.run_program("run", *arguments))
+        expect_one_error(t, done, 2, begins)
+
+
+@claim("ranks: an error of one process alone ends all within ten seconds with its sentence and exit status, be it the root or another one")
+def _(t):
+    launched(t, 2)
+    deck = t.deck(*LONG)
+    for first, second in (deck, "none.yaml"), ("none.yaml", deck):
+        part = [f"-n 1 {t.program} run {name} --out r --force --threads 1" for name in (first, second)]
+        program = script(t, "two_decks", f"exec mpirun --oversubscribe {part[0]} : {part[1]}")
+        begin = time.monotonic()
+        done = with_program(t, program, t.run_program)
+        expect_one_error(t, done, 2, "none.yaml: there is no such file")
+        t.assertLess(time.monotonic() - begin, 10)
+        t.assertEqual(processes_of(t, "r"), [])
+
+
+@claim("ranks: without their library several processes end with one sentence that names the package to install, and one process needs none")
+def _(t):
+    launched(t, 2)
+    alone = t.folder / "bin" / "perimpact"
+    alone.parent.mkdir()
+    shutil.copy(t.program, alone)
+    deck = t.deck(*SHORT)
+    program = script(t, "without", f'exec mpirun --oversubscribe -n 3 {alone} "$@"')
+    done = with_program(t, program, lambda: t.run_program("run", deck, "--out", "r"))
+    expect_one_error(t, done, 2, "a run of 3 processes needs libperimpact_ranks.so, which is not installed; install the package perimpact-mpi, or ")
+    t.assertFalse((t.folder / "r").exists())
+    program = script(t, "one", f'exec mpirun -n 1 {alone} "$@"')
+    t.assertEqual(with_program(t, program, lambda: t.run_program("run", deck, "--out", "r")).code, 0)
+    linked = subprocess.run(["ldd", t.program], capture_output=True, text=True, check=True).stdout
+    t.assertNotIn("libmpi", linked)
+
+
+@claim("ranks: --ranks 1 runs alone within mpirun, and another number than was started is refused")
+def _(t):
+    two = launched(t, 2)
+    deck = t.deck(*SHORT)
+    program = script(t, "apart", f'exec mpirun --oversubscribe -n 2 sh -c \'exec {t.program} run {deck} --ranks 1 --out r$OMPI_COMM_WORLD_RANK\'')
+    t.assertEqual(with_program(t, program, t.run_program).code, 0)
+    t.assertEqual(contents(t, "r0"), contents(t, "r1"))
+    t.assertNotIn("ranks", t.report("r0"))
+    done = with_program(t, two, lambda: t.run_program("run", deck, "--ranks", "3"))
+    expect_one_error(t, done, 2, "--ranks 3: 2 processes were started together; use mpirun -n 3 perimpact run")
+
+
+@claim("ranks: the library passes messages, sums and tables of any length between 1, 2 and 4 processes")
+def _(t):
+    launched(t, 2)
+    program = Path(t.program).parent / "tests/ranks_mpi/ranks_mpi_processes"
+    for ranks in 1, 2, 4:
+        done = with_program(t, script(t, "calls", f"exec mpirun --oversubscribe -n {ranks} {program}"), t.run_program)
+        t.assertEqual((done.code, done.out), (0, f"{ranks} ranks\n"), done)
+
+
+main()

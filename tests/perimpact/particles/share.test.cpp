@@ -1,0 +1,175 @@
+#include "perimpact/particles/share.hpp"
+
+#include <doctest/doctest.h>
+
+#include <mutex>
+
+#include "base/error.hpp"
+#include "perimpact/ranks/in_process.hpp"
+
+namespace perimpact {
+
+namespace {
+
+struct Scene {
+  std::array<int, 3> cells;
+  int ranks, reach;
+};
+const Scene scenes[] = {{{37, 11, 9}, 2, 3}, {{37, 11, 9}, 3, 3}, {{64, 20, 1}, 7, 3}, {{16, 40, 40}, 8, 4}, {{70, 5, 5}, 5, 3}, {{9, 9, 33}, 4, 2}};
+
+Lattice lattice_of(const Scene& scene) {
+  Lattice lattice{.cells = scene.cells, .spacing = 0.5, .origin = {1, 2, 3}};
+  if (scene.cells[2] == 1) lattice.thickness = 0.1;
+  return lattice;
+}
+
+/// A number that only this slot of the whole lattice has.
+double number_of(std::size_t whole_slot) { return 1e6 + static_cast<double>(whole_slot); }
+
+}  // namespace
+
+TEST_CASE("share: each cell is owned by one rank, and a cell of a rank has the centre that it has on the whole lattice, to the bit") {
+  for (const Scene& scene : scenes) {
+    const Lattice whole = lattice_of(scene);
+    std::vector<int> owners(whole.slots(), 0);
+    std::mutex mutex;
+    bool centres_agree = true;
+    run_in_process(scene.ranks, [&](Ranks& ranks) {
+      const Share share(ranks, whole, scene.reach, false);
+      const Lattice own = share.lattice();
+      const std::lock_guard guard(mutex);
+      for (std::size_t slot = 0; slot < own.slots(); ++slot) {
+        const auto [i, j, k] = own.cell(slot);
+        if (!own.contains(i, j, k)) continue;
+        const std::size_t of_whole = share.whole_slot(slot);
+        centres_agree = centres_agree && own.centre(slot) == whole.centre(of_whole);
+        if (share.owned().contains({i, j, k})) ++owners[of_whole];
+        CHECK((share.owned_slot(of_whole) == slot) == share.owned().contains({i, j, k}));
+      }
+    });
+    CHECK(centres_agree);
+    for (std::size_t slot = 0; slot < owners.size(); ++slot) {
+      const auto [i, j, k] = whole.cell(slot);
+      CHECK(owners[slot] == (whole.contains(i, j, k) ? 1 : 0));
+    }
+  }
+}
+
+TEST_CASE("share: after a refresh every cell within reach of an owned one has the value of its owner, and no other cell has changed") {
+  for (const Scene& scene : scenes) {
+    const Lattice whole = lattice_of(scene);
+    std::mutex mutex;
+    run_in_process(scene.ranks, [&](Ranks& ranks) {
+      const Share share(ranks, whole, scene.reach, false);
+      const Lattice own = share.lattice();
+      constexpr double stale = -1;
+      std::vector<double> values(own.slots(), stale), twice = values;
+      for (std::size_t slot = 0; slot < own.slots(); ++slot)
+        if (share.owned().contains(own.cell(slot))) values[slot] = number_of(share.whole_slot(slot)), twice[slot] = 2 * values[slot];
+      share.refresh({values.data(), twice.data()});
+      const CellBox near = share.owned().grown({scene.reach, scene.reach, whole.thickness ? 0 : scene.reach});
+      std::size_t refreshed = 0;
+      const std::lock_guard guard(mutex);
+      for (std::size_t slot = 0; slot < own.slots(); ++slot) {
+        const std::array<int, 3> cell = own.cell(slot);
+        if (!own.contains(cell[0], cell[1], cell[2])) continue;
+        const double expected = near.contains(cell) ? number_of(share.whole_slot(slot)) : stale;
+        CHECK(values[slot] == expected);
+        CHECK(twice[slot] == (expected == stale ? stale : 2 * expected));
+        if (near.contains(cell) && !share.owned().contains(cell)) ++refreshed;
+      }
+      CHECK(share.ghosts() == refreshed);
+    });
+  }
+}
+
+TEST_CASE("share: flags that a rank sets for its ghosts reach their owners, who keep their own") {
+  for (const Scene& scene : scenes) {
+    const Lattice whole = lattice_of(scene);
+    std::vector<std::uint8_t> wanted(whole.slots(), 0), found(whole.slots(), 0);
+    std::mutex mutex;
+    run_in_process(scene.ranks, [&](Ranks& ranks) {
+      const Share share(ranks, whole, scene.reach, false);
+      std::vector<std::uint8_t> flags(share.lattice().slots(), 0);
+      std::vector<std::size_t> set;
+      share.for_each_ghost([&](std::size_t slot) {
+        if (share.whole_slot(slot) % 5 == 0) flags[slot] = 1, set.push_back(slot);
+      });
+      for (std::size_t slot = 0; slot < flags.size(); ++slot)
+        if (share.owned().contains(share.lattice().cell(slot)) && share.whole_slot(slot) % 7 == 0) flags[slot] = 1, set.push_back(slot);
+      share.collect_flags(flags.data());
+      const std::lock_guard guard(mutex);
+      for (const std::size_t slot : set) wanted[share.whole_slot(slot)] = 1;
+      for (std::size_t slot = 0; slot < flags.size(); ++slot)
+        if (share.owned().contains(share.lattice().cell(slot))) found[share.whole_slot(slot)] = flags[slot];
+    });
+    CHECK(found == wanted);
+  }
+}
+
+TEST_CASE("share: numbers of the eights of the body are gathered in order, and each rank takes its own from them, of ghosts those by slot") {
+  for (const Scene& scene : scenes)
+    for (const std::size_t per_eight : {std::size_t{1}, std::size_t{8}, std::size_t{11}}) {
+      const Lattice whole = lattice_of(scene);
+      std::mutex mutex;
+      run_in_process(scene.ranks, [&](Ranks& ranks) {
+        const Share share(ranks, whole, scene.reach, false);
+        const std::size_t eights = share.lattice().slots() / 8;
+        std::vector<double> own(eights * per_eight, -1);
+        const auto number = [&](std::size_t eight, std::size_t n) { return number_of(share.whole_slot(8 * eight) / 8 * per_eight + n); };
+        for (std::size_t eight = 0; eight < eights; ++eight)
+          if (share.owned().contains(share.lattice().cell(8 * eight)))
+            for (std::size_t n = 0; n < per_eight; ++n) own[eight * per_eight + n] = number(eight, n);
+        const std::vector<double> gathered = share.gather(std::span<const double>(own), per_eight);
+        std::vector<double> expected;
+        for (std::size_t n = 0; n < whole.slots() / 8 * per_eight; ++n) expected.push_back(number_of(n));
+        std::vector<double> taken(own.size(), -1);
+        share.take(std::span<const double>(expected), std::span<double>(taken), per_eight);
+        const std::lock_guard guard(mutex);
+        CHECK(gathered == (ranks.is_root() ? expected : std::vector<double>()));
+        bool agree = true;
+        for (std::size_t eight = 0; eight < eights; ++eight) {
+          const bool is_set = per_eight == 8 || share.owned().contains(share.lattice().cell(8 * eight));
+          for (std::size_t n = 0; n < per_eight; ++n) agree = agree && taken[eight * per_eight + n] == (is_set ? number(eight, n) : 0);
+        }
+        CHECK(agree);
+      });
+    }
+}
+
+TEST_CASE("share: numbers of listed particles are gathered by their slots in the whole body, whichever rank has them") {
+  const Lattice whole = lattice_of(scenes[0]);
+  std::mutex mutex;
+  run_in_process(3, [&](Ranks& ranks) {
+    const Share share(ranks, whole, 3, false);
+    std::vector<std::uint32_t> slots;
+    std::vector<double> own;  // two of each
+    for (std::size_t slot = 0; slot < share.lattice().slots(); ++slot)
+      if (share.owned().contains(share.lattice().cell(slot)) && share.whole_slot(slot) % 11 == 0) {
+        slots.push_back(static_cast<std::uint32_t>(slot));
+        own.insert(own.end(), {number_of(share.whole_slot(slot)), -number_of(share.whole_slot(slot))});
+      }
+    const std::vector<double> gathered = share.gather_listed(std::span<const double>(own), slots, 2);
+    std::vector<double> expected;
+    for (std::size_t slot = 0; slot < whole.slots(); slot += 11) {
+      const auto [i, j, k] = whole.cell(slot);
+      if (whole.contains(i, j, k)) expected.insert(expected.end(), {number_of(slot), -number_of(slot)});
+    }
+    std::vector<double> taken(own.size(), 0);
+    share.take_listed(std::span<const double>(expected), std::span<double>(taken), slots);
+    const std::lock_guard guard(mutex);
+    CHECK(gathered == (ranks.is_root() ? expected : std::vector<double>()));
+    CHECK(taken == own);
+  });
+}
+
+TEST_CASE("share: columns are kept whole on request, and more ranks than blocks of cells are refused in a sentence") {
+  const Lattice sheet{.cells = {16, 12, 8}, .spacing = 1};
+  run_in_process(4, [&](Ranks& ranks) { REQUIRE(Share(ranks, sheet, 3, true).owned().size(2) == 8); });
+  const Lattice small{.cells = {8, 2, 1}, .spacing = 1};
+  CHECK_THROWS_WITH_AS(run_in_process(3, [&](Ranks& ranks) { Share(ranks, small, 1, false); }),
+                       "the lattice of 8 x 2 x 1 cells can be divided among at most 2 ranks, since cuts across x are at multiples of eight cells; use fewer",
+                       fccda::InputError);
+}
+
+}  // namespace perimpact
