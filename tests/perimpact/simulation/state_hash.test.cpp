@@ -77,7 +77,7 @@ TEST_CASE("state hash: a single bit, an index, the length, and the name change i
   hashes.insert(hash_of("x", std::vector<double>(numbers.begin(), numbers.end() - 1)));
   hashes.insert(hash_of("x", std::vector<double>()));
   std::vector<double> turned = numbers;
-  std::ranges::rotate(turned, turned.begin() + 1);
+  std::rotate(turned.begin(), turned.begin() + 1, turned.end());
   hashes.insert(hash_of("x", turned));
   CHECK(hashes.size() == 10);
   std::vector<std::uint64_t> words(8, 0);
