@@ -229,8 +229,8 @@ TEST_CASE("exact sums: the members of a struct are summed apart, and the number 
   for (const int threads : {1, 2, 3}) {
     use_threads(threads);
     const Vec3d sum = exact_sum_of_shares<Vec3d>(1000, [&](std::ptrdiff_t share, ExactSums<Vec3d>& sums) {
-      for (std::size_t k = 0; k < 100; ++k) sums.add(vectors[100 * static_cast<std::size_t>(share) + k]);
-    }).value();
+                        for (std::size_t k = 0; k < 100; ++k) sums.add(vectors[100 * static_cast<std::size_t>(share) + k]);
+                      }).value();
     CHECK(sum == expected);
     std::vector<double> numbers;
     for (const Vec3d& vector : vectors) numbers.push_back(vector.y);

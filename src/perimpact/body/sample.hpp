@@ -14,9 +14,9 @@ namespace perimpact {
 class Sample {
  public:
   Sample(const Body& body, const Vec3d& point);
-  Vec3d at;                                    ///< [m] in the reference configuration
+  Vec3d at;                                                   ///< [m] in the reference configuration
   double distance() const { return near_.front().distance; }  ///< [m] from the point to these particles
-  Vec3d displacement(const Body& body) const;  ///< [m] mean
+  Vec3d displacement(const Body& body) const;                 ///< [m] mean
 
  private:
   static constexpr std::size_t most = 8;

@@ -12,8 +12,8 @@ namespace perimpact {
 
 struct Fragment {
   std::size_t particles;
-  double mass;               ///< [kg]
-  std::size_t first_slot;    ///< smallest slot of its particles, on the lattice of the whole body
+  double mass;             ///< [kg]
+  std::size_t first_slot;  ///< smallest slot of its particles, on the lattice of the whole body
 };
 
 /// Row of the fragment table. Fragments have at least two particles here, but masses include single particles.
