@@ -166,6 +166,7 @@ void Share::take(std::span<const T> whole, std::span<T> own, std::size_t per_eig
     std::copy(whole.begin(), whole.end(), own.begin());
     return;
   }
+  if (per_eight == 0) return;
   const bool with_ghosts = std::is_floating_point_v<T> && per_eight == fccda::byte_lanes;
   const CellBox all{{0, 0, 0}, plan_->lattice.cells};
   if (!with_ghosts) std::fill(own.begin(), own.end(), T{});
