@@ -64,24 +64,10 @@ CellBox Share::owned() const {
 
 void Share::collect_flags(std::uint8_t* flags) const {
   if (!plan_) return;
-  std::vector<std::vector<std::uint8_t>> sent(plan_->peers.size()), received(plan_->peers.size());
-  std::vector<Ranks::Outgoing> outgoing;
-  std::vector<Ranks::Incoming> incoming;
-  for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
-    const Peer& peer = plan_->peers[p];
-    for_each_run(peer.receive, [&](std::size_t slot, std::size_t count) { sent[p].insert(sent[p].end(), flags + slot, flags + slot + count); });
-    received[p].resize(peer.send.cells());
-    outgoing.push_back({peer.rank, std::as_bytes(std::span(sent[p]))});
-    incoming.push_back({peer.rank, std::as_writable_bytes(std::span(received[p]))});
-  }
-  ranks_->exchange(outgoing, incoming);
-  for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
-    const std::uint8_t* from = received[p].data();
-    for_each_run(plan_->peers[p].send, [&](std::size_t slot, std::size_t count) {
-      for (std::size_t k = 0; k < count; ++k, ++from)
-        if (*from != 0) flags[slot + k] = *from;
-    });
-  }
+  exchange(std::span<std::uint8_t* const>(&flags, 1), &Peer::receive, &Peer::send, [](const std::uint8_t* values, std::size_t count, std::uint8_t* to) {
+    for (std::size_t k = 0; k < count; ++k)
+      if (values[k] != 0) to[k] = values[k];
+  });
 }
 
 std::vector<std::size_t> Share::order_of(std::span<const std::uint32_t> slots) const {

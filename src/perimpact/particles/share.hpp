@@ -113,6 +113,9 @@ class Share {
   std::vector<std::size_t> order_of(std::span<const std::uint32_t> slots) const;
   /// How many the ranks before this one have, if each calls with its count. Collective.
   std::size_t first_of_own(std::size_t count) const;
+  /// Sends the numbers in one box of each peer, and passes those received for the other to take(values, count, to) by runs of consecutive slots.
+  template <class T, class Take>
+  void exchange(std::span<T* const> arrays, CellBox Peer::*from, CellBox Peer::*to, const Take& take) const;
   /// Calls f(first, count) for the numbers of the eights of each row of a box of cells.
   template <class F>
   static void for_each_row_of_eights(const Lattice& lattice, const CellBox& box, std::size_t per_eight, const F& f);
@@ -202,30 +205,34 @@ void Share::take_listed(std::span<const T> all, std::span<T> own, std::span<cons
       std::copy_n(all.data() + place * per_slot, per_slot, own.data() + (order[place] - before) * per_slot);
 }
 
-template <class T>
-void Share::refresh(std::span<T* const> arrays) const {
-  if (!plan_) return;
+template <class T, class Take>
+void Share::exchange(std::span<T* const> arrays, CellBox Peer::*from, CellBox Peer::*to, const Take& take) const {
   std::vector<std::vector<T>> sent(plan_->peers.size()), received(plan_->peers.size());
   std::vector<Ranks::Outgoing> outgoing;
   std::vector<Ranks::Incoming> incoming;
   for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
     const Peer& peer = plan_->peers[p];
-    sent[p].reserve(arrays.size() * peer.send.cells());
-    received[p].resize(arrays.size() * peer.receive.cells());
+    sent[p].reserve(arrays.size() * (peer.*from).cells());
+    received[p].resize(arrays.size() * (peer.*to).cells());
     for (const T* array : arrays)
-      for_each_run(peer.send, [&](std::size_t slot, std::size_t count) { sent[p].insert(sent[p].end(), array + slot, array + slot + count); });
+      for_each_run(peer.*from, [&](std::size_t slot, std::size_t count) { sent[p].insert(sent[p].end(), array + slot, array + slot + count); });
     outgoing.push_back({peer.rank, std::as_bytes(std::span(sent[p]))});
     incoming.push_back({peer.rank, std::as_writable_bytes(std::span(received[p]))});
   }
   ranks_->exchange(outgoing, incoming);
   for (std::size_t p = 0; p < plan_->peers.size(); ++p) {
-    const T* from = received[p].data();
+    const T* values = received[p].data();
     for (T* array : arrays)
-      for_each_run(plan_->peers[p].receive, [&](std::size_t slot, std::size_t count) {
-        std::copy_n(from, count, array + slot);
-        from += count;
+      for_each_run(plan_->peers[p].*to, [&](std::size_t slot, std::size_t count) {
+        take(values, count, array + slot);
+        values += count;
       });
   }
+}
+
+template <class T>
+void Share::refresh(std::span<T* const> arrays) const {
+  if (plan_) exchange(arrays, &Peer::send, &Peer::receive, [](const T* values, std::size_t count, T* to) { std::copy_n(values, count, to); });
 }
 
 }  // namespace perimpact
