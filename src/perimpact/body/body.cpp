@@ -23,20 +23,11 @@ Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
 
 int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
-/// Share of this rank in the lattice of a body.
-Share share_of(const BodySetup& setup, const Lattice& lattice, int reach, Ranks& ranks) {
-  try {
-    return Share(ranks, lattice, reach, keeps_columns(setup));
-  } catch (const fccda::InputError& error) {
-    throw SetupError("bodies." + setup.name, fmt::format("body {}: {}.", setup.name, error.what()));
-  }
-}
-
 /// One particle in each cell of the lattice whose centre is inside the solid.
-Particles filled(const BodySetup& setup, const BodySolid& solid, Ranks& ranks) {
+Particles filled(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int first_rank) {
   Lattice lattice = lattice_that_fills(setup, solid);
   const int reach = stencil_of(setup, lattice).reach();
-  Share share = share_of(setup, lattice, reach, ranks);
+  Share share(ranks, lattice, reach, keeps_columns(setup), first_rank);
   if (!share.is_whole()) lattice = share.lattice();
   const std::vector<std::uint8_t> inside = cells_inside(lattice, solid);
   if (!ranks.any(std::find(inside.begin(), inside.end(), 1) != inside.end()))
@@ -123,9 +114,9 @@ IsotropicElastic elastic_of(const BodySetup& setup) {
   return IsotropicElastic::in(plane, *modulus, std::visit([&](const auto& material) { return material.poissons_ratio_in(plane); }, setup.material));
 }
 
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks) {
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks, int first_rank) {
   const auto* cloud = std::get_if<Cloud>(&discretisation);
-  Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation), ranks);
+  Particles particles = cloud ? Particles(*cloud, setup.elastic().density) : filled(setup, std::get<BodySolid>(discretisation), ranks, first_rank);
   for (const std::uint32_t slot : particles.slot_of()) particles.velocity.set(slot, setup.velocity);
   return particles;
 }

@@ -51,8 +51,8 @@ struct Body {
 };
 
 /// Particles that fill the solid, or those of the cloud, with their initial velocities; the share of this rank. Throws SetupError if there are none, or more
-/// than can be indexed.
-Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone());
+/// than can be indexed. `first_rank`: see Share.
+Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone(), int first_rank = 0);
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 
 /// True if ranks must not divide its lattice across z: the water under a floating body acts on columns of it.

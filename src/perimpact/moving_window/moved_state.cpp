@@ -41,10 +41,10 @@ void MovedState::copy(std::span<const std::byte> from, std::span<std::byte> to) 
   if (!from.empty()) std::memcpy(to.data(), from.data(), from.size());
 }
 
-std::int64_t MovedState::moved_particle(std::size_t particle) const {
-  if (particle < body_.first_particle || particle >= body_.first_particle + target_of_.size()) return static_cast<std::int64_t>(particle);
-  const std::int64_t target = target_of_[particle - body_.first_particle];
-  return target < 0 ? -1 : target + static_cast<std::int64_t>(body_.first_particle);
+std::int64_t MovedState::moved_id(std::uint64_t id) const {
+  if (id < body_.first_id || id >= body_.first_id + target_of_.size()) return static_cast<std::int64_t>(id);
+  const std::int64_t target = target_of_[id - body_.first_id];
+  return target < 0 ? -1 : target + static_cast<std::int64_t>(body_.first_id);
 }
 
 std::vector<std::byte> MovedState::list(std::string_view name, const std::vector<std::byte>& from) {
@@ -57,13 +57,13 @@ std::vector<std::byte> MovedState::list(std::string_view name, const std::vector
   }
   if (name == "fragments.pair_ends") {
     kept_pairs_.clear();
-    std::vector<std::uint32_t> ends;
-    const std::vector<std::uint32_t> before = numbers_of<std::uint32_t>(from);
+    std::vector<std::uint64_t> ends;
+    const std::vector<std::uint64_t> before = numbers_of<std::uint64_t>(from);
     for (std::size_t pair = 0; pair < before.size() / 2; ++pair) {
-      const std::int64_t i = moved_particle(before[2 * pair]), j = moved_particle(before[2 * pair + 1]);
+      const std::int64_t i = moved_id(before[2 * pair]), j = moved_id(before[2 * pair + 1]);
       if (i < 0 || j < 0) continue;
       kept_pairs_.push_back(pair);
-      ends.push_back(static_cast<std::uint32_t>(i)), ends.push_back(static_cast<std::uint32_t>(j));
+      ends.push_back(static_cast<std::uint64_t>(i)), ends.push_back(static_cast<std::uint64_t>(j));
     }
     return bytes_of(ends);
   }
@@ -87,17 +87,12 @@ void MovedState::array(std::string_view name, std::span<const std::byte> from, s
   const std::size_t slots = body_.sources.size();
   const bool is_own = name.starts_with(body_.name + ".");
   if (is_own && name.ends_with(".bonds")) return bonds(from, to);
-  const bool is_of_particles = name == "fragments.threshold" || (name == "fragments.latest_pressure" && !to.empty());
   const std::size_t count = to.size() / size_of_number;
   const bool is_of_body = is_own && name.find('.', body_.name.size() + 1) == std::string_view::npos;  // not of one of its boundary conditions
   if (is_of_body && count == source_eights_.size() && !name.ends_with("_of_eight")) return take_over(source_eights_, from, to, size_of_number);
-  if (is_own && count == slots) return take_over(body_.sources, from, to, size_of_number);
-  if (!is_of_particles) return copy(from, to);
-  // the particles of all bodies, of which those of others keep their values
-  const std::size_t first = body_.first_particle * size_of_number, length = slots * size_of_number;
-  copy(from.first(first), to.first(first));
-  take_over(body_.sources, from.subspan(first, length), to.subspan(first, length), size_of_number);
-  copy(from.subspan(first + length), to.subspan(first + length));
+  const bool is_of_contact = name.starts_with("fragments." + std::to_string(body_.index) + ".");
+  if ((is_own || is_of_contact) && count == slots) return take_over(body_.sources, from, to, size_of_number);
+  copy(from, to);
 }
 
 // Bonds to or from new material are intact, and those to discarded material do not exist. `to`: all bonds of the newly built body.

@@ -38,7 +38,7 @@ class MovedState {
   struct MovedBody {
     std::string name;
     std::size_t index;
-    std::size_t first_particle;             ///< number of particles of the bodies before it
+    std::size_t first_id;                   ///< of its particles in pairs of the contact of fragments: number of slots of the bodies before it
     std::span<const std::int64_t> sources;  ///< of each slot
     const Family& family;                   ///< rebuilt
   };
@@ -65,8 +65,8 @@ class MovedState {
   void array(std::string_view name, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number) const;
   static void take_over(std::span<const std::int64_t> sources, std::span<const std::byte> from, std::span<std::byte> to, std::size_t size_of_number);
   void bonds(std::span<const std::byte> from, std::span<std::byte> to) const;
-  /// Index of a particle of all bodies after the move; -1 if it is discarded.
-  std::int64_t moved_particle(std::size_t particle) const;
+  /// Id of a particle after the move; -1 if it is discarded.
+  std::int64_t moved_id(std::uint64_t id) const;
 
   const CapturedState& captured_;
   MovedBody body_;

@@ -112,7 +112,7 @@ double rubble_of(const BodySetup& setup, const FragmentContactSetup& fragments) 
   const double listed = (setup.is_plane() ? 20 : 80) * std::pow((2 * fragments.distance_ratio + 0.5) / 2.5, dimension);
   const double near = (setup.is_plane() ? 8 : 26) * std::pow(fragments.distance_ratio, dimension);
   const double pair = (fragments.friction > 0 ? 4.25 : 3.25) * slot_number + of_pair, gap = 4 * pair, found = 2 * slot_number,
-               kept = 2 * slot_number + of_pair;  // stored once per pair
+               kept = 2 * number + of_pair;  // stored once per pair
   const double member = 3 * vector + 17 * number;
   return listed * (pair + found) + gap + near / 2 * kept + member;
 }
@@ -154,10 +154,10 @@ BodyMemory memory_of(const Setup& setup, const BodySetup& body, const Discretisa
     memory.picture = std::max(3 * sizeof(float) * p + 19 * p, may_break ? 2 * slot_number * n : 0) + (may_break ? slot_number * p : 0);
   if (setup.output.frames > 0 && setup.output.frame_particles) memory.picture += 2 * slot_number * p;  // numbers of the particles, kept and of a frame
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) {
-    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, threshold, cell, point and position in its cell; surfaces, particle of a slot,
-    // broken ends of eights
+    // near_pairs.hpp and short_range.hpp: particle, reference position, mark, member, cell, point and position in its cell; threshold, surfaces, particle of a
+    // slot, broken ends of eights
     memory.fragments =
-        (sizeof(NearPairs::Member) + vector + 1 + number + 2 * slot_number + vector) * p + (1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
+        (sizeof(NearPairs::Member) + vector + 1 + 3 * slot_number + vector) * p + (number + 1 + 2 + slot_number + sizeof(std::uint32_t) / lanes) * n;
     memory.rubble = rubble_of(body, setup.contact.fragments) * n;
   }
   return memory;

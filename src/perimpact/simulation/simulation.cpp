@@ -253,10 +253,10 @@ void Simulation::move_window(MovingWindow& window, long moves) {
   rebuild(window);
   const std::size_t b = window.body();
   const Body& body = bodies_[b];
-  std::size_t particles_before = 0;
-  for (std::size_t before = 0; before < b; ++before) particles_before += bodies_[before].particles.size();
+  std::size_t slots_before = 0;
+  for (std::size_t before = 0; before < b; ++before) slots_before += bodies_[before].particles.slots();
   const std::vector<std::int64_t> sources = window.sources(*body.particles.lattice(), moves);
-  MovedState moved(captured, {body.name, b, particles_before, sources, body.family});
+  MovedState moved(captured, {body.name, b, slots_before, sources, body.family});
   visit_all(moved);
   boundary_conditions_[b].restart_potentials();
   for (Impactor& impactor : impactors_) impactor.forget_distances(b);

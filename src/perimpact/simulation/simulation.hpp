@@ -20,6 +20,7 @@
 #include "perimpact/moving_window/moving_window.hpp"
 #include "perimpact/self_contact/short_range.hpp"
 #include "perimpact/simulation/shared_state.hpp"
+#include "perimpact/simulation/short_range_of.hpp"
 #include "perimpact/simulation/start.hpp"
 
 namespace perimpact {
@@ -124,7 +125,7 @@ class Simulation {
     for (Body& body : bodies_) body.visit_state(visit);
     for (BoundaryConditions& boundary_conditions : boundary_conditions_) boundary_conditions.visit_state(visit);
     for (Impactor& impactor : impactors_) impactor.visit_state(visit);
-    if (fragments_) fragments_->visit_state(fccda::under("fragments", visit));
+    if (fragments_) fragments_->visit_state(contacting_bodies(setup_, bodies_), fccda::under("fragments", visit));
     if (relaxation_) relaxation_->visit_state(fccda::under("relaxation", visit));
   }
   void move_windows();

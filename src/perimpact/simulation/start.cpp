@@ -16,10 +16,21 @@ namespace {
 
 std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies, fccda::Stages& stages, Ranks& ranks) {
   std::vector<Particles> particles;
+  int parts = 0;  // of small bodies, which follow one another on the ranks
+  bool is_divided_among_all = ranks.size() == 1;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     stages.begin("particles", setup.bodies[b].name);
-    particles.push_back(make_particles(setup.bodies[b], bodies[b], ranks));
+    const Share& share = particles.emplace_back(make_particles(setup.bodies[b], bodies[b], ranks, parts % ranks.size())).share();
+    if (share.is_whole()) continue;
+    if (share.parts() == ranks.size())
+      is_divided_among_all = true;
+    else
+      parts += share.parts();
   }
+  if (!is_divided_among_all && parts < ranks.size())
+    throw SetupError("bodies", fmt::format("{} ranks are too many: the bodies can be divided among at most {}, since lattices are cut across x at multiples of "
+                                           "eight cells only. Use fewer.",
+                                           ranks.size(), parts));
   return particles;
 }
 
