@@ -23,20 +23,12 @@ Stencil stencil_of(const BodySetup& setup, const Lattice& lattice) {
 
 int layers_along(std::size_t axis, const Particles& particles) { return static_cast<int>(std::lround(extent(particles)[axis] / particles.spacing())); }
 
-/// Share of this rank in the lattice of a body.
-Share share_of(const BodySetup& setup, const Lattice& lattice, int reach, Ranks& ranks) {
-  try {
-    return Share(ranks, lattice, reach, keeps_columns(setup));
-  } catch (const fccda::InputError& error) {
-    throw SetupError("bodies." + setup.name, fmt::format("body {}: {}.", setup.name, error.what()));
-  }
-}
-
 /// One particle in each cell of the lattice whose centre is inside the solid.
 Particles filled(const BodySetup& setup, const BodySolid& solid, Ranks& ranks) {
   Lattice lattice = lattice_that_fills(setup, solid);
-  const int reach = stencil_of(setup, lattice).reach();
-  Share share = share_of(setup, lattice, reach, ranks);
+  const PartitionRule rule = partition_rule_of(setup, lattice);
+  const int reach = rule.reach;
+  Share share = in_body(setup, [&] { return Share(ranks, lattice, reach, rule.keeps_columns); });
   if (!share.is_whole()) lattice = share.lattice();
   const std::vector<std::uint8_t> inside = cells_inside(lattice, solid);
   if (!ranks.any(std::find(inside.begin(), inside.end(), 1) != inside.end()))
@@ -112,8 +104,9 @@ std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Par
   return BendingOfLayers{thin, layers, relative_bending_stiffness(setup, thin, layers)};
 }
 
-bool keeps_columns(const BodySetup& setup) {
-  return std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
+PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole) {
+  const bool floats = std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
+  return {whole.cells, stencil_of(setup, whole).reach(), floats};
 }
 
 IsotropicElastic elastic_of(const BodySetup& setup) {

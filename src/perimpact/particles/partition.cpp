@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 
+#include "base/error.hpp"
 #include "base/pack.hpp"
 
 namespace perimpact {
@@ -116,6 +118,33 @@ std::vector<CellBox> partition(const PartitionRule& rule, int ranks) {
   const bool is_complete = bisected.size() == static_cast<std::size_t>(ranks);
   std::vector<CellBox> regular = grid_of(*parts, rule);
   return is_complete && largest_work(bisected, rule) < largest_work(regular, rule) ? bisected : regular;
+}
+
+std::vector<CellBox> boxes_of_ranks(const PartitionRule& rule, int ranks) {
+  std::vector<CellBox> boxes = partition(rule, ranks);
+  if (boxes.size() < static_cast<std::size_t>(ranks))
+    throw fccda::InputError("the lattice of " + std::to_string(rule.cells[0]) + " x " + std::to_string(rule.cells[1]) + " x " + std::to_string(rule.cells[2]) +
+                            " cells can be divided among at most " + std::to_string(boxes.size()) +
+                            " ranks, since cuts across x are at multiples of eight cells; use fewer");
+  return boxes;
+}
+
+CellBox with_ghosts(const CellBox& box, const PartitionRule& rule) {
+  constexpr int eight = static_cast<int>(fccda::byte_lanes);
+  return intersection(box.grown({(rule.reach + eight - 1) / eight * eight, rule.reach, rule.reach}), {{0, 0, 0}, rule.cells});
+}
+
+std::vector<ExchangedCells> exchanged_cells(std::span<const CellBox> boxes, int rank, int reach) {
+  const CellBox& own = boxes[static_cast<std::size_t>(rank)];
+  const std::array<int, 3> within{reach, reach, reach};
+  const CellBox around = own.grown(within);
+  std::vector<ExchangedCells> exchanged;
+  for (std::size_t other = 0; other < boxes.size(); ++other) {
+    const CellBox receive = intersection(around, boxes[other]);
+    if (static_cast<int>(other) == rank || receive.cells() == 0) continue;
+    exchanged.push_back({static_cast<int>(other), intersection(boxes[other].grown(within), own), receive});
+  }
+  return exchanged;
 }
 
 }  // namespace perimpact

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "perimpact/particles/cell_box.hpp"
@@ -23,5 +24,20 @@ struct PartitionRule {
 
 /// The box of each rank, at most `ranks`; fewer where there are not as many blocks of cells to divide.
 std::vector<CellBox> partition(const PartitionRule& rule, int ranks);
+
+/// The same; throws InputError where there are not as many blocks.
+std::vector<CellBox> boxes_of_ranks(const PartitionRule& rule, int ranks);
+
+/// The cells of a rank's own lattice: its box, and `reach` cells around it, in x whole eights.
+CellBox with_ghosts(const CellBox& box, const PartitionRule& rule);
+
+/// Cells that a rank sends to another and receives from it in a refresh of ghosts.
+struct ExchangedCells {
+  int rank;  ///< the other
+  CellBox send, receive;
+};
+
+/// Those of a rank with each other that is within reach, by ascending rank. `boxes`: of all ranks.
+std::vector<ExchangedCells> exchanged_cells(std::span<const CellBox> boxes, int rank, int reach);
 
 }  // namespace perimpact

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "perimpact/deck_model/setup.hpp"
-#include "perimpact/ranks/ranks.hpp"
 
 namespace perimpact {
 
 /// Throws SetupError with the key of the first part of the deck that several ranks do not support. Does nothing for one rank.
-void expect_supported_by(const Ranks& ranks, const Setup& setup);
+void expect_supported_by(int ranks, const Setup& setup);
 
 }  // namespace perimpact

@@ -140,7 +140,7 @@ Start::Read Start::read(const Setup& setup, fccda::Stages& stages, const Ranks& 
   return all;
 }
 
-Start::Start(const Setup& setup, fccda::Stages given, Ranks& all) : Start(setup, given, (expect_supported_by(all, setup), read(setup, given, all)), all) {}
+Start::Start(const Setup& setup, fccda::Stages given, Ranks& all) : Start(setup, given, (expect_supported_by(all.size(), setup), read(setup, given, all)), all) {}
 
 Start::Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& all)
     : ranks(&all),
