@@ -26,15 +26,15 @@ int layers_along(std::size_t axis, const Particles& particles) { return static_c
 /// One particle in each cell of the lattice whose centre is inside the solid.
 Particles filled(const BodySetup& setup, const BodySolid& solid, Ranks& ranks, int first_rank) {
   Lattice lattice = lattice_that_fills(setup, solid);
-  const int reach = stencil_of(setup, lattice).reach();
-  Share share(ranks, lattice, reach, keeps_columns(setup), first_rank);
+  const PartitionRule rule = partition_rule_of(setup, lattice);
+  Share share(ranks, lattice, rule.reach, rule.keeps_columns, first_rank);
   if (!share.is_whole()) lattice = share.lattice();
   const std::vector<std::uint8_t> inside = cells_inside(lattice, solid);
   if (!ranks.any(std::find(inside.begin(), inside.end(), 1) != inside.end()))
     throw SetupError("bodies." + setup.name + ".spacing",
                      fmt::format("no particle of a lattice of {} m is inside body {}; take a smaller spacing, or check the units of its shape and holes.",
                                  lattice.spacing, setup.name));
-  return Particles(lattice, reach, setup.elastic().density, inside, std::move(share));
+  return Particles(lattice, rule.reach, setup.elastic().density, inside, std::move(share));
 }
 
 Influences influences_of(const BodySetup& setup) {
@@ -103,8 +103,9 @@ std::optional<BendingOfLayers> bending_of_thin(const BodySetup& setup, const Par
   return BendingOfLayers{thin, layers, relative_bending_stiffness(setup, thin, layers)};
 }
 
-bool keeps_columns(const BodySetup& setup) {
-  return std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
+PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole) {
+  const bool floats = std::ranges::any_of(setup.boundary_conditions, [](const auto& one) { return std::holds_alternative<FloatingSetup>(one.kind); });
+  return {whole.cells, stencil_of(setup, whole).reach(), floats};
 }
 
 IsotropicElastic elastic_of(const BodySetup& setup) {

@@ -9,10 +9,12 @@
 #include "perimpact/body/failure.hpp"
 #include "perimpact/body/initial_cracks.hpp"
 #include "perimpact/deck_model/setup.hpp"
+#include "perimpact/deck_model/setup_error.hpp"
 #include "perimpact/discretisation/discretise.hpp"
 #include "perimpact/family/family.hpp"
 #include "perimpact/materials/internal_force.hpp"
 #include "perimpact/particles/particles.hpp"
+#include "perimpact/particles/partition.hpp"
 #include "perimpact/particles/shared_numbers.hpp"
 
 namespace perimpact {
@@ -55,8 +57,8 @@ struct Body {
 Particles make_particles(const BodySetup& setup, const Discretisation& discretisation, Ranks& ranks = alone(), int first_rank = 0);
 inline Particles make_particles(const BodySetup& setup) { return make_particles(setup, discretise(setup)); }
 
-/// True if ranks must not divide its lattice across z: the water under a floating body acts on columns of it.
-bool keeps_columns(const BodySetup& setup);
+/// How ranks divide its lattice: not across z where it floats, since the water under it acts on columns.
+PartitionRule partition_rule_of(const BodySetup& setup, const Lattice& whole);
 
 /// Elastic constants of its material, 3-D or 2-D.
 IsotropicElastic elastic_of(const BodySetup& setup);

@@ -24,22 +24,14 @@ Share::Share() : ranks_(&alone()) {}
 Share::Share(Ranks& ranks, const Lattice& whole, int reach, bool keeps_columns, int first_rank) : ranks_(&alone()) {
   if (ranks.size() == 1) return;
   ranks_ = &ranks;
-  const std::vector<CellBox> parts = partition({whole.cells, reach, keeps_columns}, ranks.size());
-  std::vector<CellBox> boxes(static_cast<std::size_t>(ranks.size()));  // empty where a rank has no part
-  for (std::size_t part = 0; part < parts.size(); ++part) boxes[(part + static_cast<std::size_t>(first_rank)) % boxes.size()] = parts[part];
-  const int eight = static_cast<int>(fccda::byte_lanes);
-  const std::array<int, 3> within = {reach, reach, whole.thickness ? 0 : reach}, around = {(reach + eight - 1) / eight * eight, within[1], within[2]};
-  const CellBox all{{0, 0, 0}, whole.cells};
+  const PartitionRule rule{whole.cells, reach, keeps_columns};
+  const std::vector<CellBox> boxes = boxes_of_ranks(rule, ranks.size(), first_rank);
   Plan plan{.whole = whole, .lattice = whole, .owned = boxes[static_cast<std::size_t>(ranks.rank())]};
-  constexpr CellBox least{{0, 0, 0}, {1, 1, 1}};  // no array is empty
-  const CellBox local = intersection(plan.owned.cells() > 0 ? plan.owned.grown(around) : least, all);
+  const CellBox local = with_ghosts(plan.owned, rule);
   plan.offset = local.low;
   for (std::size_t axis = 0; axis < 3; ++axis) plan.lattice.cells[axis] = local.size(axis), plan.lattice.first[axis] = whole.first[axis] + local.low[axis];
-  for (std::size_t other = 0; other < boxes.size(); ++other) {
-    if (static_cast<int>(other) == ranks.rank() || plan.owned.cells() == 0 || boxes[other].cells() == 0) continue;
-    const CellBox receive = intersection(plan.owned.grown(within), boxes[other]), send = intersection(boxes[other].grown(within), plan.owned);
-    if (receive.cells() + send.cells() > 0) plan.peers.push_back({static_cast<int>(other), shifted(send, plan.offset), shifted(receive, plan.offset)});
-  }
+  for (const ExchangedCells& cells : exchanged_cells(boxes, ranks.rank(), reach))
+    plan.peers.push_back({cells.rank, shifted(cells.send, plan.offset), shifted(cells.receive, plan.offset)});
   plan.boxes = boxes;
   plan_ = std::make_shared<const Plan>(std::move(plan));
 }
@@ -61,7 +53,7 @@ CellBox Share::owned() const {
 
 int Share::parts() const {
   EXPECTS(plan_);
-  return static_cast<int>(std::ranges::count_if(plan_->boxes, [](const CellBox& box) { return box.cells() > 0; }));
+  return count_parts(plan_->boxes);
 }
 
 void Share::collect_flags(std::uint8_t* flags) const {

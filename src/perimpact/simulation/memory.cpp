@@ -17,7 +17,6 @@
 #include "perimpact/family/stencil.hpp"
 #include "perimpact/integrate/stable_step.hpp"
 #include "perimpact/materials/internal_force.hpp"
-#include "perimpact/particles/partition.hpp"
 #include "perimpact/self_contact/near_pairs.hpp"
 #include "perimpact/simulation/sample_block.hpp"
 
@@ -185,28 +184,32 @@ Memory sum_of(std::span<const BodyMemory> bodies) {
 }  // namespace
 
 void Memory::reduce_to(double share) {
-  const double others = at_rest - std::accumulate(of_bodies.begin(), of_bodies.end(), 0.0);
+  double alike = program;  // on every rank
+  for (const OfSurface& surface : of_surfaces) alike += surface.bytes;
+  at_rest = alike + share * (at_rest - alike);
   for (double& of_body : of_bodies) of_body *= share;
-  at_rest = others + std::accumulate(of_bodies.begin(), of_bodies.end(), 0.0);
   setting_up *= share;
+  rubble *= share;
+}
+
+double share_of_slots(const Lattice& whole, const CellBox& cells) {
+  Lattice own = whole;
+  for (std::size_t axis = 0; axis < 3; ++axis) own.cells[axis] = cells.size(axis);
+  return static_cast<double>(own.slots()) / static_cast<double>(whole.slots());
 }
 
 double share_of_memory(const Setup& setup, std::span<const Discretisation> bodies, const Ranks& ranks) {
   if (ranks.size() == 1) return 1;
   double largest = 0;
+  RanksInTurn in_turn(ranks.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto* solid = std::get_if<BodySolid>(&bodies[b]);
     if (!solid) return 1;
     const Lattice whole = lattice_that_fills(setup.bodies[b], *solid);
-    const int reach = Stencil(setup.bodies[b].family.as<FamilyRule>(), whole.spacing, setup.bodies[b].horizon_ratio, whole.thickness).reach();
-    const std::vector<CellBox> boxes = partition({whole.cells, reach, keeps_columns(setup.bodies[b])}, ranks.size());
-    const auto rank = static_cast<std::size_t>(ranks.rank());
-    if (rank >= boxes.size()) continue;  // refused when the body is built
-    constexpr int eight = fccda::byte_lanes;
-    const CellBox local = intersection(boxes[rank].grown({(reach + eight - 1) / eight * eight, reach, reach}), {{0, 0, 0}, whole.cells});
-    Lattice own = whole;
-    for (std::size_t axis = 0; axis < 3; ++axis) own.cells[axis] = local.size(axis);
-    largest = std::max(largest, static_cast<double>(own.slots()) / static_cast<double>(whole.slots()));
+    const PartitionRule rule = partition_rule_of(setup.bodies[b], whole);
+    const std::vector<CellBox> boxes = boxes_of_ranks(rule, ranks.size(), in_turn.first_rank());
+    in_turn.add(count_parts(boxes));
+    largest = std::max(largest, share_of_slots(whole, with_ghosts(boxes[static_cast<std::size_t>(ranks.rank())], rule)));
   }
   return largest;
 }

@@ -18,8 +18,8 @@ namespace {
 
 }  // namespace
 
-void expect_supported_by(const Ranks& ranks, const Setup& setup) {
-  if (ranks.size() == 1) return;
+void expect_supported_by(int ranks, const Setup& setup) {
+  if (ranks == 1) return;
   if (setup.output.frame_particles) refuse("output.frame_particles", "frames of a part of the particles are");
   for (const BodySetup& body : setup.bodies) {
     const std::string key = "bodies." + body.name;
@@ -28,6 +28,13 @@ void expect_supported_by(const Ranks& ranks, const Setup& setup) {
   }
   for (const ImpactorSetup& impactor : setup.impactors)
     if (impactor.elastic) refuse("impactors." + impactor.name + ".elastic", "elastic impactors are");
+}
+
+void expect_parts_for_all(const RanksInTurn& in_turn) {
+  if (!in_turn.all_have_parts())
+    throw SetupError("bodies", fmt::format("{} ranks are too many: the bodies can be divided among at most {}, since lattices are cut across x at multiples of "
+                                           "eight cells only. Use fewer.",
+                                           in_turn.ranks(), in_turn.parts()));
 }
 
 }  // namespace perimpact

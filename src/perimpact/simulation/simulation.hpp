@@ -58,6 +58,8 @@ class Simulation {
   const std::vector<std::string>& warnings() const { return warnings_; }                              ///< before the run
   std::vector<std::string> closing_warnings() const;                                                  ///< at the end of the run
   const fccda::Timers& timers() const { return timers_; }                                             ///< of the phases of a step
+  const Traffic& traffic_of_steps() const { return traffic_of_steps_; }                               ///< of this rank in step(), where it is counted
+  double seconds_of_forces() const;                                                                   ///< [s] in the phases of force, without waiting for ranks
   const fccda::Timers& set_up_timers() const { return stages_.timers(); }                             ///< of the stages of the set-up
   std::span<const InitialPenetration> initial_penetrations() const { return initial_penetrations_; }  ///< removed, or projected onto a surface
   std::span<const Body> bodies() const { return bodies_; }
@@ -131,6 +133,8 @@ class Simulation {
   void move_windows();
   void move_window(MovingWindow& window, long moves);
   void rebuild(const MovingWindow& window);
+  void perform_step(const KeepRelaxing& keep_on);
+  void time_forces(std::string_view phase, const std::function<void()>& compute);
   void advance_bodies();
   void resolve_impactor_contact();
   std::vector<std::size_t> resolve_body(std::size_t body, ContactParticles& particles);  // number of unresolved penetrations per impactor
@@ -161,6 +165,8 @@ class Simulation {
   Monitors monitors_;
   ProximityMonitor proximity_;
   fccda::Timers timers_;
+  Traffic traffic_of_steps_;
+  double waiting_in_forces_ = 0;  // [s]
 };
 
 }  // namespace perimpact

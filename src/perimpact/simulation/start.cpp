@@ -16,21 +16,13 @@ namespace {
 
 std::vector<Particles> fill(const Setup& setup, std::span<const Discretisation> bodies, fccda::Stages& stages, Ranks& ranks) {
   std::vector<Particles> particles;
-  int parts = 0;  // of small bodies, which follow one another on the ranks
-  bool is_divided_among_all = ranks.size() == 1;
+  RanksInTurn in_turn(ranks.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     stages.begin("particles", setup.bodies[b].name);
-    const Share& share = particles.emplace_back(make_particles(setup.bodies[b], bodies[b], ranks, parts % ranks.size())).share();
-    if (share.is_whole()) continue;
-    if (share.parts() == ranks.size())
-      is_divided_among_all = true;
-    else
-      parts += share.parts();
+    const Share& share = particles.emplace_back(make_particles(setup.bodies[b], bodies[b], ranks, in_turn.first_rank())).share();
+    in_turn.add(share.is_whole() ? ranks.size() : share.parts());
   }
-  if (!is_divided_among_all && parts < ranks.size())
-    throw SetupError("bodies", fmt::format("{} ranks are too many: the bodies can be divided among at most {}, since lattices are cut across x at multiples of "
-                                           "eight cells only. Use fewer.",
-                                           ranks.size(), parts));
+  expect_parts_for_all(in_turn);
   return particles;
 }
 
@@ -151,7 +143,8 @@ Start::Read Start::read(const Setup& setup, fccda::Stages& stages, const Ranks& 
   return all;
 }
 
-Start::Start(const Setup& setup, fccda::Stages given, Ranks& all) : Start(setup, given, (expect_supported_by(all, setup), read(setup, given, all)), all) {}
+Start::Start(const Setup& setup, fccda::Stages given, Ranks& all)
+    : Start(setup, given, (expect_supported_by(all.size(), setup), read(setup, given, all)), all) {}
 
 Start::Start(const Setup& setup, fccda::Stages& given, Read read, Ranks& all)
     : ranks(&all),
