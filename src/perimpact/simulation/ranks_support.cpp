@@ -21,7 +21,6 @@ namespace {
 void expect_supported_by(const Ranks& ranks, const Setup& setup) {
   if (ranks.size() == 1) return;
   if (setup.contact.fragments.law.as<FragmentLaw>() != FragmentLaw::none) refuse("contact.fragments", "contact between fragments and bodies is");
-  if (setup.output.frame_particles) refuse("output.frame_particles", "frames of a part of the particles are");
   for (const BodySetup& body : setup.bodies) {
     const std::string key = "bodies." + body.name;
     if (is_cloud(body)) refuse(key + ".shape", "bodies from a file of particles are");
