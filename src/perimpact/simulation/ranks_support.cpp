@@ -26,8 +26,6 @@ void expect_supported_by(const Ranks& ranks, const Setup& setup) {
     if (is_cloud(body)) refuse(key + ".shape", "bodies from a file of particles are");
     if (body.moving_window) refuse(key + ".moving_window", "moving windows are");
   }
-  for (const ImpactorSetup& impactor : setup.impactors)
-    if (impactor.elastic) refuse("impactors." + impactor.name + ".elastic", "elastic impactors are");
 }
 
 }  // namespace perimpact
